@@ -36,6 +36,7 @@ install_packages() {
   need libtinyxml2-dev
   need libxsimd-dev
   need libxml2-utils xmllint
+  need python3 python3
   for package in "$@"; do need "$package"; done
   updated=
   for package in $missing; do

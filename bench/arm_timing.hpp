@@ -19,7 +19,7 @@ struct arm_numbers {
 /// "3R3R", "ur5" or "iiwa14": those of kte/manipulators.
 const arm_numbers& arm_of(const std::string& model);
 
-/// One question to an arm: the pose of a posture, the rotation by rows, where to start, if that is asked for, and of
+/// One question to an arm: the pose of a posture, the rotation by rows, where to start, if that is requested, and of
 /// seven axes the arm angle of the posture.
 struct arm_question {
   double rotation[9], position[3];
@@ -36,7 +36,7 @@ enum class wanted { posture, any };
 
 /// Registers `inverse_kinematics/how/model`: time of a question, each time another of 512. Postures and starts are
 /// random within limits. Counters: `error`, the largest of all answers, of the position relative to the reach or of the
-/// rotation in rad, by kinematics in extended precision; `found`, the share of questions that have what is wanted among
+/// rotation in rad, by kinematics in extended precision; `found`, the share of questions that have what is needed among
 /// the answers; `answers`, how many there are to a question.
 void add_arm(const std::string& how, const std::string& model, wanted what, answer_call f, std::size_t together = 1);
 

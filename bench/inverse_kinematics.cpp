@@ -1,6 +1,6 @@
 /// Inverse kinematics of static arms: all answers by closed forms, one by iterations from a random start.
-#include <kte/manipulators/clik.hpp>
 #include <kte/manipulators/iiwa14.hpp>
+#include <kte/manipulators/numerical_inverse_kinematics.hpp>
 #include <kte/manipulators/three_r_three_r.hpp>
 #include <kte/manipulators/ur.hpp>
 
@@ -75,17 +75,18 @@ struct arm_calls {
   }
   /// As it is called, from the closed form where that gives finitely many answers; numerically alone.
   template <bool Numeric>
-  [[gnu::noinline]] static void clik(const arm_question* x, double* q, int* count) {
+  [[gnu::noinline]] static void numerical(const arm_question* x, double* q, int* count) {
     const std::span start(x->start, static_cast<std::size_t>(Model::arm.dofs));
-    const auto r = kte::clik(Model::arm, kte::reach(kte::arm_names::tool, pose_of(*x)), start, {.numeric = Numeric});
+    const auto r = kte::numerical_inverse_kinematics(Model::arm, kte::reach(kte::arm_names::tool, pose_of(*x)), start,
+                                                     {.numeric = Numeric});
     put(r.q, q);
-    *count = r.status == kte::clik_status::reached;
+    *count = r.status == kte::numerical_ik_status::reached;
   }
   static void add() {
     add_arm("closed", Model::name, wanted::posture, closed);
     add_arm("closed_pack8", Model::name, has_arm_angle ? wanted::any : wanted::posture, closed_pack8, 8);
-    add_arm("clik", Model::name, wanted::any, clik<false>);
-    add_arm("numeric", Model::name, wanted::any, clik<true>);
+    add_arm("clik", Model::name, wanted::any, numerical<false>);
+    add_arm("numeric", Model::name, wanted::any, numerical<true>);
   }
 };
 

@@ -3,7 +3,7 @@
 #include <kte/dynamics/forward_kinematics.hpp>
 #include <kte/elements/revolute_joint.hpp>
 #include <kte/elements/rigid_link.hpp>
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
 
 #include <benchmark/benchmark.h>
 
@@ -14,16 +14,16 @@ namespace {
 
 std::string frame(int i) { return "frame" + std::to_string(i); }
 auto link(int i) { return kte::rigid_link_3D(frame(i), frame(i + 1), kte::along_z(0.1)); }
-kte::kte_map_chain links(int n) {
-  kte::kte_map_chain c;
+kte::runtime_chain links(int n) {
+  kte::runtime_chain c;
   c << kte::revolute_joint_3D("q", "base", frame(0), kte::axis::x);
   for (int i = 0; i < n; ++i) c << link(i);
   return c;
 }
-kte::kte_map_chain chains_of_one(int n) {
-  kte::kte_map_chain c;
+kte::runtime_chain chains_of_one(int n) {
+  kte::runtime_chain c;
   c << kte::revolute_joint_3D("q", "base", frame(0), kte::axis::x);
-  for (int i = 0; i < n; ++i) c << (kte::kte_map_chain() << link(i));
+  for (int i = 0; i < n; ++i) c << (kte::runtime_chain() << link(i));
   return c;
 }
 
@@ -43,7 +43,7 @@ const registered here{[] {
   for (int n = 1000; n <= 1000000; n *= 10) {
     add_of_chain("append", n, 0, [n](auto&, auto&) { benchmark::DoNotOptimize(links(n)); });
     add_of_chain("append_chains", n, 0, [n](auto&, auto&) { benchmark::DoNotOptimize(chains_of_one(n)); });
-    add_of_chain("copy", n, n, [](auto& c, auto&) { benchmark::DoNotOptimize(kte::kte_map_chain(c)); });
+    add_of_chain("copy", n, n, [](auto& c, auto&) { benchmark::DoNotOptimize(kte::runtime_chain(c)); });
     add_of_chain("move", n, n, [](auto& c, auto&) {
       auto moved = std::move(c);
       c = std::move(moved);

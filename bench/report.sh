@@ -61,8 +61,8 @@ others="$others, Bullet $(version libbullet-dev)"
 
 ## Targets
 
-Ratios of two times, and errors. Straight-line forward dynamics factorises the mass matrix; \`straightline_aba\` is by
-articulated bodies, as kte's own.
+Targets are ratios of two times, and errors.
+Straight-line forward dynamics factorizes the mass matrix; \`straightline_aba\` uses the articulated body algorithm, as kte does.
 
 END
   awk -f $here/targets.awk "$work/numbers" $here/targets.txt
@@ -71,19 +71,21 @@ END
 
 ## Pinocchio and RBDL
 
-Times in straight-line inverse dynamics of the iiwa14 (kte's with their errors). Those of Pinocchio and RBDL are of another run on such a machine,
-each at its best compiler, clang 19, since Debian does not package them; they agree with 50 digits to 3e-16 to 3e-15. Where they are
-installed they are timed here with the others (bench/peers).
+Times are relative to straight-line inverse dynamics of the iiwa14; those of kte are followed by errors.
+Debian does not package Pinocchio and RBDL.
+Their times are from another run on a machine of this type, with their best compiler, clang 19.
+Their results agree with 50 digits to 3e-16 to 3e-15.
+Where they are installed, this benchmark measures them with the others (bench/peers).
 
 END
   awk -f $here/elsewhere.awk "$work/numbers" $here/elsewhere.txt
   printf '\n## Models\n\n![time against error](performance/error.svg)\n\n![ways to evaluate](performance/ways.svg)\n'
   for name in iiwa14 ur5 3R3R panda solo12 hyq pendulum; do model $name; done
-  printf '\n## Growth with the number of bodies\n\n![growth](performance/growth.svg)\n\nNanoseconds by bodies:\n\n'
+  printf '\n## Growth with the number of bodies\n\n![growth](performance/growth.svg)\n\nNanoseconds by number of bodies:\n\n'
   awk -v column=4 -f $here/growth.awk "$work/numbers"
-  printf '\nErrors of the same:\n\n'
+  printf '\nErrors by number of bodies:\n\n'
   awk -v column=5 -f $here/growth.awk "$work/numbers"
-  printf '\n## Compile time\n\nInverse dynamics, mass matrix and forward dynamics in one file, by `sh bench/compile/measure.sh`:\n\n```\n'
+  printf '\n## Compile time\n\nCompile time of one file with inverse dynamics, mass matrix and forward dynamics, measured by `sh bench/compile/measure.sh`:\n\n```\n'
   sh bench/compile/measure.sh
   printf '```\n'
 } >docs/performance.md

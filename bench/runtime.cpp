@@ -16,8 +16,8 @@ struct at_run_time {
   }
 
  private:
-  static kte::kte_map_chain build() {
-    kte::kte_map_chain c;
+  static kte::runtime_chain build() {
+    kte::runtime_chain c;
     c.gravity(Model::chain.gravity());
     boost::hana::for_each(Model::chain.elements(),
                           [&]<class Core, class... Keys>(const kte::element<Core, Keys...>& e) {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kte/dynamics/frame_motion.hpp>
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
 
 #include <string_view>
 
@@ -11,16 +11,16 @@ namespace bench {
 
 /// A runtime chain, its tool, and a state that stays where it is, as in a control loop.
 struct runtime_subject {
-  runtime_subject(kte::kte_map_chain c, std::string_view tool_name, bool is_planar = false)
+  runtime_subject(kte::runtime_chain c, std::string_view tool_name, bool is_planar = false)
       : chain(std::move(c)), tool(chain.frame(tool_name)), planar(is_planar) {}
-  kte::kte_map_chain chain;
+  kte::runtime_chain chain;
   kte::handle tool;
   bool planar;
   kte::runtime_state state = chain.make_state();
   int nq = chain.nq(), nv = chain.dofs();
 };
 
-/// The algorithms, compiled once for all chains. Jacobians go where they are wanted; the others give references into
+/// The algorithms, compiled once for all chains. Jacobians go where they are needed; the others give references into
 /// the state, from which results are copied as an application would that keeps them.
 namespace runtime_calls {
 using function = void(runtime_subject&, const double* x, double* y);

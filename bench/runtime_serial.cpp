@@ -14,14 +14,14 @@ struct serial_at_run_time {
   }
 
  private:
-  static kte::kte_map_chain build() {
-    kte::kte_map_chain c;
+  static kte::runtime_chain build() {
+    kte::runtime_chain c;
     c.gravity(kte::along_z(-9.81));
     for (int i = 0; i < N; ++i) {
       const auto number = std::to_string(i + 1);
       const auto& b = serial_body(i);
-      c << kte::rigid_link_3D(i == 0 ? "base" : "link" + std::to_string(i), "seat" + number, b.position, b.rotation)
-        << kte::revolute_joint_3D("q" + number, "seat" + number, "link" + number, b.axis)
+      c << kte::rigid_link_3D(i == 0 ? "base" : "link" + std::to_string(i), "mount" + number, b.position, b.rotation)
+        << kte::revolute_joint_3D("q" + number, "mount" + number, "link" + number, b.axis)
         << kte::inertia_3D("link" + number, b.body);
     }
     return c;

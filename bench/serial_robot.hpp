@@ -8,11 +8,11 @@
 /// Robots as lists of numbers: what peers are built from, and the textbook's algorithms work on.
 namespace bench {
 
-/// A revolute joint and the body behind it: where the joint is seated in the frame of the body before, about which axis
+/// A revolute joint and the body behind it: where the joint is placed in the frame of the body before, about which axis
 /// it turns, and in the axes of the body its mass, centre of mass and inertia about that. m, kg, kg m^2.
 struct serial_link {
-  Eigen::Matrix3d rotation;  ///< of the seat
-  Eigen::Vector3d position;  ///< of the seat
+  Eigen::Matrix3d rotation;  ///< of the placement
+  Eigen::Vector3d position;  ///< of the placement
   Eigen::Vector3d axis;
   double mass;
   Eigen::Vector3d com;

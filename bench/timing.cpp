@@ -40,7 +40,7 @@ struct subject {
   std::size_t size_of_result{};  ///< of one state
 };
 
-/// Largest error of a block, relative to its largest number; infinite if a result is no number.
+/// Largest error of a block, relative to its largest number; infinite if a result is NaN.
 template <class S>
 long double error_of(const S* y, const std::vector<long double>& expected) {
   long double size = 0, error = 0;

@@ -63,7 +63,7 @@ END
   ask targets
   printf '\n## Which integrator\n\n'
   ask fill -v text=$here/choosing.md
-  printf '\nThe fastest, ms; and that with the fewest evaluations, where it is another one:\n\n'
+  printf '\nThe fastest integrator, ms, and the one with the fewest evaluations, if different:\n\n'
   ask winners -v all="$problems"
   printf '\n## Energy over a long time\n\n'
   cat $here/long_time.md

@@ -89,13 +89,13 @@ void check_laws() {
 // [laws]
 
 /// The same chain at run time, by way of a file.
-kte::kte_map_chain by_file() {
+kte::runtime_chain by_file() {
   kte::save_model("own_element.json", pendulum);
   return kte::to_chain(kte::load_model("own_element.json"), air::registry());
 }
 
 void check_chains() {
-  kte::kte_map_chain built;
+  kte::runtime_chain built;
   built.gravity(kte::along_z(-gravity)) << kte::revolute_joint_3D("q", "base", "joint", kte::axis::y)
                                         << kte::rigid_link_3D("joint", "tip", kte::along_x(length))
                                         << kte::inertia_3D("tip", kte::point_mass(mass))
@@ -112,7 +112,7 @@ void check_chains() {
   expect(std::abs(kte::forward_dynamics(built, s, x, v, tau)[0] - a) < 1e-14 * std::abs(a), "at run time: the same");
   expect(std::abs(kte::forward_dynamics(loaded, t, x, v, tau)[0] - a) < 1e-14 * std::abs(a), "from the file: the same");
 
-  kte::kte_map_chain flat;  // the same in the plane, q upwards
+  kte::runtime_chain flat;  // the same in the plane, q upwards
   flat.gravity(kte::along_y(-gravity)) << kte::revolute_joint_2D("q", "base", "joint")
                                        << kte::rigid_link_2D("joint", "tip", kte::along_x(length))
                                        << kte::inertia_2D("tip", kte::point_mass(mass)) << air::drag_2D("tip", damping);

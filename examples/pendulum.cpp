@@ -78,7 +78,7 @@ void simulate(const Chain& chain, State s, const char* how) {
 }
 
 int main() {
-  kte::kte_map_chain built;  // the same pendulum, put together at run time
+  kte::runtime_chain built;  // the same pendulum, put together at run time
   built.gravity(kte::along_y(-gravity)) << kte::revolute_joint_2D("q", "base", "joint")
                                         << kte::rigid_link_2D("joint", "tip", kte::along_x(length))
                                         << kte::inertia_2D("tip", kte::point_mass(1.0));

@@ -2,8 +2,8 @@
 /// the middle of a side (joints 5 and 7 in line), by differential inverse kinematics within limits of positions, rates
 /// and accelerations. Time of a step, and the error against the wanted path.
 #include <kte/io/recorder.hpp>
-#include <kte/manipulators/clik.hpp>
 #include <kte/manipulators/iiwa14.hpp>
+#include <kte/manipulators/numerical_inverse_kinematics.hpp>
 #include <kte/manipulators/path_profiles.hpp>
 #include <kte/manipulators/rates_towards.hpp>
 #include <kte/manipulators/straight_line.hpp>
@@ -28,7 +28,8 @@ int main() {
   const std::array corners{corner(-0.15, 0), corner(0.15, 0), corner(0.15, -0.3), corner(-0.15, -0.3),
                            corner(-0.15, 0)};
 
-  const auto start = kte::clik(arm, kte::goals(kte::reach(tool, corners[0]), kte::posture(stretched)), stretched);
+  const auto start = kte::numerical_inverse_kinematics(
+      arm, kte::goals(kte::reach(tool, corners[0]), kte::posture(stretched)), stretched);
   joints q = start.q, v = joints::Zero();
   std::printf("Start: %d iterations, off by %.1e m, %.1e rad\n", start.iterations, start.position, start.rotation);
 

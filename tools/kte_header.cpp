@@ -21,7 +21,7 @@ struct request {
   bool help = false;
 };
 
-/// Nothing if the arguments make no sense.
+/// Nothing if the arguments are invalid.
 std::optional<request> request_of(int count, char** arguments) {
   request r;
   for (int i = 1; i < count; ++i) {

@@ -20,16 +20,16 @@ serial() {
     printf key, "base", "frame_3D", "base", "base"
     for (i = 1; i <= n; ++i) {
       printf key, "q" i, "coord", "q" i, "q" i
-      printf key, "seat" i, "frame_3D", "seat" i, "seat" i
+      printf key, "mount" i, "frame_3D", "mount" i, "mount" i
       printf key, "link" i, "frame_3D", "link" i, "link" i
     }
     print "inline constexpr auto model = kte::chain("
     split("x y z", turn, " ")
     for (i = 1; i <= n; ++i) {
       from = i == 1 ? "base" : "link" (i - 1)
-      printf "    kte::rigid_link_3D(%s, seat%d, kte::vec3{0.0%d, -0.1, 0.2}, kte::quarter_turn_%s),\n", from, i,
+      printf "    kte::rigid_link_3D(%s, mount%d, kte::vec3{0.0%d, -0.1, 0.2}, kte::quarter_turn_%s),\n", from, i,
              i % 9 + 1, turn[i % 3 + 1]
-      printf "    kte::revolute_joint_3D(q%d, seat%d, link%d),\n", i, i, i
+      printf "    kte::revolute_joint_3D(q%d, mount%d, link%d),\n", i, i, i
       printf "    kte::inertia_3D(link%d, kte::rigid_body{1.%d, kte::vec3{0.01, -0.02, 0.1},\n", i, i
       printf "                    kte::sym3{0.02, 0.001, -0.002, 0.03, 0.0005, 0.025}})%s\n", i < n ? "," : ")"
     }

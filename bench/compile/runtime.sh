@@ -13,7 +13,7 @@ program() {
 #include <kte/dynamics/mass_matrix_inverse.hpp>
 #include <kte/kte.hpp>
 double runtime(const Eigen::VectorXd& q, const Eigen::VectorXd& v, const Eigen::VectorXd& x) {
-  kte::kte_map_chain arm;
+  kte::runtime_chain arm;
   arm << kte::revolute_joint_3D("q", "base", "arm", kte::axis::y)
       << kte::rigid_link_3D("arm", "tip", kte::vec3{0.0, 0.0, 1.0}) << kte::inertia_3D("tip", kte::point_mass(1.0));
   arm.gravity(kte::along_z(-9.81));

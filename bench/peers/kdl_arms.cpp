@@ -1,6 +1,6 @@
 /// Orocos KDL: numerical inverse kinematics from a random start, by Levenberg-Marquardt, which knows no limits, and by
-/// Newton-Raphson within limits. To the tolerance of kte's `clik`, m and rad alike (but rotations below 1e-6 rad are
-/// none to KDL); numbers of iterations as KDL has them.
+/// Newton-Raphson within limits. To the tolerance of kte's `numerical_inverse_kinematics`, m and rad alike (but
+/// rotations below 1e-6 rad are none to KDL); numbers of iterations as KDL has them.
 #include <algorithm>
 #include <kdl/chain.hpp>
 #include <kdl/chainfksolverpos_recursive.hpp>

@@ -8,7 +8,7 @@
 
 /// Other libraries on the same robots. Each is built from the numbers of serial_robot.hpp and has a file here; its
 /// `error` against the same digits shows that it is the same robot. Calls put the arguments in, evaluate no more than
-/// is asked for, and copy the results.
+/// is requested, and copy the results.
 namespace bench::peers {
 
 inline constexpr const char* models[]{"pendulum", "iiwa14", "ur5", "serial2", "serial8", "serial32", "serial128"};

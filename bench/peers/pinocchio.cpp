@@ -17,12 +17,12 @@ namespace {
 
 namespace pin = pinocchio;
 
-pin::JointIndex add_joint(pin::Model& model, pin::JointIndex parent, const Eigen::Vector3d& axis, const pin::SE3& seat,
-                          const std::string& name) {
-  if (axis == Eigen::Vector3d::UnitX()) return model.addJoint(parent, pin::JointModelRX(), seat, name);
-  if (axis == Eigen::Vector3d::UnitY()) return model.addJoint(parent, pin::JointModelRY(), seat, name);
-  if (axis == Eigen::Vector3d::UnitZ()) return model.addJoint(parent, pin::JointModelRZ(), seat, name);
-  return model.addJoint(parent, pin::JointModelRevoluteUnaligned(axis), seat, name);
+pin::JointIndex add_joint(pin::Model& model, pin::JointIndex parent, const Eigen::Vector3d& axis,
+                          const pin::SE3& placement, const std::string& name) {
+  if (axis == Eigen::Vector3d::UnitX()) return model.addJoint(parent, pin::JointModelRX(), placement, name);
+  if (axis == Eigen::Vector3d::UnitY()) return model.addJoint(parent, pin::JointModelRY(), placement, name);
+  if (axis == Eigen::Vector3d::UnitZ()) return model.addJoint(parent, pin::JointModelRZ(), placement, name);
+  return model.addJoint(parent, pin::JointModelRevoluteUnaligned(axis), placement, name);
 }
 
 pin::Model model_of(const serial_robot& robot) {

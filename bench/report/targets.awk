@@ -36,5 +36,5 @@ $1 == "time" {
   errors = known ? sprintf("%.1e : %.1e", error[$2], error[$3]) : ""
   row("`" $2 "` : `" $3 "`", known ? time[$2] / time[$3] : "", "%.3f", $4, errors)
 }
-$1 == "slope" { row("`" $2 "`, power of N with which it grows from " $4 " on", slope($2, $4), "%.2f", $3, "") }
+$1 == "slope" { row("`" $2 "`, growth exponent in N from " $4 " on", slope($2, $4), "%.2f", $3, "") }
 $1 == "error" { row("`" $2 "`, error", $2 in error ? error[$2] : "", "%.1e", $3, "") }

@@ -6,7 +6,7 @@
 #include "robots/solo12.hpp"
 
 /// The HyQ of the Italian Institute of Technology, from its published parameters: a floating trunk and four legs of
-/// three revolute joints about z, seated by quarter turns. A lower leg and its foot are one body. m, kg, kg m^2.
+/// three revolute joints about z, placed by quarter turns. A lower leg and its foot are one body. m, kg, kg m^2.
 namespace robots {
 
 namespace hyq_names {
@@ -33,13 +33,13 @@ inline constexpr leg<"rf"> rf;
 inline constexpr leg<"rh"> rh; }  // namespace hyq_names
 // clang-format on
 
-/// A leg, its hip turned by `seat` and its thigh by `turn`; `front` and `side` are 1 or -1.
-template <class Leg, class Seat, class Turn>
-constexpr auto hyq_leg(const Leg& l, const Seat& seat, const Turn& turn, double front, double side) {
+/// A leg, its hip turned by `placement` and its thigh by `turn`; `front` and `side` are 1 or -1.
+template <class Leg, class Placement, class Turn>
+constexpr auto hyq_leg(const Leg& l, const Placement& placement, const Turn& turn, double front, double side) {
   using namespace kte;
   const double across = front * side;
   return chain(
-      rigid_link_3D(hyq_names::body, l.hip, vec3{0.3735 * front, 0.207 * side, zero}, seat),
+      rigid_link_3D(hyq_names::body, l.hip, vec3{0.3735 * front, 0.207 * side, zero}, placement),
       revolute_joint_3D(l.haa, l.hip, l.assembly),
       inertia_3D(l.assembly, rigid_body{2.93, vec3{0.04263, zero, 0.16931 * across},
                                         sym3{0.05071, -4e-5 * across, -0.00159 * across, 0.05486, -5e-5, 0.00571}}),

@@ -69,7 +69,7 @@ void repeat(row& r) {
   for (int i = 0; i < n; ++i) r.by->integrate(r.setting);
   r.seconds.push_back((cpu_seconds() - before) / n);
 }
-/// How often an integration is timed, besides the first time.
+/// How often an integration is timed, in addition to the first time.
 int repetitions_of(const row& r) {
   const double once = r.seconds.front();
   return !r.failure.empty() ? 0 : once > 0.1 ? 1 : once > 0.02 ? 2 : 6;

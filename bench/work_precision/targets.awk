@@ -58,7 +58,7 @@ END {
   print "| | measured | | |"
   print "|-|-|-|-|"
   t = best("pendulum", 1e-10, "time", "adaptive")
-  row("pendulum, 50 s to 1e-10, best of those that choose their steps" code(who) ", ms", t == "" ? "" : t * 1e3, "%.3g", 1, "at most")
+  row("pendulum, 50 s to 1e-10, best adaptive integrator" code(who) ", ms", t == "" ? "" : t * 1e3, "%.3g", 1, "at most")
   key = "pendulum dormand_prince45"
   i = index_of(key, 1e-6)
   row("pendulum, 50 s, `dormand_prince45` with tolerance 1e-6, evaluations", i ? cost[key, "evaluations", i] : "", "%d", 5000, "at most")

@@ -14,12 +14,12 @@ inline constexpr struct q4_ final : kte::coord_key<"wrist_1"> {} q4;
 inline constexpr struct q5_ final : kte::coord_key<"wrist_2"> {} q5;
 inline constexpr struct q6_ final : kte::coord_key<"wrist_3"> {} q6;
 inline constexpr struct base_ final : kte::frame_3D_key<"base"> {} base;
-inline constexpr struct seat1_ final : kte::frame_3D_key<"seat1"> {} seat1;
-inline constexpr struct seat2_ final : kte::frame_3D_key<"seat2"> {} seat2;
-inline constexpr struct seat3_ final : kte::frame_3D_key<"seat3"> {} seat3;
-inline constexpr struct seat4_ final : kte::frame_3D_key<"seat4"> {} seat4;
-inline constexpr struct seat5_ final : kte::frame_3D_key<"seat5"> {} seat5;
-inline constexpr struct seat6_ final : kte::frame_3D_key<"seat6"> {} seat6;
+inline constexpr struct mount1_ final : kte::frame_3D_key<"mount1"> {} mount1;
+inline constexpr struct mount2_ final : kte::frame_3D_key<"mount2"> {} mount2;
+inline constexpr struct mount3_ final : kte::frame_3D_key<"mount3"> {} mount3;
+inline constexpr struct mount4_ final : kte::frame_3D_key<"mount4"> {} mount4;
+inline constexpr struct mount5_ final : kte::frame_3D_key<"mount5"> {} mount5;
+inline constexpr struct mount6_ final : kte::frame_3D_key<"mount6"> {} mount6;
 inline constexpr struct link1_ final : kte::frame_3D_key<"shoulder_link"> {} link1;
 inline constexpr struct link2_ final : kte::frame_3D_key<"upper_arm_link"> {} link2;
 inline constexpr struct link3_ final : kte::frame_3D_key<"forearm_link"> {} link3;
@@ -36,22 +36,22 @@ inline constexpr auto ur5 = [] {
   constexpr mat3 pitch{vec3{c, zero, one}, axis::y, vec3{minus_one, zero, c}};
   constexpr mat3 roll{axis::x, vec3{zero, c, one}, vec3{zero, minus_one, c}};
   constexpr auto wrist = diagonal(0.111172755531, 0.111172755531, 0.21942);
-  return chain(rigid_link_3D(base, seat1, along_z(0.089159)), revolute_joint_3D(q1, seat1, link1),
+  return chain(rigid_link_3D(base, mount1, along_z(0.089159)), revolute_joint_3D(q1, mount1, link1),
                inertia_3D(link1, rigid_body{3.7, zero3{}, diagonal(0.010267495893, 0.010267495893, 0.00666)}),
 
-               rigid_link_3D(link1, seat2, along_y(0.13585), pitch), revolute_joint_3D(q2, seat2, link2, axis::y),
+               rigid_link_3D(link1, mount2, along_y(0.13585), pitch), revolute_joint_3D(q2, mount2, link2, axis::y),
                inertia_3D(link2, rigid_body{8.393, along_z(0.28), diagonal(0.22689067591, 0.22689067591, 0.0151074)}),
 
-               rigid_link_3D(link2, seat3, vec3{zero, -0.1197, 0.425}), revolute_joint_3D(q3, seat3, link3, axis::y),
+               rigid_link_3D(link2, mount3, vec3{zero, -0.1197, 0.425}), revolute_joint_3D(q3, mount3, link3, axis::y),
                inertia_3D(link3, rigid_body{2.275, along_z(0.25), diagonal(0.049443313556, 0.049443313556, 0.004095)}),
 
-               rigid_link_3D(link3, seat4, along_z(0.39225), pitch), revolute_joint_3D(q4, seat4, link4, axis::y),
+               rigid_link_3D(link3, mount4, along_z(0.39225), pitch), revolute_joint_3D(q4, mount4, link4, axis::y),
                inertia_3D(link4, rigid_body{1.219, zero3{}, wrist}),
 
-               rigid_link_3D(link4, seat5, along_y(0.093)), revolute_joint_3D(q5, seat5, link5),
+               rigid_link_3D(link4, mount5, along_y(0.093)), revolute_joint_3D(q5, mount5, link5),
                inertia_3D(link5, rigid_body{1.219, zero3{}, wrist}),
 
-               rigid_link_3D(link5, seat6, along_z(0.09465)), revolute_joint_3D(q6, seat6, link6, axis::y),
+               rigid_link_3D(link5, mount6, along_z(0.09465)), revolute_joint_3D(q6, mount6, link6, axis::y),
                inertia_3D(link6, rigid_body{0.1879, zero3{}, diagonal(0.0171364731454, 0.0171364731454, 0.033822)}),
 
                rigid_link_3D(link6, tool, along_y(0.0823), roll))

@@ -1,7 +1,7 @@
 #pragma once
 
-/// Runtime chains compiled: what is `extern` where KTE_COMPILED is defined (kte/detail/compiled.hpp). Include it in
-/// one source file, before all else, unless the CMake target kte::compiled has it for you.
+/// Compiles the runtime chains that are `extern` with KTE_COMPILED (kte/detail/compiled.hpp). Include it in one source
+/// file, first, unless the program links the CMake target kte::compiled.
 #if defined(KTE_EXTERN) || defined(KTE_FUNCTION)
 #  error "kte: include kte/compiled.hpp before other headers of kte"
 #endif
@@ -29,7 +29,7 @@
 #include <kte/io/recording.hpp>
 #include <kte/io/table_writer.hpp>
 #include <kte/loops.hpp>
-#include <kte/manipulators/clik.hpp>
+#include <kte/manipulators/numerical_inverse_kinematics.hpp>
 #include <kte/manipulators/runtime_manipulator.hpp>
 #include <kte/models/detail/runtime_rate_derivatives.hpp>
 #include <kte/models/runtime_dynamics_model.hpp>

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Linear systems of models, and feedback for them. Each header can be included alone.
+/// Linear systems of models and feedback for them. Each header can be included alone.
 #include <kte/control/discretize.hpp>
 #include <kte/control/linearize.hpp>
 #include <kte/control/lqr.hpp>

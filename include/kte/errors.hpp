@@ -13,7 +13,7 @@ namespace kte {
 struct error : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
-/// A parameter of an element that makes no sense: a negative mass, an axis of length 0, NaN.
+/// An invalid parameter of an element: a negative mass, an axis that is not of length 1, NaN.
 struct bad_parameter : error {
   using error::error;
 };
@@ -25,20 +25,21 @@ struct bad_wiring : error {
 struct unknown_name : error {
   using error::error;
 };
-/// Arguments of the wrong size, or a result that is not a number.
+/// An argument of the wrong size or out of its range, or a result that is not finite.
 struct bad_argument : error {
   using error::error;
 };
-/// A mass matrix that cannot be factorised: some coordinate moves no mass.
+/// The mass matrix has no factorisation: a coordinate moves no mass.
 struct singular_mass_matrix : error {
   using error::error;
 };
-/// Equations that have no solution, or not a single one: joints that jam; Riccati equations of what inputs cannot hold.
+/// Equations without a solution, or with several: joints that jam; a Riccati equation of a system that is not
+/// stabilisable.
 struct no_solution : error {
   using error::error;
 };
-/// A linkage at a dead point: what follows its crank does not follow from there. Integrators stop: no shorter step
-/// helps.
+/// A linkage is at a dead point: the position of its crank does not determine that of its follower. Integrators stop; a
+/// shorter step does not help.
 struct dead_point : error {
   using error::error;
 };
@@ -50,26 +51,26 @@ struct cannot_assemble : error {
 struct bad_file : error {
   using error::error;
 };
-/// Why an integration could not go on.
+/// Why an integration failed.
 enum class failure_reason {
-  not_finite,       ///< f, a state or a Jacobian is not finite, or cannot be computed; or a reset's state
-  step_too_short,   ///< the tolerances need steps that are lost in the rounding of time, or below the smallest one
-  too_many_steps,   ///< `max_steps`
-  no_convergence,   ///< of an iteration
-  singular_matrix,  ///< of Newton's iterations, or of a Rosenbrock method
-  out_of_reach,     ///< the tolerances are below what arithmetic can reach
+  not_finite,       ///< f, a state, a Jacobian or the state after a reset is not finite or cannot be computed
+  step_too_short,   ///< the tolerances need steps below the smallest step, or below the rounding of the time
+  too_many_steps,   ///< more steps than `max_steps`
+  no_convergence,   ///< an iteration does not converge
+  singular_matrix,  ///< the matrix of Newton's iteration, or of a Rosenbrock method, is singular
+  out_of_reach,     ///< the tolerances are below the rounding errors
   event_function,   ///< the function of an event is not finite
-  other             ///< of other libraries; the text says
+  other             ///< an error of another library; the text names it
 };
-/// An integration that could not go on, also as data.
+/// An integration failed. The members hold the data of the text.
 struct integration_failure : error {
   integration_failure(const std::string& what, double at, failure_reason why, std::string of = {}, long long i = -1)
       : error(what), time(at), reason(why), cause(std::move(of)), component(i) {}
 
-  double time;  ///< s, as in the text
-  failure_reason reason;
-  std::string cause;    ///< what the right-hand side said, with the coordinate or element; or the name of the event
-  long long component;  ///< of the state, the first that is not finite, where that is known; else -1
+  double time;            ///< of the failure, s
+  failure_reason reason;  ///< the kind of failure
+  std::string cause;      ///< the message of the right-hand side, with the coordinate or element; or the event's name
+  long long component;    ///< the first entry of the state that is not finite; -1 if unknown
 };
 
 namespace detail {

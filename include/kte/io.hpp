@@ -1,6 +1,7 @@
 #pragma once
 
-/// Files: models and archives as XML, JSON and bytes (needs cereal), tables of results and recorders, progress.
+/// Files: models and archives in XML, JSON and a binary format (needs cereal), tables of results and recorders,
+/// progress.
 #include <kte/io/archive_file.hpp>
 #include <kte/io/memory_table.hpp>
 #include <kte/io/model_file.hpp>

@@ -1,7 +1,7 @@
 #pragma once
 
-/// Robots from URDF, MJCF and SDF, to URDF and MJCF, and what is odd about them (needs tinyxml2; docs/robots.md);
-/// with the algorithms that are asked for most.
+/// Robots from URDF, MJCF and SDF, to URDF and MJCF, and checks of them (needs tinyxml2; docs/robots.md), with the most
+/// common algorithms.
 #include <kte/dynamics/forward_dynamics.hpp>
 #include <kte/dynamics/forward_kinematics.hpp>
 #include <kte/dynamics/inverse_dynamics.hpp>

@@ -1,7 +1,6 @@
 #pragma once
 
-/// All that moves chains in time: systems, integrators, events. Each header can be included alone, which compiles
-/// faster.
+/// Simulation: chains as systems, integrators, events. Each header can be included alone, which compiles faster.
 #include <kte/events/events.hpp>
 #include <kte/integrators/adams.hpp>
 #include <kte/integrators/adams_BM.hpp>

@@ -1,7 +1,7 @@
 #pragma once
 
-/// Static chains and the algorithms on them: no virtual calls, no heap (but for what chains of more than
-/// KTE_UNROLLED_ELEMENTS elements keep); builds without exceptions and RTTI.
+/// Static chains and the algorithms on them: no virtual calls and no heap, except for memory kept by chains of more
+/// than KTE_UNROLLED_ELEMENTS elements. It compiles without exceptions and RTTI.
 #include <kte/contract/checks.hpp>
 #include <kte/dynamics/bias_forces.hpp>
 #include <kte/dynamics/centre_of_mass.hpp>

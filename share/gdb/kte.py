@@ -59,7 +59,7 @@ def core_name(name):
     """'kte::core::rigid_link<(kte::kind)1, ...>' is a rigid_link_2D."""
     stem, arguments = split(name)
     stem = stem.split("::")[-1]
-    if stem == "seated":
+    if stem == "placed_joint":
         return core_name(arguments[0])
     for kind, suffix in (("0", "gen"), ("1", "2D"), ("2", "3D")):
         if arguments and re.fullmatch(r"\(kte::kind\)%s|kte::kind::(frame_)?%s" % (kind, suffix), arguments[0]):

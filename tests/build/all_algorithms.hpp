@@ -1,5 +1,5 @@
 /// All algorithms that have headers for both kinds of chain, on a runtime chain.
-inline double all_algorithms(const kte::kte_map_chain& c, kte::runtime_state& s, const Eigen::VectorXd& q,
+inline double all_algorithms(const kte::runtime_chain& c, kte::runtime_state& s, const Eigen::VectorXd& q,
                              const Eigen::VectorXd& v, const Eigen::VectorXd& a) {
   kte::set_positions(s, kte::integrate(c, q, v, 0.1));
   Eigen::VectorXd tau(a.size());

@@ -1,6 +1,6 @@
 // The chain before the algorithms: any order of includes gives both kinds.
 // clang-format off
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
 #include <kte/dynamics/batch.hpp>
 #include <kte/dynamics/bias_forces.hpp>
 #include <kte/dynamics/centre_of_mass.hpp>
@@ -22,7 +22,7 @@
 
 #include "all_algorithms.hpp"
 
-double with_the_chain_first(const kte::kte_map_chain& c, kte::runtime_state& s, const Eigen::VectorXd& x);
-double with_the_chain_first(const kte::kte_map_chain& c, kte::runtime_state& s, const Eigen::VectorXd& x) {
+double with_the_chain_first(const kte::runtime_chain& c, kte::runtime_state& s, const Eigen::VectorXd& x);
+double with_the_chain_first(const kte::runtime_chain& c, kte::runtime_state& s, const Eigen::VectorXd& x) {
   return all_algorithms(c, s, x, x, x);
 }

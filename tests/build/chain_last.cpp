@@ -17,12 +17,12 @@
 #include <kte/dynamics/mass_matrix_inverse.hpp>
 #include <kte/dynamics/regressor.hpp>
 #include <kte/dynamics/state_vectors.hpp>
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
 // clang-format on
 
 #include "all_algorithms.hpp"
 
-double with_the_chain_last(const kte::kte_map_chain& c, kte::runtime_state& s, const Eigen::VectorXd& x);
-double with_the_chain_last(const kte::kte_map_chain& c, kte::runtime_state& s, const Eigen::VectorXd& x) {
+double with_the_chain_last(const kte::runtime_chain& c, kte::runtime_state& s, const Eigen::VectorXd& x);
+double with_the_chain_last(const kte::runtime_chain& c, kte::runtime_state& s, const Eigen::VectorXd& x) {
   return all_algorithms(c, s, x, x, x);
 }

@@ -55,13 +55,13 @@ inline constexpr auto tree = [] {
 
 /// The elements of a static chain as a runtime chain, one by one: what has typed constants has numbers instead.
 template <class Chain>
-kte::kte_map_chain element_by_element(const Chain& c) {
+kte::runtime_chain element_by_element(const Chain& c) {
   return registered(record_of(c));
 }
 /// The same with the very elements of the static chain, which are compiled where this is called.
 template <class Chain>
-kte::kte_map_chain by_own_elements(const Chain& c) {
-  kte::kte_map_chain r;
+kte::runtime_chain by_own_elements(const Chain& c) {
+  kte::runtime_chain r;
   r.gravity(c.gravity());
   boost::hana::for_each(c.elements(), [&r](const auto& e) { r << kte::detail::with_texts(e); });
   return r;

@@ -11,6 +11,6 @@ namespace models {
 const kte::element_registry& registry();
 
 /// A runtime chain from a record.
-inline kte::kte_map_chain registered(const kte::model_record& record) { return to_chain(record, registry()); }
+inline kte::runtime_chain registered(const kte::model_record& record) { return to_chain(record, registry()); }
 
 }  // namespace models

@@ -8,8 +8,8 @@ using namespace kte::test::loops;
 namespace {
 
 /// A four-bar on pivots (0, 0) and (d, 0).
-kte_map_chain four_bar(double crank, double coupler, double rocker, double d) {
-  kte_map_chain c;
+runtime_chain four_bar(double crank, double coupler, double rocker, double d) {
+  runtime_chain c;
   c << revolute_joint_2D("q1", "base", "a") << inertia_2D("a", bar) << rigid_link_2D("a", "A", along_x(crank))
     << revolute_joint_2D("q2", "A", "b") << inertia_2D("b", bar) << rigid_link_2D("b", "B1", along_x(coupler))
     << revolute_joint_2D("q3", "base", "r").at(vec2<>{d, 0}) << inertia_2D("r", bar)
@@ -79,7 +79,7 @@ TEST_CASE("a redundant linkage is assembled to rounding") {
 }
 
 TEST_CASE("a hinge that closes with its axes against each other is refused") {
-  kte_map_chain c;
+  runtime_chain c;
   c << revolute_joint_3D("q", "base", "a", axis::x)
     << inertia_3D("a", rigid_body<>{1, vec3<>{}, sym3<>{1, 0, 0, 1, 0, 1}}) << hinge_3D("h", "base", "a", axis::z);
   auto s = c.make_state();

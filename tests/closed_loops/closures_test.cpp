@@ -78,7 +78,7 @@ TEST_CASE("rows of closures have the derivatives of their residuals, and loads t
 }
 
 TEST_CASE("the passes put residuals into loops, and their forces on frames") {
-  kte_map_chain c;
+  runtime_chain c;
   c << revolute_joint_3D("q", "base", "arm", axis::z) << rigid_link_3D("arm", "tip", vec3<>{2, 0, 0})
     << point_on_plane_3D("rail", "base", "tip", axis::y);
   auto s = c.make_state();
@@ -95,7 +95,7 @@ TEST_CASE("closures of coordinates have derivatives of their function") {
     using std::sin;
     return b - a * sin(b);
   };
-  kte_map_chain c;
+  runtime_chain c;
   c << inertia_gen("a", 1.0) << inertia_gen("b", 1.0) << coupled_by("cam", "a", "b", law);
   auto s = c.make_state();
   s.coordinate("a").q = 0.3, s.coordinate("b").q = 0.8;
@@ -116,7 +116,7 @@ TEST_CASE("what closures refuse") {
       Message("kte: distance_2D (frame1 'a', frame2 'b', loop 'l'): length must be finite and positive, "
               "got 0"));
   CHECK_THROWS_AS(coupled_coordinates("l", "a", "b", 0.0, 0.0), bad_parameter);
-  kte_map_chain c;
+  runtime_chain c;
   c << rigid_link_2D("root", "a", vec2<>{1, 0}) << base_2D("b") << coincident_points_2D("l", "a", "b");
   CHECK_THROWS_MATCHES(c << coincident_points_2D("l", "b", "a"), bad_wiring,
                        Message("kte: coincident_points_2D (frame1 'b', frame2 'a', loop 'l'): it writes 'l', which is "

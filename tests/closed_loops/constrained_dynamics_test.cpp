@@ -13,7 +13,7 @@ double largest_difference(const vector& a, const vector& b) { return (a - b).cwi
 
 /// A tree in space on a floating base, with closures of all kinds between its branches. The same without closures.
 struct tangle {
-  kte_map_chain closed, open;
+  runtime_chain closed, open;
   explicit tangle(bool follows = false) {
     const rigid_body<> body{1.5, vec3<>{0.1, 0.2, -0.1}, sym3<>{0.3, 0.01, 0, 0.4, 0.02, 0.5}};
     open.gravity(vec3<>{0, 0, -9.81});
@@ -110,7 +110,7 @@ TEST_CASE("a row of four-bars has the accelerations of its one equation, also ne
       const vector a = four_bar_v(n, exact);
       // J is known to the rounding of angles, and the closed direction by its singular value, delta.
       const double allowed = 1e-15 * n * 40 * exact / delta;
-      const auto check = [&](const kte_map_chain& c, int rows) {
+      const auto check = [&](const runtime_chain& c, int rows) {
         auto s = c.make_state();
         const auto r = constrained_dynamics(c, s, q, v, none);
         CHECK(r.rank == 2 * n);
@@ -145,7 +145,7 @@ TEST_CASE("what loops are like at a configuration") {
   CHECK(r.widest == "pin1");
   CHECK(r.gap == within(0.01, 1e-3));
 
-  kte_map_chain apart;  // two that share nothing
+  runtime_chain apart;  // two that share nothing
   for (const std::string x : {"a", "b"})
     apart << revolute_joint_2D(x + "1", "base", x + "p") << inertia_2D(x + "p", bar)
           << revolute_joint_2D(x + "2", "base", x + "q") << inertia_2D(x + "q", bar)
@@ -157,7 +157,7 @@ TEST_CASE("what loops are like at a configuration") {
 TEST_CASE("forces of closures are those of statics") {
   // Two bars from (0, 0) and (1, 0) to their pin at (1/2, h), a mass on it: each carries m g / (2 sin) along itself.
   const double h = 0.8, length = std::hypot(0.5, h), angle = std::atan2(h, 0.5);
-  kte_map_chain truss;
+  runtime_chain truss;
   truss.gravity(along_y(-10.0)) << revolute_joint_2D("l", "base", "lj") << rigid_link_2D("lj", "lt", along_x(length))
                                 << revolute_joint_2D("r", "base", "rj").at(vec2<>{1, 0})
                                 << rigid_link_2D("rj", "rt", along_x(length)) << inertia_2D("lt", point_mass(3.0))
@@ -188,7 +188,7 @@ TEST_CASE("a closure is the limit of a stiff spring") {
   const Eigen::MatrixXd j = loop_jacobian(closed, s, q);
   double last = 0;
   for (const double k : {1e6, 1e7}) {
-    kte_map_chain sprung;
+    runtime_chain sprung;
     sprung.gravity(along_y(-9.81));
     for (const auto& e : closed.wiring().elements)
       if (!e.closes) sprung.append(e.element->clone());
@@ -246,7 +246,7 @@ TEST_CASE("inverse dynamics by actuated coordinates undoes constrained dynamics"
 
 TEST_CASE("coordinates that do not determine the motion are refused") {
   // At its dead point the slider moves by nothing: it cannot drive the crank.
-  kte_map_chain c;
+  runtime_chain c;
   c << revolute_joint_2D("crank", "base", "b") << inertia_2D("b", bar) << rigid_link_2D("b", "t", along_x(1.0))
     << revolute_joint_2D("rod", "t", "r") << inertia_2D("r", bar) << rigid_link_2D("r", "end", along_x(2.0))
     << prismatic_joint_2D("slider", "base", "s", axis::x) << inertia_2D("s", bar)

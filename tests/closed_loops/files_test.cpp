@@ -10,7 +10,7 @@ using namespace kte;
 
 TEST_CASE("closures go through records, with their parameters") {
   const vec3<> u{0.6, 0, 0.8}, t{0, 1, 0};
-  kte_map_chain c;
+  runtime_chain c;
   c << revolute_joint_3D("q1", "base", "a", axis::z) << revolute_joint_3D("q2", "a", "b", axis::x)
     << revolute_joint_2D("p1", "ground", "d") << revolute_joint_2D("p2", "d", "e");
   c << coincident_points_2D("1", "d", "e") << coincident_points_3D("2", "a", "b") << coincident_frames_2D("3", "d", "e")
@@ -27,7 +27,7 @@ TEST_CASE("closures go through records, with their parameters") {
   CHECK(loop_jacobian(c, s, q) == loop_jacobian(again, other, q));
   CHECK(loops(c, s, q).rows == loops(again, other, q).rows);
 
-  kte_map_chain code;
+  runtime_chain code;
   code << inertia_gen("a", 1.0) << coupled_by("cam", "a", [](const auto& x) { return x; });
   CHECK_THROWS_AS(record_of(code), bad_argument);
 }
@@ -41,14 +41,12 @@ inline constexpr struct base_ final : frame_2D_key<"base"> {
 } base;
 inline constexpr struct a_ final : frame_2D_key<"a"> {
 } a;
-inline constexpr struct b_ final : frame_2D_key<"b"> {
-} b;
-}  // namespace
+inline constexpr struct b_ final : frame_2D_key<"b"> { } b; }  // namespace
 
 TEST_CASE("a static chain with closures is a runtime chain") {
   constexpr auto tree = chain(revolute_joint_2D(q1, base, a), inertia_2D(a, planar_body(1.0, 0.1)),
                               prismatic_joint_2D(q2, base, b, axis::x), inertia_2D(b, planar_body(2.0, 0.1)));
-  kte_map_chain c;
+  runtime_chain c;
   c << tree << rigid_link_2D("a", "pin", along_x(1.0)) << point_on_line_2D("slot", "b", "pin", axis::y);
   auto s = c.make_state();
   const Eigen::Vector2d q(0.7, std::cos(0.7)), v(1.0, -std::sin(0.7));
@@ -59,7 +57,7 @@ TEST_CASE("a static chain with closures is a runtime chain") {
 }
 
 TEST_CASE("states with loops go through records, and recorders have forces and residuals") {
-  kte_map_chain c;
+  runtime_chain c;
   c << revolute_joint_2D("q", "base", "a") << inertia_2D("a", planar_body(1.0, 0.1))
     << rigid_link_2D("a", "tip", along_x(2.0)) << point_on_line_2D("rail", "base", "tip", axis::x);
   auto s = c.make_state();

@@ -26,8 +26,8 @@ inline vector numbers(std::initializer_list<double> x) {
 inline const auto bar = planar_body(1.0, 1.0 / 12, along_x(0.5));
 
 /// A pendulum of 1 kg and 1 m in Cartesian coordinates (LIM benchmark A01).
-inline kte_map_chain pendulum() {
-  kte_map_chain c;
+inline runtime_chain pendulum() {
+  runtime_chain c;
   c.gravity(along_y(-9.81)) << prismatic_joint_2D("x", "base", "a", axis::x)
                             << prismatic_joint_2D("y", "a", "b", axis::y) << inertia_2D("b", point_mass(1.0))
                             << distance_2D("rod", "base", "b", 1.0);
@@ -38,8 +38,8 @@ inline kte_map_chain pendulum() {
 /// twice. On the parallelogram's branch, with phi from the top,
 ///
 ///   phi'' = k sin phi,   k = g ((N + 1) / 2 + N) / ((N + 1) / 3 + N)          (1)
-inline kte_map_chain four_bars(int n, bool twice = false) {
-  kte_map_chain c;
+inline runtime_chain four_bars(int n, bool twice = false) {
+  runtime_chain c;
   c.gravity(along_y(-9.81));
   for (int i = 0; i <= n; ++i) {
     const auto s = std::to_string(i);
@@ -66,8 +66,8 @@ inline vector four_bar_v(int n, double rate) { return four_bar_numbers(n, -rate)
 inline double four_bar_constant(int n) { return 9.81 * ((n + 1) / 2.0 + n) / ((n + 1) / 3.0 + n); }
 
 /// The same in space, about z through hinges of five rows, of which three follow from others.
-inline kte_map_chain four_bars_in_space(int n) {
-  kte_map_chain c;
+inline runtime_chain four_bars_in_space(int n) {
+  runtime_chain c;
   c.gravity(along_y(-9.81));
   const rigid_body<> body{1.0, vec3<>{0.5, 0, 0}, sym3<>{1e-3, 0, 0, 1.0 / 12, 0, 1.0 / 12}};
   for (int i = 0; i <= n; ++i) {
@@ -86,8 +86,8 @@ inline kte_map_chain four_bars_in_space(int n) {
 
 /// A crank and a rod of 1 m each, the end of which slides along x: q2 = -2 q1, and dead points at q1 = pi/2 + k pi
 /// where the end may stay at the pivot.
-inline kte_map_chain slider_crank_of_equal_bars() {
-  kte_map_chain c;
+inline runtime_chain slider_crank_of_equal_bars() {
+  runtime_chain c;
   c.gravity(along_y(-9.81)) << revolute_joint_2D("crank", "base", "b") << inertia_2D("b", bar)
                             << rigid_link_2D("b", "t", along_x(1.0)) << revolute_joint_2D("rod", "t", "r")
                             << inertia_2D("r", bar) << rigid_link_2D("r", "end", along_x(1.0))
@@ -119,13 +119,13 @@ inline double four_bar_angle(int n, double phi, double rate, double t) {
 
 /// Bennett's linkage: four hinges, with sides a, b and twists alpha, beta in turn, sin(alpha) / a = sin(beta) / b. It
 /// has mobility 1, though its closing hinge has 5 rows for 3 coordinates.
-inline kte_map_chain bennett() {
+inline runtime_chain bennett() {
   const double a = 1, b = 1.4, alpha = 0.6, beta = std::asin(b / a * std::sin(alpha));
   const auto link = [](const std::string& from, const std::string& to, double length, double twist) {
     return rigid_link_3D(from, to, vec3<>{length, 0, 0}, rotation_about(axis::x, twist));
   };
   const rigid_body<> body{1.0, vec3<>{0.4, 0.1, 0.05}, sym3<>{0.02, 0, 0, 0.1, 0, 0.11}};
-  kte_map_chain c;
+  runtime_chain c;
   c.gravity(along_z(-9.81)) << revolute_joint_3D("q1", "base", "j1", axis::z) << inertia_3D("j1", body)
                             << link("j1", "e1", a, alpha) << revolute_joint_3D("q2", "e1", "j2", axis::z)
                             << inertia_3D("j2", body) << link("j2", "e2", b, beta)
@@ -143,7 +143,7 @@ inline kte_map_chain bennett() {
 ///   [ J   0   ] [ lambda ] = [ -J_dot v   ]
 ///
 /// with J_dot v by differences of J along q (+) t v.
-inline vector by_one_matrix(const kte_map_chain& c, runtime_state& s, const vector& q, const vector& v,
+inline vector by_one_matrix(const runtime_chain& c, runtime_state& s, const vector& q, const vector& v,
                             const vector& tau, const vector& bias) {
   const Eigen::MatrixXd m = mass_matrix(c, s, q), j = loop_jacobian(c, s, q);
   const double h = 1e-4;

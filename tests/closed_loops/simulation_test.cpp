@@ -19,10 +19,10 @@ using Catch::Matchers::Message;
 
 namespace {
 
-using model = manipulator_dynamics_model<kte_map_chain>;
+using model = manipulator_dynamics_model<runtime_chain>;
 
 /// The largest residual and rate of one that loops have at x, m and rad.
-double open_by(const kte_map_chain& c, runtime_state& s, const model& m, const vector& x) {
+double open_by(const runtime_chain& c, runtime_state& s, const model& m, const vector& x) {
   const auto r = kte::loops(c, s, vector(m.positions_of(x)));
   const vector rates = loop_jacobian(c, s, vector(m.positions_of(x))) * m.velocities_of(x);
   return (std::max)(r.gap, rates.cwiseAbs().maxCoeff());
@@ -34,7 +34,7 @@ struct run {
 };
 /// To t_end by order 8, or another method; loops at the ends of steps and between.
 template <template <class, class> class Method = prince_dormand87>
-run simulated(const kte_map_chain& c, const vector& q, const vector& v, double t_end, double tolerance) {
+run simulated(const runtime_chain& c, const vector& q, const vector& v, double t_end, double tolerance) {
   const model m(c);
   auto s = c.make_state();
   Method solver(std::cref(m), 0.0, m.make_x(q, v), {.absolute = tolerance, .relative = tolerance});
@@ -147,7 +147,7 @@ TEST_CASE("every one-step method keeps loops closed, and its order") {
 
 TEST_CASE("a loop through a floating base keeps momentum") {
   const rigid_body<> body{1.5, vec3<>{0.1, 0.2, -0.1}, sym3<>{0.3, 0.01, 0, 0.4, 0.02, 0.5}};
-  kte_map_chain c;
+  runtime_chain c;
   c << free_joint_3D("float", "world", "hull") << inertia_3D("hull", body);
   for (const std::string x : {"l", "r"})
     c << spherical_joint_3D(x + "1", "hull", x + "a").at(vec3<>{x == "l" ? 0.5 : -0.5, 0, 0})

@@ -1,13 +1,13 @@
 // Joints that rub, in the algorithms that would lose their friction; compilers say it once of each type of joint.
 // clang-format off
 // mistakes: 6
-// expect: error: .*kte: this algorithm takes the loads of joints and links from `relative` alone, and this element has a `doForce` of its own
-// expect: rubbing_joint<0>, false>
-// expect: rubbing_joint<1>, false>
-// expect: rubbing_joint<2>, false>
-// expect: rubbing_joint<3>, false>
-// expect: rubbing_joint<4>, false>
-// expect: rubbing_joint<5>, false>
+// expect: error: .*kte: this algorithm takes the loads of joints and links from `relative` alone, and this element has its own `doForce`
+// expect: frictional_joint<0>, false>
+// expect: frictional_joint<1>, false>
+// expect: frictional_joint<2>, false>
+// expect: frictional_joint<3>, false>
+// expect: frictional_joint<4>, false>
+// expect: frictional_joint<5>, false>
 // clang-format on
 #include <kte/contract/checks.hpp>
 #include <kte/dynamics/bias_forces.hpp>
@@ -24,8 +24,8 @@ inline constexpr struct elbow_ final : kte::frame_3D_key<"elbow">  {} elbow;
 
 namespace core {
 template <int N>
-struct rubbing_joint : kte::transmission<rubbing_joint<N>> {
-  static constexpr kte::type_name type{"rubbing_joint", kte::kind::frame_3D};
+struct frictional_joint : kte::transmission<frictional_joint<N>> {
+  static constexpr kte::type_name type{"frictional_joint", kte::kind::frame_3D};
   static constexpr std::array<kte::port, 3> ports{{{kte::kind::gen, kte::access::in, "coordinate"},
                                                    {kte::kind::frame_3D, kte::access::in, "base"},
                                                    {kte::kind::frame_3D, kte::access::out, "end"}}};
@@ -42,7 +42,7 @@ struct rubbing_joint : kte::transmission<rubbing_joint<N>> {
 };
 }  // namespace core
 template <int N>
-constexpr auto slide = kte::chain(kte::connect(core::rubbing_joint<N>{}, q, base, elbow),
+constexpr auto slide = kte::chain(kte::connect(core::frictional_joint<N>{}, q, base, elbow),
                                   kte::inertia_3D(elbow, kte::point_mass(1.0)));
 using x = std::array<double, 1>;
 auto fine(const x& q) { return kte::inverse_dynamics(slide<-1>, q, q, q); }

@@ -1,4 +1,4 @@
-// expect: error: .*kte: the motion of a joint or link follows from its `relative`: it has no `doMotion` of its own
+// expect: error: .*kte: the motion of a joint or link follows from its `relative`: it must not have its own `doMotion`
 // expect: slack_link
 #include <kte/contract/transmission.hpp>
 #include <kte/static_chain/static_chain.hpp>

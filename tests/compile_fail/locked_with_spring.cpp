@@ -1,4 +1,4 @@
-// expect: error: .*kte: an element besides its joint acts on a coordinate that is to be locked
+// expect: error: .*kte: an element other than its joint acts on a coordinate to be locked
 #include <kte/dynamics/reduced.hpp>
 #include <kte/kte.hpp>
 

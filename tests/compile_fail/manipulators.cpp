@@ -1,6 +1,6 @@
 // mistakes: 4
-// expect: error: .*kte: no closed form of inverse kinematics: for that an arm has three, four, six or seven joints
-// expect: error: .*kte: inverse kinematics in closed form is of an arm with one tool; kte::clik takes goals of several
+// expect: error: .*kte: no closed form of inverse kinematics: it needs an arm with three, four, six or seven joints
+// expect: error: .*kte: inverse kinematics in closed form needs an arm with one tool; kte::numerical_inverse_kinematics takes goals of several
 // expect: error: .*kte: this chain has no frame of this name
 // expect: error: .*kte: limits of a static chain are those of as many numbers as it has degrees of freedom
 #include <kte/elements/free_joint.hpp>

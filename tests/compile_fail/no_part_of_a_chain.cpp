@@ -13,5 +13,5 @@ inline constexpr struct hand_  final : kte::frame_3D_key<"hand">   {} hand;
 constexpr auto arm = kte::chain(kte::revolute_joint_3D(q, base, hand));
 
 const auto whole = kte::chain(arm, 5);
-void append(kte::kte_map_chain& c) { c << 5; }
+void append(kte::runtime_chain& c) { c << 5; }
 const auto tool = kte::inertia_3D(hand, kte::point_mass());

@@ -1,11 +1,11 @@
 // mistakes: 7
-// expect: error: .*kte: .at.position.* places the seat of a joint in its base; this element is not a joint
+// expect: error: .*kte: .at.position.* places a joint in its base; this element is not a joint
 // expect: spring
 // expect: rigid_link
-// expect: error: .*kte: this joint has a place in its base already: .at.. comes once
+// expect: error: .*kte: this joint has a placement already: call .at.. once
 // expect: error: .*kte: call it as .at.position.*, such as .at.kte::along_z.0.5., kte::quarter_turn_x
 // expect: error: .*kte: call it as .at.position.*, such as .at.kte::along_x.0.5., kte::rotation_by.0.3
-// expect: error: .*kte: a joint with a `doForce` of its own has no place
+// expect: error: .*kte: a joint with its own `doForce` cannot be placed
 #include <kte/kte.hpp>
 
 using namespace kte;
@@ -32,8 +32,8 @@ void f() {
   connect(sticky{}, "q", "base", "arm").at(along_x(0.5));
   spring_3D("wall", "arm", 0.2, 300.0).at(along_x(0.5));
   rigid_link_3D("wall", "arm", along_x(0.5)).at(along_x(0.5));
-  chain(revolute_joint_3D(q, base, arm).at(along_x(0.5)).at(along_x(0.5)));
-  chain(revolute_joint_3D(q, base, arm).at(along_x(0.5), rotation_by(0.3)));
-  kte_map_chain() << prismatic_joint_2D("q", "base", "arm", axis::x).at(along_x(0.5), quarter_turn_x);
-  kte_map_chain() << universal_joint_3D("q", "p", "base", "arm", axis::x, axis::y).at(along_x(0.5), rotation_by(0.3));
+  (void)chain(revolute_joint_3D(q, base, arm).at(along_x(0.5)).at(along_x(0.5)));
+  (void)chain(revolute_joint_3D(q, base, arm).at(along_x(0.5), rotation_by(0.3)));
+  runtime_chain() << prismatic_joint_2D("q", "base", "arm", axis::x).at(along_x(0.5), quarter_turn_x);
+  runtime_chain() << universal_joint_3D("q", "p", "base", "arm", axis::x, axis::y).at(along_x(0.5), rotation_by(0.3));
 }

@@ -1,4 +1,4 @@
-// expect: error: .*kte: this element names something by a text that another key has already
+// expect: error: .*kte: another key has the text of this name
 // expect: other_
 #include <kte/kte.hpp>
 

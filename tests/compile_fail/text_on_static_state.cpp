@@ -1,4 +1,4 @@
-// expect: error: .*kte: the state of a static chain is asked by keys
+// expect: error: .*kte: items of the state of a static chain are named by keys
 #include <kte/elements/revolute_joint.hpp>
 #include <kte/static_chain/static_chain.hpp>
 

@@ -1,6 +1,6 @@
 // expect: error:
 // expect: inertia must be physical: no principal moment above the sum of the other two
-// expect: as_published.. is taken as it is
+// expect: as_published.. is not checked
 #include <kte/kte.hpp>
 
 // clang-format off

@@ -1,7 +1,7 @@
 // A chain with elements for controllers, in the algorithms that need loads to be those of motions.
 // clang-format off
 // mistakes: 3
-// expect: error: .*kte: this element hands back other loads than those of its motion, as controllers want them
+// expect: error: .*kte: this element returns loads that are not the dual of its motion, for controllers
 // expect: virtual_kte_interface<kte::kind::frame_3D>
 // expect: virtual_kte_interface<kte::kind::gen>
 // expect: vmc_revolute_joint<

@@ -10,7 +10,7 @@
 #include <iterator>
 
 int main() {
-  kte::kte_map_chain pendulum;
+  kte::runtime_chain pendulum;
   pendulum << kte::revolute_joint_2D("q", "base", "arm") << kte::inertia_2D("arm", kte::point_mass(2.0));
   kte::write_page("pendulum.html", pendulum, {.title = "Consumer"});
   std::ifstream in("pendulum.html");

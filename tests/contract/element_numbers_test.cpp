@@ -1,11 +1,11 @@
 #include <kte/contract/element_numbers.hpp>
 #include <kte/contract/port.hpp>
-#include <kte/contract/stiff_numbers.hpp>
+#include <kte/contract/rigid_numbers.hpp>
 
 #include "catch.hpp"
 #include "chain/models.hpp"
 
-// What elements are to the loops over records, as numbers.
+// What elements are to the loops over body nodes, as numbers.
 
 using namespace kte;
 using namespace kte::detail;
@@ -26,28 +26,28 @@ double gap(const vec3<A>& a, const vec3<B>& b) {
 TEST_CASE("a joint is where it stands at zero, where it is tried, and its axis", "[both]") {
   using namespace models;
   const auto n = numbers_of_element(revolute_joint_3D(hip, ground, trunk, vec3{0.6, 0.0, 0.8}));
-  CHECK(n.is == part::stiff);
+  CHECK(n.is == part::rigid);
   CHECK(n.plain_loads);
-  CHECK(n.stiff.at_zero.position == vec3<>{});
-  CHECK(n.stiff.at_zero.rotation == as<double>(matrix(no_rotation{})));
-  CHECK(gap(n.stiff.angular[0], vec3{0.6, 0.0, 0.8}) < 1e-16);
-  CHECK(n.stiff.linear[0] == vec3<>{});
+  CHECK(n.rigid.at_zero.position == vec3<>{});
+  CHECK(n.rigid.at_zero.rotation == as<double>(matrix(no_rotation{})));
+  CHECK(gap(n.rigid.angular[0], vec3{0.6, 0.0, 0.8}) < 1e-16);
+  CHECK(n.rigid.linear[0] == vec3<>{});
   // About (0.6, 0, 0.8) by atan 3/4 (Rodrigues): y goes to 0.8 y + 0.6 (w x y).
-  const auto& r = n.stiff.tried.rotation;
+  const auto& r = n.rigid.tried.rotation;
   CHECK(gap(vec3{r.x.y, r.y.y, r.z.y}, vec3{-0.48, 0.8, 0.36}) < 2e-16);
 
   const auto slides = numbers_of_element(prismatic_joint_3D(slide, ground, trunk, axis::minus_y));
-  CHECK(slides.stiff.linear[0] == vec3{0.0, -1.0, 0.0});
-  CHECK(slides.stiff.angular[0] == vec3<>{});
-  CHECK(slides.stiff.tried.position.y == within(-tried_angle, 1e-16));
+  CHECK(slides.rigid.linear[0] == vec3{0.0, -1.0, 0.0});
+  CHECK(slides.rigid.angular[0] == vec3<>{});
+  CHECK(slides.rigid.tried.position.y == within(-tried_angle, 1e-16));
 }
 
 TEST_CASE("a link is a pose, a body its numbers about its centre of mass, a rotor a mass") {
   using namespace models;
   const auto link = numbers_of_element(rigid_link_3D(trunk, left, vec3{0.1, 0.2, -0.3}, quarter_turn_x));
-  CHECK(link.is == part::stiff);
-  CHECK(link.stiff.at_zero.position == vec3{0.1, 0.2, -0.3});
-  CHECK(link.stiff.at_zero.rotation.z == vec3{0.0, 1.0, 0.0});
+  CHECK(link.is == part::rigid);
+  CHECK(link.rigid.at_zero.position == vec3{0.1, 0.2, -0.3});
+  CHECK(link.rigid.at_zero.rotation.z == vec3{0.0, 1.0, 0.0});
 
   const auto body = numbers_of_element(inertia_3D(trunk, rigid_body{2.0, along_x(0.5), diagonal(0.1, 0.2, 0.25)}));
   CHECK(body.is == part::body);
@@ -65,7 +65,7 @@ TEST_CASE("a link is a pose, a body its numbers about its centre of mass, a roto
   CHECK(numbers_of_element(inertia_gen(hip, 0.0)).has_mass);
 }
 
-TEST_CASE("what else there is acts by a law of its own") {
+TEST_CASE("what else there is has its own force law") {
   using namespace models;
   CHECK(numbers_of_element(base_gen(wall)).is == part::base);
   CHECK(numbers_of_element(rigid_link_gen(knee, geared, 0.3)).is == part::follower);
@@ -85,8 +85,8 @@ TEST_CASE("numbers of elements in another precision") {
   const auto exact = numbers_of_element<long double>(joint);
   const auto cast = as_numbers<long double>(numbers_of_element(joint));
   CHECK(cast.is == exact.is);
-  CHECK(gap(cast.stiff.angular[0], exact.stiff.angular[0]) == 0);
-  CHECK(gap(cast.stiff.tried.rotation.y, exact.stiff.tried.rotation.y) < 2e-16);  // which was rounded to double
+  CHECK(gap(cast.rigid.angular[0], exact.rigid.angular[0]) == 0);
+  CHECK(gap(cast.rigid.tried.rotation.y, exact.rigid.tried.rotation.y) < 2e-16);  // which was rounded to double
   const auto small = as_numbers<float>(numbers_of_element(inertia_gen(hip, 0.1)));
   CHECK(small.mass == 0.1f);
   CHECK(small.has_mass);

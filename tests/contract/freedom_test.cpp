@@ -3,7 +3,7 @@
 #include <kte/elements/free_joint.hpp>
 #include <kte/elements/mimic.hpp>
 #include <kte/elements/revolute_joint.hpp>
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
 
 #include <vector>
 
@@ -16,8 +16,8 @@ using namespace kte;
 namespace {
 
 /// Six coordinates and a pose: two in a row, a pose, one, one that follows, two in a row.
-kte_map_chain with_gaps() {
-  kte_map_chain c;
+runtime_chain with_gaps() {
+  runtime_chain c;
   c << revolute_joint_3D("a", "base", "A", axis::z) << revolute_joint_3D("b", "A", "B", axis::y)
     << free_joint_3D("pose", "B", "P") << revolute_joint_3D("c", "P", "C", axis::x) << mimic_gen("c", "follower", 2.0)
     << revolute_joint_3D("f", "C", "F", axis::y) << revolute_joint_3D("d", "F", "D", axis::z);

@@ -112,7 +112,7 @@ TEST_CASE("bodies are physical where no principal moment is above the sum of the
   CHECK(!physical(diagonal(1.0, 2.0, 3.0 + 7e-9)).empty());
   const std::string rule =
       "inertia must be physical: no principal moment above the sum of the other two "
-      "(rigid_body{...}.as_published() is taken as it is)";
+      "(rigid_body{...}.as_published() is not checked for this)";
   CHECK(physical(diagonal(1.0, 2.0, 3.5)) == text(rule + ", but 3.5 is above 2 + 1 by 0.5"));
   CHECK(physical(sym3{1.5, -0.5, 0.0, 1.5, 0.0, 3.5}).starts_with(text(rule + ", but 3.5 is above 2 + 1 by 0.5")));
   CHECK(physical(diagonal(1.0, inf, 3.0)) == text("inertia must be finite, got inf"));

@@ -62,7 +62,7 @@ constexpr auto all_kinds = chain(
 
 /// From the same random numbers in all that both states hold, all of it agrees after each pass.
 template <class Static>
-void compare_bits(const Static& fixed, const kte_map_chain& loose, unsigned seed) {
+void compare_bits(const Static& fixed, const runtime_chain& loose, unsigned seed) {
   auto s = make_state(fixed);
   auto r = loose.make_state();
   random_numbers random(seed);
@@ -96,19 +96,19 @@ TEST_CASE("the passes of static and runtime chains agree bit for bit where produ
   SECTION("ur5") { compare_bits(robots::ur5, models::by_own_elements(robots::ur5), 4); }
   SECTION("things of all kinds") { compare_bits(all_kinds, models::by_own_elements(all_kinds), 7); }
   SECTION("a static chain appended as one element") {
-    kte_map_chain c;
+    runtime_chain c;
     c.gravity(models::tree.gravity()) << models::tree;
     compare_bits(models::tree, c, 5);
   }
   SECTION("a runtime chain in a runtime chain") {
-    kte_map_chain c;
+    runtime_chain c;
     c.gravity(robots::iiwa14.gravity()) << models::by_own_elements(robots::iiwa14);
     compare_bits(robots::iiwa14, c, 6);
   }
 }
 
 TEST_CASE("motion leaves forces and what is given, clearing leaves motion, forces add up") {
-  const kte_map_chain c = models::by_own_elements(all_kinds);
+  const runtime_chain c = models::by_own_elements(all_kinds);
   auto r = c.make_state();
   random_numbers random(8);
   const auto number = [&] { return random(); };
@@ -156,7 +156,7 @@ TEST_CASE("motion leaves forces and what is given, clearing leaves motion, force
   c.doForce(r);
   CHECK(r.frame_3D("finger").acceleration == moved.frame_3D("finger").acceleration);
   CHECK(agree(r.internal("bristles"), moved.internal("bristles")));
-  kte_map_chain motor;
+  runtime_chain motor;
   motor << inertia_gen("wheel", 0.0) << driving_actuator_gen("wheel", "drive");
   auto m = motor.make_state();
   m.input("drive") = 0.5, m.coordinate("wheel").f = 2.0;

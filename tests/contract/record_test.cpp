@@ -68,7 +68,7 @@ TEST_CASE("the registry knows every element of the library") {
   const auto again = kte::record_of(models::registered(record_of(tree)));
   CHECK(again == record_of(tree));
   using namespace kte;
-  kte_map_chain flat;
+  runtime_chain flat;
   flat << base_2D("b") << prismatic_joint_2D("x", "b", "cart", vec2{0.6, 0.8})
        << rigid_link_2D("cart", "pivot", vec2{0.1, 0.2}, rotation_by(0.3)) << revolute_joint_2D("q", "pivot", "arm")
        << inertia_2D("arm", planar_body(1.0, 0.2, along_x(0.4))) << base_3D("w") << base_gen("r");
@@ -78,7 +78,7 @@ TEST_CASE("the registry knows every element of the library") {
 TEST_CASE("a body as published is so again from its record") {
   using namespace kte;
   const rigid_body odd{1.0, vec3{0.1, 0.2, 0.3}, sym3{1.0, 0.0, 0.0, 1.0, 0.0, 3.0}};
-  kte_map_chain c;
+  runtime_chain c;
   c << base_3D("w") << inertia_3D("w", odd.as_published()) << base_2D("b")
     << inertia_2D("b", planar_body(1.0, -0.1).as_published());
   const auto r = record_of(c);

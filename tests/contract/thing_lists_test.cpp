@@ -8,7 +8,7 @@
 
 using namespace kte;
 
-TEST_CASE("things of a chain are lists by kind, as long as is asked for") {
+TEST_CASE("things of a chain are lists by kind, as long as is requested") {
   detail::thing_lists<double> all([](kind k) { return k == kind::gen ? 3 : k == kind::frame_3D ? 2 : 0; });
   all.get<kind::gen>(2).q = 0.5;
   all.get<kind::frame_3D>(1).position.z = 4;

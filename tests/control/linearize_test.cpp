@@ -50,7 +50,7 @@ double gap(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
   REQUIRE(a.cols() == b.cols());
   return a.size() == 0 ? 0 : (a - b).cwiseAbs().maxCoeff() / (1 + b.cwiseAbs().maxCoeff());
 }
-using runtime_model = manipulator_dynamics_model<kte_map_chain>;
+using runtime_model = manipulator_dynamics_model<runtime_chain>;
 /// (A B) by their definition: differences of the rate of d.
 Eigen::MatrixXd by_differences(runtime_model model, const Eigen::VectorXd& at) {
   const int n = model.rates();
@@ -134,7 +134,7 @@ TEST_CASE("with rotations A is in the tangent space; inputs and internal states 
 }
 
 TEST_CASE("inputs may move what stands on them, and what the mass matrix depends on") {
-  kte_map_chain c;
+  runtime_chain c;
   c.gravity(along_y(-g)) << position_control_2D("p", "p'", "p''", "ground", "cart")
                          << revolute_joint_2D("angle", "cart", "pole") << inertia_2D("pole", point_mass(m, along_y(l)))
                          << driving_actuator_gen("angle", "motor");
@@ -150,7 +150,7 @@ TEST_CASE("inputs may move what stands on them, and what the mass matrix depends
   CHECK(gap(r.B.row(1), by_u) < 1e-14);
 
   // A slider on a crank whose angle is given: the mass of x depends on the input u.
-  kte_map_chain two;
+  runtime_chain two;
   two << prismatic_joint_2D("x", "ground", "cart", axis::x) << inertia_2D("cart", point_mass(M))
       << position_control_gen("u", "u'", "u''", "given") << revolute_joint_2D("given", "cart", "crank")
       << rigid_link_2D("crank", "end", along_x(l)) << prismatic_joint_2D("y", "end", "slider", axis::y)
@@ -167,7 +167,7 @@ TEST_CASE("inputs may move what stands on them, and what the mass matrix depends
   CHECK(gap(both, by_differences(set, at)) < 1e-11);
 }
 
-TEST_CASE("outputs of one's own: by dual numbers, of runtime chains by differences") {
+TEST_CASE("custom outputs: by dual numbers, of runtime chains by differences") {
   const manipulator_dynamics_model model(cart_pole);
   const auto seen = model.with_output([](const auto& s) { return std::array{s[tip].position.x, s[x].q_ddot}; });
   const std::array q{0.3, 0.8}, v{0.5, -2.0};

@@ -22,7 +22,7 @@ struct acceleration {
 /// A chain, its state, and what it does: `accelerations` of some or all degrees of freedom, and the largest of all in
 /// size.
 struct hard_chain {
-  kte_map_chain chain;
+  runtime_chain chain;
   std::vector<double> q, v, tau;
   std::span<const acceleration> accelerations;
   long double largest;
@@ -118,7 +118,7 @@ long double error_of(const Accelerations& q_ddot, const hard_chain& c) {
   long double e = 0;
   for (const auto& x : c.accelerations) {
     const auto d = std::fabs(static_cast<long double>(q_ddot[x.dof]) - x.value);
-    if (d > e || d != d) e = d;  // also if it is no number
+    if (d > e || d != d) e = d;  // also if it is NaN
   }
   return e / c.largest;
 }
@@ -131,14 +131,14 @@ template <class Mass>
 hard_chain rods(int n, const Mass& mass) {
   hard_chain r{};
   r.chain.gravity(along_x(9.81));
-  std::string seat = "base";
+  std::string mount = "base";
   for (int i = 1; i <= n; ++i) {
     const auto number = std::to_string(i);
     const double m = mass(i);
-    r.chain << revolute_joint_2D("q" + number, seat, "link" + number)
+    r.chain << revolute_joint_2D("q" + number, mount, "link" + number)
             << inertia_2D("link" + number, planar_body(m, m / 12, along_x(0.5)));
-    if (i < n) r.chain << rigid_link_2D("link" + number, "seat" + std::to_string(i + 1), along_x(1.0));
-    seat = "seat" + std::to_string(i + 1);
+    if (i < n) r.chain << rigid_link_2D("link" + number, "mount" + std::to_string(i + 1), along_x(1.0));
+    mount = "mount" + std::to_string(i + 1);
     r.q.push_back(0.3 * std::sin(i)), r.v.push_back(0.5 * std::cos(2 * i)), r.tau.push_back(0);
   }
   return r;
@@ -150,18 +150,18 @@ hard_chain rods(int n, const Mass& mass) {
 inline hard_chain spatial(int n, double tip = 1) {
   hard_chain r{};
   r.chain.gravity(along_z(-9.81));
-  std::string seat = "base";
+  std::string mount = "base";
   for (int i = 1; i <= n; ++i) {
     const auto number = std::to_string(i);
     const auto q = "q" + number, link = "link" + number;
     const double m = i == n ? tip : 1;
-    if (i % 3 == 1) r.chain << revolute_joint_3D(q, seat, link, axis::z);
-    if (i % 3 == 2) r.chain << revolute_joint_3D(q, seat, link, axis::y);
-    if (i % 3 == 0) r.chain << revolute_joint_3D(q, seat, link, axis::x);
+    if (i % 3 == 1) r.chain << revolute_joint_3D(q, mount, link, axis::z);
+    if (i % 3 == 2) r.chain << revolute_joint_3D(q, mount, link, axis::y);
+    if (i % 3 == 0) r.chain << revolute_joint_3D(q, mount, link, axis::x);
     r.chain << inertia_3D(link, rigid_body{m, vec3{0.15, 0.02, -0.01},
                                            sym3{0.01 * m, 0.001 * m, -0.002 * m, 0.02 * m, 0.003 * m, 0.015 * m}});
-    if (i < n) r.chain << rigid_link_3D(link, "seat" + std::to_string(i + 1), along_x(0.3));
-    seat = "seat" + std::to_string(i + 1);
+    if (i < n) r.chain << rigid_link_3D(link, "mount" + std::to_string(i + 1), along_x(0.3));
+    mount = "mount" + std::to_string(i + 1);
     r.q.push_back(std::sin(i)), r.v.push_back(std::cos(2 * i)), r.tau.push_back(std::sin(3 * i));
   }
   return r;

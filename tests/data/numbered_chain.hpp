@@ -8,7 +8,7 @@
 #include "data/serial_chain.hpp"
 
 /// Serial chains of any length, static and runtime, from a table of bodies. Frame "base"; then coordinate "q1", frames
-/// "seat1" and "link1", "q2" and so on. The elements of a body: a rigid link, a revolute joint, an inertia.
+/// "mount1" and "link1", "q2" and so on. The elements of a body: a rigid link, a revolute joint, an inertia.
 namespace kte::reference {
 
 /// A text and a number: numbered<"q", 12>() is "q12".
@@ -33,14 +33,14 @@ inline constexpr struct base_ final : frame_3D_key<"base"> {
 template <int I>
 struct q_ final : coord_key<numbered<"q", I>()> {};
 template <int I>
-struct seat_ final : frame_3D_key<numbered<"seat", I>()> {};
+struct mount_ final : frame_3D_key<numbered<"mount", I>()> {};
 template <int I>
 struct link_ final : frame_3D_key<numbered<"link", I>()> {};
 /// The names of body I, which counts from 1; link<0> is the base.
 template <int I>
 inline constexpr q_<I> q{};
 template <int I>
-inline constexpr seat_<I> seat{};
+inline constexpr mount_<I> mount{};
 template <int I>
 inline constexpr link_<I> link{};
 template <>
@@ -55,9 +55,9 @@ constexpr auto numbered_element(const serial_body (&bodies)[N]) {
   constexpr int i = static_cast<int>(K / 3) + 1;
   const serial_body& b = bodies[K / 3];
   if constexpr (K % 3 == 0) {
-    return rigid_link_3D(link<i - 1>, seat<i>, b.position, b.rotation);
+    return rigid_link_3D(link<i - 1>, mount<i>, b.position, b.rotation);
   } else if constexpr (K % 3 == 1) {
-    return revolute_joint_3D(q<i>, seat<i>, link<i>, b.axis);
+    return revolute_joint_3D(q<i>, mount<i>, link<i>, b.axis);
   } else {
     return inertia_3D(link<i>, b.body);
   }
@@ -75,15 +75,15 @@ constexpr auto static_chain_of(const serial_body (&bodies)[N]) {
 
 /// The runtime chain.
 template <std::size_t N>
-kte_map_chain runtime_chain_of(const serial_body (&bodies)[N]) {
-  kte_map_chain c;
+runtime_chain runtime_chain_of(const serial_body (&bodies)[N]) {
+  runtime_chain c;
   c.gravity(along_z(-9.81));
   std::string before = "base";
   for (std::size_t i = 0; i < N; ++i) {
     const auto number = std::to_string(i + 1);
     const auto& b = bodies[i];
-    c << rigid_link_3D(before, "seat" + number, b.position, b.rotation)
-      << revolute_joint_3D("q" + number, "seat" + number, "link" + number, b.axis)
+    c << rigid_link_3D(before, "mount" + number, b.position, b.rotation)
+      << revolute_joint_3D("q" + number, "mount" + number, "link" + number, b.axis)
       << inertia_3D("link" + number, b.body);
     before = "link" + number;
   }

@@ -1,4 +1,3 @@
-#include <kte/dynamics/carried_inertia.hpp>
 #include <kte/dynamics/configurations.hpp>
 #include <kte/dynamics/coriolis_matrix.hpp>
 #include <kte/dynamics/jacobian_rate.hpp>
@@ -6,6 +5,7 @@
 #include <kte/dynamics/momentum_rate.hpp>
 #include <kte/dynamics/regressor.hpp>
 #include <kte/dynamics/relative_motion.hpp>
+#include <kte/dynamics/subtree_inertia.hpp>
 #include <kte/elements/mimic.hpp>
 
 #include "allocations.hpp"
@@ -41,7 +41,7 @@ TEST_CASE("static chains allocate nothing") {
   CHECK(during([&] { (void)kte::jacobian_rate(c, x, x, tool), (void)kte::bias_acceleration(c, x, x, tool); }) == 0);
   CHECK(during([&] { (void)kte::relative_jacobian(c, x, tool, tool); }) == 0);
   CHECK(during([&] { (void)kte::relative_motion(c, x, x, x, tool, tool); }) == 0);
-  CHECK(during([&] { (void)kte::joint_reaction(c, x, x, x, tool), (void)kte::carried_inertia(c, x, tool); }) == 0);
+  CHECK(during([&] { (void)kte::joint_reaction(c, x, x, x, tool), (void)kte::subtree_inertia(c, x, tool); }) == 0);
   CHECK(during([&] { (void)kte::centroidal_momentum_rate(c, x, x, x); }) == 0);
   CHECK(during([&] { (void)kte::interpolate(c, x, x, 0.5), (void)kte::distance(c, x, x); }) == 0);
 }
@@ -49,7 +49,7 @@ TEST_CASE("static chains allocate nothing") {
 TEST_CASE("runtime chains allocate nothing once their state is made and has room for M") {
   // Also at sizes where Eigen's factorisation works by blocks.
   for (const int n : {7, 40, 150}) {
-    kte::kte_map_chain c;
+    kte::runtime_chain c;
     std::string frame = "base";
     for (int i = 0; i < n; ++i) {
       const auto k = std::to_string(i);
@@ -61,7 +61,7 @@ TEST_CASE("runtime chains allocate nothing once their state is made and has room
     }
     auto s = c.make_state();
     const Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(n, 0.1, 0.9);
-    (void)kte::mass_matrix(c, s, x);  // the first call makes room for M, the others find it
+    (void)kte::mass_matrix(c, s, x);  // the first call reserves memory for M, the others find it
     CHECK(during([&] { c.doMotion(s), c.clearForce(s), c.doForce(s); }) == 0);
     CHECK(during([&] { (void)kte::inverse_dynamics(c, s, x, x, x); }) == 0);
     CHECK(during([&] { (void)kte::mass_matrix(c, s, x); }) == 0);
@@ -109,7 +109,7 @@ TEST_CASE("coordinates of several degrees of freedom and springs between frames 
 TEST_CASE("coordinates that follow one degree of freedom take no memory by their square") {
   using namespace kte;
   constexpr int n = 2000;
-  kte_map_chain c;
+  runtime_chain c;
   std::string frame = "base";
   for (int i = 0; i < n; ++i) {
     const auto k = std::to_string(i);

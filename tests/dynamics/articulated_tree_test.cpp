@@ -1,6 +1,7 @@
 #include "dynamics/tree_motion.hpp"
 
-// Forward dynamics by articulated bodies in a tree with everything that it can do, and of what is no number.
+// Forward dynamics by articulated bodies in a tree with everything that it can do, and of arguments that are not
+// finite.
 
 using namespace kte;
 using namespace kte::test::trees;
@@ -11,7 +12,7 @@ TEST_CASE("a tree in space", "[laws]") {
   check(tree_3D, 1, usual, base, cart, motor);
 }
 
-TEST_CASE("articulated bodies with arguments that are no numbers") {
+TEST_CASE("articulated bodies with arguments that are not finite") {
   const auto model = element_by_element(tree_3D);
   auto s = make_state(tree_3D);
   auto r = model.make_state();

@@ -18,9 +18,9 @@ constexpr auto arm = [] {
   using namespace kte;
   using namespace robots::iiwa14_names;
   constexpr rigid_body body{1.5, vec3{0.02, -0.03, 0.1}, sym3{0.03, 0.001, -0.002, 0.025, 0.003, 0.02}};
-  return chain(revolute_joint_3D(q1, seat1, link1), inertia_3D(link1, body),
-               rigid_link_3D(link1, seat2, vec3{0.1, 0.2, -0.3}, quarter_turn_x),
-               revolute_joint_3D(q2, seat2, link2, vec3{0.6, 0.0, 0.8}), inertia_3D(link2, body),
+  return chain(revolute_joint_3D(q1, mount1, link1), inertia_3D(link1, body),
+               rigid_link_3D(link1, mount2, vec3{0.1, 0.2, -0.3}, quarter_turn_x),
+               revolute_joint_3D(q2, mount2, link2, vec3{0.6, 0.0, 0.8}), inertia_3D(link2, body),
                prismatic_joint_3D(q3, link2, link3, axis::y), inertia_3D(link3, body))
       .gravity(vec3{0.3, -0.4, -9.81});
 }();
@@ -256,7 +256,7 @@ TEST_CASE("a batch keeps the type of what is wrong") {
   // A point mass on the axis of its joint.
   using namespace robots::iiwa14_names;
   constexpr auto c =
-      kte::chain(kte::revolute_joint_3D(q1, seat1, link1, kte::axis::x), kte::inertia_3D(link1, kte::point_mass(1.0)));
+      kte::chain(kte::revolute_joint_3D(q1, mount1, link1, kte::axis::x), kte::inertia_3D(link1, kte::point_mass(1.0)));
   const std::vector<double> x(5, 0.1);
   std::vector<double> a(5);
   CHECK_THROWS_AS(batch::forward_dynamics(c, x, x, x, a), kte::singular_mass_matrix);

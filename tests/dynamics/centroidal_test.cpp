@@ -65,7 +65,7 @@ void check_exactly(const Chain& c, unsigned seed, double exact = 1e-45) {
     CHECK(gap(eigen(com.position), expected.centre()) < exact);
     CHECK(gap(eigen(centre_of_mass_velocity(c, m.q, m.v)), (expected.linear / expected.mass).eval()) < exact);
     CHECK(gap(eigen(centroidal_momentum(c, m.q, m.v)), expected.momentum()) < exact);
-    CHECK(gap((centroidal_map(c, m.q) * m.v).eval(), expected.momentum()) < exact);
+    CHECK(gap((centroidal_momentum_matrix(c, m.q) * m.v).eval(), expected.momentum()) < exact);
     const Eigen::Matrix<big, 3, 1> moved = derivative([&](const big& t) {
       return Eigen::Matrix<big, 3, 1>(eigen(centre_of_mass(c, integrate(c, m.q, m.v, t)).position));
     });
@@ -90,9 +90,9 @@ void check_double(const Chain& c, unsigned seed) {
     CHECK(gap(eigen(centre_of_mass_velocity(model, s, m.q, m.v)), velocity) < rounding);
     CHECK(gap(eigen(centroidal_momentum(c, m.q, m.v)), expected.momentum()) < rounding);
     CHECK(gap(eigen(centroidal_momentum(model, s, m.q, m.v)), expected.momentum()) < rounding);
-    const auto map = centroidal_map(c, m.q);
+    const auto map = centroidal_momentum_matrix(c, m.q);
     CHECK(gap((map * m.v).eval(), expected.momentum()) < rounding);
-    CHECK(gap(centroidal_map(model, s, m.q), map) < rounding);
+    CHECK(gap(centroidal_momentum_matrix(model, s, m.q), map) < rounding);
   }
 }
 /// Whatever motors do inside, momentum changes by weight alone, and angular momentum about the centre of mass stays.
@@ -148,7 +148,7 @@ TEST_CASE("centre of mass of point masses") {
   const auto h = centroidal_momentum(c, std::array{0.5}, std::array{2.0});
   CHECK(h.linear == vec3<>{8.0, 0.0, 0.0});
   CHECK(h.angular == vec3<>{0.0, 0.0, 0.0});
-  CHECK(centroidal_map(c, std::array{0.5}) == Eigen::Matrix<double, 6, 1>::Unit(0) * 4);
+  CHECK(centroidal_momentum_matrix(c, std::array{0.5}) == Eigen::Matrix<double, 6, 1>::Unit(0) * 4);
 }
 
 TEST_CASE("centre of mass and momentum of bad arguments") {
@@ -158,13 +158,13 @@ TEST_CASE("centre of mass and momentum of bad arguments") {
   const std::array<double, 7> good{0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7};
   const std::vector two{1.0, 2.0};
   CHECK_THROWS_AS(centre_of_mass(c, two), bad_argument);
-  CHECK_THROWS_AS(centroidal_map(c, two), bad_argument);
+  CHECK_THROWS_AS(centroidal_momentum_matrix(c, two), bad_argument);
   CHECK_THROWS_AS(centroidal_momentum(c, good, two), bad_argument);
   CHECK_THROWS_AS(centre_of_mass_velocity(c, good, two), bad_argument);
-  CHECK_THROWS_AS(centroidal_map(model, s, two), bad_argument);
+  CHECK_THROWS_AS(centroidal_momentum_matrix(model, s, two), bad_argument);
   const auto light = chain(prismatic_joint_3D(q1, ground, body, axis::x), inertia_3D(body, point_mass(0.0)));
   CHECK_THROWS_AS(centre_of_mass(light, std::array{0.5}), bad_argument);
-  CHECK_THROWS_AS(centroidal_map(light, std::array{0.5}), bad_argument);
+  CHECK_THROWS_AS(centroidal_momentum_matrix(light, std::array{0.5}), bad_argument);
   const auto light_model = models::element_by_element(light);
   auto light_state = light_model.make_state();
   CHECK_THROWS_AS(centre_of_mass(light_model, light_state), bad_argument);
@@ -172,12 +172,12 @@ TEST_CASE("centre of mass and momentum of bad arguments") {
     auto bad = good;
     bad[i] = std::numeric_limits<double>::quiet_NaN();
     CHECK_THROWS_AS(centre_of_mass(c, bad), bad_argument);
-    CHECK_THROWS_AS(centroidal_map(c, bad), bad_argument);
+    CHECK_THROWS_AS(centroidal_momentum_matrix(c, bad), bad_argument);
     CHECK_THROWS_AS(centroidal_momentum(c, bad, good), bad_argument);
     CHECK_THROWS_AS(centroidal_momentum(c, good, bad), bad_argument);
     CHECK_THROWS_AS(centre_of_mass_velocity(c, good, bad), bad_argument);
     CHECK_THROWS_AS(centre_of_mass(model, s, bad), bad_argument);
-    CHECK_THROWS_AS(centroidal_map(model, s, bad), bad_argument);
+    CHECK_THROWS_AS(centroidal_momentum_matrix(model, s, bad), bad_argument);
     CHECK_THROWS_AS(centroidal_momentum(model, s, good, bad), bad_argument);
     CHECK_THROWS_AS(centre_of_mass_velocity(model, s, good, bad), bad_argument);
   }

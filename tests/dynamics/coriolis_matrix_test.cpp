@@ -37,7 +37,7 @@ struct twice_led : coordinate_follower<twice_led> {
 };
 
 template <class Chain>
-void check(const Chain& c, const kte_map_chain& model, unsigned seed) {
+void check(const Chain& c, const runtime_chain& model, unsigned seed) {
   auto s = model.make_state();
   random_numbers random(seed);
   for (int round = 0; round < 5; ++round) {
@@ -89,7 +89,7 @@ TEST_CASE("Coriolis matrix where a ratio of coordinates changes") {
   constexpr auto c = chain(revolute_joint_3D(q1, ground, body, axis::x), inertia_3D(body, brick),
                            connect(square{}, q1, f1), inertia_gen(f1, 0.3), revolute_joint_3D(q2, body, aside, axis::z),
                            prismatic_joint_3D(f1, aside, hand, axis::y), inertia_3D(hand, stick));
-  kte_map_chain model;
+  runtime_chain model;
   model << c;
   random_numbers random(5);
   const random_motion_of<double, std::remove_const_t<decltype(c)>> m(c, random);
@@ -106,7 +106,7 @@ TEST_CASE("Coriolis matrix where a coordinate follows two others") {
       chain(revolute_joint_3D(q1, ground, body, axis::x), inertia_3D(body, brick),
             prismatic_joint_3D(q2, body, socket, axis::y), inertia_3D(socket, stick), connect(twice_led{}, q1, q2, f1),
             revolute_joint_3D(f1, socket, hand, axis::z), inertia_3D(hand, stick));
-  kte_map_chain model;
+  runtime_chain model;
   model << c;
   auto s = model.make_state();
   random_numbers random(7);

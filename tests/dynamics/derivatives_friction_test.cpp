@@ -5,7 +5,7 @@
 #include <kte/dynamics/mass_matrix.hpp>
 #include <kte/elements/dry_revolute_joint.hpp>
 #include <kte/elements/joint_stiction.hpp>
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
 
 #include "dynamics/small_chains.hpp"
 
@@ -91,7 +91,7 @@ TEST_CASE("derivatives under friction by load of runtime chains") {
 }
 
 TEST_CASE("derivatives under friction by load where a coordinate is held") {
-  kte_map_chain c;
+  runtime_chain c;
   c.gravity(weight) << dry_revolute_joint_3D("q1", "ground", "upper", axis::y, 0.05, 0.1) << inertia_3D("upper", brick)
                     << revolute_joint_3D("q2", "upper", "fore", axis::x) << inertia_3D("fore", stick)
                     << joint_stiction_gen("q2", "mode", {.coulomb = 2.0, .stiction = 3.0})

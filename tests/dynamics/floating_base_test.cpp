@@ -1,6 +1,6 @@
 #include "dynamics/floating_bodies.hpp"
 
-// Bodies that float on bases that move, share rotations, are parts of other chains, and are no numbers.
+// Bodies that float on bases that move, share rotations, are parts of other chains, and are NaN.
 
 using namespace kte;
 using namespace kte::test::floating_bodies;
@@ -32,7 +32,7 @@ TEST_CASE("a free joint on a base that moves") {
     base.ang_acceleration = vector(3);
     base.acceleration = as<double>(transpose(base.rotation) * (vector(4) - weight));  // R^T (a - g)
   };
-  const auto check = [&](const auto& c, const kte_map_chain& m, const auto& after) {
+  const auto check = [&](const auto& c, const runtime_chain& m, const auto& after) {
     auto s = make_state(c);
     auto r = m.make_state();
     constexpr int n = std::remove_cvref_t<decltype(c)>::dofs;
@@ -77,7 +77,7 @@ TEST_CASE("a free joint on a base that moves") {
 }
 
 TEST_CASE("a static chain that floats, as one element of a runtime chain") {
-  kte_map_chain c;
+  runtime_chain c;
   c.gravity(weight) << pair_of_bodies;
   auto r = c.make_state();
   random_numbers random(17);

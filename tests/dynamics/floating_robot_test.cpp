@@ -71,7 +71,7 @@ TEST_CASE("solo12 against 31 digits", "[laws]") {
     CHECK(off((-forces(s)).eval(), x.inverse_dynamics, n) < bound);
     check_pose(pose{s[foot].rotation, s[foot].position}, x);
 
-    const auto check_runtime = [&](const kte_map_chain& m, runtime_state& t) {
+    const auto check_runtime = [&](const runtime_chain& m, runtime_state& t) {
       CHECK(off(inverse_dynamics(m, t, x.q, x.v, x.a), x.inverse_dynamics, n) < bound);
       CHECK(off(inverse_dynamics(m, t, x.q, x.v, zeros), x.bias, n) < bound);
       CHECK(error_of_matrix(mass_matrix(m, t, x.q), x.mass_matrix) < bound);

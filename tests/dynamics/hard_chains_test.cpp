@@ -3,7 +3,7 @@
 #include <kte/dynamics/derivatives.hpp>
 #include <kte/dynamics/forward_dynamics.hpp>
 #include <kte/dynamics/mass_matrix_inverse.hpp>
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
 
 #include "catch.hpp"
 

@@ -31,7 +31,7 @@ TEST_CASE("with everything prescribed, hybrid dynamics is inverse dynamics") {
   }
 }
 
-TEST_CASE("hybrid dynamics of the accelerations of forward dynamics gives back the forces") {
+TEST_CASE("hybrid dynamics of the accelerations of forward dynamics returns the forces") {
   random_numbers random(11);
   for (int round = 0; round < 20; ++round) {
     const trial<decltype(rotors)> x(random);
@@ -108,7 +108,7 @@ TEST_CASE("hybrid dynamics at 50 digits") {
   CHECK(largest(missing) < 1e-45);
 }
 
-TEST_CASE("hybrid dynamics of what is no number, and of other sizes") {
+TEST_CASE("hybrid dynamics of arguments that are not finite, and of other sizes") {
   constexpr auto c =
       chain(revolute_joint_3D(q1, base, a), inertia_3D(a, body), spherical_joint_3D(ball, a, b), inertia_3D(b, body),
             prismatic_joint_3D(q2, b, d, axis::x), inertia_3D(d, light), inertia_gen(lone, 0.5));

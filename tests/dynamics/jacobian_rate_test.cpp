@@ -18,7 +18,7 @@ constexpr double eps = std::numeric_limits<double>::epsilon();
 constexpr double rounding = 200 * eps;
 
 template <class Chain, class Frame, class Axes>
-void check_axes(const Chain& c, const kte_map_chain& model, const Frame& frame, unsigned seed, Axes axes) {
+void check_axes(const Chain& c, const runtime_chain& model, const Frame& frame, unsigned seed, Axes axes) {
   auto s = model.make_state();
   random_numbers random(seed);
   for (int round = 0; round < 3; ++round) {
@@ -75,7 +75,7 @@ TEST_CASE("rates of Jacobians by differences and accelerations, static and runti
 TEST_CASE("rate of a Jacobian whose coordinate follows another by a ratio that changes") {
   constexpr auto c = chain(revolute_joint_3D(q1, ground, body, axis::x), connect(square{}, q1, f1),
                            prismatic_joint_3D(f1, body, hand, axis::y));
-  kte_map_chain model;
+  runtime_chain model;
   model << c;
   check_axes(c, model, hand, 5, in_own_axes);
   check_axes(c, model, hand, 6, at_world_origin);
@@ -85,7 +85,7 @@ TEST_CASE("rates of Jacobians where the base moves") {
   // A base in a state that does what a free joint does.
   constexpr auto c = chain(free_joint_3D(trunk, ground, body), revolute_joint_3D(q1, body, hand, axis::x),
                            rigid_link_3D(hand, tip, vec3{0.1, 0.2, 0.3}));
-  kte_map_chain model;
+  runtime_chain model;
   model << revolute_joint_3D("q1", "body", "hand", axis::x) << rigid_link_3D("hand", "tip", vec3{0.1, 0.2, 0.3});
   random_numbers random(7);
   const random_motion_of<double, std::remove_const_t<decltype(c)>> m(c, random);

@@ -64,9 +64,9 @@ void check_double(const Chain& c, const Frame& frame, unsigned seed) {
   }
 }
 
-/// Into rows 2 to 7 of 9, of which the others stay as they are; into a map.
+/// Into rows 2 to 7 of 9, whose other rows are unchanged; into a map.
 template <class... Axes>
-void check_parts(const kte_map_chain& c, runtime_state& s, const Eigen::VectorXd& q, const char* frame, Axes... axes) {
+void check_parts(const runtime_chain& c, runtime_state& s, const Eigen::VectorXd& q, const char* frame, Axes... axes) {
   const runtime_jacobian expected = jacobian(c, s, q, frame, axes...);
   Eigen::MatrixXd all = Eigen::MatrixXd::Constant(9, c.dofs(), 7);
   jacobian(c, s, q, frame, axes..., all.middleRows<6>(2));
@@ -144,7 +144,7 @@ TEST_CASE("Jacobians into a matrix that is kept") {
   check_kept(floating, {"body", "aside", "ground", "tip"});
   check_kept(geared, {"palm", "tip"});
   // A frame that follows another: the point of a line nearest to it.
-  kte_map_chain c;
+  runtime_chain c;
   c << revolute_joint_3D("q1", "ground", "a", axis::z) << prismatic_joint_3D("q2", "a", "b", axis::x)
     << line_point_mindist_3D("b", "foot", axis::x, vec3{0.0, 1.0, 0.0});
   auto s = c.make_state();

@@ -2,7 +2,7 @@
 #include "digits50.hpp"
 #include "dynamics/inverse_error.hpp"
 
-// The inverse of the mass matrix where coordinates follow others, at 50 digits, and where there is none.
+// The inverse of the mass matrix where coordinates follow others, at 50 digits, and if there is none.
 
 using namespace kte;
 using namespace kte::test::trees;
@@ -70,7 +70,7 @@ TEST_CASE("mass matrices without an inverse") {
   throws(chain(rigid_link_gen(q1, lone, 0.5), revolute_joint_3D(lone, base, a), inertia_3D(a, point_mass(1.0))));
 }
 
-TEST_CASE("the inverse of the mass matrix of what is no number") {
+TEST_CASE("the inverse of the mass matrix of arguments that are not finite") {
   constexpr auto c = chain(base_gen(drive), revolute_joint_3D(q1, base, a), inertia_3D(a, body),
                            prismatic_joint_3D(drive, a, b, axis::x), spherical_joint_3D(ball, b, d),
                            inertia_3D(d, body), prismatic_joint_3D(q2, d, e, axis::z), inertia_3D(e, light));

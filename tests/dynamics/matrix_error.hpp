@@ -7,7 +7,7 @@
 
 namespace kte::test {
 
-/// max |x - reference| / max |reference| over a matrix by rows; infinite if an x is no number.
+/// max |x - reference| / max |reference| over a matrix by rows; infinite if an x is NaN.
 template <class X>
 long double error_of(const X& x, const long double* reference) {
   long double difference = 0, size = 0;

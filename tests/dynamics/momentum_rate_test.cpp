@@ -84,7 +84,7 @@ TEST_CASE("momentum rates of bad arguments") {
   CHECK_THROWS_AS(centroidal_momentum_rate(planar, q, q, nan), bad_argument);
   CHECK_THROWS_AS(centroidal_momentum_rate(model, s, q, nan, q), bad_argument);
   CHECK_THROWS_AS(centre_of_mass_jacobian(model, s, nan), bad_argument);
-  kte_map_chain none;
+  runtime_chain none;
   none << revolute_joint_2D("q", "base", "end");
   auto t = none.make_state();
   CHECK_THROWS_AS(centre_of_mass_acceleration(none, t, std::array{0.0}, std::array{0.0}, std::array{0.0}),
@@ -95,7 +95,7 @@ TEST_CASE("bases that signals move have momentum, as coordinates that they move"
   // A table that is moved and turned, with a mass on it and an arm: as a frame, and as a slide and a hinge at given
   // positions.
   const auto with = [](const auto&... table) {
-    kte_map_chain c;
+    runtime_chain c;
     (c << ... << table);
     c << inertia_3D("top", point_mass(0.75, vec3{0.1, -0.2, 0.3})) << revolute_joint_3D("q", "top", "arm", axis::x)
       << inertia_3D("arm", rigid_body{1.5, vec3{0.02, -0.03, 0.5}, sym3{0.03, 0.001, -0.002, 0.025, 0.003, 0.02}});

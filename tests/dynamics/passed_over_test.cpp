@@ -49,9 +49,9 @@ std::vector<double> of_bodies(const Chain& c) {
   const std::array q{0.25, -0.5}, v{1.0, -0.75}, acc{0.5, 2.0};
   add(kinetic_energy(c, q, v), energy(c, q, v).kinetic);
   add_vector(centre_of_mass(c, q).position), add_vector(centre_of_mass_velocity(c, q, v));
-  add_vector(centroidal_momentum(c, q, v).angular), add_matrix(centroidal_map(c, q));
+  add_vector(centroidal_momentum(c, q, v).angular), add_matrix(centroidal_momentum_matrix(c, q));
   add_vector(centroidal_momentum_rate(c, q, v, acc).angular), add_matrix(centre_of_mass_jacobian(c, q));
-  add_vector(carried_inertia(c, q, a).moment), add_matrix(torque_regressor(c, q, v, acc));
+  add_vector(subtree_inertia(c, q, a).moment), add_matrix(torque_regressor(c, q, v, acc));
   add_matrix(gravity_forces(c, q)), add_matrix(coriolis_forces(c, q, v)), add_matrix(mass_matrix(c, q));
   return all;
 }

@@ -5,7 +5,7 @@
 #include <kte/dynamics/mass_matrix.hpp>
 #include <kte/dynamics/reduced.hpp>
 #include <kte/elements/joint_stiction.hpp>
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
 
 #include <limits>
 
@@ -23,7 +23,7 @@ constexpr double rounding = 500 * std::numeric_limits<double>::epsilon();  // M,
 
 /// Numbers of a vector of the whole chain that a part has, by names.
 template <class X>
-Eigen::VectorXd numbers_of(const kte_map_chain& part, const kte_map_chain& whole, const X& x, bool configuration) {
+Eigen::VectorXd numbers_of(const runtime_chain& part, const runtime_chain& whole, const X& x, bool configuration) {
   Eigen::VectorXd y(configuration ? part.nq() : part.dofs());
   for (const auto& e : layout(part))
     for (const auto& f : layout(whole))
@@ -37,7 +37,7 @@ Eigen::VectorXd numbers_of(const kte_map_chain& part, const kte_map_chain& whole
 }
 
 template <class... Names>
-void check(const kte_map_chain& c, unsigned seed, const Names&... names) {
+void check(const runtime_chain& c, unsigned seed, const Names&... names) {
   random_numbers random(seed);
   const auto vector = [&](int n, double size) {
     Eigen::VectorXd x(n);
@@ -63,7 +63,7 @@ void check(const kte_map_chain& c, unsigned seed, const Names&... names) {
   CHECK(gap(inverse_dynamics(part, t, at, of(v), of(a)), of(inverse_dynamics(c, s, q, v, a))) < rounding);
   const Eigen::MatrixXd m = mass_matrix(c, s, q);
   for (int i = 0; i < part.dofs(); ++i) {
-    const auto column = [&](const kte_map_chain& x, int k) {
+    const auto column = [&](const runtime_chain& x, int k) {
       return Eigen::VectorXd(Eigen::VectorXd::Unit(x.dofs(), k));
     };
     int row = 0;
@@ -131,8 +131,8 @@ TEST_CASE("locked joints of bad names") {
   CHECK(reduced(c, q, std::vector<std::string>{"q1", "q2"}).dofs() == 0);
 }
 
-TEST_CASE("locked joints of the name of a frame, with a brake, and on a seat") {
-  kte_map_chain c;
+TEST_CASE("locked joints of the name of a frame, with a brake, and on a mount") {
+  runtime_chain c;
   c.gravity(along_y(-9.81)) << revolute_joint_2D("arm", "base", "arm").at(along_x(0.5), rotation_by(0.2))
                             << inertia_2D("arm", point_mass(2.0, along_x(0.3))) << brake_gen("arm", "mode", "force")
                             << prismatic_joint_2D("slide", "arm", "tip", axis::x) << inertia_2D("tip", point_mass(1.0));

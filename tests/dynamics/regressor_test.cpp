@@ -3,7 +3,7 @@
 #include <kte/dynamics/mass_matrix.hpp>
 #include <kte/dynamics/regressor.hpp>
 #include <kte/math/dual.hpp>
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
 
 #include <limits>
 
@@ -46,7 +46,7 @@ model_record without_forces(model_record r) {
 struct numbers {
   Eigen::VectorXd q, v, a;
 };
-numbers random_numbers_of(const kte_map_chain& c, random_numbers& random) {
+numbers random_numbers_of(const runtime_chain& c, random_numbers& random) {
   const auto vector = [&](double size) {
     Eigen::VectorXd x(c.dofs());
     for (auto& number : x) number = random(size);

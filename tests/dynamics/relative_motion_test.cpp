@@ -77,7 +77,7 @@ TEST_CASE("relative Jacobians have zeros for what moves both frames") {
 }
 
 TEST_CASE("relative motion of frames on different bases") {
-  kte_map_chain c;
+  runtime_chain c;
   c << base_2D("other") << revolute_joint_2D("q1", "one", "a") << prismatic_joint_2D("q2", "other", "b", axis::x);
   auto s = c.make_state();
   s.frame_2D("other").position = {1.0, 2.0};
@@ -111,7 +111,7 @@ TEST_CASE("relative motion of frames that follow others: Jacobians are refused")
   } near;
   constexpr auto c = chain(revolute_joint_2D(q1, table, cart), rigid_link_2D(cart, rail, along_x(0.75)),
                            line_point_mindist_2D(rail, near, vec2{1.0, 0.0}, vec2{0.0, 0.0}));
-  kte_map_chain model;
+  runtime_chain model;
   model << c;
   auto s = model.make_state();
   const std::array q{0.3}, v{2.0}, a{0.0};

@@ -2,7 +2,7 @@
 #include <kte/dynamics/forward_dynamics.hpp>
 #include <kte/dynamics/inverse_dynamics.hpp>
 #include <kte/dynamics/mass_matrix.hpp>
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
 
 #include <limits>
 #include <vector>
@@ -18,11 +18,11 @@ using namespace kte;
 namespace {
 
 /// A slide, a hinge about a general axis with a rotor, a ball: six numbers a configuration, five degrees of freedom.
-kte_map_chain arm() {
-  kte_map_chain c;
+runtime_chain arm() {
+  runtime_chain c;
   c << prismatic_joint_3D("slide", "base", "cart", axis::y) << inertia_3D("cart", point_mass(2.0))
-    << rigid_link_3D("cart", "seat", vec3{0.1, 0.2, -0.3})
-    << revolute_joint_3D("turn", "seat", "arm", vec3{0.6, 0.0, 0.8}) << inertia_gen("turn", 0.05)
+    << rigid_link_3D("cart", "mount", vec3{0.1, 0.2, -0.3})
+    << revolute_joint_3D("turn", "mount", "arm", vec3{0.6, 0.0, 0.8}) << inertia_gen("turn", 0.05)
     << inertia_3D("arm", rigid_body{1.5, vec3{0.02, -0.03, 0.1}, sym3{0.03, 0.001, -0.002, 0.025, 0.003, 0.02}})
     << spherical_joint_3D("ball", "arm", "hand")
     << inertia_3D("hand", rigid_body{0.5, vec3{0.0, 0.1, 0.05}, diagonal(0.003, 0.002, 0.0025)});
@@ -59,7 +59,7 @@ constexpr double rounding = 64 * 0x1p-52;
 }  // namespace
 
 TEST_CASE("batches of states of a runtime chain") {
-  const kte_map_chain c = arm();
+  const runtime_chain c = arm();
   auto s = c.make_state();
   REQUIRE(c.nq() == static_cast<int>(nq));
   REQUIRE(c.dofs() == static_cast<int>(nv));
@@ -81,7 +81,7 @@ TEST_CASE("batches of states of a runtime chain") {
 }
 
 TEST_CASE("a bad state of a batch does not spoil the others") {
-  const kte_map_chain c = arm();
+  const runtime_chain c = arm();
   states x(11);
   std::vector<double> good(nv * 11), tau(nv * 11);
   batch::inverse_dynamics<4>(c, x.q, x.v, x.a, good);
@@ -100,7 +100,7 @@ TEST_CASE("a bad state of a batch does not spoil the others") {
 }
 
 TEST_CASE("matrices of states in rows are refused") {
-  const kte_map_chain c = arm();  // two states in two rows: as many numbers, and 2 divides 6
+  const runtime_chain c = arm();  // two states in two rows: as many numbers, and 2 divides 6
   const Eigen::MatrixXd q = Eigen::MatrixXd::Constant(2, 6, 0.1), v = Eigen::MatrixXd::Zero(5, 2);
   Eigen::MatrixXd tau(5, 2), mass(5, 10), flat(25, 2);
   CHECK_THROWS_WITH(batch::inverse_dynamics<4>(c, q, v, v, tau),
@@ -112,8 +112,8 @@ TEST_CASE("matrices of states in rows are refused") {
   CHECK(flat.reshaped() == mass.reshaped());
 }
 
-TEST_CASE("batches of chains with laws of their own are refused") {
-  kte_map_chain c = arm();
+TEST_CASE("batches of chains with their own laws are refused") {
+  runtime_chain c = arm();
   c << spring_gen("slide", "turn", 0.0, 10.0);
   const states x(2);
   std::vector<double> tau(nv * 2);

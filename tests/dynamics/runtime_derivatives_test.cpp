@@ -4,7 +4,7 @@
 #include <kte/dynamics/inverse_dynamics.hpp>
 #include <kte/dynamics/mass_matrix.hpp>
 #include <kte/dynamics/mass_matrix_inverse.hpp>
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
 
 #include "data/derivatives.hpp"
 #include "dynamics/matrix_error.hpp"
@@ -13,8 +13,8 @@
 #include "robots/iiwa14.hpp"
 
 // Derivatives, the inverse of the mass matrix and hybrid dynamics of runtime chains: against 21 digits, and against
-// static chains, which have tests of their own. Both do the same sums; static chains leave out what is zero by its
-// type, so that results differ where the compiler contracts other products. Bound: the errors of both.
+// static chains, which have their own tests. Both do the same sums; static chains leave out what is zero by its type,
+// so that results differ where the compiler contracts other products. Bound: the errors of both.
 
 using namespace kte;
 using namespace kte::test::trees;
@@ -29,7 +29,7 @@ constexpr double both_errors = 4e-15;
 template <class Chain, class Compare, class... Outside>
 void in_random_states(const Chain& model, unsigned seed, const Compare& compare, const Outside&... outside) {
   random_numbers random(seed);
-  const kte_map_chain c = element_by_element(model);
+  const runtime_chain c = element_by_element(model);
   auto s = make_state(model);
   auto r = c.make_state();
   for (int round = 0; round < 20; ++round) {
@@ -47,7 +47,7 @@ void in_random_states(const Chain& model, unsigned seed, const Compare& compare,
 
 template <class Chain, class... Outside>
 void check_derivatives(const Chain& model, unsigned seed, const Outside&... outside) {
-  const auto compare = [&](const kte_map_chain& c, runtime_state& r, const auto& s, const auto&) {
+  const auto compare = [&](const runtime_chain& c, runtime_state& r, const auto& s, const auto&) {
     const auto x = inverse_dynamics_derivatives(model, s);
     const auto& y = inverse_dynamics_derivatives(c, r);
     CHECK(gap(y.tau, x.tau) < both_errors);
@@ -67,7 +67,7 @@ void check_derivatives(const Chain& model, unsigned seed, const Outside&... outs
 
 template <class Chain, class... Outside>
 void check_inverse(const Chain& model, unsigned seed, const Outside&... outside) {
-  const auto compare = [&](const kte_map_chain& c, runtime_state& r, const auto& s, const auto&) {
+  const auto compare = [&](const runtime_chain& c, runtime_state& r, const auto& s, const auto&) {
     CHECK(gap(mass_matrix_inverse(c, r), mass_matrix_inverse(model, s)) < both_errors);
   };
   in_random_states(model, seed, compare, outside...);
@@ -75,7 +75,7 @@ void check_inverse(const Chain& model, unsigned seed, const Outside&... outside)
 
 template <class Chain, class... Keys>
 void check_hybrid(const Chain& model, unsigned seed, const Keys&... keys) {
-  const auto compare = [&](const kte_map_chain& c, runtime_state& r, const auto&, const auto& x) {
+  const auto compare = [&](const runtime_chain& c, runtime_state& r, const auto&, const auto& x) {
     const auto h = hybrid_dynamics(model, x.q, x.v, x.tau, prescribed(keys...));
     const auto g = hybrid_dynamics(c, r, x.q, x.v, x.tau, {Keys::name...});
     CHECK(gap(g.a, h.a) < 3 * both_errors);
@@ -89,7 +89,7 @@ void check_hybrid(const Chain& model, unsigned seed, const Keys&... keys) {
 }  // namespace
 
 TEST_CASE("derivatives of a runtime iiwa14 against 21 digits", "[laws]") {
-  const kte_map_chain c = element_by_element(robots::iiwa14);
+  const runtime_chain c = element_by_element(robots::iiwa14);
   auto s = c.make_state();
   for (std::size_t k = 0; k < std::size(reference::iiwa14_derivatives); ++k) {
     CAPTURE(k);
@@ -166,7 +166,7 @@ TEST_CASE("hybrid dynamics where coordinates follow others is between inverse an
 TEST_CASE("what runtime chains cannot do is said") {
   using kte::test::contains_text;
   const std::vector<double> none(8, 0.0);
-  const kte_map_chain springs = element_by_element(tree_2D);
+  const runtime_chain springs = element_by_element(tree_2D);
   auto s = springs.make_state();
   const auto hybrid = [&](const char* name) {
     return hybrid_dynamics(springs, s, positions(s), velocities(s), accelerations(s), {name});
@@ -174,7 +174,7 @@ TEST_CASE("what runtime chains cannot do is said") {
   CHECK_THROWS_AS(hybrid("q77"), unknown_name);
   CHECK_THROWS_WITH(hybrid("wall"), contains_text("'wall' is not a degree of freedom"));
 
-  kte_map_chain massless;
+  runtime_chain massless;
   massless << revolute_joint_2D("q", "base", "end");
   auto m = massless.make_state();
   CHECK_THROWS_AS(mass_matrix_inverse(massless, m), singular_mass_matrix);
@@ -184,8 +184,8 @@ TEST_CASE("what runtime chains cannot do is said") {
   CHECK_THROWS_AS(inverse_dynamics_derivatives(massless, m), bad_argument);
 }
 
-TEST_CASE("a given coordinate that is no number") {
-  const kte_map_chain model = element_by_element(rotors);
+TEST_CASE("a given coordinate that is not finite") {
+  const runtime_chain model = element_by_element(rotors);
   auto r = model.make_state();
   auto s = make_state(rotors);
   r.coordinate("drive").q = s[drive].q = std::nan("");
@@ -198,7 +198,7 @@ TEST_CASE("a given coordinate that is no number") {
 }
 
 TEST_CASE("a coordinate that hybrid dynamics has prescribed is free in the next call") {
-  const kte_map_chain c = element_by_element(robots::iiwa14);
+  const runtime_chain c = element_by_element(robots::iiwa14);
   auto s = c.make_state();
   const Eigen::VectorXd rest = Eigen::VectorXd::Zero(7);
   const Eigen::MatrixXd free = mass_matrix_inverse(c, s, rest);
@@ -206,9 +206,9 @@ TEST_CASE("a coordinate that hybrid dynamics has prescribed is free in the next 
   CHECK(mass_matrix_inverse(c, s, rest) == free);
 }
 
-TEST_CASE("the inverse of the mass matrix owes nothing to a call that found no finite number") {
+TEST_CASE("the inverse of the mass matrix owes nothing to a call that found a number that is not finite") {
   // Brothers, and trees side by side: their common numbers are zeros that no joint writes.
-  const kte_map_chain c = element_by_element(tree_3D);
+  const runtime_chain c = element_by_element(tree_3D);
   auto s = c.make_state();
   random_numbers random(16);
   const trial<std::remove_cvref_t<decltype(tree_3D)>> x(random);
@@ -224,5 +224,5 @@ TEST_CASE("the inverse of the mass matrix owes nothing to a call that found no f
     }
     CHECK(mass_matrix_inverse(c, s, x.q) == good);
   }
-  CHECK(refused > 2);  // positions whose squares are no numbers
+  CHECK(refused > 2);  // positions whose squares are NaN
 }

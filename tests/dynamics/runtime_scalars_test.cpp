@@ -1,4 +1,3 @@
-#include <kte/dynamics/carried_inertia.hpp>
 #include <kte/dynamics/coriolis_matrix.hpp>
 #include <kte/dynamics/derivatives.hpp>
 #include <kte/dynamics/forward_dynamics.hpp>
@@ -10,18 +9,19 @@
 #include <kte/dynamics/mass_matrix_inverse.hpp>
 #include <kte/dynamics/momentum_rate.hpp>
 #include <kte/dynamics/relative_motion.hpp>
+#include <kte/dynamics/subtree_inertia.hpp>
 #include <kte/elements/line_point_mindist.hpp>
 #include <kte/elements/position_measure.hpp>
 #include <kte/math/dual.hpp>
 #include <kte/math/pack.hpp>
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
 
 #include "catch.hpp"
 #include "chain/models.hpp"
 #include "digits50.hpp"
 #include "random.hpp"
 
-// Runtime chains in other scalars than double: the same loops over records, each against 50 digits.
+// Runtime chains in other scalars than double: the same loops over body nodes, each against 50 digits.
 
 using namespace kte;
 using kte::test::digits50;
@@ -34,7 +34,7 @@ inline constexpr struct ball_ final : rotation_3D_key<"ball"> {
 } ball;
 
 /// A trunk that is free; a leg of a general axis and a slide; an arm of a ball and a hinge, with a rotor.
-kte_map_chain creature() {
+runtime_chain creature() {
   using namespace models;
   constexpr rigid_body body{1.5, vec3{0.02, -0.03, 0.1}, sym3{0.03, 0.001, -0.002, 0.025, 0.003, 0.02}};
   static constexpr auto c = chain(free_joint_3D(trunk_pose, ground, trunk), inertia_3D(trunk, body),
@@ -52,7 +52,7 @@ kte_map_chain creature() {
 template <class S>
 using results = std::vector<std::vector<S>>;
 template <class S>
-results<S> all_results(const kte_map_chain& c, basic_runtime_state<S>& s, const runtime_vector<S>& q,
+results<S> all_results(const runtime_chain& c, basic_runtime_state<S>& s, const runtime_vector<S>& q,
                        const runtime_vector<S>& v, const runtime_vector<S>& a) {
   results<S> all;
   const auto add = [&all](const auto& x) { all.emplace_back(x.data(), x.data() + x.size()); };
@@ -69,7 +69,7 @@ results<S> all_results(const kte_map_chain& c, basic_runtime_state<S>& s, const 
   add(jacobian(c, s, q, "hand")), add(jacobian(c, s, q, "shank", in_world_axes));
   const auto hand = forward_kinematics(c, s, q, "hand");
   add_vector(hand.position), add_vector(hand.rotation.x), add_vector(hand.rotation.y);
-  add(centroidal_map(c, s, q));
+  add(centroidal_momentum_matrix(c, s, q));
   add_vector(centre_of_mass(c, s, q).position), add_vector(centre_of_mass_velocity(c, s, q, v));
   add_vector(centroidal_momentum(c, s, q, v).angular);
   const auto rate = centroidal_momentum_rate(c, s, q, v, a);  // whose moments nearly cancel here
@@ -77,20 +77,20 @@ results<S> all_results(const kte_map_chain& c, basic_runtime_state<S>& s, const 
   add(centre_of_mass_jacobian(c, s, q));
   add(coriolis_matrix(c, s, q, v)), add(jacobian_rate(c, s, q, v, "hand", at_world_origin));
   add(relative_jacobian(c, s, q, "hand", "shank")), add_vector(relative_pose(c, s, q, "hand", "shank").position);
-  add_vector(carried_inertia(c, s, q, "trunk").moment);
+  add_vector(subtree_inertia(c, s, q, "trunk").moment);
   return all;
 }
 
 /// Numbers that are exact in float.
 struct sample {
   Eigen::VectorXd q, v, a;
-  sample(const kte_map_chain& c, random_numbers& r) : q(c.nq()), v(c.dofs()), a(c.dofs()) {
+  sample(const runtime_chain& c, random_numbers& r) : q(c.nq()), v(c.dofs()), a(c.dofs()) {
     for (auto* x : {&q, &v, &a})
       for (auto& y : *x) y = std::round(r(384.0)) / 256;
   }
 };
 template <class S>
-results<S> results_in(const kte_map_chain& c, const sample& x) {
+results<S> results_in(const runtime_chain& c, const sample& x) {
   auto s = c.make_state<S>();
   return all_results<S>(c, s, x.q.cast<S>(), x.v.cast<S>(), x.a.cast<S>());
 }
@@ -114,14 +114,14 @@ double gap(const results<S>& x, const results<digits50>& exact, const Number& nu
 /// is 470 here; accelerations' derivatives lose up to 57.
 constexpr double roundings = 64;
 template <class S>
-void check(const kte_map_chain& c, const sample& x, const results<digits50>& exact) {
+void check(const runtime_chain& c, const sample& x, const results<digits50>& exact) {
   const auto itself = [](const S& y) { return y; };
   CHECK(gap(results_in<S>(c, x), exact, itself) < roundings * static_cast<double>(std::numeric_limits<S>::epsilon()));
 }
 }  // namespace
 
 TEST_CASE("runtime chains in other scalars", "[laws]") {
-  const kte_map_chain c = creature();
+  const runtime_chain c = creature();
   random_numbers random(11);
   for (int i = 0; i < 5; ++i) {
     const sample x(c, random);
@@ -132,7 +132,7 @@ TEST_CASE("runtime chains in other scalars", "[laws]") {
 
 TEST_CASE("several states of a runtime chain at once") {
   using four = pack<double, 4>;
-  const kte_map_chain c = creature();
+  const runtime_chain c = creature();
   random_numbers random(12);
   const std::array<sample, 4> x{sample(c, random), sample(c, random), sample(c, random), sample(c, random)};
   const auto gathered = [&x](Eigen::VectorXd sample::*which) {
@@ -149,7 +149,7 @@ TEST_CASE("several states of a runtime chain at once") {
 
 TEST_CASE("derivatives of a runtime chain by dual numbers") {
   using number = dual<double, 1>;
-  const kte_map_chain c = creature();
+  const runtime_chain c = creature();
   random_numbers random(13);
   const sample x(c, random);
   auto plain = c.make_state();
@@ -167,8 +167,8 @@ TEST_CASE("derivatives of a runtime chain by dual numbers") {
 
 namespace {
 /// Two hinges and a slide on each other, and what stands beside: a frame that follows, and a measure.
-kte_map_chain tandem(const char* first, const char* second, const char* third) {
-  kte_map_chain c;
+runtime_chain tandem(const char* first, const char* second, const char* third) {
+  runtime_chain c;
   c.gravity(vec3{0.3, -0.4, -9.81})
       << revolute_joint_3D(first, "base", "a", axis::y) << inertia_3D("a", point_mass(1.5, vec3{0.5, 0.125, -0.25}))
       << revolute_joint_3D(second, "a", "b", vec3{0.6, 0.0, 0.8}).at(vec3{0.5, 0.25, 0.0}, quarter_turn_x)
@@ -217,12 +217,12 @@ TEST_CASE("derivatives of runtime chains of joints that share coordinates") {
 }
 
 TEST_CASE("what other scalars cannot do is said") {
-  kte_map_chain c = creature();
+  runtime_chain c = creature();
   c << spring_gen("hip", "knee", 0.0, 10.0);
   CHECK_NOTHROW(c.make_state());
   CHECK_THROWS_WITH(c.make_state<float>(),
-                    "kte: states of runtime chains in other scalars than double are for joints, links and bodies; "
-                    "spring_gen (anchor1 'hip', anchor2 'knee') acts by a law of its own");
+                    "kte: states of runtime chains in scalars other than double support joints, links and bodies only; "
+                    "spring_gen (anchor1 'hip', anchor2 'knee') has its own force law");
   // passes move what follows others, and are for double
   const auto following = tandem("q", "p", "r");
   auto s = following.make_state<float>();

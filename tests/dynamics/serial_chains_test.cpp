@@ -16,7 +16,7 @@ using namespace kte;
 
 namespace {
 
-/// max |x - reference| / max |reference|; infinite if an x is no number.
+/// max |x - reference| / max |reference|; infinite if an x is NaN.
 template <class X>
 long double relative_error(const X& x, const long double* reference, int n) {
   long double difference = 0, size = 0;

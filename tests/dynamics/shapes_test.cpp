@@ -17,7 +17,7 @@
 
 using namespace kte;
 
-/// Chains of all shapes that an element may have, put together at random: each algorithm that takes them against the
+/// Chains of all shapes that an element may have, assembled at random: each algorithm that takes them against the
 /// others.
 namespace {
 
@@ -55,7 +55,7 @@ struct controller {
 };
 
 struct random_chain {
-  kte_map_chain chain;
+  runtime_chain chain;
   bool conservative, friction = false;
 
   /// `quiet`: nothing that gives or takes energy.
@@ -146,10 +146,10 @@ Eigen::VectorXd random_vector(draws& draw, int n) {
   for (auto& i : x) i = draw();
   return x;
 }
-Eigen::VectorXd random_configuration(draws& draw, const kte_map_chain& c) {
+Eigen::VectorXd random_configuration(draws& draw, const runtime_chain& c) {
   return integrate(c, neutral_configuration(c), random_vector(draw, c.dofs()), 1.0);
 }
-runtime_state random_state(draws& draw, const kte_map_chain& c) {
+runtime_state random_state(draws& draw, const runtime_chain& c) {
   auto s = c.make_state();
   for (const auto& x : c.wiring().signals) {
     if (x.what == kind::vector)
@@ -230,12 +230,12 @@ TEST_CASE("what algorithms cannot count they refuse by name") {
     return Catch::Predicate<bad_argument>(
         [text](const bad_argument& e) { return std::string(e.what()).find(text) != std::string::npos; }, text);
   };
-  kte_map_chain dry;
+  runtime_chain dry;
   dry << dry_revolute_joint_3D("q", "ground", "end", axis::y, 0.02)
       << inertia_3D("end", rigid_body{1.5, vec3{0.1, 0.0, 0.0}, diagonal(0.03, 0.025, 0.02)});
   CHECK_THROWS_MATCHES(dry.make_state<float>(), bad_argument, says("dry_revolute_joint_3D"));
 
-  kte_map_chain spread;
+  runtime_chain spread;
   spread << revolute_joint_3D("q", "ground", "end", axis::y) << inertia_3D("end", point_mass(1.0, along_x(0.3)))
          << rotor_3D("q", "end", axis::y, 30.0, 1e-4);
   auto t = spread.make_state();
@@ -243,14 +243,14 @@ TEST_CASE("what algorithms cannot count they refuse by name") {
   CHECK_THROWS_MATCHES(centre_of_mass(spread, t), bad_argument, says("rotor_3D"));
   CHECK_THROWS_MATCHES(spread.make_state<float>(), bad_argument, says("rotor_3D"));
 
-  kte_map_chain hanging;  // a mass on a frame that follows another
+  runtime_chain hanging;  // a mass on a frame that follows another
   hanging << revolute_joint_3D("q", "ground", "end", axis::y) << inertia_3D("end", point_mass(1.0, along_x(0.3)))
           << line_point_mindist_3D("end", "foot", axis::x, vec3{0.0, 0.1, 0.0}) << inertia_3D("foot", point_mass(1.0));
   auto u = hanging.make_state();
   CHECK_THROWS_MATCHES(forward_dynamics(hanging, u), bad_argument,
                        says("inertia_3D (frame 'foot') has a mass on a frame that follows"));
 
-  kte_map_chain linked;  // a link on a frame that is given in another that moves
+  runtime_chain linked;  // a link on a frame that is given in another that moves
   linked << revolute_joint_3D("q", "ground", "end", axis::y) << inertia_3D("end", point_mass(1.0, along_x(0.3)))
          << position_control_3D("p", "v", "a", "end", "slide") << rigid_link_3D("slide", "tip", along_x(1.0));
   auto w = linked.make_state();

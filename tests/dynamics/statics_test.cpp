@@ -1,4 +1,4 @@
-#include <kte/dynamics/detail/static_problem.hpp>
+#include <kte/dynamics/statics/problem.hpp>
 #include <kte/statics.hpp>
 
 #include <numbers>
@@ -21,8 +21,8 @@ double off(const V& tip, const vec3<>& exact) {
 
 /// Two springs from (-4, 0) and (4, 0) to a joint that slides along y, at rest at (0, 3), with a push down on it.
 constexpr double stiffness = 100, rest = 5;
-kte_map_chain truss() {
-  kte_map_chain c;
+runtime_chain truss() {
+  runtime_chain c;
   c << base_2D("ground") << rigid_link_2D("ground", "left", along_x(-4.0))
     << rigid_link_2D("ground", "right", along_x(4.0)) << prismatic_joint_2D("y", "ground", "top", axis::y)
     << spring_2D("left", "top", rest, stiffness) << spring_2D("right", "top", rest, stiffness);
@@ -33,8 +33,8 @@ double push_at(double y) { return 2 * stiffness * (rest / std::hypot(4.0, y) - 1
 const double y_of_limit = std::sqrt(std::pow(rest * 16, 2.0 / 3) - 16);
 
 /// n masses of 1 kg in a row between walls, or free, with springs of 1 N/m and dampers of c.
-kte_map_chain masses(int n, bool walls, double c_of_all) {
-  kte_map_chain c;
+runtime_chain masses(int n, bool walls, double c_of_all) {
+  runtime_chain c;
   c << base_gen("wall");
   const auto name = [](int i) { return "m" + std::to_string(i); };
   for (int i = 1; i <= n; ++i) c << inertia_gen(name(i), 1.0);
@@ -80,7 +80,7 @@ TEST_CASE("beams are bent by all of their load at once, however stiff along") {
 TEST_CASE("the bend of 45 degrees under 600") {
   constexpr int n = 64;
   const double a = pi / 4 / n, chord = 2 * 100 * std::sin(a / 2), EI = 1e7 / 12, GA = 1e7 / 2.4;
-  kte_map_chain c;
+  runtime_chain c;
   Eigen::VectorXd q(7 * n);
   for (int i = 0; i < n; ++i) {
     const auto before = std::to_string(i), node = std::to_string(i + 1);
@@ -125,7 +125,7 @@ TEST_CASE("the bend of 45 degrees under 600") {
 }
 
 TEST_CASE("derivatives by colours are those by one direction after the other") {
-  kte_map_chain c;
+  runtime_chain c;
   c.gravity(along_z(-9.81));
   for (int arm = 0; arm < 3; ++arm)
     for (int i = 0; i < 4; ++i) {
@@ -224,7 +224,7 @@ TEST_CASE("a path follows a bend that a step could cut") {
 }
 
 TEST_CASE("what loads alone hold finds its place") {
-  kte_map_chain c;
+  runtime_chain c;
   c.gravity(along_z(-9.81));
   c << revolute_joint_3D("shoulder", "base", "upper", axis::y) << rigid_link_3D("upper", "mid", along_x(0.4))
     << inertia_3D("mid", point_mass(2.0)) << revolute_joint_3D("elbow", "mid", "lower", axis::y)
@@ -242,7 +242,7 @@ TEST_CASE("what loads alone hold finds its place") {
 }
 
 TEST_CASE("static_equilibrium refuses by name") {
-  kte_map_chain c;
+  runtime_chain c;
   c.gravity(along_z(-9.81));
   c << prismatic_joint_3D("held", "base", "first", axis::z) << spring_3D("base", "first", 0.0, 1e3)
     << inertia_3D("first", point_mass(1.0)) << prismatic_joint_3D("loose", "base", "second", axis::z)
@@ -303,7 +303,7 @@ TEST_CASE("natural modes of masses between springs") {
     CHECK(std::abs(modes.shape(2, 0) - 1.0) < 1e-12);
   }
   // Without mass in between: two springs in a row.
-  kte_map_chain light;
+  runtime_chain light;
   light << base_gen("wall") << inertia_gen("a", 0.0) << inertia_gen("b", 2.0) << spring_gen("wall", "a", 0.0, 4.0)
         << spring_gen("a", "b", 0.0, 4.0);
   auto t = light.make_state();

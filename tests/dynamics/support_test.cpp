@@ -43,7 +43,7 @@ TEST_CASE("common ancestors") {
   CHECK(common_ancestor(model, "tip", "aside") == "body");
   CHECK(common_ancestor(model, model.frame("hand"), "tip") == "hand");
   CHECK(common_ancestor(model, "socket", "aside") == "body");
-  kte_map_chain two;
+  runtime_chain two;
   two << base_2D("b") << revolute_joint_2D("p", "a", "x") << revolute_joint_2D("q", "b", "y");
   CHECK(common_ancestor(two, "x", "y").empty());
   CHECK_THROWS_AS(common_ancestor(model, "tip", "q1"), unknown_name);
@@ -51,7 +51,7 @@ TEST_CASE("common ancestors") {
 }
 
 TEST_CASE("what moves a frame that follows another") {
-  kte_map_chain c;
+  runtime_chain c;
   c << revolute_joint_2D("q1", "table", "cart") << rigid_link_2D("cart", "rail", along_x(0.75))
     << line_point_mindist_2D("rail", "near", vec2{1.0, 0.0}, vec2{0.0, 0.0}) << revolute_joint_2D("q2", "rail", "disc");
   CHECK(support(c, "near") == std::vector{true, false});

@@ -17,7 +17,7 @@ struct bounds {
 /// All algorithms on one chain, static and runtime, in random states; `outside` are the bases, inputs and coordinates
 /// that are given.
 template <class Chain, class... Outside>
-void check(const Chain& chain, const kte_map_chain& model, unsigned seed, const bounds& most,
+void check(const Chain& chain, const runtime_chain& model, unsigned seed, const bounds& most,
            const Outside&... outside) {
   random_numbers random(seed);
   auto s = make_state(chain);

@@ -1,5 +1,5 @@
-#include <kte/dynamics/detail/unit_forces.hpp>
 #include <kte/dynamics/mass_matrix_inverse.hpp>
+#include <kte/dynamics/unrolled/unit_forces.hpp>
 #include <kte/math/pack.hpp>
 
 #include <algorithm>
@@ -72,7 +72,7 @@ TEST_CASE("the inverse of the mass matrix of nothing that moves") {
   CHECK(mass_matrix_inverse(fixed, joint_vector<double, 0>()).size() == 0);
 }
 
-TEST_CASE("the inverse of the mass matrix in scalars that fill a register by ones, fours and eights") {
+TEST_CASE("the inverse of the mass matrix in scalars that fill a register by ones, groups of four and eights") {
   random_numbers random(17);
   for (int round = 0; round < 5; ++round) {
     const auto q = trial<std::remove_cvref_t<decltype(joints_3D)>>(random).q;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kte/frames/rigid_motion.hpp>
-#include <kte/kernels/variation.hpp>
+#include <kte/recursions/force_variations.hpp>
 
 #include <Eigen/Core>
 

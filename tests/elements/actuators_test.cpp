@@ -30,8 +30,8 @@ auto arm_with(const Drive& drive) {
       .gravity(vec3{0.3, -0.4, -9.81});
 }
 template <class... E>
-kte_map_chain named(const E&... e) {
-  kte_map_chain c;
+runtime_chain named(const E&... e) {
+  runtime_chain c;
   return (c << ... << e);
 }
 template <class A, class B>
@@ -219,7 +219,7 @@ TEST_CASE("a motor of a joint follows its law within its ranges") {
   CHECK(core::joint_motor_gen{}.switching(s[q], 0.25) == 1);
 
   const std::string where = "kte: joint_motor_gen (coordinate 'q', command 'u'): ";
-  const auto what = [](const motor_law& law) { return complaint([&] { joint_motor_gen("q", "u", law); }); };
+  const auto what = [](const motor_law& law) { return complaint([&] { (void)joint_motor_gen("q", "u", law); }); };
   CHECK(what({.gain = not_a_number}) == where + "gain must be finite, got nan");
   CHECK(what({.lower = 1, .upper = -1}) == where + "lower must not be above upper, got 1");
   CHECK(what({.lower_command = 1, .upper_command = -1}) ==

@@ -55,7 +55,7 @@ TEST_CASE("all bases start accelerated against gravity, and may be moved") {
 }
 
 TEST_CASE("a base without a declaration is an error in a runtime chain") {
-  kte_map_chain chain;
+  runtime_chain chain;
   chain << base_2D("b") << rigid_link_2D("a", "tip", along_x(1.0));
   CHECK_NOTHROW(chain << rigid_link_2D("b", "on b", along_x(1.0)));
   CHECK_THROWS_AS(chain << rigid_link_2D("elsewhere", "end", along_x(1.0)), bad_wiring);

@@ -39,7 +39,7 @@ TEST_CASE("an arm on a table that turns, with measures and a controller: static 
     CHECK(o.numbers[0] == within(is.x, 1e-14));
   }
   CHECK(named.size() == 6);
-  kte_map_chain appended;
+  runtime_chain appended;
   appended << c;
   auto n = appended.make_state();
   n.vector("r") = turn, n.vector("w") = omega, n.vector("al") = alpha, n.input("wanted") = 0.5;
@@ -112,7 +112,7 @@ TEST_CASE("a controller whose wanted signal is measured; a base at a given rate"
   }
 }
 
-TEST_CASE("gains that make no sense") {
+TEST_CASE("gains that are invalid") {
   CHECK(complaint([] {
           (void)pid_control_gen("q", "r", "z", "u", {.proportional = 1, .limit = 0});
         }).find("limit must be positive, got 0") != std::string::npos);

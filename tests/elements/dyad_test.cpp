@@ -17,8 +17,8 @@ namespace {
 constexpr dyad_lengths lengths{.pivot = {0.2, 0.03}, .crank1 = 0.15, .bar1 = 0.3, .bar2 = 0.28, .crank2 = 0.12};
 
 /// A five-bar linkage with two motors. The hand is at the end of the first bar, the second ends there too.
-kte_map_chain five_bar() {
-  kte_map_chain c;
+runtime_chain five_bar() {
+  runtime_chain c;
   c.gravity(along_y(-9.81));
   c << base_2D("ground") << dyad_2D("q1", "q2", "b1", "b2", lengths) << revolute_joint_2D("q1", "ground", "crank 1")
     << inertia_2D("crank 1", planar_body(0.4, 0.004, along_x(0.07)))
@@ -87,7 +87,7 @@ TEST_CASE("with its second crank at rest it is a four-bar") {
   for (const double q : {1.2, 2.0, 2.9}) same(q);
 }
 
-TEST_CASE("a dyad that cannot be closed, that makes no sense, and in files") {
+TEST_CASE("a dyad that cannot be closed, with invalid parameters, and in files") {
   auto short_bars = lengths;
   short_bars.bar1 = 0.01, short_bars.bar2 = 0.02;
   CHECK_THROWS_MATCHES(core::dyad_bar1(short_bars).value(2.0, 1.0), bad_argument,
@@ -95,7 +95,7 @@ TEST_CASE("a dyad that cannot be closed, that makes no sense, and in files") {
   const auto says = [](double dyad_lengths::*which, double value) {
     auto l = lengths;
     l.*which = value;
-    return complaint([&] { dyad_2D("a", "b", "c", "d", l); });
+    return complaint([&] { (void)dyad_2D("a", "b", "c", "d", l); });
   };
   CHECK(says(&dyad_lengths::crank1, 0) == "");
   CHECK(says(&dyad_lengths::crank2, -1).find("crank2 must be finite and not negative, got -1") != std::string::npos);

@@ -49,7 +49,7 @@ TEST_CASE("forces by functions act in static and in runtime chains, with derivat
                        force_law_gen(q, spring_law), force_law_3D(kite, tether));
   const std::array x{0.5}, v{0.25}, a{0.0};
   CHECK(inverse_dynamics(c, x, v, a)[0] == within(5 * 0.5 + 0.5 * 0.0625, 4 * eps<double>));
-  kte_map_chain runtime;
+  runtime_chain runtime;
   runtime << prismatic_joint_3D("q", "base", "kite", axis::x) << inertia_3D("kite", point_mass(2.0))
           << force_law_gen("q", spring_law) << force_law_3D("kite", tether);
   auto s = runtime.make_state();

@@ -151,7 +151,7 @@ TEST_CASE("a free joint keeps NaN") {
 }
 
 TEST_CASE("a free joint in a runtime chain wants names of its kinds") {
-  kte_map_chain c;
+  runtime_chain c;
   c << revolute_joint_3D("q", "ground", "arm") << base_2D("table");
   const auto fails = [&c](const auto& e, const std::string& what) {
     CHECK_THROWS_AS(c << e, bad_wiring);

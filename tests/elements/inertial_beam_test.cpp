@@ -18,7 +18,7 @@ using namespace kte;
 
 TEST_CASE("a beam with a consistent mass moves as a rigid bar between stiff ends", "[laws]") {
   // a bar of 3 kg and 0.8 m on a hinge: m L^2/3, half of its weight on the tip
-  kte_map_chain c;
+  runtime_chain c;
   c << revolute_joint_3D("q", "ground", "root", axis::y) << rigid_link_3D("root", "tip", along_x(0.8))
     << inertial_beam_3D("root", "tip", 3.0);
   c.gravity(along_z(-9.81));
@@ -36,8 +36,8 @@ TEST_CASE("a beam with a consistent mass moves as a rigid bar between stiff ends
 
 namespace {
 /// Two arms of joints from the ground, and a beam between their ends.
-kte_map_chain two_arms() {
-  kte_map_chain c;
+runtime_chain two_arms() {
+  runtime_chain c;
   c << revolute_joint_3D("q1", "ground", "a1", axis::z) << prismatic_joint_3D("q2", "a1", "a2", axis::x)
     << revolute_joint_3D("q3", "a2", "a3", axis::y) << revolute_joint_3D("q4", "a3", "a", axis::x)
     << rigid_link_3D("ground", "b0", vec3{0.9, 0.3, -0.2}) << revolute_joint_3D("q5", "b0", "b1", axis::y)
@@ -85,7 +85,7 @@ TEST_CASE("the mass of a beam in the plane and in space") {
 
 namespace {
 /// Angular frequencies at rest at q of a chain that is held by what its base stands on, lowest first.
-std::vector<double> frequencies(const kte_map_chain& c, const Eigen::VectorXd& q) {
+std::vector<double> frequencies(const runtime_chain& c, const Eigen::VectorXd& q) {
   auto s = c.make_state();
   const Eigen::VectorXd none = Eigen::VectorXd::Zero(c.dofs());
   const Eigen::MatrixXd stiffness = inverse_dynamics_derivatives(c, s, q, none, none).by_q, m = mass_matrix(c, s, q);
@@ -95,8 +95,8 @@ std::vector<double> frequencies(const kte_map_chain& c, const Eigen::VectorXd& q
   return w;
 }
 /// A cantilever of n beams in the plane: length 1, EI = 1, mass 1.
-kte_map_chain cantilever(int n, double EA) {
-  kte_map_chain c;
+runtime_chain cantilever(int n, double EA) {
+  runtime_chain c;
   std::string before = "wall";
   for (int i = 1; i <= n; ++i) {
     const std::string node = std::to_string(i);
@@ -114,8 +114,8 @@ Eigen::VectorXd straight(int n) {
 }
 /// A rod of n beams that only turn about it (k = GJ), or only move along it (k = EA), clamped at one end; of mass or
 /// inertia 1, length 1.
-kte_map_chain rod(int n, bool turns) {
-  kte_map_chain c;
+runtime_chain rod(int n, bool turns) {
+  runtime_chain c;
   std::string before = "wall";
   const double l = 1.0 / n;
   for (int i = 1; i <= n; ++i) {
@@ -170,7 +170,7 @@ TEST_CASE("frequencies of a beam that turns, which its pull makes stiffer") {
   // Mech. 49 (1982)); in the plane of the turn w^2 is less by 12^2, but for Coriolis forces, some of 12^2/EA.
   const double first = 13.170150487506177, second = 37.603112331191866;
   const auto squares = [](int n) {
-    kte_map_chain c;
+    runtime_chain c;
     c << revolute_joint_2D("turn", "ground", "wall") << cantilever(n, 1e8);
     auto s = c.make_state();
     Eigen::VectorXd q = Eigen::VectorXd::Zero(c.nq()), v = Eigen::VectorXd::Zero(c.dofs()), none = v;
@@ -199,7 +199,7 @@ TEST_CASE("the spin-up of Kane, Ryan and Banerjee", "[long]") {
   // by 1.8e-3.
   constexpr int n = 8;
   constexpr double L = 10, speed = 6, end = 15, dt = 0.02;
-  kte_map_chain c;
+  runtime_chain c;
   c << revolute_joint_2D("turn", "ground", "0");
   for (int i = 1; i <= n; ++i) {
     const auto node = std::to_string(i), before = std::to_string(i - 1);
@@ -238,7 +238,7 @@ TEST_CASE("the spin-up of Kane, Ryan and Banerjee", "[long]") {
 }
 
 TEST_CASE("a beam that swings and bends keeps its energy", "[long]") {
-  kte_map_chain c;
+  runtime_chain c;
   const beam_section section{.EA = 200, .EI_y = 0.5, .EI_z = 1, .GJ = 0.4, .GA_y = 100, .GA_z = 80};
   const auto J = diagonal(0.02, 0.005, 0.005);
   c << spherical_joint_3D("ball", "ground", "0") << free_joint_3D("at 1", "ground", "1")

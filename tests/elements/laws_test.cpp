@@ -44,10 +44,10 @@ TEST_CASE("a motor with a mass and an input resists by its mass") {
 
 TEST_CASE("masses between several ports") {
   random_numbers draw(2);
-  CHECK(testing::spread_mass_is_that_of_force<double>(rotor_3D("q", "x", axis::y, 30.0, 0.1), draw) < 1e-14);
-  CHECK(testing::spread_mass_is_that_of_force<double>(
+  CHECK(testing::distributed_mass_is_that_of_force<double>(rotor_3D("q", "x", axis::y, 30.0, 0.1), draw) < 1e-14);
+  CHECK(testing::distributed_mass_is_that_of_force<double>(
             inertial_beam_3D("a", "b", 2.0, sym3{0.2, 0.01, 0.02, 0.3, -0.03, 0.25}), draw) < 1e-14);
-  CHECK(testing::spread_mass_is_that_of_force<double>(inertial_beam_2D("a", "b", 2.0, 0.1), draw) < 1e-14);
+  CHECK(testing::distributed_mass_is_that_of_force<double>(inertial_beam_2D("a", "b", 2.0, 0.1), draw) < 1e-14);
 }
 
 TEST_CASE("springs and dampers do not care where in the world they are; drag of a flow does") {

@@ -13,7 +13,7 @@
 /// What the algorithms say of a mechanism, static or runtime, for comparisons of two that should be the same.
 namespace kte::test {
 
-/// At q, v and x, which are accelerations where forces are asked for, and forces where accelerations are.
+/// At q, v and x, which are accelerations where forces are requested, and forces where accelerations are.
 struct mechanism_results {
   std::array<Eigen::MatrixXd, 9> all;
 
@@ -29,7 +29,7 @@ struct mechanism_results {
   }
 };
 
-inline mechanism_results results_of(const kte_map_chain& c, const std::string& tip, const Eigen::VectorXd& q,
+inline mechanism_results results_of(const runtime_chain& c, const std::string& tip, const Eigen::VectorXd& q,
                                     const Eigen::VectorXd& v, const Eigen::VectorXd& x) {
   auto s = c.make_state();
   mechanism_results r;

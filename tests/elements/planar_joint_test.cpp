@@ -64,7 +64,7 @@ TEST_CASE("a planar joint is a free joint in the plane") {
 
 TEST_CASE("a planar joint is two sliding joints and a turning one") {
   // Of these p' = R v and p'' = R (a + w x v): with T = diag(R, 1), v_3 = T v and so on.
-  kte_map_chain three;
+  runtime_chain three;
   three.gravity(as<double>(sledge.gravity()))
       << prismatic_joint_3D("x", "ground", "along", axis::x) << prismatic_joint_3D("y", "along", "across", axis::y)
       << revolute_joint_3D("turn", "across", "body") << inertia_3D("body", brick)
@@ -122,7 +122,7 @@ TEST_CASE("a planar joint keeps NaN") {
 }
 
 TEST_CASE("a planar joint wants a pose in the plane, and frames in space") {
-  kte_map_chain c;
+  runtime_chain c;
   c << free_joint_3D("X", "ground", "body") << base_2D("table");
   CHECK_THROWS_WITH(c << planar_joint_3D("X", "body", "end"),
                     "kte: planar_joint_3D (coordinate 'X', base 'body', end 'end'): 'X' is a 3D pose, not a 2D pose");

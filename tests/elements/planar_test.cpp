@@ -19,8 +19,8 @@ template <fixed_string Text> struct solid final : frame_3D_key<Text> {};
 constexpr auto in_plane =
     chain(prismatic_joint_2D(slide, flat<"base">{}, flat<"cart">{}, vec2{0.6, 0.8}),
           inertia_2D(flat<"cart">{}, planar_body(2.0, 0.3, vec2{0.1, -0.2})),
-          rigid_link_2D(flat<"cart">{}, flat<"seat">{}, vec2{0.3, -0.1}, rotation_2D{0.28, 0.96}),
-          revolute_joint_2D(turn, flat<"seat">{}, flat<"arm">{}),
+          rigid_link_2D(flat<"cart">{}, flat<"mount">{}, vec2{0.3, -0.1}, rotation_2D{0.28, 0.96}),
+          revolute_joint_2D(turn, flat<"mount">{}, flat<"arm">{}),
           inertia_2D(flat<"arm">{}, planar_body(1.5, 0.05, along_x(0.25))),
           rigid_link_2D(flat<"arm">{}, flat<"elbow">{}, along_x(0.5), quarter_turn),
           revolute_joint_2D(bend, flat<"elbow">{}, flat<"hand">{}),
@@ -29,9 +29,9 @@ constexpr auto in_plane =
 constexpr auto in_space =
     chain(prismatic_joint_3D(slide, solid<"base">{}, solid<"cart">{}, vec3{0.6, 0.8, 0.0}),
           inertia_3D(solid<"cart">{}, rigid_body{2.0, vec3{0.1, -0.2, 0.0}, diagonal(0.2, 0.1, 0.3)}),
-          rigid_link_3D(solid<"cart">{}, solid<"seat">{}, vec3{0.3, -0.1, 0.0},
+          rigid_link_3D(solid<"cart">{}, solid<"mount">{}, vec3{0.3, -0.1, 0.0},
                         mat3<>{{0.28, -0.96, 0.0}, {0.96, 0.28, 0.0}, {0.0, 0.0, 1.0}}),
-          revolute_joint_3D(turn, solid<"seat">{}, solid<"arm">{}, vec3{0.0, 0.0, 1.0}),
+          revolute_joint_3D(turn, solid<"mount">{}, solid<"arm">{}, vec3{0.0, 0.0, 1.0}),
           inertia_3D(solid<"arm">{}, rigid_body{1.5, vec3{0.25, 0.0, 0.0}, diagonal(0.03, 0.04, 0.05)}),
           rigid_link_3D(solid<"arm">{}, solid<"elbow">{}, vec3{0.5, 0.0, 0.0}, as<double>(quarter_turn_z)),
           revolute_joint_3D(bend, solid<"elbow">{}, solid<"hand">{}),

@@ -88,7 +88,7 @@ TEST_CASE("a revolute joint keeps NaN") {
 
 TEST_CASE("a revolute joint wants an axis of length 1") {
   const auto what = [](const vec3<>& axis) {
-    return complaint([&] { revolute_joint_3D("elbow angle", "upper arm", "forearm", axis); });
+    return complaint([&] { (void)revolute_joint_3D("elbow angle", "upper arm", "forearm", axis); });
   };
   const std::string where = "kte: revolute_joint_3D (coordinate 'elbow angle', base 'upper arm', end 'forearm'): ";
   CHECK(what({0, 0, 0}) == where + "axis must have length 1, got 0");

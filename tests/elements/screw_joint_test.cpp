@@ -43,8 +43,8 @@ auto arm(const Axis& n, double pitch) {
       .gravity(weight);
 }
 /// A turning joint, and a sliding one whose coordinate follows.
-kte_map_chain geared_arm(const vec3<>& n, double pitch) {
-  kte_map_chain c;
+runtime_chain geared_arm(const vec3<>& n, double pitch) {
+  runtime_chain c;
   c.gravity(weight) << revolute_joint_3D("q", "ground", "turned", n) << connect(gear{pitch}, "q", "s")
                     << prismatic_joint_3D("s", "turned", "nut", n) << inertia_3D("nut", brick)
                     << revolute_joint_3D("p", "nut", "hand", axis::y) << inertia_3D("hand", brick);
@@ -145,7 +145,7 @@ TEST_CASE("a screw joint keeps NaN") {
 
 TEST_CASE("a screw joint wants an axis of length 1 and a finite pitch") {
   const auto what = [](const vec3<>& n, double pitch) {
-    return complaint([&] { screw_joint_3D("turn", "bolt", "nut", n, pitch); });
+    return complaint([&] { (void)screw_joint_3D("turn", "bolt", "nut", n, pitch); });
   };
   const std::string where = "kte: screw_joint_3D (coordinate 'turn', base 'bolt', end 'nut'): ";
   CHECK(what({0, 0, 2}, 0.1) == where + "axis must have length 1, got 2");

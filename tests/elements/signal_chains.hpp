@@ -48,7 +48,7 @@ inline constexpr auto text_of_key = [](const auto& key) { return std::string(key
 inline constexpr auto to_static = [](const auto&... e) { return chain(e...).gravity(vec3{0.3, -0.4, -9.81}); };
 inline constexpr auto to_flat = [](const auto&... e) { return chain(e...).gravity(vec3{0.3, -0.4, zero}); };
 inline constexpr auto to_runtime = [](const auto&... e) {
-  kte_map_chain c;
+  runtime_chain c;
   (c << ... << e);
   return c.gravity(vec3{0.3, -0.4, -9.81});
 };

@@ -102,7 +102,7 @@ TEST_CASE("the length of a quaternion does not matter") {
 }
 
 TEST_CASE("a spherical joint in a runtime chain wants names of its kinds") {
-  kte_map_chain c;
+  runtime_chain c;
   c << revolute_joint_3D("q", "ground", "arm") << base_2D("table");
   const auto fails = [&c](const auto& e, const std::string& what) {
     CHECK_THROWS_AS(c << e, bad_wiring);

@@ -80,7 +80,7 @@ TEST_CASE("a pendulum on a bearing accelerates by its mode") {
   constexpr double mu = 0.5, radius = 0.1, R = mu * radius;
   const auto c = pendulum(radius, {mu, 0.7});
   const manipulator_dynamics_model fixed(c);
-  const kte_map_chain r = models::registered(record_of(c));
+  const runtime_chain r = models::registered(record_of(c));
   CHECK(record_of(r) == record_of(c));
   const manipulator_dynamics_model at_run_time(r);
   for (const double rate : {3.0, -1.0, 0.0})
@@ -97,7 +97,7 @@ TEST_CASE("a pendulum on a bearing accelerates by its mode") {
 TEST_CASE("what a bearing carries says how much it holds") {
   const auto c = pendulum(0.1, {0.5, 0.7});
   const manipulator_dynamics_model fixed(c);
-  const kte_map_chain r = models::registered(record_of(c));
+  const runtime_chain r = models::registered(record_of(c));
   const manipulator_dynamics_model at_run_time(r);
   const auto check = [](const auto& model) {
     auto x = model.make_x(std::array{0.4}, std::array{0.0});
@@ -111,7 +111,7 @@ TEST_CASE("what a bearing carries says how much it holds") {
 TEST_CASE("moments press on two bearings") {
   // F across the guide and a moment M: F/2 +- M/L, of which the larger is twice what presses where they differ in sign.
   const double F = 3.0, M = GENERATE(0.0, 0.4, -0.4, 2.5, -2.5), span = 0.5, mu = 0.2;
-  kte_map_chain c;
+  runtime_chain c;
   c << sticking_prismatic_joint_2D("s", "s.mode", "rail", "slide", axis::x, {.friction = mu, .span = span})
     << inertia_2D("slide", planar_body(1.0, 0.1)) << constant_force_2D("slide", vec2{5.0, F}, M) << base_3D("frame")
     << sticking_prismatic_joint_3D("p", "p.mode", "frame", "body", axis::y, {.friction = mu, .span = span})
@@ -126,7 +126,7 @@ TEST_CASE("moments press on two bearings") {
 
 TEST_CASE("static and runtime chains of sticking joints") {
   const auto c = slide_on_arm();
-  const kte_map_chain r = models::registered(record_of(c));
+  const runtime_chain r = models::registered(record_of(c));
   CHECK(record_of(r) == record_of(c));
   const manipulator_dynamics_model fixed(c);
   const manipulator_dynamics_model at_run_time(r);
@@ -150,7 +150,7 @@ TEST_CASE("static and runtime chains of sticking joints") {
 TEST_CASE("derivatives of models with sticking joints") {
   const auto c = slide_on_arm();
   const manipulator_dynamics_model fixed(c);
-  const kte_map_chain r = models::registered(record_of(c));
+  const runtime_chain r = models::registered(record_of(c));
   const manipulator_dynamics_model at_run_time(r);
   for (const double m : {-1.0, 2.0})
     for (const double n : {1.0, 2.0}) {
@@ -173,7 +173,7 @@ TEST_CASE("derivatives of models with sticking joints") {
 
 TEST_CASE("a sticking joint that is locked is a link, and has a place") {
   const auto c = slide_on_arm();
-  const kte_map_chain r = models::registered(record_of(c));
+  const runtime_chain r = models::registered(record_of(c));
   const auto less = reduced(c, std::array{0.3, 0.2}, q);
   const auto loose = reduced(r, std::array{0.3, 0.2}, {"q"});
   const manipulator_dynamics_model fixed(less);
@@ -190,7 +190,7 @@ TEST_CASE("a bearing larger than its arm jams where it slides, and holds for eve
   for (const double R : {L * (1 - 1e-12), L, L * (1 + 1e-12), 0.6}) {
     const auto c = pendulum(1.0, {.friction = R, .static_friction = 0.7});
     const manipulator_dynamics_model fixed(c);
-    const kte_map_chain r = models::registered(record_of(c));
+    const runtime_chain r = models::registered(record_of(c));
     const manipulator_dynamics_model at_run_time(r);
     CHECK_THROWS_MATCHES(acceleration(fixed, 0.4, 3.0, mode::forward), no_solution, says("jams at 'q': "));
     CHECK_THROWS_MATCHES(acceleration(at_run_time, 0.4, -3.0, mode::backward), no_solution, says("jams at 'q': "));
@@ -204,7 +204,7 @@ TEST_CASE("a bearing larger than its arm jams where it slides, and holds for eve
 
 TEST_CASE("parameters of sticking joints") {
   const auto bearing = [](double radius, const dry_friction_parameters& p) {
-    return complaint([&] { sticking_revolute_joint_2D("q", "m", "a", "b", radius, p); });
+    return complaint([&] { (void)sticking_revolute_joint_2D("q", "m", "a", "b", radius, p); });
   };
   const std::string who = "kte: sticking_revolute_joint_2D (coordinate 'q', mode 'm', base 'a', end 'b'): ";
   CHECK(bearing(0.125, {0.25}) == "");
@@ -215,14 +215,14 @@ TEST_CASE("parameters of sticking joints") {
   CHECK(bearing(0.125, {0.25, std::nan("")}) == who + "static_friction must be finite and not below friction, got nan");
   CHECK(bearing(0.125, {0.25, 0.5, 1.0}) == who + "span must be 0: in the plane a moment turns the joint, got 1");
   CHECK(complaint([] {
-          sticking_prismatic_joint_3D("q", "m", "a", "b", axis::x, {0.2, 0.3, -1.0});
+          (void)sticking_prismatic_joint_3D("q", "m", "a", "b", axis::x, {0.2, 0.3, -1.0});
         }) ==
         "kte: sticking_prismatic_joint_3D (coordinate 'q', mode 'm', base 'a', end 'b'): span must be finite and not "
         "negative, got -1");
   CHECK(complaint([] {
-          sticking_prismatic_joint_3D("q", "m", "a", "b", vec3{1.0, 1.0, 0.0}, {0.2});
+          (void)sticking_prismatic_joint_3D("q", "m", "a", "b", vec3{1.0, 1.0, 0.0}, {0.2});
         }).find("axis must have length 1") != std::string::npos);
-  kte_map_chain follows;
+  runtime_chain follows;
   follows << inertia_gen("x", 1.0) << mimic_gen("x", "y", 2.0)
           << sticking_revolute_joint_2D("y", "m", "a", "b", 0.1, {0.2}) << inertia_2D("b", point_mass(1.0));
   CHECK_THROWS_MATCHES(manipulator_dynamics_model(follows), bad_wiring,

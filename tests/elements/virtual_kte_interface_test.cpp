@@ -8,7 +8,7 @@
 #include <kte/dynamics/mass_matrix_inverse.hpp>
 #include <kte/dynamics/regressor.hpp>
 #include <kte/elements/virtual_kte_interface.hpp>
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
 
 #include "dynamics/small_chains.hpp"
 
@@ -38,8 +38,8 @@ constexpr auto arm =
         .gravity(weight);
 
 template <class Chain>
-kte_map_chain at_run_time(const Chain& c) {
-  kte_map_chain r;
+runtime_chain at_run_time(const Chain& c) {
+  runtime_chain r;
   r << c;
   return r;
 }
@@ -88,7 +88,7 @@ TEST_CASE("a virtual model moves with the real one and loads it backwards", "[la
 }
 
 TEST_CASE("virtual models in the plane and on coordinates") {
-  kte_map_chain mast;
+  runtime_chain mast;
   mast << prismatic_joint_2D("q1", "table", "cart", axis::x) << inertia_2D("cart", point_mass(2.0))
        << virtual_kte_interface_2D("cart", "ghost") << rigid_link_2D("ghost", "tip", along_y(0.5))
        << spring_2D("table", "tip", 0.5, 40.0);
@@ -98,7 +98,7 @@ TEST_CASE("virtual models in the plane and on coordinates") {
   const double spring = -40 * (length - 0.5) * 0.3 / length;                        // on the tip, N
   CHECK(inverse_dynamics(mast, s, q, v, a)[0] == within(2 * 1.5 + spring, 1e-14));  // the motor does what it would do
 
-  kte_map_chain wheel;
+  runtime_chain wheel;
   wheel << base_gen("wall") << inertia_gen("q", 0.5) << virtual_kte_interface_gen("q", "ghost")
         << spring_gen("wall", "ghost", 0.0, 20.0) << inertia_gen("ghost", 0.1);
   auto t = wheel.make_state();
@@ -109,14 +109,14 @@ TEST_CASE("what needs loads to be those of motions refuses virtual models") {
   const auto c = at_run_time(arm_with_walker(virtually));
   auto s = c.make_state();
   const Eigen::Vector3d x(0.1, 0.2, 0.3);
-  const auto named = says("virtual_kte_interface_3D (base 'hand', end 'palm') hands back other loads");
+  const auto named = says("virtual_kte_interface_3D (base 'hand', end 'palm') returns loads that are not the dual");
   CHECK_THROWS_MATCHES(mass_matrix(c, s, x), bad_argument, named);
   CHECK_THROWS_MATCHES(forward_dynamics(c, s, x, x, x), bad_argument, named);
   CHECK_THROWS_MATCHES(mass_matrix_inverse(c, s, x), bad_argument, named);
   CHECK_THROWS_MATCHES(inverse_dynamics_derivatives(c, s, x, x, x), bad_argument, named);
   CHECK_THROWS_MATCHES(external_forces(c, s, x, {{"palm", {1, 0, 0}}}), bad_argument, named);
-  CHECK_THROWS_MATCHES(centroidal_map(c, s, x), bad_argument, named);
-  kte_map_chain wheel;
+  CHECK_THROWS_MATCHES(centroidal_momentum_matrix(c, s, x), bad_argument, named);
+  runtime_chain wheel;
   wheel << inertia_gen("q", 0.5) << virtual_kte_interface_gen("q", "ghost") << inertia_gen("ghost", 0.1);
   auto t = wheel.make_state();
   const std::array<double, 1> y{0.3};

@@ -2,7 +2,7 @@
 #include <kte/dynamics/forward_dynamics.hpp>
 #include <kte/dynamics/inverse_dynamics.hpp>
 #include <kte/elements/vmc_revolute_joint.hpp>
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
 
 #include "dynamics/small_chains.hpp"
 
@@ -34,7 +34,7 @@ constexpr auto plant = arm_of([](const auto& q, const auto& b, const auto& e, co
 /// A mass of 2 kg on a bar of length r, horizontal, in the plane and in space: torque to lift it.
 std::array<double, 2> to_lift(double r, double rate, double friction_radius, double stiction_radius) {
   const std::array<double, 1> q{0}, v{rate}, a{0};
-  kte_map_chain plane, space;
+  runtime_chain plane, space;
   plane << vmc_revolute_joint_2D("q", "base", "arm", friction_radius, stiction_radius, 1e-9)
         << inertia_2D("arm", point_mass(2.0, along_x(r)));
   space << vmc_revolute_joint_3D("q", "base", "arm", axis::z, friction_radius, stiction_radius, 1e-9)
@@ -50,7 +50,7 @@ std::array<double, 2> to_lift(double r, double rate, double friction_radius, dou
 TEST_CASE("what a controller joint asks for moves the joint in earnest as it should", "[laws]") {
   random_numbers random(3);
   const auto c = [] {
-    kte_map_chain r;
+    runtime_chain r;
     r << controller;
     return r;
   }();
@@ -71,14 +71,14 @@ TEST_CASE("a controller joint breaks loose from rest") {
   for (const double tau : to_lift(0.5, 0, 0.02, 0.03)) CHECK(tau == within(20 * 0.5 + 20 * 0.03, 4e-15));
   for (const double tau : to_lift(0.01, 0, 0.02, 0.03)) CHECK(tau == within(2 * 20 * 0.01, 1e-16));
   for (const double tau : to_lift(-0.5, 0, 0.02, 0.03)) CHECK(tau == within(-20 * 0.5 - 20 * 0.03, 4e-15));
-  // Up: besides the load sliding friction; down the other way. The rate makes a force of m r v^2 along the bar.
+  // Up: in addition to the load sliding friction; down the other way. The rate makes a force of m r v^2 along the bar.
   const double force = std::hypot(20.0, 2 * 0.5 * 0.01);
   for (const double tau : to_lift(0.5, 0.1, 0.02, 0.03)) CHECK(tau == within(20 * 0.5 + force * 0.02, 4e-15));
   for (const double tau : to_lift(0.5, -0.1, 0.02, 0.03)) CHECK(tau == within(20 * 0.5 - force * 0.02, 4e-15));
 }
 
 TEST_CASE("a controller joint is for passes and inverse dynamics") {
-  kte_map_chain c;
+  runtime_chain c;
   c << controller;
   auto s = c.make_state();
   const Eigen::Vector2d x(0.1, 0.2);

@@ -195,7 +195,7 @@ TEST_CASE("zero at the start is no event, for every solver and tolerance") {
   SECTION("kennedy_carpenter34") { check_starts<kennedy_carpenter34>(1e-7); }
 }
 
-TEST_CASE("after a failure every solver chooses its steps anew, and says why it failed") {
+TEST_CASE("after a failure every solver chooses its steps again, and says why it failed") {
   SECTION("bogacki_shampine23") { check_repair<bogacki_shampine23>(); }
   SECTION("fehlberg45") { check_repair<fehlberg45>(); }
   SECTION("dormand_prince45") { check_repair<dormand_prince45>(); }

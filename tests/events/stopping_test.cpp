@@ -8,7 +8,7 @@ using kte::test::within_relative;
 
 // What throws or stops at an event, and where the solver then stands.
 
-TEST_CASE("where a function of an event is not a number, or settings make no sense, that is said") {
+TEST_CASE("where a function of an event is not a number, or settings are invalid, that is said") {
   auto solver = in_long_steps();
   const auto good = event([](double t, const scalar&) { return t + 1; });
   const auto bad = event([](double t, const scalar&) { return std::sqrt(2.2 - t); });

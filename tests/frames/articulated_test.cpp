@@ -177,7 +177,7 @@ constexpr bool stays_in_plane = [] {
 }  // namespace
 
 TEST_CASE("typed zeros of articulated inertias") {
-  // what costs nothing
+  // what is free
   STATIC_REQUIRE(std::is_same_v<decltype(no_articulated + in_plane), std::remove_const_t<decltype(in_plane)>>);
   STATIC_REQUIRE(std::is_same_v<decltype(in_plane + no_articulated), std::remove_const_t<decltype(in_plane)>>);
   STATIC_REQUIRE(

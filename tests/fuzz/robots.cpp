@@ -14,8 +14,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const auto d = text.find("<mujoco") != text.npos ? kte::from_mjcf(text, "file")
                    : text.find("<sdf") != text.npos  ? kte::from_sdf(text, "file")
                                                      : kte::from_urdf(text, "file");
-    kte::to_robot(d);
-    if (!d.links.empty()) kte::to_robot(d, {.root = d.links.back().name, .floating_base = true, .fold_fixed = true});
+    (void)kte::to_robot(d);
+    if (!d.links.empty())
+      (void)kte::to_robot(d, {.root = d.links.back().name, .floating_base = true, .fold_fixed = true});
   } catch (const kte::error&) {
   }
   return 0;

@@ -21,7 +21,7 @@ extern constexpr auto moment = kte::diagonal(1.0, 2.0, 3.0);
 extern constexpr kte::frame_2D<> frame{{1.0, 2.0}};
 extern constexpr auto hinge = kte::revolute_joint_2D(q, base, joint);
 extern constexpr auto bar = kte::rigid_link_2D(joint, tip, kte::along_x(0.5));
-extern constexpr auto seat = hinge.at(kte::along_y(0.25), kte::quarter_turn);
+extern constexpr auto mount = hinge.at(kte::along_y(0.25), kte::quarter_turn);
 extern constexpr auto pendulum =
     kte::chain(hinge, bar, kte::inertia_2D(tip, kte::point_mass(1.0))).gravity(kte::along_y(-9.75));
 

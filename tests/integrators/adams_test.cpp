@@ -213,13 +213,13 @@ TEST_CASE("Adams: an integration in pieces goes on with its history") {
   const auto whole = cost({10});
   std::vector<double> ends;
   for (int i = 1; i <= 20; ++i) ends.push_back(i / 2.0);
-  CHECK(cost(ends) < whole + 20 * 6);  // a piece: a step more, one evaluation to compare; anew: 40 evaluations
+  CHECK(cost(ends) < whole + 20 * 6);  // a piece: a step more, one evaluation to compare; again: 40 evaluations
   ends.clear();
   std::mt19937 random(1);
   std::uniform_real_distribution<double> gap(0, 1);
   for (double t = 0; t < 10; ends.push_back(t)) t = std::min(10.0, t + std::pow(gap(random), 6));  // tiny ones too
   CHECK(cost(ends) < whole + 12 * static_cast<long long>(ends.size()));
-  CHECK(cost({5, std::nextafter(5.0, 6.0), 10}) < whole + 150);  // the differences are lost in rounding: anew
+  CHECK(cost({5, std::nextafter(5.0, 6.0), 10}) < whole + 150);  // the differences are lost in rounding: again
 }
 
 TEST_CASE("Adams: nothing old is used after a restart, a turn, or a change of f") {

@@ -76,7 +76,7 @@ TEST_CASE("BDF: the NDF need fewer steps at orders 1 to 3, as their error consta
   for (int k = 1; k <= 3; ++k) CHECK(steps(k, plain) / steps(k, ndf) == within(1.26, 0.05));
 }
 
-TEST_CASE("BDF: stiffness costs nothing") {
+TEST_CASE("BDF: stiffness is free") {
   const auto solve = [](double lambda) {
     bdf solver(towards_cosine(lambda), 0.0, one<double>(1.5), {.absolute = 1e-8, .relative = 1e-8});
     solver.integrate(10);
@@ -157,7 +157,7 @@ TEST_CASE("BDF: no tiny last step, and the step before goes on") {
   CHECK(in_small_pieces.state()[0] == within(std::cos(10.0), 1e-9));
 }
 
-TEST_CASE("BDF: the history goes on where nothing has changed, else it begins anew") {
+TEST_CASE("BDF: the history goes on where nothing has changed, else it starts again") {
   double input = 1;
   const auto f = [&](double, const one<double>& x) { return one<double>(-x[0] + input); };
   bdf solver(f, 0.0, one<double>(3.0));
@@ -227,7 +227,7 @@ TEST_CASE("BDF: in every scalar") {
   CHECK(std::abs(l.statistics().steps - m.statistics().steps) < 20);
 }
 
-TEST_CASE("BDF: dynamic states, and a Jacobian of one's own") {
+TEST_CASE("BDF: dynamic states, and a custom Jacobian") {
   struct chain {  // heat along a rod
     Eigen::VectorXd operator()(double, const Eigen::VectorXd& x) const {
       Eigen::VectorXd f = -2 * x;

@@ -64,7 +64,7 @@ TEST_CASE("what a right-hand side throws comes through") {
 }
 
 TEST_CASE("a runtime chain with rotations moves on the group behind virtual functions") {
-  kte::kte_map_chain top;
+  kte::runtime_chain top;
   top.gravity(kte::along_z(-9.81)) << kte::spherical_joint_3D("turn", "base", "body")
                                    << kte::inertia_3D("body", kte::rigid_body{1.0, kte::along_z(0.1),
                                                                               kte::sym3{0.02, 0, 0, 0.02, 0, 0.01}});

@@ -127,7 +127,7 @@ TEST_CASE("geometric methods say what is wrong") {
   CHECK(nowhere.state() == Eigen::Vector2d(1, 0));
 }
 
-TEST_CASE("an iteration whose right-hand side is no number does not blame the step") {
+TEST_CASE("an iteration whose right-hand side is NaN does not reject the step") {
   const auto ends = [](double t, const Eigen::Vector2d& x) {
     return Eigen::Vector2d(x[1], t < 0.5 ? -x[0] : std::nan(""));
   };

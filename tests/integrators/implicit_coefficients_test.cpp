@@ -104,7 +104,7 @@ TEST_CASE("Rosenbrock methods have their orders, at the ends of steps and betwee
   SECTION("RODAS 4(3)") { check_rosenbrock<rodas_coefficients>(); }
 }
 
-TEST_CASE("rosenbrock23 is of order 2 with any matrix in place of the Jacobian") {
+TEST_CASE("rosenbrock23 is of order 2 with any matrix instead of the Jacobian") {
   const slopes<rosenbrock23_coefficients> s;
   const auto b = s.solution(), one = decltype(b)(b.Ones());
   CHECK(abs(b.dot(s.A * one) - 0.5) < rounding);

@@ -97,7 +97,7 @@ TEST_CASE("Prince-Dormand: the error follows the tolerance, at a lower price tha
         within_relative(static_cast<double>(evaluations) * std::pow(1e6, 0.125), 0.2));
 }
 
-TEST_CASE("Prince-Dormand: a right-hand side that is no number between the ends of a step says so") {
+TEST_CASE("Prince-Dormand: a right-hand side that is NaN between the ends of a step says so") {
   bool broken = false;
   const auto f = [&](double, const state<double>& x) {
     return state<double>(x[1], broken ? std::numeric_limits<double>::quiet_NaN() : -x[0]);

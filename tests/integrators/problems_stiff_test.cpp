@@ -40,8 +40,8 @@ void check_jacobian(const Problem& f) {
 ///   (1 - h/n J) (x_{i+1} - x_i) = h/n f(x_i),   T_{j,1} = x_{n_j}                            (1)
 ///   T_{j,k+1} = T_{j,k} + (T_{j,k} - T_{j-1,k}) / (n_j / n_{j-k} - 1)                        (2)
 ///
-/// Hairer and Wanner, Solving Ordinary Differential Equations II, 1996, IV.9. Puts the step's end into x, and gives
-/// back what the last extrapolation changed, in units of |x| + smallest.
+/// Hairer and Wanner, Solving Ordinary Differential Equations II, 1996, IV.9. Puts the step's end into x, and returns
+/// what the last extrapolation changed, in units of |x| + smallest.
 template <class Problem>
 long double implicit_step(const Problem& f, long double h, long double smallest, typename Problem::state& x) {
   using state = typename Problem::state;

@@ -35,7 +35,7 @@ struct comma : std::numpunct<char> {
 };
 
 /// The roots of the tutorial of the predecessor.
-kte::archive tutorial(const kte::kte_map_chain& c, const kte::runtime_state& s) {
+kte::archive tutorial(const kte::runtime_chain& c, const kte::runtime_state& s) {
   kte::archive a;
   a.add("joint_coord", "q", s.coordinate("q")).add("pendulum", c).add("end_frame", "tip", s.frame_2D("tip"));
   return a.add("mass_mat1", kte::mass_matrix_calc(c) << kte::all_inertias << kte::all_coordinates);
@@ -44,7 +44,7 @@ kte::archive tutorial(const kte::kte_map_chain& c, const kte::runtime_state& s) 
 }  // namespace
 
 TEST_CASE("a coordinate, a chain, a frame and a calculator in one file share what they have in common") {
-  kte::kte_map_chain c;
+  kte::runtime_chain c;
   c << golden;
   auto s = c.make_state();
   s.coordinate("q").q = 0.1, s.coordinate("q").q_dot = -1.0 / 3, s.coordinate("q").q_ddot = 1e-300;
@@ -75,7 +75,7 @@ TEST_CASE("a coordinate, a chain, a frame and a calculator in one file share wha
 }
 
 TEST_CASE("golden archives of version 2 can be read for ever") {
-  kte::kte_map_chain c;
+  kte::runtime_chain c;
   c << golden;
   auto s = c.make_state();
   s.coordinate("q").q = 0.1;
@@ -108,7 +108,7 @@ TEST_CASE("every element and every kind of thing") {
        {kte::from_json(kte::to_json(all)), kte::from_xml(kte::to_xml(all)), kte::from_binary(kte::to_binary(all))})
     CHECK(back == all);
 
-  kte::kte_map_chain c;
+  kte::runtime_chain c;
   c << kte::base_3D("w") << kte::base_2D("p") << kte::free_joint_3D("x", "w", "body")
     << kte::free_joint_2D("y", "p", "disc") << kte::spherical_joint_3D("r", "body", "hand")
     << kte::joint_lugre_gen(
@@ -170,7 +170,7 @@ TEST_CASE("states of float and long double, bit for bit") {
 }
 
 TEST_CASE("calculators come back as they were fed") {
-  kte::kte_map_chain c;
+  kte::runtime_chain c;
   c << robots::iiwa14;
   kte::mass_matrix_calc calc(c);
   const auto& frames = c.wiring().names[static_cast<std::size_t>(kte::kind::frame_3D)];
@@ -205,7 +205,7 @@ TEST_CASE("calculators come back as they were fed") {
 
 TEST_CASE("what is not there, or something else, is said by name") {
   const auto message = [](const auto& f) { return kte::test::message_of<kte::error>(f); };
-  kte::kte_map_chain c;
+  kte::runtime_chain c;
   c << golden;
   auto s = c.make_state();
   kte::archive a = tutorial(c, s);
@@ -216,7 +216,7 @@ TEST_CASE("what is not there, or something else, is said by name") {
   CHECK(message([&] { a.add("pendulum", c); }) == "kte: the archive has a 'pendulum' already");
   CHECK(message([&] { (void)a.thing<kte::gen_coord<>>("end_frame"); }) ==
         "kte: 'end_frame' of the archive is '2D frame', not coordinate");
-  kte::kte_map_chain longer;
+  kte::runtime_chain longer;
   longer << golden << kte::damper_gen("q", "w", 1.0);
   CHECK(message([&] { (void)a.calculator("mass_mat1", longer); }) ==
         "kte: 'mass_mat1' of the archive is of its chain 'pendulum', not of this one");
@@ -265,7 +265,7 @@ TEST_CASE("what is not there, or something else, is said by name") {
 }
 
 TEST_CASE("rotations that are none are refused by name, and the state is as before") {
-  kte::kte_map_chain c;
+  kte::runtime_chain c;
   c << kte::base_2D("plane") << kte::base_3D("space") << kte::spherical_joint_3D("ball", "space", "hand")
     << kte::free_joint_3D("free", "space", "body");
   auto s = c.make_state();
@@ -301,7 +301,7 @@ TEST_CASE("rotations that are none are refused by name, and the state is as befo
 }
 
 TEST_CASE("of a coordinate with several limits some may be none") {
-  kte::kte_map_chain c;
+  kte::runtime_chain c;
   c << kte::free_joint_3D("x", "w", "body") << kte::revolute_joint_3D("q", "body", "arm", kte::axis::z);
   auto limits = kte::unlimited(c);
   limits.upper[1] = 2.5, limits.effort[5] = 20;

@@ -33,12 +33,12 @@ TEST_CASE("graphs have a box for each element and one node for each name of a ki
       "  n3 -> e1 [label=\"input\"]\n"
       "}\n";
   CHECK(to_dot(c) == graph);
-  kte::kte_map_chain r;
+  kte::runtime_chain r;
   CHECK(to_dot(r << c) == graph);
 }
 
 TEST_CASE("names in graphs are escaped") {
-  kte::kte_map_chain c;
+  kte::runtime_chain c;
   c << kte::inertia_gen("a\"b\\n<&lt;\nc", 1.0) << kte::brake_gen("a\"b\\n<&lt;\nc", "z", "f");
   const std::string graph = to_dot(c);
   CHECK_THAT(graph, kte::test::contains_text(R"(label="a\"b\\n<&amp;lt;\nc"])"));

@@ -14,7 +14,7 @@ using kte::test::scratch;
 
 namespace {
 
-/// A file in a folder of its own.
+/// A file in its own folder.
 struct kept_file : test::scratch_folder {
   std::filesystem::path file;
   explicit kept_file(const char* extension)
@@ -37,7 +37,7 @@ void check_saving(const char* extension, const Save& save) {
 }
 
 TEST_CASE("a file that cannot be written for want of memory is as before") {
-  kte_map_chain c;
+  runtime_chain c;
   c << models::pendulum << rigid_link_2D("tip", "a frame of a name that streams need new memory for", along_x(0.1))
     << rigid_link_2D("tip", "short", along_x(1.0 / 3));
   auto s = c.make_state();
@@ -57,7 +57,7 @@ TEST_CASE("a file that cannot be written for want of memory is as before") {
 }
 
 TEST_CASE("a file that cannot be read for want of memory gives nothing, and is read the next time") {
-  kte_map_chain c;
+  runtime_chain c;
   c << models::pendulum;
   auto s = c.make_state();
   s.coordinate("q").q = 0.1;
@@ -79,9 +79,9 @@ TEST_CASE("a file that cannot be read for want of memory gives nothing, and is r
       [&](runtime_state& t, bool threw) { REQUIRE(t.coordinate("q").q == (threw ? 0 : 0.1)); });
   allocations::fail_each([&a] { return a; }, [&](archive& b) { b.add("more", c); },
                          [&](archive& b, bool threw) { REQUIRE(b.has("more") == !threw); });
-  allocations::fail_each([] { return kte_map_chain(); },
-                         [&](kte_map_chain& d) { d = a.chain("chain", models::registry()); },
-                         [&](kte_map_chain& d, bool threw) { REQUIRE(d.dofs() == (threw ? 0 : 1)); });
+  allocations::fail_each([] { return runtime_chain(); },
+                         [&](runtime_chain& d) { d = a.chain("chain", models::registry()); },
+                         [&](runtime_chain& d, bool threw) { REQUIRE(d.dofs() == (threw ? 0 : 1)); });
 }
 
 }  // namespace

@@ -94,9 +94,9 @@ struct own_map : kte::kte_map {
 }  // namespace
 
 TEST_CASE("a chain with a part that is neither an element nor a chain is not saved") {
-  kte::kte_map_chain inner, outer;
+  kte::runtime_chain inner, outer;
   inner.append(std::make_unique<own_map>());
-  outer << golden << kte::kte_map_chain();
+  outer << golden << kte::runtime_chain();
   CHECK_NOTHROW(record_of(outer));
   outer << inner;
   const kte::test::scratch file(".json", "what was there");

@@ -231,8 +231,8 @@ TEST_CASE("texts: escapes, blanks, remarks") {
   CHECK(in_xml("&#-1;") == "3:7: this escape stands for no character");
   CHECK(in_xml("&#65x;") == "3:7: this escape stands for no character");
   CHECK(in_xml("&#;") == "3:7: this escape stands for no character");
-  CHECK(in_xml("a & b") == "3:9: '&' begins no known entity (for itself write &amp;)");
-  CHECK(in_xml("&nbsp;") == "3:7: '&' begins no known entity (for itself write &amp;)");
+  CHECK(in_xml("a & b") == "3:9: '&' begins no known entity (write &amp; for the character itself)");
+  CHECK(in_xml("&nbsp;") == "3:7: '&' begins no known entity (write &amp; for the character itself)");
   CHECK(in_xml("1<!-- c -->2") == "3:18: the text of 'type' goes on behind a comment");
   CHECK(in_xml("1<?c?>&#50;") == "3:13: the text of 'type' goes on behind a comment");
   CHECK(in_xml("<!-- a -- b -->x") == "3:16: '--' must not stand within a comment");

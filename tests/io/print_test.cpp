@@ -41,7 +41,7 @@ TEST_CASE("a static chain is printed with its typed constants as literals") {
 }
 
 TEST_CASE("a runtime chain is printed as its record is, and functions of the program are said to be there") {
-  kte::kte_map_chain c;
+  kte::runtime_chain c;
   c.gravity(kte::along_y(-9.81)) << kte::revolute_joint_2D("q", "base", "joint")
                                  << kte::table_spring_2D("base", "joint", std::vector{0.0, 1.0}, std::vector{0.0, 2.5});
   const std::string elements =
@@ -69,7 +69,7 @@ TEST_CASE("states are printed by names, of either kind alike") {
                                      "ang_velocity 0, acceleration (0, 9.81), ang_acceleration 0, force (0, 0), "
                                      "torque 0\njoint  2D frame  position"));
   CHECK(std::count(text.begin(), text.end(), '\n') == 4);
-  kte::kte_map_chain c;
+  kte::runtime_chain c;
   c << pendulum;
   auto r = c.make_state();
   r.coordinate("q").q = 0.25;

@@ -202,7 +202,7 @@ TEST_CASE("a pendulum that moves is recorded as it is at each row") {
   }
 }
 
-TEST_CASE("states of other scalars are recorded as doubles, in the format that is asked for") {
+TEST_CASE("states of other scalars are recorded as doubles, in the format that is requested") {
   scratch file(".dat");
   auto s = make_state<float>(models::pendulum);
   s[models::q].q = 0.1f;
@@ -239,7 +239,7 @@ TEST_CASE("unknown names are errors that say what there is") {
 }
 
 TEST_CASE("where names of things begin alike, the longest counts") {
-  kte_map_chain c;
+  runtime_chain c;
   c << revolute_joint_3D("arm/position", "base", "arm", axis::z) << inertia_3D("arm", point_mass(1.0));
   CHECK(row_of(c, c.make_state(), {"arm/position"}).names == name_list{"t", "arm/position"});
   CHECK(row_of(c, c.make_state(), {"arm/velocity/x"}).names == name_list{"t", "arm/velocity/x"});

@@ -18,7 +18,7 @@ constexpr auto golden = pendulum.gravity(kte::along_y(-9.81));
 
 TEST_CASE("manipulators come back from files with their tools and limits") {
   constexpr auto arm = kte::three_r_three_r();
-  kte::kte_map_chain c;
+  kte::runtime_chain c;
   c << kte::three_r_three_r_chain();
   auto limits = kte::unlimited(c);
   limits.lower[1] = -1, limits.jerk[5] = 100;
@@ -42,14 +42,14 @@ TEST_CASE("manipulators come back from files with their tools and limits") {
 }
 
 TEST_CASE("models of manipulators: tools, limits and inputs") {
-  kte::kte_map_chain c;
+  kte::runtime_chain c;
   c << golden << kte::driving_actuator_gen("q", "motor");
   auto limits = kte::unlimited(c);
   limits.lower[0] = -1, limits.rate[0] = 2.5;
   kte::manipulator_dynamics_model moved(c);
   moved.input("motor") = 0.7;
   kte::archive a;
-  a.add("arm", kte::manipulator_kinematics_model<kte::kte_map_chain>(c, {"tip", "joint"})).add("moved", moved, limits);
+  a.add("arm", kte::manipulator_kinematics_model<kte::runtime_chain>(c, {"tip", "joint"})).add("moved", moved, limits);
   in_all_formats(a, [&](const kte::archive& b) {
     CHECK(b.tools("arm") == std::vector<std::string>{"tip", "joint"});
     CHECK(b.limits("moved", b.chain("moved", models::registry())) == limits);
@@ -97,7 +97,7 @@ TEST_CASE("models of manipulators: tools, limits and inputs") {
 }
 
 TEST_CASE("limits find their coordinates, of one number or of several") {
-  kte::kte_map_chain c;
+  kte::runtime_chain c;
   c << kte::free_joint_3D("trunk", "world", "body") << kte::revolute_joint_3D("knee", "body", "shank", kte::axis::y);
   auto limits = kte::unlimited(c);
   for (std::size_t i = 0; i < 7; ++i) limits.upper[i] = 1.0 + static_cast<double>(i);

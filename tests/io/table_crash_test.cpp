@@ -15,7 +15,7 @@ using kte::test::scratch;
 
 namespace {
 
-/// Runs f in a process of its own, which must end by itself.
+/// Runs f in its own process, which must end by itself.
 template <class F>
 void in_child(const F& f) {
   const auto child = ::fork();

@@ -13,7 +13,7 @@ namespace {
 
 std::string message(const std::string& content, const char* extension = ".txt") {
   scratch file(extension, content);
-  return test::message_about<bad_file>(file, [&] { read_table(file.path); });
+  return test::message_about<bad_file>(file, [&] { (void)read_table(file.path); });
 }
 
 TEST_CASE("a bad text is reported by line and column", "[both]") {

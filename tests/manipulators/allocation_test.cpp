@@ -1,6 +1,6 @@
 #include <kte/manipulators/accelerations_towards.hpp>
-#include <kte/manipulators/clik.hpp>
 #include <kte/manipulators/nearest.hpp>
+#include <kte/manipulators/numerical_inverse_kinematics.hpp>
 #include <kte/manipulators/three_r_three_r.hpp>
 
 #include "allocations.hpp"
@@ -19,9 +19,10 @@ TEST_CASE("rates and poses of static arms take no memory from the heap") {
           reached &= accelerations_towards(arm, q, still, twist, 0.01).a.norm() > 0;
           for (const bool numeric : {true, false})
             reached &=
-                clik(arm, reach(arm_names::tool, wanted), still, {.numeric = numeric}).status == clik_status::reached;
-          reached &= clik(arm, goals(reach(arm_names::tool, wanted), away_from_limits()), still).status ==
-                     clik_status::reached;
+                numerical_inverse_kinematics(arm, reach(arm_names::tool, wanted), still, {.numeric = numeric}).status ==
+                numerical_ik_status::reached;
+          reached &= numerical_inverse_kinematics(arm, goals(reach(arm_names::tool, wanted), away_from_limits()), still)
+                         .status == numerical_ik_status::reached;
         }) == 0);
   CHECK(reached);
 }

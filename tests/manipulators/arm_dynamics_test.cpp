@@ -14,7 +14,7 @@
 #include <kte/manipulators/ur.hpp>
 #include <kte/models/inverse_dynamics_model.hpp>
 #include <kte/models/runtime_dynamics_model.hpp>
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
 
 #include "catch.hpp"
 #include "chain/registered.hpp"
@@ -29,7 +29,7 @@ namespace {
 struct motion_of {
   Eigen::VectorXd q, v, tau;
 };
-motion_of random_motion(const kte_map_chain& c) {
+motion_of random_motion(const runtime_chain& c) {
   random_numbers random(1);
   motion_of x;
   const int n = c.dofs();
@@ -61,10 +61,10 @@ found check_models(const Moving& moving, const Forces& forces, const Forward& fo
 }
 
 template <class Chain>
-kte_map_chain runtime(const Chain& c) {
+runtime_chain runtime(const Chain& c) {
   return models::registered(record_of(c));
 }
-found check(const char* name, const kte_map_chain& c) {
+found check(const char* name, const runtime_chain& c) {
   INFO(name);
   auto s = c.make_state();
   const auto at = random_motion(c);

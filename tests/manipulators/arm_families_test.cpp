@@ -25,7 +25,7 @@ TEST_CASE("planar arms and SCARA", "[laws]") {
 }
 
 TEST_CASE("arms without a closed form say what their axes miss") {
-  const auto no = [](const kte_map_chain& c, const char* text) {
+  const auto no = [](const runtime_chain& c, const char* text) {
     const manipulator arm(c, "tool");
     CHECK(arm.family() == arm_family::none);
     CHECK_THROWS_MATCHES(inverse_kinematics(arm, arm.getDependentPoses(numbers::Zero(arm.dofs()))[0]), no_closed_form,

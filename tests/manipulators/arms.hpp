@@ -22,12 +22,12 @@ struct joint {
   vec3<> axis, offset;
   bool slides = false;
 };
-inline kte::kte_map_chain chain(const vec3<>& pedestal, std::initializer_list<joint> joints) {
-  kte::kte_map_chain c;
+inline kte::runtime_chain chain(const vec3<>& pedestal, std::initializer_list<joint> joints) {
+  kte::runtime_chain c;
   std::string at = "base";
   int i = 0;
   const auto link = [&](const vec3<>& p) {
-    const std::string next = "seat" + std::to_string(i + 1);
+    const std::string next = "mount" + std::to_string(i + 1);
     c << kte::rigid_link_3D(at, next, p);
     at = next;
   };
@@ -173,7 +173,7 @@ struct outcome {
   unsigned free = 0;
 };
 template <class... Request>
-outcome check_answers(const kte::manipulator<kte::kte_map_chain>& arm, const numbers& q, const Request&... request) {
+outcome check_answers(const kte::manipulator<kte::runtime_chain>& arm, const numbers& q, const Request&... request) {
   outcome r;
   const tool x = arm.getDependentPoses(q)[0];
   for (const auto& a : kte::inverse_kinematics(arm, x, request...)) {

@@ -1,5 +1,5 @@
-#include <kte/manipulators/clik.hpp>
 #include <kte/manipulators/nearest.hpp>
+#include <kte/manipulators/numerical_inverse_kinematics.hpp>
 #include <kte/manipulators/poses_of_tools.hpp>
 #include <kte/manipulators/uav.hpp>
 
@@ -159,16 +159,16 @@ TEST_CASE("a pose fitted to points is that of the body, and never a reflection")
   CHECK_THROWS_MATCHES(fitted_pose(body, measured), bad_argument, says("point 6"));
 }
 
-TEST_CASE("clik of a free body begins with the answer") {
+TEST_CASE("numerical inverse kinematics of a free body begins with the answer") {
   const auto body = free_floater(along_x(0.2));
   const pose there{to_quaternion(axis_angle<double>{3, {0.6, 0, 0.8}}), vec3<>{1.0, 2.0, 30.0}};
-  const auto r = clik(body, reach(tool, there), neutral_configuration(body));
-  CHECK(r.status == clik_status::reached);
+  const auto r = numerical_inverse_kinematics(body, reach(tool, there), neutral_configuration(body));
+  CHECK(r.status == numerical_ik_status::reached);
   CHECK(r.iterations <= 1);
 }
 
 TEST_CASE("a body that moves freely and a joint on it have no closed form") {
-  kte_map_chain c;
+  runtime_chain c;
   c << free_joint_3D("pose", "base", "body") << revolute_joint_3D("q", "body", "arm", axis::z)
     << rigid_link_3D("arm", "tool", along_x(1.0));
   const manipulator arm(c, "tool");

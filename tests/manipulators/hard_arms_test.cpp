@@ -15,7 +15,7 @@ using namespace arms;
 using test::says;
 
 namespace {
-using model = manipulator<kte_map_chain>;
+using model = manipulator<runtime_chain>;
 
 /// The six joints that the formulas solve, of seven without the one that is held.
 double determinant(const model& arm, const numbers& q) {

@@ -105,7 +105,7 @@ TEST_CASE("poses move along constant rates, tools along straight lines") {
   CHECK(pose_error(straight_line(from, rolled)(1.0), rolled).norm() < 1e-15);
 }
 
-TEST_CASE("motions that make no sense are refused") {
+TEST_CASE("motions that is invalid are refused") {
   const three from(0, 0.5, -1);
   CHECK_THROWS_MATCHES(trapezoidal_motion(arm, from, three(0, 2.5, 0)), bad_argument,
                        says("to is beyond the limits of coordinate 'q2'"));

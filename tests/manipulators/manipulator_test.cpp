@@ -22,8 +22,8 @@ constexpr struct hand_ final : frame_3D_key<"hand"> {
 } hand;
 constexpr auto two = chain(revolute_joint_3D(q1, ground, upper), rigid_link_3D(upper, elbow, along_x(0.5)),
                            revolute_joint_3D(q2, elbow, hand));
-kte_map_chain same() {
-  kte_map_chain c;
+runtime_chain same() {
+  runtime_chain c;
   c << revolute_joint_3D("q1", "ground", "upper") << rigid_link_3D("upper", "elbow", along_x(0.5))
     << revolute_joint_3D("q2", "elbow", "hand");
   return c;
@@ -55,7 +55,7 @@ TEST_CASE("a manipulator is its chain, with tools and limits") {
   CHECK(manipulator(c, std::string("hand"), limits).tools().size() == 1);
 }
 
-TEST_CASE("tools and limits that make no sense are refused") {
+TEST_CASE("tools and limits that is invalid are refused") {
   const auto c = same();
   CHECK_THROWS_AS(manipulator(c, "nose"), unknown_name);
   auto limits = unlimited(c);

@@ -13,7 +13,7 @@
 #include <kte/manipulators/three_r.hpp>
 #include <kte/manipulators/uav.hpp>
 #include <kte/manipulators/ur.hpp>
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>

@@ -8,7 +8,7 @@ using test::says;
 
 namespace {
 constexpr double deg = M_PI / 180;
-joint_limits<> iiwa_limits(const kte_map_chain& c, double part = 1) {
+joint_limits<> iiwa_limits(const runtime_chain& c, double part = 1) {
   auto l = unlimited(c);
   l.upper = {170 * deg, 120 * deg, 170 * deg, 120 * deg, 170 * deg, 120 * deg, 175 * deg};
   for (auto& x : l.upper) x *= part;
@@ -200,7 +200,7 @@ TEST_CASE("what cannot be reached says why") {
   auto x = arm.getDependentPoses(q)[0];
   const auto caught = [&] {
     try {
-      inverse_kinematics(arm, x, nearest(q));
+      (void)inverse_kinematics(arm, x, nearest(q));
     } catch (const unreachable& e) {
       return e;
     }
@@ -237,7 +237,7 @@ TEST_CASE("what has no answer at all has no best one") {
   x.position.x += 100;
   CHECK(inverse_kinematics(arm, x).empty());
   try {
-    inverse_kinematics(arm, x, nearest(q));
+    (void)inverse_kinematics(arm, x, nearest(q));
     FAIL("reached");
   } catch (const unreachable& e) {
     CHECK(e.reason == unreachable_reason::distance);

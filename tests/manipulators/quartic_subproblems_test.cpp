@@ -17,7 +17,7 @@ S gap(const solved_angle<S>& a, const solved_angle<S>& b) {
 TEST_CASE("an equation of two harmonics has all its zeros, also close together") {
   random_numbers random(1);
   for (int k = 0; k < 2000; ++k) {
-    // (1 - cos(t - a) + d)(cos(t - b) - c) and the like: zeros known.
+    // (1 - cos(t - a) + d)(cos(t - b) - c) and others: zeros known.
     const double a = random(3.1), b = random(3.1), d = k % 10 == 0 ? 0 : std::abs(random(k % 2 ? 1 : 1e-3)),
                  c = random(1);
     // (cos(t - a) - (1 - d))(cos(t - b) - c)

@@ -18,12 +18,12 @@ using namespace kte;
 using namespace arms;
 
 namespace {
-manipulator<kte_map_chain> runtime(const model_record& record) { return {models::registered(record), "tool"}; }
+manipulator<runtime_chain> runtime(const model_record& record) { return {models::registered(record), "tool"}; }
 /// (Not by +, of which g++ 12 warns.)
 std::string name_of(int joint) { return std::string("q").append(std::to_string(joint + 1)); }
 struct model {
   const char* name;
-  manipulator<kte_map_chain> arm;
+  manipulator<runtime_chain> arm;
   double answers;  ///< that are exact, the mean
   double found;    ///< how near the posture must be to an answer: next to double zeros the root of rounding
 };

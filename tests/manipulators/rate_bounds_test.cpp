@@ -36,7 +36,7 @@ TEST_CASE("the stopping rate is the largest that stops in time, exactly in discr
   CHECK(stopping_rate(1e12, 1e-320, 1e-3) > 0);
 }
 
-TEST_CASE("whatever is wanted of a joint, its limits are kept to rounding and the bounds are never empty") {
+TEST_CASE("whatever is requested of a joint, its limits are kept to rounding and the bounds are never empty") {
   random_numbers random(2);
   const double lower = -2.0, upper = 1.7, rate = 2.5, dt = 0.01;
   for (const double a : {0.8, 5.0, 40.0, 1000.0, none}) {

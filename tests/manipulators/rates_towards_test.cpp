@@ -66,7 +66,7 @@ TEST_CASE("without limits in the way, rates give the wanted twist as well as lea
   CHECK(missed.angular == within(1, 1e-4));
 }
 
-TEST_CASE("limits are kept whatever twist is wanted, and the arm moves as well as they let it") {
+TEST_CASE("limits are kept whatever twist is requested, and the arm moves as well as they let it") {
   random_numbers random(1);
   three_rates q(0, 0, 0.5), v = three_rates::Zero();
   const double dt = 0.01;
@@ -113,7 +113,7 @@ TEST_CASE("what the tools leave is done as wanted") {
   // Of a tool that is to stand still nothing is left here: three joints. Along y alone two of them do not matter.
   CHECK(rates_towards(free_arm, q, none, twist::Zero(), 0.01, {}, posture).v.norm() < 1e-4);
   const auto c = [] {
-    kte_map_chain all;
+    runtime_chain all;
     all << revolute_joint_3D("a", "ground", "upper") << revolute_joint_3D("b", "upper", "hand")
         << rigid_link_3D("hand", "tip", along_x(1));
     return all;
@@ -126,7 +126,7 @@ TEST_CASE("what the tools leave is done as wanted") {
 }
 
 TEST_CASE("runtime arms have the rates of static ones; poses have limits of rates") {
-  kte_map_chain c;
+  runtime_chain c;
   c << revolute_joint_3D("q1", "ground", "upper") << revolute_joint_3D("q2", "upper", "lower", axis::y).at(along_x(0.5))
     << revolute_joint_3D("q3", "lower", "hand", axis::y).at(along_x(0.4)) << rigid_link_3D("hand", "tip", along_x(0.3));
   joint_limits<> limits = unlimited(c);
@@ -139,7 +139,7 @@ TEST_CASE("runtime arms have the rates of static ones; poses have limits of rate
     const twist wanted = random_twist(random, 1);
     CHECK((rates_towards(arm, q, v, wanted, 0.01).v - rates_towards(runtime, q, v, wanted, 0.01).v).norm() < 1e-11);
   }
-  kte_map_chain drone;
+  runtime_chain drone;
   drone << free_joint_3D("pose", "world", "body");
   joint_limits<> slow = unlimited(drone);
   slow.rate.assign(6, 0.5);
@@ -154,7 +154,7 @@ TEST_CASE("runtime arms have the rates of static ones; poses have limits of rate
 }
 
 TEST_CASE("accelerations of tools, and joints that give them within limits") {
-  kte_map_chain c;
+  runtime_chain c;
   c << revolute_joint_3D("q1", "ground", "upper") << revolute_joint_3D("q2", "upper", "lower", axis::y).at(along_x(0.5))
     << revolute_joint_3D("q3", "lower", "hand", axis::y).at(along_x(0.4)) << rigid_link_3D("hand", "tip", along_x(0.3));
   const manipulator runtime(c, "tip");
@@ -181,7 +181,7 @@ TEST_CASE("accelerations of tools, and joints that give them within limits") {
   auto lost = aim;
   lost[0] = NAN;
   CHECK_THROWS_MATCHES(accelerations_towards(shoulder, q, v, twist::Zero(), 1e-3, {}, lost), bad_argument,
-                       test::says("a wanted acceleration is not finite"));
+                       test::says("a desired acceleration is not finite"));
 
   three_rates at(0, 0, 0.5), rate = three_rates::Zero();
   random_numbers random(4);

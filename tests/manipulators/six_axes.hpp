@@ -7,7 +7,7 @@ namespace arms {
 
 struct named_arm {
   const char* name;
-  kte::manipulator<kte::kte_map_chain> arm;
+  kte::manipulator<kte::runtime_chain> arm;
   kte::arm_family family;
   int least;  ///< answers that are exact, at random
 };

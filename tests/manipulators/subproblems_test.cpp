@@ -67,7 +67,7 @@ void ask_all(double margin) {
 }
 }  // namespace
 
-TEST_CASE("subproblems 1 to 4 and the triangle give back the question") {
+TEST_CASE("subproblems 1 to 4 and the triangle solve the inverse question") {
   ask_all<double>(1e-14);
   ask_all<float>(5e-6);
   ask_all<long double>(1e-17);

@@ -26,8 +26,8 @@ constexpr struct hairs_  final : internal_key<"bristles">  {} bristles;
 constexpr double k = 100, most = 20, mass = 1;  // N/m, N, kg: limited beyond 0.2 m
 constexpr auto sprung = chain(base_gen(anchor), prismatic_joint_2D(q, base, cart, axis::x),
                               inertia_2D(cart, point_mass(mass)), spring_gen(anchor, q, 0.0, k, most));
-kte_map_chain sprung_at_run_time() {
-  kte_map_chain c;
+runtime_chain sprung_at_run_time() {
+  runtime_chain c;
   c << base_gen("anchor") << prismatic_joint_2D("q", "base", "cart", axis::x) << inertia_2D("cart", point_mass(mass))
     << spring_gen("anchor", "q", 0.0, k, most);
   return c;
@@ -59,11 +59,11 @@ TEST_CASE("springs that saturate are events of their model, found where they do"
   solve(runtime, Eigen::VectorXd(x0), element_events(runtime));
 }
 
-TEST_CASE("friction that sticks asks for no events, so that rest costs nothing; events of users go beside") {
-  const auto rubbing =
+TEST_CASE("friction that sticks asks for no events, so that rest is free; events of users go beside") {
+  const auto frictional =
       chain(base_gen(anchor), prismatic_joint_2D(q, base, cart, axis::x), inertia_2D(cart, point_mass(mass)),
             spring_gen(anchor, q, 0.0, k, most), joint_lugre_gen(q, bristles, {50, 5, 0.1, 0.5, 0.6, 0.1}));
-  const manipulator_dynamics_model model(rubbing);
+  const manipulator_dynamics_model model(frictional);
   const auto evaluations = [&](auto solve) {
     dormand_prince45 solver(std::cref(model), 0.0, model.make_x(std::array{0.15}, std::array{0.0}));
     solve(solver);
@@ -81,7 +81,7 @@ TEST_CASE("friction that sticks asks for no events, so that rest costs nothing; 
   CHECK(with <= 1.3 * without);
 }
 
-TEST_CASE("elements of a runtime chain have events of their own, also where laws change together or rest") {
+TEST_CASE("elements of a runtime chain have their own events, also where laws change together or rest") {
   auto twice = sprung_at_run_time();
   twice << spring_gen("anchor", "q", 0.0, k, most);
   manipulator_dynamics_model model(twice);

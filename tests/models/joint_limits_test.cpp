@@ -24,8 +24,8 @@ constexpr auto two = chain(revolute_joint_2D(q1, ground, arm), revolute_joint_2D
 constexpr double inf = joint_limits<>::none;
 
 /// A trunk and a head.
-kte_map_chain floating() {
-  kte_map_chain c;
+runtime_chain floating() {
+  runtime_chain c;
   c << free_joint_3D("trunk", "world", "body") << revolute_joint_3D("neck", "body", "head");
   return c;
 }
@@ -61,7 +61,7 @@ TEST_CASE("limits of a static chain are checked by the compiler") {
   CHECK(good);
 }
 
-TEST_CASE("limits that make no sense are refused, with the coordinate") {
+TEST_CASE("limits that is invalid are refused, with the coordinate") {
   auto limits = unlimited(two);
   limits.lower[1] = 2, limits.upper[1] = 1;
   CHECK_THROWS_MATCHES(check_limits(two, limits), bad_parameter,

@@ -30,9 +30,9 @@ constexpr auto pendulum = chain(revolute_joint_2D(q, base, joint), rigid_link_2D
                               .gravity(along_y(-9.81));
 constexpr lugre_parameters friction{
     .sigma0 = 1e5, .sigma1 = 300, .sigma2 = 0.4, .coulomb = 1, .stiction = 1.5, .stribeck_velocity = 0.001};
-constexpr auto rubbing = chain(prismatic_joint_2D(q, base, tip, axis::x), inertia_2D(tip, point_mass(2.0)),
-                               joint_lugre_gen(q, bristles, friction), driving_actuator_gen(q, motor));
-constexpr auto rubbing_twice =
+constexpr auto frictional = chain(prismatic_joint_2D(q, base, tip, axis::x), inertia_2D(tip, point_mass(2.0)),
+                                  joint_lugre_gen(q, bristles, friction), driving_actuator_gen(q, motor));
+constexpr auto frictional_twice =
     chain(prismatic_joint_2D(q, base, joint, axis::x), prismatic_joint_2D(r, joint, tip, axis::y),
           inertia_2D(tip, point_mass(2.0)), joint_lugre_gen(q, bristles, friction), joint_lugre_gen(r, more, friction));
 
@@ -71,7 +71,7 @@ TEST_CASE("a model gives the rates of a pendulum, and takes inputs", "[both]") {
 }
 
 TEST_CASE("bristles are part of the state") {
-  manipulator_dynamics_model model(rubbing);
+  manipulator_dynamics_model model(frictional);
   static_assert(decltype(model)::state::RowsAtCompileTime == 3);
   const auto x = model.make_x(std::array{0.0}, std::array{0.3}, std::array{1e-6});
   const double g = 1 + 0.5 * std::exp(-0.09 / 1e-6), z_dot = 0.3 - 1e5 * 0.3 * 1e-6 / g;
@@ -99,7 +99,7 @@ TEST_CASE("a free body integrates on its group") {
 }
 
 TEST_CASE("internal states follow velocities in the order of their elements, also in the vector form") {
-  const manipulator_dynamics_model model(rubbing_twice);
+  const manipulator_dynamics_model model(frictional_twice);
   const auto x = model.make_x(Eigen::Vector2d(0.1, 0.2), Eigen::Vector2d(0.3, -0.4), Eigen::Vector2d(1e-6, -2e-6));
   REQUIRE(x.size() == 6);
   CHECK(x.tail<4>() == Eigen::Vector4d(0.3, -0.4, 1e-6, -2e-6));

@@ -68,7 +68,7 @@ TEST_CASE("a kinematics model gives poses, Jacobians and their change") {
   const auto first = runtime.wiring().names[static_cast<std::size_t>(kind::gen)].front();
   CHECK_THROWS_AS(manipulator_kinematics_model(models::registered(record_of(robots::iiwa14)), {first}), unknown_name);
   CHECK_THROWS_WITH(manipulator_kinematics_model(models::registered(record_of(robots::iiwa14)), {"tol"}),
-                    contains_text("nothing of the name 'tol'"));
+                    contains_text("nothing named 'tol'"));
 
   const random_motion_of<big, std::remove_const_t<decltype(planar)>> exact(planar, random);
   const manipulator_kinematics_model flat(planar, disc, cart);
@@ -84,7 +84,7 @@ TEST_CASE("a model is an element of larger chains") {
   auto s = make_state(slide);  // and passes work on it
   slide.doMotion(s), slide.clearForce(s), slide.doForce(s);
   CHECK(positions(s) == Eigen::Vector4d::Zero());
-  kte_map_chain c;
+  runtime_chain c;
   c << slide << base_3D("ground") << inverse_dynamics_model(models::element_by_element(geared));
   CHECK(c.dofs() == planar.dofs + geared.dofs - 1);  // they share q1
 }

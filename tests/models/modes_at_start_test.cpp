@@ -6,7 +6,7 @@ using namespace kte::test::held_block;
 // Modes that are not what happens when an integration begins, and what is no mode.
 
 TEST_CASE("what is held lets go where an input changes between two calls of integrate", "[laws]") {
-  kte_map_chain r;
+  runtime_chain r;
   r << prismatic_joint_2D("x", "ground", "block", axis::x) << inertia_2D("block", point_mass(1.0))
     << joint_stiction_gen("x", "mode", {0.5, 0.5}) << brake_gen("x", "mode 2", "grip")
     << driving_actuator_gen("x", "pull");
@@ -56,7 +56,7 @@ TEST_CASE("what is held lets go where an input changes between two calls of inte
 }
 
 TEST_CASE("teeth that were pressed let go where their partner jumps between two calls of integrate") {
-  kte_map_chain r;
+  runtime_chain r;
   r << position_control_gen("way", "speed", "none", "hand") << inertia_gen("x", 1.0)
     << joint_backlash_mode_gen("hand", "x", "teeth", 0.2, 100.0, 0.0);
   manipulator_dynamics_model model(r);
@@ -72,7 +72,7 @@ TEST_CASE("teeth that were pressed let go where their partner jumps between two 
 }
 
 TEST_CASE("a brake that is pulled apart is open, and a mode that is none counts by its sign") {
-  kte_map_chain c;
+  runtime_chain c;
   c << inertia_gen("x", 1.0) << joint_stiction_gen("x", "mode", {3.0, 3.0}) << brake_gen("y", "mode 2", "grip")
     << inertia_gen("y", 1.0);
   manipulator_dynamics_model model(c);
@@ -90,11 +90,11 @@ TEST_CASE("a brake that is pulled apart is open, and a mode that is none counts 
   // nor does it hold what is at rest
   model.input("grip") = -5;
   const auto x = settled(model, 0.0, model.make_x(std::array{0.0, 0.0}, std::array{0.0, 0.0}));
-  CHECK(model.capacity(0.0, x, model.holders()[1].element) == 0);
+  CHECK(model.capacity(0.0, x, model.locks()[1].element) == 0);
 }
 
 TEST_CASE("what holds a coordinate that another moves is named when the model is made") {
-  kte_map_chain c;
+  runtime_chain c;
   c << inertia_gen("x", 1.0) << mimic_gen("x", "y", 2.0) << joint_stiction_gen("y", "mode", {1.0, 1.0});
   const std::string text = "joint_stiction_gen (coordinate 'y', mode 'mode') holds a coordinate that is not a degree";
   CHECK_THROWS_MATCHES(manipulator_dynamics_model(c), bad_wiring, test::says(text));
@@ -105,7 +105,7 @@ TEST_CASE("what holds a coordinate that another moves is named when the model is
 TEST_CASE("parameters of friction that holds") {
   const auto says = [](const stiction_parameters& p) -> std::string {
     try {
-      joint_stiction_gen("x", "mode", p);
+      (void)joint_stiction_gen("x", "mode", p);
     } catch (const bad_parameter& e) {
       return e.what();
     }

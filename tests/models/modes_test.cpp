@@ -41,7 +41,7 @@ TEST_CASE("a block slides to rest, in the time and over the way of constant fric
     CHECK(solver.state()[0] == within(way, 1e-11));
   };
   if (at_run_time) {
-    kte_map_chain r;
+    runtime_chain r;
     r << prismatic_joint_2D("x", "ground", "block", axis::x) << inertia_2D("block", point_mass(1.0))
       << joint_stiction_gen("x", "mode", {7.0, 8.0});
     r.gravity(vec3{g * std::sin(slope), -g * std::cos(slope), zero});
@@ -86,7 +86,7 @@ TEST_CASE("a brake holds, lets go and holds again as it is pressed") {
 }
 
 TEST_CASE("derivatives of a model in which a coordinate is held") {
-  kte_map_chain c;
+  runtime_chain c;
   c << revolute_joint_2D("q1", "ground", "a") << rigid_link_2D("a", "b", along_x(0.5))
     << inertia_2D("b", point_mass(1.0)) << revolute_joint_2D("q2", "b", "c") << rigid_link_2D("c", "d", along_x(0.4))
     << inertia_2D("d", point_mass(2.0)) << joint_stiction_gen("q1", "mode", {50.0, 60.0});
@@ -141,7 +141,7 @@ TEST_CASE("an oscillator with dry friction comes to rest after a number of half 
   const double x0 = GENERATE(1.0, -1.013);
   manipulator_dynamics_model fixed(c);
   check(fixed, x0);
-  const kte_map_chain r = models::registered(record_of(c));
+  const runtime_chain r = models::registered(record_of(c));
   manipulator_dynamics_model at_run_time(r);
   check(at_run_time, x0);
 }
@@ -151,7 +151,7 @@ TEST_CASE("a block on a belt sticks and slips") {
   // then slips about 0.02 m with the amplitude 0.01 m and the speed v at its start, until its speed is that of the belt
   // again.
   const double v = 0.05, slip = (2 * pi - 2 * std::atan(0.01 * 10 / v)) / 10, stick = 0.02 / v;
-  kte_map_chain c;
+  runtime_chain c;
   c << law_signal([v](const auto& t) { return v * t; }, chain_time.name, "way")
     << law_signal([v](const auto& t) { return v + 0 * t; }, chain_time.name, "speed")
     << law_signal([](const auto& t) { return 0 * t; }, chain_time.name, "none")
@@ -203,7 +203,7 @@ TEST_CASE("a block is let go when the slope is as steep as friction") {
 
 TEST_CASE("two blocks with a spring between them creep like a worm") {
   // The second is pulled by t N, and by a spring of 100 N/m the first. Friction of 1 N and 0.5 N.
-  kte_map_chain c;
+  runtime_chain c;
   c << base_gen("wall") << inertia_gen("a", 1.0) << inertia_gen("b", 2.0) << spring_gen("a", "b", 0.0, 100.0)
     << law_signal([](const auto& t) { return t; }, chain_time.name, "hand") << driving_actuator_gen("b", "hand")
     << joint_stiction_gen("a", "mode a", {0.5, 0.5}) << joint_stiction_gen("b", "mode b", {1.0, 1.0});
@@ -222,7 +222,7 @@ TEST_CASE("two blocks with a spring between them creep like a worm") {
 
 TEST_CASE("friction of two kinds on one coordinate holds by their sum, both ways") {
   const auto push = [](double t) { return 6 * std::sin(t); };
-  kte_map_chain c;
+  runtime_chain c;
   c << inertia_gen("x", 1.0) << driving_actuator_gen("x", "push") << joint_stiction_gen("x", "mode 1", {3.0, 3.0})
     << joint_stiction_gen("x", "mode 2", {4.0, 4.0});
   const manipulator_dynamics_model inner(c);
@@ -236,19 +236,19 @@ TEST_CASE("friction of two kinds on one coordinate holds by their sum, both ways
 TEST_CASE("what one joint does may hold another that was let go") {
   // A slab moves by 10 m for each rad of q, and a block on the slab by s. A force of 10 N on the block; friction of 2 N
   // between them, 25 Nm in q. Both are beyond their limits, q by 75 Nm; but once s slides it carries but 2 N.
-  kte_map_chain c;
+  runtime_chain c;
   c << mimic_gen("q", "slab", 10.0) << inertia_gen("slab", 1.0) << differential_gen("slab", "s", "block", 1.0, 1.0)
     << inertia_gen("block", 1.0) << driving_actuator_gen("block", "push")
     << joint_stiction_gen("q", "mode q", {25.0, 25.0}) << joint_stiction_gen("s", "mode s", {2.0, 2.0});
   manipulator_dynamics_model model(c);
   model.input("push") = 10;
   const auto start = settled(model, 0.0, model.make_x(std::array{0.0, 0.0}, std::array{0.0, 0.0}));
-  const int at_q = static_cast<int>(model.holders()[0].mode), at_s = model.holders()[1].mode;
+  const int at_q = static_cast<int>(model.locks()[0].mode), at_s = model.locks()[1].mode;
   CHECK(start[at_q] == within(mode::held, 0));  // 2 N on the slab are 20 Nm, less than 25
   CHECK(start[at_s] == within(mode::forward, 0));
   const Eigen::VectorXd rate = model(0.0, start);
-  CHECK(rate[2 + model.holders()[0].row] == within(0, 0));
-  CHECK(rate[2 + model.holders()[1].row] == within(8, 1e-14));
+  CHECK(rate[2 + model.locks()[0].row] == within(0, 0));
+  CHECK(rate[2 + model.locks()[1].row] == within(8, 1e-14));
 }
 
 TEST_CASE("a brake pressed by a law of time, of a controlled model") {
@@ -270,7 +270,7 @@ TEST_CASE("a brake pressed by a law of time, of a controlled model") {
   manipulator_dynamics_model inner(c);
   controlled fixed(inner, press);
   check(fixed);
-  const kte_map_chain r = models::registered(record_of(c));
+  const runtime_chain r = models::registered(record_of(c));
   const manipulator_dynamics_model of_r(r);
   controlled at_run_time(of_r, press);
   check(at_run_time);
@@ -278,7 +278,7 @@ TEST_CASE("a brake pressed by a law of time, of a controlled model") {
 
 TEST_CASE("a brake that is not pressed lets go of what begins to be pulled") {
   // held by nothing, at rest, until the pull begins at 1 s
-  kte_map_chain c;
+  runtime_chain c;
   c << inertia_gen("x", 1.0) << driving_actuator_gen("x", "pull") << brake_gen("x", "mode", "grip");
   const manipulator_dynamics_model inner(c);
   controlled model(inner, [](double t, const auto&) { return std::array{t > 1 ? t - 1 : 0.0, 0.0}; });

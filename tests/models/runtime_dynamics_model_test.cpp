@@ -40,8 +40,8 @@ const auto fixed =
           rigid_link_3D(hip, foot, along_z(-0.3)), inertia_3D(foot, point_mass(0.5)), driving_actuator_gen(q, motor),
           joint_lugre_gen(q, bristles, friction))
         .gravity(along_z(-9.81));
-kte_map_chain appended() {
-  kte_map_chain c;
+runtime_chain appended() {
+  runtime_chain c;
   c.gravity(along_z(-9.81)) << free_joint_3D("pose", "world", "trunk") << inertia_3D("trunk", body)
                             << revolute_joint_3D("q", "trunk", "hip", axis::y)
                             << rigid_link_3D("hip", "foot", along_z(-0.3)) << inertia_3D("foot", point_mass(0.5))
@@ -117,7 +117,7 @@ TEST_CASE("inputs of three numbers and the time are put into states of the chain
   manipulator_dynamics_model still(chain(position_control_3D(p, v, a, world, trunk),
                                          revolute_joint_3D(q, trunk, hip, axis::y), inertia_3D(hip, body),
                                          driving_actuator_gen(q, chain_time)));
-  kte_map_chain c;
+  runtime_chain c;
   c << position_control_3D("p", "v", "a", "world", "trunk") << revolute_joint_3D("q", "trunk", "hip", axis::y)
     << inertia_3D("hip", body) << driving_actuator_gen("q", "time");
   manipulator_dynamics_model moving(c);
@@ -136,11 +136,11 @@ TEST_CASE("inputs of three numbers and the time are put into states of the chain
   const std::string first = "kte: an input of 'p' must be finite, got nan";
   CHECK_THROWS_WITH(still.setInput(none), first);
   CHECK_THROWS_WITH(moving.setInput(none), first);
-  CHECK_THROWS_WITH(moving.input("time"), contains_text("'time' is not an input from outside"));
+  CHECK_THROWS_WITH(moving.input("time"), contains_text("'time' is not an input"));
 }
 
 TEST_CASE("an internal state belongs to one element") {
-  kte_map_chain c = appended();
+  runtime_chain c = appended();
   CHECK_THROWS_WITH(c << joint_lugre_gen("q", "bristles", friction),
                     contains_text("it writes 'bristles', which is then written twice"));
   CHECK(c.make_state().internal("bristles").z == 0);

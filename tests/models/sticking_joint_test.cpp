@@ -37,7 +37,7 @@ template <class Chain, class Check>
 void in_both(const Chain& c, const Check& check) {
   const manipulator_dynamics_model fixed(c);
   check(fixed);
-  const kte_map_chain r = models::registered(record_of(c));
+  const runtime_chain r = models::registered(record_of(c));
   const manipulator_dynamics_model at_run_time(r);
   check(at_run_time);
 }
@@ -59,22 +59,22 @@ auto simulated(const Model& model, double t_end, const std::array<double, N>& at
 }
 
 /// n joints that turn and slide in turn about random axes, each with friction mu by what it carries.
-kte_map_chain random_arm(int n, double mu, unsigned seed) {
+runtime_chain random_arm(int n, double mu, unsigned seed) {
   random_numbers draw(seed);
-  kte_map_chain c;
+  runtime_chain c;
   c.gravity(along_z(-g)) << base_3D("ground");
   std::string base = "ground";
   for (int i = 0; i < n; ++i) {
     const auto name = "q" + std::to_string(i), mode = name + ".mode", end = "e" + std::to_string(i);
     const double x = draw(), y = draw(), z = draw(), length = std::sqrt(x * x + y * y + z * z);
     const vec3<> axis{x / length, y / length, z / length};
-    const vec3<> seat{draw(0.3), draw(0.3), draw(0.3)};
+    const vec3<> mount{draw(0.3), draw(0.3), draw(0.3)};
     if (i % 2 == 0)
       c << sticking_revolute_joint_3D(name, mode, base, end, axis, 0.05, {mu, mu * 1.3, 0.2})
-               .at(seat, as<double>(matrix(no_rotation{})));
+               .at(mount, as<double>(matrix(no_rotation{})));
     else
       c << sticking_prismatic_joint_3D(name, mode, base, end, axis, {mu, mu * 1.2, 0.5})
-               .at(seat, as<double>(matrix(no_rotation{})));
+               .at(mount, as<double>(matrix(no_rotation{})));
     const double mass = 1 + draw(0.5);
     const vec3<> centre{draw(0.1), draw(0.1), draw(0.1)};
     c << inertia_3D(end, rigid_body{mass, centre, sym3{0.1, 0.0, 0.0, 0.12, 0.0, 0.09}});
@@ -277,7 +277,7 @@ TEST_CASE("a trolley lets go when the pendulum below pulls more than friction") 
 }
 
 TEST_CASE("what is pulled more between two calls of integrate is let go") {
-  kte_map_chain c;
+  runtime_chain c;
   c << sticking_prismatic_joint_2D("s", "s.mode", "ground", "block", axis::x, {0.2, 0.3})
     << inertia_2D("block", planar_body(1.0, 0.1)) << driving_actuator_gen("s", "pull");
   c.gravity(along_y(-10.0));

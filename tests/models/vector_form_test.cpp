@@ -58,7 +58,7 @@ TEST_CASE("models know their Jacobian, also where there are rotations; stiff met
   const auto x = model.make_x(m.q, m.v);
   check_jacobian(model, x);
   check_jacobian(runtime, Eigen::VectorXd(x));
-  kte_map_chain puck_with_arm;
+  runtime_chain puck_with_arm;
   puck_with_arm << free_joint_2D("puck", "table", "disc")
                 << inertia_2D("disc", planar_body(2.0, 0.3, vec3{0.1, -0.2, zero}))
                 << revolute_joint_2D("q", "disc", "arm") << inertia_2D("arm", planar_body(0.8, 0.05, along_x(0.25)));

@@ -4,7 +4,7 @@
 #include <kte/dynamics/mass_matrix.hpp>
 #include <kte/robots/load_robot.hpp>
 #include <kte/robots/mjcf_writer.hpp>
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
 
 #include <Eigen/Geometry>
 

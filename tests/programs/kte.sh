@@ -43,7 +43,7 @@ fi
 
 # check
 gives 0 '' "$kte" check arm.urdf
-prints "arm.urdf:3: link 'arm': no body can have such an inertia"
+prints "arm.urdf:3: link 'arm': the inertia is not physically realizable"
 prints 'arm.urdf (URDF): 1 degree of freedom (1 revolute), 1 body of 1 kg, 2 frames, 0.5 m large'
 gives 0 '' "$kte" check arm.urdf --json
 json check

@@ -31,13 +31,13 @@ printf '[' >cut.JSON
 gives 1 'cut.kte, byte 40: ' "$kte" eval cut.kte states.csv
 gives 1 'cut.JSON:1:1: ' "$kte" eval cut.JSON states.csv
 gives 0 '' "$kte" check pendulum.kte
-gives 1 'pendulum.kte is a model file, which is taken as it is' "$kte" eval pendulum.kte states.csv --floating-base
+gives 1 'pendulum.kte is a model file, which is used unchanged' "$kte" eval pendulum.kte states.csv --floating-base
 
 # What is odd is said once, before the table, and what is not read by --check.
-gives 0 'kte: arm.urdf:3: link '"'arm': no body can have such an inertia" "$kte" eval arm.urdf states.csv
+gives 0 'kte: arm.urdf:3: link '"'arm': the inertia is not physically realizable" "$kte" eval arm.urdf states.csv
 if [ "$(wc -l <errors)" -ne 1 ]; then wrong 'more than one warning'; fi
 gives 0 '' "$kte" check arm.urdf
-prints "arm.urdf:3: link 'arm': no body can have such an inertia"
+prints "arm.urdf:3: link 'arm': the inertia is not physically realizable"
 prints 'not read (2):'
 prints "  line 8: joint 'q': <calibration>: not read"
 prints "  line 8: joint 'q': <safety_controller>: its k_velocity is not read"
@@ -63,7 +63,7 @@ if [ -c /dev/zero ]; then
   gives 1 'kte: /dev/zero:1: the file has more than 268435456 bytes' "$kte" eval /dev/zero states.csv
   if (ulimit -v 200000 && "$kte" eval --help) >out 2>errors; then
     : >out
-    gives 1 'kte: this needs more memory than there is' sh -c 'ulimit -v 200000 && exec "$0" "$@"' "$kte" eval arm.urdf /dev/zero
+    gives 1 'kte: not enough memory' sh -c 'ulimit -v 200000 && exec "$0" "$@"' "$kte" eval arm.urdf /dev/zero
   fi
 fi
 

@@ -19,7 +19,7 @@ for file in pendulum.kte pendulum.xml pendulum.JSON 'a model; touch called' mark
 done
 gives 0 '' "$program" pendulum.json -o 'a header.hpp'
 if [ -s out ] || ! cmp -s 'a header.hpp' expected; then wrong 'the file is another header'; fi
-gives 0 "kte-header: arm.urdf:3: link 'arm': no body can have such an inertia" "$program" arm.urdf --name class
+gives 0 "kte-header: arm.urdf:3: link 'arm': the inertia is not physically realizable" "$program" arm.urdf --name class
 prints 'inline constexpr auto class_ = class_names::assembled();'
 prints 'inline constexpr auto class_limits = '
 printf '[' >cut.JSON

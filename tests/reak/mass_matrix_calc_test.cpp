@@ -97,7 +97,7 @@ TEST_CASE("mass matrix by Jacobians of bad arguments") {
 }
 
 TEST_CASE("mass matrix by Jacobians: a frame and a coordinate of one name, and masses between frames") {
-  kte_map_chain c;
+  runtime_chain c;
   c << revolute_joint_2D("arm", "base", "arm") << inertia_2D("arm", point_mass(2.0, along_x(0.5)))
     << inertia_gen("arm", 0.25);
   mass_matrix_calc calc(c);

@@ -3,7 +3,7 @@
 #include <kte/dynamics/inverse_dynamics.hpp>
 #include <kte/dynamics/mass_matrix.hpp>
 #include <kte/robots/load_robot.hpp>
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
 
 #include <algorithm>
 

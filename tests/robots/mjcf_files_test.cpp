@@ -1,5 +1,5 @@
 #include <kte/robots/load_robot.hpp>
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
 
 #include "catch.hpp"
 #include "robots/files.hpp"
@@ -65,7 +65,7 @@ TEST_CASE("includes that cannot be read are refused by file and line") {
   refused(mjcf("<include file='wrong.xml'/>"), "wrong.xml:2: <joint>: the axis has length 0");
 }
 
-TEST_CASE("models that others attach keep settings of their own") {
+TEST_CASE("models that others attach keep their own settings") {
   const folder f;
   f.write("hand.xml",
           "<mujoco model='Hand'><compiler angle='radian'/><default><joint damping='2'/></default>"

@@ -3,7 +3,7 @@
 #include <kte/dynamics/mass_matrix.hpp>
 #include <kte/robots/load_robot.hpp>
 #include <kte/robots/mjcf_reader.hpp>
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
 
 #include "catch.hpp"
 #include "robots/files.hpp"
@@ -153,7 +153,7 @@ TEST_CASE("what is not read of elements of MJCF is listed, and of defaults once,
         "9 body 'b': <geom>: its hfield is not read\n"
         "9 body 'b': <geom>: its shape is without the refpos of its mesh\n"
         "10 freejoint 'f': its user is not read\n"
-        "11 weld 'w': not read, as it is switched off\n"
+        "11 weld 'w': not read: it is disabled\n"
         "4 mesh 'm': <plugin>: not read\n"
         "4 mesh 'm': its smoothnormal is not read\n"
         "6 material 'red': no <material> is read\n"

@@ -31,10 +31,11 @@ TEST_CASE("what moves differently is warned of first, or refused") {
         "flex 'f': what is flexible is not modelled\n"
         "muscle 'm': its law is not modelled, as of others of <muscle>: 'm'\n"
         "position 'p0': its law is not modelled, as of others of <position>: 'p0'\n"
-        "body 'b': <geom>: contact is not modelled: friction, solref and the like of 1 element\n"
+        "body 'b': <geom>: contact is not modelled: friction, solref and others of 1 element\n"
         "position 'p1': the chain has its force, and that of any <position>, by kte::add_motors alone: 'p1', 'p2', "
         "'p3' and 1 more\n"
-        "link 'b': no body can have such an inertia: its principal moment 3 is above 1 + 1 by 1 kg m^2; it is taken as "
+        "link 'b': the inertia is not physically realizable: its principal moment 3 is above 1 + 1 by 1 kg m^2; it is "
+        "taken as "
         "published\n");
   CHECK((r.warnings[0].changes_motion && !r.warnings.back().changes_motion));
   CHECK_THROWS_MATCHES(robot_of(text, strict), bad_file,

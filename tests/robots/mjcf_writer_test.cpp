@@ -13,7 +13,7 @@
 #include <kte/robots/load_robot.hpp>
 #include <kte/robots/mjcf_writer.hpp>
 #include <kte/robots/urdf_writer.hpp>
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
 
 #include "catch.hpp"
 #include "robots/files.hpp"
@@ -81,9 +81,9 @@ TEST_CASE("robots written as MJCF move as they did") {
     }
 }
 
-TEST_CASE("joints with nothing but a frame between them are those of one body in MJCF") {
+TEST_CASE("joints with only a frame between them are those of one body in MJCF") {
   const auto several = [](const auto& second) {
-    kte_map_chain c;
+    runtime_chain c;
     c << revolute_joint_3D("q1", "world", "a", axis::z).at(vec3<>{1, 0, 0}, robot_pose{}.rotation) << second
       << inertia_3D("b", rigid_body<>{2, {}, {1, 0, 0, 1, 0, 1}});
     return to_mjcf(c);
@@ -123,7 +123,7 @@ TEST_CASE("joints with nothing but a frame between them are those of one body in
         joint + "</model></sdf>";
     return to_mjcf(to_robot(from_sdf(model)), {.lossy = true});
   };
-  kte_map_chain c;
+  runtime_chain c;
   c << spherical_joint_3D("p", "a", "b") << revolute_joint_3D("q", "b", "c")
     << inertia_3D("c", rigid_body<>{1, {}, {1, 0, 0, 1, 0, 1}});
   CHECK(to_mjcf(c) == holding("<body name=\"b\">"));
@@ -177,17 +177,17 @@ TEST_CASE("springs and dampers of balls, damping of free bodies and forces again
   CHECK(to_mjcf(borne, {.not_written = &notes, .lossy = true}) == !holding("gravcomp=\""));
   CHECK(notes.size() == 1);
 
-  kte_map_chain other;
+  runtime_chain other;
   other << base_3D("g") << revolute_joint_3D("q", "g", "a", axis::z) << constant_force_3D("a", vec3<>{0, 0, 1});
   CHECK_THROWS_MATCHES(describe(other), bad_argument,
                        says("constant_force_3D (frame 'a'): it is not a link, joint or body"));
-  kte_map_chain screw;
+  runtime_chain screw;
   screw << base_3D("g") << screw_joint_3D("q", "g", "a", vec3<>{0, 0.6, 0.8}, 0.25) << inertia_3D("a", point_mass(1.0));
   const auto turns = describe(screw).joints[0];
   CHECK((turns.is == robot_joint::kind::screw && turns.pitch == 0.25 && turns.axis == vec3<>{0, 0.6, 0.8}));
   CHECK_THROWS_MATCHES(to_mjcf(screw), bad_argument, says("joint 'q': it is a screw, which MJCF cannot say"));
   CHECK_THROWS_MATCHES(to_urdf(screw), bad_argument, says("joint 'q': it is a screw, which URDF cannot say"));
-  kte_map_chain drag;
+  runtime_chain drag;
   drag << base_3D("g") << free_joint_3D("q", "g", "a") << fluid_drag_3D("a", 1.0, 2.0);
   CHECK_THROWS_MATCHES(describe(drag), bad_argument, says("fluid_drag_3D (frame 'a'): it is not a link"));
 }

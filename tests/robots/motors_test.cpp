@@ -15,7 +15,7 @@ using test::says;
 
 namespace {
 /// The laws of the motors of a chain, with their connections.
-std::vector<element_record> motors_of(const kte_map_chain& c) {
+std::vector<element_record> motors_of(const runtime_chain& c) {
   auto all = record_of(c).elements;
   std::erase_if(all,
                 [](const element_record& e) { return e.type != "joint_motor_gen" && e.type != "joint_limit_gen"; });
@@ -116,10 +116,9 @@ TEST_CASE("motors of URDF: transmissions, else all joints that move by themselve
   CHECK(motors_of(r.chain) ==
         std::vector<element_record>{motor("p", "drive", {.lower = -5, .upper = 5}), motor("q", "q.motor", {})});
   CHECK(texts(r.not_read) == test::holding("transmission 't': its PositionJointInterface has no gains in URDF"));
-  CHECK(texts(r.warnings) ==
-        (test::holding("transmission 'v': couples 2 joints: each has a motor of its own instead") &&
-         test::holding("transmission 'v': there is no joint 'n' of one coordinate for it") &&
-         test::holding("the actuator of joint 'f' is left out: joint 'f' follows another")));
+  CHECK(texts(r.warnings) == (test::holding("transmission 'v': couples 2 joints: each has its own motor instead") &&
+                              test::holding("transmission 'v': there is no joint 'n' of one coordinate for it") &&
+                              test::holding("the actuator of joint 'f' is left out: joint 'f' follows another")));
   auto again = to_robot(from_urdf(to_urdf(r)));
   add_motors(again);
   CHECK(motors_of(again.chain) == motors_of(r.chain));
@@ -129,7 +128,7 @@ TEST_CASE("motors of URDF: transmissions, else all joints that move by themselve
     CHECK(fresh.motors.empty());
   };
   refused({.stiffness = -1}, "stiffness must be finite and not negative, got -1");
-  refused({.damping = 1}, "a servo of damping without a stiffness goes nowhere");
+  refused({.damping = 1}, "a servo with damping needs a stiffness");
   CHECK_THROWS_MATCHES(read(links + joints +
                             "<transmission><joint name='p'/><actuator><mechanicalReduction>0"
                             "</mechanicalReduction></actuator></transmission>"),

@@ -83,7 +83,7 @@ TEST_CASE("included models stand where the include says") {
   CHECK(has(d.warnings, "plugins that act on joints are not read: 'drive'", true));
 }
 
-TEST_CASE("what is merged has the names of the model around it, and a place of its own") {
+TEST_CASE("what is merged has the names of the model around it, and its own place") {
   const folder f;
   f.write("arm/model.sdf", sdf(arm));
   const auto d =

@@ -1,7 +1,7 @@
 #include <kte/dynamics/forward_kinematics.hpp>
 #include <kte/robots/load_robot.hpp>
 #include <kte/robots/sdf_reader.hpp>
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
 
 #include "catch.hpp"
 #include "robots/sdf_texts.hpp"

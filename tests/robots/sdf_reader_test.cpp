@@ -2,7 +2,7 @@
 #include <kte/dynamics/forward_kinematics.hpp>
 #include <kte/robots/load_robot.hpp>
 #include <kte/robots/sdf_reader.hpp>
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
 
 #include "catch.hpp"
 #include "robots/files.hpp"
@@ -37,7 +37,7 @@ TEST_CASE("what a file in SDF says") {
   CHECK((d.warnings[1].line == 31 && d.warnings[1].text.starts_with("link 'slider': has no <inertial>: it has 1 kg")));
   CHECK((d.warnings[4].line == 43 && d.warnings[4].text == "plugin 'p': plugins are not read: 'p'"));
   REQUIRE(d.frames.size() == 1);
-  CHECK((d.frames[0].name == "seat" && d.frames[0].link == "trunk" && d.frames[0].origin.position.z == 1));
+  CHECK((d.frames[0].name == "mount" && d.frames[0].link == "trunk" && d.frames[0].origin.position.z == 1));
 }
 
 TEST_CASE("a robot in SDF moves") {
@@ -46,7 +46,7 @@ TEST_CASE("a robot in SDF moves") {
   auto s = r.chain.make_state();
   auto q = neutral_configuration(r.chain);
   const auto at = [&](const char* frame) { return forward_kinematics(r.chain, s, q, frame).position; };
-  CHECK(at("hand") == vec3<>{1.5, -0.75, 3});  // y of the seat is z of the world, its z is -y
+  CHECK(at("hand") == vec3<>{1.5, -0.75, 3});  // y of the mount is z of the world, its z is -y
   q[0] = 1.5707963267948966;                   // about z of the trunk: the arm goes along y
   CHECK(at("arm").x == within(0, 1e-16));
   CHECK(at("arm").y == within(0.5, 1e-16));

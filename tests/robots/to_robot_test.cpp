@@ -4,7 +4,7 @@
 #include <kte/dynamics/inverse_dynamics.hpp>
 #include <kte/dynamics/mass_matrix.hpp>
 #include <kte/robots/load_robot.hpp>
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
 
 #include <Eigen/LU>
 
@@ -50,7 +50,7 @@ TEST_CASE("a joint of every type becomes an element") {
   REQUIRE(r.warnings.size() == 3);
   CHECK(r.warnings[2].line == 33);
   CHECK(r.warnings[2].text ==
-        "link 'elbow': no body can have such an inertia: its principal moment 3 is above 1 + 1 by 1 "
+        "link 'elbow': the inertia is not physically realizable: its principal moment 3 is above 1 + 1 by 1 "
         "kg m^2; it is taken as published");
 
   auto s = r.chain.make_state();

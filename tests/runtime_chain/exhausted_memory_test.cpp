@@ -2,7 +2,7 @@
 #include <kte/elements/inertia.hpp>
 #include <kte/elements/revolute_joint.hpp>
 #include <kte/elements/rigid_link.hpp>
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
 
 #include "allocations.hpp"
 #include "catch.hpp"
@@ -21,23 +21,23 @@ inline constexpr struct wrist_ final : coord_key<"a wrist of a long name"> {
 } wrist;
 
 /// Into which a chain has been put already.
-kte_map_chain pendulum() {
-  auto joint = std::make_unique<kte_map_chain>();
+runtime_chain pendulum() {
+  auto joint = std::make_unique<runtime_chain>();
   *joint << revolute_joint_2D("q", "base", "joint");
-  kte_map_chain c;
+  runtime_chain c;
   c.append(std::move(joint));
   c << rigid_link_2D("joint", "tip", along_x(0.5)) << inertia_2D("tip", point_mass(1.0));
   return c;
 }
 /// A second arm, with gravity, in a chain within a chain.
-std::unique_ptr<kte_map_chain> nested() {
-  auto inner = std::make_unique<kte_map_chain>(), outer = std::make_unique<kte_map_chain>();
+std::unique_ptr<runtime_chain> nested() {
+  auto inner = std::make_unique<runtime_chain>(), outer = std::make_unique<runtime_chain>();
   *inner << revolute_joint_2D("a second coordinate of a long name", "tip", "a second joint of a long name")
          << inertia_2D("a second joint of a long name", point_mass(2.0));
   outer->append(std::move(inner)).gravity(along_y(-9.81));
   return outer;
 }
-bool same(const kte_map_chain& a, const kte_map_chain& b) {
+bool same(const runtime_chain& a, const runtime_chain& b) {
   return record_of(a) == record_of(b) && a.wiring().names == b.wiring().names && a.nq() == b.nq() &&
          a.dofs() == b.dofs() && a.wiring().writers == b.wiring().writers &&
          a.wiring().elements.size() == b.wiring().elements.size() && a.wiring().nu == b.wiring().nu;
@@ -45,7 +45,7 @@ bool same(const kte_map_chain& a, const kte_map_chain& b) {
 
 /// A change of a chain whose states are there or not.
 struct chain_at_work {
-  kte_map_chain c = pendulum();
+  runtime_chain c = pendulum();
   runtime_state s = c.make_state();
 };
 template <class Change>
@@ -57,7 +57,7 @@ void check_change(const Change& change) {
     allocations::fail_each(
         [shared] {
           auto x = std::make_unique<chain_at_work>();
-          if (!shared) x->s = kte_map_chain().make_state();
+          if (!shared) x->s = runtime_chain().make_state();
           return x;
         },
         [&](auto& x) { change(x->c); },
@@ -77,44 +77,44 @@ void check_change(const Change& change) {
 
 TEST_CASE("a chain that cannot be changed for want of memory is as before") {
   SECTION("elements") {
-    check_change([](kte_map_chain& c) { c << rigid_link_2D("tip", "a tool of a long name", along_x(0.1)); });
-    check_change([](kte_map_chain& c) {
+    check_change([](runtime_chain& c) { c << rigid_link_2D("tip", "a tool of a long name", along_x(0.1)); });
+    check_change([](runtime_chain& c) {
       c << revolute_joint_2D("a second coordinate of a long name", "tip", "a frame of a long name");
     });
   }
   SECTION("chains") {
-    check_change([](kte_map_chain& c) { c << *nested(); });
-    check_change([](kte_map_chain& c) { c.append(nested()); });
-    check_change([](kte_map_chain& c) {
+    check_change([](runtime_chain& c) { c << *nested(); });
+    check_change([](runtime_chain& c) { c.append(nested()); });
+    check_change([](runtime_chain& c) {
       c << chain(revolute_joint_2D(wrist, tip, hand), inertia_2D(hand, point_mass(0.5))).gravity(along_x(1));
     });
   }
   SECTION("gravity") {
-    check_change([](kte_map_chain& c) { c.gravity(along_y(-1.5)); });
+    check_change([](runtime_chain& c) { c.gravity(along_y(-1.5)); });
   }
   SECTION("copies and what takes all of another") {
-    check_change([](kte_map_chain& c) { c = kte_map_chain(c); });
-    check_change([](kte_map_chain& c) {
-      auto all = std::make_unique<kte_map_chain>(c);
-      kte_map_chain other;
+    check_change([](runtime_chain& c) { c = runtime_chain(c); });
+    check_change([](runtime_chain& c) {
+      auto all = std::make_unique<runtime_chain>(c);
+      runtime_chain other;
       other.append(std::move(all));
       c = std::move(other);
     });
   }
 }
 
-TEST_CASE("a state that cannot be made, copied or assigned for want of memory leaves all as it was") {
+TEST_CASE("a state that cannot be made, copied or assigned for want of memory leaves all unchanged") {
   const auto small = pendulum();
   auto large = pendulum();
   large.append(nested());
-  const auto works = [](const kte_map_chain& c, runtime_state& s, double q) {
+  const auto works = [](const runtime_chain& c, runtime_state& s, double q) {
     REQUIRE(s.coordinate("q").q == q);
     REQUIRE_NOTHROW(c.doMotion(s));
     auto fresh = c.make_state();
     fresh.coordinate("q").q = q;
     REQUIRE(mass_matrix(c, s) == mass_matrix(c, fresh));
   };
-  const auto at = [](const kte_map_chain& c, double q) {
+  const auto at = [](const runtime_chain& c, double q) {
     auto s = std::make_unique<runtime_state>(c.make_state());
     s->coordinate("q").q = q;
     return s;
@@ -148,7 +148,7 @@ TEST_CASE("a state that cannot be made, copied or assigned for want of memory le
     works(large, there, 0.7);
     CHECK((from.dofs() == 0 && to->dofs() == 0));
     auto none = from;  // of a chain without elements, and goes on as such
-    CHECK_NOTHROW(kte_map_chain().doMotion(none));
+    CHECK_NOTHROW(runtime_chain().doMotion(none));
     from = there;
     works(large, from, 0.7);
   }

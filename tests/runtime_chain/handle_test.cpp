@@ -11,8 +11,8 @@ using kte::test::says;
 namespace {
 
 /// Things of all kinds.
-kte_map_chain all_kinds() {
-  kte_map_chain c;
+runtime_chain all_kinds() {
+  runtime_chain c;
   c << free_joint_3D("trunk", "world", "body") << spherical_joint_3D("ball", "body", "palm")
     << revolute_joint_3D("q1", "palm", "arm", axis::x) << prismatic_joint_3D("q2", "arm", "hand", axis::y)
     << driving_actuator_gen("q1", "motor1") << driving_actuator_gen("q2", "motor2")
@@ -87,25 +87,25 @@ TEST_CASE("a name of another kind, or of nothing, has no handle") {
   CHECK_THROWS_MATCHES(c.input("bristles"), unknown_name, says("'bristles' is a"));
   CHECK_THROWS_MATCHES(c.internal("motor1"), unknown_name, says("'motor1' is a"));
   for (const auto* name : {"", "Hand", "hand "}) {
-    CHECK_THROWS_MATCHES(c.frame(name), unknown_name, says("nothing of the name '" + std::string(name) + "'"));
+    CHECK_THROWS_MATCHES(c.frame(name), unknown_name, says("nothing named '" + std::string(name) + "'"));
     CHECK_THROWS_AS(c.coordinate(name), unknown_name);
     CHECK_THROWS_AS(c.input(name), unknown_name);
     CHECK_THROWS_AS(c.internal(name), unknown_name);
   }
-  const kte_map_chain none;
+  const runtime_chain none;
   CHECK_THROWS_AS(none.frame("hand"), unknown_name);
 }
 
 TEST_CASE("a handle is of its chain and of copies, not of another that looks the same") {
   const auto c = all_kinds(), twin = all_kinds();
   const auto hand = c.frame("hand");
-  const kte_map_chain copy = c;
+  const runtime_chain copy = c;
   auto of_copy = copy.make_state(), of_twin = twin.make_state();
   CHECK(&of_copy.frame_3D(hand) == &of_copy.frame_3D("hand"));
   CHECK(jacobian(copy, of_copy, hand) == jacobian(copy, of_copy, "hand"));
   CHECK_THROWS_MATCHES(of_twin.frame_3D(hand), bad_argument, says("another chain"));
   CHECK_THROWS_MATCHES(jacobian(twin, of_twin, hand), bad_argument, says("another chain"));
-  kte_map_chain whole;
+  runtime_chain whole;
   whole << c;
   auto of_whole = whole.make_state();
   CHECK_THROWS_MATCHES(of_whole.frame_3D(hand), bad_argument, says("another chain"));
@@ -127,9 +127,9 @@ TEST_CASE("handles of a chain that is moved go with it") {
   const auto state = std::move(t);
   CHECK(&state.frame_3D(hand) == &state.frame_3D("hand"));
   CHECK_THROWS_AS(t.frame_3D(hand), bad_argument);
-  auto given = std::make_unique<kte_map_chain>(all_kinds());
-  kte_map_chain& part = *given;
-  kte_map_chain outer;
+  auto given = std::make_unique<runtime_chain>(all_kinds());
+  runtime_chain& part = *given;
+  runtime_chain outer;
   outer.append(std::move(given));
   CHECK_THROWS_MATCHES(part.frame("hand"), bad_argument, says("part of another one"));
 }
@@ -168,7 +168,7 @@ TEST_CASE("what changes a chain makes handles of before void, but for states of 
 }
 
 TEST_CASE("handles stand for names") {
-  kte_map_chain c;
+  runtime_chain c;
   c << revolute_joint_3D("q", "base", "end", axis::x) << rigid_link_3D("end", "tool", along_y(0.5))
     << driving_actuator_gen("q", "motor");
   const auto tool = c.frame("tool"), q = c.coordinate("q"), motor = c.input("motor");
@@ -182,7 +182,7 @@ TEST_CASE("handles stand for names") {
   CHECK(s.input("motor") == 3.0);
   CHECK(&s.coordinate(q) == &s.coordinate("q"));
   CHECK(&s.frame_3D(tool) == &s.frame_3D("tool"));
-  const kte_map_chain copy = c;
+  const runtime_chain copy = c;
   auto of_copy = copy.make_state();
   CHECK(forward_kinematics(copy, of_copy, x, tool).position == forward_kinematics(c, s, x, tool).position);
 

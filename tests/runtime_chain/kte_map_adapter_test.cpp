@@ -11,7 +11,7 @@ using namespace kte;
 
 namespace {
 
-/// An element, connected to a chain of its own.
+/// An element, connected to its own chain.
 template <class Core>
 struct alone {
   explicit alone(const named_element<Core>& e, std::initializer_list<const char*> coordinates = {}) : element(e) {
@@ -50,7 +50,7 @@ TEST_CASE("an element says what it is, to whom it is connected and with which nu
   const alone link(rigid_link_3D("a", "b", along_y(0.5)));
   CHECK(link.last.element == &link.element);
   CHECK(link.last.index == std::vector{0, 1});
-  CHECK(link.last.stiff);
+  CHECK(link.last.rigid);
   CHECK(link.derivatives);
   CHECK(link.element.ports().size() == 2);
   CHECK(link.element.ports()[1].role == "end");
@@ -66,7 +66,7 @@ TEST_CASE("an element says what it is, to whom it is connected and with which nu
 
   const alone spring(spring_gen("p", "q", 0.5, 3.0), {"q", "p"});
   CHECK(spring.last.index == std::vector{1, 0});
-  CHECK(!spring.last.stiff);
+  CHECK(!spring.last.rigid);
   const alone between_frames(spring_3D("p", "p", 0.5, 3.0));
   CHECK(between_frames.derivatives);  // which is asked of what stands on coordinates alone
 }
@@ -84,11 +84,11 @@ TEST_CASE("a copy of an element is another one with the same numbers") {
   CHECK(t.elements.at(0).element == found);
 }
 
-TEST_CASE("the loops over records are told what each element is") {
+TEST_CASE("the loops over body nodes are told what each element is") {
   using detail::part;
   CHECK(alone(base_3D("a")).element.numbers().is == part::base);
-  CHECK(alone(rigid_link_3D("a", "b", along_y(0.5))).element.numbers().is == part::stiff);
-  CHECK(alone(revolute_joint_3D("q", "a", "b", axis::x)).element.numbers().is == part::stiff);
+  CHECK(alone(rigid_link_3D("a", "b", along_y(0.5))).element.numbers().is == part::rigid);
+  CHECK(alone(revolute_joint_3D("q", "a", "b", axis::x)).element.numbers().is == part::rigid);
   CHECK(alone(rigid_link_gen("p", "q", 0.5)).element.numbers().is == part::follower);
   CHECK(alone(spring_3D("a", "a", 0.5, 3.0)).element.numbers().is == part::force);
   const auto of_body = alone(inertia_3D("a", body)).element.numbers();
@@ -99,7 +99,7 @@ TEST_CASE("the loops over records are told what each element is") {
   CHECK(of_wheel.is == part::body);
   CHECK(of_wheel.mass == 0.25);
   const auto of_link = alone(rigid_link_3D("a", "b", along_y(0.5))).element.numbers();
-  CHECK(of_link.stiff.at_zero.position == vec3{0.0, 0.5, 0.0});
+  CHECK(of_link.rigid.at_zero.position == vec3{0.0, 0.5, 0.0});
 }
 
 TEST_CASE("passes and energies are those of the core") {
@@ -143,7 +143,7 @@ TEST_CASE("derivatives of the forces on coordinates are subtracted, by whatever 
 }
 
 TEST_CASE("an element with both ports on one coordinate is derived by it once") {
-  kte_map_chain c;
+  runtime_chain c;
   c << inertia_gen("q", 1.0) << connect(pair_of_springs{}, "q", "q");
   auto s = c.make_state();
   const std::array q{2.0}, v{3.0}, a{0.0};

@@ -19,11 +19,11 @@ TEST_CASE("a chain read from its record gives the same values", "[both]") {
 
 TEST_CASE("chains nest and are values") {
   using namespace kte;
-  kte_map_chain inner;
+  runtime_chain inner;
   inner << rigid_link_2D("joint", "tip", along_x(0.5)) << inertia_2D("tip", point_mass(1.0));
-  kte_map_chain outer;
+  runtime_chain outer;
   outer << revolute_joint_2D("q", "base", "joint") << inner;
-  kte_map_chain copy = outer;
+  runtime_chain copy = outer;
   outer << inertia_2D("tip", point_mass(1.0));
   auto s = outer.make_state();
   CHECK(mass_matrix(outer, s)(0, 0) == 0.5);  // 2 kg at 0.5 m
@@ -37,7 +37,7 @@ TEST_CASE("chains nest and are values") {
 
 TEST_CASE("a coordinate may be named before the joint that turns by it") {
   using namespace kte;
-  kte_map_chain c;
+  runtime_chain c;
   c << inertia_gen("q", 0.5) << revolute_joint_2D("q", "base", "joint") << rigid_link_2D("joint", "tip", along_x(0.5))
     << inertia_2D("tip", point_mass(1.0));
   c.gravity(along_y(-9.81));
@@ -54,9 +54,9 @@ TEST_CASE("gravity stays when chains nest") {
   const vec3<> earth{0.0, -9.81, 0.0}, moon{0.0, -1.62, 0.0};
   const auto fixed = pendulum.gravity(along_y(-9.81));
   const auto loose = by_own_elements(fixed), loaded = registered(record_of(fixed));
-  kte_map_chain weight;
+  runtime_chain weight;
   weight << inertia_2D("tip", point_mass(1.0));
-  const auto heavier = [&](const kte_map_chain& c) {
+  const auto heavier = [&](const runtime_chain& c) {
     CHECK(c.gravity() == earth);
     CHECK(record_of(c).gravity == std::vector{0.0, -9.81, 0.0});
     const auto again = registered(record_of(c));
@@ -64,23 +64,23 @@ TEST_CASE("gravity stays when chains nest") {
     auto s = again.make_state();
     CHECK(inverse_dynamics(again, s)[0] == 2 * 9.81 * 0.5);
   };
-  heavier(kte_map_chain() << fixed << weight);  // a static chain in a runtime chain
-  heavier(kte_map_chain() << loose << weight);
-  heavier(kte_map_chain() << loaded << weight);
-  heavier((kte_map_chain() << loose).append(weight.clone()));
-  heavier(kte_map_chain().append(loose.clone()) << weight);
-  heavier(kte_map_chain() << (kte_map_chain() << fixed) << weight);
-  heavier(kte_map_chain(loaded) << weight);
+  heavier(runtime_chain() << fixed << weight);  // a static chain in a runtime chain
+  heavier(runtime_chain() << loose << weight);
+  heavier(runtime_chain() << loaded << weight);
+  heavier((runtime_chain() << loose).append(weight.clone()));
+  heavier(runtime_chain().append(loose.clone()) << weight);
+  heavier(runtime_chain() << (runtime_chain() << fixed) << weight);
+  heavier(runtime_chain(loaded) << weight);
 
   // two that are the same; zero is none
   auto twin = weight;
-  heavier(kte_map_chain() << loose << twin.gravity(earth));
-  heavier(kte_map_chain() << loose << twin.gravity(zero3{}));
+  heavier(runtime_chain() << loose << twin.gravity(earth));
+  heavier(runtime_chain() << loose << twin.gravity(zero3{}));
   heavier(registered(record_of(pendulum)) << twin.gravity(earth));
 
   // two that differ
   twin.gravity(moon);
-  auto c = kte_map_chain() << fixed;
+  auto c = runtime_chain() << fixed;
   CHECK_THROWS_AS(c << twin, bad_wiring);
   CHECK_THROWS_WITH(c.append(twin.clone()), kte::test::contains_text("different gravities") &&
                                                 kte::test::contains_text("(0, -9.8") &&
@@ -89,15 +89,15 @@ TEST_CASE("gravity stays when chains nest") {
   heavier(c << weight);
 
   // what is written on the whole wins, zero too
-  CHECK((kte_map_chain().gravity(moon) << fixed << twin).gravity() == moon);
-  CHECK((kte_map_chain().gravity(zero3{}) << fixed << twin).gravity() == vec3<>{});
+  CHECK((runtime_chain().gravity(moon) << fixed << twin).gravity() == moon);
+  CHECK((runtime_chain().gravity(zero3{}) << fixed << twin).gravity() == vec3<>{});
   CHECK((c << inertia_2D("tip", point_mass(1.0))).gravity(moon).gravity() == moon);
-  CHECK((kte_map_chain() << c).gravity() == moon);
+  CHECK((runtime_chain() << c).gravity() == moon);
 }
 
 TEST_CASE("a state belongs to the chain it was made for") {
   using namespace kte;
-  kte_map_chain c;
+  runtime_chain c;
   c << revolute_joint_2D("q", "base", "joint") << inertia_2D("joint", planar_body(1.0, 0.1));
   auto old = c.make_state();
   c.doMotion(old);
@@ -106,7 +106,7 @@ TEST_CASE("a state belongs to the chain it was made for") {
   CHECK_THROWS_AS(mass_matrix(c, old), bad_argument);
   auto s = c.make_state();
   CHECK_NOTHROW(c.doMotion(s));
-  const kte_map_chain copy = c;
+  const runtime_chain copy = c;
   CHECK_NOTHROW(copy.doMotion(s));  // a copy has the same things in the same order
   CHECK_THROWS_WITH(s.frame_2D("tpi"),
                     "kte: this chain has no 2D frame 'tpi', did you mean 'tip'? (there are 'base', 'joint', 'tip')");
@@ -128,7 +128,7 @@ TEST_CASE("a state belongs to the chain it was made for") {
 TEST_CASE("mistakes in a runtime chain are named, and change nothing") {
   using namespace kte;
   using kte::test::contains_text;
-  kte_map_chain c;
+  runtime_chain c;
   c << revolute_joint_3D("q", "base", "joint") << rigid_link_3D("joint", "tip", along_z(0.5));
   const auto before = record_of(c);
   SECTION("written twice") {
@@ -145,7 +145,7 @@ TEST_CASE("mistakes in a runtime chain are named, and change nothing") {
                       contains_text("inertia_3D (frame 'tpi')") && contains_text("did you mean 'tip'?"));
   }
   SECTION("two bases") {
-    kte_map_chain another;
+    runtime_chain another;
     CHECK_THROWS_WITH(another << spring_3D("a", "b", 0.5, 8.0),
                       contains_text("it reads 'b', which no element before it writes"));
     another << base_3D("b") << spring_3D("a", "b", 0.5, 8.0);
@@ -157,7 +157,7 @@ TEST_CASE("mistakes in a runtime chain are named, and change nothing") {
   }
   SECTION("no name") { CHECK_THROWS_WITH(c << inertia_3D("", point_mass(1.0)), contains_text("frame has no name")); }
   SECTION("a chain of which the second element is wrong") {
-    kte_map_chain more;
+    runtime_chain more;
     more << rigid_link_3D("x", "tool", along_z(0.1)) << rigid_link_3D("tool", "tip", along_z(0.1));
     CHECK_THROWS_AS(c << more, bad_wiring);
   }

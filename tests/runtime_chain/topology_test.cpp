@@ -37,14 +37,14 @@ constexpr auto mechanism(const Elbow& q, const Arm& a, const Body& b, const Trun
 }
 constexpr auto with_shared = boost::hana::unpack(mechanism(elbow, arm, body, trunk, tool, motor, ground),
                                                  [](const auto&... e) { return chain(e...).gravity(along_z(-9.81)); });
-kte_map_chain runtime(const std::string& q, const std::string& a, const std::string& b, const std::string& t,
+runtime_chain runtime(const std::string& q, const std::string& a, const std::string& b, const std::string& t,
                       const std::string& x, const std::string& m) {
-  kte_map_chain c;
+  runtime_chain c;
   c.gravity(along_z(-9.81));
   boost::hana::for_each(mechanism(q, a, b, t, x, m, std::string("ground")), [&c](const auto& e) { c << e; });
   return c;
 }
-const kte_map_chain of_texts = runtime("elbow", "elbow", "body", "body", "tool", "tool");
+const runtime_chain of_texts = runtime("elbow", "elbow", "body", "body", "tool", "tool");
 const std::array q{0.1, -0.2, 0.3, 0.5, 0.5, -0.5, 0.5, 0.7};
 const std::array v{0.1, 0.2, -0.3, 0.4, 0.5, -0.6, 0.7}, a{1.0, 2.0, -3.0, 4.0, 5.0, -6.0, 7.0};
 
@@ -89,7 +89,7 @@ TEST_CASE("shared names in static chains, runtime chains and files") {
   CHECK(from_xml(to_xml(r)) == r);
   CHECK(record_of(models::registered(r)) == r);
   CHECK(record_of(from_record(with_shared, r)) == r);
-  kte_map_chain c;
+  runtime_chain c;
   c << with_shared << revolute_joint_3D("wrist", "tool", "wrist");
   CHECK(record_of(c).elements.size() == 7);
   auto u = c.make_state();
@@ -98,7 +98,7 @@ TEST_CASE("shared names in static chains, runtime chains and files") {
                          std::array{1.0, 2.0, -3.0, 4.0, 5.0, -6.0, 7.0, 0.0})[7] == 0);
 }
 
-TEST_CASE("what is asked for by a shared name") {
+TEST_CASE("what is requested by a shared name") {
   const auto& c = of_texts;
   CHECK(c.frame("elbow").what() == kind::frame_3D);
   CHECK(c.coordinate("elbow").what() == kind::gen);
@@ -120,11 +120,11 @@ TEST_CASE("what is asked for by a shared name") {
   CHECK(t.kind_of("elbow", false) == kind::gen);
   CHECK_THROWS_MATCHES(t.kind_of("elbow"), unknown_name,
                        says("kte: 'elbow' is a coordinate and a 3D frame: which of them is meant?"));
-  CHECK_THROWS_MATCHES(t.kind_of("shoulder"), unknown_name, says("kte: this chain has nothing of the name 'shoulder'"));
+  CHECK_THROWS_MATCHES(t.kind_of("shoulder"), unknown_name, says("kte: this chain has nothing named 'shoulder'"));
 }
 
 TEST_CASE("frames in the plane by shared names") {
-  kte_map_chain c;
+  runtime_chain c;
   c << revolute_joint_2D("arm", "ground", "arm").at(along_x(0.5)) << inertia_2D("arm", point_mass(1.0, along_x(0.5)));
   auto s = c.make_state();
   CHECK(forward_kinematics(c, s, std::array{0.3}, "arm").position.x == 0.5);
@@ -182,9 +182,9 @@ TEST_CASE("shared names in recordings") {
 }
 
 TEST_CASE("names that were misspelt are found by those that are there") {
-  kte_map_chain c;
+  runtime_chain c;
   c << revolute_joint_3D("q1", "ground", "arm", axis::y) << inertia_3D("arm", brick);
-  const auto fails = [](kte_map_chain with, const auto& e, const std::string& why) {
+  const auto fails = [](runtime_chain with, const auto& e, const std::string& why) {
     CHECK_THROWS_MATCHES((with << e, with.make_state()), bad_wiring, says("kte: " + why));
   };
   fails(c, joint_friction_gen("q_1", {.viscous = 1}),
@@ -194,8 +194,8 @@ TEST_CASE("names that were misspelt are found by those that are there") {
   fails(c, inertia_3D("amr", brick),
         "inertia_3D (frame 'amr'): it reads 'amr', which no element before it writes, did you mean 'arm'? (there are "
         "'ground', 'arm'; a further base is declared by base_2D or base_3D)");
-  // an inertia before its joint is taken for the base, and blamed itself
-  kte_map_chain early;
+  // an inertia before its joint is taken for the base, and reported itself
+  runtime_chain early;
   early << inertia_3D("arm", brick);
   fails(early, revolute_joint_3D("q", "ground", "arm", axis::y),
         "inertia_3D (frame 'arm'): it reads 'arm' before it is written, by revolute_joint_3D (coordinate 'q', base "
@@ -204,19 +204,20 @@ TEST_CASE("names that were misspelt are found by those that are there") {
 }
 
 TEST_CASE("what is odd about a chain is found, and may be meant") {
-  kte_map_chain c;
+  runtime_chain c;
   c << revolute_joint_3D("q1", "ground", "arm", axis::y) << inertia_3D("arm", brick) << inertia_gen("q1", 0.1)
     << inertia_gen("mass", 1.0) << base_gen("wall") << spring_gen("wall", "mass", 0.0, 1.0);
   CHECK(check_chain(c).empty());
   c << inertia_gen("q_1", 0.1) << joint_damping_gen("q_1", 1.0) << inertia_gen("alone", 0.1)
     << prismatic_joint_3D("q1", "arm", "tool", axis::x);
-  CHECK(
-      check_chain(c) ==
-      std::vector<std::string>{
-          "'q1' moves 2 joints: revolute_joint_3D (coordinate 'q1', base 'ground', end 'arm'), prismatic_joint_3D "
-          "(coordinate 'q1', base 'arm', end 'tool')",
-          "inertia_gen (coordinate 'q_1') has a degree of freedom of its own, 'q_1', by which no joint moves, did you "
-          "mean 'q1'?",
-          "inertia_gen (coordinate 'alone') has a degree of freedom of its own, 'alone', by which no joint moves"});
+  CHECK(check_chain(c) ==
+        std::vector<std::string>{
+            "'q1' moves 2 joints: revolute_joint_3D (coordinate 'q1', base 'ground', end 'arm'), prismatic_joint_3D "
+            "(coordinate 'q1', base 'arm', end 'tool')",
+            "inertia_gen (coordinate 'q_1') is moved by a separate degree of freedom, 'q_1', by which no joint moves, "
+            "did you "
+            "mean 'q1'?",
+            "inertia_gen (coordinate 'alone') is moved by a separate degree of freedom, 'alone', by which no joint "
+            "moves"});
   CHECK(check_chain(with_shared).empty());
 }

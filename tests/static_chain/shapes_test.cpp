@@ -81,8 +81,8 @@ auto static_one(bool dry) {
   return all_shapes([](const auto& key) { return key; }, [](const auto&... e) { return chain(e...); }, dry)
       .gravity(vec3{0.3, -0.4, -9.81});
 }
-kte_map_chain runtime_one(bool dry) {
-  kte_map_chain c;
+runtime_chain runtime_one(bool dry) {
+  runtime_chain c;
   all_shapes([](const auto& key) { return std::string(key.name); },
              [&c](const auto&... e) { return (c << ... << e), 0; }, dry);
   return c.gravity(vec3{0.3, -0.4, -9.81});

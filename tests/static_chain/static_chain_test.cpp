@@ -30,7 +30,7 @@ TEST_CASE("all frames of the pendulum are there to be looked at") {
   s[q].q = 0.0, s[q].q_dot = 2.0, s[q].q_ddot = 3.0;
   pendulum.doMotion(s);
   CHECK(s[tip].velocity == kte::vec2{0.0, 1.0});              // w L, along the path
-  CHECK(s[tip].acceleration == kte::vec2{-2.0, 1.5 + 9.81});  // -w^2 L, and al L besides gravity
+  CHECK(s[tip].acceleration == kte::vec2{-2.0, 1.5 + 9.81});  // -w^2 L, and al L in addition to gravity
   CHECK(s[tip].ang_velocity == 2.0);
   pendulum.clearForce(s);
   pendulum.doForce(s);
@@ -123,7 +123,7 @@ TEST_CASE("gravity is finite") {
     CHECK_THROWS_AS(pendulum.gravity(kte::along_y(x)), kte::bad_parameter);
     CHECK_THROWS_WITH(pendulum.gravity(kte::vec3{0.0, 1.0, x}),
                       kte::test::contains_text("kte: gravity must be finite"));
-    CHECK_THROWS_AS(kte::kte_map_chain().gravity(kte::along_y(x)), kte::bad_parameter);
+    CHECK_THROWS_AS(kte::runtime_chain().gravity(kte::along_y(x)), kte::bad_parameter);
     auto record = record_of(pendulum);
     record.gravity = {0, 0, x};
     CHECK_THROWS_AS(registered(record), kte::bad_parameter);

@@ -28,8 +28,8 @@ inline constexpr struct tip_  final : kte::frame_3D_key<"tip">  {} tip;
 // clang-format on
 
 /// A pendulum of 3 kg at 0.5 m, which turns about z; gravity is along -y.
-kte::kte_map_chain pendulum() {
-  kte::kte_map_chain c;
+kte::runtime_chain pendulum() {
+  kte::runtime_chain c;
   c.gravity(kte::along_y(-10.0)) << kte::revolute_joint_3D("q", "base", "arm", kte::axis::z)
                                  << kte::rigid_link_3D("arm", "tip", kte::along_x(0.5))
                                  << kte::inertia_3D("tip", kte::point_mass(3.0));
@@ -37,7 +37,7 @@ kte::kte_map_chain pendulum() {
 }
 
 template <class S>
-std::vector<std::string> table_of(const kte::kte_map_chain& c, const std::string& states,
+std::vector<std::string> table_of(const kte::runtime_chain& c, const std::string& states,
                                   const std::vector<std::string>& coordinates, const evaluate::options& o) {
   const state_file file(states);
   const evaluate::state_table table(file.path);
@@ -174,7 +174,7 @@ TEST_CASE("fifty digits are right digits") {
 }
 
 TEST_CASE("columns go in the order of the file, quaternions with w last") {
-  kte::kte_map_chain c;
+  kte::runtime_chain c;
   c << kte::revolute_joint_3D("a", "world", "x") << kte::free_joint_3D("b", "world", "y");
   const evaluate::column_order order(kte::layout(c), {"b", "a"});
   CHECK(order.q == std::vector<int>{1, 2, 3, 5, 6, 7, 4, 0});

@@ -2,7 +2,7 @@
 
 #include <kte/elements/joint_motor.hpp>
 #include <kte/elements/revolute_joint.hpp>
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
 
 #include "catch.hpp"
 
@@ -79,7 +79,7 @@ TEST_CASE("ranges of commands that leave nothing, and commands that do nothing, 
 }
 
 TEST_CASE("the motor of an input is found in the chain") {
-  kte::kte_map_chain arm;
+  kte::runtime_chain arm;
   arm << kte::revolute_joint_3D("q", "base", "end", kte::axis::z)
       << kte::joint_motor_gen("q", "torque", {.gain = 3, .upper = 4});
   const auto motor = motor_of_input(arm, "torque");

@@ -9,7 +9,7 @@
 
 #include "catch.hpp"
 
-// Registers hold four numbers, or two, or eight: rows of every length up to some of them, with each number endless
+// Registers hold four numbers, or two, or eight: rows of every length up to some of them, with each number not finite
 // once.
 
 namespace {
@@ -20,13 +20,13 @@ template <class S>
 void try_rows() {
   for (std::size_t n = 0; n < 40; ++n) {
     CAPTURE(n);
-    std::vector<S> x(n + 1, std::numeric_limits<S>::max());  // of which a sum would be endless
+    std::vector<S> x(n + 1, std::numeric_limits<S>::max());  // of which a sum would be infinite
     x[n] = std::numeric_limits<S>::quiet_NaN();              // beyond the row
     CHECK(all_finite_in_row(x.data(), n));
     bool found = true;
     for (std::size_t i = 0; i < n; ++i)
-      for (const S endless : {std::numeric_limits<S>::infinity(), -std::numeric_limits<S>::infinity(), x[n]}) {
-        const S kept = std::exchange(x[i], endless);
+      for (const S non_finite : {std::numeric_limits<S>::infinity(), -std::numeric_limits<S>::infinity(), x[n]}) {
+        const S kept = std::exchange(x[i], non_finite);
         found &= !all_finite_in_row(x.data(), n);
         x[i] = kept;
       }

@@ -6,44 +6,44 @@
 
 // Matrices over axes that know which bodies stand on each other.
 namespace {
-using kte::tree::forest;
+using kte::tree::body_tree;
 
 /// A body of `axes` axes on body `parent` (-1: the base), the next one in order.
-void add(forest<double>& f, int parent, int axes) {
-  kte::tree::record<double> r;
+void add(body_tree<double>& f, int parent, int axes) {
+  kte::tree::body_node<double> r;
   r.parent = f.bases + parent, r.first = static_cast<int>(f.axes()), r.axes = axes, r.last = r.first + axes;
   for (int k = 0; k < axes; ++k) f.row.push_back(r.first + k);
-  if (parent >= 0 && parent + 1 != static_cast<int>(f.records.size()))
-    f.records[static_cast<std::size_t>(parent)].branches = true;
-  for (int p = parent; p >= 0; p = f.records[static_cast<std::size_t>(p)].parent - f.bases)
-    f.records[static_cast<std::size_t>(p)].last = r.last;
-  f.records.push_back(r);
+  if (parent >= 0 && parent + 1 != static_cast<int>(f.nodes.size()))
+    f.nodes[static_cast<std::size_t>(parent)].branches = true;
+  for (int p = parent; p >= 0; p = f.nodes[static_cast<std::size_t>(p)].parent - f.bases)
+    f.nodes[static_cast<std::size_t>(p)].last = r.last;
+  f.nodes.push_back(r);
 }
 /// A trunk of six axes with legs of `joints` each.
-forest<double> walker(int legs, int joints) {
-  forest<double> f;
+body_tree<double> walker(int legs, int joints) {
+  body_tree<double> f;
   f.bases = 1;
   add(f, -1, 6);
   for (int leg = 0; leg < legs; ++leg)
-    for (int k = 0; k < joints; ++k) add(f, k == 0 ? 0 : static_cast<int>(f.records.size()) - 1, 1);
+    for (int k = 0; k < joints; ++k) add(f, k == 0 ? 0 : static_cast<int>(f.nodes.size()) - 1, 1);
   return f;
 }
-forest<double> arm(int joints) {
-  forest<double> f;
+body_tree<double> arm(int joints) {
+  body_tree<double> f;
   f.bases = 1;
   for (int k = 0; k < joints; ++k) add(f, k - 1, 1);
   return f;
 }
 /// Whether one of the bodies of two axes stands on the other.
-bool related(const forest<double>& f, int j, int k) {
-  for (const auto& r : f.records)
+bool related(const body_tree<double>& f, int j, int k) {
+  for (const auto& r : f.nodes)
     if ((r.first <= j && j < r.first + r.axes && r.first <= k && k < r.last) ||
         (r.first <= k && k < r.first + r.axes && r.first <= j && j < r.last))
       return true;
   return false;
 }
 
-void check_solved(const forest<double>& f, bool coupled) {
+void check_solved(const body_tree<double>& f, bool coupled) {
   const int n = static_cast<int>(f.axes());
   random_numbers draw(7);
   Eigen::MatrixXd inverse(n, n), b(n, n), c(n, n), x(n, n), y(n, n);
@@ -72,7 +72,7 @@ TEST_CASE("products with the inverse of a mass matrix leave out bodies that have
 }
 
 TEST_CASE("symmetric matrices from rows over axes") {
-  forest<double> f = walker(2, 3);
+  body_tree<double> f = walker(2, 3);
   const int n = static_cast<int>(f.axes());
   random_numbers draw(8);
   kte::tree::axis_rows<double> rows;

@@ -9,10 +9,10 @@ namespace {
 /// Two pendulums in the plane, of which each can be pulled.
 struct pulled_pendulums {
   page_pull hand;
-  kte_map_chain chain;
+  runtime_chain chain;
 
   pulled_pendulums() {
-    kte_map_chain c;
+    runtime_chain c;
     c.gravity(along_y(-9.81));
     c << revolute_joint_2D("q", "base", "joint") << rigid_link_2D("joint", "tip", along_x(0.5))
       << inertia_2D("tip", point_mass(1.0)) << revolute_joint_2D("p", "tip", "arm")

@@ -65,7 +65,7 @@ TEST_CASE("programs wait for a page, and pages hear of the end") {
   CHECK(!http_client(at.port).connected());
 }
 
-TEST_CASE("options of live pages that make no sense") {
+TEST_CASE("options of live pages that is invalid") {
   live_page page(pendulum);
   const int port = http_address(page.url()).port;
   CHECK_THROWS_MATCHES(live_page(pendulum, {.port = port}), bad_argument,
@@ -76,7 +76,7 @@ TEST_CASE("options of live pages that make no sense") {
 }
 
 TEST_CASE("states of another chain are refused") {
-  kte_map_chain a, b;
+  runtime_chain a, b;
   a << revolute_joint_2D("q", "base", "joint");
   b << revolute_joint_2D("q", "base", "joint");
   live_page page(a);

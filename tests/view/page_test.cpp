@@ -68,7 +68,7 @@ TEST_CASE("pages of recordings, of tables, and of several over each other") {
   write_page(file.path, pendulum, {{"model", numbers}, {"measured", numbers}}, {.title = "Compared"});
   CHECK_THAT(file.text(),
              contains_text(R"("name":"model","count":3,)") && contains_text(R"("name":"measured","count":3,)"));
-  kte_map_chain other;
+  runtime_chain other;
   other << revolute_joint_2D("q", "base", "arm");
   const scene_recording of_other(other);
   CHECK_THROWS_MATCHES(write_page(file.path, {fast, of_other}), bad_argument,
@@ -76,7 +76,7 @@ TEST_CASE("pages of recordings, of tables, and of several over each other") {
 }
 
 TEST_CASE("hostile names stay in their texts") {
-  kte_map_chain c;
+  runtime_chain c;
   const std::string odd[]{"</script><b>", "'\"\\", "\xE2\x80\xA8", "\x01\x7F", "\xFF\xC0\x80", std::string(10000, 'x')};
   std::string base = "base";
   for (const auto& name : odd) {

@@ -77,7 +77,7 @@ TEST_CASE("times of a recording do not decrease, and numbers that are not finite
 }
 
 TEST_CASE("states of other chains are refused, and columns that are not there") {
-  kte_map_chain a, b;
+  runtime_chain a, b;
   a << pendulum;
   b << pendulum;
   scene_recording rec(a);
@@ -86,7 +86,7 @@ TEST_CASE("states of other chains are refused, and columns that are not there") 
 }
 
 TEST_CASE("a table with the coordinates by name moves a chain") {
-  kte_map_chain chain;
+  runtime_chain chain;
   chain << pendulum;
   table numbers{{"t", "energy", "q", "q/v"}, {{0, 1, 2}, {5, 6, NAN}, {0.1, 0.2, 0.3}, {1, 1, 1}}};
   for (const auto& s : {scene_of(pendulum, numbers), scene_of(chain, numbers)}) {
@@ -117,7 +117,7 @@ TEST_CASE("a table with the coordinates by name moves a chain") {
 }
 
 TEST_CASE("what a recorder recorded is a table that moves the chain, rotations and poses too") {
-  kte_map_chain chain;
+  runtime_chain chain;
   chain << free_joint_3D("trunk", "world", "body") << spherical_joint_3D("ball", "body", "hand")
         << inertia_3D("body", point_mass(1.0)) << revolute_joint_3D("body", "hand", "finger", axis::x);
   recorder rec(chain);
@@ -144,7 +144,7 @@ TEST_CASE("what a recorder recorded is a table that moves the chain, rotations a
 }
 
 TEST_CASE("inputs and the time move what elements write by them") {
-  kte_map_chain chain;
+  runtime_chain chain;
   chain << base_3D("world") << position_control_3D("p", "v", "a", "world", "end");
   const table numbers{{"t", "p/x", "p/y", "p/z"}, {{0, 1}, {1, 2}, {0, 0}, {0, 5}}};
   const auto s = scene_of(chain, numbers);
@@ -157,7 +157,7 @@ TEST_CASE("inputs and the time move what elements write by them") {
 }
 
 TEST_CASE("a recording has inputs, vectors and internal states, by which a page knows forces") {
-  kte_map_chain chain;
+  runtime_chain chain;
   chain << revolute_joint_3D("q", "base", "arm", axis::y) << inertia_3D("arm", point_mass(1.0, along_x(1.0)))
         << external_force_3D("arm", "push", "turn") << driving_actuator_gen("q", "motor")
         << joint_lugre_gen("q", "bristles", {1e3, 10, 0.1, 0.5, 0.6, 0.1});

@@ -60,7 +60,7 @@ TEST_CASE("a page of a robot, and of its motion in a table") {
   rec.row(0, s);
   write_page(path, rec);
   CHECK_THAT(rec.contents().notes.at(0), contains_text("mesh 'package://crane/meshes/jib.obj' is not drawn"));
-  CHECK_THROWS_AS(rec.row(1, kte_map_chain(other.chain).gravity({1, 0, 0}).make_state()), bad_argument);
+  CHECK_THROWS_AS(rec.row(1, runtime_chain(other.chain).gravity({1, 0, 0}).make_state()), bad_argument);
 }
 
 TEST_CASE("a robot stands in the first configuration of its file") {

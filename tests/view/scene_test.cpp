@@ -51,7 +51,7 @@ TEST_CASE("the scene of a chain in the plane") {
 }
 
 TEST_CASE("static and runtime chains of the same elements have the same scene") {
-  kte_map_chain appended;
+  runtime_chain appended;
   appended << models::tree;
   const auto s = to_json(scene_of(models::tree));
   CHECK(to_json(scene_of(appended)) == s);
@@ -86,7 +86,7 @@ TEST_CASE("bodies are drawn as ellipsoids of equal inertia") {
   const double m = 7, a = 0.3, b = 0.2, c = 0.1, cos = std::cos(0.5), sin = std::sin(0.5);
   const double x = m * (b * b + c * c) / 5, y = m * (a * a + c * c) / 5, z = m * (a * a + b * b) / 5;
   const sym3<> turned{x * cos * cos + y * sin * sin, (x - y) * sin * cos, 0, x * sin * sin + y * cos * cos, 0, z};
-  kte_map_chain chain;
+  runtime_chain chain;
   chain << base_3D("world") << inertia_3D("world", rigid_body{m, vec3{0.1, 0.2, 0.3}, turned});
   const auto s = scene_of(chain);
   REQUIRE(s.bodies.size() == 1);
@@ -106,8 +106,8 @@ TEST_CASE("bodies are drawn as ellipsoids of equal inertia") {
   CHECK(half[2] == within(a, 1e-15));
 }
 
-TEST_CASE("joints by their kinds, with seats, axes in the base and ranges by stops") {
-  kte_map_chain c;
+TEST_CASE("joints by their kinds, with placements, axes in the base and ranges by stops") {
+  runtime_chain c;
   c << free_joint_3D("pose", "world", "trunk")
     << prismatic_joint_3D("x", "trunk", "slider", axis::x).at(along_z(0.2), quarter_turn_z)
     << screw_joint_3D("turn", "slider", "nut", axis::z, 0.01)
@@ -141,7 +141,7 @@ TEST_CASE("manipulators have the ranges of their limits") {
 }
 
 TEST_CASE("elements of the program's own are drawn, and then there is no model") {
-  kte_map_chain c;
+  runtime_chain c;
   c << revolute_joint_2D("q", "base", "arm") << connect(kte::test::gear{2.0}, "q", "p")
     << revolute_joint_2D("p", "arm", "hand");
   CHECK(scene_of(c).model.empty());

@@ -13,7 +13,7 @@ TEST_CASE("texts of any bytes are text of XML, and what cannot be shown is U+FFF
   CHECK(printable("\xC2\x85\xC2\xA0") == lost + "\xC2\xA0");
   CHECK(printable("\xEF\xBF\xBE\xEF\xBF\xBF") == lost + lost);
   CHECK(printable("\xF0\x9F\xBF\xBF") == lost);                                         // U+1FFFF
-  CHECK(printable("\xFF\xC3(\xED\xA0\x80") == lost + lost + "(" + lost + lost + lost);  // no UTF-8, a surrogate
+  CHECK(printable("\xFF\xC3(\xED\xA0\x80") == lost + lost + "(" + lost + lost + lost);  // not UTF-8, a surrogate
   CHECK(printable("\xE2\x80\xAE") == lost);                                             // from right to left
   CHECK(printable("π😀é") == "π😀é");
   std::string out;

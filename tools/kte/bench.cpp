@@ -111,8 +111,8 @@ list numbers_of(const M&... m) {
   return out;
 }
 
-/// The frame in space with the most joints below it, of several the last; empty where there is none.
-std::string last_frame(const kte::kte_map_chain& c) {
+/// The frame in space with the most joints below it, of several the last; empty if there is none.
+std::string last_frame(const kte::runtime_chain& c) {
   std::map<std::string, int> joints;
   std::string frame;
   int most = 0;
@@ -216,7 +216,7 @@ class bench_run {
   }
 
   const options& o_;
-  const kte::kte_map_chain& c_;
+  const kte::runtime_chain& c_;
   kte::runtime_state s_;
   std::vector<bench_state> states_;
   std::unique_ptr<exact_chain> exact_;
@@ -283,16 +283,16 @@ int bench(options& o) {
 
 void add_bench(command_line& line) {
   const auto o = std::make_shared<options>();
-  add_reading(line.add("bench", "how fast its operations are here, and how exact",
-                       "Measures operations on a mechanism on this machine: the median of the CPU time of a call over "
-                       "25 batches, at ten states that are the same each time, beside the largest error against 50 "
-                       "digits, relative to the largest number. Errors are known of joints, links and bodies: without "
-                       "damping and friction of joints, unless --joint-dynamics is given."),
+  add_reading(line.add("bench", "measures speed and accuracy of its operations on this machine",
+                       "Measures operations on a mechanism on this machine: the median CPU time per call over 25 "
+                       "batches, at ten fixed states, and the largest error against 50 digits, relative to the largest "
+                       "number. Errors are available for joints, links and inertias. Damping and friction of joints "
+                       "are omitted unless --joint-dynamics is given."),
               o->in, false)
       .text("--frame", "NAME", o->frame,
-            "of which pose and Jacobian are measured; if left out the last of those with most joints below")
-      .number("--seconds", "S", o->seconds, "time for each operation, s; 0.1 if left out")
-      .flag("--json", o->json, "as JSON")
+            "frame whose pose and Jacobian are measured; default: the last frame with the most joints to its base")
+      .number("--seconds", "S", o->seconds, "time for each operation, s; default 0.1")
+      .flag("--json", o->json, "prints JSON")
       .runs([o] { return bench(*o); });
 }
 

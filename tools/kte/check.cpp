@@ -120,14 +120,16 @@ int check(const options& o) {
 
 void add_check(command_line& line) {
   const auto o = std::make_shared<options>();
-  add_reading(line.add("check", "what is odd about a mechanism",
-                       "Tells what is odd about a mechanism: inertias that no body can have, joints that move no mass, "
-                       "ranges of nothing, masses, lengths and angles that seem to be in other units, a nearly "
-                       "singular mass matrix, why links and joints make no tree; then what of the file was not read, "
-                       "and how many degrees of freedom there are. The exit code is 1 if the file is no mechanism."),
-              o->in)
-      .flag("--strict", o->strict, "exit code 1 also if anything is odd")
-      .flag("--json", o->json, "as JSON")
+  add_reading(
+      line.add(
+          "check", "reports what is unusual about a mechanism",
+          "Reports what is unusual about a mechanism: inertias that are not physically realizable, joints that move no "
+          "mass, empty ranges, masses, lengths and angles that appear to be in other units, a nearly singular mass "
+          "matrix, links and joints that do not form a tree. Then lists the parts of the file that were not read, and "
+          "the number of degrees of freedom. The exit code is 1 if the file is not a mechanism."),
+      o->in)
+      .flag("--strict", o->strict, "exit code 1 also if anything is unusual")
+      .flag("--json", o->json, "prints JSON")
       .runs([o] { return check(*o); });
 }
 

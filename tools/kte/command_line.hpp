@@ -11,7 +11,7 @@
 /// The command line, without its parser: who declares a subcommand does not compile it.
 namespace kte_tool {
 
-/// A command that makes no sense: exit code 2.
+/// A command that is invalid: exit code 2.
 struct usage_error : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

@@ -2,7 +2,7 @@
 
 #include "command_line.hpp"
 
-/// The subcommands, each declared and done in a file of its own.
+/// The subcommands, each declared and done in its own file.
 namespace kte_tool {
 
 void add_check(command_line& line);

@@ -139,15 +139,15 @@ int convert(const convert_options& o) {
 
 void add_convert(command_line& line) {
   const auto o = std::make_shared<convert_options>();
-  add_reading(line.add("convert", "into another format",
-                       "Writes a mechanism in another format, which the ending of OUT says: .urdf, .mjcf, .json, .xml "
-                       "or .kte (model files of the library), .hpp (a C++ header, in which it is a type). What has no "
-                       "place there is named on standard error. OUT is replaced only when all is written."),
+  add_reading(line.add("convert", "converts it to another format",
+                       "Writes a mechanism in the format given by the ending of OUT: .urdf, .mjcf, .json, .xml or .kte "
+                       "(model files of the library), .hpp (a C++ header in which it is a type). Standard error lists "
+                       "what the format cannot express. OUT is replaced only after everything is written."),
               o->in)
-      .word("OUT", o->out, "the file to write; - is standard output, with --to")
+      .word("OUT", o->out, "the file to write; with --to, - is standard output")
       .text("--to", "FORMAT", o->to, "urdf, mjcf, json, xml, kte or hpp, whatever the name of OUT")
-      .text("--name", "NAME", o->name, "of the robot in a C++ header; if left out that of the file")
-      .flag("--lossy", o->lossy, "what changes the motion and has no place is left out, instead of refused")
+      .text("--name", "NAME", o->name, "name of the robot in a C++ header; default: that in the file")
+      .flag("--lossy", o->lossy, "omits features that the format cannot express, instead of refusing them")
       .runs([o] { return convert(*o); });
 }
 

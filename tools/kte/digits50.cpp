@@ -61,12 +61,12 @@ void print_with_50_digits(const evaluate::evaluated_robot& r, const evaluate::op
 }
 
 struct exact_chain::numbers {
-  numbers(const kte::kte_map_chain& c, const std::vector<std::string>& frames) : chain(c), exact(chain, frames) {}
-  kte::kte_map_chain chain;
+  numbers(const kte::runtime_chain& c, const std::vector<std::string>& frames) : chain(c), exact(chain, frames) {}
+  kte::runtime_chain chain;
   model exact;
 };
 
-exact_chain::exact_chain(const kte::kte_map_chain& chain, const std::string& frame) {
+exact_chain::exact_chain(const kte::runtime_chain& chain, const std::string& frame) {
   std::vector<std::string> frames;
   if (!frame.empty()) frames.push_back(frame);
   numbers_ = std::make_unique<numbers>(chain, frames);

@@ -19,7 +19,7 @@ class exact_chain {
   using list = std::vector<double>;
 
   /// Throws for chains of more than joints, links and bodies. `frame` may be empty.
-  exact_chain(const kte::kte_map_chain& chain, const std::string& frame);
+  exact_chain(const kte::runtime_chain& chain, const std::string& frame);
   ~exact_chain();
   list inverse_dynamics(const list& q, const list& v, const list& a);
   list forward_dynamics(const list& q, const list& v, const list& tau);

@@ -38,19 +38,21 @@ int eval(eval_options& o) {
 
 void add_eval(command_line& line) {
   const auto o = std::make_shared<eval_options>();
-  add_reading(line.add("eval", "dynamics at the states of a table",
-                       "Prints inverse and forward dynamics, mass matrix, energies and centre of mass at the states of "
-                       "a table: a line of column names (q_0, q_1, ..., v_0, ..., and where there are some a_0, ..., "
-                       "tau_0, ...), then a line of numbers a state. Coordinates are in the order of the file."),
-              o->in, false)
-      .word("STATES", o->states, "the table, numbers with commas between them")
+  add_reading(
+      line.add("eval", "computes dynamics at the states of a table",
+               "Prints inverse and forward dynamics, mass matrix, energies and centre of mass at the states of a "
+               "table. The table has a line of column names (q_0, q_1, ..., v_0, ..., and optionally a_0, ..., tau_0, "
+               "...), then one line of numbers per state. Coordinates are in the order of the file."),
+      o->in, false)
+      .word("STATES", o->states, "the table, with commas between numbers")
       .text("--ops", "NAMES", o->what.ops,
-            "these alone, with commas between them: id, fd, m, g (gravity forces), h (those and of velocities), "
-            "energy, com, did and dfd (derivatives)")
-      .texts("--frame", "NAME", o->what.frames, "also its pose and its Jacobian in axes of the world; repeatable")
-      .flag("--derivatives", o->what.derivatives, "also those of inverse and forward dynamics by q and v")
-      .text("--precision", "DIGITS", o->digits, "17, the usual, or 50: all is calculated with 50 digits")
-      .flag("--static", o->by_type, "by a program for this robot, which is compiled once and kept")
+            "only these operations, separated by commas: id, fd, m, g (gravity forces), h (gravity and "
+            "velocity-dependent forces), energy, com, did and dfd (derivatives)")
+      .texts("--frame", "NAME", o->what.frames,
+             "adds the pose of this frame and its Jacobian in world axes; repeatable")
+      .flag("--derivatives", o->what.derivatives, "adds the derivatives of inverse and forward dynamics by q and v")
+      .text("--precision", "DIGITS", o->digits, "17, the default, or 50: computes with 50 digits")
+      .flag("--static", o->by_type, "runs a program for this robot, compiled once and cached")
       .runs([o] { return eval(*o); });
 }
 

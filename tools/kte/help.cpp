@@ -7,7 +7,7 @@ namespace kte_tool {
 namespace {
 
 /// Of all commands.
-const argument help_option{"--help", "", "what the command takes"};
+const argument help_option{"--help", "", "shows this help"};
 
 std::vector<argument> options_of(const command& c) {
   std::vector<argument> all;
@@ -60,12 +60,11 @@ std::string row(const std::string& left, const std::string& right) {
 
 std::string help_of_program(const command_line& line) {
   std::string s =
-      "usage: kte COMMAND ...\n\n"
-      "What one does with the file of a robot: URDF, MJCF, SDF, or a model file of the library.\n\n";
+      "usage: kte COMMAND ...\n\nCommon tasks for a robot file: URDF, MJCF, SDF, or a model file of the library.\n\n";
   for (const auto& c : line.commands()) s += row(usage_of(*c).substr(4), c->summary);
   return s + row("--version", "the version of kte") +
-         "\nkte help COMMAND tells more of one. Exit codes: 0 fine, 1 the input is wrong or cannot be done, 2 the "
-         "command makes no sense.\n";
+         "\nkte help COMMAND shows the options of a command. Exit codes: 0 success, 1 the input is wrong or not "
+         "supported, 2 the command line is wrong.\n";
 }
 
 /// Words as roff takes them.
@@ -85,10 +84,11 @@ std::string roff(const std::string& text) {
 }
 std::string man_page(const command_line& line) {
   std::string s = ".\\\" Written by: kte help --man\n.TH KTE 1 \"\" \"kte " KTE_VERSION
-                  "\" \"User Commands\"\n.SH NAME\nkte \\- what one does with the file of a robot\n.SH SYNOPSIS\n";
+                  "\" \"User Commands\"\n.SH NAME\nkte \\- inspect, evaluate, simulate, show and convert robot "
+                  "files\n.SH SYNOPSIS\n";
   for (const auto& c : line.commands()) s += ".B " + roff(usage_of(*c)) + "\n.br\n";
-  s += ".SH DESCRIPTION\nFiles are URDF, MJCF, SDF, or model files of the library (JSON, XML, .kte), known by their "
-       "content.\n";
+  s += ".SH DESCRIPTION\nFiles are URDF, MJCF, SDF, or model files of the library (JSON, XML, .kte). The content "
+       "determines the format.\n";
   for (const auto& c : line.commands()) {
     s += ".SH " + roff("kte " + c->name) + "\n" + roff(c->description) + "\n";
     for (const auto& a : c->arguments)
@@ -96,11 +96,11 @@ std::string man_page(const command_line& line) {
     for (const auto& a : options_of(*c)) s += ".TP\n.B " + roff(with_value(a)) + "\n" + roff(a.help) + "\n";
   }
   return s +
-         ".SH EXIT STATUS\n0: fine. 1: the input is wrong or cannot be done. 2: the command makes no sense.\n"
-         ".SH ENVIRONMENT\n.TP\n.B CXX\nThe compiler of " +
+         ".SH EXIT STATUS\n0: success. 1: the input is wrong or not supported. 2: the command line is wrong.\n.SH "
+         "ENVIRONMENT\n.TP\n.B CXX\nThe compiler of " +
          roff("kte eval --static") +
-         ", with options, if any.\n.TP\n.B XDG_CACHE_HOME\nWhere it keeps programs, if that is an absolute path; else "
-         "in ~/.cache.\n";
+         ", optionally with options.\n.TP\n.B XDG_CACHE_HOME\nThe folder of its program cache, if this is an absolute "
+         "path; default ~/.cache.\n";
 }
 
 /// For the completion of shells: the names of commands, or the options of one, a line each.
@@ -132,10 +132,10 @@ void add_help(command_line& line) {
     bool man = false, list = false;
   };
   const auto o = std::make_shared<options>();
-  line.add("help", "this, or what a command takes", "Tells what there is, or what one command takes.")
+  line.add("help", "lists commands, or the options of a command", "Lists all commands, or the options of one command.")
       .word("COMMAND", o->command, "a command", false)
-      .flag("--list", o->list, "only names: of commands, or of the options of COMMAND; for completion in shells")
-      .flag("--man", o->man, "the page for man")
+      .flag("--list", o->list, "prints only the names of commands, or of the options of COMMAND; for shell completion")
+      .flag("--man", o->man, "prints the man page")
       .runs([o, &line] {
         kte::detail::write_standard_output(o->man    ? man_page(line)
                                            : o->list ? list_of(line, o->command)

@@ -1,7 +1,7 @@
 #include <kte/io/program.hpp>
 #include <kte/io/table_number.hpp>
-#include <kte/manipulators/clik.hpp>
 #include <kte/manipulators/nearest.hpp>
+#include <kte/manipulators/numerical_inverse_kinematics.hpp>
 #include <kte/manipulators/runtime_manipulator.hpp>
 
 #include "commands.hpp"
@@ -69,20 +69,20 @@ struct answer {
   double position, rotation;  ///< by which it misses, m and rad
 };
 
-const char* status_text(kte::clik_status s) {
+const char* status_text(kte::numerical_ik_status s) {
   switch (s) {
-    case kte::clik_status::reached:
+    case kte::numerical_ik_status::reached:
       return "reached";
-    case kte::clik_status::at_limits:
+    case kte::numerical_ik_status::at_limits:
       return "at_limits";
-    case kte::clik_status::local_minimum:
+    case kte::numerical_ik_status::local_minimum:
       return "local_minimum";
   }
   return "";
 }
 
 class solver {
-  using arm_type = kte::manipulator<kte::kte_map_chain>;
+  using arm_type = kte::manipulator<kte::runtime_chain>;
 
  public:
   solver(const options& o, const mechanism& m) : arm_(m.chain(), o.frame, m.robot.limits), o_(o) {
@@ -111,15 +111,16 @@ class solver {
       } catch (const kte::unreachable&) {  // then the nearest that there is within limits
       }
     }
-    const kte::clik_options how{.numeric = o_.numeric};
+    const kte::numerical_ik_options how{.numeric = o_.numeric};
     const auto put = [&](const auto& r) {
       q = Eigen::VectorXd(r.q);
       out.push_back({row, status_text(r.status), q, r.position, r.rotation});
     };
     if (poses.has_rotation())
-      put(kte::clik(arm_, kte::reach(o_.frame, kte::pose{poses.rotation(row), poses.position(row)}), q, how));
+      put(kte::numerical_inverse_kinematics(
+          arm_, kte::reach(o_.frame, kte::pose{poses.rotation(row), poses.position(row)}), q, how));
     else
-      put(kte::clik(arm_, kte::reach_position(o_.frame, poses.position(row)), q, how));
+      put(kte::numerical_inverse_kinematics(arm_, kte::reach_position(o_.frame, poses.position(row)), q, how));
   }
 
  private:
@@ -190,22 +191,20 @@ int ik(const options& o) {
 
 void add_ik(command_line& line) {
   const auto o = std::make_shared<options>();
-  auto& c =
-      add_reading(
-          line.add("ik", "postures for poses of a frame",
-                   "Inverse kinematics: prints a posture within limits for each pose of a table, by closed formulas "
-                   "where the arm has some, else numerically. Each is the nearest to the one before. The exit code "
-                   "is 1 if a pose is not reached; the table then has the nearest that was found."),
-          o->in)
-          .text("--frame", "NAME", o->frame, "the frame that the poses are of, as the tool")
-          .text(
-              "--poses", "TABLE", o->poses,
-              "columns x, y, z, m, and qw, qx, qy, qz, a quaternion, in axes of the world; without the latter only the "
-              "place matters");
+  auto& c = add_reading(
+                line.add("ik", "finds joint configurations for poses of a frame",
+                         "Inverse kinematics: prints a configuration within limits for each pose of a table, in closed "
+                         "form if the arm has one, else numerically. Each is the nearest to the previous one. The exit "
+                         "code is 1 if a pose is not reached; the table then has the nearest configuration found."),
+                o->in)
+                .text("--frame", "NAME", o->frame, "the frame of the poses, such as the tool")
+                .text("--poses", "TABLE", o->poses,
+                      "columns x, y, z, m, and qw, qx, qy, qz, a quaternion, in world axes; without the latter only "
+                      "the position matters");
   add_start(c, o->start)
-      .flag("--all", o->all, "all postures of a pose, also beyond limits, by closed formulas")
-      .flag("--numeric", o->numeric, "without closed formulas")
-      .flag("--json", o->json, "as JSON")
+      .flag("--all", o->all, "prints all closed-form configurations of a pose, including those beyond limits")
+      .flag("--numeric", o->numeric, "always solves numerically")
+      .flag("--json", o->json, "prints JSON")
       .runs([o] { return ik(*o); });
 }
 

@@ -209,13 +209,12 @@ int info(const info_options& o) {
 
 void add_info(command_line& line) {
   const auto o = std::make_shared<info_options>();
-  add_reading(line.add("info", "its tree, masses, limits and frames",
-                       "Shows a mechanism: the tree of its frames, with the joints between them and the limits of "
-                       "their coordinates, the bodies, where coordinates stand in q and v, inputs, and elements that "
-                       "are neither joints nor bodies."),
+  add_reading(line.add("info", "shows its tree of frames, masses and limits",
+                       "Shows a mechanism: the tree of its frames with joints and coordinate limits, the bodies, the "
+                       "positions of coordinates in q and v, inputs, and elements that are neither joints nor bodies."),
               o->in)
-      .flag("--dot", o->dot, "the graph of its elements for Graphviz instead")
-      .flag("--json", o->json, "as JSON: also where frames stand at the neutral configuration")
+      .flag("--dot", o->dot, "prints the graph of its elements for Graphviz")
+      .flag("--json", o->json, "prints JSON, with the poses of frames at the neutral configuration")
       .runs([o] { return info(*o); });
 }
 

@@ -1,4 +1,4 @@
-/// kte: what one does with the file of a robot (docs/kte.md).
+/// kte: common tasks for robot files (docs/kte.md).
 #include "commands.hpp"
 
 int main(int count, char** arguments) {

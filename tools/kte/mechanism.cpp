@@ -24,7 +24,7 @@ void read_model(const reading& o, mechanism& m) {
   if (r.floating_base || o.joint_dynamics || o.no_joint_dynamics || !r.root.empty() || !r.model.empty() ||
       r.quarter_turn_tolerance != kte::robot_options{}.quarter_turn_tolerance)
     throw kte::bad_argument("kte: " + o.file +
-                            " is a model file, which is taken as it is: of these options it takes "
+                            " is a model file, which is used unchanged: of these options it takes "
                             "--gravity alone");
   m.format = "model file";
   m.robot.name = std::filesystem::path(o.file).stem().string();
@@ -38,18 +38,18 @@ void read_model(const reading& o, mechanism& m) {
 
 command& add_reading(command& c, reading& o, bool joint_dynamics) {
   o.robot.joint_dynamics = joint_dynamics;
-  c.word("FILE", o.file, "URDF, MJCF, SDF, or a model file of the library, known by its content")
-      .vector("--gravity", "X Y Z", o.robot.gravity, "m/s^2; if left out (0, 0, -9.81), or what the file says")
+  c.word("FILE", o.file, "URDF, MJCF, SDF, or a model file of the library; the content determines the format")
+      .vector("--gravity", "X Y Z", o.robot.gravity, "m/s^2; default: that of the file, or (0, 0, -9.81)")
       .flag("--floating-base", o.robot.floating_base, "the root link moves freely, by a coordinate that comes first")
-      .text("--root", "LINK", o.robot.root, "the link that is the base, if not the file's root")
-      .text("--model", "NAME", o.robot.model, "the model to read of an SDF file that has several")
-      .texts("--search", "FOLDER", o.robot.search_path, "where model:// and package:// are looked for; repeatable")
+      .text("--root", "LINK", o.robot.root, "the link used as base; default: the root of the file")
+      .text("--model", "NAME", o.robot.model, "the model to read from an SDF file with several")
+      .texts("--search", "FOLDER", o.robot.search_path, "folder to search for model:// and package://; repeatable")
       .number("--quarter-turns", "RAD", o.robot.quarter_turn_tolerance,
-              "angles this near to a quarter turn are one, exactly; 1e-15 if left out");
+              "angles within this tolerance of a quarter turn become exact; default 1e-15");
   if (joint_dynamics)
-    c.flag("--no-joint-dynamics", o.no_joint_dynamics, "without damping, friction, springs and rotors of joints");
+    c.flag("--no-joint-dynamics", o.no_joint_dynamics, "omits damping, friction, springs and rotor inertias of joints");
   else
-    c.flag("--joint-dynamics", o.joint_dynamics, "with damping, friction, springs and rotors of joints");
+    c.flag("--joint-dynamics", o.joint_dynamics, "includes damping, friction, springs and rotor inertias of joints");
   return c;
 }
 
@@ -90,7 +90,7 @@ mechanism read_and_warn(const reading& o, bool with_motors) {
   return m;
 }
 
-std::vector<std::string> coordinates_of(const mechanism& m, const kte::kte_map_chain& chain) {
+std::vector<std::string> coordinates_of(const mechanism& m, const kte::runtime_chain& chain) {
   std::set<std::string> free;
   std::vector<std::string> all;
   for (const auto& e : kte::layout(chain)) free.insert(e.name);

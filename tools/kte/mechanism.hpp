@@ -29,7 +29,7 @@ struct mechanism {
   std::optional<kte::robot_description> description;  ///< of files of robots
   std::optional<kte::model_record> model;             ///< of model files
 
-  const kte::kte_map_chain& chain() const { return robot.chain; }
+  const kte::runtime_chain& chain() const { return robot.chain; }
 };
 /// The file can be read, but links and joints make no chain: `what()` says why.
 struct broken_mechanism : kte::bad_file {
@@ -44,7 +44,7 @@ mechanism read_mechanism(const reading& o);
 mechanism read_and_warn(const reading& o, bool with_motors = false);
 
 /// The free coordinates of a chain in the order of the robot's file; of a model file in that of its chain.
-std::vector<std::string> coordinates_of(const mechanism& m, const kte::kte_map_chain& chain);
+std::vector<std::string> coordinates_of(const mechanism& m, const kte::runtime_chain& chain);
 
 /// The note of a message of the library that begins with its place in the file.
 kte::robot_note placed(kte::robot_note note, const std::string& file);

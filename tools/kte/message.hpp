@@ -59,7 +59,7 @@ int exit_code_of(const F& f) {
   } catch (const usage_error&) {
     throw;
   } catch (const std::bad_alloc&) {
-    say("this needs more memory than there is");
+    say("not enough memory");
   } catch (const std::exception& e) {
     say(e.what());
   }

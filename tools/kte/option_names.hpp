@@ -24,7 +24,7 @@ inline std::string with_option_names(std::string_view message) {
       replacement{" (read_options::max_bytes)", ""},
       replacement{" (read_options::max_items)", ""},
       replacement{" (or give a table_format)", ""},
-      replacement{"kte::clik needs none", "--numeric needs none"}};
+      replacement{"kte::numerical_inverse_kinematics needs none", "--numeric needs none"}};
   std::string out(message);
   for (const auto& r : all)
     for (auto at = out.find(r.from); at != out.npos; at = out.find(r.from, at + r.to.size()))

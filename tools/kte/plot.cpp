@@ -69,25 +69,24 @@ int plot(plot_options& o) {
 
 void add_plot(command_line& line) {
   const auto o = std::make_shared<plot_options>();
-  line.add("plot", "columns of a recording as SVG or PNG",
-           "Plots columns of a recording over time, as SVG or PNG with units on its axes. The name of a vector stands "
-           "for its components; without names all columns are plotted. PNG needs the program rsvg-convert (Debian: "
+  line.add("plot", "plots columns of a recording as SVG or PNG",
+           "Plots columns of a recording over time, as SVG or PNG with units on its axes. The name of a vector selects "
+           "its components; without names all columns are plotted. PNG needs the program rsvg-convert (Debian: "
            "librsvg2-bin).")
       .word("RECORDING", o->recording, "a table: .csv, .npy, .mcap, .ssv, .tsv")
-      .words("COLUMNS", o->columns, "names of columns, as elbow, elbow/v, tool/position")
-      .text("-o,--output", "FILE", o->out,
-            "the picture, .svg or .png; if left out the name of the recording, with .svg")
-      .text("--of", "FILE", o->of, "the mechanism that was recorded: coordinates then have units")
-      .text("--against", "COLUMN", o->plot.against, "on the horizontal axis, in place of the time")
-      .text("--title", "TEXT", o->plot.title, "above the picture")
-      .number("--width", "MM", o->plot.width, "170 mm if left out, a page; 85 mm is a column of a journal")
-      .number("--height", "MM", o->plot.height, "if left out as its panels want")
-      .number("--dpi", "N", o->dpi, "of PNG, dots per inch; 300 if left out")
-      .number("--from", "X", o->from, "where the horizontal axis begins")
-      .number("--to", "X", o->to, "and ends")
-      .flag("--each", o->each, "a panel for each column, in place of one for each quantity")
-      .flag("--one", o->one, "one panel for all")
-      .flag("--log-x", o->plot.log_x, "a logarithmic horizontal axis")
+      .words("COLUMNS", o->columns, "names of columns, such as elbow, elbow/v, tool/position")
+      .text("-o,--output", "FILE", o->out, "the picture, .svg or .png; default: the name of the recording with .svg")
+      .text("--of", "FILE", o->of, "file of the recorded mechanism, from which units of coordinates are known")
+      .text("--against", "COLUMN", o->plot.against, "column on the horizontal axis; default: the time")
+      .text("--title", "TEXT", o->plot.title, "title above the picture")
+      .number("--width", "MM", o->plot.width, "default 170, the width of a page; 85 is a journal column")
+      .number("--height", "MM", o->plot.height, "default: chosen by the number of panels")
+      .number("--dpi", "N", o->dpi, "resolution of PNG, dots per inch; default 300")
+      .number("--from", "X", o->from, "start of the horizontal axis")
+      .number("--to", "X", o->to, "end of the horizontal axis")
+      .flag("--each", o->each, "one panel per column; default: one per quantity")
+      .flag("--one", o->one, "one panel for all columns")
+      .flag("--log-x", o->plot.log_x, "logarithmic horizontal axis")
       .flag("--log-y", o->plot.log_y, "logarithmic vertical axes")
       .runs([o] { return plot(*o); });
 }

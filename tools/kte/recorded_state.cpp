@@ -24,7 +24,7 @@ std::string table_name(const std::string& name) {
 
 namespace {
 /// What is always recorded.
-std::vector<std::string> usual_names(const kte::kte_map_chain& c) {
+std::vector<std::string> usual_names(const kte::runtime_chain& c) {
   std::vector<std::string> all;
   const auto& names = c.wiring().names;
   for (std::size_t k = 0; k < kte::kinds; ++k) {
@@ -42,7 +42,7 @@ std::vector<std::string> usual_names(const kte::kte_map_chain& c) {
 }
 }  // namespace
 
-recorded_state::recorded_state(const kte::kte_map_chain& c, const std::vector<std::string>& more) {
+recorded_state::recorded_state(const kte::runtime_chain& c, const std::vector<std::string>& more) {
   auto names = usual_names(c);
   names.insert(names.end(), more.begin(), more.end());
   // Without names a recorder has everything.

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kte/io/recording.hpp>
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
 
 #include <string>
 #include <vector>
@@ -21,7 +21,7 @@ struct recorded_column {
 class recorded_state {
  public:
   /// Those of coordinates, inputs and internal states, and more by the names of `kte::recorder`. Throws `unknown_name`.
-  explicit recorded_state(const kte::kte_map_chain& c, const std::vector<std::string>& more = {});
+  explicit recorded_state(const kte::runtime_chain& c, const std::vector<std::string>& more = {});
 
   /// But for t.
   const std::vector<recorded_column>& columns() const { return columns_; }

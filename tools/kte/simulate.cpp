@@ -38,7 +38,7 @@ struct simulate_options {
 /// A file of the numbers of states over time. MCAP also has what Foxglove shows in space: it is written at the end.
 class recording_file {
  public:
-  recording_file(const std::string& path, const mechanism& m, const kte::kte_map_chain& c,
+  recording_file(const std::string& path, const mechanism& m, const kte::runtime_chain& c,
                  const std::vector<std::string>& names)
       : path_(path), m_(m), state_(c, names), numbers_(state_.columns().size() + 3) {
     std::vector<std::string> columns{"t"};
@@ -51,7 +51,7 @@ class recording_file {
     if (kte::format_of(path) == kte::table_format::mcap) kept_.emplace(columns);
     out_.emplace(path, columns);
   }
-  void row(double t, const kte::kte_map_chain& c, const kte::runtime_state& s) {
+  void row(double t, const kte::runtime_chain& c, const kte::runtime_state& s) {
     state_.read(s, numbers_.data());
     auto own = s;  // energies use its memory
     const auto e = kte::energy(c, own);
@@ -149,7 +149,7 @@ void check_settings(const simulate_options& o) {
                       " of --time " + short_number(o.end) + " are more");
   if (o.pd.empty() && (o.kp || o.kd || o.compensate)) throw usage_error("--kp, --kd and --compensate are of --pd");
   if (o.record.empty() && (!o.columns.empty() || o.frames)) throw usage_error("--column and --frames are of --record");
-  if (!o.record.empty()) kte::format_of(o.record);  // before what takes long
+  if (!o.record.empty()) (void)kte::format_of(o.record);  // before what takes long
 }
 
 /// What drives the mechanism.
@@ -245,29 +245,30 @@ int simulate(simulate_options& o) {
 
 void add_simulate(command_line& line) {
   const auto o = std::make_shared<simulate_options>();
-  auto& c = add_reading(
-      line.add("simulate", "lets it move, and records how",
-               "Integrates the equations of motion, by gravity alone or under control, and prints energies and "
-               "the state at the end. On a terminal a bar shows how far it is."),
-      o->in);
-  c.number("--time", "S", o->end, "how long, s; 10 if left out");
+  auto& c = add_reading(line.add("simulate", "simulates it and records the motion",
+                                 "Integrates the equations of motion, under gravity alone or with control, and prints "
+                                 "energies and the final state. A terminal shows a progress bar."),
+                        o->in);
+  c.number("--time", "S", o->end, "duration, s; default 10");
   add_start(c, o->start)
       .text("--pd", "TABLE", o->pd,
             "PD control to targets over time: columns t, q_0, ..., v_0, ...; linear between rows, forces within limits")
       .number("--kp", "GAIN", o->kp,
-              "of --pd, Nm/rad or N/m; if left out 100/s^2 times the largest mass that it feels at targets")
-      .number("--kd", "GAIN", o->kd, "of --pd, Nms/rad or Ns/m; if left out 20/s times that mass")
-      .flag("--compensate", o->compensate, "of --pd, also the forces against gravity")
-      .text("--input", "TABLE", o->input,
-            "inputs over time: columns t, names of inputs, tau_0, ... of forces on coordinates; linear between rows")
-      .flag("--motors", o->motors, "the motors of the robot's file, with their inputs");
+              "for --pd, Nm/rad or N/m; default 100/s^2 times the largest effective mass at targets")
+      .number("--kd", "GAIN", o->kd, "for --pd, Nms/rad or Ns/m; default 20/s times that mass")
+      .flag("--compensate", o->compensate, "adds gravity compensation to --pd")
+      .text(
+          "--input", "TABLE", o->input,
+          "inputs over time: columns t, names of inputs, and tau_0, ... for forces on coordinates; linear between rows")
+      .flag("--motors", o->motors, "adds the motors of the robot file, with their inputs");
   add_solver(c, o->solver)
       .text("--record", "FILE", o->record,
-            "what coordinates and inputs do, and energies: .csv, .npy, .mcap (Foxglove, PlotJuggler), .ssv, .tsv")
-      .texts("--column", "NAME", o->columns, "also this, as tool/position or tool/velocity/x; repeatable")
-      .flag("--frames", o->frames, "also where all frames are")
-      .number("--every", "S", o->every, "time from row to row of the recording, s; 0.01 if left out")
-      .flag("--json", o->json, "the result as JSON")
+            "records coordinates, inputs and energies: .csv, .npy, .mcap (Foxglove, PlotJuggler), .ssv, .tsv")
+      .texts("--column", "NAME", o->columns,
+             "also records this column, such as tool/position or tool/velocity/x; repeatable")
+      .flag("--frames", o->frames, "also records the poses of all frames")
+      .number("--every", "S", o->every, "time between rows of the recording, s; default 0.01")
+      .flag("--json", o->json, "prints the result as JSON")
       .runs([o] { return simulate(*o); });
 }
 

@@ -1,7 +1,7 @@
 #include "start.hpp"
 
 #include <kte/dynamics/configuration_space.hpp>
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
 
 #include "state_input.hpp"
 
@@ -22,12 +22,12 @@ Eigen::VectorXd configuration(const std::string& name, const mechanism& m) {
 command& add_start(command& c, start_options& o) {
   return c
       .text("--start", "TABLE", o.table,
-            "q and v at the start, in its first row: columns q_0, ..., v_0, ... as of kte eval, or as recordings have "
-            "them; what is missing is 0")
-      .text("--configuration", "NAME", o.configuration, "q at the start: one that has a name in the file (MJCF)");
+            "initial q and v, from the first row: columns q_0, ..., v_0, ... as for kte eval, or named as in "
+            "recordings; default 0")
+      .text("--configuration", "NAME", o.configuration, "initial q: a named configuration of the file (MJCF)");
 }
 
-initial_state::initial_state(const start_options& o, const mechanism& m, const kte::kte_map_chain& c)
+initial_state::initial_state(const start_options& o, const mechanism& m, const kte::runtime_chain& c)
     : q(o.configuration.empty() ? Eigen::VectorXd(kte::neutral_configuration(c)) : configuration(o.configuration, m)),
       v(Eigen::VectorXd::Zero(c.dofs())) {
   if (o.table.empty()) return;

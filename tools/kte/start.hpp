@@ -20,7 +20,7 @@ command& add_start(command& c, start_options& o);
 struct initial_state {
   Eigen::VectorXd q, v;
 
-  initial_state(const start_options& o, const mechanism& m, const kte::kte_map_chain& c);
+  initial_state(const start_options& o, const mechanism& m, const kte::runtime_chain& c);
 };
 
 }  // namespace kte_tool

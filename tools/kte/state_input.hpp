@@ -13,7 +13,7 @@ namespace kte_tool {
 class state_input {
  public:
   /// Throws `bad_file` where there is neither, or not all of the numbers.
-  state_input(const evaluate::state_table& table, const mechanism& m, const kte::kte_map_chain& chain) : table_(table) {
+  state_input(const evaluate::state_table& table, const mechanism& m, const kte::runtime_chain& chain) : table_(table) {
     const evaluate::column_order order(kte::layout(chain), coordinates_of(m, chain));
     const auto by_numbers = [&](const std::string& prefix, const std::vector<int>& places, auto& to) {
       const auto columns = table.columns(prefix, places.size(), false);

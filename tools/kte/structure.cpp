@@ -3,8 +3,8 @@
 #include <kte/dynamics/configuration_space.hpp>
 #include <kte/dynamics/frame_motion.hpp>
 #include <kte/math/principal_moments.hpp>
-#include <kte/runtime_chain/kte_map_chain.hpp>
 #include <kte/runtime_chain/layout.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
 
 #include <algorithm>
 #include <map>
@@ -26,7 +26,7 @@ kte::vec3<> vector_of(const kte::element_record& r, std::string_view name) {
 /// Fills a structure, element by element.
 class structure_reader {
  public:
-  structure_reader(const kte::kte_map_chain& chain, structure& out) : out_(out) {
+  structure_reader(const kte::runtime_chain& chain, structure& out) : out_(out) {
     chain.for_each_element([this](const kte::kte_element& e) { add(e); });
     for (const auto& e : kte::layout(chain)) {
       auto& c = coordinate(e.name, e.what);
@@ -109,7 +109,7 @@ class structure_reader {
     b.as_published = parameter(r, "as_published") != nullptr;
     out_.mass += b.mass;
   }
-  void place(const kte::kte_map_chain& chain) {
+  void place(const kte::runtime_chain& chain) {
     auto s = chain.make_state();
     kte::set_positions(s, kte::neutral_configuration(chain));
     for (auto& f : out_.frames) {
@@ -139,7 +139,7 @@ class structure_reader {
 
 }  // namespace
 
-structure::structure(const kte::kte_map_chain& chain) { structure_reader(chain, *this); }
+structure::structure(const kte::runtime_chain& chain) { structure_reader(chain, *this); }
 
 std::string short_type(const std::string& type) {
   if (type.starts_with("rigid_link")) return "fixed";

@@ -41,7 +41,7 @@ struct structure {
   std::vector<std::string> inputs;
   double mass = 0, size = 0;  ///< kg; m, the diagonal of the box that holds all frames and centres of mass
 
-  explicit structure(const kte::kte_map_chain& chain);
+  explicit structure(const kte::runtime_chain& chain);
 };
 
 /// "revolute" of "revolute_joint_3D".

@@ -54,21 +54,20 @@ int view(view_options& o) {
 
 void add_view(command_line& line) {
   const auto o = std::make_shared<view_options>();
-  auto& c = add_reading(
-      line.add("view", "a page that shows it, moving",
-               "Writes one HTML file, without any network access, that shows the mechanism in a browser: with "
-               "sliders, or moving as recordings say, several over each other."),
-      o->in);
+  auto& c = add_reading(line.add("view", "writes a page that shows its motion",
+                                 "Writes one HTML file that shows the mechanism in a browser, without network access: "
+                                 "with sliders, or with the motion of recordings; several recordings are overlaid."),
+                        o->in);
   add_start(c, o->start)
       .words("RECORDINGS", o->recordings,
-             "tables over time, as kte simulate --record writes them: .csv, .npy, .mcap, ...")
-      .text("-o,--output", "FILE", o->out, "the page; if left out the name of FILE, with .html")
-      .text("--title", "TEXT", o->title, "of the page")
+             "tables over time, as written by kte simulate --record: .csv, .npy, .mcap, ...")
+      .text("-o,--output", "FILE", o->out, "the page; default: the name of FILE with .html")
+      .text("--title", "TEXT", o->title, "title of the page")
       .number("--mesh-size", "MIB", o->mesh_size,
-              "of all meshes in the page, 4 if left out: larger ones have fewer triangles")
+              "limit for all meshes in the page, default 4; larger meshes get fewer triangles")
       .number("--recording-size", "MIB", o->recording_size,
-              "of all recordings in the page, 8 if left out: longer ones are thinned out")
-      .flag("--open", o->open, "opens it in the browser, by xdg-open")
+              "limit for all recordings in the page, default 8; longer ones are thinned out")
+      .flag("--open", o->open, "opens the page in the browser with xdg-open")
       .runs([o] { return view(*o); });
 }
 

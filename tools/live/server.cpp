@@ -15,8 +15,8 @@ namespace kte::live {
 namespace {
 using httplib::Request, httplib::Response;
 
-/// What every answer has: nothing is kept, nothing else may read it or show it in a frame, and the page reaches nothing
-/// but this server.
+/// What every answer has: nothing is kept, nothing else may read it or show it in a frame, and the page reaches only
+/// this server.
 constexpr std::pair<const char*, const char*> headers[] = {
     {"Content-Security-Policy",
      "default-src 'none'; script-src 'unsafe-inline' 'wasm-unsafe-eval'; style-src 'unsafe-inline'; img-src data:; "

@@ -59,7 +59,7 @@ bool is_placed(const element_parts& joint) {
   const auto at = vector_parameter(joint, "position", {});
   return at != std::array<double, 3>{};
 }
-std::array<double, 3> seat_turned(const element_parts& joint, const std::array<double, 3>& v) {
+std::array<double, 3> placement_turned(const element_parts& joint, const std::array<double, 3>& v) {
   const auto* const r = values(joint, "rotation", 9);
   return r == nullptr ? v : turned(*r, v);
 }

@@ -24,7 +24,7 @@ class json_text {
     text(name);
     out_ += ':', first_ = true;
   }
-  /// What is no UTF-8 becomes U+FFFD.
+  /// What is not UTF-8 becomes U+FFFD.
   void text(std::string_view x) {
     comma();
     out_ += '"';

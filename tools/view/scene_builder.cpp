@@ -86,7 +86,7 @@ class scene_builder {
   void add_frames(const element_parts& e) {
     for (std::size_t p = 0; p < e.ports.size(); ++p) {
       if (!is_frame(e.ports[p].what)) continue;
-      const bool rigid = p == 1 && e.ports.size() == 2 && e.stiff && e.ports[1].writes() && is_frame(e.ports[0].what) &&
+      const bool rigid = p == 1 && e.ports.size() == 2 && e.rigid && e.ports[1].writes() && is_frame(e.ports[0].what) &&
                          has_constant_pose(e);
       if (!rigid || frames_.contains(e.names[p])) {
         frame(e.ports[p].what, e.names[p]);
@@ -124,7 +124,7 @@ class scene_builder {
     const bool moves = c.base >= 0 && c.end >= 0;
     if (k.as == drawn::base) return;
     if (k.as == drawn::pull) return out_.picture.pulls.push_back(c.frames[0]);
-    if (k.as == drawn::joint || (k.as == drawn::unknown && e.stiff && moves && !c.coordinates.empty()))
+    if (k.as == drawn::joint || (k.as == drawn::unknown && e.rigid && moves && !c.coordinates.empty()))
       return add_joint(e, k, c);
     if (moves) return add_link(e, c.base, c.end);
     if (k.as == drawn::body && !c.frames.empty()) return add_body(e, c.frames[0]);
@@ -141,7 +141,8 @@ class scene_builder {
     for (const int i : c.coordinates) j.name += (j.name.empty() ? "" : ", ") + s.coordinates[size(i)].name;
     if (k.as == drawn::joint && k.kind != "spherical" && k.kind != "free") {
       j.has_axis = true;
-      j.axis = k.kind == "planar" ? seat_turned(e, {0, 0, 1}) : seat_turned(e, vector_parameter(e, "axis", {0, 0, 1}));
+      j.axis = k.kind == "planar" ? placement_turned(e, {0, 0, 1})
+                                  : placement_turned(e, vector_parameter(e, "axis", {0, 0, 1}));
     }
     for (const int i : c.coordinates) {
       auto& q = s.coordinates[size(i)];

@@ -12,7 +12,7 @@ scene::mesh merged(const detail::triangle_mesh& mesh);
 constexpr std::size_t text_bytes(std::size_t vertices, std::size_t triangles) { return 16 * (vertices + triangles); }
 inline std::size_t text_bytes(const scene::mesh& m) { return text_bytes(m.positions.size() / 3, m.indices.size() / 3); }
 
-/// The mesh of fewer triangles, by clusters of vertices, in no more bytes of a page; without triangles where there is
+/// The mesh of fewer triangles, by clusters of vertices, in no more bytes of a page; without triangles if there is
 /// none.
 scene::mesh simplified(const scene::mesh& m, std::size_t bytes);
 

@@ -10,8 +10,8 @@
 #include <type_traits>
 #include <utility>
 
-/// What odeint keeps between steps. It copies steppers before their first step: a fixed size starts with zeros, as
-/// numbers that were never set must not be copied.
+/// The state that odeint keeps between steps. It copies steppers before their first step, so a fixed size starts with
+/// zeros instead of uninitialized numbers.
 template <class V>
 struct boost::numeric::odeint::state_wrapper<
     V, std::enable_if_t<std::is_base_of_v<Eigen::PlainObjectBase<V>, V> && (V::SizeAtCompileTime > 0)>> {

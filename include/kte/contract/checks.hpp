@@ -5,8 +5,8 @@
 
 #include <tuple>
 
-/// What is wrong with a chain, as compile errors in the user's words: each names one element and says one sentence.
-/// (This header and others that have some come first in kte.hpp.)
+/// Errors of a chain as compile errors: each names one element, with one message. (This header and others with messages
+/// are included first in kte.hpp, so that they appear near the top.)
 namespace kte::detail {
 
 /// A rule, about an element and a name; compilers print all three when it is broken.
@@ -49,10 +49,9 @@ constexpr std::size_t first_misfit(const std::array<port, N>& ports, const std::
 /// An element of a chain, what is wrong with it, and the name in question.
 template <class Element, problem P, class Name>
 struct check_wiring {
-  static_assert(rule<Element, Name, P != problem::same_text>,
-                "kte: this element names something by a text that another key has already");
+  static_assert(rule<Element, Name, P != problem::same_text>, "kte: another key has the text of this name");
   static_assert(rule<Element, Name, P != problem::written_twice>,
-                "kte: this element writes a name that an earlier element has written: give every end a key of its own");
+                "kte: this element writes a name that an earlier element has written: give every end its own key");
   static_assert(rule<Element, Name, P != problem::read_before_written>,
                 "kte: this element reads a name that only a later element writes: move it behind that element");
   static_assert(rule<Element, Name, P != problem::unknown>,
@@ -78,7 +77,7 @@ struct check_need {
 template <class Core, bool Accelerations>
 struct check_signal {
   static_assert(rule<Core, void, !Accelerations>,
-                "kte: what this element writes depends on accelerations: its core must say so by static constexpr bool "
+                "kte: the output of this element depends on accelerations: its core must declare static constexpr bool "
                 "reads_accelerations = true;, and no force may depend on it");
 };
 
@@ -86,21 +85,21 @@ struct check_signal {
 template <class Core, bool Plain>
 struct check_loads {
   static_assert(rule < Core, void, Plain || power_dual < Core >>,
-                "kte: this element hands back other loads than those of its motion, as controllers want them: passes "
-                "and inverse dynamics alone take it");
+                "kte: this element returns loads that are not the dual of its motion, for controllers: only passes and "
+                "inverse dynamics support it");
   static_assert(rule < Core, void, Plain || !power_dual < Core >>,
-                "kte: this algorithm takes the loads of joints and links from `relative` alone, and this element has a "
-                "`doForce` of its own: put that force into an element on the coordinate");
+                "kte: this algorithm takes the loads of joints and links from `relative` alone, and this element has "
+                "its own `doForce`: put that force into an element on the coordinate");
 };
 
-/// An element with a mass between several things in an algorithm of bodies.
+/// An element with a distributed mass in an algorithm of bodies.
 template <class Core, bool None>
 struct check_bodies {
   static_assert(None,
                 "kte: this algorithm counts the masses of single frames and coordinates, and this element has a mass "
                 "between several");
 };
-/// What stands for an element that was refused with a sentence, so that nothing more is said about it.
+/// The result of a rejected element: its error has been reported, and no further errors follow.
 struct refused {
   template <class... Place>
   constexpr refused at(const Place&...) const {

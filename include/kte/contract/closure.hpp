@@ -9,7 +9,7 @@
 
 namespace kte {
 
-/// How many rows a closure has: those in m before those in rad, at most three of each.
+/// The rows of a closure: `linear` ones in m before `angular` ones in rad, at most three of each; `count`: the sum.
 struct closure_rows {
   int linear = 0, angular = 0;
   constexpr int count() const { return linear + angular; }

@@ -5,7 +5,7 @@
 
 namespace kte {
 
-/// A function of coordinates that a closure holds at zero. A core that derives from it gives that function,
+/// A function of coordinates that a closure keeps at zero. A core that derives from it has this function,
 ///
 ///   value(q_1, q_2, ...)   rad or m                                                          (1)
 ///
@@ -13,7 +13,7 @@ namespace kte {
 ///
 ///   g = F(q_i),   J_i = F_i,   g_ddot = sum F_i q_i'' + sum F_ij q_i' q_j',   f_i += F_i lambda        (2)
 ///
-/// Its ports are the coordinates (`access::on`) and the name of the loop. It has one row, which counts as an angle.
+/// Its ports are the coordinates (`access::on`) and the name of the loop. It has one angular row (`rows`).
 template <class Core>
 struct coordinate_closure {
   static constexpr closure_rows rows{0, 1};
@@ -30,6 +30,7 @@ struct coordinate_closure {
     }
     (std::make_index_sequence<n>{});
   }
+  /// Stores g in the state of the loop.
   template <class... X>
   constexpr void put_residual(X&... x) const {
     const auto things = std::tie(x...);
@@ -41,12 +42,13 @@ struct coordinate_closure {
     }
     (std::make_index_sequence<n>{});
   }
-  /// F, its derivatives by the coordinates, and its second derivative along rates.
+  /// F at q.
   template <class S, std::size_t N>
   constexpr S residual(const std::array<S, N>& q) const {
     return [&]<std::size_t... I>(std::index_sequence<I...>) { return S(core().value(q[I]...)); }
     (std::make_index_sequence<N>{});
   }
+  /// The derivatives F_i at q.
   template <class S, std::size_t N>
   constexpr std::array<S, N> gradient(const std::array<S, N>& q) const {
     using number = dual<S, static_cast<int>(N)>;
@@ -58,6 +60,7 @@ struct coordinate_closure {
     }
     (std::make_index_sequence<N>{});
   }
+  /// The second derivative along the rates v: sum F_ij v_i v_j.
   template <class S, std::size_t N>
   constexpr S curvature(const std::array<S, N>& q, const std::array<S, N>& v) const {
     return [&]<std::size_t... I>(std::index_sequence<I...>) {

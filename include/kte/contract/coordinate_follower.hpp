@@ -21,22 +21,23 @@ struct scalar_among<First, Rest...>
     : std::conditional_t<variable<First>, std::type_identity<First>, scalar_among<Rest...>> {};
 }  // namespace detail
 
-/// A coordinate that is a function of others. A core that derives from it gives that function,
+/// A coordinate that is a function of others. A core that derives from it has this function,
 ///
 ///   value(q_1, q_2, ...)   of the coordinates at its first ports, m or rad                    (1)
 ///
-/// which is called with dual numbers (functions as `using std::sin; sin(q)`), and the passes follow from it, exact to
+/// which is called with dual numbers (functions as `using std::sin; sin(q)`). The passes follow from it, exact to
 /// rounding:
 ///
 ///   q = F(q_i),   q' = sum F_i q_i',   q'' = sum F_i q_i'' + sum F_ij q_i' q_j'            (2)
 ///   f_i += F_i f                                                                              (3)
 ///
-/// Its ports are the coordinates, then the one that it writes.
+/// Its ports are the coordinates, then the coordinate that it writes.
 ///
-/// Where there is no value, as of a loop that cannot be closed, `value` raises `bad_argument`, and `dead_point` where
-/// there are no derivatives; in runtime chains they then name the element.
+/// `value` raises `bad_argument` where there is no value, as for a loop that cannot be closed, and `dead_point` where
+/// there are no derivatives; runtime chains then name the element.
 template <class Core>
 struct coordinate_follower {
+  /// Declares to the algorithms that `value` may throw.
   static constexpr bool may_have_no_value = true;
 
   template <class... C>

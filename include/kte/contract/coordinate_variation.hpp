@@ -15,8 +15,8 @@ inline constexpr bool is_on_coordinates = [] {
   return true;
 }();
 
-/// Whether the derivatives of the forces of an element are known: joints, links and bodies (kernels/variation.hpp), and
-/// elements on coordinates.
+/// Whether the derivatives of the forces of an element are known: joints, links and bodies
+/// (recursions/force_variations.hpp), and elements on coordinates.
 template <class Core>
 inline constexpr bool has_derivatives =
     is_transmission<Core> || is_on_coordinates<Core> || has_mass<Core, double> || Core::ports[0].how == access::base;

@@ -11,13 +11,13 @@
 namespace kte {
 
 namespace detail {
-/// What `.at(...)` makes of an element core: joints have a seat that can be placed (contract/seat.hpp).
+/// What `.at(...)` makes of an element core: joints have a placement (contract/placement.hpp).
 template <class Core>
-struct seat {
+struct placement {
   template <class... Place>
   static constexpr auto of(const Core&, const Place&...) {
     static_assert(rule<Core, void, fit<Core>>,
-                  "kte: .at(position[, rotation]) places the seat of a joint in its base; this element is not a joint");
+                  "kte: .at(position[, rotation]) places a joint in its base; this element is not a joint");
     return refused{};
   }
 };
@@ -25,38 +25,38 @@ struct seat {
 
 template <class Core, class... Names>
 constexpr auto connect(const Core& core, const Names&... names);
-/// What was refused with a sentence stays so.
+/// Passes on an invalid element: its error has been reported.
 template <class... Names>
 constexpr detail::refused connect(detail::refused, const Names&...) {
   return {};
 }
 
-/// An element of a static chain: a core, which holds the arithmetic and the parameters and knows no names, and the keys
-/// of what its ports are connected to.
+/// An element of a static chain: a core with the arithmetic and the parameters, and the keys that its ports are
+/// connected to.
 template <class Core, class... Keys>
 struct element {
   static_assert(sizeof...(Keys) == port_count<Core>);
   using core_type = Core;
   Core core;
 
-  /// Of a joint: the same whose seat stands at a position, m, and a rotation in the base.
+  /// The joint with a placement in the base: position, m, and optionally rotation.
   template <class... Place>
   constexpr auto at(const Place&... place) const {
-    return connect(detail::seat<Core>::of(core, place...), Keys{}...);
+    return connect(detail::placement<Core>::of(core, place...), Keys{}...);
   }
 };
 
-/// The same under names that are texts, for runtime chains.
+/// An element of a runtime chain: a `core`, and the names that its ports are connected to.
 template <class Core>
 struct named_element {
   using core_type = Core;
   Core core;
   std::array<std::string, port_count<Core>> names;
 
-  /// Of a joint: the same whose seat stands at a position, m, and a rotation in the base.
+  /// The joint with a placement in the base: position, m, and optionally rotation.
   template <class... Place>
   auto at(const Place&... place) const {
-    const auto placed = detail::seat<Core>::of(core, place...);
+    const auto placed = detail::placement<Core>::of(core, place...);
     return [&]<std::size_t... P>(std::index_sequence<P...>) { return connect(placed, names[P]...); }
     (std::make_index_sequence<port_count<Core>>{});
   }
@@ -76,12 +76,12 @@ constexpr refused together(refused, const Others&...) {
 }
 }  // namespace detail
 
-/// Several of them, which a runtime chain appends in order: all or none.
+/// Several elements, which a runtime chain appends in order: all or none.
 template <class... Core>
 struct named_elements {
   std::tuple<named_element<Core>...> all;
 
-  /// Of joints in series: the same whose first seat stands at a position, m, and a rotation in the base.
+  /// Joints in series, the first of them placed at a position, m, and a rotation in the base.
   template <class... Place>
   auto at(const Place&... place) const {
     return [&]<std::size_t... Later>(std::index_sequence<Later...>) {
@@ -99,7 +99,7 @@ struct check_core {
 };
 }  // namespace detail
 
-/// Connects a core: keys make an element of a static chain, texts one of a runtime chain. Either way the parameters are
+/// Connects a core: keys make an element of a static chain, texts an element of a runtime chain. The parameters are
 /// checked first, so that the message can name the element.
 template <class Core, class... Names>
 constexpr auto connect(const Core& core, const Names&... names) {
@@ -117,7 +117,7 @@ constexpr auto connect(const Core& core, const Names&... names) {
       return detail::refused{};
     } else if constexpr (detail::is_closure<Core>) {
       static_assert(!detail::is_closure<Core>,
-                    "kte: closures of loops are for runtime chains: kte_map_chain << chain << coincident_points_2D("
+                    "kte: closures of loops are for runtime chains: runtime_chain << chain << coincident_points_2D("
                     "\"pin\", \"tip1\", \"tip2\"), of a static chain and texts");
       return detail::refused{};
     } else {

@@ -1,16 +1,16 @@
 #pragma once
 
 #include <kte/contract/joint.hpp>
-#include <kte/contract/stiff_numbers.hpp>
+#include <kte/contract/rigid_numbers.hpp>
 
-/// What an element is to the loops over records (tree/record.hpp), as numbers.
+/// What an element is to the loops over body nodes (tree/body_node.hpp), as numbers.
 namespace kte::detail {
 
 enum class part : unsigned char {
   base,      ///< declares something
-  stiff,     ///< a joint or link
+  rigid,     ///< a joint or link
   body,      ///< a rigid body on a frame, or the mass of a coordinate
-  weight,    ///< a mass on a frame that moves by a law of its own
+  weight,    ///< a mass on a frame that is not rigid in a body
   follower,  ///< writes a coordinate, from others or from signals
   mover,     ///< writes a frame in another way
   signal,    ///< writes a signal
@@ -18,7 +18,7 @@ enum class part : unsigned char {
   force      ///< the rest: acts on what it is connected to. May have a mass on a coordinate
 };
 
-/// Whether an element is more than what records hold.
+/// Whether an element is more than what body nodes hold.
 template <class Core>
 inline constexpr bool acts =
     !is_transmission<Core> && !is_closure<Core> && !is_rigid_body<Core> && Core::ports.back().how != access::base;
@@ -29,17 +29,17 @@ struct element_numbers {
   bool plain_loads = true;  ///< of a joint or link: whether they follow from its `relative`
   bool power_dual = true;   ///< whether the loads that it hands back are those of its motion
   bool measures_accelerations = false;
-  bool reads_reaction = false;  ///< of a joint: whether its friction depends on what it carries
-  bool holds_coordinate = false;
-  bool spreads_mass = false;  ///< whether it has a mass between several ports
-  stiff_numbers<P> stiff{};
+  bool load_dependent_friction = false;  ///< of a joint: whether its friction depends on what it carries
+  bool locks_coordinate = false;
+  bool distributed_mass = false;  ///< whether it has a mass between several ports
+  rigid_numbers<P> rigid{};
   rigid_body<P, vec3<P>, sym3<P>> body{};
   composite<P, vec3<P>, sym3<P>> weight{};
   P mass{0};              ///< on its coordinate
   bool has_mass = false;  ///< whether it has one there, which may be 0
 };
 
-/// A coordinate of kind K as plain numbers: at zero, or where (1), (2) of contract/stiff_numbers.hpp are tried.
+/// A coordinate of kind K as plain numbers: at zero, or where (1), (2) of contract/rigid_numbers.hpp are tried.
 template <kind K>
 constexpr auto plain_coordinate(bool tried) {
   if constexpr (K == kind::gen) {
@@ -62,8 +62,8 @@ pose<mat3<vec3<P>>, vec3<P>> plain_pose(const M& m) {
   return {as<P>(matrix(m.rotation)), as<P>(m.position)};
 }
 template <class P, class Core>
-stiff_numbers<P> stiff_numbers_of(const Core& core) {
-  stiff_numbers<P> x;
+rigid_numbers<P> rigid_numbers_of(const Core& core) {
+  rigid_numbers<P> x;
   if constexpr (coordinates_of<Core> == 0) {
     x.at_zero = plain_pose<P>(core.relative());
   } else {
@@ -92,11 +92,11 @@ element_numbers<P> as_numbers(const element_numbers<double>& n) {
   element_numbers<P> x;
   x.is = n.is, x.plain_loads = n.plain_loads, x.power_dual = n.power_dual,
   x.measures_accelerations = n.measures_accelerations;
-  x.reads_reaction = n.reads_reaction, x.spreads_mass = n.spreads_mass;
-  x.holds_coordinate = n.holds_coordinate;
-  x.stiff.at_zero = placed(n.stiff.at_zero), x.stiff.tried = placed(n.stiff.tried);
-  for (std::size_t k = 0; k < n.stiff.linear.size(); ++k)
-    x.stiff.linear[k] = as<P>(n.stiff.linear[k]), x.stiff.angular[k] = as<P>(n.stiff.angular[k]);
+  x.load_dependent_friction = n.load_dependent_friction, x.distributed_mass = n.distributed_mass;
+  x.locks_coordinate = n.locks_coordinate;
+  x.rigid.at_zero = placed(n.rigid.at_zero), x.rigid.tried = placed(n.rigid.tried);
+  for (std::size_t k = 0; k < n.rigid.linear.size(); ++k)
+    x.rigid.linear[k] = as<P>(n.rigid.linear[k]), x.rigid.angular[k] = as<P>(n.rigid.angular[k]);
   x.body = {static_cast<P>(n.body.mass), as<P>(n.body.com), as<P>(n.body.inertia)};
   x.weight = {static_cast<P>(n.weight.mass), as<P>(n.weight.moment), as<P>(n.weight.inertia)};
   x.mass = static_cast<P>(n.mass), x.has_mass = n.has_mass;
@@ -106,14 +106,14 @@ template <class P, class Core>
 element_numbers<P> numbers_of(const Core& core) {
   element_numbers<P> n;
   constexpr port last = Core::ports.back();
-  n.reads_reaction = reads_reaction<Core>, n.spreads_mass = spreads_mass<Core>;
-  n.holds_coordinate = holds_coordinate<Core>, n.power_dual = power_dual<Core>;
+  n.load_dependent_friction = load_dependent_friction<Core>, n.distributed_mass = distributed_mass<Core>;
+  n.locks_coordinate = locks_coordinate<Core>, n.power_dual = power_dual<Core>;
   if constexpr (is_closure<Core>) {
     n.is = part::closure;
   } else if constexpr (is_transmission<Core>) {
-    n.is = part::stiff;
+    n.is = part::rigid;
     n.plain_loads = loads_by_relative<Core>;
-    n.stiff = stiff_numbers_of<P>(core);
+    n.rigid = rigid_numbers_of<P>(core);
   } else if constexpr (last.how == access::base) {
     n.is = part::base;
   } else if constexpr (last.how == access::out) {

@@ -21,8 +21,8 @@ constexpr bool stand_in_row(const freedom& a, const freedom& b) {
   return a.what == kind::gen && b.what == kind::gen && b.slot == a.slot + 1;
 }
 
-/// A signal that comes from outside: thing `slot` of its kind, whose numbers begin at place `u` of the input of a
-/// chain. The time has no place there: -1.
+/// An input: item `slot` of its kind, whose numbers begin at index `u` of the input of a chain; -1 for the time, which
+/// is not part of u.
 struct outside_signal {
   kind what{};
   int slot{};

@@ -34,7 +34,7 @@ constexpr void check_one_gravity(const boost::hana::tuple<G...>& all) {
     if (g == vec3<>{}) g = x;
     const auto text = [&g, &x] {
       const auto numbers_of = [](const vec3<>& v) {
-        // Not by +, of which g++ 12 warns at -O3 without a cause.
+        // Not by +: g++ 12 warns about it at -O3 without a cause.
         return std::string("(").append(number(v.x)).append(", ").append(number(v.y)).append(", ").append(number(v.z)) +
                ")";
       };
@@ -46,7 +46,7 @@ constexpr void check_one_gravity(const boost::hana::tuple<G...>& all) {
                         g.z, x.x, x.y, x.z);
   }
 }
-/// Of a chain of two parts: that of the part which has one.
+/// The gravity of a chain of two parts: that of the part with one.
 template <class A, class B>
 constexpr auto gravity_of_both(const A& a, const B& b) {
   if constexpr (std::is_same_v<A, zero3>) {
@@ -64,7 +64,7 @@ constexpr auto gravity_of_both(const A& a, const B& b) {
     }
   }
 }
-/// Of a tuple of them, from number I on.
+/// The gravity of a tuple of parts, from number I on.
 template <std::size_t I = 0, class... G>
 constexpr auto gravity_of_all(const boost::hana::tuple<G...>& all) {
   if constexpr (I == sizeof...(G)) {

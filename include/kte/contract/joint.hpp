@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kte/contract/transmission.hpp>
+#include <kte/frames/articulated.hpp>
 
 #include <type_traits>
 
@@ -24,9 +25,7 @@ inline constexpr bool has_mass = requires(const Core& c) {
 /// Force and torque for accelerating a composite inertia by the velocity of `m` each second.
 template <class M, class H, class J, class Motion>
 KTE_INLINE constexpr auto accelerating_wrench(const composite<M, H, J>& b, const Motion& m) {
-  const auto& a = m.velocity;
-  const auto& al = m.ang_velocity;
-  return wrench{b.mass * a + cross(al, b.moment), b.inertia * al + cross(b.moment, a)};
+  return kte::accelerating_wrench(b, m.velocity, m.ang_velocity);
 }
 
 /// f<0>(), f<1>() ... f<N - 1>()

@@ -14,40 +14,43 @@
 /// files and runtime chains.
 namespace kte {
 
-/// What can flow between elements.
+/// What elements exchange at a port.
 enum class kind : unsigned char {
   gen,          ///< a generalized coordinate: q and its rates, and a generalized force
   frame_2D,     ///< a frame in the plane
   frame_3D,     ///< a frame in space
-  input,        ///< a signal: a number from outside, for instance the force of a motor, or one that an element writes
+  input,        ///< a signal: a number set by the user, for instance the force of a motor, or written by an element
   rotation_3D,  ///< a coordinate that is a rotation in space: a unit quaternion and an angular velocity
   pose_2D,      ///< a coordinate that is a pose in the plane
   pose_3D,      ///< a coordinate that is a pose in space
-  internal,     ///< a number that one element keeps, with a rate of its own: the deflection of bristles in friction
+  internal,     ///< an internal state of one element, a number with a rate: the deflection of bristles in friction
   vector,       ///< a signal of three numbers
   loop          ///< what closes a kinematic loop: forces and residuals of one closure
 };
+/// The number of kinds.
 inline constexpr std::size_t kinds = 10;
 
-constexpr bool is_frame(kind k) { return k == kind::frame_2D || k == kind::frame_3D; }
-/// Whether it is mere numbers, on which no load acts.
-constexpr bool is_signal(kind k) {
+/// Whether it is a frame, in the plane or in space.
+[[nodiscard]] constexpr bool is_frame(kind k) { return k == kind::frame_2D || k == kind::frame_3D; }
+/// Whether it is a signal: numbers without a force.
+[[nodiscard]] constexpr bool is_signal(kind k) {
   return k == kind::input || k == kind::internal || k == kind::vector || k == kind::loop;
 }
-/// How many numbers of the input u of a chain it has, where no element writes it.
-constexpr int nu_of(kind k) { return k == kind::input ? 1 : k == kind::vector ? 3 : 0; }
-/// Whether joints move by it: a number, a rotation or a pose.
-constexpr bool is_coordinate(kind k) { return !is_frame(k) && !is_signal(k); }
-/// How many numbers of a configuration q it has: x, y, z before w, x, y, z of the quaternion; x, y, angle in the plane.
-constexpr int nq_of(kind k) {
+/// The number of inputs u of a chain that it is, if no element writes it.
+[[nodiscard]] constexpr int nu_of(kind k) { return k == kind::input ? 1 : k == kind::vector ? 3 : 0; }
+/// Whether it is a coordinate: a number, a rotation or a pose.
+[[nodiscard]] constexpr bool is_coordinate(kind k) { return !is_frame(k) && !is_signal(k); }
+/// The number of entries in a configuration q: x, y, z before w, x, y, z of the quaternion; x, y, angle in the plane.
+[[nodiscard]] constexpr int nq_of(kind k) {
   return k == kind::gen ? 1 : k == kind::rotation_3D ? 4 : k == kind::pose_2D ? 3 : k == kind::pose_3D ? 7 : 0;
 }
-/// How many degrees of freedom: numbers of v, a and tau, linear before angular.
-constexpr int nv_of(kind k) {
+/// The number of degrees of freedom: of entries in v, a and tau, linear before angular.
+[[nodiscard]] constexpr int nv_of(kind k) {
   return k == kind::gen ? 1 : k == kind::rotation_3D || k == kind::pose_2D ? 3 : k == kind::pose_3D ? 6 : 0;
 }
 
-constexpr std::string_view to_string(kind k) {
+/// Its name in messages and files: "coordinate".
+[[nodiscard]] constexpr std::string_view to_string(kind k) {
   switch (k) {
     case kind::gen:
       return "coordinate";
@@ -73,17 +76,23 @@ constexpr std::string_view to_string(kind k) {
   return "";
 }
 
-/// Of messages: "an input", "a coordinate".
-constexpr std::string_view article(kind k) { return k == kind::input || k == kind::internal ? "an " : "a "; }
+/// Its name with an article, for messages: "an input", "a coordinate".
+[[nodiscard]] constexpr std::string_view article(kind k) {
+  return k == kind::input || k == kind::internal ? "an " : "a ";
+}
 
 /// A text as a template argument.
 template <std::size_t N>
 struct fixed_string {
   char text[N]{};
   constexpr fixed_string(const char (&s)[N]) { std::copy_n(s, N, text); }  // NOLINT(google-explicit-constructor)
+  /// The text.
   constexpr std::string_view view() const { return {text, N - 1}; }
 };
 
+/// A key: the name of an item of a static chain as a type. `what` is its kind, `name` its text.
+///
+///   inline constexpr struct elbow_ final : kte::coord_key<"elbow"> {} elbow;
 template <kind K, fixed_string Text>
 struct key {
   static_assert(sizeof(Text.text) > 1, "kte: a key needs a text, for messages and files");
@@ -91,38 +100,48 @@ struct key {
   static constexpr std::string_view name = Text.view();
 };
 
+/// The key of a coordinate.
 template <fixed_string Text>
 struct coord_key : key<kind::gen, Text> {};
+/// The key of a frame in the plane.
 template <fixed_string Text>
 struct frame_2D_key : key<kind::frame_2D, Text> {};
+/// The key of a frame in space.
 template <fixed_string Text>
 struct frame_3D_key : key<kind::frame_3D, Text> {};
+/// The key of an input or another signal.
 template <fixed_string Text>
 struct input_key : key<kind::input, Text> {};
+/// The key of a signal of three numbers.
 template <fixed_string Text>
 struct vector_key : key<kind::vector, Text> {};
+/// The key of a coordinate that is a rotation in space.
 template <fixed_string Text>
 struct rotation_3D_key : key<kind::rotation_3D, Text> {};
+/// The key of a coordinate that is a pose in the plane.
 template <fixed_string Text>
 struct pose_2D_key : key<kind::pose_2D, Text> {};
+/// The key of a coordinate that is a pose in space.
 template <fixed_string Text>
 struct pose_3D_key : key<kind::pose_3D, Text> {};
+/// The key of an internal state.
 template <fixed_string Text>
 struct internal_key : key<kind::internal, Text> {};
+/// The key of a loop that a closure closes.
 template <fixed_string Text>
 struct loop_key : key<kind::loop, Text> {};
 
-/// The time, s: an input of this name is that in models of systems (models/), and no part of u.
+/// The time, s: in models of systems (models/) an input of this name is the time, and not part of u.
 inline constexpr struct chain_time_ final : input_key<"time"> {
 } chain_time;
 
-/// A declared name.
+/// A key: a type with a kind `what` and a text `name`.
 template <class T>
 concept key_type = requires {
   { T::what } -> std::convertible_to<kind>;
   { T::name } -> std::convertible_to<std::string_view>;
 };
-/// A text, for runtime chains.
+/// A text: a name in runtime chains.
 template <class T>
 concept text_type = std::is_convertible_v<const T&, std::string_view>;
 

@@ -15,20 +15,22 @@
 
 namespace kte {
 
-/// Given to the `check` of an element core: knows which element it is, and keeps the first rule that a parameter
-/// breaks. Who made the core then refuses it, by `bad_parameter` or, of a constexpr chain, at compile time.
+/// The argument of `check` of an element core. It stores the first rule that a parameter breaks, in `broken`; the
+/// caller then reports it, by `bad_parameter` or, for a constexpr chain, at compile time. `names` are those of the
+/// connections of the element.
 struct parameter_check {
+  /// A broken rule.
   struct breach {
-    const char* rule = nullptr;
-    double value = 0;
-    std::array<double, 3> moments{};  ///< of a body, of which `value` says by how much the first is too large
+    const char* rule = nullptr;       ///< the rule, or null
+    double value = 0;                 ///< the value that breaks it
+    std::array<double, 3> moments{};  ///< principal moments of a body; `value` is the excess of the first
   };
   std::string_view type;
   std::span<const port> ports;
   std::span<const std::string_view> names;
   breach& broken;
 
-  /// Refuses `value` unless ok, e.g. require(m >= 0, "mass must not be negative", m).
+  /// Rejects `value` unless ok, e.g. require(m >= 0, "mass must not be negative", m).
   constexpr void require(bool ok, const char* rule, double value) const {
     if (ok || broken.rule) return;
     broken = {rule, value};
@@ -36,7 +38,7 @@ struct parameter_check {
     if (std::is_constant_evaluated()) detail::require<bad_parameter>(ok, *this, rule, value);
 #endif
   }
-  /// A finite number.
+  /// Requires a finite number or finite entries.
   template <class T>
   constexpr void finite(const T& x, const char* rule) const {
     if constexpr (!typed_constant<T>) {
@@ -45,13 +47,13 @@ struct parameter_check {
       require(-largest <= v && v <= largest, rule, v);  // no arithmetic, at which clang stops where it gives NaN
     }
   }
-  /// A finite number >= 0.
+  /// Requires a finite number >= 0.
   template <class T>
   constexpr void not_negative(const T& x, const char* rule) const {
     finite(x, rule);
     require(as<double>(x) >= 0, rule, as<double>(x));
   }
-  /// A finite number > 0.
+  /// Requires a finite number > 0.
   template <class T>
   constexpr void positive(const T& x, const char* rule) const {
     finite(x, rule);
@@ -61,14 +63,14 @@ struct parameter_check {
   constexpr void finite(const vec3<X, Y, Z>& v, const char* rule) const {
     finite(v.x, rule), finite(v.y, rule), finite(v.z, rule);
   }
-  /// A vector of length 1 to 1e-9: a rounded axis is meant as one, a wrong axis is not.
+  /// Requires a vector of length 1, to 1e-9: rounded axes are accepted.
   template <class X, class Y, class Z>
   constexpr void unit(const vec3<X, Y, Z>& v, const char* rule) const {
     finite(v, rule);
     if (!broken.rule) unit_length(dot(as<double>(v), as<double>(v)), rule);
   }
   constexpr void rotation(no_rotation, const char*) const {}
-  /// Orthonormal with determinant 1, each to 1e-9. A quaternion of any length could give such a matrix.
+  /// Requires a rotation matrix: orthonormal with determinant 1, each to 1e-9.
   template <class R>
   constexpr void rotation(const R& r, const char* rule) const {
     if constexpr (requires { r.w; }) unit_length(as<double>(dot(r, r)), rule);
@@ -83,8 +85,9 @@ struct parameter_check {
     finite(i.xx, rule), finite(i.xy, rule), finite(i.xz, rule);
     finite(i.yy, rule), finite(i.yz, rule), finite(i.zz, rule);
   }
-  /// The triangle inequality of the principal moments, which says that the second moments tr(I)/2 1 - I, the integrals
-  /// of x x^T dm, are not negative. With room for printed digits, relative to the body as its frame feels it.
+  /// Requires the triangle inequality of the principal moments, which is equivalent to positive semidefinite second
+  /// moments tr(I)/2 1 - I, the integrals of x x^T dm. With a tolerance for rounded digits, relative to the inertia of
+  /// the body about its frame.
   template <class M, class C, class I>
   constexpr void physical(const rigid_body<M, C, I>& body) const {
     finite(body.inertia, "inertia must be finite");
@@ -95,11 +98,12 @@ struct parameter_check {
     const double scale = as<double>(body.mass) * dot(c, c) + (i.xx + i.yy + i.zz), excess = largest - middle - smallest;
     require(excess <= 1e-9 * scale,
             "inertia must be physical: no principal moment above the sum of the other two "
-            "(rigid_body{...}.as_published() is taken as it is)",
+            "(rigid_body{...}.as_published() is not checked for this)",
             excess);
     if (broken.rule) broken.moments = {largest, middle, smallest};
   }
 
+  /// Requires a square of 1, to 2e-9.
   constexpr void unit_length(double squared, const char* rule) const {
     if (squared > 1 - 2e-9 && squared < 1 + 2e-9) return;
     if (std::is_constant_evaluated())
@@ -108,7 +112,7 @@ struct parameter_check {
     else
       require(false, rule, std::sqrt(squared));
   }
-  /// What `bad_parameter` says.
+  /// The message of `bad_parameter`.
   std::string operator()() const {
     char moments[120] = "";
     const auto& [largest, middle, smallest] = broken.moments;
@@ -117,6 +121,7 @@ struct parameter_check {
     return "kte: " + describe() + ": " + broken.rule +
            (broken.moments != std::array<double, 3>{} ? moments : ", got " + detail::number(broken.value));
   }
+  /// The element in messages: its type and connections.
   std::string describe() const { return describe_element(type, ports, names); }
 };
 

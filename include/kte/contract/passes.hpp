@@ -27,7 +27,7 @@ inline constexpr std::size_t kept_count = [] {
   for (const auto& p : Core::ports) n += p.how == access::keep && p.what == kind::internal;
   return n;
 }();
-/// The port of number N of them; beyond the last where there is none.
+/// The port of number N of them; beyond the last if there is none.
 template <class Core, std::size_t N = 0>
 inline constexpr std::size_t kept_port = [] {
   std::size_t p = 0, n = 0;
@@ -87,12 +87,12 @@ struct stored_element {
   template <std::size_t P>
   static constexpr port at = Core::ports[P];
 
-  /// What is connected to port P.
+  /// The item connected to port P.
   template <std::size_t P>
   KTE_INLINE constexpr auto& stored() const {
     return state.template get<at<P>.what>(where.template at<P>());
   }
-  /// The same as the kernels see it.
+  /// The item at port P as kernels take it.
   template <std::size_t P>
   KTE_INLINE constexpr decltype(auto) input() const {
     if constexpr (writes_signal<Core> && !reads_accelerations<Core> && !is_signal(at<P>.what)) {
@@ -124,7 +124,7 @@ struct stored_element {
     update_angles(std::index_sequence<P...>{});
     move(std::index_sequence<P...>{});
   }
-  /// With sines, cosines and matrices as they are.
+  /// Without an update of sines, cosines and matrices.
   template <std::size_t... P>
   KTE_INLINE constexpr void move(std::index_sequence<P...>) const {
     if constexpr (has_output) write(core.doMotion(input<P>()...));
@@ -152,7 +152,7 @@ struct stored_element {
   /// on what it carries.
   template <std::size_t... P>
   KTE_INLINE constexpr bool holds(std::index_sequence<P...>) const {
-    if constexpr (holds_coordinate<Core>) {
+    if constexpr (locks_coordinate<Core>) {
       return core.holds(input<P>()...);
     } else {
       return false;
@@ -160,9 +160,9 @@ struct stored_element {
   }
   template <std::size_t... P>
   KTE_INLINE constexpr auto capacity(std::index_sequence<P...>) const {
-    if constexpr (holds_by_load<Core>) {
+    if constexpr (locks_by_load<Core>) {
       return core.capacity(input<P>()..., load<ports - 1>());
-    } else if constexpr (holds_coordinate<Core>) {
+    } else if constexpr (locks_coordinate<Core>) {
       return core.capacity(input<P>()...);
     } else {
       return zero;
@@ -174,17 +174,17 @@ struct stored_element {
     if constexpr (requires { core.switched(input<P>()...); })
       write_kept(core.switched(input<P>()...), std::make_index_sequence<kept_count<Core>>{});
   }
-  /// The loads of a mass between several ports, for accelerations alone.
+  /// The loads of a distributed mass, for accelerations alone.
   template <std::size_t... P>
   KTE_INLINE constexpr void mass_force(std::index_sequence<P...>) const {
-    if constexpr (spreads_mass<Core>) spread<P...>(core.mass_loads(input<P>()...));
+    if constexpr (distributed_mass<Core>) spread<P...>(core.mass_loads(input<P>()...));
   }
   /// The friction of a joint that carries a wrench at its end.
   template <class Wrench>
   KTE_INLINE constexpr auto friction(const Wrench& end) const {
-    if constexpr (holds_by_load<Core>) {
+    if constexpr (locks_by_load<Core>) {
       return core.friction(input<0>(), input<1>(), end);
-    } else if constexpr (reads_reaction<Core>) {
+    } else if constexpr (load_dependent_friction<Core>) {
       return core.friction(input<0>(), end);
     } else {
       return zero;
@@ -207,7 +207,7 @@ struct stored_element {
       return zero;
     }
   }
-  /// Of a mass between several ports, m c in axes of the base, kg m.
+  /// The first moment m c of a distributed mass in axes of the base, kg m.
   template <std::size_t... P>
   KTE_INLINE constexpr auto first_moment(std::index_sequence<P...>) const {
     if constexpr (requires { core.first_moment(input<P>()...); }) {
@@ -216,7 +216,7 @@ struct stored_element {
       return zero3{};
     }
   }
-  /// What goes through zero where the law of the element changes; one where it does not.
+  /// The function that goes through zero where the law of the element changes; 1 if it never does.
   template <std::size_t... P>
   KTE_INLINE constexpr auto switching(std::index_sequence<P...>) const {
     if constexpr (requires { core.switching(input<P>()...); }) {

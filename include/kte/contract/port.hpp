@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kte/contract/key.hpp>
+#include <kte/deprecated.hpp>
 
 #include <array>
 #include <span>
@@ -10,12 +11,12 @@ namespace kte {
 
 /// How an element uses what is connected to a port.
 enum class access : unsigned char {
-  in,     ///< reads it. A coordinate that no element writes becomes a degree of freedom of the chain
-  angle,  ///< the same, and wants cosine and sine of an angle, or the matrix of a rotation
-  on,     ///< acts on it by a force. It must come from elsewhere: a spring alone makes no degree of freedom
+  in,     ///< reads it; a coordinate that no element writes is a degree of freedom of the chain
+  angle,  ///< reads it, with cosine and sine of the angle, or the matrix of the rotation
+  on,     ///< acts on it by a force; another element must move by it: a spring alone makes no degree of freedom
   out,    ///< writes it
-  base,   ///< declares it: its motion is given from outside
-  keep    ///< an internal state: reads it and gives its rate. No other element may
+  base,   ///< declares it: its motion is prescribed
+  keep    ///< an internal state: reads it and computes its rate, as the only element
 };
 
 /// One connection of an element: what kind, how it is used, and the role by which messages and files call it.
@@ -23,17 +24,18 @@ struct port {
   kind what;
   access how;
   std::string_view role;
+  /// Whether the element writes it.
   constexpr bool writes() const { return how == access::out || how == access::base; }
-  /// Whether nothing else may be connected to it before.
+  /// Whether it must not be connected before: the element writes or declares it.
   constexpr bool declares() const { return declares(how); }
   static constexpr bool declares(access a) { return a == access::out || a == access::base || a == access::keep; }
 };
 
-/// The ports of an element core, in the order of its arguments.
+/// The number of ports of an element core, in the order of its arguments.
 template <class Core>
 inline constexpr std::size_t port_count = Core::ports.size();
 
-/// How many of them it reads; what it writes comes last.
+/// The number of ports that it reads; the port that it writes is the last.
 template <class Core>
 inline constexpr std::size_t input_count = port_count<Core> - (Core::ports.back().writes() ? 1 : 0);
 
@@ -49,12 +51,15 @@ template <class Core>
 requires requires { Core::reads_accelerations; }
 inline constexpr bool reads_accelerations<Core> = Core::reads_accelerations;
 
-/// Whether it has a mass between several ports: `mass_loads(things...)`, its loads for accelerations alone.
+/// Whether it has a distributed mass: `mass_loads(things...)`, its loads for accelerations alone.
 template <class Core>
-inline constexpr bool spreads_mass = false;
+inline constexpr bool distributed_mass = false;
+template <class Core>
+requires requires { Core::distributed_mass; }
+inline constexpr bool distributed_mass<Core> = Core::distributed_mass;
 template <class Core>
 requires requires { Core::spreads_mass; }
-inline constexpr bool spreads_mass<Core> = Core::spreads_mass;
+inline constexpr bool distributed_mass<Core> = former::spreads_mass<Core>;
 
 /// Whether it is a load from outside, constant or given by signals, that `static_equilibrium` puts on in parts: what it
 /// acts on comes first among its ports.
@@ -67,34 +72,36 @@ inline constexpr bool is_load<Core> = Core::is_load;
 /// Whether it is a joint whose friction depends on what the joint carries: `friction(coordinate, wrench of the end)`,
 /// a load on the coordinate.
 template <class Core>
-inline constexpr bool reads_reaction = false;
+inline constexpr bool load_dependent_friction = false;
+template <class Core>
+requires requires { Core::load_dependent_friction; }
+inline constexpr bool load_dependent_friction<Core> = Core::load_dependent_friction;
 template <class Core>
 requires requires { Core::reads_reaction; }
-inline constexpr bool reads_reaction<Core> = Core::reads_reaction;
+inline constexpr bool load_dependent_friction<Core> = former::reads_reaction<Core>;
 
 /// Whether it closes a kinematic loop: its core derives from `closure` (contract/closure.hpp), and its last port is the
 /// name of the loop.
 template <class Core>
 inline constexpr bool is_closure = Core::ports.back().what == kind::loop&& Core::ports.back().how == access::keep;
 
-/// Whether the loads that it hands back are the power dual of the motion that it passes on, as in a mechanism. An
-/// element for controllers of which that is not so says `static constexpr bool power_dual = false`: passes and inverse
-/// dynamics take it.
+/// Whether its loads are the power dual of its motion, as in a mechanism. An element for controllers without this
+/// property declares `static constexpr bool power_dual = false`: only passes and inverse dynamics support it.
 template <class Core>
 inline constexpr bool power_dual = true;
 template <class Core>
 requires requires { Core::power_dual; }
 inline constexpr bool power_dual<Core> = Core::power_dual;
 
-/// Whether it may hold a coordinate: contract/coordinate_holder.hpp.
+/// Whether it may hold a coordinate: contract/coordinate_lock.hpp.
 template <class Core>
-inline constexpr bool holds_coordinate = false;
+inline constexpr bool locks_coordinate = false;
 template <class Core>
-requires requires { Core::holds_coordinate; }
-inline constexpr bool holds_coordinate<Core> = Core::holds_coordinate;
+requires requires { Core::locks_coordinate; }
+inline constexpr bool locks_coordinate<Core> = Core::locks_coordinate;
 /// Whether it is a joint that may hold its own coordinate, by what it carries.
 template <class Core>
-inline constexpr bool holds_by_load = reads_reaction<Core>&& holds_coordinate<Core>;
+inline constexpr bool locks_by_load = load_dependent_friction<Core>&& locks_coordinate<Core>;
 
 /// Whether the forces of an element depend on positions, rotations or linear velocities of frames: its core then says
 /// so by `static constexpr bool reads_positions = true`.
@@ -111,15 +118,15 @@ inline constexpr bool is_rigid_body = false;
 }  // namespace detail
 
 /// An element in a message: "revolute_joint_3D (coordinate 'q', base 'a', end 'b')".
-inline std::string describe_element(std::string_view type, std::span<const port> ports,
-                                    std::span<const std::string_view> names) {
+[[nodiscard]] inline std::string describe_element(std::string_view type, std::span<const port> ports,
+                                                  std::span<const std::string_view> names) {
   std::string s(type);
   for (std::size_t i = 0; i < ports.size(); ++i)
     s.append(i == 0 ? " (" : ", ").append(ports[i].role).append(" '").append(names[i]).append("'");
   return s + ")";
 }
 
-/// "rigid_link" and 3D give "rigid_link_3D".
+/// The name of a type of elements, `text`: "rigid_link" and 3D give "rigid_link_3D".
 template <std::size_t N>
 struct type_name {
   char text[N + 4]{};

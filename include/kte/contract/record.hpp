@@ -15,22 +15,22 @@
 /// Elements as plain data, for files and comparisons.
 namespace kte {
 
-/// A parameter: its name and its numbers; vectors x y z, matrices by rows, symmetric ones xx xy xz yy yz zz,
-/// lists of any length.
+/// A parameter: `name` and `values`; vectors x y z, matrices by rows, symmetric matrices xx xy xz yy yz zz, lists of
+/// any length. Records have a `place` in their file, for messages.
 struct parameter_record {
   std::string name;
   std::vector<double> values;
   file_place place{};
   friend bool operator==(const parameter_record&, const parameter_record&) = default;
 };
-/// A connection: the role of the port, and the name of what it is connected to.
+/// A connection: the `role` of the port, the `name` it is connected to, and the `place` in the file.
 struct connection_record {
   std::string role;
   std::string name;
   file_place place{};
   friend bool operator==(const connection_record&, const connection_record&) = default;
 };
-/// An element: its type, the version of that type, connections and parameters.
+/// An element: its type, the version of that type, connections, parameters, and the `place` in the file.
 struct element_record {
   std::string type;
   int version = 1;
@@ -40,8 +40,8 @@ struct element_record {
   friend bool operator==(const element_record&, const element_record&) = default;
 };
 
-/// Limits of a coordinate (models/joint_limits.hpp): `lower`, `upper`, `rate` ... as numbers of v; without is without
-/// limit.
+/// Limits of a coordinate (models/joint_limits.hpp): `limits` are `lower`, `upper`, `rate` ... as numbers of v; a
+/// missing one is infinite. `place`: in the file.
 struct limit_record {
   std::string coordinate;
   std::vector<parameter_record> limits;
@@ -49,8 +49,8 @@ struct limit_record {
   friend bool operator==(const limit_record&, const limit_record&) = default;
 };
 
-/// A whole chain: gravity in the axes of its bases, m/s^2, and the elements in order. A model of a manipulator has
-/// more: frames that are its tools, limits of its coordinates, values of its inputs.
+/// A chain: gravity in the axes of its bases, m/s^2, and the elements in order. The model of a manipulator also has
+/// frames that are its tools, limits of its coordinates and values of its inputs.
 struct model_record {
   std::vector<double> gravity{0, 0, 0};
   std::vector<element_record> elements{};
@@ -109,10 +109,10 @@ void append_numbers(std::vector<double>& v, const R& rotation) {
 
 }  // namespace detail
 
-/// The record of a core under the given names. A parameter that is a bool is there, as 1, only if it is true. Throws
-/// `bad_argument` for one that says it `holds_code`: functions of a program.
+/// The record of a core and the names of its connections. A bool parameter is stored, as 1, only if it is true. Throws
+/// `bad_argument` for a core that declares `holds_code`: functions of a program.
 template <class Core, class Names>
-element_record record_of(const Core& core, const Names& names) {
+[[nodiscard]] element_record record_of(const Core& core, const Names& names) {
   if constexpr (detail::holds_code<Core>) {
     std::array<std::string_view, port_count<Core>> texts;
     for (std::size_t p = 0; p < port_count<Core>; ++p) texts[p] = names[p];

@@ -8,19 +8,20 @@
 
 namespace kte {
 
-/// The loads an element puts on its input ports, in their order: a number for a coordinate (N or Nm, along it), a
-/// wrench for a frame (at its origin, in its axes). Signals (inputs, internal states) get none.
+/// The loads of an element on its input ports, in their order: a number for a coordinate (N or Nm, along it), a wrench
+/// for a frame (at its origin, in its axes). Signals (inputs, internal states) have none.
 template <class... L>
 using loads = values<L...>;
 
+/// The `loads` of a doForce, in the order of the input ports.
 template <class... L>
-KTE_INLINE constexpr auto make_loads(const L&... l) {
+[[nodiscard]] KTE_INLINE constexpr auto make_loads(const L&... l) {
   return values<L...>{{{l}...}};
 }
 
-/// The rates that `z_dot` of an element with several internal states gives, in their order.
+/// The rates of several internal states, the result of `z_dot`, in their order.
 template <class... R>
-KTE_INLINE constexpr auto make_rates(const R&... r) {
+[[nodiscard]] KTE_INLINE constexpr auto make_rates(const R&... r) {
   return values<R...>{{{r}...}};
 }
 
@@ -33,7 +34,7 @@ template <int N>
 KTE_INLINE constexpr auto unit_vector() {
   return vec3<constant<N == 0>, constant<N == 1>, constant<N == 2>>{};
 }
-/// A coordinate of kind K of which only rate number N moves, by one: the motion it makes is axis N of the joint.
+/// A coordinate of kind K with a unit rate N and no others: its motion is axis N of the joint.
 template <kind K, int N, class C>
 KTE_INLINE constexpr auto unit_rate(const C& c) {
   if constexpr (K == kind::gen) {
@@ -88,7 +89,7 @@ KTE_INLINE constexpr auto number_of(const L& load) {
 }
 }  // namespace detail
 
-/// A stiff connection between two frames: a link, a joint. A core that derives from it gives one function,
+/// A rigid connection between two frames: a link, a joint. A core that derives from it gives one function,
 ///
 ///   relative(coordinate)   the motion of the end frame in the base frame, of a link relative()     (1)
 ///
@@ -96,9 +97,9 @@ KTE_INLINE constexpr auto number_of(const L& load) {
 ///   doMotion   X_end = X_base * relative                     (compose, frames/motion.hpp)        (2)
 ///   doForce    the full wrench of the end goes to the base   (transmit, the same)                (3)
 ///              f = s . wrench, s the velocity that a unit rate of the coordinate makes           (4)
-/// (where a core says `static constexpr bool reads_reaction = true`, f has also its `friction(coordinate, wrench)`)
-/// so that f is the force of virtual power on the coordinate, in any chain. So do the articulated inertia and the
-/// accelerations (dynamics/), and what else the algorithms need. A coordinate is a number (`coordinate`), or a
+/// (where a core says `static constexpr bool load_dependent_friction = true`, f has also its `friction(coordinate,
+/// wrench)`) so that f is the force of virtual power on the coordinate, in any chain. So do the articulated inertia and
+/// the accelerations (dynamics/), and what else the algorithms need. A coordinate is a number (`coordinate`), or a
 /// rotation or pose (`motion`, with several f); s must be the same in every position, in the axes of the end.
 template <class Core>
 struct transmission {
@@ -122,7 +123,7 @@ struct transmission {
     const auto f = [&]<int N>()
                        KTE_INLINE_LAMBDA { return detail::power(core().relative(detail::unit_rate<k, N>(c)), end); };
     // Each in one expression: with a local in between g++ takes a tenth more instructions for inverse dynamics.
-    if constexpr (detail::reads_reaction<Core>) {
+    if constexpr (detail::load_dependent_friction<Core>) {
       return make_loads(detail::load_on<k>(f) + core().friction(c, end),
                         transmit(core().relative(detail::position_only(c)), end));
     } else {
@@ -131,7 +132,7 @@ struct transmission {
     }
   }
 
-  /// A joint that may be held (contract/coordinate_holder.hpp): its mode stands between coordinate and base.
+  /// A joint that may be held (contract/coordinate_lock.hpp): its mode stands between coordinate and base.
   template <class C, class Mode, class Base>
   KTE_INLINE constexpr auto doMotion(const C& c, const Mode&, const Base& base) const {
     return compose(base, core().relative(c));  // (2)
@@ -143,7 +144,7 @@ struct transmission {
         transmit(core().relative(detail::position_only(c)), end));
   }
 
-  // Hidden by passes that a core has of its own.
+  // Hidden by passes of the core.
   static void doMotion(const detail::no_pass&);
   static void doForce(const detail::no_pass&);
 
@@ -153,7 +154,7 @@ struct transmission {
 
 namespace detail {
 
-/// A core with a `relative`: a stiff connection between two frames. Its ports are the coordinates, the base, the end.
+/// A core with a `relative`: a rigid connection between two frames. Its ports are the coordinates, the base, the end.
 template <class Core>
 inline constexpr bool is_transmission = std::is_base_of_v<transmission<Core>, Core>;
 
@@ -196,11 +197,11 @@ struct check_core<Core> {
   static_assert(rule < Core, turn, fits || in_space >,
                 "kte: a joint or link in the plane turns by a kte::rotation_2D: kte::rotation_by(angle)");
   static_assert(rule<Core, turn, moves_by_relative<Core>>,
-                "kte: the motion of a joint or link follows from its `relative`: it has no `doMotion` of its own");
+                "kte: the motion of a joint or link follows from its `relative`: it must not have its own `doMotion`");
 };
 
 }  // namespace detail
 
 }  // namespace kte
 
-#include <kte/contract/seat.hpp>  // joints of all who include this have seats
+#include <kte/contract/placement.hpp>  // joints of all who include this have .at()

@@ -18,7 +18,7 @@ enum class problem : unsigned char {
   moves_nothing         ///< a coordinate that is acted upon or measured, and by which nothing moves
 };
 
-/// What is known of a name when a port is connected to it.
+/// The state of a name when a port is connected to it.
 struct name_before {
   bool used = false;      ///< by a port before
   bool same = false;      ///< as the same thing

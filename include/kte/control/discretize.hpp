@@ -11,15 +11,15 @@
 
 namespace kte {
 
-/// The system every dt seconds, under inputs that stay in between, exactly:
+/// The discrete-time system with interval dt, s, and inputs constant within an interval (zero-order hold), exactly:
 ///
 ///       | A  B  x_dot |         | A_d  B_d  step |
 ///   exp | 0  0    0   | dt   =  |  0    1    0   |          (1)
 ///       | 0  0    0   |         |  0    0    1   |
 ///
-/// with the matrix exponential of Eigen (scaling and squaring, Higham 2005). C, D, y0 stay. Throws `bad_argument`
-/// unless dt is finite and positive, where the result overflows, and where sizes do not fit.
-discrete_linear_system<> discretize(const linear_system<>& c, double dt);
+/// by the matrix exponential of Eigen (scaling and squaring, Higham 2005). C, D and y0 are unchanged. Throws
+/// `bad_argument` unless dt is finite and positive, if the result overflows, and if sizes do not fit.
+[[nodiscard]] discrete_linear_system<> discretize(const linear_system<>& c, double dt);
 
 #ifdef KTE_FUNCTION
 KTE_FUNCTION discrete_linear_system<> discretize(const linear_system<>& c, double dt) {
@@ -34,8 +34,7 @@ KTE_FUNCTION discrete_linear_system<> discretize(const linear_system<>& c, doubl
     detail::raise<bad_argument>("kte: discretize: a number of A, B or x_dot, times dt, is not finite");
   const Eigen::MatrixXd e = all.exp();  // (1)
   if (!e.allFinite())
-    detail::raise<bad_argument>("kte: discretize: the system grows beyond all numbers within " + detail::number(dt) +
-                                " s");
+    detail::raise<bad_argument>("kte: discretize: the result overflows within " + detail::number(dt) + " s");
   return {e.topLeftCorner(n, n), e.block(0, n, n, m), c.C, c.D, e.topRightCorner(n, 1), c.y0, dt};
 }
 #endif

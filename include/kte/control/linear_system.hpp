@@ -4,13 +4,13 @@
 
 namespace kte {
 
-/// A system near a state x0 and inputs u0, by displacements d from x0 and changes du of the inputs:
+/// A linear system about a state x0 and inputs u0, in displacements d from x0 and changes du of the inputs:
 ///
 ///   d' = x_dot + A d + B du          (1)
 ///   y  = y0 + C d + D du             (2)
 ///
-/// d has as many numbers as x' (2 n and those of internal states, for n degrees of freedom). x0 need not be an
-/// equilibrium: x_dot is f there. SI units.
+/// d has as many numbers as x' (2 n plus internal states, for n degrees of freedom). x0 need not be an equilibrium:
+/// x_dot is f there. SI units.
 template <class S = double>
 struct linear_system {
   using matrix = Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>;
@@ -21,7 +21,7 @@ struct linear_system {
   vector y0;     ///< h(t, x0, u0)
 };
 
-/// The same from one time to the next, with inputs that stay between them (`discretize`):
+/// A linear system in discrete time, with inputs that are constant within an interval (`discretize`):
 ///
 ///   d_(k+1) = step + A d_k + B du_k,   y_k = y0 + C d_k + D du_k
 template <class S = double>

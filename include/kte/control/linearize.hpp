@@ -60,26 +60,27 @@ void derive_outputs(Model& m, const S& t, const typename Model::state& x, linear
 }
 }  // namespace detail
 
-/// The model near x, at the inputs that are set in it and at time t (s):
+/// Linearization of a model about the state x, the inputs set in the model and the time t, s:
 ///
 ///   x' of x (+) d  =  x_dot + A d + B du,     A = dx'/dd,  B = dx'/du  at d = 0, du = 0          (1)
 ///
-/// of models of static and runtime chains. For coordinates that are numbers d = x - x0. Coordinates that are rotations
-/// or poses have d in the tangent space, so that A is 2 n x 2 n (and internal states) though x has more numbers: with
-/// d = (u, phi, ...) the rotation is R exp [phi]x and the position p + R u, in axes that move; d' = x_dot there, and
+/// for models of static and runtime chains. For coordinates that are numbers d = x - x0. For rotations and poses d is
+/// in the tangent space, so that A is 2 n x 2 n (plus internal states) though x has more numbers: with d = (u, phi,
+/// ...) the rotation is R exp [phi]x and the position p + R u, in moving axes; d' = x_dot there, and
 ///
 ///   phi' = w + phi x w/2 + ...,   u' = exp [phi]x v          (2)
 ///
-/// so that A has -[w]x/2 in rows of phi and -[v]x in rows of u. `displacement(model, x0, x)` gives d.
+/// so that A has -[w]x/2 in rows of phi and -[v]x in rows of u. `displacement(model, x0, x)` computes d.
 ///
-/// A of accelerations is analytical (`forward_dynamics_derivatives`); by inputs, internal states and what elements keep
-/// it is exact too, by dual numbers. y is what `computeOutput` gives: C and D by dual numbers, which go through the
-/// function of `with_output` of a static chain (it takes states of any scalar); of a runtime chain that function knows
-/// double alone, and C and D are differences of order 4, with an error of some 1e-12. The state need not be an
-/// equilibrium: x_dot and y0 are what the model gives there. Throws as `forward_dynamics_derivatives`; `bad_argument`
-/// for an x or u of another size and for numbers that are not finite.
+/// A of accelerations is analytical (`forward_dynamics_derivatives`); derivatives by inputs and internal states are
+/// exact, by dual numbers. y is the result of `computeOutput`. C and D of static chains are computed by dual numbers,
+/// which pass through the function of `with_output` (it accepts states of any scalar). For runtime chains this function
+/// accepts double only, and C and D are differences of order 4, with an error of some 1e-12. The state need not be an
+/// equilibrium: x_dot and y0 are those of the model there. Throws as `forward_dynamics_derivatives`; `bad_argument` for
+/// an x or u of wrong size and for numbers that are not finite.
 template <detail::linearizable_model Model, class X, class S = typename Model::state::Scalar>
-linear_system<S> linearize(const Model& model, const Eigen::MatrixBase<X>& x, const std::type_identity_t<S>& t = S(0)) {
+[[nodiscard]] linear_system<S> linearize(const Model& model, const Eigen::MatrixBase<X>& x,
+                                         const std::type_identity_t<S>& t = S(0)) {
   Model m = model;
   check_size(static_cast<std::size_t>(m.state_size()), x.derived(), "x", "numbers of a state");
   const typename Model::state at = x;
@@ -93,26 +94,26 @@ linear_system<S> linearize(const Model& model, const Eigen::MatrixBase<X>& x, co
   detail::derive_outputs(m, t, at, r);
   return r;
 }
-/// The same at inputs u.
+/// Linearization of a model about the state x, inputs u and the time t, s.
 template <detail::linearizable_model Model, class X, indexable U, class S = typename Model::state::Scalar>
-linear_system<S> linearize(const Model& model, const Eigen::MatrixBase<X>& x, const U& u,
-                           const std::type_identity_t<S>& t = S(0)) {
+[[nodiscard]] linear_system<S> linearize(const Model& model, const Eigen::MatrixBase<X>& x, const U& u,
+                                         const std::type_identity_t<S>& t = S(0)) {
   Model m = model;
   m.setInput(u);
   return linearize(m, x, t);
 }
 
-/// A closed loop: the model under its law, with states c of the law behind those of the model:
+/// Linearization of a closed loop: a model with its control law, with the states c of the law after those of the model:
 ///
 ///   A = | A + B du/dd    B du/dc |     C = (C + D du/dd   D du/dc)          (3)
 ///       | dc'/dd         dc'/dc  |
 ///
-/// There are no inputs left: B and D have no columns. Laws that are called with vectors of any scalar, as lambdas with
-/// `const auto& x` are, are derived by dual numbers; those of double alone by differences of order 4, with an error of
-/// some 1e-12 of what they give.
+/// There are no inputs: B and D have no columns. Laws that accept vectors of any scalar, as lambdas with `const auto&
+/// x`, are differentiated by dual numbers; laws of double by differences of order 4, with a relative error of some
+/// 1e-12.
 template <class Model, class Law, class Rates, int N, class X, class S = typename controlled<Model, Law, Rates, N>::S>
-linear_system<S> linearize(const controlled<Model, Law, Rates, N>& closed, const Eigen::MatrixBase<X>& x,
-                           const std::type_identity_t<S>& t = S(0)) {
+[[nodiscard]] linear_system<S> linearize(const controlled<Model, Law, Rates, N>& closed, const Eigen::MatrixBase<X>& x,
+                                         const std::type_identity_t<S>& t = S(0)) {
   using namespace detail;
   auto loop = closed;
   check_size(static_cast<std::size_t>(loop.state_size()), x.derived(), "x", "numbers of a state");
@@ -161,8 +162,9 @@ linear_system<S> linearize(const controlled<Model, Law, Rates, N>& closed, const
   return r;
 }
 
-/// Any x' = f(t, x, u), y = h(t, x, u) of Eigen vectors x and u; y = x where h is left out. By dual numbers where f is
-/// called with vectors of any scalar (`const auto& x`), else by differences of order 4, with an error of some 1e-12.
+/// Linearization of any x' = f(t, x, u), y = h(t, x, u) with Eigen vectors x and u; y = x without h. By dual numbers
+/// where f accepts vectors of any scalar (`const auto& x`), else by differences of order 4, with a relative error of
+/// some 1e-12.
 template <class F, class H, class X, class U, class S = typename X::Scalar>
 requires(!detail::linearizable_model<F>) linear_system<S> linearize(F f, H h, const Eigen::MatrixBase<X>& x,
                                                                     const Eigen::MatrixBase<U>& u,
@@ -189,7 +191,7 @@ requires(!detail::linearizable_model<F>) linear_system<S> linearize(F f, H h, co
         return column_of_numbers<S>(g(t, at, under));
       });
     }
-    check_finite(value, static_cast<std::size_t>(rows), "kte: linearize: what the function gives is not finite");
+    check_finite(value, static_cast<std::size_t>(rows), "kte: linearize: a result of the function is not finite");
     check_derivatives<S>(both, "the function");
     by_x = both.leftCols(n), by_u = both.rightCols(nu);
   };
@@ -209,10 +211,11 @@ requires(!detail::linearizable_model<F>) linear_system<S> linearize(F f, const E
       std::move(f), [](const auto&, const auto& state, const auto&) { return state; }, x, u, t);
 }
 
-/// d from x0 to x, in which `linearize` has its matrices; rotations take the shorter way. Of numbers x - x0. Throws
-/// `bad_argument` for states of another size.
+/// The displacement d from x0 to x, in the coordinates of the matrices of `linearize`; rotations take the shorter way.
+/// For numbers x - x0. Throws `bad_argument` for states of wrong size.
 template <class Model, class X0, class X>
-typename Model::rate displacement(const Model& model, const Eigen::MatrixBase<X0>& x0, const Eigen::MatrixBase<X>& x) {
+[[nodiscard]] typename Model::rate displacement(const Model& model, const Eigen::MatrixBase<X0>& x0,
+                                                const Eigen::MatrixBase<X>& x) {
   using S = typename Model::state::Scalar;
   for (const auto size : {x0.size(), x.size()})
     if (size != model.state_size()) [[unlikely]]

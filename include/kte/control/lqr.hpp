@@ -5,36 +5,36 @@
 
 namespace kte {
 
-/// A linear feedback, what it costs, and how the closed loop moves.
+/// A linear feedback, its cost and the poles of the closed loop.
 struct lqr_gain {
   Eigen::MatrixXd K;       ///< u = u0 - K d
-  Eigen::MatrixXd X;       ///< the cost of what is to come is d' X d
-  Eigen::VectorXcd poles;  ///< eigenvalues of A - B K, 1/s; in discrete time without a unit
+  Eigen::MatrixXd X;       ///< the cost from the state d on is d' X d
+  Eigen::VectorXcd poles;  ///< eigenvalues of A - B K, 1/s; dimensionless in discrete time
 };
 
-/// The linear feedback u = -K d of least cost (linear quadratic regulator) of d' = A d + B u:
+/// The linear quadratic regulator: the feedback u = -K d of d' = A d + B u with least cost
 ///
 ///   integral of d' Q d + 2 d' N u + u' R u,   K = R^-1 (B'X + N'),   X of `care`          (1)
 ///
 ///   const auto gain = kte::lqr(kte::linearize(model, x0, u0), Q, R);   // u = u0 - gain.K * (x - x0)
 ///
-/// N (n x m) may be left out, for 0. Throws as `care`; `bad_argument` also where Q - N R^-1 N' is not positive
-/// semidefinite, so that no cost is the least.
-lqr_gain lqr(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B, const Eigen::MatrixXd& Q, const Eigen::MatrixXd& R,
-             const Eigen::MatrixXd& N = {});
-/// The same in discrete time, of d_(k+1) = A d_k + B u_k:
+/// N (n x m) may be omitted, for 0. Throws as `care`; also `bad_argument` if Q - N R^-1 N' is not positive
+/// semidefinite, so that the cost has no minimum.
+[[nodiscard]] lqr_gain lqr(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B, const Eigen::MatrixXd& Q,
+                           const Eigen::MatrixXd& R, const Eigen::MatrixXd& N = {});
+/// The linear quadratic regulator in discrete time, for d_(k+1) = A d_k + B u_k:
 ///
 ///   sum of d' Q d + 2 d' N u + u' R u,   K = (R + B'X B)^-1 (B'X A + N'),   X of `dare`
-lqr_gain dlqr(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B, const Eigen::MatrixXd& Q, const Eigen::MatrixXd& R,
-              const Eigen::MatrixXd& N = {});
+[[nodiscard]] lqr_gain dlqr(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B, const Eigen::MatrixXd& Q,
+                            const Eigen::MatrixXd& R, const Eigen::MatrixXd& N = {});
 
-/// Of linear systems. What remains of x_dot, where x0 is no equilibrium, is not seen.
-inline lqr_gain lqr(const linear_system<>& s, const Eigen::MatrixXd& Q, const Eigen::MatrixXd& R,
-                    const Eigen::MatrixXd& N = {}) {
+/// The linear quadratic regulator of a linear system. x_dot, not zero where x0 is no equilibrium, is ignored.
+[[nodiscard]] inline lqr_gain lqr(const linear_system<>& s, const Eigen::MatrixXd& Q, const Eigen::MatrixXd& R,
+                                  const Eigen::MatrixXd& N = {}) {
   return lqr(s.A, s.B, Q, R, N);
 }
-inline lqr_gain lqr(const discrete_linear_system<>& s, const Eigen::MatrixXd& Q, const Eigen::MatrixXd& R,
-                    const Eigen::MatrixXd& N = {}) {
+[[nodiscard]] inline lqr_gain lqr(const discrete_linear_system<>& s, const Eigen::MatrixXd& Q, const Eigen::MatrixXd& R,
+                                  const Eigen::MatrixXd& N = {}) {
   return dlqr(s.A, s.B, Q, R, N);
 }
 

@@ -7,29 +7,29 @@
 
 namespace kte {
 
-/// The stabilising solution X, symmetric, of the algebraic Riccati equation in continuous time,
+/// The stabilizing symmetric solution X of the algebraic Riccati equation in continuous time,
 ///
 ///   A'X + X A - (X B + N) R^-1 (B'X + N') + Q = 0          (1)
 ///
-/// for which A - B K with K = R^-1 (B'X + N') has eigenvalues with negative real parts only. A: n x n, B: n x m,
-/// Q = Q': n x n, R = R' > 0: m x m, N: n x m, or left out, for 0. From the n decaying Schur vectors (U1; U2) of the
-/// Hamiltonian matrix, X = U2 U1^-1 (Laub, IEEE Trans. Automatic Control 24, 1979), of a balanced problem; then steps
-/// of Newton and Kleinman while they make the residual smaller.
+/// for which all eigenvalues of A - B K, K = R^-1 (B'X + N'), have negative real parts. A: n x n, B: n x m, Q = Q': n x
+/// n, R = R' > 0: m x m, N: n x m, or omitted, for 0. With the n stable Schur vectors (U1; U2) of the Hamiltonian
+/// matrix of a balanced problem X = U2 U1^-1 (Laub, IEEE Trans. Automatic Control 24, 1979); then Newton-Kleinman steps
+/// while they reduce the residual.
 ///
 /// Throws `bad_argument` for sizes that do not fit, numbers that are not finite, Q or R not symmetric, R not positive
-/// definite; `no_solution` where (A, B) is not stabilisable, with the mode, and where the Hamiltonian matrix has
-/// eigenvalues on the imaginary axis, as by a mode that neither decays nor counts in Q.
-Eigen::MatrixXd care(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B, const Eigen::MatrixXd& Q,
-                     const Eigen::MatrixXd& R, const Eigen::MatrixXd& N = {});
+/// definite; `no_solution` if (A, B) is not stabilizable, naming the mode, and if the Hamiltonian matrix has
+/// eigenvalues on the imaginary axis, as for an undamped mode without weight in Q.
+[[nodiscard]] Eigen::MatrixXd care(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B, const Eigen::MatrixXd& Q,
+                                   const Eigen::MatrixXd& R, const Eigen::MatrixXd& N = {});
 
-/// The same in discrete time,
+/// The stabilizing symmetric solution X of the algebraic Riccati equation in discrete time,
 ///
 ///   X = A'X A - (A'X B + N) (R + B'X B)^-1 (B'X A + N') + Q          (2)
 ///
-/// for which A - B K with K = (R + B'X B)^-1 (B'X A + N') has eigenvalues within the unit circle only. By structured
-/// doubling (Chu, Fan, Lin and Wang, Int. J. Control 77, 2004), also where A is singular. Throws as `care`.
-Eigen::MatrixXd dare(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B, const Eigen::MatrixXd& Q,
-                     const Eigen::MatrixXd& R, const Eigen::MatrixXd& N = {});
+/// for which all eigenvalues of A - B K, K = (R + B'X B)^-1 (B'X A + N'), are inside the unit circle. By structured
+/// doubling (Chu, Fan, Lin and Wang, Int. J. Control 77, 2004), also for singular A. Throws as `care`.
+[[nodiscard]] Eigen::MatrixXd dare(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B, const Eigen::MatrixXd& Q,
+                                   const Eigen::MatrixXd& R, const Eigen::MatrixXd& N = {});
 
 }  // namespace kte
 

@@ -22,7 +22,7 @@ template <class Error, class Text, class... Shown>
 constexpr void require(bool ok, const Text& text, const char*, Shown...) {
   if (!ok) {
 #if defined(__cpp_exceptions)
-    throw Error(text());  // of which compilers say less than of a call
+    throw Error(text());  // compilers print less about it than about a call
 #else
     raise<Error>(text());
 #endif

@@ -7,7 +7,7 @@
 
 namespace kte::detail {
 
-/// The type of an object as it is written in C++, for messages.
+/// The type of an object in C++ notation, for messages.
 template <class T>
 std::string type_text(const T& x) {
   const char* const mangled = typeid(x).name();

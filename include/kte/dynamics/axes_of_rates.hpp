@@ -11,14 +11,14 @@ namespace kte {
 /// Tag: rates of a frame at its origin, in its own axes.
 inline constexpr struct in_own_axes_t {
 } in_own_axes;
-/// Tag: rates of that point of the frame's body which stands at the origin of the world, in axes of the world (spatial
-/// velocity): with the origin of the frame at p,
+/// Tag: rates of the point of the frame's body at the origin of the world, in axes of the world (spatial velocity):
+/// with the origin of the frame at p,
 ///
 ///   v_0 = p' + p x w,   w          (1)
 inline constexpr struct at_world_origin_t {
 } at_world_origin;
 
-/// One of the three kinds of axes.
+/// One of the three tags for axes of rates.
 template <class T>
 concept axes_of_rates =
     std::is_same_v<T, in_own_axes_t> || std::is_same_v<T, in_world_axes_t> || std::is_same_v<T, at_world_origin_t>;
@@ -68,8 +68,8 @@ void change_axes(jacobian_with_rate<Matrix>& j, const frame_in_world<S>& x) {
   }
 }
 /// The change of these rates at a motion.
-template <class S, class Axes, class M, class Blame = too_large>
-linear_angular<S> bias_of(const M& m, Axes, const Blame& why = {"an acceleration"}) {
+template <class S, class Axes, class M, class Diagnose = too_large>
+linear_angular<S> bias_of(const M& m, Axes, const Diagnose& why = {"an acceleration"}) {
   if constexpr (std::is_same_v<Axes, in_own_axes_t>) {
     return checked<S>(m.acceleration - cross(m.ang_velocity, m.velocity), m.ang_acceleration, why);
   } else {

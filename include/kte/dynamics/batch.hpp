@@ -7,24 +7,23 @@
 #include <kte/dynamics/inverse_dynamics.hpp>
 #include <kte/dynamics/mass_matrix.hpp>
 
-/// The algorithms on any number of states of a chain, W states at once in the lanes of packs: of a static chain, or of
-/// a runtime chain of joints, links and bodies. Another runtime chain, with laws of elements of its own, throws
-/// `bad_argument`.
+/// The algorithms on any number of states of a chain, W states at a time in the elements of packs: for static chains,
+/// and for runtime chains of joints, links and bodies. Other runtime chains throw `bad_argument`.
 ///
-/// Arguments are arrays of float or double, all of one type, that have data() and size() (vector, array, span, Eigen):
-/// one state after the other, the numbers of state k from k n on, as in an Eigen matrix with a state a column. Results
-/// are written the same way; they may take the place of an input with as many numbers a state.
+/// Arguments are arrays of float or double, all of one type, with data() and size() (vector, array, span, Eigen): one
+/// state after the other, the n numbers of state k from k n on, as in an Eigen matrix with a column per state. Results
+/// are written in this form; they may overwrite an input with as many numbers per state.
 ///
-/// Results of a state do not depend on the other states, on their number or order, nor on the executor: they are the
-/// same bits, for one W in one program. They differ from those for one state alone by roundings.
+/// The result for a state does not depend on the other states, their number or order, or the executor: it is equal bit
+/// for bit, for one W in one program. It differs from that for a single state by rounding.
 ///
-/// Throws `bad_argument` naming an argument of the wrong size, before anything is written. States that have no answer
-/// (NaN, infinity, a singular mass matrix) do not spoil the others: these are all written, in the place of the bad ones
-/// stands NaN, and then the error of the first bad state is thrown, with its number in front: what the algorithm throws
-/// for this state alone, `bad_argument` or `singular_mass_matrix`.
+/// Throws `bad_argument`, naming an argument of wrong size, before anything is written. States without a result (NaN,
+/// infinity, a singular mass matrix) do not affect the others: all others are written, NaN is written for these, and
+/// then the error of the first of them is thrown, with its number: the error that the algorithm throws for this state
+/// alone, `bad_argument` or `singular_mass_matrix`.
 ///
-/// By default W is the number of lanes of one register of the CPU; of two for forward dynamics, which else waits for
-/// its divisions and sums. Not for programs without exceptions.
+/// By default W is the number of elements in one register of the CPU, in two for forward dynamics, to hide the latency
+/// of its divisions and sums. Needs exceptions.
 namespace kte::batch {
 
 namespace detail {
@@ -44,8 +43,7 @@ inline constexpr std::size_t nq = nv<Chain>;
 template <class Chain>
 requires(requires { Chain::nq; }) inline constexpr std::size_t nq<Chain> = std::size_t{Chain::nq};
 
-/// Rejects matrices of which the states are not the columns: columns have the numbers of a state, or `part` of them, or
-/// one.
+/// Rejects matrices whose columns are not states: columns must have the numbers of a state, or `part` of them, or one.
 template <class X>
 void check_layout(const X& x, std::size_t a_state, std::size_t part, const char* name) {
   if constexpr (requires { x.innerStride(), x.outerStride(), x.rows(); }) {
@@ -104,7 +102,7 @@ struct mass_matrix_of {
 
 }  // namespace detail
 
-/// tau from q, v, a; see `kte::inverse_dynamics`.
+/// Generalized forces tau of q, v, a; see `kte::inverse_dynamics`.
 template <int W = 0, class Chain, class Q, class V, class A, class Tau, class Executor = in_this_thread,
           class P = detail::pack_of<detail::number_in<Q>, W, 1>>
 void inverse_dynamics(const Chain& chain, const Q& q, const V& v, const A& a, Tau&& tau, Executor&& executor = {}) {
@@ -116,7 +114,7 @@ void inverse_dynamics(const Chain& chain, const Q& q, const V& v, const A& a, Ta
   detail::finish(job, executor);
 }
 
-/// Accelerations a from q, v, tau; see `kte::forward_dynamics`.
+/// Accelerations a of q, v, tau; see `kte::forward_dynamics`.
 template <int W = 0, class Chain, class Q, class V, class Tau, class A, class Executor = in_this_thread,
           class P = detail::pack_of<detail::number_in<Q>, W, 2>>
 void forward_dynamics(const Chain& chain, const Q& q, const V& v, const Tau& tau, A&& a, Executor&& executor = {}) {
@@ -128,8 +126,7 @@ void forward_dynamics(const Chain& chain, const Q& q, const V& v, const Tau& tau
   detail::finish(job, executor);
 }
 
-/// Mass matrices M, all n^2 numbers of each, from q; see `kte::mass_matrix`. They are symmetric, so by columns or rows
-/// is the same.
+/// Mass matrices M of q, all n^2 numbers of each, in any storage order as they are symmetric; see `kte::mass_matrix`.
 template <int W = 0, class Chain, class Q, class M, class Executor = in_this_thread,
           class P = detail::pack_of<detail::number_in<Q>, W, 1>>
 void mass_matrix(const Chain& chain, const Q& q, M&& m, Executor&& executor = {}) {
@@ -149,13 +146,13 @@ void mass_matrix(const Chain& chain, const Q& q, M&& m, Executor&& executor = {}
 #if defined(KTE_RUNTIME_CHAINS) && !defined(KTE_BATCH_OF_RUNTIME_CHAINS)
 #define KTE_BATCH_OF_RUNTIME_CHAINS
 
-#include <kte/dynamics/detail/runtime_batch.hpp>
+#include <kte/dynamics/runtime/batch.hpp>
 
 namespace kte::batch {
 
 template <int W = 0, class Q, class V, class A, class Tau, class Executor = in_this_thread,
           class P = detail::pack_of<detail::number_in<Q>, W, 1>>
-void inverse_dynamics(const kte_map_chain& chain, const Q& q, const V& v, const A& a, Tau&& tau,
+void inverse_dynamics(const runtime_chain& chain, const Q& q, const V& v, const A& a, Tau&& tau,
                       Executor&& executor = {}) {
   detail::refuse_loops(chain);
   const auto nq = static_cast<std::size_t>(chain.nq()), nv = static_cast<std::size_t>(chain.dofs());
@@ -168,7 +165,7 @@ void inverse_dynamics(const kte_map_chain& chain, const Q& q, const V& v, const 
 
 template <int W = 0, class Q, class V, class Tau, class A, class Executor = in_this_thread,
           class P = detail::pack_of<detail::number_in<Q>, W, 2>>
-void forward_dynamics(const kte_map_chain& chain, const Q& q, const V& v, const Tau& tau, A&& a,
+void forward_dynamics(const runtime_chain& chain, const Q& q, const V& v, const Tau& tau, A&& a,
                       Executor&& executor = {}) {
   detail::refuse_loops(chain);
   const auto nq = static_cast<std::size_t>(chain.nq()), nv = static_cast<std::size_t>(chain.dofs());
@@ -181,7 +178,7 @@ void forward_dynamics(const kte_map_chain& chain, const Q& q, const V& v, const 
 
 template <int W = 0, class Q, class M, class Executor = in_this_thread,
           class P = detail::pack_of<detail::number_in<Q>, W, 1>>
-void mass_matrix(const kte_map_chain& chain, const Q& q, M&& m, Executor&& executor = {}) {
+void mass_matrix(const runtime_chain& chain, const Q& q, M&& m, Executor&& executor = {}) {
   detail::refuse_loops(chain);
   const auto nq = static_cast<std::size_t>(chain.nq()), nv = static_cast<std::size_t>(chain.dofs());
   const std::size_t n = detail::states_in(q, nq, "q");

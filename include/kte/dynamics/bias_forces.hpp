@@ -1,20 +1,20 @@
 #ifndef KTE_BIAS_FORCES_HPP
 #define KTE_BIAS_FORCES_HPP
 
-#include <kte/dynamics/detail/moved_freely.hpp>
 #include <kte/dynamics/inverse_dynamics.hpp>
+#include <kte/dynamics/unrolled/given_bases.hpp>
 
-/// The parts of inverse dynamics, tau = M a + C v + g - Q, each without the work for the others: rates, accelerations
-/// and gravity that do not count are left out (Luh, Walker, Paul 1980; Featherstone 2008, section 5.3). dofs numbers,
-/// in N and Nm; arguments, results and errors as for `inverse_dynamics`. For every chain
+/// The terms of inverse dynamics, tau = M a + C v + g - Q, each without the work for the others (Luh, Walker, Paul
+/// 1980; Featherstone 2008, section 5.3). dofs numbers, in N and Nm; arguments, results and errors as for
+/// `inverse_dynamics`. For every chain
 ///
 ///   static_forces(q)         = g(q) - Q(q, 0)                                        (1)
 ///   nonlinear_effects(q, v)  = gravity_forces(q) + coriolis_forces(q, v) - Q(q, v)   (2)
 ///   inverse_dynamics(q, v, a) = M(q) a + nonlinear_effects(q, v)                     (3)
 ///
-/// with Q the forces of elements that are no bodies: springs, dampers, motors. Of a runtime chain `f(c, s, q)` or
-/// `f(c, s, q, v)`, or `f(c, s)` at the positions and rates of the state s. `gravity_forces` and `coriolis_forces`
-/// throw `bad_argument` for masses between several things, whose bodies are not known.
+/// with the forces Q of elements other than bodies: springs, dampers, motors. Runtime chains: `f(c, s, q)` or `f(c, s,
+/// q, v)`, or `f(c, s)` at the positions and rates of the state s. `gravity_forces` and `coriolis_forces` throw
+/// `bad_argument` for distributed masses, whose bodies are unknown.
 namespace kte {
 
 namespace detail {
@@ -25,9 +25,10 @@ KTE_INLINE auto forces_at_no_acceleration(const Chain& c, const At& at, const V&
 }
 }  // namespace detail
 
-/// What holds the chain at rest: inverse dynamics for v = a = 0, with gravity and the chain's springs. (1)
+/// The generalized forces that hold the chain at rest: inverse dynamics for v = a = 0, with gravity and the forces of
+/// elements. (1)
 template <class Gravity, class... E, indexable Q>
-auto static_forces(const static_chain<Gravity, E...>& c, const Q& q) {
+[[nodiscard]] auto static_forces(const static_chain<Gravity, E...>& c, const Q& q) {
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
   check_configuration<chain_type>(q);
@@ -35,11 +36,11 @@ auto static_forces(const static_chain<Gravity, E...>& c, const Q& q) {
   return forces_at_no_acceleration<value_of<Q>>(c, at, same<zero_t>{}, base_under_gravity(c));
 }
 
-/// g(q): what holds the bodies of the chain against gravity alone, the gradient of their potential energy,
+/// The generalized forces g(q) that hold the bodies against gravity alone: the gradient of their potential energy,
 ///
 ///   v . g = d/dt (-sum m gravity . c)          (4)
 template <class Gravity, class... E, indexable Q>
-auto gravity_forces(const static_chain<Gravity, E...>& c, const Q& q) {
+[[nodiscard]] auto gravity_forces(const static_chain<Gravity, E...>& c, const Q& q) {
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
   check_configuration<chain_type>(q);
@@ -48,9 +49,9 @@ auto gravity_forces(const static_chain<Gravity, E...>& c, const Q& q) {
   return forces_at_no_acceleration<value_of<Q>>(bodies, at, same<zero_t>{}, base_under_gravity(bodies));
 }
 
-/// The bias of the equations of motion: inverse dynamics for a = 0. (2)
+/// The bias forces of the equations of motion: inverse dynamics for a = 0. (2)
 template <class Gravity, class... E, indexable Q, indexable V>
-auto nonlinear_effects(const static_chain<Gravity, E...>& c, const Q& q, const V& v) {
+[[nodiscard]] auto nonlinear_effects(const static_chain<Gravity, E...>& c, const Q& q, const V& v) {
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
@@ -64,7 +65,7 @@ auto nonlinear_effects(const static_chain<Gravity, E...>& c, const Q& q, const V
 ///
 ///   v . (C v) = v . (dM/dt v) / 2          (5)
 template <class Gravity, class... E, indexable Q, indexable V>
-auto coriolis_forces(const static_chain<Gravity, E...>& c, const Q& q, const V& v) {
+[[nodiscard]] auto coriolis_forces(const static_chain<Gravity, E...>& c, const Q& q, const V& v) {
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
@@ -83,21 +84,21 @@ auto coriolis_forces(const static_chain<Gravity, E...>& c, const Q& q, const V& 
 #if defined(KTE_RUNTIME_CHAINS) && !defined(KTE_BIAS_FORCES_OF_RUNTIME_CHAINS)
 #define KTE_BIAS_FORCES_OF_RUNTIME_CHAINS
 
-#include <kte/dynamics/detail/runtime_bodies.hpp>
 #include <kte/dynamics/inverse_dynamics.hpp>
+#include <kte/dynamics/runtime/bodies.hpp>
 
 namespace kte {
 
 // The state keeps the velocities and accelerations that do not count.
 
 template <class S>
-const runtime_vector<S>& static_forces(const kte_map_chain& c, basic_runtime_state<S>& s) {
+const runtime_vector<S>& static_forces(const runtime_chain& c, basic_runtime_state<S>& s) {
   c.check(s), detail::check_positions(s);
   const detail::rates_aside aside(s, true);
   return inverse_dynamics(c, s);
 }
 template <class S>
-const runtime_vector<S>& gravity_forces(const kte_map_chain& c, basic_runtime_state<S>& s) {
+const runtime_vector<S>& gravity_forces(const runtime_chain& c, basic_runtime_state<S>& s) {
   detail::check_regular_tree(c, s), detail::check_positions(s);
   const detail::rates_aside aside(s, true);
   detail::forces_of_bodies(c, s, true);
@@ -106,61 +107,61 @@ const runtime_vector<S>& gravity_forces(const kte_map_chain& c, basic_runtime_st
 namespace detail {
 /// At positions and velocities that are good.
 template <class S>
-const runtime_vector<S>& nonlinear_effects_of(const kte_map_chain& c, basic_runtime_state<S>& s) {
+const runtime_vector<S>& nonlinear_effects_of(const runtime_chain& c, basic_runtime_state<S>& s) {
   if (!s.tree().only_bodies) {
     const rates_aside aside(s, false);
     return inverse_dynamics(c, s);
   }
   bias_forces_of_bodies(runtime_elements{c}, s);
-  take_needed_forces(s);
+  take_generalized_forces(s);
   check_result(s.work.forces, static_cast<std::size_t>(s.dofs()), [&s] {
     const rates_aside aside(s, false);
-    blame("a force", s);
+    diagnose("a force", s);
   });
   return s.work.forces;
 }
 }  // namespace detail
 template <class S>
-const runtime_vector<S>& nonlinear_effects(const kte_map_chain& c, basic_runtime_state<S>& s) {
+const runtime_vector<S>& nonlinear_effects(const runtime_chain& c, basic_runtime_state<S>& s) {
   c.check(s), detail::check_state_velocities(s);
   return detail::nonlinear_effects_of(c, s);
 }
 template <class S>
-const runtime_vector<S>& coriolis_forces(const kte_map_chain& c, basic_runtime_state<S>& s) {
+const runtime_vector<S>& coriolis_forces(const runtime_chain& c, basic_runtime_state<S>& s) {
   detail::check_regular_tree(c, s), detail::check_state_velocities(s);
   const detail::rates_aside aside(s, false);
   detail::forces_of_bodies(c, s, false);
   return detail::applied_forces(s);
 }
 template <class S, indexable Q>
-const runtime_vector<S>& static_forces(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q) {
+const runtime_vector<S>& static_forces(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q) {
   return detail::take<detail::keeping::if_needed>(c, s, q).call([&]() -> const auto& { return static_forces(c, s); });
 }
 template <class S, indexable Q>
-const runtime_vector<S>& gravity_forces(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q) {
+const runtime_vector<S>& gravity_forces(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q) {
   return detail::take<detail::keeping::if_needed>(c, s, q).call([&]() -> const auto& { return gravity_forces(c, s); });
 }
 template <class S, indexable Q, indexable V>
-const runtime_vector<S>& nonlinear_effects(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v) {
+const runtime_vector<S>& nonlinear_effects(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v) {
   return detail::take<detail::keeping::if_needed>(c, s, q, v).call([&]() -> const auto& {
     return detail::nonlinear_effects_of(c, s);
   });
 }
 template <class S, indexable Q, indexable V>
-const runtime_vector<S>& coriolis_forces(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v) {
+const runtime_vector<S>& coriolis_forces(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v) {
   return detail::take<detail::keeping::if_needed>(c, s, q, v).call([&]() -> const auto& {
     return coriolis_forces(c, s);
   });
 }
 
 #ifdef KTE_EXTERN
-KTE_EXTERN template const runtime_vector<double>& static_forces(const kte_map_chain&, runtime_state&);
-KTE_EXTERN template const runtime_vector<double>& gravity_forces(const kte_map_chain&, runtime_state&);
-KTE_EXTERN template const runtime_vector<double>& nonlinear_effects(const kte_map_chain&, runtime_state&);
+KTE_EXTERN template const runtime_vector<double>& static_forces(const runtime_chain&, runtime_state&);
+KTE_EXTERN template const runtime_vector<double>& gravity_forces(const runtime_chain&, runtime_state&);
+KTE_EXTERN template const runtime_vector<double>& nonlinear_effects(const runtime_chain&, runtime_state&);
 namespace detail {
-KTE_EXTERN template const runtime_vector<double>& nonlinear_effects_of(const kte_map_chain&, runtime_state&);
+KTE_EXTERN template const runtime_vector<double>& nonlinear_effects_of(const runtime_chain&, runtime_state&);
 }
-KTE_EXTERN template const runtime_vector<double>& coriolis_forces(const kte_map_chain&, runtime_state&);
+KTE_EXTERN template const runtime_vector<double>& coriolis_forces(const runtime_chain&, runtime_state&);
 #endif
 
 }  // namespace kte

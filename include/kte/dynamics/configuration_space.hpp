@@ -1,8 +1,8 @@
 #ifndef KTE_CONFIGURATION_SPACE_HPP
 #define KTE_CONFIGURATION_SPACE_HPP
 
-#include <kte/dynamics/detail/blame.hpp>
 #include <kte/dynamics/detail/coordinate_motion.hpp>
+#include <kte/dynamics/detail/diagnose.hpp>
 #include <kte/dynamics/state_vectors.hpp>
 #include <kte/math/dual.hpp>
 #include <kte/static_chain/static_chain.hpp>
@@ -12,11 +12,11 @@
 /// zero.
 namespace kte {
 
-/// The configuration that constant v reaches from q in time dt: q + dt v for numbers; for rotations and poses
+/// The configuration after time dt, s, from q at constant v: q + dt v for numbers; for rotations and poses
 ///
 ///   R = R(q) exp [dt w]x,   p = p(q) + R(q) (dt v + ...)          (frames/rigid_motion.hpp)
 ///
-/// exactly, with quaternions of length 1. v in the axes of the moving frames, as everywhere.
+/// exactly, with quaternions of length 1. v is in axes of the moving frames.
 template <class Gravity, class... E, indexable Q, indexable V, class T>
 auto integrate(const static_chain<Gravity, E...>&, const Q& q, const V& v, const T& dt) {
   using wiring = detail::wiring<E...>;
@@ -25,45 +25,45 @@ auto integrate(const static_chain<Gravity, E...>&, const Q& q, const V& v, const
   joint_vector<S, wiring::nq> out;
   for (std::size_t i = 0; i < wiring::freedoms; ++i) detail::integrate_one<S>(wiring::table.free[i], q, v, S(dt), out);
   detail::check_result(out, std::size_t{wiring::nq}, [&] {
-    detail::raise_if_time_is_endless("a coordinate", dt);
-    detail::blame<wiring>("a coordinate", detail::each<S, Q>{q}, detail::each<S, V>{v}, detail::same<zero_t>{}, "a");
+    detail::raise_if_time_is_non_finite("a coordinate", dt);
+    detail::diagnose<wiring>("a coordinate", detail::each<S, Q>{q}, detail::each<S, V>{v}, detail::same<zero_t>{}, "a");
   });
   return out;
 }
 
-/// The rates of the numbers of q where the chain moves by v: v itself for numbers; R v for positions, q (0, w/2) for
-/// quaternions q. For methods that know vectors only; the lengths of quaternions then drift.
+/// The time derivatives of the numbers of q at the velocities v: v itself for numbers; R v for positions, q (0, w/2)
+/// for quaternions q. For methods that accept vectors only; lengths of quaternions then drift.
 template <class Gravity, class... E, indexable Q, indexable V>
-auto configuration_rate(const static_chain<Gravity, E...>&, const Q& q, const V& v) {
+[[nodiscard]] auto configuration_rate(const static_chain<Gravity, E...>&, const Q& q, const V& v) {
   using wiring = detail::wiring<E...>;
   using S = value_of<Q>;
   detail::check_configuration<wiring>(q), check_size<wiring::dofs>(v, "v");
   std::array<S, std::size_t{wiring::nq} + 1> out;
   for (std::size_t i = 0; i < wiring::freedoms; ++i) detail::rate_of_one<S>(wiring::table.free[i], q, v, out);
   detail::check_result(out, std::size_t{wiring::nq}, [&] {
-    detail::blame<wiring>("a rate", detail::each<S, Q>{q}, detail::each<S, V>{v}, detail::same<zero_t>{}, "a");
+    detail::diagnose<wiring>("a rate", detail::each<S, Q>{q}, detail::each<S, V>{v}, detail::same<zero_t>{}, "a");
   });
   return joint_vector<S, wiring::nq>(Eigen::Map<const joint_vector<S, wiring::nq>>(out.data()));
 }
 
-/// The v by which `integrate` gets from one configuration to another in unit time; rotations take the shorter way. In
-/// the plane the angle is in [-pi, pi].
+/// The velocity v with which `integrate` goes from one configuration to another in unit time; rotations take the
+/// shorter way. In the plane the angle is in [-pi, pi].
 template <class Gravity, class... E, indexable Q>
-auto difference(const static_chain<Gravity, E...>&, const Q& from, const Q& to) {
+[[nodiscard]] auto difference(const static_chain<Gravity, E...>&, const Q& from, const Q& to) {
   using wiring = detail::wiring<E...>;
   using S = value_of<Q>;
   detail::check_configuration<wiring>(from), detail::check_configuration<wiring>(to);
   joint_vector<S, wiring::dofs> out;
   for (std::size_t i = 0; i < wiring::freedoms; ++i) detail::difference_one<S>(wiring::table.free[i], from, to, out);
   detail::check_result(out, std::size_t{wiring::dofs}, [&] {
-    detail::blame_configurations<wiring>("a coordinate", detail::each<S, Q>{from}, detail::each<S, Q>{to});
+    detail::diagnose_configurations<wiring>("a coordinate", detail::each<S, Q>{from}, detail::each<S, Q>{to});
   });
   return out;
 }
 
-/// All numbers 0, all rotations none.
+/// The configuration with all numbers 0 and all rotations the identity.
 template <class S = double, class Gravity, class... E>
-auto neutral_configuration(const static_chain<Gravity, E...>&) {
+[[nodiscard]] auto neutral_configuration(const static_chain<Gravity, E...>&) {
   using wiring = detail::wiring<E...>;
   joint_vector<S, wiring::nq> out;
   for (std::size_t i = 0; i < wiring::freedoms; ++i) detail::neutral_one(wiring::table.free[i], out);
@@ -99,21 +99,21 @@ auto moving_along(const Chain& c, const Q& q, const V& v) {
 namespace kte {
 
 template <indexable Q, indexable V>
-Eigen::VectorXd integrate(const kte_map_chain& c, const Q& q, const V& v, double dt) {
+Eigen::VectorXd integrate(const runtime_chain& c, const Q& q, const V& v, double dt) {
   detail::check_configuration(c.nq(), c.dofs(), q), check_size(static_cast<std::size_t>(c.dofs()), v, "v");
   Eigen::VectorXd out(c.nq());
   for (const auto& f : c.wiring().free) detail::integrate_one<double>(f, q, v, dt, out);
   const auto nq = static_cast<std::size_t>(c.nq()), nv = static_cast<std::size_t>(c.dofs());
   detail::check_result(out, nq, [&] {
     const auto from = detail::plain_numbers(q, nq), rates = detail::plain_numbers(v, nv);
-    detail::raise_if_time_is_endless("a coordinate", dt);
+    detail::raise_if_time_is_non_finite("a coordinate", dt);
     detail::raise_if_no_rotation(layout(c), from);
     detail::raise_not_finite("a coordinate", layout(c), {{"q", from, true}, {"v", rates}});
   });
   return out;
 }
 template <indexable Q>
-Eigen::VectorXd difference(const kte_map_chain& c, const Q& from, const Q& to) {
+[[nodiscard]] Eigen::VectorXd difference(const runtime_chain& c, const Q& from, const Q& to) {
   detail::check_configuration(c.nq(), c.dofs(), from), detail::check_configuration(c.nq(), c.dofs(), to);
   Eigen::VectorXd out(c.dofs());
   for (const auto& f : c.wiring().free) detail::difference_one<double>(f, from, to, out);
@@ -125,7 +125,7 @@ Eigen::VectorXd difference(const kte_map_chain& c, const Q& from, const Q& to) {
   });
   return out;
 }
-inline Eigen::VectorXd neutral_configuration(const kte_map_chain& c) {
+[[nodiscard]] inline Eigen::VectorXd neutral_configuration(const runtime_chain& c) {
   Eigen::VectorXd out(c.nq());
   for (const auto& f : c.wiring().free) detail::neutral_one(f, out);
   return out;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kte/dynamics/configuration_space.hpp>
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
 
 #include <cmath>
 #include <limits>
@@ -13,17 +13,17 @@
 /// dynamics/configuration_space.hpp, so that rotations are turned.
 namespace kte {
 
-/// The configuration at t on the way from q0 (t = 0) to q1 (t = 1) at constant rates: what these are is `difference`,
+/// The configuration at t between q0 (t = 0) and q1 (t = 1), at constant rates:
 ///
 ///   q(t) = integrate(q0, difference(q0, q1), t)          (1)
 ///
-/// Numbers go on a line, rotations about one axis by the shorter way, poses on a screw. t may be outside of 0 and 1.
+/// Numbers move on a line, rotations about one axis by the shorter way, poses on a screw. t may be outside of [0, 1].
 template <class Gravity, class... E, indexable Q, class T>
-auto interpolate(const static_chain<Gravity, E...>& c, const Q& q0, const Q& q1, const T& t) {
+[[nodiscard]] auto interpolate(const static_chain<Gravity, E...>& c, const Q& q0, const Q& q1, const T& t) {
   return integrate(c, q0, difference(c, q0, q1), t);
 }
 template <indexable Q>
-Eigen::VectorXd interpolate(const kte_map_chain& c, const Q& q0, const Q& q1, double t) {
+[[nodiscard]] Eigen::VectorXd interpolate(const runtime_chain& c, const Q& q0, const Q& q1, double t) {
   return integrate(c, q0, difference(c, q0, q1), t);
 }
 
@@ -35,7 +35,7 @@ auto weighted_length(const D& d, const W& weight) {
   S sum(0);
   for (Eigen::Index i = 0; i < d.size(); ++i) {
     const S w = S(weight(static_cast<std::size_t>(i)));
-    if (!all(w >= S(0))) raise<bad_argument>("kte: the weights of a distance are not negative");
+    if (!all(w >= S(0))) raise<bad_argument>("kte: the weights of a distance must not be negative");
     sum += w * d[i] * d[i];
   }
   const S length = sqrt(sum);
@@ -47,23 +47,23 @@ struct weight_of_one {
 };
 }  // namespace detail
 
-/// How far q1 is from q0: the root of the sum of w_i d_i^2, with d of `difference` and weights w, a number for each
-/// degree of freedom; without them metres and radians count alike.
+/// The distance of q1 from q0: the root of the sum of w_i d_i^2, with d of `difference` and weights w, a number for
+/// each degree of freedom; without weights metres and radians count equally.
 template <class Gravity, class... E, indexable Q>
-auto distance(const static_chain<Gravity, E...>& c, const Q& q0, const Q& q1) {
+[[nodiscard]] auto distance(const static_chain<Gravity, E...>& c, const Q& q0, const Q& q1) {
   return detail::weighted_length(difference(c, q0, q1), detail::weight_of_one{});
 }
 template <class Gravity, class... E, indexable Q, indexable W>
-auto distance(const static_chain<Gravity, E...>& c, const Q& q0, const Q& q1, const W& weights) {
+[[nodiscard]] auto distance(const static_chain<Gravity, E...>& c, const Q& q0, const Q& q1, const W& weights) {
   check_size<static_chain<Gravity, E...>::dofs>(weights, "weights");
   return detail::weighted_length(difference(c, q0, q1), [&weights](std::size_t i) { return weights[i]; });
 }
 template <indexable Q>
-double distance(const kte_map_chain& c, const Q& q0, const Q& q1) {
+[[nodiscard]] double distance(const runtime_chain& c, const Q& q0, const Q& q1) {
   return detail::weighted_length(difference(c, q0, q1), detail::weight_of_one{});
 }
 template <indexable Q, indexable W>
-double distance(const kte_map_chain& c, const Q& q0, const Q& q1, const W& weights) {
+[[nodiscard]] double distance(const runtime_chain& c, const Q& q0, const Q& q1, const W& weights) {
   check_size(static_cast<std::size_t>(c.dofs()), weights, "weights");
   return detail::weighted_length(difference(c, q0, q1), [&weights](std::size_t i) { return weights[i]; });
 }
@@ -96,10 +96,10 @@ void random_one(const freedom& f, Engine& engine, const Lower& lower, const Uppe
 }
 }  // namespace detail
 
-/// A configuration of independent random numbers, uniform between those of `lower` and `upper`, which are laid out as
-/// q; rotations in space are any, all as likely, and their four numbers in both are not read. `engine`: of <random>.
-/// The same engine gives the same configuration of a static and of a runtime chain. Throws `bad_argument` for a limit
-/// that is not finite, or above the other.
+/// A configuration of independent random numbers, uniform between `lower` and `upper`, which are laid out as q;
+/// rotations in space are uniform over all rotations, and their numbers in both limits are ignored. `engine`: of
+/// <random>. Equal engines give equal configurations of static and runtime chains. Throws `bad_argument` for a limit
+/// that is not finite, and for lower above upper.
 template <class Gravity, class... E, class Engine, indexable Lower, indexable Upper>
 auto random_configuration(const static_chain<Gravity, E...>&, Engine& engine, const Lower& lower, const Upper& upper) {
   using wiring = detail::wiring<E...>;
@@ -109,7 +109,7 @@ auto random_configuration(const static_chain<Gravity, E...>&, Engine& engine, co
   return q;
 }
 template <class Engine, indexable Lower, indexable Upper>
-Eigen::VectorXd random_configuration(const kte_map_chain& c, Engine& engine, const Lower& lower, const Upper& upper) {
+Eigen::VectorXd random_configuration(const runtime_chain& c, Engine& engine, const Lower& lower, const Upper& upper) {
   detail::check_configuration(c.nq(), c.dofs(), lower), detail::check_configuration(c.nq(), c.dofs(), upper);
   Eigen::VectorXd q(c.nq());
   for (const auto& f : c.wiring().free) detail::random_one(f, engine, lower, upper, q);

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <kte/dynamics/detail/follower_rates.hpp>
-#include <kte/dynamics/detail/local_coriolis.hpp>
-#include <kte/dynamics/detail/runtime_bodies.hpp>
-#include <kte/dynamics/detail/static_loops.hpp>
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/dynamics/looped/follower_rates.hpp>
+#include <kte/dynamics/looped/static_chains.hpp>
+#include <kte/dynamics/runtime/bodies.hpp>
+#include <kte/dynamics/unrolled/coriolis.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
 #include <kte/tree/coriolis.hpp>
 
 /// The matrix of Coriolis and centrifugal forces, and how the mass matrix changes; on static and runtime chains.
@@ -25,13 +25,13 @@ auto coriolis_of_coordinates(const Elements& c, State& s) {
   });
   const int n = t.plan.coordinates;
   square coriolis = square::Zero(n, n), mass = coriolis;
-  tree::coriolis_of_records(t.forest, s.work, [&](int j, int k, const S& c_jk, const S& m_jk) {
-    const int row = t.forest.row[static_cast<std::size_t>(j)], column = t.forest.row[static_cast<std::size_t>(k)];
+  tree::coriolis_of_tree(t.body_tree, s.work, [&](int j, int k, const S& c_jk, const S& m_jk) {
+    const int row = t.body_tree.row[static_cast<std::size_t>(j)], column = t.body_tree.row[static_cast<std::size_t>(k)];
     coriolis(row, column) += c_jk, mass(row, column) += m_jk;
   });
   for (int i = 0; i < n; ++i) mass(i, i) += S(t.own_mass[static_cast<std::size_t>(i)]);
   // Of coordinates by their ratios E to those that they follow:  E^T (C E + M dE/dt)
-  hand_on_with_rates(c, s, [&](int to, int from, const S& ratio, const S& rate) {
+  pull_back_followers_with_rates(c, s, [&](int to, int from, const S& ratio, const S& rate) {
     coriolis.col(to) += ratio * coriolis.col(from) + rate * mass.col(from);
     mass.col(to) += ratio * mass.col(from);
     coriolis.row(to) += ratio * coriolis.row(from);
@@ -49,14 +49,14 @@ Matrix with_transpose(const Matrix& m) {
 }
 }  // namespace detail
 
-/// C(q, v), of which C v are the `coriolis_forces`, made of Christoffel's symbols, by which
+/// The Coriolis matrix C(q, v): C v are the `coriolis_forces`. It is made of Christoffel symbols, so that
 ///
 ///   dM/dt - 2 C  is skew-symmetric,   dM/dt = C + C^T          (1)
 ///
-/// as controllers need it that follow a trajectory or adapt (tree/coriolis.hpp). Bases rest; elements that have a mass
-/// and a law of their own count by that mass. kg m^2/s, kg m/s, kg/s. O(n d); no heap for small trees of joints.
+/// as passivity-based and adaptive controllers need (tree/coriolis.hpp). Bases are at rest; of elements with a mass and
+/// forces only the mass counts. kg m^2/s, kg m/s, kg/s. O(n d); no heap for small trees of joints.
 template <class Gravity, class... E, indexable Q, indexable V>
-auto coriolis_matrix(const static_chain<Gravity, E...>& c, const Q& q, const V& v) {
+[[nodiscard]] auto coriolis_matrix(const static_chain<Gravity, E...>& c, const Q& q, const V& v) {
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
@@ -67,42 +67,42 @@ auto coriolis_matrix(const static_chain<Gravity, E...>& c, const Q& q, const V& 
   const joint_matrix<S, chain_type::dofs> m = [&]() -> joint_matrix<S, chain_type::dofs> {
     if constexpr (is_unrolled<chain_type, S> && is_tree_of_joints<chain_type>) {
       const given g{at, each<S, V>{v}, same<skip>{}, base_with_velocity_and_axes};
-      return local_coriolis<S, chain_type, std::remove_const_t<decltype(g)>>(c, g).result();
+      return unrolled_coriolis<S, chain_type, std::remove_const_t<decltype(g)>>(c, g).result();
     } else {
-      return by_records<S>(c, given{at, each<S, V>{v}, same<zero_t>{}, base_at_rest},
-                           [](const auto& elements, auto& s) { return coriolis_of_coordinates(elements, s); });
+      return by_tree<S>(c, given{at, each<S, V>{v}, same<zero_t>{}, base_at_rest},
+                        [](const auto& elements, auto& s) { return coriolis_of_coordinates(elements, s); });
     }
   }();
   check_result(m.data(), static_cast<std::size_t>(m.size()),
-               [&]() { blame<typename chain_type::wiring>("a matrix", at.q, each<S, V>{v}, same<zero_t>{}, "a"); });
+               [&]() { diagnose<typename chain_type::wiring>("a matrix", at.q, each<S, V>{v}, same<zero_t>{}, "a"); });
   return m;
 }
-/// How M changes where the chain moves by v: (1).
+/// The time derivative of M at the velocities v: (1).
 template <class Gravity, class... E, indexable Q, indexable V>
-auto mass_matrix_rate(const static_chain<Gravity, E...>& c, const Q& q, const V& v) {
+[[nodiscard]] auto mass_matrix_rate(const static_chain<Gravity, E...>& c, const Q& q, const V& v) {
   return detail::with_transpose(coriolis_matrix(c, q, v));
 }
 
-/// At the positions and rates of a state, with its moving bases and coordinates that are given: (1) holds then, too,
-/// but C v leaves out what these do.
+/// The Coriolis matrix at the positions and rates of a state, with its moving bases and prescribed coordinates: (1)
+/// holds, but C v omits the forces of their motion.
 template <class S>
-runtime_matrix<S> coriolis_matrix(const kte_map_chain& c, basic_runtime_state<S>& s) {
-  detail::check_regular_tree(c, s), detail::refuse_spread_masses(c, s), detail::check_state_velocities(s);
+runtime_matrix<S> coriolis_matrix(const runtime_chain& c, basic_runtime_state<S>& s) {
+  detail::check_regular_tree(c, s), detail::refuse_distributed_masses(c, s), detail::check_state_velocities(s);
   runtime_matrix<S> m = detail::coriolis_of_coordinates(detail::runtime_elements{c}, s);
-  detail::check_result(m.data(), static_cast<std::size_t>(m.size()), [&s] { detail::blame("a matrix", s); });
+  detail::check_result(m.data(), static_cast<std::size_t>(m.size()), [&s] { detail::diagnose("a matrix", s); });
   return m;
 }
 template <class S, indexable Q, indexable V>
-runtime_matrix<S> coriolis_matrix(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v) {
-  detail::check_regular_tree(c, s), detail::refuse_spread_masses(c, s);
+runtime_matrix<S> coriolis_matrix(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v) {
+  detail::check_regular_tree(c, s), detail::refuse_distributed_masses(c, s);
   return detail::take(c, s, q, v).call([&] { return coriolis_matrix(c, s); });
 }
 template <class S>
-runtime_matrix<S> mass_matrix_rate(const kte_map_chain& c, basic_runtime_state<S>& s) {
+runtime_matrix<S> mass_matrix_rate(const runtime_chain& c, basic_runtime_state<S>& s) {
   return detail::with_transpose(coriolis_matrix(c, s));
 }
 template <class S, indexable Q, indexable V>
-runtime_matrix<S> mass_matrix_rate(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v) {
+runtime_matrix<S> mass_matrix_rate(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v) {
   return detail::with_transpose(coriolis_matrix(c, s, q, v));
 }
 

@@ -1,27 +1,28 @@
 #ifndef KTE_DERIVATIVES_HPP
 #define KTE_DERIVATIVES_HPP
 
-#include <kte/dynamics/detail/static_derivatives.hpp>
 #include <kte/dynamics/forward_dynamics.hpp>
 #include <kte/dynamics/inverse_dynamics.hpp>
 #include <kte/dynamics/mass_matrix_inverse.hpp>
+#include <kte/dynamics/unrolled/derivatives.hpp>
 
 namespace kte {
 
 /// Inverse dynamics and its derivatives by q, v and a, dofs x dofs each; by_a is the mass matrix, less the derivatives
-/// of friction that depends on what joints carry. In a tree of joints and bodies, with springs, dampers and masses on
-/// coordinates, by recursion over the elements (kernels/variation.hpp); where other forces act between frames, or
-/// coordinates follow others, by dual numbers.
+/// of load-dependent friction. In a tree of joints and bodies, with springs, dampers and masses on coordinates, by
+/// recursion over the elements (recursions/force_variations.hpp); with other forces between frames, or coordinates that
+/// follow others, by dual numbers.
 ///
 ///   inverse_dynamics_derivatives(c, q, v, a)       of a static chain, a value
-///   inverse_dynamics_derivatives(c, s, q, v, a)    of a runtime chain, in the state s, for which the first call makes
-///                                                  room
+///   inverse_dynamics_derivatives(c, s, q, v, a)    of a runtime chain, in the state s; the first call allocates
+///                                                  memory
 ///   inverse_dynamics_derivatives(c, s)             of both, at the positions, rates and accelerations of a state
 ///
-/// Arguments and errors as for `inverse_dynamics`. Throws `bad_argument` also for a chain of which an element moves or
-/// acts by more than records say.
+/// Arguments and errors as for `inverse_dynamics`. Throws `bad_argument` also for a chain with an element that has more
+/// than the data of a body node.
 template <class Gravity, class... E, indexable Q, indexable V, indexable A>
-auto inverse_dynamics_derivatives(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const A& a) {
+[[nodiscard]] auto inverse_dynamics_derivatives(const static_chain<Gravity, E...>& c, const Q& q, const V& v,
+                                                const A& a) {
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
   detail::check_configuration<chain_type>(q);
@@ -31,7 +32,8 @@ auto inverse_dynamics_derivatives(const static_chain<Gravity, E...>& c, const Q&
   return detail::derivatives_at<S>(c, at, detail::base_under_gravity(c), q, v, a);
 }
 template <class Gravity, class... E, class S>
-auto inverse_dynamics_derivatives(const static_chain<Gravity, E...>& c, const chain_state<S, detail::wiring<E...>>& s) {
+[[nodiscard]] auto inverse_dynamics_derivatives(const static_chain<Gravity, E...>& c,
+                                                const chain_state<S, detail::wiring<E...>>& s) {
   using state = chain_state<S, detail::wiring<E...>>;
   const auto q = positions(s);
   const auto v = velocities(s), a = accelerations(s);
@@ -40,10 +42,11 @@ auto inverse_dynamics_derivatives(const static_chain<Gravity, E...>& c, const ch
   return detail::derivatives_at<S>(c, at, detail::base_of_state<state>{s}, q, v, a);
 }
 
-/// Forward dynamics and its derivatives, from those of inverse dynamics and the inverse of the mass matrix, which has
-/// all digits of `mass_matrix_inverse`. Arguments and errors as for `forward_dynamics`, results as above.
+/// Forward dynamics and its derivatives, from those of inverse dynamics and the inverse of the mass matrix, with the
+/// accuracy of `mass_matrix_inverse`. Arguments and errors as for `forward_dynamics`, results as above.
 template <class Gravity, class... E, indexable Q, indexable V, indexable T>
-auto forward_dynamics_derivatives(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const T& tau) {
+[[nodiscard]] auto forward_dynamics_derivatives(const static_chain<Gravity, E...>& c, const Q& q, const V& v,
+                                                const T& tau) {
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
   constexpr int n = chain_type::dofs;
@@ -54,7 +57,8 @@ auto forward_dynamics_derivatives(const static_chain<Gravity, E...>& c, const Q&
   return detail::forward_derivatives_at<S>(c, at, detail::base_under_gravity(c), q, v, f);
 }
 template <class Gravity, class... E, class S>
-auto forward_dynamics_derivatives(const static_chain<Gravity, E...>& c, const chain_state<S, detail::wiring<E...>>& s) {
+[[nodiscard]] auto forward_dynamics_derivatives(const static_chain<Gravity, E...>& c,
+                                                const chain_state<S, detail::wiring<E...>>& s) {
   using state = chain_state<S, detail::wiring<E...>>;
   const auto q = positions(s);
   const auto v = velocities(s);
@@ -72,20 +76,20 @@ auto forward_dynamics_derivatives(const static_chain<Gravity, E...>& c, const ch
 #if defined(KTE_RUNTIME_CHAINS) && !defined(KTE_DERIVATIVES_OF_RUNTIME_CHAINS)
 #define KTE_DERIVATIVES_OF_RUNTIME_CHAINS
 
-#include <kte/dynamics/detail/runtime_derivatives.hpp>
 #include <kte/dynamics/forward_dynamics.hpp>
+#include <kte/dynamics/runtime/derivatives.hpp>
 
 namespace kte {
 
 template <class S>
-const inverse_dynamics_result<S, Eigen::Dynamic>& inverse_dynamics_derivatives(const kte_map_chain& c,
+const inverse_dynamics_result<S, Eigen::Dynamic>& inverse_dynamics_derivatives(const runtime_chain& c,
                                                                                basic_runtime_state<S>& s) {
   detail::check_regular(c, s);
   detail::check_positions(s);
   return detail::forces_derived(c, s);
 }
 template <class S, indexable Q, indexable V, indexable A>
-const auto& inverse_dynamics_derivatives(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
+const auto& inverse_dynamics_derivatives(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
                                          const A& a) {
   detail::check_regular(c, s);
   return detail::take<detail::keeping::if_needed>(c, s, q, v, a).call([&]() -> const auto& {
@@ -94,7 +98,7 @@ const auto& inverse_dynamics_derivatives(const kte_map_chain& c, basic_runtime_s
 }
 
 template <class S>
-const forward_dynamics_result<S, Eigen::Dynamic>& forward_dynamics_derivatives(const kte_map_chain& c,
+const forward_dynamics_result<S, Eigen::Dynamic>& forward_dynamics_derivatives(const runtime_chain& c,
                                                                                basic_runtime_state<S>& s) {
   detail::check_regular(c, s);
   return detail::keep_accelerations(s).call([&]() -> const auto& {
@@ -103,7 +107,7 @@ const forward_dynamics_result<S, Eigen::Dynamic>& forward_dynamics_derivatives(c
   });
 }
 template <class S, indexable Q, indexable V, indexable T>
-const auto& forward_dynamics_derivatives(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
+const auto& forward_dynamics_derivatives(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
                                          const T& tau) {
   detail::check_regular(c, s);
   return detail::take(c, s, q, v, detail::found_later{}, tau).call([&]() -> const auto& {
@@ -114,9 +118,9 @@ const auto& forward_dynamics_derivatives(const kte_map_chain& c, basic_runtime_s
 
 #ifdef KTE_EXTERN
 KTE_EXTERN template const inverse_dynamics_result<double, Eigen::Dynamic>& inverse_dynamics_derivatives(
-    const kte_map_chain&, runtime_state&);
+    const runtime_chain&, runtime_state&);
 KTE_EXTERN template const forward_dynamics_result<double, Eigen::Dynamic>& forward_dynamics_derivatives(
-    const kte_map_chain&, runtime_state&);
+    const runtime_chain&, runtime_state&);
 #endif
 
 }  // namespace kte

@@ -2,27 +2,26 @@
 #define KTE_ENERGY_HPP
 
 #include <kte/dynamics/centre_of_mass.hpp>
-#include <kte/dynamics/detail/local_energy.hpp>
+#include <kte/dynamics/unrolled/energy.hpp>
 
 namespace kte {
 
-/// J
+/// Energies of a chain, `kinetic` and `potential`, J.
 template <class S = double>
 struct energies {
   S kinetic;
   S potential;
 };
 
-/// The kinetic energy of all bodies and of masses on coordinates, bases at rest, J:
+/// The kinetic energy of all bodies and of masses on coordinates, with bases at rest, J:
 ///
 ///   T = sum m |v_c|^2 / 2 + w . I w / 2 + sum m q_dot^2 / 2  =  v . M(q) v / 2          (1)
 ///
-/// over the bodies by the velocities of their frames, without M: a sum of what is not negative, so it keeps its digits.
-/// Of a runtime chain `kinetic_energy(c, s, q, v)`, or `kinetic_energy(c, s)` at the positions and rates of the state
-/// s, of which the frames then are those of `doMotion`; bases move as it says. Arguments and errors as for
-/// `inverse_dynamics`.
+/// by the velocities of frames, without M: a sum of terms that are not negative, without cancellation. Runtime chains:
+/// `kinetic_energy(c, s, q, v)`, or `kinetic_energy(c, s)` at the positions and rates of the state s, with the motion
+/// of its bases; its frames are then those of `doMotion`. Arguments and errors as for `inverse_dynamics`.
 template <class Gravity, class... E, indexable Q, indexable V>
-auto kinetic_energy(const static_chain<Gravity, E...>& c, const Q& q, const V& v) {
+[[nodiscard]] auto kinetic_energy(const static_chain<Gravity, E...>& c, const Q& q, const V& v) {
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
@@ -30,7 +29,7 @@ auto kinetic_energy(const static_chain<Gravity, E...>& c, const Q& q, const V& v
   const configuration<S, typename chain_type::wiring, Q> at(q);
   at.check();
   return checked_energy<S>(kinetic_energy_at<S>(c, at, each<S, V>{v}), [&]() KTE_INLINE_LAMBDA {
-    blame<typename chain_type::wiring>("an energy", at.q, each<S, V>{v}, same<zero_t>{}, "a");
+    diagnose<typename chain_type::wiring>("an energy", at.q, each<S, V>{v}, same<zero_t>{}, "a");
   });
 }
 
@@ -38,10 +37,10 @@ auto kinetic_energy(const static_chain<Gravity, E...>& c, const Q& q, const V& v
 ///
 ///   V = - gravity . sum m c + sum V_spring          (2)
 ///
-/// Elements have a part in it by a function `potential_energy`; dampers and motors have none. Of a runtime chain
+/// Elements contribute by a function `potential_energy`; dampers and motors have none. Runtime chains:
 /// `potential_energy(c, s, q)`, or `potential_energy(c, s)`.
 template <class Gravity, class... E, indexable Q>
-auto potential_energy(const static_chain<Gravity, E...>& c, const Q& q) {
+[[nodiscard]] auto potential_energy(const static_chain<Gravity, E...>& c, const Q& q) {
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
@@ -49,13 +48,13 @@ auto potential_energy(const static_chain<Gravity, E...>& c, const Q& q) {
   const configuration<S, typename chain_type::wiring, Q> at(q);
   at.check();
   return checked_energy<S>(potential_energy_at<S>(c, at), [&]() KTE_INLINE_LAMBDA {
-    blame<typename chain_type::wiring>("an energy", at.q, same<zero_t>{}, same<zero_t>{}, "a");
+    diagnose<typename chain_type::wiring>("an energy", at.q, same<zero_t>{}, same<zero_t>{}, "a");
   });
 }
 
-/// Both. Where nothing else does work, their sum stays the same.
+/// Kinetic and potential energy, J. Their sum is constant if no other force does work.
 template <class Gravity, class... E, indexable Q, indexable V>
-auto energy(const static_chain<Gravity, E...>& c, const Q& q, const V& v) {
+[[nodiscard]] auto energy(const static_chain<Gravity, E...>& c, const Q& q, const V& v) {
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
@@ -63,7 +62,7 @@ auto energy(const static_chain<Gravity, E...>& c, const Q& q, const V& v) {
   const configuration<S, typename chain_type::wiring, Q> at(q);
   at.check();
   const auto why = [&]() KTE_INLINE_LAMBDA {
-    blame<typename chain_type::wiring>("an energy", at.q, each<S, V>{v}, same<zero_t>{}, "a");
+    diagnose<typename chain_type::wiring>("an energy", at.q, each<S, V>{v}, same<zero_t>{}, "a");
   };
   return energies<S>{checked_energy<S>(kinetic_energy_at<S>(c, at, each<S, V>{v}), why),
                      checked_energy<S>(potential_energy_at<S>(c, at), why)};
@@ -78,54 +77,54 @@ auto energy(const static_chain<Gravity, E...>& c, const Q& q, const V& v) {
 #if defined(KTE_RUNTIME_CHAINS) && !defined(KTE_ENERGY_OF_RUNTIME_CHAINS)
 #define KTE_ENERGY_OF_RUNTIME_CHAINS
 
-#include <kte/dynamics/detail/runtime_bodies.hpp>
+#include <kte/dynamics/runtime/bodies.hpp>
 
 namespace kte {
 
 template <class S>
-S kinetic_energy(const kte_map_chain& c, basic_runtime_state<S>& s) {
+S kinetic_energy(const runtime_chain& c, basic_runtime_state<S>& s) {
   c.check(s), detail::check_state_velocities(s);
   c.doMotion(s);
   static_assert(detail::goes_through_passes<S>);
   double sum = 0;
   for (const auto& e : c.wiring().elements) sum += e.element->kinetic_energy(s);
-  return detail::checked_energy<S>(sum, detail::blame_state{"an energy", s});
+  return detail::checked_energy<S>(sum, detail::diagnose_state{"an energy", s});
 }
 template <class S>
-S potential_energy(const kte_map_chain& c, basic_runtime_state<S>& s) {
+S potential_energy(const runtime_chain& c, basic_runtime_state<S>& s) {
   detail::check_regular_tree(c, s), detail::check_positions(s);
   c.doMotion(s);
   static_assert(detail::goes_through_passes<S>);
   double sum = 0;
   for (const auto& e : c.wiring().elements) {
     sum += e.element->potential_energy(s);
-    if (e.spreads) sum -= dot(c.gravity(), e.element->first_moment(s));
+    if (e.distributed_mass) sum -= dot(c.gravity(), e.element->first_moment(s));
   }
   detail::carry_bodies(c, s);
-  return detail::checked_energy<S>(sum - dot(c.gravity(), tree::weight_in_world(s.tree().forest, s.work).moment),
-                                   detail::blame_state{"an energy", s});
+  return detail::checked_energy<S>(sum - dot(c.gravity(), tree::weight_in_world(s.tree().body_tree, s.work).moment),
+                                   detail::diagnose_state{"an energy", s});
 }
 template <class S>
-energies<S> energy(const kte_map_chain& c, basic_runtime_state<S>& s) {
+energies<S> energy(const runtime_chain& c, basic_runtime_state<S>& s) {
   const S kinetic = kinetic_energy(c, s);
   return {kinetic, potential_energy(c, s)};
 }
 template <class S, indexable Q, indexable V>
-S kinetic_energy(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v) {
+S kinetic_energy(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v) {
   return detail::take<detail::keeping::if_needed>(c, s, q, v).call([&] { return kinetic_energy(c, s); });
 }
 template <class S, indexable Q>
-S potential_energy(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q) {
+S potential_energy(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q) {
   return detail::take<detail::keeping::if_needed>(c, s, q).call([&] { return potential_energy(c, s); });
 }
 template <class S, indexable Q, indexable V>
-energies<S> energy(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v) {
+energies<S> energy(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v) {
   return detail::take<detail::keeping::if_needed>(c, s, q, v).call([&] { return energy(c, s); });
 }
 
 #ifdef KTE_EXTERN
-KTE_EXTERN template double kinetic_energy(const kte_map_chain&, runtime_state&);
-KTE_EXTERN template double potential_energy(const kte_map_chain&, runtime_state&);
+KTE_EXTERN template double kinetic_energy(const runtime_chain&, runtime_state&);
+KTE_EXTERN template double potential_energy(const runtime_chain&, runtime_state&);
 #endif
 
 }  // namespace kte

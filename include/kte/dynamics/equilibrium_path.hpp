@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kte/dynamics/static_equilibrium.hpp>
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
 
 #include <string>
 #include <string_view>
@@ -9,17 +9,19 @@
 
 namespace kte {
 
+/// Options of `equilibrium_path`.
 struct equilibrium_path_options {
-  std::string_view parameter{};          ///< an input, or a coordinate that base_gen gives; none: the load factor
-  double from = 0, to = 1;               ///< its values at the start, and where the path ends
-  double step = 0.1;                     ///< the largest between points, see `equilibrium_path`
-  int points = 1000;                     ///< at most
-  std::vector<external_wrench> loads{};  ///< as of `static_equilibrium`
-  double tolerance = 1e-10;              ///< likewise
+  std::string_view parameter{};          ///< an input, or a coordinate of base_gen; empty: the load factor
+  double from = 0, to = 1;               ///< first and last value of the parameter
+  double step = 0.1;                     ///< largest distance between points, see `equilibrium_path`
+  int points = 1000;                     ///< largest number of points
+  std::vector<external_wrench> loads{};  ///< as for `static_equilibrium`
+  double tolerance = 1e-10;              ///< as for `static_equilibrium`
 };
 
+/// A point of a path of equilibria: the configuration q and the `stability` of its tangent.
 struct equilibrium_point {
-  double parameter = 0;  ///< the load factor, or what it is
+  double parameter = 0;  ///< the value of the parameter
   Eigen::VectorXd q;
   tangent_stability stability;
 };
@@ -60,7 +62,7 @@ class path_follower {
                        (f_.by_load() ? "load factor" : std::string(options_.parameter)) + " " + number(at_.parameter) +
                        (name.empty() ? "" : ": nothing holds '" + name + "'"));
   }
-  /// Of two directions, (d, dp).
+  /// The inner product of two directions (d, dp).
   double product(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const {
     const Eigen::Index n = squares_.size();
     return a.head(n).cwiseProduct(squares_).dot(b.head(n)) + a[n] * b[n] / (span_ * span_);
@@ -128,7 +130,8 @@ class path_follower {
 };
 }  // namespace detail
 
-KTE_FUNCTION std::vector<equilibrium_point> follow_equilibria(const kte_map_chain& c, runtime_state& s,
+/// The implementation of `equilibrium_path`.
+KTE_FUNCTION std::vector<equilibrium_point> follow_equilibria(const runtime_chain& c, runtime_state& s,
                                                               const Eigen::VectorXd& q0,
                                                               const equilibrium_path_options& options) {
   using namespace detail;
@@ -143,26 +146,25 @@ KTE_FUNCTION std::vector<equilibrium_point> follow_equilibria(const kte_map_chai
   return points;
 }
 #else
-std::vector<equilibrium_point> follow_equilibria(const kte_map_chain&, runtime_state&, const Eigen::VectorXd&,
+std::vector<equilibrium_point> follow_equilibria(const runtime_chain&, runtime_state&, const Eigen::VectorXd&,
                                                  const equilibrium_path_options&);
 #endif
 
-/// The equilibria of a chain one after another as its loads grow, or as a parameter changes: by pseudo-arclength
-/// continuation, which also follows the path where it turns back, at limit points, at which a chain snaps through under
-/// given loads. The parameter is the load factor of `static_equilibrium`, without forces that hold the chain, or an
-/// input from outside, or a coordinate that base_gen gives, in the state. The first point is the equilibrium that
-/// damped steps lead to from q0 at `from`, the last one is at `to`, unless there would be more points.
+/// The equilibria of a chain as its loads grow, or as a parameter changes, by pseudo-arclength continuation, which also
+/// follows the path through limit points, at which a chain snaps through under given loads. The parameter is the load
+/// factor of `static_equilibrium`, without holding forces, or an input, or a coordinate of base_gen, in the state. The
+/// first point is the equilibrium that damped steps find from q0 at `from`, the last one is at `to`, unless there would
+/// be more than `points` points.
 ///
-/// Between points are at most `step`: the root of the mean of squares of rotations (rad) and of lengths in parts of the
-/// size of the chain, and of the parameter in parts of to - from; less where the path is bent. Limit points are where
-/// the parameter turns; where a number of `stability.unstable` changes else, other paths branch off, which are not
-/// followed.
+/// The distance of points is at most `step`: the root mean square of rotations, rad, and of lengths relative to the
+/// size of the chain, and of the parameter relative to to - from; less where the path is curved. The parameter turns
+/// back at limit points; other changes of `stability.unstable` are branch points, whose branches are not followed.
 ///
 ///   for (const auto& x : kte::equilibrium_path(truss, s, q0)) std::cout << x.parameter << ' ' << x.q[0] << '\n';
 ///
-/// The state is then at the last point. Throws as `static_equilibrium`, then it is as it was.
+/// The state is then at the last point. Throws as `static_equilibrium`, and then leaves the state unchanged.
 template <indexable Q>
-std::vector<equilibrium_point> equilibrium_path(const kte_map_chain& c, runtime_state& s, const Q& q0,
+std::vector<equilibrium_point> equilibrium_path(const runtime_chain& c, runtime_state& s, const Q& q0,
                                                 const equilibrium_path_options& options = {}) {
   return follow_equilibria(c, s, detail::start_of_statics(c, s, q0), options);
 }

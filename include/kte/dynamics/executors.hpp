@@ -10,11 +10,11 @@
 #include <thread>
 #include <vector>
 
-/// Who does the tasks of a batch: anything that is called as executor(tasks, task), calls task(0) ... task(tasks - 1)
-/// in any order and in any threads, and returns when all are done. A pool of your own needs three lines.
+/// An executor of a batch is called as executor(tasks, task), calls task(0) ... task(tasks - 1) in any order and in any
+/// threads, and returns when all are done. A custom thread pool needs three lines.
 namespace kte::batch {
 
-/// All tasks one after the other.
+/// Runs all tasks one after the other in this thread.
 struct in_this_thread {
   template <class Task>
   void operator()(std::size_t tasks, Task&& task) const {
@@ -22,8 +22,8 @@ struct in_this_thread {
   }
 };
 
-/// Tasks on up to n threads, this one among them; the others are started for each call.
-/// All tasks are done even if some throw; then the exception of the first of these is thrown.
+/// Runs tasks on up to n threads, including this one; the others are started for each call. All tasks run even if some
+/// throw; then the exception of the first of these is thrown.
 class threads {
  public:
   explicit threads(std::size_t n) : n_(n) {

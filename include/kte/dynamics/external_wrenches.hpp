@@ -4,18 +4,18 @@
 #include <kte/dynamics/inverse_dynamics.hpp>
 #include <kte/dynamics/jacobian.hpp>
 #include <kte/dynamics/state_vectors.hpp>
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
 
 #include <string>
 #include <string_view>
 #include <vector>
 
-/// Dynamics under loads from outside on frames, by their Jacobians J:
+/// Dynamics under external wrenches on frames, by their Jacobians J:
 ///
 ///   Q = sum J^T (F, T)          (1)
 ///
-/// F (N) and T (Nm) act on the mechanism at the origin of a frame, in its axes. As elements of a chain such loads are
-/// `driving_actuator_3D` and `external_force_3D`, which cost less where there are many.
+/// F, N, and T, Nm, act on the mechanism at the origin of a frame, in its axes. As elements of a chain such loads are
+/// `driving_actuator_3D` and `external_force_3D`, which cost less for many loads.
 namespace kte {
 
 namespace detail {
@@ -29,8 +29,8 @@ struct any_vector {
 };
 }  // namespace detail
 
-/// A load from outside on a frame of a runtime chain: `{"tool", {0, 0, -5}}`, `{"tool", kte::along_z(-5.0)}`. The text
-/// or handle must live as long.
+/// An external wrench on a frame of a runtime chain: `{"tool", {0, 0, -5}}`, `{"tool", kte::along_z(-5.0)}`. The text
+/// or handle must outlive it.
 struct external_wrench {
   name_or_handle frame;
   vec3<> force{};   ///< N
@@ -39,16 +39,17 @@ struct external_wrench {
   external_wrench(const name_or_handle& on, const detail::any_vector& f = {}, const detail::any_vector& t = {})
       : frame(on), force(f.numbers), torque(t.numbers) {}
 };
-/// The same of a static chain, made by `wrench_on(tool, force, torque)`.
+/// An external wrench on a frame of a static chain, made by `wrench_on(tool, force, torque)`.
 template <key_type Frame>
 struct wrench_on_frame {
   vec3<> force{};
   vec3<> torque{};
 };
 
+/// An external wrench on a frame of a static chain: force, N, and torque, Nm, at its origin, in its axes.
 template <key_type Frame>
-constexpr wrench_on_frame<Frame> wrench_on(const Frame&, const detail::any_vector& force,
-                                           const detail::any_vector& torque = {}) {
+[[nodiscard]] constexpr wrench_on_frame<Frame> wrench_on(const Frame&, const detail::any_vector& force,
+                                                         const detail::any_vector& torque = {}) {
   return {force.numbers, torque.numbers};
 }
 
@@ -58,13 +59,13 @@ template <class S, class W>
 Eigen::Matrix<S, 6, 1> six_numbers(const W& w, std::string_view frame) {
   const double all[]{w.force.x, w.force.y, w.force.z, w.torque.x, w.torque.y, w.torque.z};
   if (!all_finite(all, 6)) [[unlikely]]
-    raise<bad_argument>("kte: a force or torque from outside on '" + std::string(frame) + "' is not finite");
+    raise<bad_argument>("kte: an external force or torque on '" + std::string(frame) + "' is not finite");
   Eigen::Matrix<S, 6, 1> x;
   for (int i = 0; i < 6; ++i) x[i] = S(all[i]);
   return x;
 }
 template <class... Core>
-inline constexpr bool no_reactions_read = (!reads_reaction<Core> && ...);
+inline constexpr bool no_load_dependent_friction = (!load_dependent_friction<Core> && ...);
 
 /// A load on a frame of a runtime chain.
 template <class S>
@@ -74,12 +75,11 @@ struct load_on_frame {
 };
 /// All that can be said before anything is computed.
 template <class S>
-std::vector<load_on_frame<S>> checked_loads(const kte_map_chain& c, const basic_runtime_state<S>& s,
+std::vector<load_on_frame<S>> checked_loads(const runtime_chain& c, const basic_runtime_state<S>& s,
                                             const std::vector<external_wrench>& loads) {
   check_regular(c, s);
   if (!s.tree().readers.empty())
-    throw bad_argument(
-        "kte: of a joint whose friction depends on what it carries, forces from outside must be elements of the chain");
+    throw bad_argument("kte: external wrenches on a chain with load-dependent friction must be elements of the chain");
   std::vector<load_on_frame<S>> all;
   for (const auto& w : loads) {
     const auto x = find_frame(c, w.frame);
@@ -90,7 +90,7 @@ std::vector<load_on_frame<S>> checked_loads(const kte_map_chain& c, const basic_
 }
 /// At positions that are good.
 template <class S>
-runtime_vector<S> forces_of_loads(const kte_map_chain& c, basic_runtime_state<S>& s,
+runtime_vector<S> forces_of_loads(const runtime_chain& c, basic_runtime_state<S>& s,
                                   const std::vector<load_on_frame<S>>& loads) {
   runtime_vector<S> sum = runtime_vector<S>::Zero(s.dofs());
   basic_runtime_jacobian<S> j;
@@ -98,26 +98,25 @@ runtime_vector<S> forces_of_loads(const kte_map_chain& c, basic_runtime_state<S>
     put_jacobian(c, s, w.frame, false, j);
     sum += j.transpose() * w.load;
   }
-  check_result(sum, static_cast<std::size_t>(sum.size()), blame_state{"a force", s});
+  check_result(sum, static_cast<std::size_t>(sum.size()), diagnose_state{"a force", s});
   return sum;
 }
 }  // namespace detail
 
-/// The forces of virtual power of loads on frames on the degrees of freedom, N and Nm: Q of (1). Throws `bad_argument`
-/// where the friction of a joint depends on what it carries, for then it depends on more than Q.
+/// The generalized forces of external wrenches, N and Nm: Q of (1). Throws `bad_argument` for chains with
+/// load-dependent friction, which is not a function of Q.
 template <class S, indexable Q>
-runtime_vector<S> external_forces(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q,
+runtime_vector<S> external_forces(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q,
                                   const std::vector<external_wrench>& loads) {
   const auto all = detail::checked_loads(c, s, loads);
   return detail::take(c, s, q).call([&] { return detail::forces_of_loads(c, s, all); });
 }
-/// The same of a static chain.
+/// The generalized forces of external wrenches on a static chain, N and Nm: Q of (1).
 template <class Gravity, class... E, indexable Q, key_type... Frames>
-auto external_forces(const static_chain<Gravity, E...>& c, const Q& q, const wrench_on_frame<Frames>&... loads) {
-  static_assert(
-      detail::no_reactions_read<typename E::core_type...>,
-      "kte: of a joint whose friction depends on what it carries, forces from outside must be elements of the "
-      "chain");
+[[nodiscard]] auto external_forces(const static_chain<Gravity, E...>& c, const Q& q,
+                                   const wrench_on_frame<Frames>&... loads) {
+  static_assert(detail::no_load_dependent_friction<typename E::core_type...>,
+                "kte: external wrenches on a chain with load-dependent friction must be elements of the chain");
   static_assert(sizeof(detail::check_loads_of<static_chain<Gravity, E...>>) > 0);
   using S = value_of<Q>;
   joint_vector<S, static_chain<Gravity, E...>::dofs> sum;
@@ -127,12 +126,12 @@ auto external_forces(const static_chain<Gravity, E...>& c, const Q& q, const wre
   return sum;
 }
 
-/// `inverse_dynamics` under loads from outside: tau = M a + C v + g - Q of elements - Q of (1).
+/// `inverse_dynamics` under external wrenches: tau = M a + C v + g - Q of elements - Q of (1).
 ///
 ///   inverse_dynamics(arm, s, q, v, a, {{"tool", {0, 0, -5}}})
 ///   inverse_dynamics(arm, q, v, a, wrench_on(tool, {0, 0, -5}))
 template <class S, indexable Q, indexable V, indexable A>
-runtime_vector<S> inverse_dynamics(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
+runtime_vector<S> inverse_dynamics(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
                                    const A& a, const std::vector<external_wrench>& loads) {
   const auto all = detail::checked_loads(c, s, loads);
   return detail::take(c, s, q, v, a).call([&] {
@@ -141,16 +140,16 @@ runtime_vector<S> inverse_dynamics(const kte_map_chain& c, basic_runtime_state<S
   });
 }
 template <class Gravity, class... E, indexable Q, indexable V, indexable A, key_type First, key_type... Frames>
-auto inverse_dynamics(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const A& a,
-                      const wrench_on_frame<First>& load, const wrench_on_frame<Frames>&... loads) {
+[[nodiscard]] auto inverse_dynamics(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const A& a,
+                                    const wrench_on_frame<First>& load, const wrench_on_frame<Frames>&... loads) {
   auto tau = inverse_dynamics(c, q, v, a);
   tau -= external_forces(c, q, load, loads...);
   return tau;
 }
 
-/// `forward_dynamics` under loads from outside besides tau.
+/// `forward_dynamics` under external wrenches in addition to tau.
 template <class S, indexable Q, indexable V, indexable T>
-runtime_vector<S> forward_dynamics(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
+runtime_vector<S> forward_dynamics(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
                                    const T& tau, const std::vector<external_wrench>& loads) {
   const auto checked = detail::checked_loads(c, s, loads);
   detail::check_regular(c, s);
@@ -161,8 +160,8 @@ runtime_vector<S> forward_dynamics(const kte_map_chain& c, basic_runtime_state<S
   });
 }
 template <class Gravity, class... E, indexable Q, indexable V, indexable T, key_type First, key_type... Frames>
-auto forward_dynamics(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const T& tau,
-                      const wrench_on_frame<First>& load, const wrench_on_frame<Frames>&... loads) {
+[[nodiscard]] auto forward_dynamics(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const T& tau,
+                                    const wrench_on_frame<First>& load, const wrench_on_frame<Frames>&... loads) {
   constexpr int n = static_chain<Gravity, E...>::dofs;
   check_size<n>(tau, "tau");
   auto all = external_forces(c, q, load, loads...);

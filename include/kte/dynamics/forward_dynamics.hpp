@@ -1,9 +1,9 @@
 #ifndef KTE_FORWARD_DYNAMICS_HPP
 #define KTE_FORWARD_DYNAMICS_HPP
 
-#include <kte/dynamics/detail/local_articulated.hpp>
 #include <kte/dynamics/inverse_dynamics.hpp>
 #include <kte/dynamics/mass_matrix.hpp>
+#include <kte/dynamics/unrolled/articulated.hpp>
 #include <kte/kernels/solve.hpp>
 
 namespace kte {
@@ -15,9 +15,9 @@ KTE_INLINE void articulated_accelerations(const Chain& c, const Given& g, const 
                                           joint_vector<S, N>& a) {
   static_assert(sizeof(check_loads_of<Chain>) > 0);
   if constexpr (is_unrolled<Chain, S>) {
-    local_articulated<S, Chain, Given>(c, g).accelerate(tau, a);
+    articulated_chain<S, Chain, Given>(c, g).accelerate(tau, a);
   } else {
-    a = accelerations_by_records<S>(c, g, tau);
+    a = accelerations_by_tree<S>(c, g, tau);
   }
 }
 /// By articulated bodies where the chain is a tree of joints, otherwise by the factorised mass matrix.
@@ -29,13 +29,13 @@ KTE_INLINE auto accelerations_under(const Chain& c, const At& at, const V& v, co
   if constexpr (is_tree_of_joints<Chain> || !Chain::common) {
     using given_type = given<At, V, same<zero_t>, Base, true>;
     if constexpr (is_unrolled<Chain, S>)
-      static_assert(sizeof(typename local_articulated<S, Chain, given_type>::need) > 0);
+      static_assert(sizeof(typename articulated_chain<S, Chain, given_type>::need) > 0);
     const given_type g{at, v, {}, base};
     articulated_accelerations(c, g, tau, a);
   } else {
     a = tau + generalized_forces<S>(c, given{at, v, same<zero_t>{}, base}, one);
-    auto m = local_mass_matrix<S>(c, at, base);
-    solve_in_place(m, a, [&at](int row) { blame_mass<typename Chain::wiring>(row, true, at.q); });
+    auto m = mass_matrix_at<S>(c, at, base);
+    solve_in_place(m, a, [&at](int row) { diagnose_mass<typename Chain::wiring>(row, true, at.q); });
     check_accelerations<typename Chain::wiring>(a, given{at, v, same<zero_t>{}, base}, tau);
   }
   return a;
@@ -46,21 +46,21 @@ KTE_INLINE auto accelerations_under(const Chain& c, const At& at, const V& v, co
 ///
 ///   a = M(q)^-1 (tau - bias),   bias = the inverse dynamics for a = 0          (1)
 ///
-/// in a chain of joints and links by the articulated-body algorithm, which never forms M and keeps its digits where M
-/// is badly conditioned (docs/decisions/05-forward-dynamics.md); where coordinates follow others, or two joints share
-/// one, by factorising M. tau: forces applied to the degrees of freedom besides those of the chain's own elements, Nm
-/// and N. Returns accelerations, dofs numbers, rad/s^2 and m/s^2.
+/// in a chain of joints and links by the articulated-body algorithm (ABA; Featherstone 2008, section 7.3), which does
+/// not form M and keeps its accuracy where M is ill-conditioned (docs/decisions/05-forward-dynamics.md); if coordinates
+/// follow others, or two joints share one, by factorization of M. tau: applied forces on the degrees of freedom in
+/// addition to those of the elements, Nm and N. Returns accelerations, dofs numbers, rad/s^2 and m/s^2.
 ///
 ///   forward_dynamics(c, q, v, tau)       of a static chain, a value
-///   forward_dynamics(c, s, q, v, tau)    of a runtime chain, in the state s, of which the coordinates get them, too
-///   forward_dynamics(c, s)               of both, at the positions and rates of a state under its inputs, no tau
+///   forward_dynamics(c, s, q, v, tau)    of a runtime chain, in the state s, whose coordinates get the accelerations
+///   forward_dynamics(c, s)               of both, at the positions and rates of a state under its inputs, without tau
 ///
 /// Arguments and errors as for `inverse_dynamics`, chains as for `mass_matrix`. Throws `singular_mass_matrix`.
 ///
 /// Where a runtime chain has closures of loops, accelerations are those of `constrained_dynamics` (kte/loops.hpp), and
 /// the loops in the state get the forces of the closures.
 template <class Gravity, class... E, indexable Q, indexable V, indexable T>
-auto forward_dynamics(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const T& tau) {
+[[nodiscard]] auto forward_dynamics(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const T& tau) {
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
   constexpr int n = chain_type::dofs;
@@ -72,7 +72,8 @@ auto forward_dynamics(const static_chain<Gravity, E...>& c, const Q& q, const V&
 }
 
 template <class Gravity, class... E, class S>
-auto forward_dynamics(const static_chain<Gravity, E...>& c, const chain_state<S, detail::wiring<E...>>& s) {
+[[nodiscard]] auto forward_dynamics(const static_chain<Gravity, E...>& c,
+                                    const chain_state<S, detail::wiring<E...>>& s) {
   using namespace detail;
   using state = chain_state<S, wiring<E...>>;
   const auto q = positions(s);
@@ -91,20 +92,20 @@ auto forward_dynamics(const static_chain<Gravity, E...>& c, const chain_state<S,
 #if defined(KTE_RUNTIME_CHAINS) && !defined(KTE_FORWARD_DYNAMICS_OF_RUNTIME_CHAINS)
 #define KTE_FORWARD_DYNAMICS_OF_RUNTIME_CHAINS
 
-#include <kte/dynamics/detail/refused_calls.hpp>
-#include <kte/dynamics/detail/runtime_algorithms.hpp>
-#include <kte/dynamics/loops/forward.hpp>
+#include <kte/dynamics/closed_loops/forward.hpp>
+#include <kte/dynamics/runtime/algorithms.hpp>
+#include <kte/dynamics/runtime/refused_calls.hpp>
 
 namespace kte {
 
 template <class S>
-const runtime_vector<S>& forward_dynamics(const kte_map_chain& c, basic_runtime_state<S>& s) {
+const runtime_vector<S>& forward_dynamics(const runtime_chain& c, basic_runtime_state<S>& s) {
   detail::check_regular_tree(c, s);
   detail::check_positions(s);
   return detail::accelerations_of_chain(c, s, [](int) { return S(0); });
 }
 template <class S, indexable Q, indexable V, indexable T>
-const runtime_vector<S>& forward_dynamics(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
+const runtime_vector<S>& forward_dynamics(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
                                           const T& tau) {
   detail::check_regular_tree(c, s);
   return detail::take(c, s, q, v, detail::not_given{}, tau).call([&]() -> const auto& {
@@ -114,7 +115,7 @@ const runtime_vector<S>& forward_dynamics(const kte_map_chain& c, basic_runtime_
 }
 
 #ifdef KTE_EXTERN
-KTE_EXTERN template const runtime_vector<double>& forward_dynamics(const kte_map_chain&, runtime_state&);
+KTE_EXTERN template const runtime_vector<double>& forward_dynamics(const runtime_chain&, runtime_state&);
 #endif
 
 }  // namespace kte

@@ -1,8 +1,8 @@
 #ifndef KTE_FORWARD_KINEMATICS_HPP
 #define KTE_FORWARD_KINEMATICS_HPP
 
-#include <kte/dynamics/detail/given.hpp>
 #include <kte/dynamics/state_vectors.hpp>
+#include <kte/dynamics/unrolled/given.hpp>
 
 namespace kte {
 
@@ -36,7 +36,7 @@ KTE_INLINE constexpr auto motion_of(const Chain& c, const Given& g) {
 /// Joint or link I where its coordinate is, without rates.
 template <std::size_t I, class Chain, class Given>
 KTE_INLINE constexpr auto element_pose(const Chain& c, const Given& g) {
-  using types = local_types<Chain, Given>;
+  using types = flow_types<Chain, Given>;
   using core_t = typename types::template core<I>;
   const auto m = [&]() KTE_INLINE_LAMBDA {
     if constexpr (coordinates_of<core_t> == 0)
@@ -61,11 +61,11 @@ KTE_INLINE auto pose_at(const Chain& c, const Positions& at, const Base& base) {
   static_assert(slot >= 0, "kte: this chain has no frame of this name");
   at.check();
   const auto g = given{at, same<skip>{}, same<skip>{}, base};
-  using types = local_types<Chain, std::remove_const_t<decltype(g)>>;
+  using types = flow_types<Chain, std::remove_const_t<decltype(g)>>;
   const auto p = pose_of<S, Key::what>(motion_of < types, Key::what, slot < 0 ? 0 : slot > (c, g));
   const auto why = [&]() KTE_INLINE_LAMBDA {
-    blame_signals<typename Chain::wiring>("where a frame stands", base);
-    blame<typename Chain::wiring>("where a frame stands", at.q, same<zero_t>{}, same<zero_t>{}, "a");
+    diagnose_signals<typename Chain::wiring>("where a frame stands", base);
+    diagnose<typename Chain::wiring>("where a frame stands", at.q, same<zero_t>{}, same<zero_t>{}, "a");
   };
   if constexpr (Chain::wiring::table.signals == 0) {  // a turn by what was checked is one
     if constexpr (Key::what == kind::frame_2D) {
@@ -87,18 +87,18 @@ KTE_INLINE auto pose_at(const Chain& c, const Positions& at, const Base& base) {
 }
 }  // namespace detail
 
-/// Where a frame stands: rotation and position (m). Only the elements between the base and the frame are evaluated, and
-/// only their poses.
+/// The pose of a frame: rotation and position, m. Only the elements between the base and the frame are evaluated.
 ///
 ///   forward_kinematics(c, q, elbow)          of a static chain, relative to a base at the origin
-///   forward_kinematics(c, s, q, "elbow")     of a runtime chain, in the axes in which the bases of the state s are
-///                                            given; a frame in the plane as one in space
-///   forward_kinematics(c, s, elbow)          of both, at the positions of a state, in the axes of its bases
+///   forward_kinematics(c, s, q, "elbow")     of a runtime chain, in axes of the world, with the bases of the state s;
+///   a
+///                                            frame in the plane as one in space
+///   forward_kinematics(c, s, elbow)          of both, at the positions of a state, in axes of the world
 ///
 /// Arguments and errors as for `inverse_dynamics`; a text that names no frame throws `unknown_name`. All frames at
 /// once: dynamics/frame_motion.hpp.
 template <class Gravity, class... E, indexable Q, key_type Frame>
-auto forward_kinematics(const static_chain<Gravity, E...>& c, const Q& q, const Frame&) {
+[[nodiscard]] auto forward_kinematics(const static_chain<Gravity, E...>& c, const Q& q, const Frame&) {
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
   detail::check_configuration<chain_type>(q);
@@ -108,8 +108,8 @@ auto forward_kinematics(const static_chain<Gravity, E...>& c, const Q& q, const 
 }
 
 template <class Gravity, class... E, class S, key_type Frame>
-auto forward_kinematics(const static_chain<Gravity, E...>& c, const chain_state<S, detail::wiring<E...>>& s,
-                        const Frame&) {
+[[nodiscard]] auto forward_kinematics(const static_chain<Gravity, E...>& c,
+                                      const chain_state<S, detail::wiring<E...>>& s, const Frame&) {
   using namespace detail;
   using state = chain_state<S, wiring<E...>>;
   const auto q = positions(s);
@@ -126,8 +126,8 @@ auto forward_kinematics(const static_chain<Gravity, E...>& c, const chain_state<
 #if defined(KTE_RUNTIME_CHAINS) && !defined(KTE_FORWARD_KINEMATICS_OF_RUNTIME_CHAINS)
 #define KTE_FORWARD_KINEMATICS_OF_RUNTIME_CHAINS
 
-#include <kte/dynamics/detail/refused_calls.hpp>
-#include <kte/dynamics/detail/runtime_algorithms.hpp>
+#include <kte/dynamics/runtime/algorithms.hpp>
+#include <kte/dynamics/runtime/refused_calls.hpp>
 #include <kte/tree/jacobian.hpp>
 
 namespace kte {
@@ -135,8 +135,8 @@ namespace kte {
 namespace detail {
 /// At positions that are good.
 template <class S>
-pose<mat3<vec3<S>>, vec3<S>> pose_of(const kte_map_chain& c, basic_runtime_state<S>& s, const runtime_frame& x) {
-  const auto& f = s.tree().forest;
+pose<mat3<vec3<S>>, vec3<S>> pose_of(const runtime_chain& c, basic_runtime_state<S>& s, const runtime_frame& x) {
+  const auto& f = s.tree().body_tree;
   const auto& place = f.frame(x.what, x.index);
   if constexpr (std::is_same_v<S, double>)
     if (s.tree().moves_unknown || place.slot < 0) [[unlikely]] {
@@ -161,14 +161,14 @@ const Pose& checked_pose(const basic_runtime_state<S>& s, const Pose& m, kind k,
                     as<S>(dot(r.x, r.x)), as<S>(dot(r.y, r.y)), as<S>(dot(r.z, r.z))};
   check_result(numbers, 6, [&] {
     const std::string& name = s.made_for()->names[static_cast<std::size_t>(k)][static_cast<std::size_t>(frame)];
-    blame(("where frame '" + name + "' stands").c_str(), s);
+    diagnose(("where frame '" + name + "' stands").c_str(), s);
   });
   return m;
 }
 }  // namespace detail
 
 template <class S>
-pose<mat3<vec3<S>>, vec3<S>> forward_kinematics(const kte_map_chain& c, basic_runtime_state<S>& s,
+pose<mat3<vec3<S>>, vec3<S>> forward_kinematics(const runtime_chain& c, basic_runtime_state<S>& s,
                                                 const name_or_handle& frame) {
   c.check(s);
   const auto x = detail::find_frame(c, frame);
@@ -176,7 +176,7 @@ pose<mat3<vec3<S>>, vec3<S>> forward_kinematics(const kte_map_chain& c, basic_ru
   return detail::checked_pose(s, detail::pose_of(c, s, x), x.what, x.index);
 }
 template <class S, indexable Q>
-pose<mat3<vec3<S>>, vec3<S>> forward_kinematics(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q,
+pose<mat3<vec3<S>>, vec3<S>> forward_kinematics(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q,
                                                 const name_or_handle& frame) {
   const auto x = detail::find_frame(c, frame);
   return detail::take<detail::keeping::if_needed>(c, s, q).call(
@@ -185,7 +185,7 @@ pose<mat3<vec3<S>>, vec3<S>> forward_kinematics(const kte_map_chain& c, basic_ru
 
 #ifdef KTE_EXTERN
 namespace detail {
-KTE_EXTERN template pose<mat3<vec3<>>, vec3<>> pose_of(const kte_map_chain&, runtime_state&, const runtime_frame&);
+KTE_EXTERN template pose<mat3<vec3<>>, vec3<>> pose_of(const runtime_chain&, runtime_state&, const runtime_frame&);
 }
 #endif
 

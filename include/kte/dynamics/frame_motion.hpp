@@ -3,13 +3,13 @@
 
 #include <kte/dynamics/forward_kinematics.hpp>
 
-/// How a frame moves, and where all frames stand; of static chains with bases at rest, of runtime chains with bases as
-/// the state has them. Frames are named by keys of static chains, by texts or handles of runtime chains, of which a
-/// text that names no frame throws `unknown_name`. Arguments and other errors as for `inverse_dynamics`. Nothing is
-/// allocated.
+/// The motion of frames and the poses of all frames: of static chains with bases at rest, of runtime chains with the
+/// bases of the state. Frames are named by keys of static chains, by texts or handles of runtime chains; a text that
+/// names no frame throws `unknown_name`. Arguments and other errors as for `inverse_dynamics`. Nothing is allocated.
 namespace kte {
 
-/// Where all frames of a chain stand, by name: `poses[elbow].position`, `poses[elbow].rotation`.
+/// The poses of all frames of a chain, by key: `poses[elbow].position`, `poses[elbow].rotation`. `in_plane`,
+/// `in_space`: the frames of each kind.
 template <class S, class Wiring>
 class frame_poses {
  public:
@@ -40,16 +40,17 @@ namespace detail {
 template <class Chain, class V>
 KTE_INLINE void check_rates(const V& v, const char* name, const char* what) {
   check_size<Chain::dofs>(v, name);
-  check_result(v, std::size_t{Chain::dofs},
-               [&]() KTE_INLINE_LAMBDA { blame_rates<typename Chain::wiring>(what, name, each<value_of<V>, V>{v}); });
+  check_result(v, std::size_t{Chain::dofs}, [&]() KTE_INLINE_LAMBDA {
+    diagnose_rates<typename Chain::wiring>(what, name, each<value_of<V>, V>{v});
+  });
 }
 template <class Chain, class V>
 KTE_INLINE void check_velocities(const V& v) {
   check_rates<Chain>(v, "v", "a velocity");
 }
 /// Linear and angular, unless they are too large.
-template <class S, class L, class A, class Blame = too_large>
-KTE_INLINE linear_angular<S> checked(const L& linear, const A& angular, const Blame& why = {"a result"}) {
+template <class S, class L, class A, class Diagnose = too_large>
+KTE_INLINE linear_angular<S> checked(const L& linear, const A& angular, const Diagnose& why = {"a result"}) {
   const linear_angular<S> r{as<S>(linear), as<S>(angular)};
   const S all[]{r.linear.x, r.linear.y, r.linear.z, r.angular.x, r.angular.y, r.angular.z};
   check_result(all, 6, why);
@@ -61,10 +62,10 @@ constexpr int frame_slot() {
   static_assert(slot >= 0 && is_frame(Frame::what), "kte: this chain has no frame of this name");
   return slot < 0 ? 0 : slot;
 }
-/// The motion of a frame, of bases and rates of which only what is wanted is no `skip`.
+/// The motion of a frame; quantities of bases and rates that are not needed are `skip`.
 template <class Frame, class Chain, class Given>
 KTE_INLINE auto motion_at(const Chain& c, const Given& g) {
-  return motion_of<local_types<Chain, Given>, Frame::what, frame_slot<Frame, Chain>()>(c, g);
+  return motion_of<flow_types<Chain, Given>, Frame::what, frame_slot<Frame, Chain>()>(c, g);
 }
 
 inline constexpr same_base base_with_pose{motion{zero3{}, no_rotation{}, skip{}, skip{}, skip{}, skip{}}};
@@ -88,7 +89,7 @@ template <class S, class Chain, class At>
 KTE_INLINE auto all_poses(const Chain& c, const At& at) {
   using wiring = typename Chain::wiring;
   const given g{at, same<skip>{}, same<skip>{}, base_with_pose};
-  const local_motion<Chain, std::remove_const_t<decltype(g)>> m(c, g);
+  const unrolled_motion<Chain, std::remove_const_t<decltype(g)>> m(c, g);
   return [&m]<std::size_t... P, std::size_t... Q>(std::index_sequence<P...>, std::index_sequence<Q...>)
       KTE_INLINE_LAMBDA {
     return frame_poses<S, wiring>{{pose_of<S, kind::frame_2D>(m.template get<kind::frame_2D, int{P}>())...},
@@ -99,13 +100,13 @@ KTE_INLINE auto all_poses(const Chain& c, const At& at) {
 }
 }  // namespace detail
 
-/// Where all frames stand: of a static chain a table of rotations and positions (m), by name, relative to a base at the
-/// origin; of a runtime chain the state, of which all frames then are those of `doMotion`.
+/// The poses of all frames: for a static chain a table of rotations and positions, m, by key, relative to a base at the
+/// origin; for a runtime chain the state, with the frames of `doMotion`.
 ///
 ///   auto poses = kte::forward_kinematics(arm, q);                 poses[elbow].position.z
 ///   kte::forward_kinematics(arm, s, q).frame_3D("elbow").position.z
 template <class Gravity, class... E, indexable Q>
-auto forward_kinematics(const static_chain<Gravity, E...>& c, const Q& q) {
+[[nodiscard]] auto forward_kinematics(const static_chain<Gravity, E...>& c, const Q& q) {
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
   detail::check_configuration<chain_type>(q);
@@ -117,17 +118,17 @@ auto forward_kinematics(const static_chain<Gravity, E...>& c, const Q& q) {
   for (const auto& x : poses.in_space) zero_or_nan += (x.position.x + x.position.y + x.position.z) * S(0);
   if (!all(zero_or_nan == S(0))) [[unlikely]] {
     using detail::same;
-    detail::blame<typename chain_type::wiring>("where a frame stands", at.q, same<zero_t>{}, same<zero_t>{}, "a");
+    detail::diagnose<typename chain_type::wiring>("where a frame stands", at.q, same<zero_t>{}, same<zero_t>{}, "a");
   }
   return poses;
 }
 
-/// The velocity of the origin of a frame (m/s) and its angular velocity (rad/s), in its own axes, bases at rest: the
-/// recursion (1), (2) of `compose` (frames/motion.hpp; Luh, Walker, Paul 1980) over the elements between base and frame
-/// and no others. It is `jacobian(c, q, frame)` times v. Of a runtime chain `frame_velocity(c, s, q, v, "hand")`, or
+/// The velocity of the origin of a frame, m/s, and its angular velocity, rad/s, in its own axes, with bases at rest:
+/// the recursion (1), (2) of `compose` (frames/motion.hpp; Luh, Walker, Paul 1980) over the elements between base and
+/// frame. It equals `jacobian(c, q, frame)` times v. Runtime chains: `frame_velocity(c, s, q, v, "hand")`, or
 /// `frame_velocity(c, s, "hand")` at the positions and rates of the state s.
 template <class Gravity, class... E, indexable Q, indexable V, key_type Frame>
-auto frame_velocity(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const Frame&) {
+[[nodiscard]] auto frame_velocity(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const Frame&) {
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
@@ -136,17 +137,18 @@ auto frame_velocity(const static_chain<Gravity, E...>& c, const Q& q, const V& v
   at.check();
   const auto m = motion_at_rest_bases<Frame>(c, at, each<S, V>{v}, same<skip>{}, base_with_velocity);
   return checked<S>(m.velocity, m.ang_velocity, [&]() KTE_INLINE_LAMBDA {
-    blame<typename chain_type::wiring>("a velocity", at.q, each<S, V>{v}, same<zero_t>{}, "a");
+    diagnose<typename chain_type::wiring>("a velocity", at.q, each<S, V>{v}, same<zero_t>{}, "a");
   });
 }
 
 /// The acceleration of the origin of a frame (second derivative of its position, m/s^2: classical) and its angular
-/// acceleration (rad/s^2), in its own axes, bases at rest, without gravity: (2), (3), (4) of `compose`. With the world
-/// Jacobian J (`in_world_axes`) and the rotation R of the frame it is R^T (J a + dJ/dt v). Of a runtime chain
-/// `frame_acceleration(c, s, q, v, a, "hand")` or `(c, s, "hand")`: without the gravity that bases have in the state
-/// (dynamics/detail/moved_in_world.hpp).
+/// acceleration, rad/s^2, in its own axes, with bases at rest, without gravity: (2), (3), (4) of `compose`. With the
+/// Jacobian J in world axes (`in_world_axes`) and the rotation R of the frame it is R^T (J a + dJ/dt v). Runtime
+/// chains: `frame_acceleration(c, s, q, v, a, "hand")` or `(c, s, "hand")`, without the gravity that bases have in the
+/// state (dynamics/runtime/motion_in_world.hpp).
 template <class Gravity, class... E, indexable Q, indexable V, indexable A, key_type Frame>
-auto frame_acceleration(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const A& a, const Frame&) {
+[[nodiscard]] auto frame_acceleration(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const A& a,
+                                      const Frame&) {
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
@@ -156,7 +158,7 @@ auto frame_acceleration(const static_chain<Gravity, E...>& c, const Q& q, const 
   at.check();
   const auto m = motion_at_rest_bases<Frame>(c, at, each<S, V>{v}, each<S, A>{a}, base_with_acceleration);
   return checked<S>(m.acceleration, m.ang_acceleration, [&]() KTE_INLINE_LAMBDA {
-    blame<typename chain_type::wiring>("an acceleration", at.q, each<S, V>{v}, each<S, A>{a}, "a");
+    diagnose<typename chain_type::wiring>("an acceleration", at.q, each<S, V>{v}, each<S, A>{a}, "a");
   });
 }
 
@@ -169,8 +171,8 @@ auto frame_acceleration(const static_chain<Gravity, E...>& c, const Q& q, const 
 #if defined(KTE_RUNTIME_CHAINS) && !defined(KTE_FRAME_MOTION_OF_RUNTIME_CHAINS)
 #define KTE_FRAME_MOTION_OF_RUNTIME_CHAINS
 
-#include <kte/dynamics/detail/moved_in_world.hpp>
 #include <kte/dynamics/forward_kinematics.hpp>
+#include <kte/dynamics/runtime/motion_in_world.hpp>
 
 namespace kte {
 
@@ -185,7 +187,7 @@ void check_poses(const basic_runtime_state<S>& s) {
 }  // namespace detail
 
 template <class S>
-const basic_runtime_state<S>& forward_kinematics(const kte_map_chain& c, basic_runtime_state<S>& s) {
+const basic_runtime_state<S>& forward_kinematics(const runtime_chain& c, basic_runtime_state<S>& s) {
   static_assert(detail::goes_through_passes<S>);
   c.check(s);
   detail::check_positions(s);
@@ -194,7 +196,7 @@ const basic_runtime_state<S>& forward_kinematics(const kte_map_chain& c, basic_r
   return s;
 }
 template <class S, indexable Q>
-requires(!names_something<Q>) const basic_runtime_state<S>& forward_kinematics(const kte_map_chain& c,
+requires(!names_something<Q>) const basic_runtime_state<S>& forward_kinematics(const runtime_chain& c,
                                                                                basic_runtime_state<S>& s, const Q& q) {
   static_assert(detail::goes_through_passes<S>);
   return detail::take(c, s, q).call([&]() -> const auto& {
@@ -206,37 +208,37 @@ requires(!names_something<Q>) const basic_runtime_state<S>& forward_kinematics(c
 
 namespace detail {
 template <class S>
-linear_angular<S> velocity_of(const kte_map_chain& c, basic_runtime_state<S>& s, const runtime_frame& x) {
+linear_angular<S> velocity_of(const runtime_chain& c, basic_runtime_state<S>& s, const runtime_frame& x) {
   static_assert(goes_through_passes<S>);
   move(c.wiring(), s, x);
   return with_motion(s, x, [&s](const auto& m) {
-    return checked<double>(m.velocity, m.ang_velocity, blame_state{"a velocity", s});
+    return checked<double>(m.velocity, m.ang_velocity, diagnose_state{"a velocity", s});
   });
 }
 template <class S>
-linear_angular<S> acceleration_of(const kte_map_chain& c, basic_runtime_state<S>& s, const runtime_frame& x) {
+linear_angular<S> acceleration_of(const runtime_chain& c, basic_runtime_state<S>& s, const runtime_frame& x) {
   return with_motion_in_world(c, s, x, [&s](const auto& m) {
-    return checked<double>(m.acceleration, m.ang_acceleration, blame_state{"an acceleration", s});
+    return checked<double>(m.acceleration, m.ang_acceleration, diagnose_state{"an acceleration", s});
   });
 }
 }  // namespace detail
 
 template <class S>
-linear_angular<S> frame_velocity(const kte_map_chain& c, basic_runtime_state<S>& s, const name_or_handle& frame) {
+linear_angular<S> frame_velocity(const runtime_chain& c, basic_runtime_state<S>& s, const name_or_handle& frame) {
   c.check(s);
   const auto x = detail::find_frame(c, frame);
   detail::check_state_velocities(s);
   return detail::velocity_of(c, s, x);
 }
 template <class S, indexable Q, indexable V>
-linear_angular<S> frame_velocity(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
+linear_angular<S> frame_velocity(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
                                  const name_or_handle& frame) {
   const auto x = detail::find_frame(c, frame);
   return detail::take(c, s, q, v).call([&] { return detail::velocity_of(c, s, x); });
 }
 
 template <class S>
-linear_angular<S> frame_acceleration(const kte_map_chain& c, basic_runtime_state<S>& s, const name_or_handle& frame) {
+linear_angular<S> frame_acceleration(const runtime_chain& c, basic_runtime_state<S>& s, const name_or_handle& frame) {
   c.check(s);
   const auto x = detail::find_frame(c, frame);
   detail::check_state_velocities(s);
@@ -245,17 +247,17 @@ linear_angular<S> frame_acceleration(const kte_map_chain& c, basic_runtime_state
   return detail::acceleration_of(c, s, x);
 }
 template <class S, indexable Q, indexable V, indexable A>
-linear_angular<S> frame_acceleration(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
+linear_angular<S> frame_acceleration(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
                                      const A& a, const name_or_handle& frame) {
   const auto x = detail::find_frame(c, frame);
   return detail::take(c, s, q, v, a).call([&] { return detail::acceleration_of(c, s, x); });
 }
 
 #ifdef KTE_EXTERN
-KTE_EXTERN template const runtime_state& forward_kinematics(const kte_map_chain&, runtime_state&);
+KTE_EXTERN template const runtime_state& forward_kinematics(const runtime_chain&, runtime_state&);
 namespace detail {
-KTE_EXTERN template linear_angular<double> velocity_of(const kte_map_chain&, runtime_state&, const runtime_frame&);
-KTE_EXTERN template linear_angular<double> acceleration_of(const kte_map_chain&, runtime_state&, const runtime_frame&);
+KTE_EXTERN template linear_angular<double> velocity_of(const runtime_chain&, runtime_state&, const runtime_frame&);
+KTE_EXTERN template linear_angular<double> acceleration_of(const runtime_chain&, runtime_state&, const runtime_frame&);
 }  // namespace detail
 #endif
 

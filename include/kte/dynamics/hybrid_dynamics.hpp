@@ -6,15 +6,16 @@
 
 namespace kte {
 
-/// The coordinates whose accelerations are given to `hybrid_dynamics`.
+/// The coordinates with prescribed accelerations, an argument of `hybrid_dynamics`.
 template <key_type... Keys>
 struct prescribed_coordinates {};
+/// The coordinates with prescribed accelerations, an argument of `hybrid_dynamics`.
 template <key_type... Keys>
-constexpr prescribed_coordinates<Keys...> prescribed(const Keys&...) {
+[[nodiscard]] constexpr prescribed_coordinates<Keys...> prescribed(const Keys&...) {
   return {};
 }
 
-/// All accelerations, and the forces that belong to them.
+/// All accelerations a and the generalized forces tau.
 template <class S, int N>
 struct hybrid_dynamics_result {
   joint_vector<S, N> a, tau;
@@ -32,7 +33,7 @@ struct some_accelerations {
       static_assert(is_coordinate(Key::what) && slot >= 0, "kte: this chain has no coordinate of this name");
       constexpr freedom at = Wiring::freedom_of(Key::what, slot);
       static_assert(slot < 0 || at.what == Key::what,
-                    "kte: this coordinate is not a degree of freedom: its motion is given already");
+                    "kte: this coordinate is not a degree of freedom: its motion is prescribed");
       for (int i = 0; i < nv_of(at.what); ++i) x[static_cast<std::size_t>(at.v + i)] = true;
       return 0;
     };
@@ -51,20 +52,20 @@ struct some_accelerations {
 };
 }  // namespace detail
 
-/// Where some accelerations are known and the forces on all other coordinates: the rest of both (Featherstone, Rigid
-/// Body Dynamics Algorithms, 2008, section 9.2). known: for a prescribed coordinate its accelerations, for others the
-/// forces applied, as tau of `forward_dynamics`:
+/// Accelerations and forces of a chain in which some coordinates have prescribed accelerations and the others known
+/// forces (Featherstone, Rigid Body Dynamics Algorithms, 2008, section 9.2). known: for a prescribed coordinate its
+/// accelerations, for others the applied forces, as tau of `forward_dynamics`:
 ///
 ///   const auto r = kte::hybrid_dynamics(arm, q, v, known, kte::prescribed(shoulder, elbow));      // static
 ///   const auto r = kte::hybrid_dynamics(arm, s, q, v, known, {"shoulder", "elbow"});              // runtime
 ///
-/// By the articulated-body algorithm, to which a prescribed joint is a link in motion; where coordinates follow others,
-/// or two joints share one, by the rows of M that belong to unknown accelerations. Then by inverse dynamics for the
-/// forces. Returns a value; other arguments and errors as for `forward_dynamics`. A text that names no degree of
-/// freedom throws `bad_argument` or `unknown_name`.
+/// By the articulated-body algorithm with prescribed joints as moving links; if coordinates follow others, or two
+/// joints share one, by the rows of M of the unknown accelerations. Then by inverse dynamics for the forces. Returns a
+/// value; other arguments and errors as for `forward_dynamics`. A text that names no degree of freedom throws
+/// `bad_argument` or `unknown_name`.
 template <class Gravity, class... E, indexable Q, indexable V, indexable X, key_type... Keys>
-auto hybrid_dynamics(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const X& known,
-                     prescribed_coordinates<Keys...>) {
+[[nodiscard]] auto hybrid_dynamics(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const X& known,
+                                   prescribed_coordinates<Keys...>) {
   using chain_type = static_chain<Gravity, E...>;
   using wiring = typename chain_type::wiring;
   using S = value_of<Q>;
@@ -90,9 +91,9 @@ auto hybrid_dynamics(const static_chain<Gravity, E...>& c, const Q& q, const V& 
         force - detail::generalized_forces<S>(c, detail::given{at, detail::each<S, V>{v}, at_rest{}, base}, minus_one);
     for (int i = 0; i < chain_type::dofs; ++i)
       if (accelerations::is_known[static_cast<std::size_t>(i)]) r.a[i] = S(known[static_cast<std::size_t>(i)]);
-    auto m = detail::local_mass_matrix<S>(c, at, base);
+    auto m = detail::mass_matrix_at<S>(c, at, base);
     detail::solve_partly_known(m, r.a, accelerations::is_known,
-                               [&at](int row) { detail::blame_mass<wiring>(row, true, at.q); });
+                               [&at](int row) { detail::diagnose_mass<wiring>(row, true, at.q); });
     detail::check_accelerations<wiring>(r.a, g, force);
   }
   r.tau = detail::generalized_forces<S>(c, detail::given{at, detail::each<S, V>{v}, detail::each<S, vector>{r.a}, base},
@@ -111,8 +112,8 @@ auto hybrid_dynamics(const static_chain<Gravity, E...>& c, const Q& q, const V& 
 #if defined(KTE_RUNTIME_CHAINS) && !defined(KTE_HYBRID_DYNAMICS_OF_RUNTIME_CHAINS)
 #define KTE_HYBRID_DYNAMICS_OF_RUNTIME_CHAINS
 
-#include <kte/dynamics/detail/runtime_algorithms.hpp>
 #include <kte/dynamics/inverse_dynamics.hpp>
+#include <kte/dynamics/runtime/algorithms.hpp>
 
 #include <string_view>
 #include <vector>
@@ -120,7 +121,7 @@ auto hybrid_dynamics(const static_chain<Gravity, E...>& c, const Q& q, const V& 
 namespace kte {
 
 template <class S, indexable Q, indexable V, indexable X>
-hybrid_dynamics_result<S, Eigen::Dynamic> hybrid_dynamics(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q,
+hybrid_dynamics_result<S, Eigen::Dynamic> hybrid_dynamics(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q,
                                                           const V& v, const X& known,
                                                           const std::vector<std::string_view>& prescribed) {
   using namespace detail;

@@ -2,9 +2,9 @@
 #define KTE_INVERSE_DYNAMICS_HPP
 
 #include <kte/contract/transmission.hpp>
-#include <kte/dynamics/detail/given.hpp>
-#include <kte/dynamics/detail/static_loops.hpp>
+#include <kte/dynamics/looped/static_chains.hpp>
 #include <kte/dynamics/state_vectors.hpp>
+#include <kte/dynamics/unrolled/given.hpp>
 
 namespace kte {
 
@@ -35,16 +35,16 @@ KTE_INLINE auto forces_of(const Pass& pass, Sign sign) {
   read(std::make_index_sequence<wiring::freedoms>{});
   return f;
 }
-/// The same of a chain, as they are given.
+/// The generalized forces of a chain at given arguments.
 template <class S, class Chain, class Given, class Sign>
 KTE_INLINE auto generalized_forces(const Chain& c, const Given& g, Sign sign) {
   const auto f = [&]() KTE_INLINE_LAMBDA {
     if constexpr (has_unrolled_passes<Chain, S>) {
-      using pass = local_pass<Chain, Given>;
+      using pass = unrolled_passes<Chain, Given>;
       static_assert(sizeof(typename pass::need) > 0);
       return forces_of<S>(pass(c, g), sign);
     } else {
-      return forces_by_records<S>(c, g, sign);
+      return forces_by_tree<S>(c, g, sign);
     }
   }();
   check_forces<typename Chain::wiring>(f, g);
@@ -57,22 +57,22 @@ KTE_INLINE auto generalized_forces(const Chain& c, const Given& g, Sign sign) {
 ///
 ///   tau = M(q) a + C(q, v) v + g(q) - Q(q, v)          (1)
 ///
-/// where Q are the forces of the chain's own springs, dampers and the like, and gravity is the chain's `gravity()`.
-/// q, v, a: positions (rad, m), velocities, accelerations of the degrees of freedom in the order of the chain's layout
+/// with the forces Q of springs, dampers and other elements of the chain, and the gravity of the chain. q, v, a:
+/// positions (rad, m), velocities, accelerations of the degrees of freedom in the order of the layout of the chain
 /// (static_chain/layout.hpp); anything with operator[]. Returns tau, dofs numbers, in Nm and N.
 ///
-///   inverse_dynamics(c, q, v, a)       of a static chain, a value: bases rest, inputs are zero; no heap, no state
-///   inverse_dynamics(c, s, q, v, a)    of a runtime chain, in the state s into which q, v, a are put, until the next
-///                                      call with it: bases and inputs are as s has them
+///   inverse_dynamics(c, q, v, a)       of a static chain, a value: bases at rest, inputs zero; no heap, no state
+///   inverse_dynamics(c, s, q, v, a)    of a runtime chain, in the state s, in which q, v, a are stored; bases and
+///   inputs
+///                                      are those of s. The result is valid until the next call with s
 ///   inverse_dynamics(c, s)             of both, at the positions, rates and accelerations of a state
 ///
-/// Throws `bad_argument` for arguments of another size, for numbers that are not finite, and for quaternions of length
-/// zero; a runtime chain also for the state of another. All algorithms on runtime chains that take q, v or a put them
-/// into the state, allocate nothing but for what is as large as M, and where they refuse leave the positions,
-/// velocities and accelerations of the state as they were, unless what they refuse are signals or bases that the state
-/// has.
+/// Throws `bad_argument` for arguments of wrong size, for numbers that are not finite, and for quaternions of length
+/// zero; for runtime chains also for the state of another chain. All algorithms on runtime chains with arguments q, v
+/// or a store them in the state. They allocate only memory of the size of M. If they throw, the positions, velocities
+/// and accelerations of the state are unchanged, unless the cause is a signal or base of the state.
 template <class Gravity, class... E, indexable Q, indexable V, indexable A>
-auto inverse_dynamics(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const A& a) {
+[[nodiscard]] auto inverse_dynamics(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const A& a) {
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
   detail::check_configuration<chain_type>(q), check_size<chain_type::dofs>(v, "v"),
@@ -83,7 +83,8 @@ auto inverse_dynamics(const static_chain<Gravity, E...>& c, const Q& q, const V&
 }
 
 template <class Gravity, class... E, class S>
-auto inverse_dynamics(const static_chain<Gravity, E...>& c, const chain_state<S, detail::wiring<E...>>& s) {
+[[nodiscard]] auto inverse_dynamics(const static_chain<Gravity, E...>& c,
+                                    const chain_state<S, detail::wiring<E...>>& s) {
   using state = chain_state<S, detail::wiring<E...>>;
   const auto q = positions(s);
   const auto v = velocities(s), a = accelerations(s);
@@ -103,21 +104,21 @@ auto inverse_dynamics(const static_chain<Gravity, E...>& c, const chain_state<S,
 #if defined(KTE_RUNTIME_CHAINS) && !defined(KTE_INVERSE_DYNAMICS_OF_RUNTIME_CHAINS)
 #define KTE_INVERSE_DYNAMICS_OF_RUNTIME_CHAINS
 
-#include <kte/dynamics/detail/refused_calls.hpp>
-#include <kte/dynamics/detail/runtime_loops.hpp>
+#include <kte/dynamics/runtime/elements.hpp>
+#include <kte/dynamics/runtime/refused_calls.hpp>
 
 namespace kte {
 
 template <class S>
-const runtime_vector<S>& inverse_dynamics(const kte_map_chain& c, basic_runtime_state<S>& s) {
+const runtime_vector<S>& inverse_dynamics(const runtime_chain& c, basic_runtime_state<S>& s) {
   detail::refuse_loops(c, ": inverse_dynamics(c, s, q, v, a, kte::actuated(\"q1\")) of kte/loops.hpp does");
   detail::coordinate_forces(c, s);
-  detail::take_needed_forces(s);
-  detail::check_result(s.work.forces, static_cast<std::size_t>(s.dofs()), [&s] { detail::blame("a force", s); });
+  detail::take_generalized_forces(s);
+  detail::check_result(s.work.forces, static_cast<std::size_t>(s.dofs()), [&s] { detail::diagnose("a force", s); });
   return s.work.forces;
 }
 template <class S, indexable Q, indexable V, indexable A>
-const runtime_vector<S>& inverse_dynamics(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
+const runtime_vector<S>& inverse_dynamics(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
                                           const A& a) {
   return detail::take<detail::keeping::if_needed>(c, s, q, v, a).call([&]() -> const auto& {
     return inverse_dynamics(c, s);
@@ -125,7 +126,7 @@ const runtime_vector<S>& inverse_dynamics(const kte_map_chain& c, basic_runtime_
 }
 
 #ifdef KTE_EXTERN
-KTE_EXTERN template const runtime_vector<double>& inverse_dynamics(const kte_map_chain&, runtime_state&);
+KTE_EXTERN template const runtime_vector<double>& inverse_dynamics(const runtime_chain&, runtime_state&);
 #endif
 
 }  // namespace kte

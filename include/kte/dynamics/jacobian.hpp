@@ -1,8 +1,8 @@
 #ifndef KTE_JACOBIAN_HPP
 #define KTE_JACOBIAN_HPP
 
-#include <kte/dynamics/detail/local_jacobian.hpp>
-#include <kte/dynamics/detail/refused_calls.hpp>
+#include <kte/dynamics/runtime/refused_calls.hpp>
+#include <kte/dynamics/unrolled/jacobian.hpp>
 
 namespace kte {
 
@@ -22,21 +22,20 @@ inline constexpr struct in_world_axes_t {
 ///
 ///   jacobian(c, q, hand)             of a static chain, a value
 ///   jacobian(c, s, q, "hand")        of a runtime chain, a value; (c, s, "hand") at the positions of the state s
-///   jacobian(c, s, q, "hand", j)     the same into memory of the caller's, below
+///   jacobian(c, s, q, "hand", j)     into memory of the caller, below
 ///
 /// Names and errors as in dynamics/frame_motion.hpp.
 template <class Gravity, class... E, indexable Q, key_type Frame>
-auto jacobian(const static_chain<Gravity, E...>& c, const Q& q, const Frame&) {
+[[nodiscard]] auto jacobian(const static_chain<Gravity, E...>& c, const Q& q, const Frame&) {
   return detail::jacobian_of<false, Frame>(c, q);
 }
 
-/// The same in axes of the base, still at the origin of the frame ("local world aligned"); of a runtime chain in axes
-/// of the world, in which bases are given. With the end of the joint standing at R_E, p_E and the origin of the frame
-/// at p,
+/// The Jacobian of a frame at its origin in axes of the base ("local world aligned"); of a runtime chain in axes of the
+/// world. With the pose R_E, p_E of the end of the joint and the origin p of the frame,
 ///
 ///   ( R_E s_v + R_E s_w x (p - p_E), R_E s_w )          (2)
 template <class Gravity, class... E, indexable Q, key_type Frame>
-auto jacobian(const static_chain<Gravity, E...>& c, const Q& q, const Frame&, in_world_axes_t) {
+[[nodiscard]] auto jacobian(const static_chain<Gravity, E...>& c, const Q& q, const Frame&, in_world_axes_t) {
   return detail::jacobian_of<true, Frame>(c, q);
 }
 
@@ -49,59 +48,59 @@ auto jacobian(const static_chain<Gravity, E...>& c, const Q& q, const Frame&, in
 #if defined(KTE_RUNTIME_CHAINS) && !defined(KTE_JACOBIAN_OF_RUNTIME_CHAINS)
 #define KTE_JACOBIAN_OF_RUNTIME_CHAINS
 
-#include <kte/dynamics/detail/runtime_jacobian.hpp>
+#include <kte/dynamics/runtime/jacobian.hpp>
 
 namespace kte {
 
-/// Into memory of the caller's, which nothing is allocated for (but where coordinates follow others): a matrix, which
-/// gets the size it needs, or 6 rows of a larger one, or a map.
+/// The Jacobian of a frame into memory of the caller, without allocation (unless coordinates follow others): a matrix,
+/// which is resized, or 6 rows of a larger one, or a map.
 ///
 ///   Eigen::MatrixXd contacts(12, arm.dofs());
 ///   kte::jacobian(arm, s, q, left_foot, kte::in_world_axes, contacts.topRows<6>());
 ///   kte::jacobian(arm, s, q, right_foot, kte::in_world_axes, contacts.bottomRows<6>());
 ///
-/// Throws `bad_argument` where it does not fit.
+/// Throws `bad_argument` if the size does not fit.
 template <class S, detail::matrix_like J>
-void jacobian(const kte_map_chain& c, basic_runtime_state<S>& s, const name_or_handle& frame, J&& j) {
+void jacobian(const runtime_chain& c, basic_runtime_state<S>& s, const name_or_handle& frame, J&& j) {
   detail::put_jacobian_at_state(c, s, frame, false, j);
 }
 template <class S, detail::matrix_like J>
-void jacobian(const kte_map_chain& c, basic_runtime_state<S>& s, const name_or_handle& frame, in_world_axes_t, J&& j) {
+void jacobian(const runtime_chain& c, basic_runtime_state<S>& s, const name_or_handle& frame, in_world_axes_t, J&& j) {
   detail::put_jacobian_at_state(c, s, frame, true, j);
 }
 template <class S, indexable Q, detail::matrix_like J>
-requires(!names_something<Q>) void jacobian(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q,
+requires(!names_something<Q>) void jacobian(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q,
                                             const name_or_handle& frame, J&& j) {
   detail::put_jacobian_at(c, s, q, frame, false, j);
 }
 template <class S, indexable Q, detail::matrix_like J>
-requires(!names_something<Q>) void jacobian(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q,
+requires(!names_something<Q>) void jacobian(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q,
                                             const name_or_handle& frame, in_world_axes_t, J&& j) {
   detail::put_jacobian_at(c, s, q, frame, true, j);
 }
-/// The same as a value.
+/// The Jacobian of a frame as a value.
 template <class S>
-basic_runtime_jacobian<S> jacobian(const kte_map_chain& c, basic_runtime_state<S>& s, const name_or_handle& frame) {
+basic_runtime_jacobian<S> jacobian(const runtime_chain& c, basic_runtime_state<S>& s, const name_or_handle& frame) {
   basic_runtime_jacobian<S> j;
   jacobian(c, s, frame, j);
   return j;
 }
 template <class S>
-basic_runtime_jacobian<S> jacobian(const kte_map_chain& c, basic_runtime_state<S>& s, const name_or_handle& frame,
+basic_runtime_jacobian<S> jacobian(const runtime_chain& c, basic_runtime_state<S>& s, const name_or_handle& frame,
                                    in_world_axes_t axes) {
   basic_runtime_jacobian<S> j;
   jacobian(c, s, frame, axes, j);
   return j;
 }
 template <class S, indexable Q>
-requires(!names_something<Q>) basic_runtime_jacobian<S> jacobian(const kte_map_chain& c, basic_runtime_state<S>& s,
+requires(!names_something<Q>) basic_runtime_jacobian<S> jacobian(const runtime_chain& c, basic_runtime_state<S>& s,
                                                                  const Q& q, const name_or_handle& frame) {
   basic_runtime_jacobian<S> j;
   jacobian(c, s, q, frame, j);
   return j;
 }
 template <class S, indexable Q>
-requires(!names_something<Q>) basic_runtime_jacobian<S> jacobian(const kte_map_chain& c, basic_runtime_state<S>& s,
+requires(!names_something<Q>) basic_runtime_jacobian<S> jacobian(const runtime_chain& c, basic_runtime_state<S>& s,
                                                                  const Q& q, const name_or_handle& frame,
                                                                  in_world_axes_t axes) {
   basic_runtime_jacobian<S> j;

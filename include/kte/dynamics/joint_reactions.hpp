@@ -1,100 +1,100 @@
 #pragma once
 
-#include <kte/dynamics/detail/runtime_bodies.hpp>
 #include <kte/dynamics/frame_motion.hpp>
 #include <kte/dynamics/inverse_dynamics.hpp>
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/dynamics/runtime/bodies.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
 
 #include <string>
 #include <vector>
 
-/// What joints and links carry, on static and runtime chains.
+/// Reactions of joints and links, on static and runtime chains.
 namespace kte {
 
-/// What a joint carries, at the frame that it moves.
+/// The reaction of a joint: the `frame` that it moves, and the wrench `reaction` at its origin, in its axes.
 struct joint_reaction_entry {
   std::string frame;
   wrench<vec3<>, vec3<>> reaction;
 };
 
 namespace detail {
-template <class S, class L, class Blame = too_large>
-wrench<vec3<S>, vec3<S>> reaction_to(const L& load, const Blame& why = {"a force"}) {
+template <class S, class L, class Diagnose = too_large>
+wrench<vec3<S>, vec3<S>> reaction_to(const L& load, const Diagnose& why = {"a force"}) {
   const auto x = checked<S>(-load.force, -load.torque, why);
   return {x.linear, x.angular};
 }
 }  // namespace detail
 
-/// The wrench, N and Nm, by which a joint or link acts on what is beyond it, at the frame that it moves and in the axes
-/// of that: what its bearings and its motor must hold together, at q, v, a under the chain's gravity and the forces of
-/// its elements. With s the axis of a joint
+/// The wrench, N and Nm, of a joint or link on its subtree, at the frame that it moves and in its axes: the load on its
+/// bearings and motor, at q, v, a under gravity and the forces of elements. With s the axis of a joint
 ///
 ///   s . w = tau of `inverse_dynamics`          (1)
 ///
-/// where no element acts on its coordinate, and w = m (a_c - g) at its centre for what carries a mass m alone. By the
-/// passes of inverse dynamics, bases at rest, inputs zero.
+/// if no element acts on its coordinate, and w = m (a_c - g) at the centre of a subtree that is one mass m. By the
+/// passes of inverse dynamics, with bases at rest and inputs zero.
 template <class Gravity, class... E, indexable Q, indexable V, indexable A, key_type Frame>
-auto joint_reaction(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const A& a, const Frame&) {
+[[nodiscard]] auto joint_reaction(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const A& a,
+                                  const Frame&) {
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
   using wiring = typename chain_type::wiring;
   using S = value_of<Q>;
   constexpr int slot = frame_slot<Frame, chain_type>();
   constexpr int by = wiring::writer(Frame::what, slot);
-  static_assert(by >= 0 && static_connections<chain_type>{}.stiff(by < 0 ? 0 : std::size_t(by)),
+  static_assert(by >= 0 && static_connections<chain_type>{}.rigid(by < 0 ? 0 : std::size_t(by)),
                 "kte: no joint or link moves this frame");
   check_configuration<chain_type>(q), check_velocities<chain_type>(v);
   check_rates<chain_type>(a, "a", "an acceleration");
   const configuration<S, wiring, Q> at(q);
   at.check();
   const given g{at, each<S, V>{v}, each<S, A>{a}, base_under_gravity(c)};
-  using pass = local_pass<chain_type, std::remove_const_t<decltype(g)>>;
+  using pass = unrolled_passes<chain_type, std::remove_const_t<decltype(g)>>;
   static_assert(sizeof(typename pass::need) > 0);
   return reaction_to<S>(pass(c, g).template load<Frame::what, slot>(),
-                        [&]() { blame<wiring>("a force", at.q, each<S, V>{v}, each<S, A>{a}, "a"); });
+                        [&]() { diagnose<wiring>("a force", at.q, each<S, V>{v}, each<S, A>{a}, "a"); });
 }
 
 namespace detail {
-inline void accumulate_loads(const kte_map_chain& c, runtime_state& s) {
+inline void accumulate_loads(const runtime_chain& c, runtime_state& s) {
   check_whole(c, s), check_state_velocities(s);
   c.doMotion(s), c.clearForce(s), c.doForce(s);
 }
 inline wrench<vec3<>, vec3<>> reaction_at(const runtime_state& s, kind k, int index) {
-  const blame_state why{"a force", s};
+  const diagnose_state why{"a force", s};
   if (k == kind::frame_2D) return reaction_to<double>(load_of(s.get<kind::frame_2D>(index)), why);
   return reaction_to<double>(load_of(s.get<kind::frame_3D>(index)), why);
 }
 /// Throws `unknown_name`, `bad_argument`.
-inline runtime_frame find_moved_frame(const kte_map_chain& c, const name_or_handle& frame) {
+inline runtime_frame find_moved_frame(const runtime_chain& c, const name_or_handle& frame) {
   const auto x = find_frame(c, frame);
   const int by = c.wiring().writers[static_cast<std::size_t>(x.what)][static_cast<std::size_t>(x.index)];
-  if (by < 0 || !c.wiring().elements[static_cast<std::size_t>(by)].stiff)
+  if (by < 0 || !c.wiring().elements[static_cast<std::size_t>(by)].rigid)
     throw bad_argument("kte: no joint or link moves '" +
                        c.wiring().names[static_cast<std::size_t>(x.what)][static_cast<std::size_t>(x.index)] + "'");
   return x;
 }
 }  // namespace detail
 
-/// As on static chains, at the positions, rates and accelerations of a state, with its bases and inputs. Throws
-/// `unknown_name`, and `bad_argument` where no joint or link moves the frame.
-inline wrench<vec3<>, vec3<>> joint_reaction(const kte_map_chain& c, runtime_state& s, const name_or_handle& frame) {
+/// The wrench of a joint or link at the positions, rates and accelerations of a state, with its bases and inputs.
+/// Throws `unknown_name`, and `bad_argument` if no joint or link moves the frame.
+inline wrench<vec3<>, vec3<>> joint_reaction(const runtime_chain& c, runtime_state& s, const name_or_handle& frame) {
   const auto x = detail::find_moved_frame(c, frame);
   detail::accumulate_loads(c, s);
   return detail::reaction_at(s, x.what, x.index);
 }
-/// The same at q, v, a, which are put into the state.
+/// The wrench of a joint or link at q, v, a, which are put into the state.
 template <indexable Q, indexable V, indexable A>
-wrench<vec3<>, vec3<>> joint_reaction(const kte_map_chain& c, runtime_state& s, const Q& q, const V& v, const A& a,
+wrench<vec3<>, vec3<>> joint_reaction(const runtime_chain& c, runtime_state& s, const Q& q, const V& v, const A& a,
                                       const name_or_handle& frame) {
   (void)detail::find_moved_frame(c, frame), detail::refuse_loops(c);
   return detail::take(c, s, q, v, a).call([&] { return joint_reaction(c, s, frame); });
 }
-/// Of all joints, in the order of the chain.
-inline std::vector<joint_reaction_entry> joint_reactions(const kte_map_chain& c, runtime_state& s) {
+/// The wrenches of all joints, in the order of the chain.
+inline std::vector<joint_reaction_entry> joint_reactions(const runtime_chain& c, runtime_state& s) {
   detail::accumulate_loads(c, s);
   std::vector<joint_reaction_entry> all;
   for (const auto& e : c.wiring().elements) {
-    if (!e.stiff || e.ports.size() < 3) continue;
+    if (!e.rigid || e.ports.size() < 3) continue;
     const kind k = e.ports.back().what;
     all.push_back({c.wiring().names[static_cast<std::size_t>(k)][static_cast<std::size_t>(e.index.back())],
                    detail::reaction_at(s, k, e.index.back())});
@@ -102,7 +102,7 @@ inline std::vector<joint_reaction_entry> joint_reactions(const kte_map_chain& c,
   return all;
 }
 template <indexable Q, indexable V, indexable A>
-std::vector<joint_reaction_entry> joint_reactions(const kte_map_chain& c, runtime_state& s, const Q& q, const V& v,
+std::vector<joint_reaction_entry> joint_reactions(const runtime_chain& c, runtime_state& s, const Q& q, const V& v,
                                                   const A& a) {
   detail::refuse_loops(c);
   return detail::take(c, s, q, v, a).call([&] { return joint_reactions(c, s); });

@@ -1,8 +1,8 @@
 #ifndef KTE_MASS_MATRIX_HPP
 #define KTE_MASS_MATRIX_HPP
 
-#include <kte/dynamics/detail/local_mass.hpp>
 #include <kte/dynamics/state_vectors.hpp>
+#include <kte/dynamics/unrolled/mass_matrix.hpp>
 
 namespace kte {
 
@@ -10,30 +10,30 @@ namespace kte {
 ///
 ///   M_ij = s_i . (I^c_j s_j)   for i upstream of j,  0 where neither is upstream of the other           (1)
 ///
-/// with s the axis of a joint and I^c the inertia of all that it carries. dofs x dofs, symmetric, both triangles
+/// with the axis s of a joint and the composite inertia I^c of its subtree. dofs x dofs, symmetric, both triangles
 /// filled; kg m^2, kg m, kg.
 ///
 ///   mass_matrix(c, q)       of a static chain, a value
-///   mass_matrix(c, s, q)    of a runtime chain, in the state s, for which the first call makes room
+///   mass_matrix(c, s, q)    of a runtime chain, in the state s; the first call allocates memory
 ///   mass_matrix(c, s)       of both, at the positions of a state
 ///
-/// Arguments and errors as for `inverse_dynamics`. Throws `bad_argument` also for a chain of which an element moves or
-/// acts by more than records say.
+/// Arguments and errors as for `inverse_dynamics`. Throws `bad_argument` also for a chain with an element that has more
+/// than the data of a body node.
 template <class Gravity, class... E, indexable Q>
-auto mass_matrix(const static_chain<Gravity, E...>& c, const Q& q) {
+[[nodiscard]] auto mass_matrix(const static_chain<Gravity, E...>& c, const Q& q) {
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
   detail::check_configuration<chain_type>(q);
   const detail::configuration<S, typename chain_type::wiring, Q> at(q);
-  return detail::local_mass_matrix<S>(c, at, detail::base_under_gravity(c));
+  return detail::mass_matrix_at<S>(c, at, detail::base_under_gravity(c));
 }
 
 template <class Gravity, class... E, class S>
-auto mass_matrix(const static_chain<Gravity, E...>& c, const chain_state<S, detail::wiring<E...>>& s) {
+[[nodiscard]] auto mass_matrix(const static_chain<Gravity, E...>& c, const chain_state<S, detail::wiring<E...>>& s) {
   using namespace detail;
   const auto q = positions(s);
   const configuration<S, wiring<E...>, std::remove_const_t<decltype(q)>> at(q);
-  return local_mass_matrix<S>(c, at, base_of_state<chain_state<S, wiring<E...>>>{s});
+  return mass_matrix_at<S>(c, at, base_of_state<chain_state<S, wiring<E...>>>{s});
 }
 
 }  // namespace kte
@@ -45,13 +45,13 @@ auto mass_matrix(const static_chain<Gravity, E...>& c, const chain_state<S, deta
 #if defined(KTE_RUNTIME_CHAINS) && !defined(KTE_MASS_MATRIX_OF_RUNTIME_CHAINS)
 #define KTE_MASS_MATRIX_OF_RUNTIME_CHAINS
 
-#include <kte/dynamics/detail/refused_calls.hpp>
-#include <kte/dynamics/detail/runtime_algorithms.hpp>
+#include <kte/dynamics/runtime/algorithms.hpp>
+#include <kte/dynamics/runtime/refused_calls.hpp>
 
 namespace kte {
 
 template <class S>
-const runtime_matrix<S>& mass_matrix(const kte_map_chain& c, basic_runtime_state<S>& s) {
+const runtime_matrix<S>& mass_matrix(const runtime_chain& c, basic_runtime_state<S>& s) {
   detail::check_regular_tree(c, s);
   detail::check_positions(s);
   detail::mass_of_coordinates(detail::runtime_elements{c}, s);
@@ -59,7 +59,7 @@ const runtime_matrix<S>& mass_matrix(const kte_map_chain& c, basic_runtime_state
   return s.work.mass;
 }
 template <class S, indexable Q>
-const runtime_matrix<S>& mass_matrix(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q) {
+const runtime_matrix<S>& mass_matrix(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q) {
   detail::check_regular_tree(c, s);
   return detail::take<detail::keeping::if_needed>(c, s, q).call([&]() -> const auto& {
     detail::mass_of_coordinates(detail::runtime_elements{c}, s);
@@ -69,7 +69,7 @@ const runtime_matrix<S>& mass_matrix(const kte_map_chain& c, basic_runtime_state
 }
 
 #ifdef KTE_EXTERN
-KTE_EXTERN template const runtime_matrix<double>& mass_matrix(const kte_map_chain&, runtime_state&);
+KTE_EXTERN template const runtime_matrix<double>& mass_matrix(const runtime_chain&, runtime_state&);
 #endif
 
 }  // namespace kte

@@ -1,9 +1,9 @@
 #ifndef KTE_MASS_MATRIX_INVERSE_HPP
 #define KTE_MASS_MATRIX_INVERSE_HPP
 
-#include <kte/dynamics/detail/local_inverse_mass.hpp>
-#include <kte/dynamics/detail/static_loops.hpp>
+#include <kte/dynamics/looped/static_chains.hpp>
 #include <kte/dynamics/mass_matrix.hpp>
+#include <kte/dynamics/unrolled/inverse_mass.hpp>
 
 namespace kte {
 
@@ -23,25 +23,25 @@ KTE_INLINE auto inverse_mass(const Chain& c, const At& at, const Base& base) {
     }();
     const given<At, same<zero_t>, same<zero_t>, std::remove_const_t<decltype(resting)>, true> g{at, {}, {}, resting};
     if constexpr (is_unrolled<Chain, S>) {
-      local_inverse_mass<S, Chain, std::remove_const_t<decltype(g)>>(c, g).invert(m);
+      inverted_mass<S, Chain, std::remove_const_t<decltype(g)>>(c, g).invert(m);
     } else {
-      m = inverse_mass_by_records<S>(c, g);
+      m = inverse_mass_by_tree<S>(c, g);
     }
   } else {
-    auto factors = local_mass_matrix<S>(c, at, base);
-    invert_by_factors(factors, m, [&at](int row) { blame_mass<typename Chain::wiring>(row, true, at.q); });
+    auto factors = mass_matrix_at<S>(c, at, base);
+    invert_by_factors(factors, m, [&at](int row) { diagnose_mass<typename Chain::wiring>(row, true, at.q); });
   }
-  check_inverse(m, [&]() KTE_INLINE_LAMBDA { blame_if_endless<typename Chain::wiring>(m, at.q); });
+  check_inverse(m, [&]() KTE_INLINE_LAMBDA { diagnose_non_finite<typename Chain::wiring>(m, at.q); });
   return m;
 }
 }  // namespace detail
 
-/// The inverse of the mass matrix, by the recursion of the articulated-body algorithm: column j is the acceleration
-/// that a unit force on degree of freedom j makes in the chain at rest, without gravity and other forces. M itself is
-/// formed (and factorised) only where coordinates follow others. Arguments, results and errors as for `mass_matrix`, of
-/// both kinds of chain. Throws also `singular_mass_matrix`.
+/// The inverse of the mass matrix, by the recursion of the articulated-body algorithm: column j is the acceleration due
+/// to a unit force on degree of freedom j in the chain at rest, without gravity and other forces. M is formed and
+/// factorized only if coordinates follow others. Arguments, results and errors as for `mass_matrix`. Throws also
+/// `singular_mass_matrix`.
 template <class Gravity, class... E, indexable Q>
-auto mass_matrix_inverse(const static_chain<Gravity, E...>& c, const Q& q) {
+[[nodiscard]] auto mass_matrix_inverse(const static_chain<Gravity, E...>& c, const Q& q) {
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
   detail::check_configuration<chain_type>(q);
@@ -49,7 +49,8 @@ auto mass_matrix_inverse(const static_chain<Gravity, E...>& c, const Q& q) {
   return detail::inverse_mass<S>(c, at, detail::base_under_gravity(c));
 }
 template <class Gravity, class... E, class S>
-auto mass_matrix_inverse(const static_chain<Gravity, E...>& c, const chain_state<S, detail::wiring<E...>>& s) {
+[[nodiscard]] auto mass_matrix_inverse(const static_chain<Gravity, E...>& c,
+                                       const chain_state<S, detail::wiring<E...>>& s) {
   const auto q = positions(s);
   const detail::configuration<S, detail::wiring<E...>, std::remove_const_t<decltype(q)>> at(q);
   return detail::inverse_mass<S>(c, at, detail::base_of_state<chain_state<S, detail::wiring<E...>>>{s});
@@ -64,21 +65,21 @@ auto mass_matrix_inverse(const static_chain<Gravity, E...>& c, const chain_state
 #if defined(KTE_RUNTIME_CHAINS) && !defined(KTE_MASS_MATRIX_INVERSE_OF_RUNTIME_CHAINS)
 #define KTE_MASS_MATRIX_INVERSE_OF_RUNTIME_CHAINS
 
-#include <kte/dynamics/detail/runtime_algorithms.hpp>
+#include <kte/dynamics/runtime/algorithms.hpp>
 
 namespace kte {
 
 namespace detail {
 /// At positions that are good.
 template <class S>
-const runtime_matrix<S>& inverse_of_masses(const kte_map_chain& c, basic_runtime_state<S>& s) {
+const runtime_matrix<S>& inverse_of_masses(const runtime_chain& c, basic_runtime_state<S>& s) {
   runtime_matrix<S>& inverse = s.work.inverse;
   if (s.tree().plan.tree) {
     articulate_and_invert(runtime_elements{c}, s, inverse);
   } else {
     mass_of_coordinates(runtime_elements{c}, s);
     inverse.resize(s.dofs(), s.dofs());
-    invert_by_factors(s.work.mass, inverse, [&s](int row) { blame_mass(s, row, true); });
+    invert_by_factors(s.work.mass, inverse, [&s](int row) { diagnose_mass(s, row, true); });
   }
   check_inverse(inverse, [&] { check_masses(s, inverse); });
   return inverse;
@@ -86,21 +87,21 @@ const runtime_matrix<S>& inverse_of_masses(const kte_map_chain& c, basic_runtime
 }  // namespace detail
 
 template <class S>
-const runtime_matrix<S>& mass_matrix_inverse(const kte_map_chain& c, basic_runtime_state<S>& s) {
+const runtime_matrix<S>& mass_matrix_inverse(const runtime_chain& c, basic_runtime_state<S>& s) {
   detail::check_regular_tree(c, s);
   detail::check_positions(s);
   return detail::inverse_of_masses(c, s);
 }
 template <class S, indexable Q>
-const runtime_matrix<S>& mass_matrix_inverse(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q) {
+const runtime_matrix<S>& mass_matrix_inverse(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q) {
   detail::check_regular_tree(c, s);
   return detail::take(c, s, q).call([&]() -> const auto& { return detail::inverse_of_masses(c, s); });
 }
 
 #ifdef KTE_EXTERN
-KTE_EXTERN template const runtime_matrix<double>& mass_matrix_inverse(const kte_map_chain&, runtime_state&);
+KTE_EXTERN template const runtime_matrix<double>& mass_matrix_inverse(const runtime_chain&, runtime_state&);
 namespace detail {
-KTE_EXTERN template const runtime_matrix<double>& inverse_of_masses(const kte_map_chain&, runtime_state&);
+KTE_EXTERN template const runtime_matrix<double>& inverse_of_masses(const runtime_chain&, runtime_state&);
 }
 #endif
 

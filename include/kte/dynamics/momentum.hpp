@@ -1,8 +1,8 @@
 #pragma once
 
 #include <kte/dynamics/configuration_space.hpp>
-#include <kte/dynamics/detail/moved_freely.hpp>
 #include <kte/dynamics/inverse_dynamics.hpp>
+#include <kte/dynamics/unrolled/given_bases.hpp>
 #include <kte/math/dual.hpp>
 
 namespace kte {
@@ -15,20 +15,20 @@ struct masses_alone {
     if constexpr (has_output<Core> || has_mass<Core, double>) {
       return (core);
     } else {
-      return silent<Core>{};
+      return no_load_core<Core>{};
     }
   }
 };
 }  // namespace detail
 
-/// The generalized momenta: the force by which the chain gets a = v from rest, without gravity and other forces,
+/// The generalized momenta,
 ///
 ///   p = M(q) v                    (1)
 ///
-/// without forming M: by the recursion of inverse dynamics. For rotations and poses p is an angular momentum, and a
-/// linear one, in the axes of the moving frame. q and v as for `inverse_dynamics`; kg m/s, kg m^2/s.
+/// by the recursion of inverse dynamics, without forming M. For rotations and poses p is an angular momentum, and a
+/// linear one, in axes of the moving frame. q and v as for `inverse_dynamics`; kg m/s, kg m^2/s.
 template <class Gravity, class... E, indexable Q, indexable V>
-auto generalized_momenta(const static_chain<Gravity, E...>& c, const Q& q, const V& v) {
+[[nodiscard]] auto generalized_momenta(const static_chain<Gravity, E...>& c, const Q& q, const V& v) {
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
@@ -40,13 +40,13 @@ auto generalized_momenta(const static_chain<Gravity, E...>& c, const Q& q, const
                                minus_one);
 }
 
-/// p of (1), and how fast it changes as the chain moves by constant v:
+/// p of (1), and its time derivative at constant v:
 ///
 ///   M_dot v,   M_dot the derivative of M(q) along v            (2)
 ///
-/// By dual numbers, exact to rounding.
+/// by dual numbers, exact to rounding.
 template <class Gravity, class... E, indexable Q, indexable V>
-auto generalized_momenta_along(const static_chain<Gravity, E...>& c, const Q& q, const V& v) {
+[[nodiscard]] auto generalized_momenta_along(const static_chain<Gravity, E...>& c, const Q& q, const V& v) {
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
   const auto moving = detail::moving_along(c, q, v);

@@ -2,9 +2,9 @@
 
 #include <kte/dynamics/centre_of_mass.hpp>
 #include <kte/dynamics/centroidal.hpp>
-#include <kte/dynamics/detail/runtime_bodies.hpp>
+#include <kte/dynamics/runtime/bodies.hpp>
 #include <kte/dynamics/state_vectors.hpp>
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
 
 /// How the centre of mass and the momentum of a chain change, static and runtime: bases at rest, without gravity, axes
 /// of the base.
@@ -16,30 +16,40 @@ KTE_INLINE auto momentum_rate_at_base(const Chain& c, const At& at, const V& v, 
   using bodies = with_loads<Chain, bodies_alone>;
   const given g{at, v, a, base_at_rest};
   const bodies b{c};
-  const auto w = load_on_bases(local_pass<bodies, std::remove_const_t<decltype(g)>>(b, g));
+  const auto w = load_on_bases(unrolled_passes<bodies, std::remove_const_t<decltype(g)>>(b, g));
   return wrench{-w.force, -w.torque};
 }
 }  // namespace detail
 
-/// The Jacobian of the centre of mass, 3 x dofs: `centre_of_mass_velocity` = J v. The linear rows of `centroidal_map`,
-/// by mass.
+/// The Jacobian of the centre of mass, 3 x dofs: `centre_of_mass_velocity` = J v. It is the linear rows of
+/// `centroidal_momentum_matrix` over the mass. Throws `bad_argument` for a mass of zero.
 template <class Gravity, class... E, indexable Q>
-auto centre_of_mass_jacobian(const static_chain<Gravity, E...>& c, const Q& q) {
+[[nodiscard]] auto centre_of_mass_jacobian(const static_chain<Gravity, E...>& c, const Q& q) {
+  using namespace detail;
+  using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
-  constexpr int n = static_chain<Gravity, E...>::dofs;
-  const auto map = centroidal_map(c, q);  // refuses chains without mass
-  const detail::configuration<S, typename static_chain<Gravity, E...>::wiring, Q> at(q);
-  return Eigen::Matrix<S, 3, n>(map.template topRows<3>() / as<S>(detail::weight_of<S>(c, at).mass));
+  static_assert(sizeof(check_bodies_of<chain_type>) > 0);
+  check_configuration<chain_type>(q);
+  const configuration<S, typename chain_type::wiring, Q> at(q);
+  at.check();
+  const given g{at, same<skip>{}, same<skip>{}, base_with_pose};
+  using pass = momentum_columns<S, chain_type, std::remove_const_t<decltype(g)>, 3>;
+  typename pass::matrix_type j;
+  const auto all = pass(c, g, {}, j).fill();
+  (void)divided_by_mass<S>(all.mass, all.moment);
+  j *= S(1) / as<S>(all.mass);
+  check_result(j.data(), static_cast<std::size_t>(j.size()), too_large{"a Jacobian"});
+  return j;
 }
 
-/// The time derivative of `centroidal_momentum`, N and Nm: the sum f of the forces that bodies need for their motion,
-/// and that of their moments n about the origin,
+/// The time derivative of `centroidal_momentum`, N and Nm: the sum f of the forces of the motion of all bodies, and the
+/// sum n of their moments about the origin,
 ///
 ///   p' = f,   k_G' = n - c x f          (1)
 ///
-/// with c the centre of mass; what acts on the chain from outside, gravity and bases, makes just that.
+/// with the centre of mass c; it equals the sum of external loads: gravity and bases.
 template <class Gravity, class... E, indexable Q, indexable V, indexable A>
-auto centroidal_momentum_rate(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const A& a) {
+[[nodiscard]] auto centroidal_momentum_rate(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const A& a) {
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
@@ -48,14 +58,15 @@ auto centroidal_momentum_rate(const static_chain<Gravity, E...>& c, const Q& q, 
   check_rates<chain_type>(a, "a", "an acceleration");
   const configuration<S, typename chain_type::wiring, Q> at(q);
   at.check();
-  const auto why = [&]() { blame<typename chain_type::wiring>("a force", at.q, each<S, V>{v}, each<S, A>{a}, "a"); };
+  const auto why = [&]() { diagnose<typename chain_type::wiring>("a force", at.q, each<S, V>{v}, each<S, A>{a}, "a"); };
   const auto w = weight_of<S>(c, at);
   const auto h = momentum_rate_at_base<S>(c, at, each<S, V>{v}, each<S, A>{a});
   return checked<S>(h.force, h.torque - cross(divided_by_mass<S>(w.mass, w.moment, why), h.force), why);  // (1)
 }
-/// The acceleration of the centre of mass, m/s^2: p' by mass.
+/// The acceleration of the centre of mass, m/s^2: p' over the mass.
 template <class Gravity, class... E, indexable Q, indexable V, indexable A>
-auto centre_of_mass_acceleration(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const A& a) {
+[[nodiscard]] auto centre_of_mass_acceleration(const static_chain<Gravity, E...>& c, const Q& q, const V& v,
+                                               const A& a) {
   using S = value_of<Q>;
   const S mass = centre_of_mass(c, q).mass;
   const vec3<S> f = centroidal_momentum_rate(c, q, v, a).linear;
@@ -68,7 +79,7 @@ namespace detail {
 template <class S>
 tree::dense_wrench<S> momentum_rate_of_coordinates(basic_runtime_state<S>& s, const vec3<>& gravity,
                                                    const vec3<S>& about) {
-  const auto& f = s.tree().forest;
+  const auto& f = s.tree().body_tree;
   auto& w = s.work;
   const auto bases = static_cast<std::size_t>(f.bases);
   take_rates(s), rest_given_coordinates(s);
@@ -92,7 +103,7 @@ tree::dense_wrench<S> momentum_rate_of_coordinates(basic_runtime_state<S>& s, co
     sum = {sum.force + force, sum.torque + torque + cross(at.position - about, force)};
   };
   for (std::size_t b = 0; b < bases; ++b) add(f.base_weight[b], b);
-  for (std::size_t i = 0; i < f.records.size(); ++i) add(f.records[i].weight, bases + i);
+  for (std::size_t i = 0; i < f.nodes.size(); ++i) add(f.nodes[i].weight, bases + i);
   return sum;
 }
 }  // namespace detail
@@ -103,14 +114,14 @@ tree::dense_wrench<S> momentum_rate_of_coordinates(basic_runtime_state<S>& s, co
 namespace detail {
 /// At positions that are good.
 template <class S>
-runtime_matrix<S> centre_of_mass_jacobian_of(const kte_map_chain& c, basic_runtime_state<S>& s) {
+runtime_matrix<S> centre_of_mass_jacobian_of(const runtime_chain& c, basic_runtime_state<S>& s) {
   if (s.tree().plan.coordinates > s.dofs()) {  // some of which follow others
-    const auto map = centroidal_map_of(c, s);
-    return map.topRows(3) / tree::weight_in_world(s.tree().forest, s.work).mass;
+    const auto map = centroidal_momentum_matrix_of(c, s);
+    return map.topRows(3) / tree::weight_in_world(s.tree().body_tree, s.work).mass;
   }
   carry(c, s);
-  const auto w = tree::weight_in_world(s.tree().forest, s.work);
-  const blame_state why{"a Jacobian", s};
+  const auto w = tree::weight_in_world(s.tree().body_tree, s.work);
+  const diagnose_state why{"a Jacobian", s};
   (void)divided_by_mass<S>(w.mass, w.moment, why);
   runtime_matrix<S> j = runtime_matrix<S>::Zero(3, s.dofs());
   for_each_momentum(s, vec3<S>{}, [&j, mass = w.mass](int row, const tree::dense_wrench<S>& h) {
@@ -122,40 +133,40 @@ runtime_matrix<S> centre_of_mass_jacobian_of(const kte_map_chain& c, basic_runti
 }
 }  // namespace detail
 template <class S>
-runtime_matrix<S> centre_of_mass_jacobian(const kte_map_chain& c, basic_runtime_state<S>& s) {
+runtime_matrix<S> centre_of_mass_jacobian(const runtime_chain& c, basic_runtime_state<S>& s) {
   detail::check_regular(c, s), detail::check_positions(s);
   return detail::centre_of_mass_jacobian_of(c, s);
 }
 template <class S>
-linear_angular<S> centroidal_momentum_rate(const kte_map_chain& c, basic_runtime_state<S>& s) {
+linear_angular<S> centroidal_momentum_rate(const runtime_chain& c, basic_runtime_state<S>& s) {
   detail::check_regular(c, s), detail::check_state_velocities(s);
   detail::carry(c, s);
-  const auto w = tree::weight_in_world(s.tree().forest, s.work);
-  const detail::blame_state why{"a rate of momentum", s};
+  const auto w = tree::weight_in_world(s.tree().body_tree, s.work);
+  const detail::diagnose_state why{"a rate of momentum", s};
   const auto h =
       detail::momentum_rate_of_coordinates(s, c.gravity(), detail::divided_by_mass<S>(w.mass, w.moment, why));
   return detail::checked<S>(h.force, h.torque, why);
 }
 template <class S>
-vec3<S> centre_of_mass_acceleration(const kte_map_chain& c, basic_runtime_state<S>& s) {
+vec3<S> centre_of_mass_acceleration(const runtime_chain& c, basic_runtime_state<S>& s) {
   const S mass = centre_of_mass(c, s).mass;
   const vec3<S> f = centroidal_momentum_rate(c, s).linear;
   return {f.x / mass, f.y / mass, f.z / mass};
 }
-// The same at q, v, a, which are put into the state.
+// At q, v, a, which are stored in the state.
 template <class S, indexable Q>
-runtime_matrix<S> centre_of_mass_jacobian(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q) {
+runtime_matrix<S> centre_of_mass_jacobian(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q) {
   detail::check_regular(c, s);
   return detail::take(c, s, q).call([&] { return detail::centre_of_mass_jacobian_of(c, s); });
 }
 template <class S, indexable Q, indexable V, indexable A>
-linear_angular<S> centroidal_momentum_rate(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
+linear_angular<S> centroidal_momentum_rate(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
                                            const A& a) {
   detail::check_regular(c, s);
   return detail::take(c, s, q, v, a).call([&] { return centroidal_momentum_rate(c, s); });
 }
 template <class S, indexable Q, indexable V, indexable A>
-vec3<S> centre_of_mass_acceleration(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
+vec3<S> centre_of_mass_acceleration(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
                                     const A& a) {
   detail::check_regular(c, s);
   return detail::take(c, s, q, v, a).call([&] { return centre_of_mass_acceleration(c, s); });

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kte/dynamics/derivatives.hpp>
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
 
 #ifdef KTE_FUNCTION
 #  include <Eigen/Cholesky>
@@ -16,13 +16,13 @@
 
 namespace kte {
 
-/// Small motions about an equilibrium: sums of x = Re(shape exp(root t)), along the numbers of v. By frequency, lowest
-/// first; those without a restoring force have 0.
+/// Small motions about an equilibrium: sums of x = Re(shape exp(root t)), along the numbers of v, in ascending order of
+/// frequency; modes without a restoring force have 0.
 struct natural_modes_result {
-  Eigen::VectorXd frequency;  ///< |root|, rad/s: of a damped mode that of the same mode without damping
-  Eigen::VectorXd damping;    ///< ratio, -Re(root)/|root|: below 1 it swings, 1 it creeps back, below 0 it grows
-  Eigen::VectorXcd root;      ///< 1/s; of two that are conjugate the one with Im > 0
-  Eigen::MatrixXcd shape;     ///< a column each; its largest number is 1
+  Eigen::VectorXd frequency;  ///< |root|, rad/s, the undamped frequency of the mode
+  Eigen::VectorXd damping;    ///< damping ratio -Re(root)/|root|: below 1 oscillating, 1 overdamped, below 0 unstable
+  Eigen::VectorXcd root;      ///< 1/s; of a conjugate pair the one with Im > 0
+  Eigen::MatrixXcd shape;     ///< a column per mode; its largest number is 1
 };
 
 #ifdef KTE_FUNCTION
@@ -71,8 +71,8 @@ inline undamped_modes solve_undamped(const Eigen::MatrixXd& m, const Eigen::Matr
   }
   return x;
 }
-/// Roots and shapes in the space of the undamped modes: those that neither damping nor forces without a potential
-/// couple are as they are, the others those of  (0, 1; -K', -C').
+/// Roots and shapes in the space of the undamped modes: modes without coupling by damping or by forces without a
+/// potential are unchanged, the others are those of  (0, 1; -K', -C').
 inline void solve_damped(const undamped_modes& modes, const Eigen::MatrixXd& k, const Eigen::MatrixXd& c,
                          std::vector<std::complex<double>>& roots, std::vector<Eigen::VectorXcd>& shapes) {
   const Eigen::MatrixXd by_rate = modes.shape.transpose() * c * modes.shape;
@@ -117,6 +117,7 @@ inline void solve_damped(const undamped_modes& modes, const Eigen::MatrixXd& k, 
 
 }  // namespace detail
 
+/// The modes of M x'' + C x' + K x = 0; see `natural_modes`.
 KTE_FUNCTION natural_modes_result natural_modes_of(const Eigen::MatrixXd& m, const Eigen::MatrixXd& k,
                                                    const Eigen::MatrixXd& c) {
   using namespace detail;
@@ -148,7 +149,8 @@ KTE_FUNCTION natural_modes_result natural_modes_of(const Eigen::MatrixXd& m, con
   return x;
 }
 #else
-natural_modes_result natural_modes_of(const Eigen::MatrixXd& m, const Eigen::MatrixXd& k, const Eigen::MatrixXd& c);
+[[nodiscard]] natural_modes_result natural_modes_of(const Eigen::MatrixXd& m, const Eigen::MatrixXd& k,
+                                                    const Eigen::MatrixXd& c);
 #endif
 
 namespace detail {
@@ -178,14 +180,14 @@ const Derived& check_at_rest(const Derived& d, const Layout& layout) {
 /// Throws `bad_argument` for a q that is no equilibrium, `singular_mass_matrix` for degrees of freedom without mass
 /// where there is damping, `no_solution` for such without stiffness.
 template <indexable Q>
-natural_modes_result natural_modes(const kte_map_chain& c, runtime_state& s, const Q& q) {
+natural_modes_result natural_modes(const runtime_chain& c, runtime_state& s, const Q& q) {
   const Eigen::VectorXd none = Eigen::VectorXd::Zero(s.dofs());
   const auto& d = detail::check_at_rest(inverse_dynamics_derivatives(c, s, q, none, none), detail::layout_of_state(s));
   return natural_modes_of(d.by_a, d.by_q, d.by_v);
 }
-/// The same of a static chain, with inputs 0.
+/// The natural modes of a static chain, with inputs 0.
 template <class Gravity, class... E, indexable Q>
-natural_modes_result natural_modes(const static_chain<Gravity, E...>& c, const Q& q) {
+[[nodiscard]] natural_modes_result natural_modes(const static_chain<Gravity, E...>& c, const Q& q) {
   const joint_vector<double, static_chain<Gravity, E...>::dofs> none =
       joint_vector<double, static_chain<Gravity, E...>::dofs>::Zero();
   const auto d = inverse_dynamics_derivatives(c, q, none, none);

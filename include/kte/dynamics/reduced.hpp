@@ -7,35 +7,35 @@
 #include <string>
 #include <vector>
 
-/// Chains in which some joints are locked: of runtime chains by name, of static chains by key.
+/// Chains with locked joints: of runtime chains by name, of static chains by key.
 namespace kte {
 
-/// A chain without the degrees of freedom that are named: their joints are links, in the position that they have at q.
-/// Names of frames, and of all other coordinates, stay; these keep their order, so q and v of the new chain are the
-/// old ones without the numbers of the locked.
+/// A chain without the named degrees of freedom: their joints become links, in their position at q. Names of frames and
+/// of the other coordinates are unchanged; these keep their order, so that q and v of the new chain are the old ones
+/// without the numbers of the locked coordinates.
 ///
 ///   const auto planar = kte::reduced(arm, q, "wrist", "elbow");
 ///
-/// Coordinates that follow none but locked ones are locked with them. A number that springs, dampers or motors act on
-/// is still there for them, as a constant, and so is their energy; masses on it, and brakes, are gone. Throws
-/// `unknown_name`, and `bad_argument` for what is no degree of freedom, or a rotation or pose that something besides
-/// its joint acts on.
+/// Coordinates that follow only locked coordinates are locked with them. For springs, dampers or motors on a locked
+/// number it becomes a constant, and their energy remains; masses on it, and brakes, are removed. Throws
+/// `unknown_name`, and `bad_argument` for a name that is not a degree of freedom, and for a rotation or pose on which
+/// an element other than its joint acts.
 template <indexable Q, text_type... Names>
-requires(!names_something<Q>) kte_map_chain reduced(const kte_map_chain& c, const Q& q, const Names&... names) {
+requires(!names_something<Q>) runtime_chain reduced(const runtime_chain& c, const Q& q, const Names&... names) {
   detail::chain_reduction r(c, q);
   (r.lock(names), ...);
   return r.make();
 }
 template <indexable Q>
-kte_map_chain reduced(const kte_map_chain& c, const Q& q, const std::vector<std::string>& names) {
+[[nodiscard]] runtime_chain reduced(const runtime_chain& c, const Q& q, const std::vector<std::string>& names) {
   detail::chain_reduction r(c, q);
   for (const auto& name : names) r.lock(name);
   return r.make();
 }
 
-/// The same of a static chain, by keys; in double. Nothing but joints may read a coordinate that is locked.
+/// A static chain with locked joints, by keys; in double. Only joints may read a locked coordinate.
 template <class Gravity, class... E, indexable Q, key_type... Locked>
-auto reduced(const static_chain<Gravity, E...>& c, const Q& q, const Locked&...) {
+[[nodiscard]] auto reduced(const static_chain<Gravity, E...>& c, const Q& q, const Locked&...) {
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
   using wiring = typename chain_type::wiring;
@@ -51,7 +51,7 @@ auto reduced(const static_chain<Gravity, E...>& c, const Q& q, const Locked&...)
   }();
   static_assert(known, "kte: this chain has no degree of freedom of this name, which could be locked");
   static_assert(clean || !known,
-                "kte: an element besides its joint acts on a coordinate that is to be locked: leave it out, or use a "
+                "kte: an element other than its joint acts on a coordinate to be locked: leave it out, or use a "
                 "runtime chain");
   check_configuration<chain_type>(q);
   if constexpr (known && clean) {

@@ -1,7 +1,7 @@
 #ifndef KTE_REGRESSOR_HPP
 #define KTE_REGRESSOR_HPP
 
-#include <kte/dynamics/detail/local_regressor.hpp>
+#include <kte/dynamics/unrolled/regressor.hpp>
 
 /// Inverse dynamics as a linear function of the inertial parameters of the bodies, for their identification.
 namespace kte {
@@ -16,7 +16,7 @@ namespace kte {
 /// (`inertia_gen`) that mass. The kind of an element counts, not its numbers: a point mass has ten, too. Bodies that
 /// are fixed to each other are not taken together.
 template <class S = double, class Gravity, class... E>
-auto inertial_parameters(const static_chain<Gravity, E...>& c) {
+[[nodiscard]] auto inertial_parameters(const static_chain<Gravity, E...>& c) {
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
   Eigen::Matrix<S, parameters_of<chain_type>, 1> pi;
@@ -41,18 +41,18 @@ auto inertial_parameters(const static_chain<Gravity, E...>& c) {
 ///   Y(q, v, a) pi = M(q) a + C(q, v) v + g(q)          (2)
 ///                 = inverse_dynamics(q, v, a) + Q(q, v)
 ///
-/// with Q the forces of all elements that have no inertial parameters: springs, dampers, actuators. Y does not depend
-/// on pi, only on joints, links and where the bodies are; the chain's `gravity()` is in it. Row and column of a
-/// coordinate and a parameter hold the force on the one for a unit of the other: for a body in whose frame the rate of
-/// the coordinate makes the velocity v, u (its Jacobian),
+/// with the forces Q of all elements without inertial parameters: springs, dampers, actuators. Y does not depend on pi,
+/// only on joints, links and the placement of bodies; it includes the gravity of the chain. An entry is the force on a
+/// coordinate due to a unit of a parameter: for a body in whose frame the unit rate of the coordinate makes the
+/// velocity v and angular velocity u (its Jacobian),
 ///
 ///   v . (m a + al x h + w x (w x h)) + u . (I al + w x I w + h x a),   h = m c          (3)
 ///
-/// A value, of both kinds of chain; arguments and errors as for `inverse_dynamics`. Throws `bad_argument` also for a
-/// joint or link that is more than its `relative`, and for masses between several things. Of a static chain no heap,
-/// unless the matrix is larger than EIGEN_STACK_ALLOCATION_LIMIT.
+/// A value, for static and runtime chains; arguments and errors as for `inverse_dynamics`. Throws `bad_argument` also
+/// for a joint or link that is not described by its `relative` alone, and for distributed masses. Static chains use no
+/// heap, unless the matrix is larger than EIGEN_STACK_ALLOCATION_LIMIT.
 template <class Gravity, class... E, indexable Q, indexable V, indexable A>
-auto torque_regressor(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const A& a) {
+[[nodiscard]] auto torque_regressor(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const A& a) {
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
@@ -65,7 +65,8 @@ auto torque_regressor(const static_chain<Gravity, E...>& c, const Q& q, const V&
 }
 
 template <class Gravity, class... E, class S>
-auto torque_regressor(const static_chain<Gravity, E...>& c, const chain_state<S, detail::wiring<E...>>& s) {
+[[nodiscard]] auto torque_regressor(const static_chain<Gravity, E...>& c,
+                                    const chain_state<S, detail::wiring<E...>>& s) {
   using namespace detail;
   using state = chain_state<S, wiring<E...>>;
   const auto q = positions(s);
@@ -84,7 +85,7 @@ auto torque_regressor(const static_chain<Gravity, E...>& c, const chain_state<S,
 #if defined(KTE_RUNTIME_CHAINS) && !defined(KTE_REGRESSOR_OF_RUNTIME_CHAINS)
 #define KTE_REGRESSOR_OF_RUNTIME_CHAINS
 
-#include <kte/dynamics/detail/runtime_bodies.hpp>
+#include <kte/dynamics/runtime/bodies.hpp>
 #include <kte/tree/regressor.hpp>
 
 namespace kte {
@@ -93,10 +94,10 @@ namespace detail {
 /// visit(element, its numbers, its first column, how many columns) for what has inertial parameters. Returns how many
 /// there are.
 template <class Visit>
-int for_each_parametric(const kte_map_chain& c, const Visit& visit) {
+int for_each_parametric(const runtime_chain& c, const Visit& visit) {
   int column = 0;
   for (const topology::connection& e : c.wiring().elements) {
-    if (e.stiff) continue;
+    if (e.rigid) continue;
     const element_numbers<double> n = e.element->numbers();
     const int count = n.has_mass ? 1 : n.is == part::body ? (e.ports[0].what == kind::frame_2D ? 4 : 10) : 0;
     if (count > 0) visit(e, n, column, count);
@@ -106,12 +107,12 @@ int for_each_parametric(const kte_map_chain& c, const Visit& visit) {
 }
 /// At the positions, rates and accelerations of the state.
 template <class S>
-runtime_matrix<S> regressor_of(const kte_map_chain& c, basic_runtime_state<S>& s) {
+runtime_matrix<S> regressor_of(const runtime_chain& c, basic_runtime_state<S>& s) {
   const auto& t = s.tree();
-  refuse_spread_masses(c, s);
+  refuse_distributed_masses(c, s);
   place_bodies(runtime_elements{c}, s);
   take_rates(s), take_bases(s);
-  tree::move_bodies<false>(t.forest, s.work);
+  tree::move_bodies<false>(t.body_tree, s.work);
   const int columns = for_each_parametric(c, [](auto&&...) {});
   runtime_matrix<S> y = runtime_matrix<S>::Zero(t.plan.coordinates, columns);
   for_each_parametric(c, [&](const topology::connection& e, const element_numbers<double>& n, int first, int count) {
@@ -120,22 +121,23 @@ runtime_matrix<S> regressor_of(const kte_map_chain& c, basic_runtime_state<S>& s
       y(t.plan.row_of_gen[static_cast<std::size_t>(index)], first) = s.template get<kind::gen>(index).q_ddot;
       return;
     }
-    const auto& place = t.forest.frame(e.ports[0].what, index);
-    tree::forces_by_parameters(t.forest, s.work, place, [&](int k, const tree::per_parameter<S>& x) {
-      const int row = t.forest.row[static_cast<std::size_t>(k)];
+    const auto& place = t.body_tree.frame(e.ports[0].what, index);
+    tree::forces_by_parameters(t.body_tree, s.work, place, [&](int k, const tree::per_parameter<S>& x) {
+      const int row = t.body_tree.row[static_cast<std::size_t>(k)];
       for (int i = 0; i < count; ++i) y(row, first + i) += tree::parameter_at(x, i, count);
     });
   });
-  hand_on(runtime_elements{c}, s, [&y](int to, int from, const S& ratio) { y.row(to) += ratio * y.row(from); });
+  pull_back_followers(runtime_elements{c}, s,
+                      [&y](int to, int from, const S& ratio) { y.row(to) += ratio * y.row(from); });
   y.conservativeResize(s.dofs(), columns);
-  check_result(y.data(), static_cast<std::size_t>(y.size()), [&s] { blame("a regressor", s); });
+  check_result(y.data(), static_cast<std::size_t>(y.size()), [&s] { diagnose("a regressor", s); });
   return y;
 }
 }  // namespace detail
 
-Eigen::VectorXd inertial_parameters(const kte_map_chain& c);
+[[nodiscard]] Eigen::VectorXd inertial_parameters(const runtime_chain& c);
 #ifdef KTE_FUNCTION
-KTE_FUNCTION Eigen::VectorXd inertial_parameters(const kte_map_chain& c) {
+KTE_FUNCTION Eigen::VectorXd inertial_parameters(const runtime_chain& c) {
   using namespace detail;
   Eigen::VectorXd pi(for_each_parametric(c, [](auto&&...) {}));
   for_each_parametric(c, [&pi](const topology::connection&, const element_numbers<double>& n, int first, int count) {
@@ -148,22 +150,22 @@ KTE_FUNCTION Eigen::VectorXd inertial_parameters(const kte_map_chain& c) {
 #endif
 
 template <class S>
-runtime_matrix<S> torque_regressor(const kte_map_chain& c, basic_runtime_state<S>& s) {
+runtime_matrix<S> torque_regressor(const runtime_chain& c, basic_runtime_state<S>& s) {
   detail::check_regular(c, s);
   detail::check_state_velocities(s);
   return detail::regressor_of(c, s);
 }
 template <class S, indexable Q, indexable V, indexable A>
-runtime_matrix<S> torque_regressor(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
+runtime_matrix<S> torque_regressor(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
                                    const A& a) {
   detail::check_regular(c, s);
   return detail::take(c, s, q, v, a).call([&] { return detail::regressor_of(c, s); });
 }
 
 #ifdef KTE_EXTERN
-KTE_EXTERN template runtime_matrix<double> detail::regressor_of(const kte_map_chain&, runtime_state&);
-KTE_EXTERN template runtime_matrix<double> torque_regressor(const kte_map_chain&, runtime_state&);
-KTE_EXTERN template runtime_matrix<double> torque_regressor(const kte_map_chain&, runtime_state&,
+KTE_EXTERN template runtime_matrix<double> detail::regressor_of(const runtime_chain&, runtime_state&);
+KTE_EXTERN template runtime_matrix<double> torque_regressor(const runtime_chain&, runtime_state&);
+KTE_EXTERN template runtime_matrix<double> torque_regressor(const runtime_chain&, runtime_state&,
                                                             const Eigen::VectorXd&, const Eigen::VectorXd&,
                                                             const Eigen::VectorXd&);
 #endif

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kte/dynamics/detail/relative_motion.hpp>
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
 
 /// How a frame B stands and moves in another frame A of the same chain, static or runtime: as frames do in their
 /// parents (frames/motion.hpp), with the position in axes of A and rates in axes of B. Frames in the plane are given as
@@ -10,10 +10,10 @@ namespace kte {
 
 // ---- of static chains
 
-/// Where B stands in A: R = R_A^T R_B, p = R_A^T (p_B - p_A), m; by the elements between them alone. Of a runtime chain
-/// that has elements which are more than records say, `relative_motion` knows it.
+/// The pose of frame B in frame A: R = R_A^T R_B, p = R_A^T (p_B - p_A), m. Only the elements between them are
+/// evaluated. For runtime chains with elements that have more than the data of a body node use `relative_motion`.
 template <class Gravity, class... E, indexable Q, key_type B, key_type A>
-auto relative_pose(const static_chain<Gravity, E...>& c, const Q& q, const B&, const A&) {
+[[nodiscard]] auto relative_pose(const static_chain<Gravity, E...>& c, const Q& q, const B&, const A&) {
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
@@ -26,9 +26,10 @@ auto relative_pose(const static_chain<Gravity, E...>& c, const Q& q, const B&, c
   else
     return plain_pose<S>(compose(inverse(plain_pose<S>(motion_at<A>(c, g))), plain_pose<S>(motion_at<B>(c, g))));
 }
-/// How B moves in A: by `relative` of the motions of both (frames/inverse.hpp).
+/// The motion of frame B relative to frame A: `relative` of the motions of both (frames/inverse.hpp).
 template <class Gravity, class... E, indexable Q, indexable V, indexable X, key_type B, key_type A>
-auto relative_motion(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const X& a, const B&, const A&) {
+[[nodiscard]] auto relative_motion(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const X& a, const B&,
+                                   const A&) {
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
@@ -38,13 +39,13 @@ auto relative_motion(const static_chain<Gravity, E...>& c, const Q& q, const V& 
   at.check();
   const given g{at, each<S, V>{v}, each<S, X>{a}, base_at_rest};
   return checked_motion(in_numbers<S>(motion_at<A>(c, g)), in_numbers<S>(motion_at<B>(c, g)), [&]() {
-    blame<typename chain_type::wiring>("a motion", at.q, each<S, V>{v}, each<S, X>{a}, "a");
+    diagnose<typename chain_type::wiring>("a motion", at.q, each<S, V>{v}, each<S, X>{a}, "a");
   });
 }
-/// The Jacobian of the motion of B in A, in axes of B: the velocity and angular velocity of `relative_motion` are J v.
-/// Joints that move both have zeros.
+/// The Jacobian of the motion of B relative to A, in axes of B: the velocity and angular velocity of `relative_motion`
+/// are J v. Columns of joints that move both are zero.
 template <class Gravity, class... E, indexable Q, key_type B, key_type A>
-auto relative_jacobian(const static_chain<Gravity, E...>& c, const Q& q, const B&, const A&) {
+[[nodiscard]] auto relative_jacobian(const static_chain<Gravity, E...>& c, const Q& q, const B&, const A&) {
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
@@ -65,7 +66,7 @@ auto relative_jacobian(const static_chain<Gravity, E...>& c, const Q& q, const B
 // ---- of runtime chains, with bases as the state has them
 
 template <class S>
-pose<mat3<vec3<S>>, vec3<S>> relative_pose(const kte_map_chain& c, basic_runtime_state<S>& s, const name_or_handle& b,
+pose<mat3<vec3<S>>, vec3<S>> relative_pose(const runtime_chain& c, basic_runtime_state<S>& s, const name_or_handle& b,
                                            const name_or_handle& a) {
   detail::check_motion(c, s);
   const auto of = detail::find_frame(c, b), in = detail::find_frame(c, a);
@@ -73,7 +74,7 @@ pose<mat3<vec3<S>>, vec3<S>> relative_pose(const kte_map_chain& c, basic_runtime
   return detail::relative_pose_of(c, s, of, in);
 }
 template <class S, indexable Q>
-requires(!names_something<Q>) pose<mat3<vec3<S>>, vec3<S>> relative_pose(const kte_map_chain& c,
+requires(!names_something<Q>) pose<mat3<vec3<S>>, vec3<S>> relative_pose(const runtime_chain& c,
                                                                          basic_runtime_state<S>& s, const Q& q,
                                                                          const name_or_handle& b,
                                                                          const name_or_handle& a) {
@@ -82,7 +83,7 @@ requires(!names_something<Q>) pose<mat3<vec3<S>>, vec3<S>> relative_pose(const k
   return detail::take(c, s, q).call([&] { return detail::relative_pose_of(c, s, of, in); });
 }
 template <class S>
-dense_motion<S> relative_motion(const kte_map_chain& c, basic_runtime_state<S>& s, const name_or_handle& b,
+dense_motion<S> relative_motion(const runtime_chain& c, basic_runtime_state<S>& s, const name_or_handle& b,
                                 const name_or_handle& a) {
   c.check(s);
   const auto of = detail::find_frame(c, b), in = detail::find_frame(c, a);
@@ -90,13 +91,13 @@ dense_motion<S> relative_motion(const kte_map_chain& c, basic_runtime_state<S>& 
   return detail::relative_motion_of(c, s, of, in);
 }
 template <class S, indexable Q, indexable V, indexable X>
-dense_motion<S> relative_motion(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v, const X& x,
+dense_motion<S> relative_motion(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v, const X& x,
                                 const name_or_handle& b, const name_or_handle& a) {
   const auto of = detail::find_frame(c, b), in = detail::find_frame(c, a);
   return detail::take(c, s, q, v, x).call([&] { return detail::relative_motion_of(c, s, of, in); });
 }
 template <class S>
-basic_runtime_jacobian<S> relative_jacobian(const kte_map_chain& c, basic_runtime_state<S>& s, const name_or_handle& b,
+basic_runtime_jacobian<S> relative_jacobian(const runtime_chain& c, basic_runtime_state<S>& s, const name_or_handle& b,
                                             const name_or_handle& a) {
   detail::check_motion(c, s);
   const auto of = detail::find_frame(c, b), in = detail::find_frame(c, a);
@@ -104,7 +105,7 @@ basic_runtime_jacobian<S> relative_jacobian(const kte_map_chain& c, basic_runtim
   return detail::relative_jacobian_of(c, s, of, in);
 }
 template <class S, indexable Q>
-requires(!names_something<Q>) basic_runtime_jacobian<S> relative_jacobian(const kte_map_chain& c,
+requires(!names_something<Q>) basic_runtime_jacobian<S> relative_jacobian(const runtime_chain& c,
                                                                           basic_runtime_state<S>& s, const Q& q,
                                                                           const name_or_handle& b,
                                                                           const name_or_handle& a) {

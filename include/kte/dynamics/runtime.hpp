@@ -1,10 +1,10 @@
 #pragma once
 
 /// Deprecated: the headers of the algorithms, which are for both kinds of chain, and
-/// kte/runtime_chain/kte_map_chain.hpp take its place.
+/// kte/runtime_chain/runtime_chain.hpp take its place.
 #include <kte/dynamics/configuration_space.hpp>
 #include <kte/dynamics/forward_dynamics.hpp>
 #include <kte/dynamics/forward_kinematics.hpp>
 #include <kte/dynamics/inverse_dynamics.hpp>
 #include <kte/dynamics/mass_matrix.hpp>
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>

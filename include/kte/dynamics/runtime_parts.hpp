@@ -1,4 +1,4 @@
-// The parts for runtime chains of headers of this folder that were included before kte/runtime_chain/kte_map_chain.hpp,
+// The parts for runtime chains of headers of this folder that were included before kte/runtime_chain/runtime_chain.hpp,
 // which ends with this one (docs/decisions/13-folders.md); headers that are included after it have theirs at once. So
 // who uses static chains alone compiles nothing for the others, and the order of includes does not matter.
 #ifdef KTE_STATE_VECTORS_HPP

@@ -7,38 +7,40 @@
 /// known to the compiler for static chains alone. Throws `bad_argument` for a vector of another size.
 namespace kte {
 
-/// q of a state: positions, angles, quaternions.
+/// The positions q of a state: numbers, angles, quaternions.
 template <class S, class W>
-KTE_INLINE auto positions(const chain_state<S, W>& s) {
+[[nodiscard]] KTE_INLINE auto positions(const chain_state<S, W>& s) {
   return detail::read_numbers<detail::vector_of::q, W::nq>(s);
 }
-/// v of a state.
+/// The velocities v of a state.
 template <class S, class W>
-KTE_INLINE auto velocities(const chain_state<S, W>& s) {
+[[nodiscard]] KTE_INLINE auto velocities(const chain_state<S, W>& s) {
   return detail::read_numbers<detail::vector_of::v, W::dofs>(s);
 }
-/// a of a state.
+/// The accelerations a of a state.
 template <class S, class W>
-KTE_INLINE auto accelerations(const chain_state<S, W>& s) {
+[[nodiscard]] KTE_INLINE auto accelerations(const chain_state<S, W>& s) {
   return detail::read_numbers<detail::vector_of::a, W::dofs>(s);
 }
-/// The forces of virtual power on the degrees of freedom, after doForce.
+/// The generalized forces on the degrees of freedom, after doForce.
 template <class S, class W>
-KTE_INLINE auto forces(const chain_state<S, W>& s) {
+[[nodiscard]] KTE_INLINE auto forces(const chain_state<S, W>& s) {
   return detail::read_numbers<detail::vector_of::f, W::dofs>(s);
 }
 
-/// Puts q, v or a into a state. Frames follow with the next doMotion.
+/// Sets the positions q of a state. Frames are updated by the next doMotion.
 template <class S, class W, indexable X>
 constexpr void set_positions(chain_state<S, W>& s, const X& q) {
   detail::check_configuration<W>(q);
   detail::write_numbers<detail::vector_of::q>(s, q);
 }
+/// Sets the velocities v of a state.
 template <class S, class W, indexable X>
 constexpr void set_velocities(chain_state<S, W>& s, const X& v) {
   check_size<W::dofs>(v, "v");
   detail::write_numbers<detail::vector_of::v>(s, v);
 }
+/// Sets the accelerations a of a state.
 template <class S, class W, indexable X>
 constexpr void set_accelerations(chain_state<S, W>& s, const X& a) {
   check_size<W::dofs>(a, "a");
@@ -54,24 +56,24 @@ constexpr void set_accelerations(chain_state<S, W>& s, const X& a) {
 #if defined(KTE_RUNTIME_CHAINS) && !defined(KTE_STATE_VECTORS_OF_RUNTIME_CHAINS)
 #define KTE_STATE_VECTORS_OF_RUNTIME_CHAINS
 
-#include <kte/dynamics/detail/runtime_vectors.hpp>
+#include <kte/dynamics/runtime/vectors.hpp>
 
 namespace kte {
 
 template <class S>
-runtime_vector<S> positions(const basic_runtime_state<S>& s) {
+[[nodiscard]] runtime_vector<S> positions(const basic_runtime_state<S>& s) {
   return detail::read_numbers<detail::vector_of::q>(s);
 }
 template <class S>
-runtime_vector<S> velocities(const basic_runtime_state<S>& s) {
+[[nodiscard]] runtime_vector<S> velocities(const basic_runtime_state<S>& s) {
   return detail::read_numbers<detail::vector_of::v>(s);
 }
 template <class S>
-runtime_vector<S> accelerations(const basic_runtime_state<S>& s) {
+[[nodiscard]] runtime_vector<S> accelerations(const basic_runtime_state<S>& s) {
   return detail::read_numbers<detail::vector_of::a>(s);
 }
 template <class S>
-runtime_vector<S> forces(const basic_runtime_state<S>& s) {
+[[nodiscard]] runtime_vector<S> forces(const basic_runtime_state<S>& s) {
   return detail::read_numbers<detail::vector_of::f>(s);
 }
 

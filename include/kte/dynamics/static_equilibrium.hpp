@@ -1,37 +1,41 @@
 #pragma once
 
-#include <kte/dynamics/detail/tangent_stability.hpp>
 #include <kte/dynamics/external_wrenches.hpp>
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/dynamics/statics/tangent_stability.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
 
 #ifdef KTE_FUNCTION
-#  include <kte/dynamics/detail/static_newton.hpp>
+#  include <kte/dynamics/statics/newton.hpp>
 #endif
 
 #include <vector>
 
 namespace kte {
 
+/// Options of `static_equilibrium`.
 struct equilibrium_options {
-  std::vector<external_wrench> loads{};  ///< besides those of the chain, in axes of their frames, with which they turn
-  double tolerance = 1e-10;              ///< of the last step: rad, and lengths in parts of the size of the chain
-  int iterations = 1000;                 ///< of Newton's method, in all
-  bool must_reach = true;                ///< throw `no_solution` instead of a status
+  std::vector<external_wrench>
+      loads{};               ///< wrenches in addition to those of the chain, in axes of their frames (follower loads)
+  double tolerance = 1e-10;  ///< of the last step: rad, and lengths relative to the size of the chain
+  int iterations = 1000;     ///< of Newton's method, in all
+  bool must_reach = true;    ///< throw `no_solution` instead of returning a status
 };
 
+/// The stability of an equilibrium, or that none was found.
 enum class equilibrium_status {
-  stable,       ///< no direction leads to less energy: all eigenvalues of the symmetric tangent are positive
-  unstable,     ///< some direction does
-  not_reached,  ///< all that was found is the equilibrium under `load` times the loads
+  stable,       ///< a minimum of energy: all eigenvalues of the symmetric tangent are positive
+  unstable,     ///< some eigenvalue is not positive
+  not_reached,  ///< the result is the equilibrium under `load` times the loads
 };
 
+/// The result of `static_equilibrium`: the configuration q and its `status`.
 struct equilibrium {
   Eigen::VectorXd q;
   equilibrium_status status = equilibrium_status::not_reached;
-  double load = 0;              ///< the load factor at q, 1 where it is reached
-  double residual = 0;          ///< the largest of the forces that are left, N or Nm
-  tangent_stability stability;  ///< of the tangent at q
-  int load_steps = 0;           ///< in which the loads were put on
+  double load = 0;              ///< the load factor at q; 1 under all loads
+  double residual = 0;          ///< largest residual force, N or Nm
+  tangent_stability stability;  ///< stability of the tangent at q
+  int load_steps = 0;           ///< number of increments of the loads
   int iterations = 0;           ///< of Newton's method, in all
 };
 
@@ -63,7 +67,8 @@ inline void put_loads_on(static_newton& newton, equilibrium& at) {
 }
 }  // namespace detail
 
-KTE_FUNCTION equilibrium find_static_equilibrium(const kte_map_chain& c, runtime_state& s, const Eigen::VectorXd& q0,
+/// The implementation of `static_equilibrium`.
+KTE_FUNCTION equilibrium find_static_equilibrium(const runtime_chain& c, runtime_state& s, const Eigen::VectorXd& q0,
                                                  const equilibrium_options& options) {
   using namespace detail;
   if (!(options.tolerance > 0 && options.tolerance < 1) || options.iterations < 1)
@@ -88,13 +93,13 @@ KTE_FUNCTION equilibrium find_static_equilibrium(const kte_map_chain& c, runtime
   return x;
 }
 #else
-equilibrium find_static_equilibrium(const kte_map_chain&, runtime_state&, const Eigen::VectorXd&,
+equilibrium find_static_equilibrium(const runtime_chain&, runtime_state&, const Eigen::VectorXd&,
                                     const equilibrium_options&);
 #endif
 
 namespace detail {
 template <indexable Q>
-Eigen::VectorXd start_of_statics(const kte_map_chain& c, const runtime_state& s, const Q& q0) {
+Eigen::VectorXd start_of_statics(const runtime_chain& c, const runtime_state& s, const Q& q0) {
   check_regular(c, s);
   if (s.dofs() == 0) raise<bad_argument>("kte: this chain has no degree of freedom, which equilibria are about");
   check_positions(s, q0);
@@ -104,28 +109,28 @@ Eigen::VectorXd start_of_statics(const kte_map_chain& c, const runtime_state& s,
 }
 }  // namespace detail
 
-/// Where a chain is at rest: q with static_forces(q) = 0 under the inputs of the state and wrenches of `options`, which
-/// is then the state's. By Newton's method from q0, with rotations turned by `integrate`.
+/// A static equilibrium: q with static_forces(q) = 0 under the inputs of the state and the wrenches of `options`. The
+/// state is then at q. By Newton's method from q0, with rotations updated by `integrate`.
 ///
-/// Loads are put on in parts, as large as the method takes, so that the shape is the one to which they lead from q0:
-/// with the load factor x from 0 to 1 these are x times themselves
+/// Loads are applied in increments, as large as Newton's method converges, so that the solution is the one that
+/// continuous loading reaches from q0. With the load factor x from 0 to 1 these loads are multiplied by x:
 ///
 ///   gravity, as accelerations of bases;  `constant_force`, `follower_force`;  `driving_actuator`, `external_force` by
-///   inputs from outside;  wrenches of `options`
+///   inputs;  wrenches of `options`
 ///
-/// Springs, motors and all else act in full. Where they are not in balance at q0 under no loads, forces hold the chain
-/// that are let go as 1 - x. A chain that only its loads hold, as a pendulum, has nothing to start from: then steps
-/// are damped, under all loads, and lead to any equilibrium near by.
+/// Springs, motors and other elements act in full. If they are not in balance at q0 without loads, holding forces are
+/// applied, which decrease as 1 - x. A chain that only its loads hold, such as a pendulum, has no such start: then
+/// damped steps under all loads find an equilibrium near by.
 ///
 ///   const auto r = kte::static_equilibrium(beam, s, q0);
 ///   r.q, r.status == kte::equilibrium_status::stable
 ///
-/// Derivatives are by dual numbers, in as many directions as the wiring needs and as sparse: a row of beams takes time
-/// in proportion to its length. Throws `bad_argument` for what is not finite, `no_solution` that names the coordinate
-/// which nothing holds, or says how far the loads got; the state is then as it was, and with `must_reach` false there
-/// is a status instead.
+/// Derivatives are computed by dual numbers, with the sparsity of the wiring: the time for a row of beams is
+/// proportional to its length. Throws `bad_argument` for arguments that are not finite, `no_solution` naming a
+/// coordinate that nothing holds, or the load factor reached; the state is then unchanged. With `must_reach` false a
+/// status is returned instead.
 template <indexable Q>
-equilibrium static_equilibrium(const kte_map_chain& c, runtime_state& s, const Q& q0,
+equilibrium static_equilibrium(const runtime_chain& c, runtime_state& s, const Q& q0,
                                const equilibrium_options& options = {}) {
   return find_static_equilibrium(c, s, detail::start_of_statics(c, s, q0), options);
 }

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <kte/dynamics/detail/runtime_algorithms.hpp>
-#include <kte/dynamics/detail/static_plan.hpp>
 #include <kte/dynamics/frame_motion.hpp>
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/dynamics/runtime/algorithms.hpp>
+#include <kte/dynamics/unrolled/plan.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
 
 #include <algorithm>
 #include <string>
@@ -77,10 +77,10 @@ std::string_view name_of_thing(kind k, int i) {
 }
 }  // namespace detail
 
-/// Which degrees of freedom move a frame: for each number of v, whether its column of `jacobian` can be anything but
+/// The degrees of freedom that move a frame: for each number of v, whether its column of `jacobian` may differ from
 /// zero.
 template <class Gravity, class... E, key_type Frame>
-auto support(const static_chain<Gravity, E...>&, const Frame&) {
+[[nodiscard]] auto support(const static_chain<Gravity, E...>&, const Frame&) {
   using chain_type = static_chain<Gravity, E...>;
   std::array<bool, std::size_t{chain_type::dofs}> moves{};
   detail::mark_support(detail::static_connections<chain_type>{}, {Frame::what, detail::frame_slot<Frame, chain_type>()},
@@ -88,17 +88,17 @@ auto support(const static_chain<Gravity, E...>&, const Frame&) {
   return moves;
 }
 /// As on static chains. Throws `unknown_name`.
-inline std::vector<bool> support(const kte_map_chain& c, const name_or_handle& frame) {
+[[nodiscard]] inline std::vector<bool> support(const runtime_chain& c, const name_or_handle& frame) {
   const auto x = detail::find_frame(c, frame);
   std::vector<bool> moves(static_cast<std::size_t>(c.dofs()));
   detail::mark_support(detail::runtime_connections{c.wiring()}, {x.what, x.index}, moves);
   return moves;
 }
 
-/// The name of the last frame that two frames stand on, by links and joints, which may be one of them; empty where they
-/// have different bases.
+/// The name of the last common ancestor of two frames by links and joints, which may be one of them; empty if they have
+/// different bases.
 template <class Gravity, class... E, key_type A, key_type B>
-std::string_view common_ancestor(const static_chain<Gravity, E...>&, const A&, const B&) {
+[[nodiscard]] std::string_view common_ancestor(const static_chain<Gravity, E...>&, const A&, const B&) {
   using chain_type = static_chain<Gravity, E...>;
   const auto [k, i] = detail::find_common_ancestor(detail::static_connections<chain_type>{},
                                                    {A::what, detail::frame_slot<A, chain_type>()},
@@ -106,7 +106,8 @@ std::string_view common_ancestor(const static_chain<Gravity, E...>&, const A&, c
   return i < 0 ? std::string_view() : detail::name_of_thing<typename chain_type::wiring, E...>(k, i);
 }
 /// As on static chains. Throws `unknown_name`.
-inline std::string common_ancestor(const kte_map_chain& c, const name_or_handle& a, const name_or_handle& b) {
+[[nodiscard]] inline std::string common_ancestor(const runtime_chain& c, const name_or_handle& a,
+                                                 const name_or_handle& b) {
   const auto x = detail::find_frame(c, a), y = detail::find_frame(c, b);
   const auto [k, i] =
       detail::find_common_ancestor(detail::runtime_connections{c.wiring()}, {x.what, x.index}, {y.what, y.index});

@@ -7,8 +7,8 @@ namespace kte {
 
 namespace core {
 
-/// An accelerometer at the origin of a frame: y = a - R^T g, the acceleration against free fall, m/s^2, in axes of the
-/// frame. (Gravity is an acceleration of bases, so that is the acceleration a frame of the state has.) No force may
+/// An accelerometer at the origin of a frame: y = a - R^T g, the acceleration relative to free fall, m/s^2, in axes of
+/// the frame. As gravity is an acceleration of bases, this is the acceleration of the frame in the state. No force may
 /// depend on it.
 template <kind Dim>
 struct acceleration_measure : no_parameters {
@@ -24,13 +24,14 @@ struct acceleration_measure : no_parameters {
 
 }  // namespace core
 
-/// An accelerometer on a frame.
+/// An accelerometer on a frame in the plane.
 template <class F, class Y>
-constexpr auto acceleration_measure_2D(const F& frame, const Y& output) {
+[[nodiscard]] constexpr auto acceleration_measure_2D(const F& frame, const Y& output) {
   return connect(core::acceleration_measure<kind::frame_2D>{}, frame, output);
 }
+/// An accelerometer on a frame in space.
 template <class F, class Y>
-constexpr auto acceleration_measure_3D(const F& frame, const Y& output) {
+[[nodiscard]] constexpr auto acceleration_measure_3D(const F& frame, const Y& output) {
   return connect(core::acceleration_measure<kind::frame_3D>{}, frame, output);
 }
 

@@ -6,8 +6,8 @@ namespace kte {
 
 namespace core {
 
-/// A frame in the plane that turns in another about its origin at a given rate; an internal state z of the element is
-/// its angle, rad:
+/// A frame in the plane that rotates about the origin of another at a prescribed rate w, rad/s; an internal state z of
+/// the element is its angle, rad:
 ///
 ///   R = Rot(z),   w,   al = w',   z' = w          (1)
 struct ang_velocity_control_2D : no_parameters {
@@ -31,12 +31,12 @@ struct ang_velocity_control_2D : no_parameters {
     return rotation_control_2D{}.doForce(z, w, al, base, end);
   }
 };
-/// A frame in space that turns in another about its origin at a given angular velocity w, in axes of the end. Internal
-/// states are those of a quaternion q, less that of no rotation, which is where all are 0:
+/// A frame in space that rotates about the origin of another at a prescribed angular velocity w, rad/s, in axes of the
+/// end. Internal states are the entries of a quaternion q less those of the identity, so that zeros are the identity:
 ///
 ///   q = (1 + e, x, y, z),   q' = q (0, w) / 2,   R = R(q / |q|),   al = w'          (1)
 ///
-/// R' = R [w]x whatever |q| is, which no exact integration would change.
+/// R' = R [w]x for every |q|. Exact integration would not change |q|.
 struct ang_velocity_control_3D : no_parameters {
   static constexpr type_name type{"ang_velocity_control", kind::frame_3D};
   static constexpr std::array<port, 8> ports{{{kind::vector, access::in, "ang_velocity"},
@@ -79,19 +79,20 @@ struct ang_velocity_control_3D : no_parameters {
 
 }  // namespace core
 
-/// A frame `end` that turns in `base` at the rate `ang_velocity` (rad/s), of which `ang_acceleration` is the
-/// derivative, from the angle that its internal state `angle` says.
+/// A frame `end` that rotates in `base` at the prescribed rate `ang_velocity`, rad/s. `ang_acceleration` is its
+/// derivative, rad/s^2. The internal state `angle` is the angle, rad.
 template <class W, class AL, class Z, class B, class E>
-constexpr auto ang_velocity_control_2D(const W& ang_velocity, const AL& ang_acceleration, const Z& angle, const B& base,
-                                       const E& end) {
+[[nodiscard]] constexpr auto ang_velocity_control_2D(const W& ang_velocity, const AL& ang_acceleration, const Z& angle,
+                                                     const B& base, const E& end) {
   return connect(core::ang_velocity_control_2D{}, ang_velocity, ang_acceleration, angle, base, end);
 }
-/// A frame `end` in space that turns in `base` at the rate that a signal of three numbers says (rad/s, in axes of the
-/// end), of which `ang_acceleration` is the derivative, from where a quaternion (1 + e, x, y, z) of internal states
-/// says.
+/// A frame `end` in space that rotates in `base` at the angular velocity of a signal of three numbers, rad/s, in axes
+/// of the end. `ang_acceleration` is its derivative, rad/s^2. The internal states e, x, y, z are the rotation, the
+/// quaternion (1 + e, x, y, z).
 template <class W, class AL, class Q0, class Q1, class Q2, class Q3, class B, class E>
-constexpr auto ang_velocity_control_3D(const W& ang_velocity, const AL& ang_acceleration, const Q0& e, const Q1& x,
-                                       const Q2& y, const Q3& z, const B& base, const E& end) {
+[[nodiscard]] constexpr auto ang_velocity_control_3D(const W& ang_velocity, const AL& ang_acceleration, const Q0& e,
+                                                     const Q1& x, const Q2& y, const Q3& z, const B& base,
+                                                     const E& end) {
   return connect(core::ang_velocity_control_3D{}, ang_velocity, ang_acceleration, e, x, y, z, base, end);
 }
 

@@ -7,7 +7,7 @@ namespace kte {
 
 namespace core {
 
-/// Measures how fast a frame in the plane turns: y = w, rad/s.
+/// Measures the angular velocity of a frame in the plane: y = w, rad/s.
 struct ang_velocity_measure_2D : no_parameters {
   static constexpr type_name type{"ang_velocity_measure", kind::frame_2D};
   static constexpr std::array<port, 2> ports{
@@ -18,7 +18,7 @@ struct ang_velocity_measure_2D : no_parameters {
     return x.ang_velocity.z;
   }
 };
-/// Measures how fast a frame in space turns: y = R w, rad/s, in the axes in which bases are given, as all measures.
+/// Measures the angular velocity of a frame in space: y = R w, rad/s, in axes of the world, as all measures.
 struct ang_velocity_measure_3D : no_parameters {
   static constexpr type_name type{"ang_velocity_measure", kind::frame_3D};
   static constexpr std::array<port, 2> ports{
@@ -32,13 +32,15 @@ struct ang_velocity_measure_3D : no_parameters {
 
 }  // namespace core
 
-/// Measures the angular velocity of a frame.
+/// Measures the angular velocity of a frame, rad/s, in axes of the world. `output` is a signal: a number in the plane,
+/// three numbers in space.
 template <class F, class Y>
-constexpr auto ang_velocity_measure_2D(const F& frame, const Y& output) {
+[[nodiscard]] constexpr auto ang_velocity_measure_2D(const F& frame, const Y& output) {
   return connect(core::ang_velocity_measure_2D{}, frame, output);
 }
+/// Measures the angular velocity of a frame in space.
 template <class F, class Y>
-constexpr auto ang_velocity_measure_3D(const F& frame, const Y& output) {
+[[nodiscard]] constexpr auto ang_velocity_measure_3D(const F& frame, const Y& output) {
   return connect(core::ang_velocity_measure_3D{}, frame, output);
 }
 

@@ -6,7 +6,7 @@ namespace kte {
 
 namespace core {
 
-/// Declares something that no element of the chain moves: its motion is what the state says.
+/// Declares a frame or coordinate that no element of the chain moves: its motion is prescribed by the state.
 template <kind Dim>
 struct base {
   static constexpr type_name type{"base", Dim};
@@ -20,19 +20,19 @@ struct base {
 
 }  // namespace core
 
-/// A coordinate given from outside, for instance the fixed end of a spring. It is no degree of freedom.
+/// A coordinate with prescribed motion, for instance the fixed end of a spring. It is not a degree of freedom.
 template <class Q>
-constexpr auto base_gen(const Q& coordinate) {
+[[nodiscard]] constexpr auto base_gen(const Q& coordinate) {
   return connect(core::base<kind::gen>{}, coordinate);
 }
-/// A further base in the plane. The first frame that a chain reads is a base anyway.
+/// A further base in the plane. The first frame that a chain reads is a base without a declaration.
 template <class F>
-constexpr auto base_2D(const F& frame) {
+[[nodiscard]] constexpr auto base_2D(const F& frame) {
   return connect(core::base<kind::frame_2D>{}, frame);
 }
-/// A further base in space.
+/// A further base in space. The first frame that a chain reads is a base without a declaration.
 template <class F>
-constexpr auto base_3D(const F& frame) {
+[[nodiscard]] constexpr auto base_3D(const F& frame) {
   return connect(core::base<kind::frame_3D>{}, frame);
 }
 

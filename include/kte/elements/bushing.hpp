@@ -4,15 +4,15 @@
 
 namespace kte {
 
-/// A symmetric 6x6 matrix of blocks: `linear`, on a displacement; `angular`, on a rotation vector; `coupling`, row:
-/// displacement, column: rotation. N/m, Nm/rad, N/rad as a stiffness; with s as a damping.
+/// A symmetric 6x6 matrix in blocks: `linear` for displacements, `angular` for rotation vectors, `coupling` with a row
+/// per displacement and a column per rotation. As a stiffness N/m, Nm/rad, N/rad; as a damping with s.
 struct bushing_matrix {
   sym3<> linear{};
   sym3<> angular{};
   mat3<> coupling{};
 
   constexpr bushing_matrix() = default;
-  /// Of any entries: `bushing_matrix(kte::diagonal(1e6, 1e6, 2e5), kte::diagonal(40.0, 40.0, 10.0))`.
+  /// A matrix of any entries: `bushing_matrix(kte::diagonal(1e6, 1e6, 2e5), kte::diagonal(40.0, 40.0, 10.0))`.
   template <class... L, class... A, class... C>
   constexpr bushing_matrix(const sym3<L...>& on_displacement, const sym3<A...>& on_rotation, const mat3<C...>& between)
       : linear(as<double>(on_displacement)), angular(as<double>(on_rotation)), coupling(as<double>(between)) {}
@@ -20,8 +20,8 @@ struct bushing_matrix {
   constexpr bushing_matrix(const sym3<L...>& on_displacement, const sym3<A...>& on_rotation)
       : linear(as<double>(on_displacement)), angular(as<double>(on_rotation)) {}
 };
-/// k in all directions, k_t about all axes.
-constexpr bushing_matrix isotropic_bushing(double k, double k_t) {
+/// An isotropic matrix: k in all directions, k_t about all axes.
+[[nodiscard]] constexpr bushing_matrix isotropic_bushing(double k, double k_t) {
   return {diagonal(k, k, k), diagonal(k_t, k_t, k_t)};
 }
 
@@ -51,15 +51,15 @@ constexpr bool never_negative(const bushing_matrix& k) {
 
 namespace core {
 
-/// A bushing between two frames, of stiffness K and damping C, symmetric 6x6 matrices, in axes of the frame halfway
-/// between them (kernels/midway.hpp), so that neither is preferred. There frame 2 is at d and turned by r, an axis
-/// times an angle; at rest d = d_0, r = 0:
+/// A bushing between two frames, of stiffness K and damping C: symmetric 6x6 matrices in axes of the frame halfway
+/// between the two (kernels/midway.hpp), so that neither is preferred. In it frame 2 is displaced by d and rotated by
+/// the rotation vector r; at rest d = d_0, r = 0:
 ///
 ///   V = (d - d_0, r) . K (d - d_0, r) / 2                    (1)
 ///   (g, h) = K (d - d_0, r) + C (d', r')                     (2)
 ///
-/// resist d and r: forces and moments balance, the loads of K are those of V, and those of C never do work. At half a
-/// turn between the frames r jumps to the other side.
+/// The loads (g, h) resist d and r. Forces and moments balance, the loads of K derive from V, and those of C never do
+/// positive work. At half a turn between the frames r jumps to the opposite rotation vector.
 struct bushing_3D {
   static constexpr type_name type{"bushing", kind::frame_3D};
   static constexpr std::array<port, 2> ports{
@@ -115,13 +115,13 @@ struct bushing_3D {
 
 }  // namespace core
 
-/// A bushing between two frames: stiffness, and optionally damping and where the second frame stands in the first at
-/// rest (m), in axes halfway between them.
+/// A bushing between two frames: stiffness, optionally damping and the position of the second frame in the first at
+/// rest, m, all in axes halfway between them.
 ///
 ///   bushing_3D(chassis, engine, {diagonal(1e6, 1e6, 2e5), diagonal(40.0, 40.0, 10.0)}, isotropic_bushing(300, 0.1))
 template <class F1, class F2, class X = double, class Y = X, class Z = Y>
-constexpr auto bushing_3D(const F1& anchor1, const F2& anchor2, const bushing_matrix& stiffness,
-                          const bushing_matrix& damping = {}, const vec3<X, Y, Z>& rest_position = {}) {
+[[nodiscard]] constexpr auto bushing_3D(const F1& anchor1, const F2& anchor2, const bushing_matrix& stiffness,
+                                        const bushing_matrix& damping = {}, const vec3<X, Y, Z>& rest_position = {}) {
   return connect(core::bushing_3D{stiffness, damping, as<double>(rest_position)}, anchor1, anchor2);
 }
 

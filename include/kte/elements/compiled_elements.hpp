@@ -67,10 +67,12 @@ namespace kte {
 #ifdef KTE_EXTERN
 
 namespace core {
+/// A joint in the plane with a placement of plain numbers.
 template <class Joint>
-using placed_2D = seated<Joint, rotation_2D<>, vec3<double, double, zero_t>>;
+using placed_2D = placed_joint<Joint, rotation_2D<>, vec3<double, double, zero_t>>;
+/// A joint in space with a placement of plain numbers.
 template <class Joint>
-using placed_3D = seated<Joint, mat3<vec3<>>, vec3<>>;
+using placed_3D = placed_joint<Joint, mat3<vec3<>>, vec3<>>;
 }  // namespace core
 
 #  define KTE_ELEMENT(...) KTE_EXTERN_ELEMENTS template class kte_map_adapter<core::__VA_ARGS__>

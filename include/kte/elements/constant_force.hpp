@@ -6,7 +6,7 @@ namespace kte {
 
 namespace core {
 
-/// What both kinds of constant loads have: a force F and a torque T.
+/// Parameters of constant loads: a force F, N, and a torque T, Nm.
 template <kind Dim, class Force, class Torque>
 struct load_parameters {
   Force force;
@@ -27,11 +27,11 @@ struct load_parameters {
   }
 };
 
-/// A load that keeps its direction in the world (dead load), F and T in axes of the world, at the origin of the frame:
+/// A dead load: F and T are constant in axes of the world, and act at the origin of the frame:
 ///
 ///   F_frame += R^T F,  T_frame += R^T T          (1)
 ///
-/// The force has the potential V = -F . p. The torque has none: in space its work depends on the way.
+/// The force has the potential V = -F . p. The torque has none: in space its work depends on the path.
 template <kind Dim, class Force, class Torque>
 struct constant_force : load_parameters<Dim, Force, Torque> {
   static constexpr type_name type{"constant_force", Dim};
@@ -44,14 +44,15 @@ struct constant_force : load_parameters<Dim, Force, Torque> {
     const auto to_own = transpose(x.rotation);
     return make_loads(wrench{to_own * this->force, to_own * this->torque});  // (1)
   }
-  /// Of the force, zero at the origin of the world, J.
+  /// The potential energy of the force, zero at the origin of the world, J.
   template <class Frame>
   KTE_INLINE constexpr auto potential_energy(const Frame& x) const {
     return -dot(this->force, x.position);
   }
 };
 
-/// A load that turns with its frame, F and T in axes of the frame, at its origin, like a thruster. It has no potential.
+/// A follower load: F and T are constant in axes of the frame, and act at its origin, as those of a thruster. It has no
+/// potential.
 template <kind Dim, class Force, class Torque>
 struct follower_force : load_parameters<Dim, Force, Torque> {
   static constexpr type_name type{"follower_force", Dim};
@@ -66,32 +67,35 @@ struct follower_force : load_parameters<Dim, Force, Torque> {
 
 }  // namespace core
 
-/// A force (N) and optionally a torque (Nm) on a frame in the plane, in axes of the world: `along_y(-2.0)`, `vec2`.
+/// A constant force, N, and optionally a torque, Nm, on a frame in the plane, in axes of the world: `along_y(-2.0)`,
+/// `vec2`.
 template <class F, geometric Force, entry Torque = zero_t>
-constexpr auto constant_force_2D(const F& frame, const Force& force, const Torque& torque = {}) {
+[[nodiscard]] constexpr auto constant_force_2D(const F& frame, const Force& force, const Torque& torque = {}) {
   const auto f = detail::planar(force);
   const vec3 t{zero, zero, real(torque)};
   return connect(
       core::constant_force<kind::frame_2D, std::remove_const_t<decltype(f)>, std::remove_const_t<decltype(t)>>{{f, t}},
       frame);
 }
-/// The same in space: two vectors.
+/// A constant force, N, and optionally a torque, Nm, on a frame in space, in axes of the world.
 template <class F, class X, class Y, class Z, class TX = zero_t, class TY = TX, class TZ = TY>
-constexpr auto constant_force_3D(const F& frame, const vec3<X, Y, Z>& force, const vec3<TX, TY, TZ>& torque = {}) {
+[[nodiscard]] constexpr auto constant_force_3D(const F& frame, const vec3<X, Y, Z>& force,
+                                               const vec3<TX, TY, TZ>& torque = {}) {
   return connect(core::constant_force<kind::frame_3D, vec3<X, Y, Z>, vec3<TX, TY, TZ>>{{force, torque}}, frame);
 }
-/// A force (N) and optionally a torque (Nm) on a frame in the plane, in axes of the frame.
+/// A constant force, N, and optionally a torque, Nm, on a frame in the plane, in axes of the frame.
 template <class F, geometric Force, entry Torque = zero_t>
-constexpr auto follower_force_2D(const F& frame, const Force& force, const Torque& torque = {}) {
+[[nodiscard]] constexpr auto follower_force_2D(const F& frame, const Force& force, const Torque& torque = {}) {
   const auto f = detail::planar(force);
   const vec3 t{zero, zero, real(torque)};
   return connect(
       core::follower_force<kind::frame_2D, std::remove_const_t<decltype(f)>, std::remove_const_t<decltype(t)>>{{f, t}},
       frame);
 }
-/// The same in space: two vectors.
+/// A constant force, N, and optionally a torque, Nm, on a frame in space, in axes of the frame.
 template <class F, class X, class Y, class Z, class TX = zero_t, class TY = TX, class TZ = TY>
-constexpr auto follower_force_3D(const F& frame, const vec3<X, Y, Z>& force, const vec3<TX, TY, TZ>& torque = {}) {
+[[nodiscard]] constexpr auto follower_force_3D(const F& frame, const vec3<X, Y, Z>& force,
+                                               const vec3<TX, TY, TZ>& torque = {}) {
   return connect(core::follower_force<kind::frame_3D, vec3<X, Y, Z>, vec3<TX, TY, TZ>>{{force, torque}}, frame);
 }
 

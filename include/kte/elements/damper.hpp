@@ -6,7 +6,7 @@ namespace kte {
 
 namespace core {
 
-/// What all dampers between two things have.
+/// The parameters of a damper.
 template <class Damping>
 struct damper_parameters {
   Damping damping;
@@ -20,7 +20,7 @@ struct damper_parameters {
   }
 };
 
-/// A linear damper between two coordinates, of damping c:
+/// A linear damper between two coordinates, of damping c, N s/m or Nm s/rad:
 ///
 ///   s = c (q_dot_2 - q_dot_1)           (1)
 ///   f_1 += s,  f_2 -= s                 (2)
@@ -36,13 +36,13 @@ struct damper_gen : damper_parameters<Damping> {
   }
 };
 
-/// A linear damper between the origins of two frames, of damping c, along the line through them:
+/// A linear damper between the origins of two frames, of damping c, N s/m, along the line through them:
 ///
 ///   d = p_2 - p_1,  D = |d|,  e_i = R_i^T d/D           (1)
 ///   D_dot = e_2 . v_2 - e_1 . v_1                       (2)
 ///   F_1 += c D_dot e_1,  F_2 -= c D_dot e_2             (3)
 ///
-/// and no torque. Where the origins coincide the line is undefined; there is no force then.
+/// There is no torque. Where the origins coincide, the line is undefined and the force is zero.
 template <kind Dim, class Damping>
 struct damper : damper_parameters<Damping> {
   static constexpr type_name type{"damper", Dim};
@@ -60,19 +60,19 @@ struct damper : damper_parameters<Damping> {
 
 }  // namespace core
 
-/// A damper between two coordinates: damping in N s/m, Nm s/rad.
+/// A damper between two coordinates: damping, N s/m or Nm s/rad.
 template <class Q1, class Q2, entry Damping>
-constexpr auto damper_gen(const Q1& anchor1, const Q2& anchor2, const Damping& damping) {
+[[nodiscard]] constexpr auto damper_gen(const Q1& anchor1, const Q2& anchor2, const Damping& damping) {
   return connect(core::damper_gen<decltype(real(damping))>{{real(damping)}}, anchor1, anchor2);
 }
-/// A damper between the origins of two frames in the plane: damping in N s/m.
+/// A damper between the origins of two frames in the plane: damping, N s/m.
 template <class F1, class F2, entry Damping>
-constexpr auto damper_2D(const F1& anchor1, const F2& anchor2, const Damping& damping) {
+[[nodiscard]] constexpr auto damper_2D(const F1& anchor1, const F2& anchor2, const Damping& damping) {
   return connect(core::damper<kind::frame_2D, decltype(real(damping))>{{real(damping)}}, anchor1, anchor2);
 }
-/// The same in space.
+/// A damper between the origins of two frames in space: damping, N s/m.
 template <class F1, class F2, entry Damping>
-constexpr auto damper_3D(const F1& anchor1, const F2& anchor2, const Damping& damping) {
+[[nodiscard]] constexpr auto damper_3D(const F1& anchor1, const F2& anchor2, const Damping& damping) {
   return connect(core::damper<kind::frame_3D, decltype(real(damping))>{{real(damping)}}, anchor1, anchor2);
 }
 

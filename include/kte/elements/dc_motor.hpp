@@ -4,24 +4,24 @@
 
 namespace kte {
 
-/// The parameters of a motor with brushes, or of one that is driven like it.
+/// Parameters of a direct-current motor.
 struct dc_motor_parameters {
   double resistance;       ///< R, Ohm; not negative
   double inductance;       ///< L, H; positive
   double torque_constant;  ///< k, Nm/A, which is Vs
-  double ratio = 1;        ///< r: so many times as fast as the coordinate the motor turns; rad/m of a length
+  double ratio = 1;        ///< r, gear ratio: motor speed over joint rate; rad/m for a length
 };
 
 namespace core {
 
-/// A direct-current motor that turns at w = r q' behind a gear without losses. Its voltage u is a signal (V), its
-/// current i (A) an internal state:
+/// A direct-current motor that turns at w = r q' behind a gear without losses. Its voltage u, V, is a signal; its
+/// current i, A, is an internal state:
 ///
 ///   L i' = u - R i - k w            (1)
 ///   f += r k i                      (2)
 ///
-/// so that of the power u i the heat is R i^2, what the coil takes d(L i^2 / 2)/dt, and the rest is that of f. It has
-/// no inertia: that of its rotor is a `rotor_3D`.
+/// The electric power u i is the heat R i^2, the change of energy in the coil d(L i^2 / 2)/dt and the mechanical power
+/// f q'. The motor has no inertia: its rotor is a `rotor_3D`.
 struct dc_motor_gen {
   static constexpr type_name type{"dc_motor", kind::gen};
   static constexpr std::array<port, 3> ports{{{kind::gen, access::on, "coordinate"},
@@ -57,7 +57,8 @@ struct dc_motor_gen {
 ///
 ///   dc_motor_gen(q, volts, amperes, {.resistance = 0.6, .inductance = 1e-4, .torque_constant = 0.03, .ratio = 50})
 template <class Q, class U, class I>
-constexpr auto dc_motor_gen(const Q& coordinate, const U& voltage, const I& current, const dc_motor_parameters& p) {
+[[nodiscard]] constexpr auto dc_motor_gen(const Q& coordinate, const U& voltage, const I& current,
+                                          const dc_motor_parameters& p) {
   return connect(core::dc_motor_gen{p}, coordinate, voltage, current);
 }
 

@@ -40,10 +40,10 @@ struct differential {
 }  // namespace core
 
 /// A coordinate `end` = ratio1 base1 + ratio2 base2. The cage of a differential turns by half the sum of its shafts:
-/// ratios 0.5 and 0.5; a wrist driven by two belts is two of these.
+/// ratios 0.5 and 0.5. A wrist driven by two belts has two of these.
 template <class B1, class B2, class E, entry Ratio1, entry Ratio2>
-constexpr auto differential_gen(const B1& base1, const B2& base2, const E& end, const Ratio1& ratio1,
-                                const Ratio2& ratio2) {
+[[nodiscard]] constexpr auto differential_gen(const B1& base1, const B2& base2, const E& end, const Ratio1& ratio1,
+                                              const Ratio2& ratio2) {
   return connect(core::differential<decltype(real(ratio1)), decltype(real(ratio2))>{real(ratio1), real(ratio2)}, base1,
                  base2, end);
 }

@@ -20,7 +20,7 @@ KTE_INLINE constexpr auto wrench_of_signals(const U& u, const T& t) {
 
 namespace core {
 
-/// A motor on a coordinate: f += u, with u an input of the chain, N or Nm.
+/// A motor on a coordinate: f += u. The input u of the chain is in N or Nm.
 struct driving_actuator_gen : no_parameters {
   static constexpr type_name type{"driving_actuator", kind::gen};
   static constexpr std::array<port, 2> ports{
@@ -32,8 +32,8 @@ struct driving_actuator_gen : no_parameters {
     return make_loads(u);
   }
 };
-/// Thrusters on a frame: F += u, T += t, in axes of the frame, at its origin; u and t are signals, N and Nm. Nothing
-/// reacts to them in the chain.
+/// Thrusters on a frame: F += u, T += t, in axes of the frame, at its origin; u and t are signals, N and Nm. No other
+/// frame of the chain takes their reaction.
 template <kind Dim>
 struct driving_actuator : no_parameters {
   static constexpr type_name type{"driving_actuator", Dim};
@@ -50,20 +50,21 @@ struct driving_actuator : no_parameters {
 
 }  // namespace core
 
-/// A motor that drives a coordinate by the force `input`, set in the state: `s[motor] = 2.0`.
+/// A motor that drives a coordinate by the generalized force `input`, N or Nm, set in the state: `s[motor] = 2.0`.
 template <class Q, class U>
-constexpr auto driving_actuator_gen(const Q& coordinate, const U& input) {
+[[nodiscard]] constexpr auto driving_actuator_gen(const Q& coordinate, const U& input) {
   return connect(core::driving_actuator_gen{}, coordinate, input);
 }
 
-/// Thrusters on a frame: signals `force` (three numbers, N) and `torque` (a number in the plane, three in space; Nm),
-/// in axes of the frame.
+/// Thrusters on a frame in the plane: signals `force`, three numbers, N, and `torque`, a number, Nm, in axes of the
+/// frame.
 template <class F, class U, class T>
-constexpr auto driving_actuator_2D(const F& frame, const U& force, const T& torque) {
+[[nodiscard]] constexpr auto driving_actuator_2D(const F& frame, const U& force, const T& torque) {
   return connect(core::driving_actuator<kind::frame_2D>{}, frame, force, torque);
 }
+/// Thrusters on a frame in space: signals `force`, N, and `torque`, Nm, of three numbers each, in axes of the frame.
 template <class F, class U, class T>
-constexpr auto driving_actuator_3D(const F& frame, const U& force, const T& torque) {
+[[nodiscard]] constexpr auto driving_actuator_3D(const F& frame, const U& force, const T& torque) {
   return connect(core::driving_actuator<kind::frame_3D>{}, frame, force, torque);
 }
 

@@ -7,16 +7,16 @@ namespace kte {
 
 namespace core {
 
-/// A revolute joint on a bearing of radius r with dry friction mu, which grows with the force F across the axis n that
-/// the bearing carries:
+/// A revolute joint on a bearing with dry friction proportional to the radial load on the bearing. With the force F of
+/// the joint, the axis n, the coefficient of friction mu and the radius r, m:
 ///
 ///   f -= mu r |F - (n . F) n| q' / sqrt(q'^2 + v^2)          (1)
 ///
-/// v: the rate below which the friction is smoothed, rad/s.
+/// The friction is smoothed below the rate v, rad/s.
 template <kind Dim, class Axis>
 struct dry_revolute_joint : revolute_joint<Dim, Axis>, transmission<dry_revolute_joint<Dim, Axis>> {
   static constexpr type_name type{"dry_revolute_joint", Dim};
-  static constexpr bool reads_reaction = true;
+  static constexpr bool load_dependent_friction = true;
   using joint = revolute_joint<Dim, Axis>;
   using transmission<dry_revolute_joint>::doMotion, transmission<dry_revolute_joint>::doForce;
   using joint::axis;
@@ -63,19 +63,21 @@ struct dry_revolute_joint : revolute_joint<Dim, Axis>, transmission<dry_revolute
 
 }  // namespace core
 
-/// A revolute joint with dry friction by the load on its bearing: friction_radius is the coefficient of friction times
-/// the radius of the bearing, m; smoothing the rate over which friction comes up, rad/s. In the plane all force is
-/// across the axis.
+/// A revolute joint in the plane with dry friction by the load on its bearing. `friction_radius`: coefficient of
+/// friction times radius of the bearing, m. `smoothing`: the rate below which the friction is smoothed, rad/s.
 template <class Q, class B, class E>
-constexpr auto dry_revolute_joint_2D(const Q& coordinate, const B& base, const E& end, double friction_radius,
-                                     double smoothing = 1e-3) {
+[[nodiscard]] constexpr auto dry_revolute_joint_2D(const Q& coordinate, const B& base, const E& end,
+                                                   double friction_radius, double smoothing = 1e-3) {
   using out_of_plane = std::remove_const_t<decltype(axis::z)>;
   return connect(core::dry_revolute_joint<kind::frame_2D, out_of_plane>(axis::z, friction_radius, smoothing),
                  coordinate, base, end);
 }
+/// A revolute joint in space with dry friction by the radial load on its bearing. Parameters as of
+/// `dry_revolute_joint_2D`.
 template <class Q, class B, class E, class X, class Y, class Z>
-constexpr auto dry_revolute_joint_3D(const Q& coordinate, const B& base, const E& end, const vec3<X, Y, Z>& axis,
-                                     double friction_radius, double smoothing = 1e-3) {
+[[nodiscard]] constexpr auto dry_revolute_joint_3D(const Q& coordinate, const B& base, const E& end,
+                                                   const vec3<X, Y, Z>& axis, double friction_radius,
+                                                   double smoothing = 1e-3) {
   return connect(core::dry_revolute_joint<kind::frame_3D, vec3<X, Y, Z>>(axis, friction_radius, smoothing), coordinate,
                  base, end);
 }

@@ -6,19 +6,20 @@
 
 namespace kte {
 
-/// Two bars in the plane between the ends of two cranks, which turn about pivots of the ground: a five-bar linkage.
+/// Lengths of a five-bar linkage in the plane: two cranks on pivots of the ground, and two bars between their ends.
 struct dyad_lengths {
   vec2<double> pivot;  ///< of the second crank, from that of the first, in axes of the ground, m
-  double crank1;       ///< from pivot to bar, m, along x of the crank; 0: the bar is at the pivot
+  double crank1;       ///< from pivot to bar, m, along x of the first crank; 0: the bar is at the pivot
   double bar1;         ///< from the first crank to the other bar, m, along x of the bar
   double bar2;         ///< from the second crank to the other bar, m, along x of the bar
   double crank2;       ///< from pivot to bar, m, along x of the crank
-  double side = 1;     ///< 1: bars meet to the left of the way from the first crank's end to the second's, -1: right
+  double side = 1;  ///< 1: the bars meet to the left of the line from the end of the first crank to that of the second;
+                    ///< -1: to the right
 };
 
 namespace core {
 
-/// What both coordinates that follow have: where the bars meet (kernels/dyad.hpp).
+/// Parameters of both following coordinates (kernels/dyad.hpp).
 struct dyad_parameters {
   dyad_lengths lengths;
 
@@ -91,22 +92,25 @@ struct dyad_bar2 : coordinate_follower<dyad_bar2>, dyad_parameters {
 
 }  // namespace core
 
-/// One of the two bars alone, as files have it.
+/// The angle of the first bar in the first crank, rad; see `dyad_2D`.
 template <class Q1, class Q2, class B>
-constexpr auto dyad_bar1_2D(const Q1& crank1, const Q2& crank2, const B& bar, const dyad_lengths& lengths) {
+[[nodiscard]] constexpr auto dyad_bar1_2D(const Q1& crank1, const Q2& crank2, const B& bar,
+                                          const dyad_lengths& lengths) {
   return connect(core::dyad_bar1(lengths), crank1, crank2, bar);
 }
+/// The angle of the second bar in the second crank, rad; see `dyad_2D`.
 template <class Q1, class Q2, class B>
-constexpr auto dyad_bar2_2D(const Q1& crank1, const Q2& crank2, const B& bar, const dyad_lengths& lengths) {
+[[nodiscard]] constexpr auto dyad_bar2_2D(const Q1& crank1, const Q2& crank2, const B& bar,
+                                          const dyad_lengths& lengths) {
   return connect(core::dyad_bar2(lengths), crank1, crank2, bar);
 }
 
-/// The angles of the two bars between two cranks, each in its crank, which follow those of the cranks: with a revolute
-/// joint for each of the four angles the loop is closed, exactly. Two elements. Angles lie between -pi and pi, where
-/// they jump by a turn.
+/// The angles of the two bars between two cranks, rad, each in axes of its crank. They follow the angles of the cranks:
+/// with a revolute joint for each of the four angles the loop is closed exactly. Two elements. Angles are in (-pi, pi],
+/// and jump by a turn at the ends.
 template <class Q1, class Q2, class B1, class B2>
-constexpr auto dyad_2D(const Q1& crank1, const Q2& crank2, const B1& bar1, const B2& bar2,
-                       const dyad_lengths& lengths) {
+[[nodiscard]] constexpr auto dyad_2D(const Q1& crank1, const Q2& crank2, const B1& bar1, const B2& bar2,
+                                     const dyad_lengths& lengths) {
   return detail::in_series(dyad_bar1_2D(crank1, crank2, bar1, lengths), dyad_bar2_2D(crank1, crank2, bar2, lengths));
 }
 

@@ -6,7 +6,7 @@ namespace kte {
 
 namespace core {
 
-/// A load from outside on a frame, by signals u (N) and t (Nm) in axes of the world, at the origin of the frame:
+/// An external load on a frame: signals u, N, and t, Nm, in axes of the world, at the origin of the frame:
 ///
 ///   F += R^T u,  T += R^T t          (1)
 template <kind Dim>
@@ -26,14 +26,16 @@ struct external_force : no_parameters {
 
 }  // namespace core
 
-/// A load from outside on a frame: signals `force` (three numbers, N) and `torque` (a number in the plane, three in
-/// space; Nm), in axes of the world.
+/// An external load on a frame in the plane: signals `force`, three numbers, N, and `torque`, a number, Nm, in axes of
+/// the world.
 template <class F, class U, class T>
-constexpr auto external_force_2D(const F& frame, const U& force, const T& torque) {
+[[nodiscard]] constexpr auto external_force_2D(const F& frame, const U& force, const T& torque) {
   return connect(core::external_force<kind::frame_2D>{}, frame, force, torque);
 }
+/// An external load on a frame in space: signals `force`, N, and `torque`, Nm, of three numbers each, in axes of the
+/// world.
 template <class F, class U, class T>
-constexpr auto external_force_3D(const F& frame, const U& force, const T& torque) {
+[[nodiscard]] constexpr auto external_force_3D(const F& frame, const U& force, const T& torque) {
   return connect(core::external_force<kind::frame_3D>{}, frame, force, torque);
 }
 

@@ -4,16 +4,16 @@
 
 namespace kte {
 
-/// No motion between two frames: a rigid link by the name that robot descriptions have for it, and nothing else. In
-/// files and messages it is a `rigid_link`.
+/// A fixed joint in the plane, as robot descriptions name it. It makes a `rigid_link`, also in files and messages.
 template <class B, class E, geometric Position = zero3, class Rotation = no_rotation>
-constexpr auto fixed_joint_2D(const B& base, const E& end, const Position& position = {},
-                              const Rotation& rotation = {}) {
+[[nodiscard]] constexpr auto fixed_joint_2D(const B& base, const E& end, const Position& position = {},
+                                            const Rotation& rotation = {}) {
   return rigid_link_2D(base, end, position, rotation);
 }
+/// A fixed joint in space: a `rigid_link`.
 template <class B, class E, class X = zero_t, class Y = zero_t, class Z = zero_t, class Rotation = no_rotation>
-constexpr auto fixed_joint_3D(const B& base, const E& end, const vec3<X, Y, Z>& position = {},
-                              const Rotation& rotation = {}) {
+[[nodiscard]] constexpr auto fixed_joint_3D(const B& base, const E& end, const vec3<X, Y, Z>& position = {},
+                                            const Rotation& rotation = {}) {
   return rigid_link_3D(base, end, position, rotation);
 }
 

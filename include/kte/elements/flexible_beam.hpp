@@ -184,19 +184,21 @@ struct flexible_beam {
 
 }  // namespace core
 
-/// A flexible beam between two frames in the plane, along x of both at its ends: rest length (m), stiffness of its
-/// section, and of a beam that is an arc at rest, the angle by which it is turned from end to end (rad).
+/// A flexible beam between two frames in the plane, along x of both at its ends: rest length, m, stiffness of its
+/// section, and optionally, for a beam that is an arc at rest, the angle from end to end, rad.
 ///
 ///   flexible_beam_2D(wall, tip, 0.5, {.EA = 1e6, .EI = 20.0})
 template <class F1, class F2, entry Turn = zero_t>
-constexpr auto flexible_beam_2D(const F1& anchor1, const F2& anchor2, double rest_length,
-                                const planar_beam_section& section, const Turn& rest_turn = {}) {
+[[nodiscard]] constexpr auto flexible_beam_2D(const F1& anchor1, const F2& anchor2, double rest_length,
+                                              const planar_beam_section& section, const Turn& rest_turn = {}) {
   return connect(core::flexible_beam<kind::frame_2D>{rest_length, section, as<double>(rest_turn)}, anchor1, anchor2);
 }
-/// The same in space; at rest an arc or a helix where a rotation vector is given, as `along_z(0.1)`.
+/// A flexible beam between two frames in space, along x of both at its ends: rest length, m, stiffness of its section,
+/// and optionally, for a beam that is an arc or a helix at rest, the rotation vector from end to end, rad:
+/// `along_z(0.1)`.
 template <class F1, class F2, class X = double, class Y = X, class Z = Y>
-constexpr auto flexible_beam_3D(const F1& anchor1, const F2& anchor2, double rest_length, const beam_section& section,
-                                const vec3<X, Y, Z>& rest_turn = {}) {
+[[nodiscard]] constexpr auto flexible_beam_3D(const F1& anchor1, const F2& anchor2, double rest_length,
+                                              const beam_section& section, const vec3<X, Y, Z>& rest_turn = {}) {
   return connect(core::flexible_beam<kind::frame_3D>{rest_length, section, as<double>(rest_turn)}, anchor1, anchor2);
 }
 

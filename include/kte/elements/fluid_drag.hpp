@@ -6,12 +6,13 @@ namespace kte {
 
 namespace core {
 
-/// The drag of air or water on a frame, at its origin, in a flow of velocity w in axes of the world:
+/// Drag of a fluid on a frame, at its origin, in a flow of velocity w in axes of the world:
 ///
 ///   u = v - R^T w                                       (1)
 ///   F = -(c_2 |u| + c_1) u                              (2)
 ///
-/// in axes of the frame, no torque. Aerodynamic drag has c_2 = rho C A/2, Stokes' drag of a sphere c_1 = 6 pi mu r.
+/// in axes of the frame; there is no torque. Aerodynamic drag has c_2 = rho C A/2, Stokes drag of a sphere c_1 = 6 pi
+/// mu r.
 template <kind Dim, class Quadratic, class Linear, class Flow>
 struct fluid_drag {
   static constexpr type_name type{"fluid_drag", Dim};
@@ -41,20 +42,21 @@ struct fluid_drag {
 
 }  // namespace core
 
-/// Drag on a frame in the plane: quadratic, rho C A/2 (N s^2/m^2), and optionally linear (N s/m) and the velocity of
-/// the flow in axes of the world (m/s).
+/// Drag on a frame in the plane: quadratic coefficient rho C A/2, N s^2/m^2, and optionally the linear coefficient, N
+/// s/m, and the velocity of the flow in axes of the world, m/s.
 template <class F, entry Quadratic, entry Linear = zero_t, geometric Flow = zero3>
-constexpr auto fluid_drag_2D(const F& frame, const Quadratic& quadratic, const Linear& linear = {},
-                             const Flow& flow = {}) {
+[[nodiscard]] constexpr auto fluid_drag_2D(const F& frame, const Quadratic& quadratic, const Linear& linear = {},
+                                           const Flow& flow = {}) {
   const auto w = detail::planar(flow);
   using core_type = core::fluid_drag<kind::frame_2D, decltype(real(quadratic)), decltype(real(linear)),
                                      std::remove_const_t<decltype(w)>>;
   return connect(core_type{real(quadratic), real(linear), w}, frame);
 }
-/// The same in space.
+/// Drag on a frame in space: quadratic coefficient rho C A/2, N s^2/m^2, and optionally the linear coefficient, N s/m,
+/// and the velocity of the flow in axes of the world, m/s.
 template <class F, entry Quadratic, entry Linear = zero_t, class X = zero_t, class Y = X, class Z = Y>
-constexpr auto fluid_drag_3D(const F& frame, const Quadratic& quadratic, const Linear& linear = {},
-                             const vec3<X, Y, Z>& flow = {}) {
+[[nodiscard]] constexpr auto fluid_drag_3D(const F& frame, const Quadratic& quadratic, const Linear& linear = {},
+                                           const vec3<X, Y, Z>& flow = {}) {
   using core_type = core::fluid_drag<kind::frame_3D, decltype(real(quadratic)), decltype(real(linear)), vec3<X, Y, Z>>;
   return connect(core_type{real(quadratic), real(linear), flow}, frame);
 }

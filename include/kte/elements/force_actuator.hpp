@@ -39,18 +39,20 @@ struct force_actuator : no_parameters {
 
 }  // namespace core
 
-/// An actuator between two coordinates, which drives the second by the signal `input`, and the first the other way.
+/// An actuator between two coordinates: the signal `input`, N or Nm, drives the second, and the first in the opposite
+/// direction.
 template <class Q1, class Q2, class U>
-constexpr auto force_actuator_gen(const Q1& anchor1, const Q2& anchor2, const U& input) {
+[[nodiscard]] constexpr auto force_actuator_gen(const Q1& anchor1, const Q2& anchor2, const U& input) {
   return connect(core::force_actuator_gen{}, anchor1, anchor2, input);
 }
-/// An actuator between the origins of two frames, which pushes them apart by the signal `input`.
+/// An actuator between the origins of two frames in the plane: the signal `input`, N, pushes them apart.
 template <class F1, class F2, class U>
-constexpr auto force_actuator_2D(const F1& anchor1, const F2& anchor2, const U& input) {
+[[nodiscard]] constexpr auto force_actuator_2D(const F1& anchor1, const F2& anchor2, const U& input) {
   return connect(core::force_actuator<kind::frame_2D>{}, anchor1, anchor2, input);
 }
+/// An actuator between the origins of two frames in space: the signal `input`, N, pushes them apart.
 template <class F1, class F2, class U>
-constexpr auto force_actuator_3D(const F1& anchor1, const F2& anchor2, const U& input) {
+[[nodiscard]] constexpr auto force_actuator_3D(const F1& anchor1, const F2& anchor2, const U& input) {
   return connect(core::force_actuator<kind::frame_3D>{}, anchor1, anchor2, input);
 }
 

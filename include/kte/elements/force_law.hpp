@@ -6,8 +6,9 @@ namespace kte {
 
 namespace core {
 
-/// A force by a function of what it acts on: f += law(coordinate), or F, T of a frame += law(frame), in axes of the
-/// frame, at its origin. Of a frame, the function gives a `wrench{force, torque}` or a force alone, a vector.
+/// A force computed by a function of the coordinate or frame it acts on: f += law(coordinate), or F, T of a frame +=
+/// law(frame), in axes of the frame, at its origin. For a frame the function returns a `wrench{force, torque}`, or a
+/// force, a vector.
 template <kind Dim, class Law>
 struct force_law {
   static constexpr type_name type{"force_law", Dim};
@@ -33,27 +34,27 @@ struct force_law {
 
 }  // namespace core
 
-/// A force on a coordinate by a function of yours, of the coordinate: `c.q`, `c.q_dot`. Write it for numbers of any
-/// type, such as duals, by which derivatives are found:
+/// A force on a coordinate, computed by your function of the coordinate: `c.q`, `c.q_dot`. The function must accept
+/// numbers of any type, such as dual numbers for derivatives:
 ///
 ///   force_law_gen(q, [](const auto& c) { return -3.0 * c.q_dot; })
 ///
-/// It holds code: a model with it cannot be saved.
+/// A chain with it cannot be saved.
 template <class Q, class Law>
-constexpr auto force_law_gen(const Q& coordinate, const Law& law) {
+[[nodiscard]] constexpr auto force_law_gen(const Q& coordinate, const Law& law) {
   return connect(core::force_law<kind::gen, Law>{law}, coordinate);
 }
-/// The same on a frame, of the frame: `x.position`, `x.rotation`, `x.velocity`, `x.ang_velocity`, vectors of space with
-/// typed zeros out of the plane:
+/// A load on a frame in the plane, computed by your function of the frame: `x.position`, `x.rotation`, `x.velocity`,
+/// `x.ang_velocity`, vectors in space with typed zeros out of the plane:
 ///
 ///   force_law_2D(hull, [](const auto& x) { return vec3{zero, -40.0 * x.velocity.y, zero}; })
 template <class F, class Law>
-constexpr auto force_law_2D(const F& frame, const Law& law) {
+[[nodiscard]] constexpr auto force_law_2D(const F& frame, const Law& law) {
   return connect(core::force_law<kind::frame_2D, Law>{law}, frame);
 }
-/// The same in space.
+/// A load on a frame in space, computed by your function of the frame; see `force_law_2D`.
 template <class F, class Law>
-constexpr auto force_law_3D(const F& frame, const Law& law) {
+[[nodiscard]] constexpr auto force_law_3D(const F& frame, const Law& law) {
   return connect(core::force_law<kind::frame_3D, Law>{law}, frame);
 }
 

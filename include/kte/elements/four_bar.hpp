@@ -6,20 +6,19 @@
 
 namespace kte {
 
-/// A four-bar linkage in the plane: a crank turns about a pivot of the ground, a rocker about another, and a coupler is
-/// between their ends.
+/// Lengths of a four-bar linkage in the plane: a crank and a rocker turn about pivots of the ground, and a coupler
+/// connects their ends.
 struct four_bar_lengths {
   vec2<double> pivot;  ///< of the rocker, from that of the crank, in axes of the ground, m
   double crank;        ///< from pivot to coupler, m, along x of the crank
   double coupler;      ///< from crank to rocker, m, along x of the coupler
   double rocker;       ///< from pivot to coupler, m, along x of the rocker
-  double side = 1;     ///< 1: the coupler meets the rocker to the left of the way from crank to pivot, -1: to the right
+  double side = 1;  ///< 1: the coupler meets the rocker to the left of the line from crank to pivot, -1: to the right
 };
 
 namespace core {
 
-/// What both coordinates that follow have. Their joint is where bars of the lengths of coupler and rocker meet
-/// (kernels/dyad.hpp).
+/// Parameters of both following coordinates (kernels/dyad.hpp).
 struct four_bar_parameters {
   four_bar_lengths lengths;
 
@@ -87,21 +86,23 @@ struct four_bar_rocker : coordinate_follower<four_bar_rocker>, four_bar_paramete
 
 }  // namespace core
 
-/// Coupler or rocker alone, as files have it.
+/// The angle of the coupler in the crank, rad; see `four_bar_2D`.
 template <class Q, class C>
-constexpr auto four_bar_coupler_2D(const Q& crank, const C& coupler, const four_bar_lengths& lengths) {
+[[nodiscard]] constexpr auto four_bar_coupler_2D(const Q& crank, const C& coupler, const four_bar_lengths& lengths) {
   return connect(core::four_bar_coupler(lengths), crank, coupler);
 }
+/// The angle of the rocker in the ground, rad; see `four_bar_2D`.
 template <class Q, class R>
-constexpr auto four_bar_rocker_2D(const Q& crank, const R& rocker, const four_bar_lengths& lengths) {
+[[nodiscard]] constexpr auto four_bar_rocker_2D(const Q& crank, const R& rocker, const four_bar_lengths& lengths) {
   return connect(core::four_bar_rocker(lengths), crank, rocker);
 }
 
-/// The angles of coupler (in the crank) and rocker (in the ground) of a four-bar linkage, which follow that of the
-/// crank: three revolute joints in a row and beside it then move as the loop does, exactly. Two elements. Angles lie
-/// between -pi and pi, where they jump by a turn.
+/// The angles of the coupler in the crank and of the rocker in the ground, rad. They follow the angle of the crank:
+/// with three revolute joints the loop is closed exactly. Two elements. Angles are in (-pi, pi], and jump by a turn at
+/// the ends.
 template <class Q, class C, class R>
-constexpr auto four_bar_2D(const Q& crank, const C& coupler, const R& rocker, const four_bar_lengths& lengths) {
+[[nodiscard]] constexpr auto four_bar_2D(const Q& crank, const C& coupler, const R& rocker,
+                                         const four_bar_lengths& lengths) {
   return detail::in_series(four_bar_coupler_2D(crank, coupler, lengths), four_bar_rocker_2D(crank, rocker, lengths));
 }
 

@@ -6,11 +6,11 @@ namespace kte {
 
 namespace core {
 
-/// No joint at all: the end moves freely in the base, by a coordinate X that is its pose.
+/// A joint without constraints: the end moves freely in the base by the coordinate X, a pose.
 ///
 ///   p = p_X,  R = R_X,  v = v_X,  w = w_X,  a = a_X + w x v,  al = al_X          (1)
 ///
-/// a_X being the rate of the components of v.
+/// a_X is the rate of the components of v.
 template <kind Dim>
 struct free_joint : transmission<free_joint<Dim>> {
   static constexpr type_name type{"free_joint", Dim};
@@ -34,13 +34,13 @@ struct free_joint : transmission<free_joint<Dim>> {
 
 /// A body that moves freely in the plane: `coordinate`, a pose_2D_key, is the pose of `end` in `base`.
 template <class X, class B, class E>
-constexpr auto free_joint_2D(const X& coordinate, const B& base, const E& end) {
+[[nodiscard]] constexpr auto free_joint_2D(const X& coordinate, const B& base, const E& end) {
   return connect(core::free_joint<kind::frame_2D>{}, coordinate, base, end);
 }
 /// A body that moves freely in space, such as the trunk of a walking robot: `coordinate`, a pose_3D_key, is the pose of
 /// `end` in `base`.
 template <class X, class B, class E>
-constexpr auto free_joint_3D(const X& coordinate, const B& base, const E& end) {
+[[nodiscard]] constexpr auto free_joint_3D(const X& coordinate, const B& base, const E& end) {
   return connect(core::free_joint<kind::frame_3D>{}, coordinate, base, end);
 }
 

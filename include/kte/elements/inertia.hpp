@@ -19,7 +19,7 @@ struct inertia {
   static constexpr std::array<port, 1> ports{{{Dim, access::in, "frame"}}};
 
   rigid_body<Mass, Com, Inertia> body;
-  decltype(to_composite(rigid_body<Mass, Com, Inertia>{})) at_origin;  ///< the same about the origin of the frame
+  decltype(to_composite(rigid_body<Mass, Com, Inertia>{})) at_origin;  ///< the inertia about the origin of the frame
 
   constexpr explicit inertia(const rigid_body<Mass, Com, Inertia>& b) : body(b), at_origin(composite_of(b)) {}
 
@@ -72,7 +72,7 @@ struct inertia {
 
  private:
   static constexpr decltype(at_origin) composite_of(const rigid_body<Mass, Com, Inertia>& b) {
-#if defined(__clang__)  // which stops at arithmetic that gives NaN: what is no number is left to `check`, which says so
+#if defined(__clang__)  // which stops at arithmetic that gives NaN: NaN is left to `check`
     if (std::is_constant_evaluated()) {
       parameter_check::breach broken;
       const parameter_check numbers{type, ports, {}, broken};
@@ -124,21 +124,21 @@ template <class M>
 inline constexpr bool is_rigid_body<core::inertia_gen<M>> = true;
 }  // namespace detail
 
-/// A body in the plane, fixed to `frame`: `point_mass(1.0)`, `planar_body(2.0, 0.1)`.
+/// A rigid body in the plane, fixed to `frame`: `point_mass(1.0)`, `planar_body(2.0, 0.1)`.
 template <class F, class M, class C, class I>
-constexpr auto inertia_2D(const F& frame, const rigid_body<M, C, I>& body) {
+[[nodiscard]] constexpr auto inertia_2D(const F& frame, const rigid_body<M, C, I>& body) {
   return connect(core::inertia<kind::frame_2D, M, C, I>(body), frame);
 }
-/// A body in space, fixed to `frame`: `rigid_body{mass, com, inertia}`, `point_mass(1.0)`. Its inertia must be
-/// physical: no principal moment above the sum of the other two by more than 1e-9 of m |com|^2 + tr inertia;
-/// `rigid_body{...}.as_published()` is taken as it is.
+/// A rigid body in space, fixed to `frame`: `rigid_body{mass, com, inertia}`, `point_mass(1.0)`. Its inertia must be
+/// physically realizable: no principal moment exceeds the sum of the other two by more than 1e-9 of m |com|^2 + tr
+/// inertia. `rigid_body{...}.as_published()` is not checked for this.
 template <class F, class M, class C, class I>
-constexpr auto inertia_3D(const F& frame, const rigid_body<M, C, I>& body) {
+[[nodiscard]] constexpr auto inertia_3D(const F& frame, const rigid_body<M, C, I>& body) {
   return connect(core::inertia<kind::frame_3D, M, C, I>(body), frame);
 }
 /// The inertia of a coordinate, kg or kg m^2.
 template <class Q, variable M>
-constexpr auto inertia_gen(const Q& coordinate, const M& mass) {
+[[nodiscard]] constexpr auto inertia_gen(const Q& coordinate, const M& mass) {
   const auto m = real(mass);
   return connect(core::inertia_gen<std::remove_const_t<decltype(m)>>{m}, coordinate);
 }

@@ -29,15 +29,15 @@ namespace core {
 ///   T_1 = x_1 x (k d + l g)/2 + ((d x n)' - w_1 x (d x n))/2 - J al_1 - w_1 x J w_1 + that of (4)     (6)
 ///   T_2 = x_2 x (k d - l g)/2 + ((d x n)' - w_2 x (d x n))/2 - J al_2 - w_2 x J w_2 + that of (4)
 ///
-/// J: the rotary inertia of each half besides, in axes of its end: in space that about x, without which torsion of its
-/// ends has no inertia. (Of weights that take away the error of frequencies: Goudreau and Taylor, Evaluation of
+/// J: the additional rotary inertia of each half, in axes of its end: in space that about x, without which torsion of
+/// its ends has no inertia. (Of weights that take away the error of frequencies: Goudreau and Taylor, Evaluation of
 /// numerical integration methods in elastodynamics, Comp. Meth. Appl. Mech. Eng. 2 (1973).)
 template <kind Dim, class Mass, class Inertia>
 struct inertial_beam {
   static constexpr type_name type{"inertial_beam", Dim};
   static constexpr std::array<port, 2> ports{{{Dim, access::on, "anchor1"}, {Dim, access::on, "anchor2"}}};
   static constexpr bool reads_positions = true;
-  static constexpr bool spreads_mass = true;
+  static constexpr bool distributed_mass = true;
 
   Mass mass;
   Inertia inertia;
@@ -175,10 +175,11 @@ struct inertial_beam {
 
 }  // namespace core
 
-/// The inertia of a uniform beam between two frames in the plane, along x of both: its mass, kg, and on request what
-/// its section adds, the rotary inertia of each half, kg m^2, at its end.
+/// The inertia of a uniform beam between two frames in the plane, along x of both: its mass, kg, and optionally the
+/// rotary inertia of each half, kg m^2, at its end.
 template <class F1, class F2, variable M, entry J = zero_t>
-constexpr auto inertial_beam_2D(const F1& anchor1, const F2& anchor2, const M& mass, const J& inertia = {}) {
+[[nodiscard]] constexpr auto inertial_beam_2D(const F1& anchor1, const F2& anchor2, const M& mass,
+                                              const J& inertia = {}) {
   const auto m = real(mass);
   const sym3 about{zero, zero, zero, zero, zero, real(inertia)};
   return connect(
@@ -186,9 +187,11 @@ constexpr auto inertial_beam_2D(const F1& anchor1, const F2& anchor2, const M& m
           m, about},
       anchor1, anchor2);
 }
-/// The same in space; the rotary inertia of each half in axes of its end.
+/// The inertia of a uniform beam between two frames in space, along x of both: its mass, kg, and optionally the rotary
+/// inertia of each half, kg m^2, in axes of its end.
 template <class F1, class F2, variable M, class Inertia = decltype(diagonal(zero, zero, zero))>
-constexpr auto inertial_beam_3D(const F1& anchor1, const F2& anchor2, const M& mass, const Inertia& inertia = {}) {
+[[nodiscard]] constexpr auto inertial_beam_3D(const F1& anchor1, const F2& anchor2, const M& mass,
+                                              const Inertia& inertia = {}) {
   const auto m = real(mass);
   return connect(core::inertial_beam<kind::frame_3D, std::remove_const_t<decltype(m)>, Inertia>{m, inertia}, anchor1,
                  anchor2);

@@ -7,10 +7,10 @@ namespace kte {
 
 namespace core {
 
-/// Play between two coordinates, of width g, with teeth of stiffness k and damping c that touch beyond it:
+/// Backlash between two coordinates: a gap g between teeth of stiffness k and damping c.
 ///
 ///   x = q_2 - q_1,   d = x - g/2 for x > g/2,  x + g/2 for x < -g/2,  else 0          (1)
-///   s = k d + c x_dot where the teeth touch, but never of the sign of a pull: they do not stick together    (2)
+///   s = k d + c x_dot in contact, limited so that teeth do not pull                    (2)
 ///   f_1 += s,  f_2 -= s                                                               (3)
 template <class S>
 struct joint_backlash_gen {
@@ -65,11 +65,11 @@ struct joint_backlash_gen {
 
 }  // namespace core
 
-/// Play between two coordinates: gap (m, rad), stiffness of the teeth (N/m, Nm/rad), damping where they touch (Ns/m,
-/// Nms/rad).
+/// Backlash between two coordinates: gap, m or rad, stiffness of the teeth, N/m or Nm/rad, and damping in contact, N
+/// s/m or Nm s/rad.
 template <class Q1, class Q2, entry S>
-constexpr auto joint_backlash_gen(const Q1& anchor1, const Q2& anchor2, const S& gap, const S& stiffness,
-                                  const S& damping) {
+[[nodiscard]] constexpr auto joint_backlash_gen(const Q1& anchor1, const Q2& anchor2, const S& gap, const S& stiffness,
+                                                const S& damping) {
   return connect(core::joint_backlash_gen<S>{gap, stiffness, damping}, anchor1, anchor2);
 }
 

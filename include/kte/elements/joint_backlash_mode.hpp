@@ -6,11 +6,11 @@ namespace kte {
 
 namespace core {
 
-/// Play between two coordinates whose teeth touch and part at events, to the tolerance also with damping. With
-/// d = |x| - g/2 and s = k d + c d', of x, g, k and c as in `joint_backlash_gen`, the mode is one of
+/// Backlash between two coordinates whose contacts begin and end at events, also with damping. With d = |x| - g/2 and s
+/// = k d + c d', and x, g, k and c of `joint_backlash_gen`, the mode is one of
 ///
-///   1, -1   x > 0, x < 0: teeth press, by s           until s = 0                           (1)
-///   2, -2   the teeth lag behind, without force       until d = 0, or s = 0 again           (2)
+///   1, -1   x > 0, x < 0: teeth in contact, force s   until s = 0                           (1)
+///   2, -2   no force, the teeth recover               until d = 0, or s = 0 again           (2)
 ///   0       as `joint_backlash_gen`, by the position: free, and at the start                (3)
 template <class S>
 struct joint_backlash_mode_gen {
@@ -91,11 +91,12 @@ struct joint_backlash_mode_gen {
 
 }  // namespace core
 
-/// `joint_backlash_gen` that keeps in `mode`, an internal state, which teeth press, so that with damping too they touch
-/// and part at events (`element_events`). Without events it is `joint_backlash_gen`. Starts at mode 0.
+/// `joint_backlash_gen` with an internal state `mode` that holds which teeth are in contact, so that contacts begin and
+/// end at events also with damping (`element_events`). Without events it is `joint_backlash_gen`. The initial mode is
+/// 0.
 template <class Q1, class Q2, class Z, entry S>
-constexpr auto joint_backlash_mode_gen(const Q1& anchor1, const Q2& anchor2, const Z& mode, const S& gap,
-                                       const S& stiffness, const S& damping) {
+[[nodiscard]] constexpr auto joint_backlash_mode_gen(const Q1& anchor1, const Q2& anchor2, const Z& mode, const S& gap,
+                                                     const S& stiffness, const S& damping) {
   return connect(core::joint_backlash_mode_gen<S>{{gap, stiffness, damping}}, anchor1, anchor2, mode);
 }
 

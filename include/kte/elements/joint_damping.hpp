@@ -22,9 +22,10 @@ struct joint_damping_gen : damper_parameters<Damping> {
 
 }  // namespace core
 
-/// Viscous damping of a coordinate, N s/m or Nm s/rad: of a bearing, a joint. (`damper_gen` is between two.)
+/// Viscous damping of a coordinate, such as the friction of a bearing, N s/m or Nm s/rad. `damper_gen` acts between two
+/// coordinates.
 template <class Q, entry Damping>
-constexpr auto joint_damping_gen(const Q& coordinate, const Damping& damping) {
+[[nodiscard]] constexpr auto joint_damping_gen(const Q& coordinate, const Damping& damping) {
   return connect(core::joint_damping_gen<decltype(real(damping))>{{real(damping)}}, coordinate);
 }
 

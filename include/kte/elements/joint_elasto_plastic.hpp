@@ -5,7 +5,7 @@
 
 namespace kte {
 
-/// The parameters of elasto-plastic friction: those of LuGre and where bristles begin to give way.
+/// Parameters of elasto-plastic friction: those of LuGre friction and the deflection at which bristles begin to slip.
 struct elasto_plastic_parameters {
   double sigma0;             ///< stiffness of the bristles, N/m or Nm/rad; positive
   double sigma1;             ///< their damping, Ns/m or Nms/rad; not negative
@@ -13,7 +13,7 @@ struct elasto_plastic_parameters {
   double coulomb;            ///< Fc, force of fast sliding, N or Nm; positive
   double stiction;           ///< Fs, force at which sliding begins, N or Nm; not below Fc
   double stribeck_velocity;  ///< vs, rate over which the force falls from Fs to Fc, m/s or rad/s; positive
-  double breakaway;  ///< z_b, deflection up to which bristles only bend, m or rad; positive, not above Fc / sigma0
+  double breakaway;          ///< z_b, largest elastic deflection, m or rad; positive, not above Fc / sigma0
 };
 
 namespace core {
@@ -66,12 +66,13 @@ struct joint_elasto_plastic_gen : bristle_friction<joint_elasto_plastic_gen, ela
 
 }  // namespace core
 
-/// Elasto-plastic friction on a coordinate, with an internal state of the given name:
+/// Elasto-plastic friction on a coordinate; `bristles` is its internal state:
 ///
 ///   joint_elasto_plastic_gen(q, bristles, {.sigma0 = 1e5, .sigma1 = 316.0, .sigma2 = 0.4, .coulomb = 1.0,
 ///                                          .stiction = 1.5, .stribeck_velocity = 0.001, .breakaway = 7e-6})
 template <class Q, class Z>
-constexpr auto joint_elasto_plastic_gen(const Q& coordinate, const Z& bristles, const elasto_plastic_parameters& p) {
+[[nodiscard]] constexpr auto joint_elasto_plastic_gen(const Q& coordinate, const Z& bristles,
+                                                      const elasto_plastic_parameters& p) {
   return connect(core::joint_elasto_plastic_gen(p), coordinate, bristles);
 }
 

@@ -5,25 +5,26 @@
 
 namespace kte {
 
-/// The parameters of smooth friction, of a force (N) along a length, or of a torque (Nm) about an angle.
+/// Parameters of smooth friction: forces, N, for a length, torques, Nm, for an angle.
 struct friction_parameters {
-  double viscous = 0;             ///< b, Ns/m or Nms/rad; not negative
-  double coulomb = 0;             ///< Fc, force of fast sliding, N or Nm; not negative
-  double stiction = 0;            ///< Fs, largest force at slow sliding, N or Nm; not below Fc, but 0: as coulomb
-  double stribeck_velocity = 1;   ///< vs, rate over which the force falls from Fs to Fc, m/s or rad/s; positive
-  double smoothing_velocity = 0;  ///< v0, rate over which dry friction changes its sign, m/s or rad/s; positive with it
+  double viscous = 0;            ///< b, Ns/m or Nms/rad; not negative
+  double coulomb = 0;            ///< Fc, force of fast sliding, N or Nm; not negative
+  double stiction = 0;           ///< Fs, largest force at slow sliding, N or Nm; not below Fc; 0 means Fc
+  double stribeck_velocity = 1;  ///< vs, rate over which the force falls from Fs to Fc, m/s or rad/s; positive
+  double smoothing_velocity =
+      0;  ///< v0, rate over which dry friction changes its sign, m/s or rad/s; positive if there is dry friction
 };
 
 namespace core {
 
-/// Viscous and dry friction of a joint, smooth in its rate v:
+/// Viscous and dry friction of a joint, a smooth function of its rate v:
 ///
 ///   g(v) = Fc + (Fs - Fc) exp(-(v/vs)^2)          (1)
 ///   f -= g(v) tanh(v/v0) + b v                    (2)
 ///
-/// It does no work but takes it. It never sticks: under a load F < Fs the joint creeps at about v0 F/Fs, which is the
-/// price of having no state (`joint_lugre_gen`, `joint_elasto_plastic_gen` stick). v0 above vs/2 or so rounds off the
-/// peak at Fs. The slope at rest is Fs/v0 + b, so that the fastest rate of the system is that over the mass.
+/// It dissipates energy and never sticks: under a load F < Fs the joint creeps at about v0 F/Fs. `joint_lugre_gen` and
+/// `joint_elasto_plastic_gen` stick, by an internal state. A v0 above about vs/2 flattens the peak at Fs. The slope at
+/// rest is Fs/v0 + b; the fastest rate of the system is this slope over the mass.
 struct joint_friction_gen {
   static constexpr type_name type{"joint_friction", kind::gen};
   static constexpr std::array<port, 1> ports{{{kind::gen, access::on, "coordinate"}}};
@@ -76,9 +77,9 @@ struct joint_friction_gen {
 ///                          .smoothing_velocity = 0.001})
 ///   joint_friction_gen(q, {.viscous = 0.1})
 ///
-/// A rate v0 is needed where there is dry friction.
+/// Dry friction needs a `smoothing_velocity`.
 template <class Q>
-constexpr auto joint_friction_gen(const Q& coordinate, const friction_parameters& p) {
+[[nodiscard]] constexpr auto joint_friction_gen(const Q& coordinate, const friction_parameters& p) {
   return connect(core::joint_friction_gen{p}, coordinate);
 }
 

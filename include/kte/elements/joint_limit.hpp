@@ -7,20 +7,20 @@
 
 namespace kte {
 
-/// The range of a joint and the stops at its ends. Without `lower` or `upper` there is one stop.
+/// The range of a joint and the stops at its ends. Without `lower` or `upper` there is a stop at one end.
 struct joint_stops {
-  double lower = -std::numeric_limits<double>::infinity();  ///< m or rad
-  double upper = std::numeric_limits<double>::infinity();   ///< m or rad
+  double lower = -std::numeric_limits<double>::infinity();  ///< end of the range, m or rad
+  double upper = std::numeric_limits<double>::infinity();   ///< end of the range, m or rad
   double stiffness;                                         ///< N/m or Nm/rad
   double damping = 0;                                       ///< Ns/m or Nms/rad
 };
 
 namespace core {
 
-/// Stops at the ends of the range of a coordinate, of stiffness k and damping c, which touch beyond it:
+/// Elastic stops at the ends of the range of a coordinate, of stiffness k and damping c:
 ///
 ///   d = q - upper for q > upper,  q - lower for q < lower,  else 0                     (1)
-///   f -= k d + c q_dot where a stop touches, but never of the sign of a pull           (2)
+///   f -= k d + c q_dot in contact, limited so that a stop does not pull                 (2)
 struct joint_limit_gen {
   static constexpr type_name type{"joint_limit", kind::gen};
   static constexpr std::array<port, 1> ports{{{kind::gen, access::on, "coordinate"}}};
@@ -73,12 +73,12 @@ struct joint_limit_gen {
 
 }  // namespace core
 
-/// Stops at the ends of the range of a coordinate, or at one of them:
+/// Elastic stops at one or both ends of the range of a coordinate:
 ///
 ///   joint_limit_gen(q, {.lower = -1.5, .upper = 1.5, .stiffness = 1e4, .damping = 20})
 ///   joint_limit_gen(height, {.lower = 0, .stiffness = 1e5})
 template <class Q>
-constexpr auto joint_limit_gen(const Q& coordinate, const joint_stops& limits) {
+[[nodiscard]] constexpr auto joint_limit_gen(const Q& coordinate, const joint_stops& limits) {
   return connect(core::joint_limit_gen{limits}, coordinate);
 }
 

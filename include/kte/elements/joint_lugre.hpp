@@ -5,7 +5,7 @@
 
 namespace kte {
 
-/// The parameters of LuGre friction, of a force (N) along a length, or of a torque (Nm) about an angle.
+/// Parameters of LuGre friction: forces, N, for a length, torques, Nm, for an angle.
 struct lugre_parameters {
   double sigma0;             ///< stiffness of the bristles, N/m or Nm/rad; positive
   double sigma1;             ///< their damping, Ns/m or Nms/rad; not negative
@@ -17,12 +17,10 @@ struct lugre_parameters {
 
 namespace core {
 
-/// Friction on a coordinate by bristles between its surfaces, which are deflected by z, the internal state of the
-/// element, m or rad, where `Model::rate(v, z)` is z_dot at a rate v that is not zero by type:
+/// Friction on a coordinate by bristles between its surfaces. Their deflection z, m or rad, is the internal state of
+/// the element, and `Model::rate(v, z)` is z_dot at a rate v that is not a typed zero:
 ///
 ///   f -= sigma0 z + sigma1 z_dot + sigma2 v          (1)
-///
-/// with the parameters of LuGre friction, or more.
 template <class Model, class Parameters>
 struct bristle_friction {
   static constexpr std::array<port, 2> ports{
@@ -61,17 +59,16 @@ struct bristle_friction {
   }
 };
 
-/// Friction of a joint that sticks, slips before it slides, and slides with less force than it needs to begin: bristles
-/// deflected by z, the internal state of the element (m or rad), between the surfaces:
+/// LuGre friction of a joint, with stiction, presliding displacement and the Stribeck effect. Bristles between the
+/// surfaces are deflected by z, m or rad, the internal state of the element:
 ///
 ///   g(v) = Fc + (Fs - Fc) exp(-(v/vs)^2)          (1)
 ///   z_dot = v - sigma0 |v| z / g(v)               (2)
 ///   f -= sigma0 z + sigma1 z_dot + sigma2 v
 ///
-/// At constant rate f -> -(g(v) sign(v) + sigma2 v); below stiction it is a spring of stiffness sigma0, so that a
-/// resting load creeps back, not on. |z| stays within Fs / sigma0. The system is stiff: its fastest rates are about
-/// sigma0 |v| / g and (sigma1 + sigma2) / mass. Where it turns round f is continuous, with a kink; no `switching`, as a
-/// joint that sticks turns round ever again.
+/// At constant rate f tends to -(g(v) sign(v) + sigma2 v). Below stiction it is a spring of stiffness sigma0. |z| stays
+/// within Fs / sigma0. The system is stiff: its fastest rates are about sigma0 |v| / g and (sigma1 + sigma2) / mass. At
+/// a reversal f is continuous, with a kink. It has no `switching`, as a joint that sticks reverses again and again.
 ///
 /// Canudas de Wit, Olsson, Astrom and Lischinsky, A new model for control of systems with friction, IEEE Trans.
 /// Automatic Control 40 (1995), (1) to (4).
@@ -90,12 +87,12 @@ struct joint_lugre_gen : bristle_friction<joint_lugre_gen, lugre_parameters> {
 
 }  // namespace core
 
-/// LuGre friction on a coordinate, with an internal state of the given name:
+/// LuGre friction on a coordinate; `bristles` is its internal state:
 ///
 ///   joint_lugre_gen(q, bristles, {.sigma0 = 1e5, .sigma1 = 316.0, .sigma2 = 0.4, .coulomb = 1.0, .stiction = 1.5,
 ///                                 .stribeck_velocity = 0.001})
 template <class Q, class Z>
-constexpr auto joint_lugre_gen(const Q& coordinate, const Z& bristles, const lugre_parameters& p) {
+[[nodiscard]] constexpr auto joint_lugre_gen(const Q& coordinate, const Z& bristles, const lugre_parameters& p) {
   return connect(core::joint_lugre_gen(p), coordinate, bristles);
 }
 

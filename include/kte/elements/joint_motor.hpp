@@ -7,8 +7,8 @@
 
 namespace kte {
 
-/// The law of a motor of a joint: what its force follows, and where command and force end. Without anything said the
-/// force is the command.
+/// The law of a motor of a joint: its force as a function of command and motion, and the limits of both. By default the
+/// force is the command. `none` is the absence of a limit.
 struct motor_law {
   static constexpr double none = std::numeric_limits<double>::infinity();
 
@@ -16,18 +16,18 @@ struct motor_law {
   double offset = 0;                                   ///< b, N or Nm
   double stiffness = 0;                                ///< k, N/m or Nm/rad
   double damping = 0;                                  ///< c, N s/m or Nm s/rad
-  double lower = -none, upper = none;                  ///< of the force, N or Nm
-  double lower_command = -none, upper_command = none;  ///< of the command
+  double lower = -none, upper = none;                  ///< limits of the force, N or Nm
+  double lower_command = -none, upper_command = none;  ///< limits of the command
   bool operator==(const motor_law&) const = default;
 };
 
 namespace core {
 
-/// A motor of a joint as robots' files describe it, with its command u:
+/// A motor of a joint, as files of robots describe it, with the command u:
 ///
 ///   w = a [u] + b - k q - c q_dot,   f += [w]          (1)
 ///
-/// where [] keeps a number in its range. With a = k it is a servo, whose command is where the joint should be.
+/// where [] limits a number to its range. With a = k it is a servo whose command is the desired position.
 struct joint_motor_gen {
   static constexpr type_name type{"joint_motor", kind::gen};
   static constexpr std::array<port, 2> ports{
@@ -82,9 +82,9 @@ struct joint_motor_gen {
 /// A motor of a joint, within its limits:
 ///
 ///   joint_motor_gen(q, torque, {.lower = -40, .upper = 40})
-///   joint_motor_gen(q, wanted, {.gain = 300, .stiffness = 300, .damping = 20, .lower = -40, .upper = 40})  // a servo
+///   joint_motor_gen(q, desired, {.gain = 300, .stiffness = 300, .damping = 20, .lower = -40, .upper = 40})  // a servo
 template <class Q, class U>
-constexpr auto joint_motor_gen(const Q& coordinate, const U& command, const motor_law& law = {}) {
+[[nodiscard]] constexpr auto joint_motor_gen(const Q& coordinate, const U& command, const motor_law& law = {}) {
   return connect(core::joint_motor_gen{law}, coordinate, command);
 }
 

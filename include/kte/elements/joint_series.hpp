@@ -9,7 +9,8 @@
 /// Joints of several coordinates that are made of joints of one, with a frame between them.
 namespace kte {
 
-/// The frame between the two joints of such a joint, by the name of its end: "wrist.inner" of "wrist".
+/// The key of the frame between the two joints of a series, named after the end: "wrist.inner" for "wrist". `what`,
+/// `text` and `name` are those of a key.
 template <key_type End>
 struct inner_key {
   static constexpr kind what = End::what;
@@ -21,12 +22,13 @@ struct inner_key {
   }();
   static constexpr std::string_view name{text.data(), text.size()};
 };
+/// The frame between the two joints of a series with the given end, such as a `universal_joint_3D`.
 template <key_type End>
-constexpr inner_key<End> inner_of(const End&) {
+[[nodiscard]] constexpr inner_key<End> inner_of(const End&) {
   return {};
 }
 template <text_type End>
-std::string inner_of(const End& end) {
+[[nodiscard]] std::string inner_of(const End& end) {
   return std::string(std::string_view(end)) + ".inner";
 }
 
@@ -61,13 +63,13 @@ class static_series : public static_chain<zero3, First, Second> {
   constexpr explicit static_series(const static_chain<zero3, First, Second>& c)
       : static_chain<zero3, First, Second>(c) {}
 
-  /// Of two joints: the same whose first seat stands at a position, m, and a rotation in the base.
+  /// The two joints, the first of them placed at a position, m, and a rotation in the base.
   template <class... Place>
   constexpr auto at(const Place&... place) const {
     return in_series(boost::hana::at_c<0>(this->elements()).at(place...), boost::hana::at_c<1>(this->elements()));
   }
 };
-/// What is checked of both together.
+/// The check of both joints together.
 template <class Check, class... Names>
 constexpr void check_series(std::string_view type, const Check& check, const Names&... names) {
   constexpr std::array<port, 4> ports{{{kind::gen, access::in, "coordinate1"},

@@ -1,29 +1,28 @@
 #pragma once
 
-#include <kte/contract/coordinate_holder.hpp>
+#include <kte/contract/coordinate_lock.hpp>
 #include <kte/kernels/stribeck.hpp>
 
 namespace kte {
 
-/// The parameters of friction that holds, of a force (N) along a length, or of a torque (Nm) about an angle.
+/// Parameters of friction with sticking: forces, N, for a length, torques, Nm, for an angle.
 struct stiction_parameters {
-  double coulomb;   ///< Fc, force of fast sliding; not negative
-  double stiction;  ///< Fs, force at which sliding begins; not below Fc
-  double stribeck_velocity =
-      1;               ///< vs, rate over which the force falls from Fs to Fc, m/s or rad/s; 0: it falls at once
-  double viscous = 0;  ///< b, Ns/m or Nms/rad; not negative
+  double coulomb;                ///< Fc, force of fast sliding; not negative
+  double stiction;               ///< Fs, force at which sliding begins; not below Fc
+  double stribeck_velocity = 1;  ///< vs, rate over which the force falls from Fs to Fc, m/s or rad/s; 0: immediately
+  double viscous = 0;            ///< b, Ns/m or Nms/rad; not negative
 };
 
 namespace core {
 
-/// Dry friction of a joint that truly rests. The element keeps which way the joint slides, d, or that it is held
-/// (contract/coordinate_holder.hpp):
+/// Dry friction of a joint with sticking. The mode of the element is the direction of sliding, d, or that the joint is
+/// locked (contract/coordinate_lock.hpp):
 ///
 ///   sliding   f -= (Fc + (Fs - Fc) exp(-(v/vs)^2)) d + b v          (1)
-///   held      v' = 0, for as long as that takes no more than Fs     (2)
+///   locked    v' = 0, while the holding force is at most Fs         (2)
 ///
 /// (Stribeck 1902; Armstrong-Helouvry, Dupont and Canudas de Wit, Automatica 30 (1994), section 3.)
-struct joint_stiction_gen : coordinate_holder {
+struct joint_stiction_gen : coordinate_lock {
   static constexpr type_name type{"joint_stiction", kind::gen};
   static constexpr std::array<port, 2> ports{
       {{kind::gen, access::on, "coordinate"}, {kind::internal, access::keep, "mode"}}};
@@ -58,9 +57,9 @@ struct joint_stiction_gen : coordinate_holder {
   }
 };
 
-/// A brake or clutch on a coordinate that is pressed by a signal: it holds, or slides with, a force of up to u. Pulled
-/// apart, by u < 0, it is open, as at 0.
-struct brake_gen : coordinate_holder {
+/// A brake or clutch on a coordinate, pressed by a signal u: it holds, or slides with, a force of up to u. It is open
+/// for u <= 0.
+struct brake_gen : coordinate_lock {
   static constexpr type_name type{"brake", kind::gen};
   static constexpr std::array<port, 3> ports{{{kind::gen, access::on, "coordinate"},
                                               {kind::internal, access::keep, "mode"},
@@ -90,15 +89,15 @@ struct brake_gen : coordinate_holder {
 
 }  // namespace core
 
-/// Dry friction on a coordinate that holds it at rest. `mode` is an internal state: events switch it
-/// (docs/events.md).
+/// Dry friction on a coordinate, with sticking. `mode` is an internal state that events switch (docs/events.md).
 template <class Q, class Z>
-constexpr auto joint_stiction_gen(const Q& coordinate, const Z& mode, const stiction_parameters& parameters) {
+[[nodiscard]] constexpr auto joint_stiction_gen(const Q& coordinate, const Z& mode,
+                                                const stiction_parameters& parameters) {
   return connect(core::joint_stiction_gen(parameters), coordinate, mode);
 }
-/// A brake on a coordinate that holds up to the signal `force`, N or Nm; below 0 it counts as 0.
+/// A brake on a coordinate that holds up to the signal `force`, N or Nm; negative values count as 0.
 template <class Q, class Z, class U>
-constexpr auto brake_gen(const Q& coordinate, const Z& mode, const U& force) {
+[[nodiscard]] constexpr auto brake_gen(const Q& coordinate, const Z& mode, const U& force) {
   return connect(core::brake_gen{}, coordinate, mode, force);
 }
 

@@ -38,9 +38,11 @@ struct joint_stiffness_gen {
 
 }  // namespace core
 
-/// A spring on a coordinate: stiffness (N/m, Nm/rad), and where it is at rest (m, rad). (`spring_gen` is between two.)
+/// A spring on a coordinate: stiffness, N/m or Nm/rad, and the coordinate at rest, m or rad. `spring_gen` acts between
+/// two coordinates.
 template <class Q, entry Stiffness, entry Rest = zero_t>
-constexpr auto joint_stiffness_gen(const Q& coordinate, const Stiffness& stiffness, const Rest& rest = {}) {
+[[nodiscard]] constexpr auto joint_stiffness_gen(const Q& coordinate, const Stiffness& stiffness,
+                                                 const Rest& rest = {}) {
   return connect(
       core::joint_stiffness_gen<decltype(real(stiffness)), decltype(real(rest))>{real(stiffness), real(rest)},
       coordinate);

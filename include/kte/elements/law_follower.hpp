@@ -6,7 +6,7 @@ namespace kte {
 
 namespace core {
 
-/// A coordinate that is a function of one or several others, given by the user (contract/coordinate_follower.hpp).
+/// A coordinate that is a user-defined function of one or several others (contract/coordinate_follower.hpp).
 template <class Law, std::size_t N>
 struct law_follower : coordinate_follower<law_follower<Law, N>> {
   static constexpr type_name type{"law_follower", kind::gen};
@@ -39,10 +39,10 @@ struct law_follower : coordinate_follower<law_follower<Law, N>> {
 ///
 ///   kte::law_follower_gen([](const auto& q) { using std::sin; return 0.1 * sin(q); }, crank, lift)
 ///
-/// The function takes numbers of any kind, which carry derivatives; rates, accelerations and forces follow from it. No
-/// file can hold it.
+/// The function must accept numbers of any type, which carry derivatives; rates, accelerations and forces follow from
+/// it. A chain with it cannot be saved.
 template <class Law, class... Q>
-constexpr auto law_follower_gen(const Law& law, const Q&... coordinates_and_end) {
+[[nodiscard]] constexpr auto law_follower_gen(const Law& law, const Q&... coordinates_and_end) {
   return connect(core::law_follower<Law, sizeof...(Q) - 1>(law), coordinates_and_end...);
 }
 

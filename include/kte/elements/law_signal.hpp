@@ -8,10 +8,10 @@ namespace kte {
 
 namespace core {
 
-/// A signal that is a function of others, given by the user: y = f(u_1, u_2, ...), a number or three.
+/// A signal that is a user-defined function of others: y = f(u_1, u_2, ...), one number or three.
 template <class Law, std::size_t N>
 struct law_signal {
-  /// Of what f gives for numbers.
+  /// The kind of signal that f returns for numbers.
   static constexpr kind gives = []<std::size_t... I>(std::index_sequence<I...>) {
     using result = std::invoke_result_t<const Law&, std::enable_if_t<(I < N), double>...>;
     return requires(const result& y) { y.x, y.y, y.z; }
@@ -46,14 +46,14 @@ struct law_signal {
 ///
 ///   kte::law_signal([](const auto& t) { using std::sin; return 2.0 * sin(t); }, kte::chain_time, drive)
 ///
-/// The function takes numbers of any kind, which may carry derivatives. Where it gives a `vec3`, the signal has three
-/// numbers (a `vector_key`), as `position_control_3D` and `external_force_3D` take them:
+/// The function must accept numbers of any type, which may carry derivatives. If it returns a `vec3`, the signal has
+/// three numbers (a `vector_key`), as for `position_control_3D` and `external_force_3D`:
 ///
 ///   kte::law_signal([](const auto& t) { using std::sin; return kte::along_z(5.0 * sin(t)); }, kte::chain_time, push)
 ///
-/// No file can hold it.
+/// A chain with it cannot be saved.
 template <class Law, class... U>
-constexpr auto law_signal(const Law& law, const U&... inputs_and_output) {
+[[nodiscard]] constexpr auto law_signal(const Law& law, const U&... inputs_and_output) {
   return connect(core::law_signal<Law, sizeof...(U) - 1>{law}, inputs_and_output...);
 }
 

@@ -28,7 +28,7 @@ namespace core {
 ///
 ///   d = p_2 - p_1,  x = |d|,  e = d/x,   F_1 += f(x) e,  F_2 -= f(x) e          (2)
 ///
-/// Positive f pulls. Where the origins coincide the line is undefined; there is no force then. V is the integral of f,
+/// Positive f pulls. Where the origins coincide, the line is undefined and the force is zero. V is the integral of f,
 /// if the law has one.
 template <kind Dim, class Law>
 struct law_spring {
@@ -85,24 +85,24 @@ template <class... Law>
 inline constexpr bool is_spring_law = sizeof...(Law) == 1 || sizeof...(Law) == 2;
 }  // namespace detail
 
-/// A spring between two coordinates by a function of yours, of the length (m, rad): force (N, Nm), and optionally
-/// energy (J), its integral. Write it for numbers of any type, such as duals, by which derivatives are found:
+/// A spring between two coordinates, by your function of the length, m or rad: the force, N or Nm, and optionally the
+/// energy, J, its integral. The function must accept numbers of any type, such as dual numbers for derivatives:
 ///
 ///   law_spring_gen(q1, q2, [](const auto& x) { return 5.0 * x + 2.0 * x * x * x; })
 ///
-/// It holds code: a model with it cannot be saved.
+/// A chain with it cannot be saved.
 template <class Q1, class Q2, class... Law>
 requires detail::is_spring_law<Law...>
 constexpr auto law_spring_gen(const Q1& anchor1, const Q2& anchor2, const Law&... law) {
   return detail::connect_law_spring<kind::gen>(anchor1, anchor2, law...);
 }
-/// The same between the origins of two frames in the plane.
+/// A spring by a function between the origins of two frames in the plane.
 template <class F1, class F2, class... Law>
 requires detail::is_spring_law<Law...>
 constexpr auto law_spring_2D(const F1& anchor1, const F2& anchor2, const Law&... law) {
   return detail::connect_law_spring<kind::frame_2D>(anchor1, anchor2, law...);
 }
-/// The same in space.
+/// A spring by a function between the origins of two frames in space.
 template <class F1, class F2, class... Law>
 requires detail::is_spring_law<Law...>
 constexpr auto law_spring_3D(const F1& anchor1, const F2& anchor2, const Law&... law) {

@@ -11,8 +11,8 @@ namespace core {
 ///
 ///   p' = o + t (t . (p - o)),   v' = t (t . v),   a' = t (t . a)          (1)
 ///
-/// Gravity is an acceleration of bases, of which the frame of the point has the part along the line: an accelerometer
-/// there shows no more. The frame of the point does not turn. A force on it comes back as the power dual, F += t (t .
+/// Gravity is an acceleration of bases; the frame of the point has its component along the line: an accelerometer
+/// there measures no more. The frame of the point does not rotate. A force on it is transmitted as F += t (t .
 /// F'); a torque does no work.
 template <kind Dim, class Tangent, class Point>
 struct line_point_mindist {
@@ -49,10 +49,11 @@ struct line_point_mindist {
 
 }  // namespace core
 
-/// A frame at the point of a line that is nearest to the origin of another, for springs, dampers and measures: the line
-/// along the unit vector `tangent` through the point `origin`, in the plane.
+/// A frame at the point of a line in the plane nearest to the origin of another frame, for springs, dampers and
+/// measures. The line has the unit direction `tangent` and contains the point `origin`, m.
 template <class B, class E, class Tangent, class Point>
-constexpr auto line_point_mindist_2D(const B& base, const E& end, const Tangent& tangent, const Point& origin) {
+[[nodiscard]] constexpr auto line_point_mindist_2D(const B& base, const E& end, const Tangent& tangent,
+                                                   const Point& origin) {
   const auto t = detail::planar(tangent);
   const auto o = detail::planar(origin);
   return connect(
@@ -60,10 +61,10 @@ constexpr auto line_point_mindist_2D(const B& base, const E& end, const Tangent&
                                                                                                                    o},
       base, end);
 }
-/// The same in space.
+/// A frame at the point of a line in space nearest to the origin of another frame.
 template <class B, class E, class X, class Y, class Z, class OX, class OY, class OZ>
-constexpr auto line_point_mindist_3D(const B& base, const E& end, const vec3<X, Y, Z>& tangent,
-                                     const vec3<OX, OY, OZ>& origin) {
+[[nodiscard]] constexpr auto line_point_mindist_3D(const B& base, const E& end, const vec3<X, Y, Z>& tangent,
+                                                   const vec3<OX, OY, OZ>& origin) {
   return connect(core::line_point_mindist<kind::frame_3D, vec3<X, Y, Z>, vec3<OX, OY, OZ>>{tangent, origin}, base, end);
 }
 

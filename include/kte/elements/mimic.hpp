@@ -40,7 +40,7 @@ struct mimic {
 /// A coordinate `end` that is `ratio` times another, plus `offset`: a gear has the ratio of its radii (negative where
 /// they turn against each other), a rack the radius of its pinion, m/rad.
 template <class B, class E, entry Ratio, entry Offset = zero_t>
-constexpr auto mimic_gen(const B& base, const E& end, const Ratio& ratio, const Offset& offset = {}) {
+[[nodiscard]] constexpr auto mimic_gen(const B& base, const E& end, const Ratio& ratio, const Offset& offset = {}) {
   return connect(core::mimic<decltype(real(ratio)), decltype(real(offset))>{real(ratio), real(offset)}, base, end);
 }
 

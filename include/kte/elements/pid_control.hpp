@@ -7,26 +7,26 @@
 
 namespace kte {
 
-/// The gains of a PID controller whose output is a force, N or Nm, of a coordinate in m or rad.
+/// Gains of a PID controller whose output is a force, N or Nm, on a coordinate in m or rad.
 struct pid_gains {
   double proportional;                                     ///< P, N/m or Nm/rad
   double integral = 0;                                     ///< I, N/(m s) or Nm/(rad s)
   double derivative = 0;                                   ///< D, Ns/m or Nms/rad
-  double limit = std::numeric_limits<double>::infinity();  ///< of the output, N or Nm; positive
-  double tracking = 0;  ///< b: at the limit, by how much the integral is led back, m/N or rad/Nm; not negative
+  double limit = std::numeric_limits<double>::infinity();  ///< limit of the output, N or Nm; positive
+  double tracking = 0;  ///< b, gain of back-calculation at the limit, m/N or rad/Nm; not negative
 };
 
 namespace core {
 
-/// A controller that writes a signal from a coordinate and the signal r where it should be. The integral of the error
-/// is an internal state z, m s or rad s:
+/// A PID controller: it writes a signal u from a coordinate q and the signal r of its desired value. The integral of
+/// the error is an internal state z, m s or rad s:
 ///
 ///   w = P (r - q) + I z - D q'                                  (1)
 ///   u = w limited to [-limit, limit]                            (2)
 ///   z' = r - q - b (w - u)                                      (3)
 ///
-/// The last term keeps the integral from winding up while the output is limited (Astrom and Hagglund, Advanced PID
-/// Control, 2006, section 3.5); b = 1/P makes it follow at once, about.
+/// The last term is anti-windup by back-calculation (Astrom and Hagglund, Advanced PID Control, 2006, section 3.5); b =
+/// 1/P is a common choice.
 struct pid_control_gen {
   static constexpr type_name type{"pid_control", kind::gen};
   static constexpr std::array<port, 4> ports{{{kind::gen, access::on, "coordinate"},
@@ -74,11 +74,11 @@ struct pid_control_gen {
 
 /// A PID controller of a coordinate, with an internal state `integral`, that writes the signal `output`:
 ///
-///   pid_control_gen(q, wanted, integral, output, {.proportional = 80, .integral = 40, .derivative = 6, .limit = 20,
+///   pid_control_gen(q, desired, integral, output, {.proportional = 80, .integral = 40, .derivative = 6, .limit = 20,
 ///                                                 .tracking = 1 / 80.0})
 template <class Q, class R, class Z, class Y>
-constexpr auto pid_control_gen(const Q& coordinate, const R& wanted, const Z& integral, const Y& output,
-                               const pid_gains& gains) {
+[[nodiscard]] constexpr auto pid_control_gen(const Q& coordinate, const R& wanted, const Z& integral, const Y& output,
+                                             const pid_gains& gains) {
   return connect(core::pid_control_gen{gains}, coordinate, wanted, integral, output);
 }
 

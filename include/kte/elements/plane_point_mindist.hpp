@@ -11,8 +11,8 @@ namespace core {
 ///
 ///   p' = p - n (n . (p - o)),   v' = v - n (n . v),   a' = a - n (n . a)          (1)
 ///
-/// Gravity is an acceleration of bases, of which the frame of the point has the part in the plane: an accelerometer
-/// there shows no more. The frame of the point does not turn. A force on it comes back as the power dual, F += F' - n
+/// Gravity is an acceleration of bases; the frame of the point has its component in the plane: an accelerometer
+/// there measures no more. The frame of the point does not rotate. A force on it is transmitted as F += F' - n
 /// (n . F'); a torque does no work.
 template <class Normal, class Point>
 struct plane_point_mindist {
@@ -55,11 +55,11 @@ struct plane_point_mindist {
 
 }  // namespace core
 
-/// A frame at the point of a plane that is nearest to the origin of another, for springs, dampers and measures: the
-/// plane with the unit `normal` through the point `origin`.
+/// A frame at the point of a plane nearest to the origin of another frame, for springs, dampers and measures. The plane
+/// has the unit `normal` and contains the point `origin`, m.
 template <class B, class E, class X, class Y, class Z, class OX, class OY, class OZ>
-constexpr auto plane_point_mindist_3D(const B& base, const E& end, const vec3<X, Y, Z>& normal,
-                                      const vec3<OX, OY, OZ>& origin) {
+[[nodiscard]] constexpr auto plane_point_mindist_3D(const B& base, const E& end, const vec3<X, Y, Z>& normal,
+                                                    const vec3<OX, OY, OZ>& origin) {
   return connect(core::plane_point_mindist<vec3<X, Y, Z>, vec3<OX, OY, OZ>>{normal, origin}, base, end);
 }
 

@@ -7,7 +7,7 @@ namespace kte {
 
 namespace core {
 
-/// A coordinate whose motion is given by signals: q = u, q' = u', q'' = u''.
+/// A coordinate whose motion is prescribed by signals: q = u, q' = u', q'' = u''.
 struct position_control_gen : no_parameters {
   static constexpr type_name type{"position_control", kind::gen};
   static constexpr std::array<port, 4> ports{{{kind::input, access::in, "position"},
@@ -24,11 +24,11 @@ struct position_control_gen : no_parameters {
     return make_loads();
   }
 };
-/// A frame that moves in another, without turning, as signals say:
+/// A frame that moves in another without rotation, as prescribed by signals:
 ///
 ///   p = u,   v = u',   a = u''          in axes of the base          (1)
 ///
-/// A base of the chain, if it stands on one: a shaking table.
+/// On a base of the chain it is a base too, such as a shaking table.
 template <kind Dim>
 struct position_control : no_parameters {
   static constexpr type_name type{"position_control", Dim};
@@ -60,20 +60,24 @@ struct position_control : no_parameters {
 
 }  // namespace core
 
-/// A coordinate that moves as three signals say: position (m, rad) and its first and second derivative.
+/// A coordinate with the motion of three signals: position, m or rad, and its first and second time derivative.
 template <class U, class V, class A, class Q>
-constexpr auto position_control_gen(const U& position, const V& velocity, const A& acceleration, const Q& coordinate) {
+[[nodiscard]] constexpr auto position_control_gen(const U& position, const V& velocity, const A& acceleration,
+                                                  const Q& coordinate) {
   return connect(core::position_control_gen{}, position, velocity, acceleration, coordinate);
 }
-/// A frame `end` that moves in `base` as signals of three numbers say, without turning.
+/// A frame `end` in the plane that moves in `base` without rotation, with the motion of three signals of three numbers:
+/// position, m, and its first and second time derivative, in axes of the base.
 template <class U, class V, class A, class B, class E>
-constexpr auto position_control_2D(const U& position, const V& velocity, const A& acceleration, const B& base,
-                                   const E& end) {
+[[nodiscard]] constexpr auto position_control_2D(const U& position, const V& velocity, const A& acceleration,
+                                                 const B& base, const E& end) {
   return connect(core::position_control<kind::frame_2D>{}, position, velocity, acceleration, base, end);
 }
+/// A frame `end` in space that moves in `base` without rotation, with the motion of three signals of three numbers:
+/// position, m, and its first and second time derivative, in axes of the base.
 template <class U, class V, class A, class B, class E>
-constexpr auto position_control_3D(const U& position, const V& velocity, const A& acceleration, const B& base,
-                                   const E& end) {
+[[nodiscard]] constexpr auto position_control_3D(const U& position, const V& velocity, const A& acceleration,
+                                                 const B& base, const E& end) {
   return connect(core::position_control<kind::frame_3D>{}, position, velocity, acceleration, base, end);
 }
 

@@ -18,7 +18,7 @@ struct position_measure_gen : no_parameters {
     return c.q;
   }
 };
-/// Measures where the origin of a frame is: y = p, m, in the axes in which bases are given.
+/// Measures the position of the origin of a frame: y = p, m, in axes of the world.
 template <kind Dim>
 struct position_measure : no_parameters {
   static constexpr type_name type{"position_measure", Dim};
@@ -32,18 +32,19 @@ struct position_measure : no_parameters {
 
 }  // namespace core
 
-/// Measures a coordinate.
+/// Measures a coordinate, m or rad.
 template <class Q, class Y>
-constexpr auto position_measure_gen(const Q& coordinate, const Y& output) {
+[[nodiscard]] constexpr auto position_measure_gen(const Q& coordinate, const Y& output) {
   return connect(core::position_measure_gen{}, coordinate, output);
 }
-/// Measures where a frame is.
+/// Measures the position of a frame in the plane, m, in axes of the world.
 template <class F, class Y>
-constexpr auto position_measure_2D(const F& frame, const Y& output) {
+[[nodiscard]] constexpr auto position_measure_2D(const F& frame, const Y& output) {
   return connect(core::position_measure<kind::frame_2D>{}, frame, output);
 }
+/// Measures the position of a frame in space, m, in axes of the world.
 template <class F, class Y>
-constexpr auto position_measure_3D(const F& frame, const Y& output) {
+[[nodiscard]] constexpr auto position_measure_3D(const F& frame, const Y& output) {
   return connect(core::position_measure<kind::frame_3D>{}, frame, output);
 }
 

@@ -33,16 +33,17 @@ struct prismatic_joint : transmission<prismatic_joint<Dim, Axis>> {
 
 }  // namespace core
 
-/// A sliding joint in the plane along a unit axis in base axes: `axis::x`, `axis::y`, `vec2{0.6, 0.8}`.
+/// A prismatic joint in the plane along a unit axis in base axes: `axis::x`, `axis::y`, `vec2{0.6, 0.8}`.
 template <class Q, class B, class E, geometric Axis>
-constexpr auto prismatic_joint_2D(const Q& coordinate, const B& base, const E& end, const Axis& axis) {
+[[nodiscard]] constexpr auto prismatic_joint_2D(const Q& coordinate, const B& base, const E& end, const Axis& axis) {
   const auto n = detail::planar(axis);
   return connect(core::prismatic_joint<kind::frame_2D, std::remove_const_t<decltype(n)>>(n), coordinate, base, end);
 }
 
-/// A sliding joint in space along a unit axis in base axes.
+/// A prismatic joint in space along a unit axis in base axes.
 template <class Q, class B, class E, class X, class Y, class Z>
-constexpr auto prismatic_joint_3D(const Q& coordinate, const B& base, const E& end, const vec3<X, Y, Z>& axis) {
+[[nodiscard]] constexpr auto prismatic_joint_3D(const Q& coordinate, const B& base, const E& end,
+                                                const vec3<X, Y, Z>& axis) {
   return connect(core::prismatic_joint<kind::frame_3D, vec3<X, Y, Z>>(axis), coordinate, base, end);
 }
 

@@ -2,7 +2,7 @@
 
 #include <kte/detail/compiled.hpp>
 #include <kte/runtime_chain/kte_map_adapter.hpp>
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
 
 // Who links the elements has no need to read them.
 #if !defined(KTE_EXTERN) || defined(KTE_COMPILED_ELEMENTS) || \
@@ -43,7 +43,8 @@ auto placed(const element_record& r, const std::string& which, const Make& make)
 }
 }  // namespace detail
 
-/// Reads names and parameters of an element record by role and name; throws `bad_file` where one is missing or odd.
+/// Reads names and parameters of an element record by role and name. Throws `bad_file` if one is missing or has the
+/// wrong size.
 class record_reader {
  public:
   explicit record_reader(const element_record& r) : record_(r) {}
@@ -53,39 +54,46 @@ class record_reader {
       if (c.role == role) return c.name;
     fail("has no connection '" + std::string(role) + "'");
   }
+  /// A parameter that is one number.
   double number(std::string_view parameter) const { return values(parameter, 1)[0]; }
-  /// A parameter that is a list.
+  /// The numbers of a parameter that is a list.
   const std::vector<double>& numbers(std::string_view parameter) const { return parameter_of(parameter).values; }
-  /// Whether a parameter is given that may be left out.
+  /// Whether the record has an optional parameter.
   bool has(std::string_view parameter) const {
     return std::any_of(record_.parameters.begin(), record_.parameters.end(),
                        [&](const parameter_record& p) { return p.name == parameter; });
   }
-  /// A parameter that is 1 where it is given.
+  /// Whether a parameter is there and 1.
   bool flag(std::string_view parameter) const {
     const bool given = has(parameter);
     if (given && number(parameter) != 1) fail("has '" + std::string(parameter) + "' other than 1");
     return given;
   }
+  /// A parameter of three numbers x, y, z.
   vec3<> vector(std::string_view parameter) const {
     const auto& v = values(parameter, 3);
     return {v[0], v[1], v[2]};
   }
+  /// A parameter of two numbers x, y.
   vec2<> planar_vector(std::string_view parameter) const {
     check_finite(parameter);
     const auto v = vector(parameter);
     if (v.z != 0) fail("has a '" + std::string(parameter) + "' out of the plane");
     return {v.x, v.y};
   }
+  /// A parameter of nine numbers, a matrix by rows.
   mat3<vec3<>> matrix(std::string_view parameter) const {
     const auto& v = values(parameter, 9);
     return {{v[0], v[1], v[2]}, {v[3], v[4], v[5]}, {v[6], v[7], v[8]}};
   }
+  /// A parameter that is a rotation matrix by rows.
   mat3<vec3<>> rotation(std::string_view parameter) const { return matrix(parameter); }
+  /// A parameter of six numbers, a symmetric matrix: xx xy xz yy yz zz.
   sym3<> symmetric(std::string_view parameter) const {
     const auto& v = values(parameter, 6);
     return {v[0], v[1], v[2], v[3], v[4], v[5]};
   }
+  /// A parameter that is a rotation about z.
   rotation_2D<> planar_rotation(std::string_view parameter) const {
     check_finite(parameter);
     const auto m = rotation(parameter);
@@ -93,8 +101,9 @@ class record_reader {
     if (m != as<double>(kte::matrix(r))) fail("has a '" + std::string(parameter) + "' out of the plane");
     return r;
   }
+  /// The rigid body of the parameters mass, com and inertia.
   rigid_body<> body() const { return {number("mass"), vector("com"), symmetric("inertia"), flag("as_published")}; }
-  /// A body in the plane; what it has out of it must be zero.
+  /// The rigid body in the plane of the parameters; entries out of the plane must be zero.
   auto planar_body() const {
     check_finite("com"), check_finite("inertia");
     const auto b = body();
@@ -105,14 +114,14 @@ class record_reader {
     planar.published = b.published;
     return planar;
   }
-  /// A core connected to the names that the roles of its ports have.
+  /// Connects a core to the names that the record has for the roles of its ports.
   template <class Core>
   auto connected(const Core& core) const {
     return [&]<std::size_t... P>(std::index_sequence<P...>) { return connect(core, name(Core::ports[P].role)...); }
     (std::make_index_sequence<port_count<Core>>{});
   }
-  /// Calls f with the typed axis of the same value if there is one, else with the numbers: a joint read from a file is
-  /// the one that was written.
+  /// Calls f with a typed axis if the axis equals one, else with numbers, so that a joint read from a file has the type
+  /// that was written.
   template <class F>
   auto with_axis(std::string_view parameter, const F& f) const {
     const auto v = vector(parameter);
@@ -121,13 +130,14 @@ class record_reader {
     if (v == as<double>(axis::z)) return f(axis::z);
     return f(v);
   }
-  /// What a function returns that makes elements of several types.
+  /// An element as a part of a runtime chain: the result of functions that make elements of several types.
   template <class Core>
   static std::unique_ptr<kte_map> adapt(named_element<Core> e) {
     return std::make_unique<kte_map_adapter<Core>>(std::move(e));
   }
-  /// A joint, where its record places it.
+  /// Whether the record has a placement of the joint in its base.
   bool is_placed() const { return has("position") || has("rotation"); }
+  /// The joint with the placement of its record, if any, as a part of a runtime chain.
   template <class Core>
   std::unique_ptr<kte_map> placed(const named_element<Core>& joint) const {
     if (!is_placed()) return adapt(joint);
@@ -139,6 +149,7 @@ class record_reader {
       return adapt(joint.at(has_position ? vector("position") : vec3<>{},
                             has_rotation ? rotation("rotation") : as<double>(kte::matrix(no_rotation{}))));
   }
+  /// Throws `bad_file` with the place and type of the element and the reason.
   [[noreturn]] void fail(const std::string& why) const { fail(why, record_.place); }
 
  private:
@@ -183,7 +194,7 @@ class element_registry {
     else
       put(type, [make](const record_reader& r) { return adapt(make(r)); });
   }
-  /// The types it knows, in alphabetical order.
+  /// The names of all types, in alphabetical order.
   std::vector<std::string> types() const {
     std::vector<std::string> all;
     for (const auto& f : factories_) all.push_back(f.first);
@@ -194,12 +205,12 @@ class element_registry {
     return detail::placed(r, "", [&] { return make_unplaced(r); });
   }
 
-  /// All elements of this library. (A template, so that who does not call it does not compile them all.)
+  /// All elements of this library. It is a template, so that only programs that call it compile them.
   template <class = void>
   static element_registry standard();
 
  private:
-  friend kte_map_chain to_chain(const model_record& m, const element_registry& registry);
+  friend runtime_chain to_chain(const model_record& m, const element_registry& registry);
   void put(std::string_view type, factory make) {
     const bool fresh = factories_.emplace(type, std::move(make)).second;
     if (!fresh) throw bad_argument("kte: the registry has a '" + std::string(type) + "' already");
@@ -214,16 +225,17 @@ class element_registry {
 };
 
 /// A runtime chain from a record. Throws `bad_file`, `bad_parameter` or `bad_wiring`, each naming the element.
-kte_map_chain to_chain(const model_record& m, const element_registry& registry);
-/// The same with the elements of this library.
+[[nodiscard]] runtime_chain to_chain(const model_record& m, const element_registry& registry);
+/// A runtime chain from a record, with the elements of this library. Throws `bad_file`, `bad_parameter` or
+/// `bad_wiring`; each names the element.
 template <class = void>
-kte_map_chain to_chain(const model_record& m) {
+[[nodiscard]] runtime_chain to_chain(const model_record& m) {
   return to_chain(m, element_registry::standard());
 }
 
 #ifdef KTE_FUNCTION
 namespace detail {
-/// What was not understood is an error, not ignored.
+/// Unknown parameters are errors.
 KTE_FUNCTION void check_complete(const element_record& made, const element_record& r) {
   for (const auto& p : r.parameters)
     if (std::none_of(made.parameters.begin(), made.parameters.end(), [&](const auto& o) { return o.name == p.name; }))
@@ -243,9 +255,9 @@ KTE_FUNCTION std::unique_ptr<kte_map> element_registry::make_unplaced(const elem
   if (const auto* single = dynamic_cast<const kte_element*>(e.get())) detail::check_complete(single->record(), r);
   return e;
 }
-KTE_FUNCTION kte_map_chain to_chain(const model_record& m, const element_registry& registry) {
-  kte_map_chain c;
-  if (m.gravity.size() != 3) throw bad_file("kte: the model's gravity has not three numbers");
+KTE_FUNCTION runtime_chain to_chain(const model_record& m, const element_registry& registry) {
+  runtime_chain c;
+  if (m.gravity.size() != 3) throw bad_file("kte: the model's gravity must have three numbers");
   if (const vec3 g{m.gravity[0], m.gravity[1], m.gravity[2]}; g != vec3<>{}) c.gravity(g);  // zero says nothing
   for (std::size_t i = 0; i < m.elements.size(); ++i) {
     const auto& r = m.elements[i];

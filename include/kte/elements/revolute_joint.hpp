@@ -6,7 +6,7 @@ namespace kte {
 
 namespace core {
 
-/// A joint that turns about an axis n by the coordinate q, rad:
+/// A revolute joint: the end turns about an axis n by the coordinate q, rad:
 ///
 ///   R = Rot(n, q),  p = 0,  w = n q_dot,  al = n q_ddot          (1)
 template <kind Dim, class Axis>
@@ -44,15 +44,16 @@ struct revolute_joint : transmission<revolute_joint<Dim, Axis>> {
 
 /// A revolute joint in the plane. `coordinate`: angle from base to end, rad.
 template <class Q, class B, class E>
-constexpr auto revolute_joint_2D(const Q& coordinate, const B& base, const E& end) {
+[[nodiscard]] constexpr auto revolute_joint_2D(const Q& coordinate, const B& base, const E& end) {
   return connect(core::revolute_joint<kind::frame_2D, std::remove_const_t<decltype(axis::z)>>(axis::z), coordinate,
                  base, end);
 }
 
-/// A revolute joint in space about a unit axis, which is the same in base and end axes. `axis::z` and its kin are free;
-/// any `vec3` of length 1 will do.
+/// A revolute joint in space about a unit axis, which is constant in base and end axes. Any `vec3` of length 1 is
+/// valid; the typed axes `axis::x`, `axis::y`, ... save arithmetic.
 template <class Q, class B, class E, class X = zero_t, class Y = zero_t, class Z = one_t>
-constexpr auto revolute_joint_3D(const Q& coordinate, const B& base, const E& end, const vec3<X, Y, Z>& axis = {}) {
+[[nodiscard]] constexpr auto revolute_joint_3D(const Q& coordinate, const B& base, const E& end,
+                                               const vec3<X, Y, Z>& axis = {}) {
   return connect(core::revolute_joint<kind::frame_3D, vec3<X, Y, Z>>(axis), coordinate, base, end);
 }
 

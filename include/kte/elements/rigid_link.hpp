@@ -6,7 +6,7 @@ namespace kte {
 
 namespace core {
 
-/// A stiff link: the end stands at position r and rotation R in the base.
+/// A rigid link: the end stands at position r and rotation R in the base.
 ///
 ///   p = r,  rotation R,  no rates          (1)
 template <kind Dim, class Rotation, class Position>
@@ -59,21 +59,22 @@ struct rigid_link_gen {
 
 /// A link in the plane: position of the end in the base, m (`along_x(0.5)`, `vec2{0.3, 0.4}`), and its rotation.
 template <class B, class E, geometric Position, class Rotation = no_rotation>
-constexpr auto rigid_link_2D(const B& base, const E& end, const Position& position, const Rotation& rotation = {}) {
+[[nodiscard]] constexpr auto rigid_link_2D(const B& base, const E& end, const Position& position,
+                                           const Rotation& rotation = {}) {
   const auto r = detail::planar(position);
   return connect(core::rigid_link<kind::frame_2D, Rotation, std::remove_const_t<decltype(r)>>(r, rotation), base, end);
 }
 
 /// A link in space: position of the end in the base, m, and its rotation (`quarter_turn_x`, a matrix, a quaternion).
 template <class B, class E, class X, class Y, class Z, class Rotation = no_rotation>
-constexpr auto rigid_link_3D(const B& base, const E& end, const vec3<X, Y, Z>& position,
-                             const Rotation& rotation = {}) {
+[[nodiscard]] constexpr auto rigid_link_3D(const B& base, const E& end, const vec3<X, Y, Z>& position,
+                                           const Rotation& rotation = {}) {
   return connect(core::rigid_link<kind::frame_3D, Rotation, vec3<X, Y, Z>>(position, rotation), base, end);
 }
 
 /// A coordinate at a constant distance (m or rad) from another.
 template <class B, class E, entry Offset>
-constexpr auto rigid_link_gen(const B& base, const E& end, const Offset& offset) {
+[[nodiscard]] constexpr auto rigid_link_gen(const B& base, const E& end, const Offset& offset) {
   const auto c = real(offset);
   return connect(core::rigid_link_gen<std::remove_const_t<decltype(c)>>{c}, base, end);
 }

@@ -35,7 +35,7 @@ KTE_INLINE constexpr auto turn_by(const vec3<X, Y, Z>& r) {
 
 namespace core {
 
-/// A frame in the plane that turns in another about its origin as signals say:
+/// A frame in the plane that rotates about the origin of another, as prescribed by signals:
 ///
 ///   R = Rot(z, u),   w = u',   al = u''          (1)
 struct rotation_control_2D : no_parameters {
@@ -56,12 +56,12 @@ struct rotation_control_2D : no_parameters {
     return make_loads(transmit(pose{detail::turn_about_z(u), zero3{}}, end));
   }
 };
-/// A frame in space that turns in another about its origin as signals say: a rotation vector r, and how fast it turns,
-/// both in axes of the end:
+/// A frame in space that rotates about the origin of another, as prescribed by signals: a rotation vector r, and the
+/// angular velocity w, both in axes of the end:
 ///
 ///   R = exp [r]x,   w,   al = w'                 (1)
 ///
-/// About a fixed axis n that is r = n u, w = n u', al = n u''; else w is not r'.
+/// About a fixed axis n these are r = n u, w = n u', al = n u''; in general w is not r'.
 struct rotation_control_3D : no_parameters {
   static constexpr type_name type{"rotation_control", kind::frame_3D};
   static constexpr std::array<port, 5> ports{{{kind::vector, access::in, "rotation"},
@@ -82,17 +82,17 @@ struct rotation_control_3D : no_parameters {
 
 }  // namespace core
 
-/// A frame `end` that turns in `base` as signals say: angle (rad) and its first and second derivative.
+/// A frame `end` that rotates in `base` by signals: angle, rad, and its first and second time derivative.
 template <class U, class W, class AL, class B, class E>
-constexpr auto rotation_control_2D(const U& angle, const W& ang_velocity, const AL& ang_acceleration, const B& base,
-                                   const E& end) {
+[[nodiscard]] constexpr auto rotation_control_2D(const U& angle, const W& ang_velocity, const AL& ang_acceleration,
+                                                 const B& base, const E& end) {
   return connect(core::rotation_control_2D{}, angle, ang_velocity, ang_acceleration, base, end);
 }
-/// A frame `end` that turns in `base` as signals of three numbers say: rotation vector (rad), angular velocity and
-/// acceleration in axes of the end.
+/// A frame `end` that rotates in `base` by signals of three numbers: rotation vector, rad, angular velocity, rad/s, and
+/// angular acceleration, rad/s^2, in axes of the end.
 template <class U, class W, class AL, class B, class E>
-constexpr auto rotation_control_3D(const U& rotation, const W& ang_velocity, const AL& ang_acceleration, const B& base,
-                                   const E& end) {
+[[nodiscard]] constexpr auto rotation_control_3D(const U& rotation, const W& ang_velocity, const AL& ang_acceleration,
+                                                 const B& base, const E& end) {
   return connect(core::rotation_control_3D{}, rotation, ang_velocity, ang_acceleration, base, end);
 }
 

@@ -8,7 +8,7 @@ namespace kte {
 
 namespace core {
 
-/// Measures how a frame in the plane is turned: y = its angle, in [-pi, pi], rad.
+/// Measures the rotation of a frame in the plane: y is its angle in the world, in [-pi, pi], rad.
 struct rotation_measure_2D : no_parameters {
   static constexpr type_name type{"rotation_measure", kind::frame_2D};
   static constexpr std::array<port, 2> ports{
@@ -19,8 +19,8 @@ struct rotation_measure_2D : no_parameters {
     return detail::turn_of(x.rotation * rotation_2D{one, zero}).z;
   }
 };
-/// Measures how a frame in space is turned: y = the rotation vector of R, axis times angle, of length <= pi, rad. Its
-/// numbers are the same in axes of the frame and of the world. At half turns the sign of the axis is free.
+/// Measures the rotation of a frame in space: y is the rotation vector of R, rad, of length <= pi. Its numbers are
+/// equal in axes of the frame and of the world. At half a turn the sign of the axis is undetermined.
 struct rotation_measure_3D : no_parameters {
   static constexpr type_name type{"rotation_measure", kind::frame_3D};
   static constexpr std::array<port, 2> ports{
@@ -36,12 +36,12 @@ struct rotation_measure_3D : no_parameters {
 
 /// Measures the angle of a frame in the plane.
 template <class F, class Y>
-constexpr auto rotation_measure_2D(const F& frame, const Y& output) {
+[[nodiscard]] constexpr auto rotation_measure_2D(const F& frame, const Y& output) {
   return connect(core::rotation_measure_2D{}, frame, output);
 }
 /// Measures the rotation vector of a frame in space.
 template <class F, class Y>
-constexpr auto rotation_measure_3D(const F& frame, const Y& output) {
+[[nodiscard]] constexpr auto rotation_measure_3D(const F& frame, const Y& output) {
   return connect(core::rotation_measure_3D{}, frame, output);
 }
 

@@ -19,7 +19,7 @@ struct rotor {
   static constexpr type_name type{"rotor", kind::frame_3D};
   static constexpr std::array<port, 2> ports{
       {{kind::gen, access::on, "coordinate"}, {kind::frame_3D, access::on, "frame"}}};
-  static constexpr bool spreads_mass = true;
+  static constexpr bool distributed_mass = true;
 
   Axis axis;
   Ratio ratio;
@@ -55,11 +55,12 @@ struct rotor {
 
 }  // namespace core
 
-/// The spin of a rotor mounted on `frame`, with an inertia about its axis (kg m^2), that turns `ratio` times as fast as
-/// `coordinate`. The body of the frame has the mass of the rotor and its inertia across the axis.
+/// A rotor mounted on `frame`, with an inertia about its axis, kg m^2, that turns `ratio` times as fast as `coordinate`
+/// (gear ratio: rotor speed over joint rate). The body of the frame has the mass of the rotor and its inertia across
+/// the axis.
 template <class Q, class F, class X, class Y, class Z, entry Ratio, entry Inertia>
-constexpr auto rotor_3D(const Q& coordinate, const F& frame, const vec3<X, Y, Z>& axis, const Ratio& ratio,
-                        const Inertia& inertia) {
+[[nodiscard]] constexpr auto rotor_3D(const Q& coordinate, const F& frame, const vec3<X, Y, Z>& axis,
+                                      const Ratio& ratio, const Inertia& inertia) {
   return connect(
       core::rotor<vec3<X, Y, Z>, decltype(real(ratio)), decltype(real(inertia))>{axis, real(ratio), real(inertia)},
       coordinate, frame);

@@ -6,7 +6,7 @@ namespace kte {
 
 namespace core {
 
-/// A nut on a screw: the end turns about an axis n by the coordinate q, rad, and goes along it by the pitch h, m/rad:
+/// A screw joint: the end turns about an axis n by the coordinate q, rad, and advances along it by the pitch h, m/rad:
 ///
 ///   R = Rot(n, q),  p = h q n,  v = h q_dot n,  w = q_dot n,  a = h q_ddot n,  al = q_ddot n          (1)
 template <class Axis, class Pitch>
@@ -39,11 +39,11 @@ struct screw_joint : transmission<screw_joint<Axis, Pitch>> {
 
 }  // namespace core
 
-/// A screw about a unit axis, which is the same in base and end axes; pitch: m/rad, of a thread that goes forward by L
-/// a turn L/(2 pi), negative for left-handed threads.
+/// A screw joint about a unit axis, which is constant in base and end axes. `pitch`, m/rad: L/(2 pi) for a thread with
+/// a lead of L, m per turn; negative for left-handed threads.
 template <class Q, class B, class E, class X, class Y, class Z, entry Pitch>
-constexpr auto screw_joint_3D(const Q& coordinate, const B& base, const E& end, const vec3<X, Y, Z>& axis,
-                              const Pitch& pitch) {
+[[nodiscard]] constexpr auto screw_joint_3D(const Q& coordinate, const B& base, const E& end, const vec3<X, Y, Z>& axis,
+                                            const Pitch& pitch) {
   const auto h = real(pitch);
   return connect(core::screw_joint<vec3<X, Y, Z>, std::remove_const_t<decltype(h)>>(axis, h), coordinate, base, end);
 }

@@ -8,18 +8,18 @@
 
 namespace kte {
 
-/// A slider-crank in the plane: a crank turns about a pivot of the ground, and a rod leads from its end to a slider on
-/// a line.
+/// Lengths of a slider-crank in the plane: a crank turns about a pivot of the ground, and a rod connects its end to a
+/// slider on a line.
 struct slider_crank_lengths {
   double crank;       ///< from pivot to rod, m, along x of the crank
   double rod;         ///< from crank to slider, m, along x of the rod
-  double offset = 0;  ///< of the line from the pivot, m, to the left of its direction, which is x of the ground
-  double side = 1;    ///< 1: the slider is ahead of the crank's end, -1: behind it
+  double offset = 0;  ///< distance of the line from the pivot, m, to the left of its direction, x of the ground
+  double side = 1;    ///< 1: the slider is ahead of the end of the crank, -1: behind it
 };
 
 namespace core {
 
-/// What both coordinates that follow have: with the end of the crank at a (cos q, sin q),
+/// Parameters of both following coordinates. With the end of the crank at a (cos q, sin q),
 ///
 ///   d = sqrt(b^2 - (h - a sin q)^2),   x = a cos q + s d          (1)
 struct slider_crank_parameters {
@@ -51,7 +51,7 @@ struct slider_crank_parameters {
   }
 };
 
-/// Where the slider is along its line.
+/// The position of the slider on its line.
 struct slider_crank_slider : coordinate_follower<slider_crank_slider>, slider_crank_parameters {
   static constexpr type_name type{"slider_crank_slider", kind::frame_2D};
   static constexpr std::array<port, 2> ports{{{kind::gen, access::in, "crank"}, {kind::gen, access::out, "slider"}}};
@@ -84,20 +84,23 @@ struct slider_crank_rod : coordinate_follower<slider_crank_rod>, slider_crank_pa
 
 }  // namespace core
 
-/// Rod or slider alone, as files have it.
+/// The angle of the rod in the crank, rad; see `slider_crank_2D`.
 template <class Q, class R>
-constexpr auto slider_crank_rod_2D(const Q& crank, const R& rod, const slider_crank_lengths& lengths) {
+[[nodiscard]] constexpr auto slider_crank_rod_2D(const Q& crank, const R& rod, const slider_crank_lengths& lengths) {
   return connect(core::slider_crank_rod(lengths), crank, rod);
 }
+/// The position of the slider on its line, m; see `slider_crank_2D`.
 template <class Q, class X>
-constexpr auto slider_crank_slider_2D(const Q& crank, const X& slider, const slider_crank_lengths& lengths) {
+[[nodiscard]] constexpr auto slider_crank_slider_2D(const Q& crank, const X& slider,
+                                                    const slider_crank_lengths& lengths) {
   return connect(core::slider_crank_slider(lengths), crank, slider);
 }
 
-/// The angle of the rod (in the crank) and the way of the slider, m, of a slider-crank, which follow the angle of the
-/// crank. Two elements.
+/// The angle of the rod in the crank, rad, and the position of the slider, m, of a slider-crank. Both follow the angle
+/// of the crank. Two elements.
 template <class Q, class R, class X>
-constexpr auto slider_crank_2D(const Q& crank, const R& rod, const X& slider, const slider_crank_lengths& lengths) {
+[[nodiscard]] constexpr auto slider_crank_2D(const Q& crank, const R& rod, const X& slider,
+                                             const slider_crank_lengths& lengths) {
   return detail::in_series(slider_crank_rod_2D(crank, rod, lengths), slider_crank_slider_2D(crank, slider, lengths));
 }
 

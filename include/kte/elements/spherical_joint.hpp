@@ -6,7 +6,7 @@ namespace kte {
 
 namespace core {
 
-/// A ball in a socket: the end turns in the base by a coordinate X that is a rotation.
+/// A spherical joint: the end turns in the base by a coordinate X that is a rotation.
 ///
 ///   p = 0,  R = R_X,  v = 0,  w = w_X,  a = 0,  al = al_X          (1)
 struct spherical_joint : transmission<spherical_joint> {
@@ -26,9 +26,10 @@ struct spherical_joint : transmission<spherical_joint> {
 
 }  // namespace core
 
-/// A spherical joint: `coordinate`, a rotation_3D_key, is the rotation of `end` in `base`, free of singular positions.
+/// A spherical joint. `coordinate`, a rotation_3D_key, is the rotation of `end` in `base`; it has no singular
+/// positions.
 template <class X, class B, class E>
-constexpr auto spherical_joint_3D(const X& coordinate, const B& base, const E& end) {
+[[nodiscard]] constexpr auto spherical_joint_3D(const X& coordinate, const B& base, const E& end) {
   return connect(core::spherical_joint{}, coordinate, base, end);
 }
 

@@ -89,7 +89,7 @@ KTE_INLINE constexpr auto elastic_energy(const X& x, const Stiffness& k, const M
   }
 }
 
-/// How far a force s is from its limit: positive below, negative where it is limited, 1 where there is none.
+/// The distance of a force s from its limit: positive below, negative where limited, 1 without a limit.
 template <entry F, class Most>
 KTE_INLINE constexpr auto below_limit(const F& s, const Most& most) {
   const auto f = as_number(s);
@@ -108,7 +108,7 @@ KTE_INLINE constexpr auto opposite_forces(const A& a, const B& b, const F& f) {
 
 namespace core {
 
-/// What all springs between two things have.
+/// Parameters of a spring.
 template <class Rest, class Stiffness, class Saturation>
 struct spring_parameters {
   Rest rest_length;
@@ -132,7 +132,7 @@ struct spring_parameters {
 ///   s = k (q_2 - q_1 - L)                               (1)
 ///   f_1 += s,  f_2 -= s                                 (2)
 ///
-/// with |s| limited to the saturation force where there is one (zero: none).
+/// with |s| limited to the saturation force if there is one (zero: none).
 template <class Rest, class Stiffness, class Saturation>
 struct spring_gen : spring_parameters<Rest, Stiffness, Saturation> {
   static constexpr type_name type{"spring", kind::gen};
@@ -170,9 +170,9 @@ struct spring_gen : spring_parameters<Rest, Stiffness, Saturation> {
 ///   d = p_2 - p_1,  D = |d|,  e = d/D                   (1)
 ///   F_1 += k (D - L) e,  F_2 -= k (D - L) e             (2)
 ///
-/// limited to the saturation force where there is one (zero: none), no torque. A rest length that is a typed zero
-/// makes it F = k d, without a square root and smooth everywhere. With any other the direction is undefined where the
-/// origins coincide; there is no force then.
+/// limited to the saturation force if there is one (zero: none), no torque. A rest length that is a typed zero makes it
+/// F = k d, without a square root and smooth everywhere. With any other the direction is undefined where the origins
+/// coincide; there is no force then.
 template <kind Dim, class Rest, class Stiffness, class Saturation>
 struct spring : spring_parameters<Rest, Stiffness, Saturation> {
   static constexpr type_name type{"spring", Dim};
@@ -217,8 +217,8 @@ struct spring : spring_parameters<Rest, Stiffness, Saturation> {
 /// A spring between two coordinates: rest length (m, rad), stiffness (N/m, Nm/rad), and optionally the force at which
 /// it saturates (N, Nm).
 template <class Q1, class Q2, entry Rest, entry Stiffness, entry Saturation = zero_t>
-constexpr auto spring_gen(const Q1& anchor1, const Q2& anchor2, const Rest& rest_length, const Stiffness& stiffness,
-                          const Saturation& saturation = {}) {
+[[nodiscard]] constexpr auto spring_gen(const Q1& anchor1, const Q2& anchor2, const Rest& rest_length,
+                                        const Stiffness& stiffness, const Saturation& saturation = {}) {
   using core_type =
       core::spring_gen<decltype(real(rest_length)), decltype(real(stiffness)), decltype(real(saturation))>;
   return connect(core_type{{real(rest_length), real(stiffness), real(saturation)}}, anchor1, anchor2);
@@ -226,16 +226,17 @@ constexpr auto spring_gen(const Q1& anchor1, const Q2& anchor2, const Rest& rest
 /// A spring between the origins of two frames in the plane: rest length (m; `zero` for none), stiffness (N/m), and
 /// optionally the force at which it saturates (N).
 template <class F1, class F2, entry Rest, entry Stiffness, entry Saturation = zero_t>
-constexpr auto spring_2D(const F1& anchor1, const F2& anchor2, const Rest& rest_length, const Stiffness& stiffness,
-                         const Saturation& saturation = {}) {
+[[nodiscard]] constexpr auto spring_2D(const F1& anchor1, const F2& anchor2, const Rest& rest_length,
+                                       const Stiffness& stiffness, const Saturation& saturation = {}) {
   using core_type =
       core::spring<kind::frame_2D, decltype(real(rest_length)), decltype(real(stiffness)), decltype(real(saturation))>;
   return connect(core_type{{real(rest_length), real(stiffness), real(saturation)}}, anchor1, anchor2);
 }
-/// The same in space.
+/// A spring between the origins of two frames in space: rest length, m (`zero` for none), stiffness, N/m, and
+/// optionally the force at which it saturates, N.
 template <class F1, class F2, entry Rest, entry Stiffness, entry Saturation = zero_t>
-constexpr auto spring_3D(const F1& anchor1, const F2& anchor2, const Rest& rest_length, const Stiffness& stiffness,
-                         const Saturation& saturation = {}) {
+[[nodiscard]] constexpr auto spring_3D(const F1& anchor1, const F2& anchor2, const Rest& rest_length,
+                                       const Stiffness& stiffness, const Saturation& saturation = {}) {
   using core_type =
       core::spring<kind::frame_3D, decltype(real(rest_length)), decltype(real(stiffness)), decltype(real(saturation))>;
   return connect(core_type{{real(rest_length), real(stiffness), real(saturation)}}, anchor1, anchor2);

@@ -1,17 +1,17 @@
 #pragma once
 
-#include <kte/contract/coordinate_holder.hpp>
+#include <kte/contract/coordinate_lock.hpp>
 #include <kte/elements/prismatic_joint.hpp>
 #include <kte/elements/revolute_joint.hpp>
 #include <kte/elements/spring.hpp>
 
 namespace kte {
 
-/// Dry friction of a joint by what it carries.
+/// Parameters of dry friction of a joint by the load on its bearings.
 struct dry_friction_parameters {
   double friction;                    ///< mu, coefficient of sliding friction; not negative
   double static_friction = friction;  ///< mu_s, coefficient of static friction; not below mu
-  double span = 0;                    ///< L, distance between two bearings, m; 0: moments do not press
+  double span = 0;                    ///< L, distance between two bearings, m; 0: moments have no effect
 };
 
 namespace core {
@@ -22,14 +22,14 @@ namespace core {
 ///   N = |F_n|,                     F_n = F - (n . F) n                        of one bearing          (1)
 ///   N = |F_n/2 + C| + |F_n/2 - C|, C = M x n / L            of two, at +-L/2 n from the origin        (2)
 ///
-/// The element keeps which way the joint slides, d, or that it is held (contract/coordinate_holder.hpp):
+/// The element keeps which way the joint slides, d, or that it is held (contract/coordinate_lock.hpp):
 ///
 ///   sliding   f -= mu r N d                                                                           (3)
 ///   held      q'' = 0, for as long as that takes no more than mu_s r N                                (4)
 ///
 /// r: the radius of the bearing of a revolute joint, 1 of a guide.
 template <class Joint>
-struct sticking_joint : Joint, transmission<sticking_joint<Joint>>, coordinate_holder {
+struct sticking_joint : Joint, transmission<sticking_joint<Joint>>, coordinate_lock {
   static constexpr bool turns = Joint::ports[0].how == access::angle;
   static constexpr kind dim = Joint::ports[1].what;
   static constexpr auto type = [] {
@@ -41,7 +41,7 @@ struct sticking_joint : Joint, transmission<sticking_joint<Joint>>, coordinate_h
   }();
   static constexpr std::array<port, 4> ports{
       {Joint::ports[0], {kind::internal, access::keep, "mode"}, Joint::ports[1], Joint::ports[2]}};
-  static constexpr bool reads_reaction = true;
+  static constexpr bool load_dependent_friction = true;
   using transmission<sticking_joint>::doMotion, transmission<sticking_joint>::doForce;
   using Joint::axis;
 
@@ -97,32 +97,39 @@ struct sticking_joint : Joint, transmission<sticking_joint<Joint>>, coordinate_h
 
 }  // namespace core
 
-/// A revolute joint on a bearing of a radius, m, with dry friction that sticks. `mode` is an internal state: events
-/// switch it (docs/events.md). In the plane all force is across the axis.
+/// A revolute joint in the plane on a bearing of a radius, m, with dry friction that sticks. `mode` is an internal
+/// state that events switch (docs/events.md).
 template <class Q, class Z, class B, class E>
-constexpr auto sticking_revolute_joint_2D(const Q& coordinate, const Z& mode, const B& base, const E& end,
-                                          double radius, const dry_friction_parameters& friction) {
+[[nodiscard]] constexpr auto sticking_revolute_joint_2D(const Q& coordinate, const Z& mode, const B& base, const E& end,
+                                                        double radius, const dry_friction_parameters& friction) {
   using joint = core::revolute_joint<kind::frame_2D, std::remove_const_t<decltype(axis::z)>>;
   return connect(core::sticking_joint<joint>(joint(axis::z), radius, friction), coordinate, mode, base, end);
 }
+/// A revolute joint in space on a bearing of a radius, m, with dry friction that sticks. `mode` is an internal state
+/// that events switch (docs/events.md).
 template <class Q, class Z, class B, class E, class X, class Y, class W>
-constexpr auto sticking_revolute_joint_3D(const Q& coordinate, const Z& mode, const B& base, const E& end,
-                                          const vec3<X, Y, W>& axis, double radius,
-                                          const dry_friction_parameters& friction) {
+[[nodiscard]] constexpr auto sticking_revolute_joint_3D(const Q& coordinate, const Z& mode, const B& base, const E& end,
+                                                        const vec3<X, Y, W>& axis, double radius,
+                                                        const dry_friction_parameters& friction) {
   using joint = core::revolute_joint<kind::frame_3D, vec3<X, Y, W>>;
   return connect(core::sticking_joint<joint>(joint(axis), radius, friction), coordinate, mode, base, end);
 }
-/// A prismatic joint with dry friction that sticks, along a unit axis in base axes.
+/// A prismatic joint in the plane with dry friction that sticks, along a unit axis in base axes. `mode` is an internal
+/// state that events switch.
 template <class Q, class Z, class B, class E, geometric Axis>
-constexpr auto sticking_prismatic_joint_2D(const Q& coordinate, const Z& mode, const B& base, const E& end,
-                                           const Axis& axis, const dry_friction_parameters& friction) {
+[[nodiscard]] constexpr auto sticking_prismatic_joint_2D(const Q& coordinate, const Z& mode, const B& base,
+                                                         const E& end, const Axis& axis,
+                                                         const dry_friction_parameters& friction) {
   const auto n = detail::planar(axis);
   using joint = core::prismatic_joint<kind::frame_2D, std::remove_const_t<decltype(n)>>;
   return connect(core::sticking_joint<joint>(joint(n), 1, friction), coordinate, mode, base, end);
 }
+/// A prismatic joint in space with dry friction that sticks, along a unit axis in base axes. `mode` is an internal
+/// state that events switch.
 template <class Q, class Z, class B, class E, class X, class Y, class W>
-constexpr auto sticking_prismatic_joint_3D(const Q& coordinate, const Z& mode, const B& base, const E& end,
-                                           const vec3<X, Y, W>& axis, const dry_friction_parameters& friction) {
+[[nodiscard]] constexpr auto sticking_prismatic_joint_3D(const Q& coordinate, const Z& mode, const B& base,
+                                                         const E& end, const vec3<X, Y, W>& axis,
+                                                         const dry_friction_parameters& friction) {
   using joint = core::prismatic_joint<kind::frame_3D, vec3<X, Y, W>>;
   return connect(core::sticking_joint<joint>(joint(axis), 1, friction), coordinate, mode, base, end);
 }

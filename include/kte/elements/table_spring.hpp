@@ -7,9 +7,8 @@ namespace kte {
 
 namespace core {
 
-/// A spring whose force is read from a table of lengths and forces, by a curve through them that is as smooth and as
-/// monotone as they are (math/monotone_cubic.hpp), straight beyond its ends. Else a `law_spring`; V is the integral of
-/// the curve from the first length.
+/// A `law_spring` whose force is a monotone cubic through a table of lengths and forces (math/monotone_cubic.hpp),
+/// straight beyond its ends. V is the integral of the curve from the first length.
 template <kind Dim, class List>
 struct table_spring : law_spring<Dim, monotone_cubic<List>> {
   static constexpr type_name type{"table_spring", Dim};
@@ -44,17 +43,22 @@ constexpr auto make_table_spring(const F1& anchor1, const F2& anchor2, const Lis
 ///
 ///   table_spring_gen(q1, q2, std::array{0.0, 0.1, 0.2}, std::array{0.0, 30.0, 100.0})
 template <class Q1, class Q2, class List = std::vector<double>>
-constexpr auto table_spring_gen(const Q1& anchor1, const Q2& anchor2, const List& lengths, const List& forces) {
+[[nodiscard]] constexpr auto table_spring_gen(const Q1& anchor1, const Q2& anchor2, const List& lengths,
+                                              const List& forces) {
   return detail::make_table_spring<kind::gen>(anchor1, anchor2, lengths, forces);
 }
-/// The same between the origins of two frames in the plane.
+/// A spring between the origins of two frames in the plane: lengths, m, increasing, and the force at each, N; positive
+/// pulls.
 template <class F1, class F2, class List = std::vector<double>>
-constexpr auto table_spring_2D(const F1& anchor1, const F2& anchor2, const List& lengths, const List& forces) {
+[[nodiscard]] constexpr auto table_spring_2D(const F1& anchor1, const F2& anchor2, const List& lengths,
+                                             const List& forces) {
   return detail::make_table_spring<kind::frame_2D>(anchor1, anchor2, lengths, forces);
 }
-/// The same in space.
+/// A spring between the origins of two frames in space: lengths, m, increasing, and the force at each, N; positive
+/// pulls.
 template <class F1, class F2, class List = std::vector<double>>
-constexpr auto table_spring_3D(const F1& anchor1, const F2& anchor2, const List& lengths, const List& forces) {
+[[nodiscard]] constexpr auto table_spring_3D(const F1& anchor1, const F2& anchor2, const List& lengths,
+                                             const List& forces) {
   return detail::make_table_spring<kind::frame_3D>(anchor1, anchor2, lengths, forces);
 }
 

@@ -7,14 +7,14 @@ namespace kte {
 
 /// The torque-speed line of a motor.
 struct torque_speed_line {
-  double max_torque;  ///< at standstill, and braking: Nm or N; positive
-  double max_speed;   ///< at which it drives no more, rad/s or m/s; positive
+  double max_torque;  ///< at standstill and in braking, Nm or N; positive
+  double max_speed;   ///< speed at which the driving force is zero, rad/s or m/s; positive
 };
 
 namespace core {
 
-/// A motor that gives the force it is told, N or Nm, as far as its torque-speed line lets it: less the faster it
-/// drives, all of it to brake.
+/// A motor whose force, N or Nm, is the command u within its torque-speed line. The limit decreases with the speed in
+/// the direction of the force; in braking it is the full force.
 ///
 ///   f += u limited to [-t s(-v), t s(v)],   s(v) = 1 - v / v_max between 0 and 1          (1)
 struct torque_speed_motor_gen {
@@ -71,7 +71,8 @@ struct torque_speed_motor_gen {
 ///
 ///   torque_speed_motor_gen(q, command, {.max_torque = 40, .max_speed = 6})
 template <class Q, class U>
-constexpr auto torque_speed_motor_gen(const Q& coordinate, const U& command, const torque_speed_line& line) {
+[[nodiscard]] constexpr auto torque_speed_motor_gen(const Q& coordinate, const U& command,
+                                                    const torque_speed_line& line) {
   return connect(core::torque_speed_motor_gen{line}, coordinate, command);
 }
 

@@ -6,12 +6,12 @@ namespace kte {
 
 namespace core {
 
-/// A linear damper of the rotation of two frames against each other, of damping c:
+/// A linear damper of the relative rotation of two frames, of damping c:
 ///
 ///   t = c (R_2 w_2 - R_1 w_1)                           (1)
 ///   T_1 += R_1^T t,  T_2 -= R_2^T t                     (2)
 ///
-/// and no force. In the plane R changes nothing.
+/// There is no force. In the plane R is the identity.
 template <kind Dim, class Damping>
 struct torsion_damper : damper_parameters<Damping> {
   static constexpr type_name type{"torsion_damper", Dim};
@@ -28,14 +28,14 @@ struct torsion_damper : damper_parameters<Damping> {
 
 }  // namespace core
 
-/// A damper of the rotation of two frames in the plane against each other: damping in Nm s/rad.
+/// A damper of the relative rotation of two frames in the plane: damping, Nm s/rad.
 template <class F1, class F2, entry Damping>
-constexpr auto torsion_damper_2D(const F1& anchor1, const F2& anchor2, const Damping& damping) {
+[[nodiscard]] constexpr auto torsion_damper_2D(const F1& anchor1, const F2& anchor2, const Damping& damping) {
   return connect(core::torsion_damper<kind::frame_2D, decltype(real(damping))>{{real(damping)}}, anchor1, anchor2);
 }
-/// The same in space.
+/// A damper of the relative rotation of two frames in space: damping, Nm s/rad.
 template <class F1, class F2, entry Damping>
-constexpr auto torsion_damper_3D(const F1& anchor1, const F2& anchor2, const Damping& damping) {
+[[nodiscard]] constexpr auto torsion_damper_3D(const F1& anchor1, const F2& anchor2, const Damping& damping) {
   return connect(core::torsion_damper<kind::frame_3D, decltype(real(damping))>{{real(damping)}}, anchor1, anchor2);
 }
 

@@ -7,15 +7,15 @@ namespace kte {
 
 namespace core {
 
-/// A linear spring against the rotation of two frames against each other, of stiffness k, at rest where frame 2 is
-/// turned by R_0 in frame 1; in the plane by an angle:
+/// A linear spring of stiffness k against the relative rotation of two frames, at rest where frame 2 has the rotation
+/// R_0 in frame 1; in the plane an angle:
 ///
-///   r = axis times angle of R_1^T R_2 R_0^T                                          (1)
+///   r = rotation vector of R_1^T R_2 R_0^T                                           (1)
 ///   T_1 += k r,  T_2 -= k R_0^T r                                                    (2)
 ///
-/// limited to the saturation torque where there is one (zero: none); no force. It is the shortest turn, in the plane an
-/// angle in [-pi, pi]: at half a turn from rest the torque changes its sign, a jump by 2 pi k. The scalar needs an
-/// atan2; a pack without one does not compile.
+/// The torque is limited to the saturation torque, if any (zero: none); there is no force. r is the shortest rotation,
+/// in the plane an angle in [-pi, pi]: at half a turn from rest the torque jumps by 2 pi k and changes its sign. The
+/// scalar type needs an atan2.
 template <kind Dim, class Stiffness, class Saturation, class Rest>
 struct torsion_spring {
   static constexpr type_name type{"torsion_spring", Dim};
@@ -85,8 +85,8 @@ struct torsion_spring {
 /// A torsion spring between two frames in the plane: stiffness (Nm/rad), and optionally the torque at which it
 /// saturates (Nm; `zero` for none) and the angle of the second frame relative to the first at rest (rad).
 template <class F1, class F2, entry Stiffness, entry Saturation = zero_t, entry Rest = zero_t>
-constexpr auto torsion_spring_2D(const F1& anchor1, const F2& anchor2, const Stiffness& stiffness,
-                                 const Saturation& saturation = {}, const Rest& rest_angle = {}) {
+[[nodiscard]] constexpr auto torsion_spring_2D(const F1& anchor1, const F2& anchor2, const Stiffness& stiffness,
+                                               const Saturation& saturation = {}, const Rest& rest_angle = {}) {
   using core_type = core::torsion_spring<kind::frame_2D, decltype(real(stiffness)), decltype(real(saturation)),
                                          decltype(real(rest_angle))>;
   return connect(core_type{real(stiffness), real(saturation), real(rest_angle)}, anchor1, anchor2);
@@ -95,8 +95,8 @@ constexpr auto torsion_spring_2D(const F1& anchor1, const F2& anchor2, const Sti
 /// (Nm; `zero` for none) and the rotation of the second frame in the first at rest (a matrix, a quaternion,
 /// `quarter_turn_x`; none if their axes are parallel).
 template <class F1, class F2, entry Stiffness, entry Saturation = zero_t, class Rest = no_rotation>
-constexpr auto torsion_spring_3D(const F1& anchor1, const F2& anchor2, const Stiffness& stiffness,
-                                 const Saturation& saturation = {}, const Rest& rest_rotation = {}) {
+[[nodiscard]] constexpr auto torsion_spring_3D(const F1& anchor1, const F2& anchor2, const Stiffness& stiffness,
+                                               const Saturation& saturation = {}, const Rest& rest_rotation = {}) {
   using core_type = core::torsion_spring<kind::frame_3D, decltype(real(stiffness)), decltype(real(saturation)), Rest>;
   return connect(core_type{real(stiffness), real(saturation), rest_rotation}, anchor1, anchor2);
 }

@@ -26,8 +26,8 @@ constexpr void check_axes(std::string_view type, const A1& axis1, const A2& axis
 ///
 ///   R = Rot(n1, q1) Rot(n2, q2),  p = 0          (n1 in axes of the base, n2 in those of the end)
 template <class Q1, class Q2, class B, class E, class X1, class Y1, class Z1, class X2, class Y2, class Z2>
-constexpr auto universal_joint_3D(const Q1& q1, const Q2& q2, const B& base, const E& end,
-                                  const vec3<X1, Y1, Z1>& axis1, const vec3<X2, Y2, Z2>& axis2) {
+[[nodiscard]] constexpr auto universal_joint_3D(const Q1& q1, const Q2& q2, const B& base, const E& end,
+                                                const vec3<X1, Y1, Z1>& axis1, const vec3<X2, Y2, Z2>& axis2) {
   const auto inner = inner_of(end);
   const auto first = revolute_joint_3D(q1, base, inner, axis1);
   const auto both = detail::in_series(first, revolute_joint_3D(q2, inner, end, axis2));
@@ -35,13 +35,14 @@ constexpr auto universal_joint_3D(const Q1& q1, const Q2& q2, const B& base, con
   return both;
 }
 
-/// The same with an offset r, m, from axis 1 to axis 2, in axes of the cross:
+/// A universal joint with an offset r, m, from axis 1 to axis 2, in axes of the cross:
 ///
 ///   R = Rot(n1, q1) Rot(n2, q2),  p = Rot(n1, q1) r
 template <class Q1, class Q2, class B, class E, class X1, class Y1, class Z1, class X2, class Y2, class Z2, class X,
           class Y, class Z>
-constexpr auto hooke_joint_3D(const Q1& q1, const Q2& q2, const B& base, const E& end, const vec3<X1, Y1, Z1>& axis1,
-                              const vec3<X2, Y2, Z2>& axis2, const vec3<X, Y, Z>& offset) {
+[[nodiscard]] constexpr auto hooke_joint_3D(const Q1& q1, const Q2& q2, const B& base, const E& end,
+                                            const vec3<X1, Y1, Z1>& axis1, const vec3<X2, Y2, Z2>& axis2,
+                                            const vec3<X, Y, Z>& offset) {
   const auto inner = inner_of(end);
   const auto first = revolute_joint_3D(q1, base, inner, axis1);
   const auto both = detail::in_series(first, revolute_joint_3D(q2, inner, end, axis2).at(offset));

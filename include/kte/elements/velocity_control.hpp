@@ -6,8 +6,8 @@ namespace kte {
 
 namespace core {
 
-/// A coordinate that moves at a given rate; where it is, an internal state z of the element knows (m or rad), which
-/// begins where the state of the model says:
+/// A coordinate with a prescribed rate v. An internal state z of the element, m or rad, is its position, which begins
+/// at the value in the state of the model:
 ///
 ///   q = z,   q' = v,   q'' = v',   z' = v          (1)
 struct velocity_control_gen : no_parameters {
@@ -30,7 +30,8 @@ struct velocity_control_gen : no_parameters {
     return make_loads();
   }
 };
-/// A frame in the plane that moves in another at a given velocity, without turning; where it is, internal states know:
+/// A frame in the plane that moves in another at a prescribed velocity, without rotation. Internal states x, y are its
+/// position:
 ///
 ///   p = (x, y),   v = u,   a = u',   (x', y') = u          in axes of the base          (1)
 struct velocity_control_2D : no_parameters {
@@ -57,7 +58,8 @@ struct velocity_control_2D : no_parameters {
     return at_position{}.doForce(vec3{x, y, zero}, v, a, base, end);
   }
 };
-/// The same in space.
+/// A frame in space that moves in another at a prescribed velocity, without rotation. Internal states x, y, z are its
+/// position.
 struct velocity_control_3D : no_parameters {
   static constexpr type_name type{"velocity_control", kind::frame_3D};
   static constexpr std::array<port, 7> ports{{{kind::vector, access::in, "velocity"},
@@ -87,22 +89,25 @@ struct velocity_control_3D : no_parameters {
 
 }  // namespace core
 
-/// A coordinate that moves at the rate `velocity` (m/s, rad/s), of which `acceleration` is the derivative, from where
-/// its internal state `position` says.
+/// A coordinate with the prescribed rate `velocity`, m/s or rad/s, and its derivative `acceleration`. The internal
+/// state `position` is its position, m or rad.
 template <class V, class A, class Z, class Q>
-constexpr auto velocity_control_gen(const V& velocity, const A& acceleration, const Z& position, const Q& coordinate) {
+[[nodiscard]] constexpr auto velocity_control_gen(const V& velocity, const A& acceleration, const Z& position,
+                                                  const Q& coordinate) {
   return connect(core::velocity_control_gen{}, velocity, acceleration, position, coordinate);
 }
-/// A frame `end` that moves in `base`, without turning, at the velocity that a signal of three numbers says (m/s), of
-/// which `acceleration` is the derivative, from where its internal states x, y (m) say.
+/// A frame `end` in the plane that moves in `base` without rotation, at the velocity of a signal of three numbers, m/s,
+/// with its derivative `acceleration`. The internal states x, y are its position, m.
 template <class V, class A, class X, class Y, class B, class E>
-constexpr auto velocity_control_2D(const V& velocity, const A& acceleration, const X& x, const Y& y, const B& base,
-                                   const E& end) {
+[[nodiscard]] constexpr auto velocity_control_2D(const V& velocity, const A& acceleration, const X& x, const Y& y,
+                                                 const B& base, const E& end) {
   return connect(core::velocity_control_2D{}, velocity, acceleration, x, y, base, end);
 }
+/// A frame `end` in space that moves in `base` without rotation, at the velocity of a signal of three numbers, m/s,
+/// with its derivative `acceleration`. The internal states x, y, z are its position, m.
 template <class V, class A, class X, class Y, class Z, class B, class E>
-constexpr auto velocity_control_3D(const V& velocity, const A& acceleration, const X& x, const Y& y, const Z& z,
-                                   const B& base, const E& end) {
+[[nodiscard]] constexpr auto velocity_control_3D(const V& velocity, const A& acceleration, const X& x, const Y& y,
+                                                 const Z& z, const B& base, const E& end) {
   return connect(core::velocity_control_3D{}, velocity, acceleration, x, y, z, base, end);
 }
 

@@ -18,8 +18,8 @@ struct velocity_measure_gen : no_parameters {
     return c.q_dot;
   }
 };
-/// Measures how fast the origin of a frame moves: y = R v, the derivative of its `position_measure`, m/s, in the axes
-/// in which bases are given.
+/// Measures the velocity of the origin of a frame: y = R v, the derivative of its `position_measure`, m/s, in axes of
+/// the world.
 template <kind Dim>
 struct velocity_measure : no_parameters {
   static constexpr type_name type{"velocity_measure", Dim};
@@ -33,18 +33,19 @@ struct velocity_measure : no_parameters {
 
 }  // namespace core
 
-/// Measures the rate of a coordinate.
+/// Measures the rate of a coordinate, m/s or rad/s.
 template <class Q, class Y>
-constexpr auto velocity_measure_gen(const Q& coordinate, const Y& output) {
+[[nodiscard]] constexpr auto velocity_measure_gen(const Q& coordinate, const Y& output) {
   return connect(core::velocity_measure_gen{}, coordinate, output);
 }
-/// Measures the linear velocity of a frame.
+/// Measures the linear velocity of a frame in the plane, m/s, in axes of the world.
 template <class F, class Y>
-constexpr auto velocity_measure_2D(const F& frame, const Y& output) {
+[[nodiscard]] constexpr auto velocity_measure_2D(const F& frame, const Y& output) {
   return connect(core::velocity_measure<kind::frame_2D>{}, frame, output);
 }
+/// Measures the linear velocity of a frame in space, m/s, in axes of the world.
 template <class F, class Y>
-constexpr auto velocity_measure_3D(const F& frame, const Y& output) {
+[[nodiscard]] constexpr auto velocity_measure_3D(const F& frame, const Y& output) {
   return connect(core::velocity_measure<kind::frame_3D>{}, frame, output);
 }
 

@@ -7,13 +7,13 @@ namespace kte {
 
 namespace core {
 
-/// A frame of a virtual model on one of the real mechanism. The virtual model moves with the real one and its loads go
-/// over with the sign reversed, as the controller applies them:
+/// A frame of a virtual model, attached to a frame of the mechanism. The virtual model moves with the mechanism, and
+/// its loads are transmitted with reversed sign, as the controller applies them:
 ///
 ///   X_end = X_base,   F -= F',   T -= T'          (1)
 ///
-/// so that tau of inverse dynamics of the whole has what the virtual model would do to the real one, turned round
-/// (Pratt and others, Int. J. Robotics Research 20 (2001) 129, "virtual model control").
+/// so that tau of inverse dynamics includes the loads of the virtual model on the mechanism, reversed (Pratt and
+/// others, Int. J. Robotics Research 20 (2001) 129, "virtual model control").
 template <kind Dim>
 struct virtual_kte_interface : transmission<virtual_kte_interface<Dim>>, no_parameters {
   static constexpr type_name type{"virtual_kte_interface", Dim};
@@ -28,7 +28,7 @@ struct virtual_kte_interface : transmission<virtual_kte_interface<Dim>>, no_para
   }
 };
 
-/// The same of a coordinate: q_e = q_b, f_b -= f_e.
+/// A coordinate of a virtual model, attached to a coordinate of the mechanism: q_e = q_b, f_b -= f_e.
 template <>
 struct virtual_kte_interface<kind::gen> : no_parameters {
   static constexpr type_name type{"virtual_kte_interface", kind::gen};
@@ -47,16 +47,18 @@ struct virtual_kte_interface<kind::gen> : no_parameters {
 
 }  // namespace core
 
-/// Where a virtual model is attached to a mechanism: `end` moves as `base`, and loads on it come back reversed. For
-/// passes and inverse dynamics.
+/// Attaches a coordinate of a virtual model to the mechanism: `end` moves as `base`, and loads on it are transmitted
+/// with reversed sign. For passes and inverse dynamics only.
 template <class B, class E>
 constexpr auto virtual_kte_interface_gen(const B& base, const E& end) {
   return connect(core::virtual_kte_interface<kind::gen>{}, base, end);
 }
+/// Attaches a frame in the plane of a virtual model to the mechanism; see `virtual_kte_interface_gen`.
 template <class B, class E>
 constexpr auto virtual_kte_interface_2D(const B& base, const E& end) {
   return connect(core::virtual_kte_interface<kind::frame_2D>{}, base, end);
 }
+/// Attaches a frame in space of a virtual model to the mechanism; see `virtual_kte_interface_gen`.
 template <class B, class E>
 constexpr auto virtual_kte_interface_3D(const B& base, const E& end) {
   return connect(core::virtual_kte_interface<kind::frame_3D>{}, base, end);

@@ -7,14 +7,14 @@ namespace kte {
 
 namespace core {
 
-/// A joint of `dry_revolute_joint` as a controller sees it: tau of inverse dynamics overcomes the friction, also at
-/// rest, where it breaks the joint loose. With N the force across the axis, T the torque about it that the joint
-/// carries, s = q' / sqrt(q'^2 + v^2):
+/// A `dry_revolute_joint` as a controller needs it: tau of inverse dynamics overcomes the friction, also at rest, where
+/// it is the breakaway torque. With the radial force N of the joint, the torque T of the joint about its axis, and s =
+/// q' / sqrt(q'^2 + v^2):
 ///
-///   f -= mu r N s                                          it slides           (1)
-///   f += (1 - |s|) min(mu_s r N, |T|) sign(T)              it rests            (2)
+///   f -= mu r N s                                          sliding             (1)
+///   f += (1 - |s|) min(mu_s r N, |T|) sign(T)              at rest             (2)
 ///
-/// so that tau = -f is the load with what friction takes on top. (2) is no friction: it drives the way the load does.
+/// so that tau = -f is the load plus the friction. (2) is not friction: it acts in the direction of the load.
 template <kind Dim, class Axis>
 struct vmc_revolute_joint : dry_revolute_joint<Dim, Axis>, transmission<vmc_revolute_joint<Dim, Axis>> {
   static constexpr type_name type{"vmc_revolute_joint", Dim};
@@ -54,20 +54,23 @@ struct vmc_revolute_joint : dry_revolute_joint<Dim, Axis>, transmission<vmc_revo
 
 }  // namespace core
 
-/// A revolute joint for controllers, of which inverse dynamics gives the torque that overcomes its dry friction.
-/// friction_radius, stiction_radius: the coefficients of friction sliding and at rest times the radius of the bearing,
-/// m; smoothing: the rate over which the one becomes the other, rad/s.
+/// A revolute joint in the plane for controllers: inverse dynamics gives the torque that overcomes its dry friction.
+/// `friction_radius`, `stiction_radius`: coefficients of sliding and static friction times radius of the bearing, m.
+/// `smoothing`: the rate over which the one changes into the other, rad/s.
 template <class Q, class B, class E>
-constexpr auto vmc_revolute_joint_2D(const Q& coordinate, const B& base, const E& end, double friction_radius,
-                                     double stiction_radius, double smoothing = 1e-3) {
+[[nodiscard]] constexpr auto vmc_revolute_joint_2D(const Q& coordinate, const B& base, const E& end,
+                                                   double friction_radius, double stiction_radius,
+                                                   double smoothing = 1e-3) {
   using out_of_plane = std::remove_const_t<decltype(axis::z)>;
   return connect(
       core::vmc_revolute_joint<kind::frame_2D, out_of_plane>(axis::z, friction_radius, stiction_radius, smoothing),
       coordinate, base, end);
 }
+/// A revolute joint in space for controllers; see `vmc_revolute_joint_2D`.
 template <class Q, class B, class E, class X, class Y, class Z>
-constexpr auto vmc_revolute_joint_3D(const Q& coordinate, const B& base, const E& end, const vec3<X, Y, Z>& axis,
-                                     double friction_radius, double stiction_radius, double smoothing = 1e-3) {
+[[nodiscard]] constexpr auto vmc_revolute_joint_3D(const Q& coordinate, const B& base, const E& end,
+                                                   const vec3<X, Y, Z>& axis, double friction_radius,
+                                                   double stiction_radius, double smoothing = 1e-3) {
   return connect(
       core::vmc_revolute_joint<kind::frame_3D, vec3<X, Y, Z>>(axis, friction_radius, stiction_radius, smoothing),
       coordinate, base, end);

@@ -41,27 +41,27 @@ KTE_INLINE constexpr auto power(const motion_vector<V, W>& s, const wrench<F, T>
 ///   powers_along(w, put)  put(k, s_k^T w) for each axis k of the joint
 ///   in(u), out(u)         R^T u, R u
 ///   position()            of its origin from that of its parent, in axes of the parent, m
-///   inertia()             its rigid_body
+/// What is fixed to it has
+///   inertia()             a rigid_body
+///   composite()           the same about the origin
 template <class B>
 concept body = requires(const B& b, const vec3<typename B::scalar>& u) {
   { b.first() } -> std::convertible_to<int>;
-  b.in(u), b.out(u), b.position(), b.inertia();
+  b.in(u), b.out(u), b.position();
 };
 /// A body whose axes are known one by one, with the compiler.
-///   axes         their number
+///   axes         their number; none of a rigid link
 ///   axis<k>()    s_k; its entries may be typed constants
 ///   mass<k>()    on its coordinate alone, kg or kg m^2
 ///   free()       whether the joint is free to move; otherwise its acceleration is given
 ///   always_free  whether that is known
 ///   out(a)       R A R^T of matrices
-///   composite()  the inertia about the origin
 template <class B>
 concept body_with_axes = body<B> && requires(const B& b) {
   { B::axes } -> std::convertible_to<int>;
   { B::always_free } -> std::convertible_to<bool>;
   { b.free() } -> std::convertible_to<bool>;
-  b.template axis<0>(), b.template mass<0>(), b.composite();
-};
+} &&(B::axes == 0 || requires(const B& b) { b.template axis<0>(), b.template mass<0>(); });
 
 /// S x
 template <int K = 0, body_with_axes B, class S>
@@ -72,11 +72,17 @@ KTE_INLINE constexpr auto sum_along_axes(const B& b, const S* x) {
     return x[K] * b.template axis<K>() + sum_along_axes<K + 1>(b, x);
   }
 }
-/// put(k, s_k^T w)
-template <int K = 0, body_with_axes B, class W, class Put>
+/// put(k, s_k^T w) for the axes from K to End - 1
+template <int K, int End, body_with_axes B, class W, class Put>
 KTE_INLINE constexpr void each_power(const B& b, const W& w, const Put& put) {
-  put(K, power(b.template axis<K>(), w));
-  if constexpr (K + 1 < B::axes) each_power<K + 1>(b, w, put);
+  if constexpr (K < End) {
+    put(K, power(b.template axis<K>(), w));
+    each_power<K + 1, End>(b, w, put);
+  }
+}
+template <body_with_axes B, class W, class Put>
+KTE_INLINE constexpr void each_power(const B& b, const W& w, const Put& put) {
+  each_power<0, B::axes>(b, w, put);
 }
 /// The wrench at the origin of a body seen from its parent: f = R f, n = R n + p x f.
 template <body B, class W>
@@ -87,14 +93,21 @@ KTE_INLINE constexpr auto pulled_back(const B& b, const W& w) {
 
 /// In place of values that nothing needs.
 struct nothing {};
-/// Values of all bodies (engine/looped.hpp) that are one, a typed constant.
+/// Values of all bodies that are one, a typed constant.
 template <class Value>
 struct kept_constant {
   template <body B>
   KTE_INLINE constexpr Value of(int) const {
     return {};
   }
-  KTE_INLINE constexpr Value at(int) const { return {}; }
+  template <body B>
+  KTE_INLINE constexpr Value of(const B&) const {
+    return {};
+  }
+  template <class Part>
+  KTE_INLINE constexpr Value at(const Part&) const {
+    return {};
+  }
 };
 
 }  // namespace kte::engine

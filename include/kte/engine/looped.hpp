@@ -96,12 +96,12 @@ struct looped {
 
   /// From children to parents. A body carries own(rigid body, kept value) and what its children hand on;
   ///   meet(body, carried, ends)                 what its joint makes of it; `ends`: nothing is handed on
-  ///   hand_on(body, kept value, what was met)   what its parent carries of it; not of bodies on bases
+  ///   pull_back(body, kept value, what was met)   what its parent carries of it; not of bodies on bases
   /// `sums`: of slots; with `Keep` what all bodies carry is left there. `Hand`: its type at hand, which may have typed
   /// constants for some numbers. With `Bases` it is also added to what `sums` has of bases.
-  template <bool Keep, class Hand, bool Bases, class Sum, class Values, class Own, class Meet, class HandOn>
+  template <bool Keep, class Hand, bool Bases, class Sum, class Values, class Own, class Meet, class PullBack>
   KTE_LOOP void inward(Sum* const sums, const Values values, const Own own, const Meet meet,
-                       const HandOn hand_on) const {
+                       const PullBack pull_back) const {
     const int bases = bodies.bases();
     for (int i = 0; i < bodies.count(); ++i)
       if (bodies.branches(i)) assign(sums[bases + i], own(bodies.rigid(i), values.at(i)));
@@ -125,9 +125,9 @@ struct looped {
       if (is_usual(i)) [[likely]] {
         const auto b = bodies.body(i);
         const auto met = meet(b, hand, ends);
-        if (!ends) assign(hand, hand_on(b, values.template of<usual>(i), met));
+        if (!ends) assign(hand, pull_back(b, values.template of<usual>(i), met));
       } else {
-        in_memory(hand, [&](Hand& x) KTE_INLINE_LAMBDA { inward_apart(i, values, meet, hand_on, ends, x); });
+        in_memory(hand, [&](Hand& x) KTE_INLINE_LAMBDA { inward_apart(i, values, meet, pull_back, ends, x); });
       }
       at_hand = parent >= bases && parent + 1 == bases + i;
       if (!ends && !at_hand) assign(sums[parent], sums[parent] + hand);
@@ -162,13 +162,13 @@ struct looped {
         assign(hand, step(b, values.template of<std::remove_cvref_t<decltype(b)>>(i), fresh(hand)));
       });
   }
-  template <class Values, class Meet, class HandOn, class Hand>
-  [[gnu::noinline]] void inward_apart(int i, const Values values, const Meet meet, const HandOn hand_on, bool ends,
+  template <class Values, class Meet, class PullBack, class Hand>
+  [[gnu::noinline]] void inward_apart(int i, const Values values, const Meet meet, const PullBack pull_back, bool ends,
                                       Hand& hand) const {
     if constexpr (!one_kind)
       bodies.with_body(i, [&](const body auto& b) {
         const auto met = meet(b, fresh(hand), ends);
-        if (!ends) assign(hand, hand_on(b, values.template of<std::remove_cvref_t<decltype(b)>>(i), met));
+        if (!ends) assign(hand, pull_back(b, values.template of<std::remove_cvref_t<decltype(b)>>(i), met));
       });
   }
 };

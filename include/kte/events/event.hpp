@@ -6,8 +6,8 @@
 
 namespace kte {
 
-/// Which way g goes through zero, as time increases: also where it is integrated backward, so that both ways find the
-/// same events.
+/// The sign change of g at an event, as time increases: `rising`, `falling` or both. Integration backward uses the
+/// sense of increasing time too, so that both directions find the same events.
 enum class crossing { rising, falling, both };
 
 namespace detail {
@@ -18,12 +18,14 @@ struct change_nothing {
 };
 }  // namespace detail
 
-/// An event: g(t, x) goes through zero.
+/// An event: a zero of a function g(t, x) along the solution.
 ///
 ///   auto ground = kte::event([](double, const auto& x) { return x[0]; }, kte::crossing::falling)
 ///                     .reset([](double, auto& x) { x[1] *= -0.9; });
 ///
-/// g is continuous along a solution, in any unit. The functions below give a new event and can be chained.
+/// g must be continuous along a solution; its unit is arbitrary. The functions below return a changed event and can be
+/// chained. They set the members `function` (g), `direction`, `is_terminal`, `is_one_sided`, `on_reset`, `on_rest` and
+/// `name`; `has_reset` and `has_rest` tell whether there are such handlers.
 template <class G, class Reset = detail::no_handler, class Rest = detail::no_handler>
 struct event {
   G function;
@@ -47,39 +49,39 @@ struct event {
         on_rest(std::move(rest)),
         name(called) {}
 
-  /// Whether the step ends at it.
+  /// Whether the step ends at the event.
   constexpr bool acts() const { return has_reset || is_terminal; }
 
-  /// A name, for reports and errors: a text that lives as long as the event, such as a literal.
+  /// Sets the name in reports and errors: a text that lives as long as the event, such as a literal.
   constexpr event named(std::string_view text) const {
     event e = *this;
     e.name = text;
     return e;
   }
-  /// Integration ends at the event: there `time()` and `state()` of the solver are those of the event.
+  /// Integration ends at the event: `time()` and `state()` of the solver are then those of the event.
   constexpr event terminal() const {
     event e = *this;
     e.is_terminal = true;
     return e;
   }
-  /// Calls handler(t, x) at the event, which may change the state x and whatever else the right-hand side depends on;
-  /// then integration starts anew.
+  /// Calls handler(t, x) at the event. The handler may change the state x and data that the right-hand side depends on;
+  /// then integration restarts.
   template <class H>
   constexpr event<G, H, Rest> reset(H handler) const {
     return {function, direction, is_terminal, is_one_sided, std::move(handler), on_rest, name};
   }
-  /// Ends the step at the event and starts anew from the same state: for a right-hand side with a kink there.
+  /// Ends the step at the event and restarts from the unchanged state, for a right-hand side with a kink there.
   constexpr event<G, detail::change_nothing, Rest> restart() const { return reset(detail::change_nothing{}); }
 
-  /// The reset has to send g back to the side that it came from, as an impact does. Where it does not, within what
-  /// time can resolve, that is a `stop_reason::zeno` instead of a fall through the floor.
+  /// The reset must return g to the side from which it came, as an impact does. Otherwise, within the resolution of
+  /// time, the integration ends with `stop_reason::zeno`; without this the state would pass through the floor.
   constexpr event one_sided() const {
     event e = *this;
     e.is_one_sided = true;
     return e;
   }
-  /// The same, but calls handler(t, x) instead of stopping: it takes the place of infinitely many resets, for instance
-  /// lets a ball lie on the floor.
+  /// Calls handler(t, x) where resets accumulate, instead of ending with `stop_reason::zeno`; for instance lets a ball
+  /// rest on the floor.
   template <class H>
   constexpr event<G, Reset, H> rest(H handler) const {
     return {function, direction, is_terminal, true, on_reset, std::move(handler), name};

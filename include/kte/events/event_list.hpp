@@ -10,35 +10,36 @@
 
 namespace kte {
 
-/// How events are looked for.
+/// Settings of the search for events. `most_pieces` is the largest number of `pieces`.
 struct event_settings {
   static constexpr int most_pieces = 1000000;
-  int pieces = 1;            ///< of each step that are searched one by one: more for a g that waves within a step
-  int depth = 20;            ///< how often a piece is halved where g may change its sign twice
-  double shortest = 0;       ///< s: a reset again within this time is one too many. Never less than 1e4 eps |t|
-  long long most = 1000000;  ///< events of one integration: one more is `stop_reason::zeno`
+  int pieces = 1;       ///< parts of each step that are searched separately: more for a g that oscillates within a step
+  int depth = 20;       ///< largest number of bisections of a part where g may change its sign twice
+  double shortest = 0;  ///< s: resets closer than this accumulate. Never less than 1e4 eps |t|
+  long long most = 1000000;  ///< events of one integration; one more ends it with `stop_reason::zeno`
 };
 
-/// Something that happened. X: the state.
+/// An event that occurred. X: the state.
 template <class X>
 struct event_occurrence {
-  std::size_t event;        ///< in the order of `events(...)`, from 0
-  typename X::Scalar time;  ///< the first at which g is found beyond zero
-  X before, after;          ///< the same unless the event has a reset
+  std::size_t event;        ///< its number in the order of `events(...)`, from 0
+  typename X::Scalar time;  ///< s, the first time found with g beyond zero
+  X before, after;          ///< states before and after the reset; equal without a reset
   bool rest = false;        ///< `rest` was called, not `reset`
-  std::string name = {};    ///< as `named` gave it; of events of elements, the element's
+  std::string name = {};    ///< the name of the event; for events of elements, of the element
 };
 
-/// What `integrate` with events gives back.
+/// The result of `integrate` with events. `count`: the number of events; `reason`: why the integration ended;
+/// `stopped_by_name`: the name of the event that ended it.
 template <class X>
 struct event_report {
   std::vector<event_occurrence<X>> events;  ///< in the order of time; empty with `report_to`
   long long count = 0;
   stop_reason reason = stop_reason::end_time;
-  std::size_t stopped_by = 0;  ///< which event, unless the reason is the end time
+  std::size_t stopped_by = 0;  ///< the event that ended the integration, unless the reason is the end time
   std::string stopped_by_name = {};
 
-  /// The first of this name that happened, or null; among those kept.
+  /// The first kept occurrence of an event with this name, or null.
   const event_occurrence<X>* find(std::string_view name) const {
     for (const auto& e : events)
       if (e.name == name) return &e;
@@ -46,15 +47,16 @@ struct event_report {
   }
 };
 
-/// What `events` makes.
+/// The list of events that `events` returns: `list`, `settings`, and a `sink` of occurrences.
 template <class Sink, class... E>
 struct event_list {
   std::tuple<E...> list;
   event_settings settings;
   Sink sink;
 
+  /// The list with these settings.
   event_list with(const event_settings& s) const { return {list, s, sink}; }
-  /// Calls f(const event_occurrence<X>&) at each event instead of keeping a list: for long runs.
+  /// Calls f(const event_occurrence<X>&) at each event instead of keeping a list, for long integrations.
   template <class F>
   event_list<F, E...> report_to(F f) const {
     return {list, settings, std::move(f)};
@@ -77,18 +79,19 @@ struct kind_of_event<std::vector<E>> {
 };
 }  // namespace detail
 
-/// Events to watch, each an `event` or a vector of such; what comes at the same time is handled in this order, and
-/// numbered so.
+/// A list of events, each an `event` or a vector of events. They are numbered in this order; events at one time are
+/// handled in this order.
 template <class... E>
 requires(requires { detail::kind_of_event<E>::is_one; } && ...) event_list<detail::no_handler, E...> events(E... e) {
   static_assert((detail::kind_of_event<E>::can_rest && ...),
-                "kte: `rest` ends a row of resets: give the event a `reset` too");
+                "kte: `rest` follows resets: give the event a `reset` too");
   return {{std::move(e)...}, {}, {}};
 }
 
 /// The events of both lists, those of the first before those of the second; settings and `report_to` of the first.
 template <class Sink, class... A, class... B>
-event_list<Sink, A..., B...> joined(const event_list<Sink, A...>& a, const event_list<detail::no_handler, B...>& b) {
+[[nodiscard]] event_list<Sink, A..., B...> joined(const event_list<Sink, A...>& a,
+                                                  const event_list<detail::no_handler, B...>& b) {
   return {std::tuple_cat(a.list, b.list), a.settings, a.sink};
 }
 

@@ -6,13 +6,13 @@
 
 namespace kte {
 
-/// What a frame must be pushed with to accelerate, where joints beyond it may give way (Featherstone, Rigid Body
-/// Dynamics Algorithms, 2008, section 7.1). About the origin of a frame and in its axes; an acceleration a of the
-/// origin and al of the axes need the force and torque
+/// Articulated-body inertia of a frame: the wrench that accelerates it where the joints beyond it are free to move
+/// (Featherstone, Rigid Body Dynamics Algorithms, 2008, section 7.1). About the origin of the frame, in its axes.
+/// Acceleration a of the origin and angular acceleration al need the force and torque
 ///
 ///   F = M a + H al,    T = H^T a + J al                       (1)
 ///
-/// M and J are symmetric.
+/// where M (`linear`, kg) and J (`angular`, kg m^2) are symmetric, and H (`coupling`, kg m) is any matrix.
 template <class M, class H, class J>
 struct articulated {
   using geometry = articulated;
@@ -23,11 +23,18 @@ struct articulated {
 template <class M, class H, class J>
 articulated(M, H, J) -> articulated<M, H, J>;
 
+/// The articulated-body inertia of nothing: typed zeros.
 inline constexpr articulated<sym3<zero_t>, mat3<zero3>, sym3<zero_t>> no_articulated{};
 
-/// Of bodies without joints between them: M = m 1, H = -[h]x.
+/// The wrench of (1) in math/rigid_body.hpp for accelerations a, m/s^2, and al, rad/s^2.
+template <class M, class H, class J, class A, class AL>
+[[nodiscard]] KTE_INLINE constexpr auto accelerating_wrench(const composite<M, H, J>& b, const A& a, const AL& al) {
+  return wrench{b.mass * a + cross(al, b.moment), b.inertia * al + cross(b.moment, a)};
+}
+
+/// The articulated-body inertia of rigid bodies: M = m 1, H = -[h]x.
 template <class M, class H, class I>
-KTE_INLINE constexpr auto to_articulated(const composite<M, H, I>& b) {
+[[nodiscard]] KTE_INLINE constexpr auto to_articulated(const composite<M, H, I>& b) {
   const auto& h = b.moment;
   return articulated{diagonal(b.mass, b.mass, b.mass),
                      mat3{vec3{zero, h.z, -h.y}, vec3{-h.z, zero, h.x}, vec3{h.y, -h.x, zero}}, b.inertia};
@@ -38,13 +45,13 @@ KTE_INLINE constexpr auto operator+(const articulated<M, H, J>& a, const articul
   return articulated{a.linear + b.linear, a.coupling + b.coupling, a.angular + b.angular};
 }
 
-/// (1)
+/// The wrench of (1) for accelerations a, m/s^2, and al, rad/s^2.
 template <class M, class H, class J, class A, class AL>
-KTE_INLINE constexpr auto accelerating_wrench(const articulated<M, H, J>& b, const A& a, const AL& al) {
+[[nodiscard]] KTE_INLINE constexpr auto accelerating_wrench(const articulated<M, H, J>& b, const A& a, const AL& al) {
   return wrench{b.linear * a + b.coupling * al, transpose(b.coupling) * a + b.angular * al};
 }
 
-/// Seen from a point of which the origin of the frame stands at p, in the same axes. With P = [p]x:
+/// The inertia about another point, in the same axes; the origin of the frame is at p seen from it, m. With P = [p]x:
 ///
 ///   M' = M,  H' = H - M P,  J' = J + (P H)^T + P H'           (2)
 template <class P, class M, class H, class J>
@@ -64,15 +71,15 @@ KTE_INLINE constexpr auto shifted(const P& p, const articulated<M, H, J>& b) {
   const vec3 w = plus_cross(vec3{x.z, y.z, z.z}, p, kx.z);
   return articulated{m, k, sym3{u.x, v.x, w.x, v.y, w.y, w.z}};
 }
-/// Seen from another frame, in which this one stands at rotation R and position p.
+/// The inertia in another frame, in which this one has the rotation R and the position p, m.
 template <class R, class P, class M, class H, class J>
-KTE_INLINE constexpr auto transported(const R& rotation, const P& p, const articulated<M, H, J>& b) {
+[[nodiscard]] KTE_INLINE constexpr auto transported(const R& rotation, const P& p, const articulated<M, H, J>& b) {
   const auto r = matrix(rotation);
   return shifted(p, articulated{turned_by(r, b.linear), turned_by(r, b.coupling), turned_by(r, b.angular)});
 }
 
 namespace detail {
-/// m - a b^T, of which the upper triangle is wanted.
+/// The upper triangle of m - a b^T.
 template <class... T, class A, class B>
 KTE_INLINE constexpr auto less_dyad(const sym3<T...>& m, const A& a, const B& b) {
   return sym3{m.xx - a.x * b.x, m.xy - a.x * b.y, m.xz - a.x * b.z,

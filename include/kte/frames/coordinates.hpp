@@ -9,10 +9,10 @@
 /// d(R^T p')/dt, which is not R^T p'' (a frame's acceleration), but that less w x v.
 namespace kte {
 
-/// A rotation in space.
-///   rotation          of any length but 0; `integrate` keeps it at 1
-///   ang_velocity      rad/s,  ang_acceleration rad/s^2,  torque of virtual power Nm: in the axes of the moving frame
-///   matrix            of `rotation`, set by doMotion
+/// A rotation in space as a coordinate.
+///   rotation          maps axes of the moving frame to those of the parent; any length but 0, `integrate` keeps it at
+///   1 ang_velocity      rad/s, ang_acceleration rad/s^2, torque Nm (generalized force): in the axes of the moving
+///   frame matrix            of `rotation`, set by doMotion
 template <class S = double>
 struct rotation_coord_3D {
   unit_quaternion<S> rotation{S(1), S(0), S(0), S(0)};
@@ -22,8 +22,12 @@ struct rotation_coord_3D {
   mat3<vec3<S>> matrix{{S(1), S(0), S(0)}, {S(0), S(1), S(0)}, {S(0), S(0), S(1)}};
 };
 
-/// A pose in the plane: position in the axes of the parent, m, angle to it, rad.
-///   cos, sin          of the angle, set by doMotion
+/// A pose in the plane as a coordinate. Rates and loads are in the axes of the moving frame.
+///   position, angle                 in the axes of the parent, m; rad
+///   velocity, ang_velocity          m/s, rad/s
+///   acceleration, ang_acceleration  m/s^2, rad/s^2
+///   force, torque                   generalized forces, N, Nm
+///   cos, sin                        of the angle, set by doMotion
 template <class S = double>
 struct pose_coord_2D {
   vec2<S> position{};
@@ -38,7 +42,12 @@ struct pose_coord_2D {
   S sin{};
 };
 
-/// A pose in space: position in the axes of the parent, m, and rotation.
+/// A pose in space as a coordinate. Rates and loads are in the axes of the moving frame.
+///   position, rotation              in the axes of the parent, m; a quaternion of any length but 0
+///   velocity, ang_velocity          m/s, rad/s
+///   acceleration, ang_acceleration  m/s^2, rad/s^2
+///   force, torque                   generalized forces, N, Nm
+///   matrix                          of `rotation`, set by doMotion
 template <class S = double>
 struct pose_coord_3D {
   vec3<S> position{};
@@ -52,23 +61,25 @@ struct pose_coord_3D {
   mat3<vec3<S>> matrix{{S(1), S(0), S(0)}, {S(0), S(1), S(0)}, {S(0), S(0), S(1)}};
 };
 
-// ---- as the kernels see them: motions, but for their accelerations, as said above
+// ---- conversion to motions; the accelerations are those described above
+/// The coordinate as a `motion` in space.
 template <class S>
-KTE_INLINE constexpr auto spatial(const rotation_coord_3D<S>& c) {
+[[nodiscard]] KTE_INLINE constexpr auto spatial(const rotation_coord_3D<S>& c) {
   return motion{zero3{}, c.matrix, zero3{}, c.ang_velocity, zero3{}, c.ang_acceleration};
 }
 template <class S>
-KTE_INLINE constexpr auto spatial(const pose_coord_2D<S>& c) {
+[[nodiscard]] KTE_INLINE constexpr auto spatial(const pose_coord_2D<S>& c) {
   using namespace detail;
   return motion{in_plane(c.position),    rotation_2D{c.cos, c.sin}, in_plane(c.velocity),
                 about_z(c.ang_velocity), in_plane(c.acceleration),  about_z(c.ang_acceleration)};
 }
 template <class S>
-KTE_INLINE constexpr auto spatial(const pose_coord_3D<S>& c) {
+[[nodiscard]] KTE_INLINE constexpr auto spatial(const pose_coord_3D<S>& c) {
   return motion{c.position, c.matrix, c.velocity, c.ang_velocity, c.acceleration, c.ang_acceleration};
 }
 
-// ---- what doMotion brings up to date
+// ---- updates by doMotion
+/// Computes cosine and sine, or the rotation matrix, from the coordinate.
 template <class S>
 KTE_INLINE constexpr void update_angle(pose_coord_2D<S>& c) {
   sincos(c.angle, c.sin, c.cos);
@@ -83,6 +94,7 @@ KTE_INLINE constexpr void update_angle(pose_coord_3D<S>& c) {
 }
 
 // ---- loads
+/// Adds a wrench in the axes of the moving frame to the generalized forces of the coordinate.
 template <class S, class F, class T>
 KTE_INLINE constexpr void add_load(rotation_coord_3D<S>& c, const wrench<F, T>& w) {
   c.torque = as<S>(c.torque + w.torque);
@@ -97,6 +109,7 @@ KTE_INLINE constexpr void add_load(pose_coord_3D<S>& c, const wrench<F, T>& w) {
   c.force = as<S>(c.force + w.force);
   c.torque = as<S>(c.torque + w.torque);
 }
+/// Sets the generalized forces of the coordinate to zero.
 template <class S>
 KTE_INLINE constexpr void clear_load(rotation_coord_3D<S>& c) {
   c.torque = {};

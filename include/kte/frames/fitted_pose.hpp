@@ -61,11 +61,12 @@ class fitted_motion {
 };
 }  // namespace detail
 
-/// The pose that takes points of a body, m, nearest to where they were measured, in the order of both lists: (1), which
-/// is never a reflection. Three points that are not in a line say it all; of fewer, it is one of many. Throws
-/// `bad_argument` for lists of two lengths, empty ones, and numbers that are not finite.
-inline pose<unit_quaternion<double>, vec3<>> fitted_pose(std::span<const vec3<>> body,
-                                                         std::span<const vec3<>> measured) {
+/// The pose that fits points of a body, m, to their measured positions, m, in the least-squares sense (1). `body` and
+/// `measured` are in the same order. The result is a rotation, never a reflection. Three points that are not on a line
+/// determine the pose; with fewer, the result is one of several. Throws `bad_argument` for lists of different length,
+/// for empty lists and for numbers that are not finite.
+[[nodiscard]] inline pose<unit_quaternion<double>, vec3<>> fitted_pose(std::span<const vec3<>> body,
+                                                                       std::span<const vec3<>> measured) {
   if (body.empty() || body.size() != measured.size())
     detail::raise<bad_argument>(
         "kte: fitted_pose needs as many points of the body as were measured, and one at least: " +

@@ -4,8 +4,11 @@
 
 namespace kte {
 
-/// A frame in the plane as a chain's state holds it. Position and rotation are in the axes of the world; all rates,
-/// accelerations, forces and torques are in the frame's own axes; angular quantities are about z. SI units.
+/// A frame in the plane, in the state of a chain. SI units.
+///   position, rotation              in the axes of the world
+///   velocity, ang_velocity          and all below: in the axes of the frame; angular quantities are about z
+///   acceleration, ang_acceleration  classical, not spatial
+///   force, torque                   on the mechanism at the origin of the frame
 template <class S = double>
 struct frame_2D {
   vec2<S> position{};
@@ -40,19 +43,21 @@ KTE_INLINE constexpr S normal_part(const vec3<X, Y, Z>& v) {
 }
 }  // namespace detail
 
-/// A frame as the kernels see it: one in space, whose components out of the plane are typed zeros. So every kernel is
-/// written once.
+/// The frame as a motion in space. Components out of the plane are typed zeros, so that kernels are written once for
+/// both dimensions.
 template <class S>
-KTE_INLINE constexpr auto spatial(const frame_2D<S>& x) {
+[[nodiscard]] KTE_INLINE constexpr auto spatial(const frame_2D<S>& x) {
   using namespace detail;
   return motion{in_plane(x.position),     x.rotation,
                 in_plane(x.velocity),     about_z(x.ang_velocity),
                 in_plane(x.acceleration), about_z(x.ang_acceleration)};
 }
+/// The load of the frame as a wrench in space.
 template <class S>
-KTE_INLINE constexpr auto load_of(const frame_2D<S>& x) {
+[[nodiscard]] KTE_INLINE constexpr auto load_of(const frame_2D<S>& x) {
   return wrench{detail::in_plane(x.force), detail::about_z(x.torque)};
 }
+/// Sets position, rotation, rates and accelerations.
 template <class S, class... M>
 KTE_INLINE constexpr void set_motion(frame_2D<S>& x, const motion<M...>& m) {
   using namespace detail;
@@ -63,11 +68,13 @@ KTE_INLINE constexpr void set_motion(frame_2D<S>& x, const motion<M...>& m) {
   x.acceleration = planar_part<S>(m.acceleration);
   x.ang_acceleration = normal_part<S>(m.ang_acceleration);
 }
+/// Adds a wrench in the axes of the frame.
 template <class S, class F, class T>
 KTE_INLINE constexpr void add_load(frame_2D<S>& x, const wrench<F, T>& w) {
   x.force = as<S>(x.force + detail::planar_part<S>(w.force));
   x.torque = as<S>(x.torque + detail::normal_part<S>(w.torque));
 }
+/// Sets force and torque to zero.
 template <class S>
 KTE_INLINE constexpr void clear_load(frame_2D<S>& x) {
   x.force = {};

@@ -4,9 +4,9 @@
 
 namespace kte {
 
-/// A generalized coordinate as a chain's state holds it.
+/// A generalized coordinate of one degree of freedom, in the state of a chain.
 ///   q, q_dot, q_ddot   m or rad, and per second
-///   f                  the force of virtual power on it, N or Nm: with accelerations zero, q_ddot = M^-1 f
+///   f                  generalized force, N or Nm: with accelerations zero, q_ddot = M^-1 f
 ///   cos, sin           of q, set by doMotion where q turns a joint
 template <class S = double>
 struct gen_coord {
@@ -18,7 +18,7 @@ struct gen_coord {
   S sin{};
 };
 
-/// What doMotion brings up to date.
+/// Computes cosine and sine of q.
 template <class S>
 KTE_INLINE constexpr void update_angle(gen_coord<S>& c) {
   sincos(c.q, c.sin, c.cos);

@@ -2,7 +2,7 @@
 
 namespace kte {
 
-/// A number that an element keeps: z, and its rate z_dot as of the last doMotion, in the unit of z per second.
+/// An internal state of an element: z, and its rate z_dot computed by the last doMotion, in the unit of z per second.
 template <class Scalar = double>
 struct internal_state {
   Scalar z{};

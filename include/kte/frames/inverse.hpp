@@ -5,20 +5,20 @@
 /// Poses and motions the other way round, and in other axes.
 namespace kte {
 
-/// A pose in a pose: R = R_A R_B, p = p_A + R_A p_B.
+/// The pose b given relative to the pose a, relative to the parent of a: R = R_A R_B, p = p_A + R_A p_B.
 template <class R, class P, class Q, class U>
-KTE_INLINE constexpr auto compose(const pose<R, P>& a, const pose<Q, U>& b) {
+[[nodiscard]] KTE_INLINE constexpr auto compose(const pose<R, P>& a, const pose<Q, U>& b) {
   return pose{a.rotation * b.rotation, a.position + a.rotation * b.position};
 }
-/// The parent seen from a frame: R^T, -R^T p.
+/// The pose of the parent relative to the frame: rotation R^T, position -R^T p.
 template <class R, class P>
-KTE_INLINE constexpr auto inverse(const pose<R, P>& a) {
+[[nodiscard]] KTE_INLINE constexpr auto inverse(const pose<R, P>& a) {
   const auto t = transpose(a.rotation);
   return pose{t, -(t * a.position)};
 }
-/// A point given in a frame, in its parent: p + R x.
+/// A point of the frame, m, in axes of its parent: p + R x.
 template <class R, class P, class X, class Y, class Z>
-KTE_INLINE constexpr auto to_parent(const pose<R, P>& a, const vec3<X, Y, Z>& point) {
+[[nodiscard]] KTE_INLINE constexpr auto to_parent(const pose<R, P>& a, const vec3<X, Y, Z>& point) {
   return a.position + a.rotation * point;
 }
 
@@ -31,7 +31,7 @@ KTE_INLINE constexpr auto to_parent(const pose<R, P>& a, const vec3<X, Y, Z>& po
 ///
 /// compose(a, inverse(a)) is the frame itself, at rest.
 template <class A>
-KTE_INLINE constexpr auto inverse(const A& a) {
+[[nodiscard]] KTE_INLINE constexpr auto inverse(const A& a) {
   const auto t = transpose(a.rotation);
   const auto r = t * a.position;
   const auto& w = a.ang_velocity;
@@ -45,21 +45,21 @@ KTE_INLINE constexpr auto inverse(const A& a) {
                 -(a.rotation * a.ang_acceleration)};
 }
 
-/// The motion of frame B relative to frame A, both given relative to the same parent.
+/// The motion of frame B relative to frame A; both are given relative to one parent.
 template <class A, class B>
-KTE_INLINE constexpr auto relative(const A& a, const B& b) {
+[[nodiscard]] KTE_INLINE constexpr auto relative(const A& a, const B& b) {
   return compose(inverse(a), b);
 }
 
-/// The same motion with velocities and accelerations in the axes of the parent; for a frame of a chain, the world.
+/// The motion with velocities and accelerations in the axes of the parent; for a frame of a chain, those of the world.
 template <class A>
-KTE_INLINE constexpr auto in_parent_axes(const A& a) {
+[[nodiscard]] KTE_INLINE constexpr auto in_parent_axes(const A& a) {
   const auto& R = a.rotation;
   return motion{a.position, R, R * a.velocity, R * a.ang_velocity, R * a.acceleration, R * a.ang_acceleration};
 }
-/// A wrench given in the axes of a frame of that rotation, in the axes of its parent.
+/// A wrench in the axes of a frame, in the axes of its parent; `rotation` is that of the frame.
 template <class R, class F, class T>
-KTE_INLINE constexpr auto in_parent_axes(const R& rotation, const wrench<F, T>& w) {
+[[nodiscard]] KTE_INLINE constexpr auto in_parent_axes(const R& rotation, const wrench<F, T>& w) {
   return wrench{rotation * w.force, rotation * w.torque};
 }
 

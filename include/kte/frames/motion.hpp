@@ -12,7 +12,7 @@ namespace kte {
 ///   ang_velocity      w   in axes of X, rad/s
 ///   acceleration      a   second derivative of p (classical, not spatial), in axes of X, m/s^2
 ///   ang_acceleration  al  in axes of X, rad/s^2
-/// Each field is a vector of numbers, of typed constants, or `skip` where an algorithm does not want it.
+/// Each field is a vector of numbers or typed constants, or `skip` where an algorithm does not need it.
 template <class P, class R, class V, class W, class A, class AL>
 struct motion {
   P position;
@@ -25,7 +25,8 @@ struct motion {
 template <class P, class R, class V, class W, class A, class AL>
 motion(P, R, V, W, A, AL) -> motion<P, R, V, W, A, AL>;
 
-/// A rotation and a position: where a frame stands in another.
+/// The pose of a frame in its parent: `rotation` maps axes of the frame to axes of the parent, `position` is that of
+/// the origin, in axes of the parent, m.
 template <class R, class P>
 struct pose {
   R rotation;
@@ -34,7 +35,7 @@ struct pose {
 template <class R, class P>
 pose(R, P) -> pose<R, P>;
 
-/// What flows along a coordinate: q, its rates, and for angles also cosine and sine.
+/// The motion of a coordinate: q, m or rad, `q_dot`, `q_ddot`, per second; for angles also `cos` and `sin` of q.
 template <class Q, class QD, class QDD, class C, class S>
 struct coordinate {
   Q q;
@@ -46,7 +47,7 @@ struct coordinate {
 template <class Q, class QD, class QDD, class C, class S>
 coordinate(Q, QD, QDD, C, S) -> coordinate<Q, QD, QDD, C, S>;
 
-/// Force (N) and torque (Nm) on the mechanism at the origin of a frame, in its axes.
+/// A wrench on the mechanism at the origin of a frame, in its axes: `force`, N, and `torque`, Nm.
 template <class F, class T>
 struct wrench {
   using geometry = wrench;
@@ -56,6 +57,7 @@ struct wrench {
 template <class F, class T>
 wrench(F, T) -> wrench<F, T>;
 
+/// No force and no torque: typed zeros.
 inline constexpr wrench<zero3, zero3> no_wrench{};
 
 template <class F, class T, class G, class U>
@@ -76,7 +78,7 @@ KTE_INLINE constexpr auto operator-(const wrench<F, T>& a, const wrench<G, U>& b
 ///   a  = R_B^T (a_A + al_A x p_B + w_A x (w_A x p_B)) + 2 (R_B^T w_A) x v_B + a_B     (3)
 ///   al = R_B^T al_A + (R_B^T w_A) x w_B + al_B                                        (4)
 template <class A, class B>
-KTE_INLINE constexpr auto compose(const A& a, const B& b) {
+[[nodiscard]] KTE_INLINE constexpr auto compose(const A& a, const B& b) {
   const auto t = transpose(b.rotation);
   const auto& p = b.position;
   const auto& w = a.ang_velocity;
@@ -90,9 +92,9 @@ KTE_INLINE constexpr auto compose(const A& a, const B& b) {
                 t * a.ang_acceleration + (cross(w_in_b, b.ang_velocity) + b.ang_acceleration)};
 }
 
-/// A wrench at a frame B as felt at a frame A, in which B stands at the given pose: the transpose of (1) and (2).
+/// A wrench at a frame B, transmitted to a frame A in which B has the given pose: the transpose of (1) and (2).
 template <class Pose, class F, class T>
-KTE_INLINE constexpr auto transmit(const Pose& b_in_a, const wrench<F, T>& at_b) {
+[[nodiscard]] KTE_INLINE constexpr auto transmit(const Pose& b_in_a, const wrench<F, T>& at_b) {
   const auto f = b_in_a.rotation * at_b.force;
   return wrench{vec3{f.x, f.y, f.z},  // a copy of f as a whole, g++ 12 would keep in memory
                 plus_cross(b_in_a.rotation * at_b.torque, b_in_a.position, f)};
@@ -100,12 +102,11 @@ KTE_INLINE constexpr auto transmit(const Pose& b_in_a, const wrench<F, T>& at_b)
 
 /// A frame at rest relative to its parent.
 template <class R, class P>
-KTE_INLINE constexpr auto at_rest(const R& rotation, const P& position) {
+[[nodiscard]] KTE_INLINE constexpr auto at_rest(const R& rotation, const P& position) {
   return motion{position, rotation, zero3{}, zero3{}, zero3{}, zero3{}};
 }
 
-/// A linear and an angular quantity, such as velocity and angular velocity. A frame in the plane has them as one in
-/// space.
+/// A linear and an angular quantity, such as velocity and angular velocity, in space; in the plane with zeros.
 template <class S = double>
 struct linear_angular {
   vec3<S> linear;

@@ -6,7 +6,7 @@
 namespace kte {
 
 namespace detail {
-/// Of a rotation by t about an axis: (1 - cos t)/t^2 and (t - sin t)/t^3, given t^2.
+/// The coefficients (1 - cos t)/t^2 and (t - sin t)/t^3 of a rotation by t about an axis, given t^2.
 template <class S>
 constexpr std::pair<S, S> turned_shift(const S& tt) {
   using std::sin;
@@ -27,15 +27,15 @@ constexpr S unturned_shift(const S& tt) {
 }
 }  // namespace detail
 
-/// Where a frame gets in unit time from the origin, by constant velocity v and angular velocity w in its own axes (the
-/// exponential of SE(3)):
+/// The exponential of SE(3): the pose after unit time, from the identity, at constant velocity v and angular velocity w
+/// in axes of the frame:
 ///
 ///   R = exp [w]x,   p = v + B w x v + C w x (w x v)                                             (1)
 ///   B = (1 - cos t)/t^2,  C = (t - sin t)/t^3,  t = |w|
 ///
-/// The error of p is a few roundings of |v|: what C loses to cancellation for small t, t^2 takes away.
+/// The error of p is a few roundings of |v|: the factor t^2 removes the cancellation in C for small t.
 template <class S>
-constexpr auto exponential(const vec3<S>& v, const vec3<S>& w) {
+[[nodiscard]] constexpr auto exponential(const vec3<S>& v, const vec3<S>& w) {
   const auto [b, c] = detail::turned_shift(dot(w, w));
   const auto wv = cross(w, v);
   return pose{to_quaternion(w), as<S>(v + (b * wv + c * cross(w, wv)))};
@@ -45,7 +45,7 @@ constexpr auto exponential(const vec3<S>& v, const vec3<S>& w) {
 ///
 ///   v = p - w x p/2 + D w x (w x p),   D = (1 - t/2 cot(t/2))/t^2                               (2)
 template <class S>
-constexpr std::pair<vec3<S>, vec3<S>> logarithm(const pose<unit_quaternion<S>, vec3<S>>& x) {
+[[nodiscard]] constexpr std::pair<vec3<S>, vec3<S>> logarithm(const pose<unit_quaternion<S>, vec3<S>>& x) {
   const auto w = to_rotation_vector(x.rotation);
   const auto wp = cross(w, x.position);
   const S half = S(1) / S(2);

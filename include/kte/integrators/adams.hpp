@@ -8,7 +8,7 @@
 
 namespace kte {
 
-/// The method of Adams with variable steps and orders: a predictor of order k, 1 to 12, from the k newest slopes, and a
+/// Adams method with variable step and order: a predictor of order k, 1 to 12, from the k newest slopes, and a
 /// corrector of order k + 1 (local extrapolation), two evaluations a step:
 ///
 ///   p = x + h sum_{j<k} g_j beta_j phi_j                   (1)
@@ -16,19 +16,18 @@ namespace kte {
 ///   x1 = p + h g_k e_k                                     (3)
 ///   error = h (g_k - g_{k-1}) e_k                          (4)
 ///
-/// of the history of slopes, see `adams_differences`. (4) is the difference to the corrector of order k. The same with
-/// k - 1 and k + 1, for which e_{k-1} = e_k + beta_{k-1} phi_{k-1}, tells the errors of the neighbours of the order;
-/// that with the longest next step is taken. (4) is compared with the tolerances, or with what rounding makes of it
-/// where that is more (`rounding_floor`). Between the ends of a step, the integral of the polynomial through its k + 1
-/// slopes is of order k + 1 too; a cubic closes the gap that the last evaluation leaves at the end, so that state and
-/// slope are continuous:
+/// from the history of slopes, see `adams_differences`. (4) is the difference to the corrector of order k. The errors
+/// of orders k - 1 and k + 1 follow from e_{k-1} = e_k + beta_{k-1} phi_{k-1}; the order with the longest next step is
+/// taken. (4) is compared with the tolerances, or with the rounding error where that is larger (`rounding_floor`).
+/// Between the ends of a step, the integral of the polynomial through its k + 1 slopes has order k + 1. A cubic removes
+/// the jump that the last evaluation leaves at the end, so that state and slope are continuous:
 ///
 ///   x(t + theta h) = x + int P - theta^2 (3 - 2 theta) h g_k (f(t + h, x1) - f(t + h, p))             (5)
 ///
-/// The method for smooth right-hand sides that are expensive, and for tight tolerances: few evaluations, but more
-/// arithmetic of its own than one-step methods. An `integrate` goes on with the history of the last one where time,
-/// direction and slope are those it left; otherwise, after `restart`, or where f has changed, it starts again with
-/// order 1. So it does not suit inputs that jump at every sample, for which one-step methods are made.
+/// For smooth right-hand sides that are expensive, and for tight tolerances: few evaluations, but more overhead than
+/// one-step methods. `integrate` continues with the history of the previous call if time, direction and slope are
+/// unchanged; otherwise, after `restart`, or where f has changed, it starts again with order 1. It does not suit inputs
+/// that jump at every sample; use a one-step method there.
 ///
 ///   kte::adams solver(f, 0.0, x0, {.absolute = 1e-12, .relative = 1e-12});
 ///   solver.integrate(10.0);
@@ -46,10 +45,11 @@ class adams : public integrator<adams<F, X>, F, X> {
 
  public:
   using typename base::S;
+  /// The highest order of the predictor.
   static constexpr int max_order = 12;
 
-  /// f(t, x), start time (s), start state, tolerances. Throws `bad_argument` for tolerances that make no sense, and
-  /// for a start that is not finite.
+  /// f(t, x), start time, s, start state, tolerances. Throws `bad_argument` for invalid tolerances, and for a start
+  /// that is not finite.
   adams(F f, const S& t0, const std::type_identity_t<X>& x0, const tolerances<S>& tol = {})
       : base(std::move(f), t0, x0), weights_(checked(tol), this->rates()), past_(this->no_rate()) {
     slope_ = predicted_ = change_ = this->no_rate();
@@ -128,7 +128,7 @@ class adams : public integrator<adams<F, X>, F, X> {
         [&](int i, int j) { return norm(this->rounding_of_rate(i, j, past_.newest())); });
     return level * level;
   }
-  /// (3), and the slope there, which joins the history. Where they are not finite, neither is the error: false.
+  /// (3), and the slope there, which is added to the history. Returns false if the error is not finite.
   bool correct(const S& end, detail::adams_errors<S>& e) {
     by_ = h_ * past_.g(order_);
     this->next_ += by_ * change_;

@@ -20,7 +20,7 @@ struct adams_BM3_formula {
   using start = runge_kutta4_tableau;
 };
 
-/// The same of k = 5 and k = 4; started by the method of Butcher of order 5.
+/// The formulas with k = 5 and k = 4; started by the method of Butcher of order 5.
 struct adams_BM5_formula {
   static constexpr std::size_t order = 5;
   static constexpr tableau_row<6> predictor{{{}, {1901, 720}, {-1387, 360}, {109, 30}, {-637, 360}, {251, 720}}};
@@ -35,7 +35,7 @@ struct adams_BM5_formula {
   using start = runge_kutta5_tableau;
 };
 
-/// Adams, Bashforth and Moulton, order 3 with a fixed step: two evaluations a step. Dense output of order 3.
+/// Adams-Bashforth-Moulton method of order 3 with a fixed step: two evaluations a step. Dense output of order 3.
 ///
 ///   kte::adams_BM3 solver(f, 0.0, x0, 0.001);
 ///   solver.integrate(10.0);
@@ -49,8 +49,8 @@ template <class F, class V>
 adams_BM3(F, const typename V::Scalar&, const Eigen::MatrixBase<V>&, const typename V::Scalar&)
     -> adams_BM3<F, typename V::PlainObject>;
 
-/// Adams, Bashforth and Moulton, order 5 with a fixed step: two evaluations a step. Dense output of order 5; in steps
-/// of Runge-Kutta 4, whose error within a step is of the order of those at the ends.
+/// Adams-Bashforth-Moulton method of order 5 with a fixed step: two evaluations a step. Dense output of order 5; that
+/// of starting steps by Runge-Kutta 4 has the order of the error at the ends of the steps.
 template <class F, class X>
 class adams_BM5 : public adams_bashforth_moulton<adams_BM5_formula, F, X> {
  public:

@@ -22,7 +22,7 @@ namespace kte {
 /// The coefficients are those of equal steps. So the first k - 1 steps, and the last one where h does not divide the
 /// time, are steps of a Runge-Kutta method, with its interpolant. An `integrate` goes on with the slopes of the last
 /// one where its last step was a whole one, and time, direction and the slope f(t, x) are those it left; otherwise it
-/// starts anew. So it does not suit inputs that jump at every sample.
+/// starts again. So it does not suit inputs that jump at every sample.
 ///
 /// A `Formula` has `order` (k), `predictor` (0, b_1, ...), `corrector` (c_0, ...), `interpolant` (of int P the
 /// coefficients of theta, theta^2, ...; of each a weight for f_{n+1}, f_n, ...), and `start`, a tableau for
@@ -39,7 +39,7 @@ class adams_bashforth_moulton : public fixed_step<adams_bashforth_moulton<Formul
  public:
   using typename base::S;
 
-  /// f(t, x), start time (s), start state, step (s). Throws `bad_argument` for a step that is not positive, and for a
+  /// f(t, x), start time, s, start state, step, s. Throws `bad_argument` for a step that is not positive, and for a
   /// start that is not finite.
   adams_bashforth_moulton(F f, const S& t0, const std::type_identity_t<X>& x0, const S& step)
       : base(std::move(f), t0, x0, step) {

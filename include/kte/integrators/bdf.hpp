@@ -8,30 +8,31 @@ namespace kte {
 
 /// Settings of `bdf`.
 struct bdf_settings {
-  int max_order = 5;  ///< 1 to 5. To order 2 A-stable; beyond, weakly damped oscillations bound the step
-  bdf_formula formula = bdf_formula::numerical_differentiation;
+  int max_order = 5;  ///< 1 to 5. Orders 1 and 2 are A-stable; above, weakly damped oscillations limit the step
+  bdf_formula formula = bdf_formula::numerical_differentiation;  ///< the family of formulas
 };
 
-/// For stiff systems: backward differentiation formulas of orders 1 to 5, or the numerical differentiation formulas,
-/// which are more exact. Order and step change as the errors ask.
+/// Backward differentiation formulas of orders 1 to 5, or the numerical differentiation formulas, which are more
+/// accurate, with variable step and order. For stiff systems.
 ///
 ///   kte::bdf solver(f, 0.0, x0, {.absolute = 1e-9, .relative = 1e-9});
 ///   solver.integrate(10.0);
 ///   solver.integrate(20.0, kte::every(0.001), [](double t, const auto& x) { ... });
 ///
-/// One to two evaluations of f a step, and now and then a Jacobian: f.jacobian(t, x, J) or differences
-/// (`implicit_integrator`). Steps stay equal for a while; then the same history is seen with another step
-/// (`backward_differences`). Between the ends of a step: the polynomial of its order through the states until its end.
+/// One to two evaluations of f a step, and occasionally a Jacobian: f.jacobian(t, x, J) or differences
+/// (`implicit_integrator`). The step is constant for several steps; at a change the history is interpolated to the new
+/// step (`backward_differences`). Between the ends of a step: the polynomial of its order through the states up to its
+/// end.
 ///
-/// A step may add a tenth of the tolerances: as the errors of steps sum up, the error in the end is about the
-/// tolerance. Where rounding makes errors larger than that, they are compared with what it makes (`rounding_floor`).
+/// A step may add a tenth of the tolerances, so that the sum of the errors of the steps is about the tolerance. Where
+/// rounding errors are larger, errors are compared with those (`rounding_floor`).
 ///
-/// Oscillations that are hardly damped grow at orders 3 to 5, unless h w is small (`bdf_coefficients::stable_angle`).
-/// The eigenvalues of each Jacobian say which w there are: where the longest step by the errors at order 2 is longer
-/// than those that are stable at higher orders, as of flexible systems whose fast modes do not move, the order stays 2.
+/// Weakly damped oscillations grow at orders 3 to 5, unless h w is small (`bdf_coefficients::stable_angle`). The
+/// eigenvalues of each Jacobian give the frequencies w. Where the step that the error allows at order 2 is longer than
+/// the stable steps of higher orders, as for flexible systems whose fast modes are at rest, the order stays 2.
 ///
-/// The history goes on from one `integrate` to the next, unless time, state, direction or the slope f(t, x) have
-/// changed: then it begins anew with order 1.
+/// The history is kept from one `integrate` to the next, unless time, state, direction or the slope f(t, x) has
+/// changed: then it starts again with order 1.
 ///
 /// Shampine and Reichelt, The MATLAB ODE Suite, SIAM J. Sci. Comput. 18 (1997), section 2.
 template <class F, class X>
@@ -47,8 +48,8 @@ class bdf : public bdf_step<bdf<F, X>, F, X> {
   using typename base::rate;
   using typename base::S;
 
-  /// f(t, x), start time (s), start state, tolerances, settings. Throws `bad_argument` for tolerances that make
-  /// no sense, for an order that there is not, and for a start that is not finite.
+  /// f(t, x), start time, s, start state, tolerances, settings. Throws `bad_argument` for invalid tolerances, for an
+  /// invalid order, and for a start that is not finite.
   bdf(F f, const S& t0, const std::type_identity_t<X>& x0, const tolerances<S>& tol = {},
       const bdf_settings& settings = {})
       : base(std::move(f), t0, x0, tol, settings.formula), max_order_(settings.max_order) {
@@ -58,7 +59,7 @@ class bdf : public bdf_step<bdf<F, X>, F, X> {
                                   std::to_string(max_order_));
   }
 
-  /// Of the last step.
+  /// The order of the last step.
   int order() const { return order_of_last_; }
 
  private:

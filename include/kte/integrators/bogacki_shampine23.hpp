@@ -15,7 +15,7 @@ struct bogacki_shampine23_tableau {
   static constexpr row embedded{{{7, 24}, {1, 4}, {1, 3}, {1, 8}}};
 };
 
-/// The method of Bogacki and Shampine: order 3, steps chosen by an error of order 2, three evaluations a step. For
+/// The method of Bogacki and Shampine of order 3 with an embedded solution of order 2: three evaluations a step. For
 /// loose tolerances.
 template <class F, class X>
 class bogacki_shampine23 : public embedded_runge_kutta<bogacki_shampine23_tableau, F, X> {

@@ -31,7 +31,7 @@ struct dormand_prince45_tableau {
                               {69997945, 29380423}}};
 };
 
-/// The method of Dormand and Prince: order 5, steps chosen by an error of order 4, six evaluations a step.
+/// The method of Dormand and Prince of order 5 with an embedded solution of order 4: six evaluations a step.
 ///
 ///   kte::dormand_prince45 solver(f, 0.0, x0, {.absolute = 1e-9, .relative = 1e-9});
 ///   solver.integrate(10.0);

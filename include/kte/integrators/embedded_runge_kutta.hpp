@@ -9,22 +9,22 @@
 
 namespace kte {
 
-/// An explicit Runge-Kutta method of s stages that judges its error by a second solution and chooses its steps by it:
+/// An explicit Runge-Kutta method of s stages with an embedded solution for the error, which controls the step:
 ///
 ///   k_i = f(t + c_i h, x + h sum_{j<i} a_ij k_j)           (1)
 ///   x1 = x + h sum_j a_sj k_j                              (2)
 ///   e = h sum_i (a_si - b_i) k_i                           (3)
 ///
-/// The last row of a holds the weights of the solution, so the last stage is the slope at the end of the step and the
-/// first stage of the next: one evaluation saved. (A method without this property is written with one stage more, which
-/// is its weights again.) Between the ends, the cubic through both states and slopes, which is of order 3, and the
-/// tableau's quartic, or its extension (`continuous_extension`), if it has one:
+/// The last row of a holds the weights of the solution, so that the last stage is the slope at the end of the step and
+/// the first stage of the next (first same as last). A method without this property gets a further stage with its
+/// weights. Between the ends, the cubic through both states and slopes, of order 3, plus the quartic of the tableau, or
+/// its extension (`continuous_extension`), if any:
 ///
 ///   x(t + theta h) = (1 - theta) x + theta x1
 ///     + theta (theta - 1) [(1 - 2 theta)(x1 - x) + (theta - 1) h k_1 + theta h k_s]
 ///     + theta^2 (1 - theta)^2 h (sum_i d_i k_i, or p(theta))      (4)
 ///
-/// (3) is compared with the tolerances, or with what rounding makes of it where that is more (`rounding_floor`).
+/// (3) is compared with the tolerances, or with the rounding error where that is larger (`rounding_floor`).
 ///
 /// A `Tableau` has `stages`, `order_of_error` (of e in h), `c`, `a`, `embedded` (b_i), and may have `dense` (d_i) or
 /// `extension`.
@@ -39,8 +39,8 @@ class embedded_runge_kutta : public integrator<embedded_runge_kutta<Tableau, F, 
   using typename base::rate;
   using typename base::S;
 
-  /// f(t, x), start time (s), start state, tolerances. Throws `bad_argument` for tolerances that make no sense, and
-  /// for a start that is not finite.
+  /// f(t, x), start time, s, start state, tolerances. Throws `bad_argument` for invalid tolerances, and for a start
+  /// that is not finite.
   embedded_runge_kutta(F f, const S& t0, const std::type_identity_t<X>& x0, const tolerances<S>& tol = {});
 
  private:

@@ -8,8 +8,8 @@
 
 namespace kte {
 
-/// The coefficients of an ESDIRK method of N stages: (1) and (3) of `esdirk`. The last row of a holds the weights of
-/// the solution; its diagonal is 0, gamma, gamma, ...
+/// The coefficients of an ESDIRK method of N stages: `gamma`, `c`, `a` and the weights `e` of the error, (1) and (3) of
+/// `esdirk`. The last row of a holds the weights of the solution; its diagonal is 0, gamma, gamma, ...
 template <class S, std::size_t N>
 struct esdirk_table {
   using row = std::array<S, N>;
@@ -51,8 +51,8 @@ class esdirk : public implicit_stages<esdirk<Tableau, F, X>, F, X> {
   using typename base::rate;
   using typename base::S;
 
-  /// f(t, x), start time (s), start state, tolerances. Throws `bad_argument` for tolerances that make no sense, and
-  /// for a start that is not finite.
+  /// f(t, x), start time, s, start state, tolerances. Throws `bad_argument` for invalid tolerances, and for a start
+  /// that is not finite.
   esdirk(F f, const S& t0, const std::type_identity_t<X>& x0, const tolerances<S>& tol = {})
       : base(std::move(f), t0, x0, tol, detail::coefficient<S, Tableau::newton_tolerance>()) {
     slope_ = bend_ = sum_ = this->no_rate();

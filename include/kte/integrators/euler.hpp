@@ -4,7 +4,7 @@
 
 namespace kte {
 
-/// Between the steps the state is linear.
+/// The coefficients of Euler's method; the interpolant is linear.
 struct euler_tableau {
   static constexpr std::size_t stages = 1;
   static constexpr int order = 1, dense_order = 1;

@@ -5,14 +5,14 @@
 
 namespace kte {
 
-/// What methods with a fixed step share. What a step loses in rounding is kept and added to the next one (compensated
-/// summation, Kahan 1965; Hairer, Lubich and Wanner, Geometric Numerical Integration, 2006, VIII.5): so many small
-/// steps do not add up their rounding. Steps are counted from the start of each `integrate`; the last one is shorter
-/// where the step does not divide the time. A method derives from this with itself as `Method` and has
+/// Base of methods with a fixed step. The rounding error of a step is added to the next one (compensated summation,
+/// Kahan 1965; Hairer, Lubich and Wanner, Geometric Numerical Integration, 2006, VIII.5), so that rounding errors of
+/// many small steps do not accumulate. Steps are counted from the start of each `integrate`; the last one is shorter
+/// where the step does not divide the time. A method derives from this class with itself as `Method` and has
 ///
-///   try_step(end)     one step to the time `end`: leaves the new state in `next_`, put there by `displace_at_last`
+///   try_step(end)     one step to the time `end`: stores the new state in `next_` by `displace_at_last`
 ///   dense(theta, x)   as for `integrator`
-///   prepare()         if there is one: before the first step of each `integrate`
+///   prepare()         optional: called before the first step of each `integrate`
 template <class Method, class F, class X>
 class fixed_step : public integrator<Method, F, X> {
   using base = integrator<Method, F, X>;
@@ -33,7 +33,7 @@ class fixed_step : public integrator<Method, F, X> {
     total_ = d + lost_;
     this->displace(total_);
   }
-  /// The same for the new state.
+  /// The new state with compensated summation.
   template <class D>
   void displace_at_last(const D& d) {
     displace_with_lost(d);
@@ -45,7 +45,7 @@ class fixed_step : public integrator<Method, F, X> {
       this->system().rounding(this->x_, total_, this->next_, lost_);
     }
   }
-  /// `detail::iterate` within a step h. What is not a finite number stays so, for `advance` to refuse the new state.
+  /// `detail::iterate` within a step h. What is not finite stays so, for `advance` to refuse the new state.
   template <class Step>
   void iterate(const S& h, const Step& step) const {
     if (detail::iterate<S>(step) == detail::iteration::too_long) [[unlikely]]

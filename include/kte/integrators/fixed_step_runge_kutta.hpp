@@ -29,7 +29,7 @@ class fixed_step_runge_kutta : public fixed_step<fixed_step_runge_kutta<Tableau,
   using typename base::rate;
   using typename base::S;
 
-  /// f(t, x), start time (s), start state, step (s). Throws `bad_argument` for a step that is not positive, and for a
+  /// f(t, x), start time, s, start state, step, s. Throws `bad_argument` for a step that is not positive, and for a
   /// start that is not finite.
   fixed_step_runge_kutta(F f, const S& t0, const std::type_identity_t<X>& x0, const S& step);
 

@@ -7,14 +7,14 @@
 
 namespace kte {
 
-/// What methods for stiff systems share: the Jacobian of the right-hand side, and linear systems with it.
+/// Base of methods for stiff systems: the Jacobian of the right-hand side, and linear systems with it.
 ///
 ///   J_ij = d f_i / d x_j,   W = I - c J                (1)
 ///
-/// J is f.jacobian(t, x, J) where f has that, as models have: J a square matrix of the right size, filled by f, which
-/// may return whether it knows J. Otherwise by differences (f(x + d_j) - f(x)) / d_j, d_j = sqrt(eps) max(|x_j|,
-/// absolute_j / relative_j), but sqrt(eps) where that is 0, one evaluation a column. Where states have rotations, of
-/// the rate of the displacement by the displacement, at 0.
+/// J is f.jacobian(t, x, J) where f has it, as models do: f fills a square matrix J of the right size, and may return
+/// false if it cannot. Otherwise J is computed by differences (f(x + d_j) - f(x)) / d_j, d_j = sqrt(eps) max(|x_j|,
+/// absolute_j / relative_j), or sqrt(eps) where that is 0, one evaluation a column. Where states have rotations, J is
+/// the derivative of the rate of the displacement by the displacement, at 0.
 template <class Method, class F, class X>
 class implicit_integrator : public integrator<Method, F, X> {
   using base = integrator<Method, F, X>;

@@ -8,14 +8,14 @@ namespace kte {
 ///
 ///   d = h k,  k the rate of the displacement at (t + h/2, x (+) d/2),   x1 = x (+) d          (1)
 ///
-/// Symmetric: where the motion can be reversed, energy oscillates and does not drift. Exact for quadratic invariants of
-/// vectors: energy of linear oscillators, norm of a momentum. Symplectic where x holds canonical momenta;
-/// `variational` is it for mechanisms. Stable for every step on the imaginary axis, but the iteration needs h below
-/// about 1 over the fastest rate: for stiff systems see `tr_bdf2`.
+/// It is symmetric: for reversible motions energy oscillates and does not drift. It is exact for quadratic invariants
+/// of vectors: the energy of linear oscillators, the norm of a momentum. It is symplectic where x holds canonical
+/// momenta; for mechanisms `variational` is. It is stable for every step on the imaginary axis, but the iteration needs
+/// h below about 1 over the fastest rate: for stiff systems see `tr_bdf2`.
 ///
-/// Between the ends: along d, whose error is of order 2 in h as that of the method. Hairer, Lubich and Wanner,
-/// Geometric Numerical Integration, 2006, II.1.2, IV.2, V.1; on groups Zanna, Engo and Munthe-Kaas, Adjoint and
-/// selfadjoint Lie-group methods, BIT 41 (2001).
+/// Between the ends of a step the state is interpolated along d, with an error of order 2 in h, the order of the
+/// method. Hairer, Lubich and Wanner, Geometric Numerical Integration, 2006, II.1.2, IV.2, V.1; on groups Zanna, Engo
+/// and Munthe-Kaas, Adjoint and selfadjoint Lie-group methods, BIT 41 (2001).
 template <class F, class X>
 class implicit_midpoint : public fixed_step<implicit_midpoint<F, X>, F, X> {
   using base = fixed_step<implicit_midpoint, F, X>;
@@ -25,9 +25,9 @@ class implicit_midpoint : public fixed_step<implicit_midpoint<F, X>, F, X> {
  public:
   using typename base::rate;
   using typename base::S;
-  static constexpr int order = 2, dense_order = 1;
+  static constexpr int order = 2, dense_order = 1;  ///< of the method and of its dense output
 
-  /// f(t, x), start time (s), start state, step (s). Throws `bad_argument` for a step that is not positive, and for a
+  /// f(t, x), start time, s, start state, step, s. Throws `bad_argument` for a step that is not positive, and for a
   /// start that is not finite.
   implicit_midpoint(F f, const S& t0, const std::type_identity_t<X>& x0, const S& step)
       : base(std::move(f), t0, x0, step), k_(this->no_rate()), fresh_(k_) {}

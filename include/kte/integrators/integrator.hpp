@@ -17,28 +17,28 @@ template <class Observer, class S, class X>
 concept observes = follower<std::remove_reference_t<Observer>> || std::invocable<Observer, const S&, const X&>;
 }  // namespace detail
 
-/// See `integrator::restart`.
+/// The type of `keep_step`, an argument of `integrator::restart`.
 struct keep_step_t {};
+/// Lets `integrator::restart` keep the length of the step.
 inline constexpr keep_step_t keep_step{};
 
-/// What all integrators of x' = f(t, x) share: time and state, observers, samples, the last step.
+/// Base of all integrators of x' = f(t, x): time and state, observers, samples, the last step.
 ///
 /// X: the state, an Eigen column vector of fixed or dynamic size, of any real scalar S. F: called as f(t, x), returns
-/// x' as anything that can be assigned to an X, or to an F::rate where states have rotations (`moves_on_group`). It is
-/// copied; pass `std::ref(f)` to share it. Nothing is allocated for a fixed size; for a dynamic size nothing after the
-/// first step, but by f itself, which may return a reference to a vector that it keeps.
+/// x' as anything that can be assigned to an X, or to an F::rate where states have rotations (`moves_on_group`). f is
+/// copied; pass `std::ref(f)` to share it. A fixed size allocates nothing. A dynamic size allocates nothing after the
+/// first step, except in f itself, which may return a reference to a vector that it keeps.
 ///
-/// A method derives from this with itself as `Method` and has three functions:
+/// A method derives from this class with itself as `Method` and has four functions:
 ///
-///   start(t_end)      called once before the steps of an `integrate`; f may have changed since the last one; where
-///                     `is_new_`, nothing is known of how long steps should be: at first, after `restart`, after a
-///                     step that has failed
-///   advance(t_end)    one step towards t_end and not beyond: leaves the new state in `next_` and calls `accept`
+///   start(t_end)      called once before the steps of an `integrate`; f may have changed since the last one. Where
+///                     `is_new_`, a suitable step is unknown: at first, after `restart`, after a failed step
+///   advance(t_end)    one step towards t_end and not beyond: stores the new state in `next_` and calls `accept`
 ///   dense(theta, x)   the state x at the fraction 0 < theta < 1 of the last step
-///   degree()          of the polynomial in theta that the displacement is there
+///   degree()          of the displacement as a polynomial in theta
 ///
-/// They move by displacements from the state at the start of the step: `displace`, `slope` and, in `dense`,
-/// `displaced`. For vectors that is adding.
+/// Methods work with displacements from the state at the start of the step: `displace`, `slope` and, in `dense`,
+/// `displaced`. For vectors these are additions.
 template <class Method, class F, class X>
 class integrator : public moving_state<F, X> {
   using base = moving_state<F, X>;
@@ -47,56 +47,59 @@ class integrator : public moving_state<F, X> {
   using typename base::rate;
   using typename base::S;
 
+  /// The present time, s.
   const S& time() const { return time_; }
-  /// The state at `time()`. After a failure: the last good one.
+  /// The state at `time()`; after a failure the last valid one.
   const X& state() const { return x_; }
+  /// Counts of steps and evaluations so far.
   const step_statistics& statistics() const { return statistics_; }
-  /// The right-hand side, as it was given.
+  /// The right-hand side.
   using base::function;
 
-  /// Integrates to t_end, forward or backward; afterwards `time() == t_end`. Throws `integration_failure` that says
-  /// where and why it stopped, `bad_argument` for a t_end that is not finite or infinitely far.
+  /// Integrates to t_end, forward or backward; afterwards `time() == t_end`. Throws `integration_failure` with the time
+  /// and reason of the failure, `bad_argument` for a t_end that is not finite.
   stop_reason integrate(const S& t_end) { return travel(t_end, detail::no_stops{}, detail::no_observer{}); }
-  /// The same; calls observer(t, x) at the start and after every step. Where it returns `kte::stop`, of type bool, the
-  /// integration ends there: at its time and state.
+  /// Integrates to t_end and calls observer(t, x) at the start and after every step. If the observer returns
+  /// `kte::stop`, of type bool, the integration ends at its time and state.
   template <detail::observes<S, X> Observer>
   stop_reason integrate(const S& t_end, Observer&& observer) {
     return travel(t_end, detail::no_stops{}, detail::follower_of(method(), t_end, observer));
   }
-  /// The same; calls observer(t, x) at the times of a `time_grid`: t0, t0 + h, t0 + 2h, ..., t_end, with t0 the time at
-  /// the call. The steps are as without samples; those between step ends are interpolated.
+  /// Integrates to t_end and calls observer(t, x) at the times t0, t0 + h, t0 + 2h, ..., t_end of a `time_grid`; t0 is
+  /// the time at the call. Samples do not change the steps; states between step ends are interpolated.
   template <class T, detail::observes<S, X> Observer>
   stop_reason integrate(const S& t_end, const every<T>& spacing, Observer&& observer) {
     return travel(t_end, detail::no_stops{}, detail::follower_of(method(), t_end, spacing, observer));
   }
-  /// The same at the times of a list.
+  /// Integrates to t_end and calls observer(t, x) at the times of a list.
   template <class T, detail::observes<S, X> Observer>
   stop_reason integrate(const S& t_end, const at<T>& times, Observer&& observer) {
     return travel(t_end, detail::no_stops{}, detail::follower_of(method(), t_end, times, observer));
   }
-  /// All of the above with steps that end exactly at these times, where f may jump:
+  /// Integrates with steps that end exactly at the given times, where f may jump; with or without observer and samples:
   ///
   ///   solver.integrate(10.0, kte::through{1.0, 2.5}, kte::every(0.01), observer)
   template <class T, class... Observed>
   stop_reason integrate(const S& t_end, const through<T>& stops, Observed&&... observed) {
     return travel(t_end, stops, detail::follower_of(method(), t_end, observed...));
   }
-  /// Integrates to t_end, or to a terminal event, whose time and state are those of the solver then; observers as
-  /// above, called also at events that act: with the state before and, where there is a reset, again with the state
-  /// after it. A sample at the very time of such an event is these two. Events that do not act leave the steps as they
-  /// are. Gives an `event_report` (kte/events/events.hpp):
+  /// Integrates to t_end or to a terminal event; then time and state of the solver are those of the event. Observers as
+  /// above are also called at events that act: with the state before and, if there is a reset, with the state after it.
+  /// A sample at the time of such an event is these two calls. Events that do not act do not change the steps. Returns
+  /// an `event_report` (kte/events/events.hpp):
   ///
   ///   auto ground = kte::event(height, kte::crossing::falling).reset(bounce).rest(lie);
   ///   auto report = solver.integrate(10.0, kte::events(ground, wall), kte::every(0.01), observer);
   ///
-  /// Throws also `integration_failure` for a function of an event that is not a finite number.
+  /// Throws `integration_failure` also for an event function that is not finite.
   template <class Sink, class... E, class... Observed>
   auto integrate(const S& t_end, event_list<Sink, E...> events, Observed&&... observed) {
     return detail::integrate_with_events(method(), t_end, std::move(events), observed...);
   }
 
-  /// One step at a time, for loops of one's own: `begin` once, then `step` until `time()` is t_end, for the same t_end.
+  /// Single steps, for custom loops: call `begin` once, then `step` until `time()` is t_end, with one t_end.
   void begin(const S& t_end);
+  /// One step towards t_end; see `begin`.
   void step(const S& t_end);
 
   /// The state at a time of the last step; exact at its ends. Throws `bad_argument` for other times.
@@ -106,25 +109,27 @@ class integrator : public moving_state<F, X> {
     return x;
   }
 
-  /// The same into x, without a new vector.
+  /// Writes the state at a time of the last step into x, without allocation.
   void interpolate(const S& t, X& x) const;
 
   // ---- the last step, for `solution`
+  /// The time at the start of the last step, s.
   const S& previous_time() const { return previous_time_; }
+  /// The state at the start of the last step.
   const X& previous_state() const { return previous_; }
-  /// Of the polynomial in time that the dense output of the last step is.
+  /// The degree in time of the dense output of the last step.
   int dense_degree() const { return static_cast<const Method&>(*this).degree(); }
   /// The displacement from the start of the last step to the fraction 0 <= theta <= 1 of it.
   rate displacement_to(const S& theta) const;
 
-  /// Goes on from another time and state; how long steps should be is found out anew. Throws `bad_argument` unless they
-  /// are finite.
+  /// Continues from another time and state; the length of the next step is determined again from the slopes. Throws
+  /// `bad_argument` unless they are finite.
   void restart(const S& t, const X& x) {
     restart(t, x, keep_step);
     is_new_ = true;
   }
-  /// The same, but begins with a step as long as the last one: where the motion is as fast as before, for instance
-  /// after an impact. `solver.restart(t, x, kte::keep_step)`.
+  /// Continues from another time and state with a step as long as the last one, where the motion stays about as fast,
+  /// for instance after an impact: `solver.restart(t, x, kte::keep_step)`.
   void restart(const S& t, const X& x, keep_step_t);
 
  protected:
@@ -270,7 +275,7 @@ void integrator<Method, F, X>::begin(const S& t_end) {
 template <class Method, class F, class X>
 void integrator<Method, F, X>::step(const S& t_end) {
   if (in_step_) [[unlikely]]
-    begin(t_end);  // anew: the last step has failed
+    begin(t_end);  // again: the last step has failed
   in_step_ = true;
   no_number_is_failure([&] {
     this->begin_at_state();

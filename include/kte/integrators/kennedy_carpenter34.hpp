@@ -42,8 +42,8 @@ struct kennedy_carpenter34_tableau {
   }
 };
 
-/// For stiff systems at tolerances of 1e-4 to 1e-8 with a Jacobian that is dear: it is kept from step to step, and so
-/// are its factors. About twelve evaluations a step.
+/// ESDIRK method of order 4 for stiff systems at tolerances of 1e-4 to 1e-8 with an expensive Jacobian: the Jacobian
+/// and its factors are kept from step to step. About twelve evaluations a step.
 ///
 ///   kte::kennedy_carpenter34 solver(f, 0.0, x0, {.absolute = 1e-6, .relative = 1e-6});
 ///   solver.integrate(10.0);

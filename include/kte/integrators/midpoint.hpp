@@ -4,7 +4,7 @@
 
 namespace kte {
 
-/// Runge, Math. Ann. 46 (1895), 167-178. The interpolant is that of order 2: there is one.
+/// Runge, Math. Ann. 46 (1895), 167-178. The interpolant is the only one of order 2.
 struct midpoint_tableau {
   static constexpr std::size_t stages = 2;
   static constexpr int order = 2, dense_order = 2;
@@ -15,7 +15,7 @@ struct midpoint_tableau {
   static constexpr std::array<row, 2> interpolant{{{{{1, 1}}}, {{{-1, 1}, {1, 1}}}}};
 };
 
-/// The midpoint rule of order 2 with a fixed step, two evaluations a step.
+/// The explicit midpoint rule of order 2 with a fixed step, two evaluations a step.
 template <class F, class X>
 class midpoint : public fixed_step_runge_kutta<midpoint_tableau, F, X> {
  public:

@@ -40,7 +40,7 @@ inline constexpr bool changes_when_called<std::reference_wrapper<const F>, S, X>
     !std::invocable<const F&, const S&, const X&> && std::invocable<F&, const S&, const X&>;
 }  // namespace detail
 
-/// A right-hand side f whose states are no vectors:
+/// A right-hand side f whose states are not vectors, such as those with rotations:
 ///
 ///   typename F::rate         what f(t, x) returns: a column vector of velocities
 ///   f.rates()                how many numbers it has
@@ -89,7 +89,7 @@ requires requires { typename F::state; }
 inline constexpr bool has_states_on_group<F> = moves_on_group<F, typename F::state>;
 }  // namespace detail
 
-/// The rates of states X under f, and displacements: X itself where states are vectors.
+/// The type of rates of states X under f, and of displacements: X itself for vectors.
 template <class F, class X>
 using rate_of = typename detail::rate_type<detail::unwrapped_type<F>, X>::type;
 

@@ -12,13 +12,13 @@
 
 namespace kte {
 
-/// What an integration has cost so far.
+/// Counts of an integration so far.
 struct step_statistics {
-  long long steps = 0;        ///< accepted
-  long long rejected = 0;     ///< tried and thrown away
-  long long evaluations = 0;  ///< of the right-hand side, also those for differences
-  long long jacobians = 0;    ///< of the right-hand side
-  long long factorizations = 0;
+  long long steps = 0;           ///< accepted
+  long long rejected = 0;        ///< tried and rejected
+  long long evaluations = 0;     ///< of the right-hand side, including those for differences
+  long long jacobians = 0;       ///< of the right-hand side
+  long long factorizations = 0;  ///< of matrices
 };
 
 /// A right-hand side and the states of a step: from `x_`, that at the start of the step, to `next_`, by displacements,
@@ -85,8 +85,8 @@ class moving_state {
       next_ = x_ + d;
     }
   }
-  /// `next_` is where the step ends: it is put where states are kept, with its displacement. What that throws comes
-  /// through `computes`.
+  /// Projects `next_`, the end of the step, onto the constraints, with its displacement. Exceptions pass through
+  /// `computes`.
   void settle_next() {
     if constexpr (settles) {
       if (settled_) return;
@@ -98,7 +98,7 @@ class moving_state {
   void begin_at_state() const {
     if constexpr (settles) ask([&] { system().begin_step(x_); });
   }
-  /// An error estimate of `next_` without what settling takes away.
+  /// An error estimate of `next_` without its part normal to the constraints.
   template <class E>
   decltype(auto) tangential(E e) const {
     if constexpr (settles) {
@@ -109,7 +109,7 @@ class moving_state {
       return e;
     }
   }
-  /// The rate of the displacement at its present value, of which `next_` is the state.
+  /// The rate of the displacement at its present value; `next_` is the state there.
   void slope(const S& t, rate& k) {
     evaluate(t, next_, k);
     pull_back(k);
@@ -173,7 +173,7 @@ class moving_state {
   bool computes(const Body& body, const X& x) const {
     return computed([&] { return body(), true; }, false, x);
   }
-  /// The same of a body that gives something, which else is `otherwise`.
+  /// The result of a function; `otherwise` if it fails.
   template <class Body, class T>
   T computed(const Body& body, [[maybe_unused]] const T& otherwise, [[maybe_unused]] const X& x) const {
 #if defined(__cpp_exceptions)

@@ -7,18 +7,18 @@
 #include <string>
 #include <vector>
 
-/// What integrations are told besides their end: times, and by observers whether to go on.
+/// What integrations are told in addition to their end: times, and by observers whether to go on.
 namespace kte {
 
-/// What an observer may return, of type bool, instead of nothing: `return height > 0 ? kte::go_on : kte::stop`.
+/// Values that an observer may return, of type bool: `return height > 0 ? kte::go_on : kte::stop`.
 inline constexpr bool go_on = true, stop = false;
 
-/// Why an integration came back.
+/// Why an integration ended: at the `end_time`, or before.
 enum class stop_reason {
   end_time,
-  terminal,  ///< at a terminal event
-  zeno,      ///< resets came ever closer, or one could not be separated from the next, or too many events
-  observer   ///< an observer said `stop`
+  terminal,  ///< a terminal event
+  zeno,      ///< resets accumulate, two of them cannot be separated, or there are too many events
+  observer   ///< an observer returned `stop`
 };
 
 namespace detail {
@@ -63,8 +63,8 @@ concept single_time = !requires(const T& x) {
 };
 }  // namespace detail
 
-/// Asks an integrator for the state at these times, by dense output: `solver.integrate(10, kte::at(times), observer)`,
-/// or `kte::at{0.1, 0.5, 2.0}`. In the order of the way to the end.
+/// Times at which an observer is called, by dense output: `solver.integrate(10, kte::at(times), observer)`, or
+/// `kte::at{0.1, 0.5, 2.0}`. The times are in the direction of the integration.
 template <class T>
 struct at : detail::time_list<T> {
   using detail::time_list<T>::time_list;
@@ -74,8 +74,8 @@ at(const List&) -> at<detail::number_in<List>>;
 template <detail::single_time T, std::same_as<T>... More>
 at(T, More...) -> at<T>;
 
-/// Lets steps end exactly at these times: `solver.integrate(10, kte::through(times), ...)`. After each of them f is
-/// taken anew, so an observer of every step may change there what f depends on.
+/// Times at which steps end exactly: `solver.integrate(10, kte::through(times), ...)`. f is evaluated again after each
+/// of them, so that an observer of every step may change there what f depends on.
 template <class T>
 struct through : detail::time_list<T> {
   using detail::time_list<T>::time_list;
@@ -87,7 +87,7 @@ through(T, More...) -> through<T>;
 
 namespace detail {
 
-/// The times of samples, count() of them. Throw `bad_argument` where they make no sense.
+/// The times of samples, count() of them. Throws `bad_argument` for invalid times.
 template <class S>
 class even_samples {
  public:

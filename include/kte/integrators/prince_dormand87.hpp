@@ -120,9 +120,9 @@ struct prince_dormand87_tableau {
   using extension = prince_dormand87_extension;
 };
 
-/// The method of Prince and Dormand: order 8, steps chosen by an error of order 7, thirteen evaluations a step. For
-/// smooth right-hand sides and tight tolerances. Dense output of order 7, for four more evaluations in each step that
-/// is asked for times within it, and none in others.
+/// The method of Prince and Dormand of order 8 with an embedded solution of order 7: thirteen evaluations a step. For
+/// smooth right-hand sides and tight tolerances. The dense output of order 7 needs four more evaluations in each step
+/// with samples, none in others.
 ///
 ///   kte::prince_dormand87 solver(f, 0.0, x0, {.absolute = 1e-12, .relative = 1e-12});
 ///   solver.integrate(10.0);

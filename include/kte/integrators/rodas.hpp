@@ -14,6 +14,7 @@ struct rodas_coefficients {
   static constexpr int order = 4, embedded_order = 3, dense_order = 3, order_of_error = 4;
   static constexpr bool first_same_as_last = false;
 
+  /// The coefficients in the scalar S.
   template <class S>
   static rosenbrock_table<S, stages, 3> table() {
     rosenbrock_table<S, stages, 3> k{S(0.25)};
@@ -53,8 +54,8 @@ struct rodas_coefficients {
   }
 };
 
-/// For stiff systems at tolerances of 1e-3 to 1e-8 and a cheap Jacobian: six evaluations, one Jacobian and a df/dt a
-/// step.
+/// Rosenbrock method of order 4 for stiff systems at tolerances of 1e-3 to 1e-8 with a cheap Jacobian: six evaluations,
+/// one Jacobian and one df/dt a step.
 ///
 ///   kte::rodas solver(f, 0.0, x0, {.absolute = 1e-6, .relative = 1e-6});
 ///   solver.integrate(10.0);

@@ -6,7 +6,8 @@
 
 namespace kte {
 
-/// The coefficients of a Rosenbrock method of N stages with a dense output of degree P: (1) to (6) of `rosenbrock`.
+/// The coefficients of a Rosenbrock method of N stages with a dense output of degree P: `gamma`, `alpha`, `a`, `c`,
+/// `m`, `e` and `dense` of (1) to (6) of `rosenbrock`.
 template <class S, std::size_t N, std::size_t P>
 struct rosenbrock_table {
   using row = std::array<S, N>;
@@ -43,8 +44,8 @@ class rosenbrock : public implicit_integrator<rosenbrock<Coefficients, F, X>, F,
   using typename base::rate;
   using typename base::S;
 
-  /// f(t, x), start time (s), start state, tolerances. Throws `bad_argument` for tolerances that make no sense, and
-  /// for a start that is not finite.
+  /// f(t, x), start time, s, start state, tolerances. Throws `bad_argument` for invalid tolerances, and for a start
+  /// that is not finite.
   rosenbrock(F f, const S& t0, const std::type_identity_t<X>& x0, const tolerances<S>& tol = {})
       : base(std::move(f), t0, x0, tol),
         slope_(this->no_rate()),

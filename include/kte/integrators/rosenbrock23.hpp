@@ -6,7 +6,7 @@ namespace kte {
 
 /// The modified Rosenbrock pair of Shampine and Reichelt, The MATLAB ODE Suite, SIAM J. Sci. Comput. 18 (1997), section
 /// 3: order 2, L-stable, with an error of order 3 in h and a dense output of order 2. It stays of order 2 with any
-/// matrix in place of the Jacobian. With k_i the slopes of the paper, and d, e_32 its numbers:
+/// matrix instead of the Jacobian. With k_i the slopes of the paper, and d, e_32 its numbers:
 ///
 ///   gamma = d = 1 / (2 + sqrt 2),   e_32 = 6 + sqrt 2
 ///   h k_1 = u_1 / d,   h k_2 = (u_1 + u_2) / d,   h k_3 = (2 u_1 + e_32 u_2 + u_3) / d
@@ -15,6 +15,7 @@ struct rosenbrock23_coefficients {
   static constexpr int order = 2, embedded_order = 3, dense_order = 2, order_of_error = 3;
   static constexpr bool first_same_as_last = true;
 
+  /// The coefficients in the scalar S.
   template <class S>
   static rosenbrock_table<S, stages, 2> table() {
     using std::sqrt;
@@ -34,7 +35,8 @@ struct rosenbrock23_coefficients {
   }
 };
 
-/// For stiff systems at crude tolerances, 1e-2 to 1e-4: two evaluations, one Jacobian and a df/dt a step.
+/// Rosenbrock method of order 2 for stiff systems at loose tolerances, 1e-2 to 1e-4: two evaluations, one Jacobian and
+/// one df/dt a step.
 ///
 ///   kte::rosenbrock23 solver(f, 0.0, x0, {.absolute = 1e-4, .relative = 1e-4});
 ///   solver.integrate(10.0);

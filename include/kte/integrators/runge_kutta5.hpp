@@ -4,8 +4,8 @@
 
 namespace kte {
 
-/// Butcher, On Runge-Kutta processes of high order, J. Austral. Math. Soc. 4 (1964), 179-194. The interpolant is that
-/// of order 4, of degree 4, and of slope k_1 at the start: there is one.
+/// Butcher, On Runge-Kutta processes of high order, J. Austral. Math. Soc. 4 (1964), 179-194. The interpolant is the
+/// only one of order 4 and degree 4 with the slope k_1 at the start.
 struct runge_kutta5_tableau {
   static constexpr std::size_t stages = 6;
   static constexpr int order = 5, dense_order = 4;

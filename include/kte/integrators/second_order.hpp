@@ -4,13 +4,13 @@
 
 namespace kte {
 
-/// What methods need that treat positions and velocities differently: rates r = (v, a, z'), of which the first n are
-/// the rates v of positions and the next n are those of v; x has the numbers v behind its positions.
+/// The number n of velocities in the rates r = (v, a, z') of a state, for methods that treat positions and velocities
+/// differently: the first n rates are v, the next n are accelerations; x has the numbers v after its positions.
 ///
-/// n is f.velocity_count() where f has that, as `manipulator_dynamics_model`; else half of the rates, which then have
-/// no third part.
+/// n is f.velocity_count() where f has it, as `manipulator_dynamics_model` does; else half of the rates, which then
+/// have no third part.
 template <class F, class Rate>
-Eigen::Index velocities_in(const F& f, const Rate& r) {
+[[nodiscard]] Eigen::Index velocities_in(const F& f, const Rate& r) {
   if constexpr (requires { f.velocity_count(); }) {
     return f.velocity_count();
   } else {
@@ -21,7 +21,7 @@ Eigen::Index velocities_in(const F& f, const Rate& r) {
   }
 }
 
-/// What `second_order` makes.
+/// The right-hand side that `second_order` returns.
 template <class G>
 class second_order_system {
  public:
@@ -43,13 +43,13 @@ class second_order_system {
   G g_;
 };
 
-/// A system q'' = g(t, q) without velocities in it, as a right-hand side: x = (q, v), x' = (v, g(t, q)).
+/// A system q'' = g(t, q), independent of velocities, as a right-hand side: x = (q, v), x' = (v, g(t, q)).
 ///
 ///   kte::stormer_verlet solver(kte::second_order(g), 0.0, x0, 0.01);
 ///
-/// g(t, q): q is a view of the first half of x; returns as many numbers.
+/// g(t, q): q is a view of the first half of x; g returns as many numbers.
 template <class G>
-second_order_system<G> second_order(G g) {
+[[nodiscard]] second_order_system<G> second_order(G g) {
   return second_order_system<G>(std::move(g));
 }
 

@@ -5,13 +5,13 @@
 
 namespace kte {
 
-/// Semi-implicit (symplectic) Euler, order 1, one evaluation a step h:
+/// Semi-implicit (symplectic) Euler method, order 1, one evaluation a step h:
 ///
 ///   v1 = v + h a(t, q, v),   q1 = q (+) h v1            (1)
 ///
-/// Symplectic where a depends on q only: the energy of a conservative system then stays near its value for ever.
-/// Internal states go by Euler's method. Between the ends: straight lines. Hairer, Lubich and Wanner, Geometric
-/// Numerical Integration, 2006, I.1 (1.9).
+/// Symplectic where a depends on q only: the energy of a conservative system then stays near its value without drift.
+/// Internal states are integrated by Euler's method. Between the ends of a step the state is linear. Hairer, Lubich and
+/// Wanner, Geometric Numerical Integration, 2006, I.1 (1.9).
 template <class F, class X>
 class semi_implicit_euler : public fixed_step<semi_implicit_euler<F, X>, F, X> {
   using base = fixed_step<semi_implicit_euler, F, X>;
@@ -21,9 +21,9 @@ class semi_implicit_euler : public fixed_step<semi_implicit_euler<F, X>, F, X> {
  public:
   using typename base::rate;
   using typename base::S;
-  static constexpr int order = 1, dense_order = 1;
+  static constexpr int order = 1, dense_order = 1;  ///< of the method and of its dense output
 
-  /// f(t, x), start time (s), start state, step (s). Throws `bad_argument` for a step that is not positive, and for a
+  /// f(t, x), start time, s, start state, step, s. Throws `bad_argument` for a step that is not positive, and for a
   /// start that is not finite.
   semi_implicit_euler(F f, const S& t0, const std::type_identity_t<X>& x0, const S& step)
       : base(std::move(f), t0, x0, step), d_(this->no_rate()) {}

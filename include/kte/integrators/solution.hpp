@@ -9,25 +9,25 @@
 
 namespace kte {
 
-/// All of an integration, as a function of time: the dense output of every step, of every solver, forward or backward,
-/// also with events:
+/// The solution as a function of time: the dense output of every step, of every solver, forward or backward, also with
+/// events:
 ///
 ///   kte::solution x(solver);
 ///   solver.integrate(10.0, x);
 ///   const auto there = x(3.7);
 ///
-/// as exact as the dense output of the solver, but for rounding: of a step it keeps the start and the displacements d
-/// from there at m times, m the degree of the solver's polynomial, which go through the same polynomial:
+/// It is as accurate as the dense output of the solver, up to rounding. For each step it stores the start and the
+/// displacements d from it at m times, m the degree of the polynomial of the solver:
 ///
 ///   d(theta) = sum_j w_j d_j / (theta - theta_j) / sum_j w_j / (theta - theta_j)                  (1)
 ///   theta_j = (1 - cos(pi j / m)) / 2,   w_j = (-1)^j, half of that for j = 0, m                  (2)
 ///
-/// m: 1 to 7 for one-step methods (4 for `dormand_prince45`, 7 for `prince_dormand87`, with its four evaluations more a
-/// step), the order for `bdf`, one more than that for `adams`, at least 3. In memory, for states of n numbers with r
-/// rates: 4 + n + m r numbers a step, on the heap. Looking up takes the logarithm of the number of steps.
+/// m: 1 to 7 for one-step methods (4 for `dormand_prince45`, 7 for `prince_dormand87`, with its four additional
+/// evaluations a step), the order for `bdf`, one more than that for `adams`, at least 3. Memory, for states of n
+/// numbers with r rates: 4 + n + m r numbers a step, on the heap. A look-up takes the logarithm of the number of steps.
 ///
-/// Further calls of `integrate` go on with it, where it ended. Berrut and Trefethen, Barycentric Lagrange
-/// Interpolation, SIAM Review 46 (2004), (4.2), (5.4).
+/// Further calls of `integrate` extend it. Berrut and Trefethen, Barycentric Lagrange Interpolation, SIAM Review 46
+/// (2004), (4.2), (5.4). `before`, `after` and `settle` are called by the integrator.
 template <class F, class X>
 class solution {
   static constexpr bool on_group = moves_on_group<detail::unwrapped_type<F>, X>;
@@ -37,7 +37,7 @@ class solution {
   using rate = rate_of<F, X>;
   using follows_steps = void;
 
-  /// Of a solver that is to go on from here.
+  /// The solution of a solver, from its present time on.
   template <class Method>
   explicit solution(const integrator<Method, F, X>& solver)
       : motion_(motion_of(solver)),
@@ -47,17 +47,19 @@ class solution {
         from_(last_),
         d_(solver.displacement_to(S(0))) {}
 
+  /// The first time, s; `end`: the last one.
   const S& begin() const { return begin_; }
+  /// The last time, s.
   const S& end() const { return end_; }
   std::size_t steps() const { return pieces_.size(); }
 
-  /// The state at a time; where an event has changed it, the one after. Throws `bad_argument` out of range.
+  /// The state at a time, s; at a reset the state after it. Throws `bad_argument` for a time out of range.
   X operator()(const S& t) const {
     X x = last_;
     at(t, x);
     return x;
   }
-  /// The same into x, without a new vector.
+  /// Writes the state at a time into x, without allocation.
   void at(const S& t, X& x) const {
     if (!(is_forward() ? begin_ <= t && t <= end_ : end_ <= t && t <= begin_)) [[unlikely]]
       detail::raise<bad_argument>("kte: this solution goes from t = " + detail::number(detail::as_double(begin_)) +
@@ -75,8 +77,8 @@ class solution {
   template <class Solver>
   bool start(const Solver& solver) {
     if (solver.time() != end_)
-      detail::raise<bad_argument>("kte: this solution goes on at t = " + detail::number(detail::as_double(end_)) +
-                                  ", where it has ended, not at " + detail::number(detail::as_double(solver.time())));
+      detail::raise<bad_argument>("kte: this solution continues at t = " + detail::number(detail::as_double(end_)) +
+                                  ", its end, not at " + detail::number(detail::as_double(solver.time())));
     last_ = solver.state();
     return true;
   }
@@ -119,7 +121,7 @@ class solution {
     if (t == end_) return void(last_ = x);
     const S length = t - end_, whole = solver.time() - solver.previous_time();
     if (!pieces_.empty() && (length > S(0)) != is_forward())
-      detail::raise<bad_argument>("kte: a solution does not turn back");
+      detail::raise<bad_argument>("kte: a solution must not reverse its direction");
     const int m = solver.dense_degree();
     const std::size_t first = numbers_.size();
     const X& from = solver.previous_state();

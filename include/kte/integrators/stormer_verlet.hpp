@@ -12,11 +12,11 @@ namespace kte {
 ///   q1 = q (+) h v'                       (2)
 ///   v1 = v' + h/2 a(t + h, q1, v')        (3)
 ///
-/// Explicit where a ignores velocities: one evaluation a step where f says so (`second_order`), and then
-/// symplectic, as energy of conservative systems shows: it stays near its value for ever. In general (1) is solved by
-/// fixed-point iteration; the method is then still symmetric, without drift where the motion can be reversed.
-/// Internal states go as v does. Between the ends: cubics by the slopes at both. Hairer, Lubich and Wanner, Geometric
-/// numerical integration illustrated by the Stormer-Verlet method, Acta Numerica 12 (2003), (1.5), (1.7).
+/// Explicit where a does not depend on velocities: one evaluation a step where f declares it (`second_order`). It is
+/// then symplectic: the energy of conservative systems stays near its value without drift. In general (1) is solved by
+/// fixed-point iteration; the method is then symmetric, without drift for reversible motions. Internal states are
+/// integrated as v is. Between the ends of a step: cubics with the slopes at both ends. Hairer, Lubich and Wanner,
+/// Geometric numerical integration illustrated by the Stormer-Verlet method, Acta Numerica 12 (2003), (1.5), (1.7).
 template <class F, class X>
 class stormer_verlet : public fixed_step<stormer_verlet<F, X>, F, X> {
   using base = fixed_step<stormer_verlet, F, X>;
@@ -26,9 +26,9 @@ class stormer_verlet : public fixed_step<stormer_verlet<F, X>, F, X> {
  public:
   using typename base::rate;
   using typename base::S;
-  static constexpr int order = 2, dense_order = 2;
+  static constexpr int order = 2, dense_order = 2;  ///< of the method and of its dense output
 
-  /// f(t, x), start time (s), start state, step (s). Throws `bad_argument` for a step that is not positive, and for a
+  /// f(t, x), start time, s, start state, step, s. Throws `bad_argument` for a step that is not positive, and for a
   /// start that is not finite.
   stormer_verlet(F f, const S& t0, const std::type_identity_t<X>& x0, const S& step)
       : base(std::move(f), t0, x0, step), k0_(this->no_rate()), k1_(k0_), raw_(k0_), d_(k0_) {}

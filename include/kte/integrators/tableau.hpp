@@ -6,7 +6,7 @@
 
 namespace kte {
 
-/// A rational number, so that a tableau is exact in every scalar.
+/// A rational number `num`/`den`, so that a tableau is exact in every scalar.
 struct ratio {
   long long num = 0;
   long long den = 1;
@@ -14,7 +14,7 @@ struct ratio {
   friend constexpr bool operator==(const ratio&, const ratio&) = default;
 };
 
-/// The entries of one row of a tableau; one a stage.
+/// The entries of a row of a tableau, one per stage.
 template <std::size_t Stages>
 using tableau_row = std::array<ratio, Stages>;
 

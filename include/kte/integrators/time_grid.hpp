@@ -12,7 +12,7 @@
 
 namespace kte {
 
-/// Asks an integrator for the state at evenly spaced times: `solver.integrate(10, every(0.001), observer)`.
+/// Evenly spaced times at which an observer is called: `solver.integrate(10, every(0.001), observer)`.
 template <class S>
 struct every {
   S spacing;  ///< s, positive, also where time runs backward
@@ -28,7 +28,7 @@ constexpr bool is_finite(const S& x) {
   return x - x == S(0);
 }
 
-/// The same of all numbers of a vector or matrix.
+/// Whether all numbers of a vector or matrix are finite.
 template <class M>
 bool all_finite(const Eigen::MatrixBase<M>& x) {
   using S = typename M::Scalar;
@@ -62,8 +62,8 @@ void check_not_negative(const S& x, const char* name) {
 ///   n = ceil(|end - start| / h - slack / h)                (2)
 ///   slack = 4 eps max(|start|, |end|)                      (3)
 ///
-/// Times are counted, not summed, so they do not drift. The last interval is shorter where h does not divide the whole,
-/// but never a mere rounding error: by (2) a rest below the slack belongs to the interval before it.
+/// Times are multiples of h, not sums, so that errors do not accumulate. The last interval is shorter where h does not
+/// divide the whole. By (2) a remainder below the slack is part of the interval before it.
 template <class S>
 class time_grid {
  public:

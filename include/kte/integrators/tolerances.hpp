@@ -8,7 +8,7 @@
 
 namespace kte {
 
-/// A number for all components of a state, or one for each: `1e-6`, or an Eigen vector.
+/// One number for all components of a state, or one for each: `1e-6`, or an Eigen vector.
 template <class S>
 class per_component {
  public:
@@ -35,23 +35,23 @@ class per_component {
   Eigen::Matrix<S, Eigen::Dynamic, 1> each_;
 };
 
-/// How exact an integrator that chooses its own steps shall be: each step to w_i in component i,
+/// Tolerances of an integrator with step control: the error of each step in component i is at most w_i,
 ///
 ///   w_i = absolute_i + relative_i |x_i|            (1)
 ///
-/// One of the two may be 0. What arithmetic cannot reach is refused, w_i < 4 eps |x_i|: every step rounds by eps/2.
-/// Where states have rotations, components are those of rates (`rate_of`).
+/// One of the two may be 0. Tolerances below the rounding error, w_i < 4 eps |x_i|, are rejected: every step rounds by
+/// eps/2. Where states have rotations, components are those of rates (`rate_of`).
 template <class S>
 struct tolerances {
   per_component<S> absolute = S(1e-6);  ///< in units of the state; not negative
   per_component<S> relative = S(1e-6);  ///< as a fraction of the state; not negative
-  long long max_steps = 1000000;        ///< of one `integrate`, with those rejected
-  S initial_step = S(0);                ///< s, where steps begin: at first and after `restart`. 0: by the first slopes
+  long long max_steps = 1000000;        ///< of one `integrate`, including rejected ones
+  S initial_step = S(0);                ///< s, first step, also after `restart`; 0: computed from the first slopes
   /// s; a tolerance that needs a shorter step fails. The last step to an end may be shorter
   S smallest_step = S(0);
-  S largest_step = S(0);  ///< s; 0: none
+  S largest_step = S(0);  ///< s; 0: unlimited
 
-  /// Throws `bad_argument` for settings that make no sense for n components.
+  /// Throws `bad_argument` for invalid settings, or settings that do not fit n components.
   void check(Eigen::Index n) const {
     check_step(initial_step, "initial step");
     check_step(smallest_step, "smallest step");
@@ -79,7 +79,7 @@ struct tolerances {
       if (relative[i] < least_relative()) return false;
     return true;
   }
-  /// What is out of reach for states of these sizes, in words; nothing if all is within reach.
+  /// A message that names the component whose tolerance is out of reach for states of these sizes; empty if none is.
   template <class X>
   std::string out_of_reach(const X& sizes) const {
     using std::abs;

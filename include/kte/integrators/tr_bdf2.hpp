@@ -27,8 +27,8 @@ struct tr_bdf2_tableau {
   }
 };
 
-/// For stiff systems at crude tolerances, 1e-2 to 1e-5, with a Jacobian that is dear: it is kept from step to step, and
-/// so are its factors.
+/// TR-BDF2, order 2, for stiff systems at loose tolerances, 1e-2 to 1e-5, with an expensive Jacobian: the Jacobian and
+/// its factors are kept from step to step.
 ///
 ///   kte::tr_bdf2 solver(f, 0.0, x0, {.absolute = 1e-4, .relative = 1e-4});
 ///   solver.integrate(10.0);

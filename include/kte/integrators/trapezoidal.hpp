@@ -22,8 +22,8 @@ struct trapezoidal_tableau {
   }
 };
 
-/// For oscillations that shall not be damped, in moderately stiff systems at crude tolerances. Modes that are too fast
-/// for the steps ring, alternating from step to step.
+/// The trapezoidal rule, for oscillations that must not be damped, in moderately stiff systems at loose tolerances.
+/// Modes that are too fast for the step alternate in sign from step to step.
 ///
 ///   kte::trapezoidal solver(f, 0.0, x0, {.absolute = 1e-4, .relative = 1e-4});
 ///   solver.integrate(10.0);

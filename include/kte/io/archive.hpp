@@ -10,7 +10,7 @@
 
 namespace kte {
 
-/// Several things in one file, each under a name of its own, its root:
+/// Several items in one file, the roots, each with a name:
 ///
 ///   kte::archive a;
 ///   a.add("pendulum", chain).add("joint_coord", "q", s.coordinate("q")).add("end_frame", "tip", s.frame_2D("tip"));
@@ -22,26 +22,27 @@ namespace kte {
 ///   auto t = c.make_state();
 ///   b.restore("joint_coord", t);
 ///
-/// Roots share coordinates, frames and chains, by the names that these have: what is restored into a state of the chain
-/// is what the chain moves. Numbers come back as the same bits. A value.
+/// Roots share coordinates, frames and chains by their names: values are restored into the state by the names that the
+/// chain uses. Numbers are restored bit for bit. An archive is a value.
 class archive {
  public:
   archive() = default;
   explicit archive(archive_record r) : record_(std::move(r)) {}
+  /// The archive as plain data.
   const archive_record& record() const { return record_; }
 
-  /// The names of the roots, in their order.
+  /// The names of all roots, in their order.
   std::vector<std::string> names() const {
     std::vector<std::string> all;
     for (const auto& r : record_.roots) all.push_back(r.name);
     return all;
   }
+  /// Whether there is a root of this name.
   bool has(std::string_view name) const { return find(name) != nullptr; }
 
-  /// Adds a chain of either kind; a kinematics or dynamics model, with its tools and inputs; a
-  /// manipulator, with its limits; a state of either kind; a
-  /// `mass_matrix_calc`, whose chain must be there; numbers, as q and v. Throws `bad_argument` for a name that is
-  /// there.
+  /// Adds a chain of either kind; a kinematics or dynamics model, with its tools and inputs; a manipulator, with its
+  /// limits; a state of either kind; a `mass_matrix_calc` of a chain in the archive; or numbers, such as q and v.
+  /// Throws `bad_argument` if the name is in use.
   template <class T>
   archive& add(const std::string& name, const T& x) {
     if constexpr (requires { x.inertias(), x.coordinates(); }) {
@@ -58,14 +59,14 @@ class archive {
       return put(name, std::move(numbers));
     }
   }
-  /// A chain, or such a model, with the limits of its coordinates.
+  /// Adds a chain or a model, with the limits of its coordinates.
   template <class Chain, class Numbers>
   archive& add(const std::string& name, const Chain& c, const joint_limits<Numbers>& limits) {
     auto m = detail::record_of_model(c);
     m.limits = limit_records(c, limits);
     return put(name, std::move(m));
   }
-  /// A chain with its tools, and limits.
+  /// Adds a chain with its tools and the limits of its coordinates.
   template <class Chain, class Numbers>
   archive& add(const std::string& name, const Chain& c, std::vector<std::string> tools,
                const joint_limits<Numbers>& limits) {
@@ -73,7 +74,8 @@ class archive {
     m.tools = std::move(tools), m.limits = limit_records(c, limits);
     return put(name, std::move(m));
   }
-  /// A coordinate, frame, input or internal state with its values, under its name in chains, a text or a key.
+  /// Adds a coordinate, frame, input or internal state with its values, and the name that it has in chains, a text or a
+  /// key.
   template <class Name, class T>
   requires(key_type<Name> || text_type<Name>) archive& add(const std::string& name, const Name& in_chain, const T& x) {
     constexpr kind k = detail::kind_of_thing<T>;
@@ -86,31 +88,33 @@ class archive {
   }
 
   // ---- what is under a name; throws `unknown_name`, `bad_argument` where it is something else
-  /// A chain with all that a model has besides.
+  /// The record of a chain or a model.
   const model_record& model(std::string_view name) const { return get<model_record>(name, "a chain"); }
-  /// A runtime chain of elements of this library, or of those of a registry.
+  /// The runtime chain of a root, with elements of this library, or of a registry. Throws `unknown_name`, `bad_file`.
   template <class = void>
-  kte_map_chain chain(std::string_view name) const {
+  runtime_chain chain(std::string_view name) const {
     return to_chain(model(name));
   }
-  kte_map_chain chain(std::string_view name, const element_registry& registry) const {
+  runtime_chain chain(std::string_view name, const element_registry& registry) const {
     return to_chain(model(name), registry);
   }
-  /// A static chain of the type of `like`; throws `bad_file` that says which element differs, and how.
+  /// The static chain of a root, of the type of `like`. Throws `bad_file`, naming the element that differs and the
+  /// difference.
   template <class Gravity, class... E>
   static_chain<Gravity, E...> chain(std::string_view name, const static_chain<Gravity, E...>& like) const {
     return from_record(like, model(name));
   }
+  /// The names of the tools of a model.
   const std::vector<std::string>& tools(std::string_view name) const { return model(name).tools; }
-  /// Infinite where the file has none.
+  /// The limits of a root for the coordinates of the chain c; infinite where the file has none.
   template <class Chain>
   auto limits(std::string_view name, const Chain& c) const {
     return limits_of(c, model(name));
   }
-  /// Of a chain that came from this archive, whose states it takes (include kte/reak/mass_matrix_calc.hpp). Throws
-  /// `bad_argument` for another chain.
-  template <class Calculator = mass_matrix_calc<kte_map_chain>>
-  Calculator calculator(std::string_view name, const kte_map_chain& c) const {
+  /// The `mass_matrix_calc` of a root, for a chain from this archive, for whose states it works (include
+  /// kte/reak/mass_matrix_calc.hpp). Throws `bad_argument` for another chain.
+  template <class Calculator = mass_matrix_calc<runtime_chain>>
+  Calculator calculator(std::string_view name, const runtime_chain& c) const {
     const auto& r = get<calculator_record>(name, "a calculator of the mass matrix");
     if (!same_chain(record_of(c), model(r.chain)))
       throw bad_argument("kte: '" + std::string(name) + "' of the archive is of its chain '" + r.chain +
@@ -118,8 +122,8 @@ class archive {
     if (!r.of_all) return Calculator(c, r.inertias, r.coordinates);
     return Calculator(c) << all_inertias << all_coordinates;
   }
-  /// One thing with its values, `thing<kte::gen_coord<>>("joint_coord")`; zero, or no rotation, where the file has
-  /// none.
+  /// A coordinate, frame, input or internal state with its values, `thing<kte::gen_coord<>>("joint_coord")`; values
+  /// that the file does not have are zero, or the identity rotation.
   template <class T>
   T thing(std::string_view name) const {
     const auto& r = get<thing_record>(name, "a thing");
@@ -128,10 +132,11 @@ class archive {
     detail::assign_thing(x, r);
     return x;
   }
-  /// Its name in chains.
+  /// The name of the item of a root in chains.
   const std::string& name_of_thing(std::string_view name) const { return get<thing_record>(name, "a thing").name; }
-  /// Puts a thing, or all of a state, into a state of a chain; of a model, its inputs into a model. What the file does
-  /// not have stays. All or nothing: throws `unknown_name` for what the state does not have.
+  /// Restores an item or a state into a state of a chain, or the inputs of a model into a model. Values that the file
+  /// does not have are unchanged. Strong exception guarantee; throws `unknown_name` for items that the state does not
+  /// have.
   template <class T>
   void restore(std::string_view name, T& x) const {
     if constexpr (!detail::any_state<T>) {
@@ -142,6 +147,7 @@ class archive {
       kte::restore(get<state_record>(name, "a state or a thing"), x);
     }
   }
+  /// The numbers of a root.
   template <class S = double>
   std::vector<S> numbers(std::string_view name) const {
     std::vector<S> all;
@@ -196,7 +202,7 @@ class archive {
 
 /// Reads a file by its ending: .xml, .json or .kte. One of a chain alone (`save_model`) is an archive with the root
 /// "model". Throws `bad_file`.
-inline archive load_archive(const std::filesystem::path& path, const read_options& options = {}) {
+[[nodiscard]] inline archive load_archive(const std::filesystem::path& path, const read_options& options = {}) {
   return archive(detail::read_archive(path, options));
 }
 

@@ -5,8 +5,8 @@
 
 namespace kte {
 
-/// Writes an archive to a file, by its ending: .xml, .json or .kte. The file is replaced only when all is written, and
-/// keeps its permissions; a link stays one. Throws `bad_file`; the file is then as before.
+/// Writes an archive to a file in the format of its extension: .xml, .json or .kte. The file is replaced after all is
+/// written; its permissions, and symbolic links, are kept. Throws `bad_file` and then leaves the file unchanged.
 inline void save_archive(const std::filesystem::path& path, const archive& a, const save_options& options = {}) {
   detail::save_record(path, detail::model_format_of(path), a.record(), options);
 }

@@ -8,18 +8,19 @@
 /// What an archive holds, as plain data. Roots share coordinates, frames and chains by their names.
 namespace kte {
 
-/// The versions of the format: 1 is a chain alone; 2 has archives of several roots, and models of manipulators.
+/// The versions of the format: 1 is a single chain; 2 has archives of several roots, and models of manipulators.
 inline constexpr int model_file_version = 1;
 inline constexpr int archive_file_version = 2;
 
-/// Numbers of a quantity. They hold those of float, double and long double.
+/// The `values` of a quantity `name`, with the precision of long double, and the `place` in the file.
 struct quantity_record {
   std::string name;
   std::vector<long double> values;
   file_place place{};
   friend bool operator==(const quantity_record&, const quantity_record&) = default;
 };
-/// A coordinate, frame, input or internal state, under its name in chains, with its values; what is not there is zero.
+/// A coordinate, frame, input or internal state: its kind `what`, its name in chains, its values, and the `place` in
+/// the file. Missing values are zero.
 struct thing_record {
   kind what{};
   std::string name;
@@ -27,22 +28,23 @@ struct thing_record {
   file_place place{};
   friend bool operator==(const thing_record&, const thing_record&) = default;
 };
-/// Of a chain: things with their values.
+/// The state of a chain: `things`, items with their values.
 struct state_record {
   std::vector<thing_record> things;
   friend bool operator==(const state_record&, const state_record&) = default;
 };
-/// A `mass_matrix_calc`: the root that is its chain, and the names that it was fed with; of all bodies and coordinates,
-/// none.
+/// A `mass_matrix_calc`: the root that is its chain, and the names of its `inertias` and `coordinates`; none if it is
+/// `of_all`.
 struct calculator_record {
   std::string chain;
   bool of_all = true;
   std::vector<std::string> inertias{}, coordinates{};
   friend bool operator==(const calculator_record&, const calculator_record&) = default;
 };
-/// Numbers by themselves, as q and v.
+/// A list of numbers, such as q or v.
 using numbers_record = std::vector<long double>;
 
+/// A root of an archive: its `name`, its `content`, and the `place` in the file.
 struct root_record {
   using content_type = std::variant<model_record, thing_record, state_record, calculator_record, numbers_record>;
   std::string name;
@@ -50,6 +52,7 @@ struct root_record {
   file_place place{};
   friend bool operator==(const root_record&, const root_record&) = default;
 };
+/// An archive as plain data: its `roots`, in order.
 struct archive_record {
   std::vector<root_record> roots;
   friend bool operator==(const archive_record&, const archive_record&) = default;

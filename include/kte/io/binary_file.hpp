@@ -17,9 +17,9 @@ inline std::string write_file(field_writer& out, const archive_record& all) {
 }
 }  // namespace detail
 
-/// The bytes of a file. Throws `bad_file` for what `from_binary` would not read again.
+/// The bytes of a .kte file. Throws `bad_file` for a record that `from_binary` would reject.
 template <class Record = model_record>
-std::string to_binary(const Record& r) {
+[[nodiscard]] std::string to_binary(const Record& r) {
   detail::binary_writer out;
   return detail::write_file(out, r);
 }

@@ -52,7 +52,7 @@ class byte_reader {
     offset_ += bytes.size();
     return bytes;
   }
-  /// The same as something to be read on its own.
+  /// The bytes as a separate source.
   byte_reader part(std::uint64_t n, const char* what) {
     const std::size_t begin = offset_;
     return {path_, take(n, what), begin};

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
 #include <kte/static_chain/static_chain.hpp>
 
 #include <boost/hana/for_each.hpp>
@@ -67,19 +67,19 @@ class dot_graph {
 
 }  // namespace detail
 
-/// The graph of a chain for Graphviz, `dot -Tsvg`: elements are boxes, coordinates circles, frames ellipses, signals
-/// and internal states diamonds. Arrows go from what an element reads to it, and from it to what it writes or declares;
-/// dashed ones to what it acts on by a force. They have the roles of ports.
+/// The graph of a static chain for Graphviz, `dot -Tsvg`: elements are boxes, coordinates circles, frames ellipses,
+/// signals and internal states diamonds. Arrows lead from the inputs of an element to it, and from it to its outputs;
+/// dashed arrows to coordinates and frames on which it acts by a force. They are labelled by the roles of ports.
 template <class Gravity, class... E>
-std::string to_dot(const static_chain<Gravity, E...>& chain) {
+[[nodiscard]] std::string to_dot(const static_chain<Gravity, E...>& chain) {
   detail::dot_graph graph;
   boost::hana::for_each(chain.elements(), [&graph]<class Core, class... Keys>(const element<Core, Keys...>&) {
     graph.add(Core::type, Core::ports, std::array<std::string_view, sizeof...(Keys)>{Keys::name...});
   });
   return graph.text();
 }
-/// The same of a runtime chain; of a part that is neither an element nor a chain, the elements that it lists.
-inline std::string to_dot(const kte_map_chain& chain) {
+/// The graph of a runtime chain for Graphviz; a part that is neither an element nor a chain is shown by its elements.
+[[nodiscard]] inline std::string to_dot(const runtime_chain& chain) {
   detail::dot_graph graph;
   chain.for_each_element([&graph](const kte_element& e) { graph.add(e.type(), e.ports(), e.names()); });
   return graph.text();

@@ -76,7 +76,7 @@ class field_reader {
     part_ = outside;
   }
 
-  /// Names of which each comes once.
+  /// Names that may occur once each.
   void once(std::set<std::string>& seen, const std::string& name) {
     if (!seen.insert(name).second) fail("a second '" + excerpt(name) + "'");
   }

@@ -27,7 +27,7 @@ class field_scanner {
   virtual std::string text(const std::string& name) = 0;
   /// Numbers as text, with blanks between them.
   virtual std::string numbers(const std::string& name) = 0;
-  /// Takes numbers, if the file has them here as they are and not as text.
+  /// Reads numbers, if the file has binary numbers here and not text.
   virtual bool take_numbers(std::vector<double>&) { return false; }
 
   virtual file_place place(std::size_t offset) = 0;

@@ -39,7 +39,7 @@ class json_scanner final : public field_scanner {
     if (current() != '"') fail("'" + name + "' is not a text in quotes");
     return quoted();
   }
-  /// Of a text, a number or a list of numbers.
+  /// Reads a text, a number or a list of numbers.
   std::string numbers(const std::string& name) override {
     start();
     if (current() == '"') return quoted();

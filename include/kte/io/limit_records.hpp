@@ -17,9 +17,9 @@ void visit_limits(Limits& l, const Visit& visit) {
 }
 }  // namespace detail
 
-/// The limits of the coordinates that have some. Throws `bad_parameter` as `check_limits` does.
+/// The finite limits of a chain as records. Throws `bad_parameter` as `check_limits` does.
 template <class Chain, class Numbers>
-std::vector<limit_record> limit_records(const Chain& c, const joint_limits<Numbers>& limits) {
+[[nodiscard]] std::vector<limit_record> limit_records(const Chain& c, const joint_limits<Numbers>& limits) {
   check_limits(c, limits);
   std::vector<limit_record> all;
   for (const auto& e : layout(c)) {
@@ -34,10 +34,10 @@ std::vector<limit_record> limit_records(const Chain& c, const joint_limits<Numbe
   return all;
 }
 
-/// The limits of a chain that a record has by the names of its coordinates. Throws `unknown_name`, `bad_file` for
-/// another count of numbers than the coordinate has of v, `bad_parameter`.
+/// The limits of a chain in the record of a model, by the names of its coordinates. Throws `unknown_name`,
+/// `bad_parameter`, and `bad_file` for a number of limits other than that of v of the coordinate.
 template <class Chain>
-auto limits_of(const Chain& c, const model_record& m) {
+[[nodiscard]] auto limits_of(const Chain& c, const model_record& m) {
   auto limits = unlimited(c);
   const auto table = layout(c);
   for (const auto& r : m.limits) {

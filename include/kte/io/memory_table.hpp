@@ -5,20 +5,22 @@
 
 namespace kte {
 
-/// A table in memory, written like one in a file:
+/// A table in memory with the interface of `table_writer`:
 ///
 ///   kte::memory_table out({"t", "q"});
 ///   out.row(0.0, x);
 ///   out["q"].back();
+///
+/// `flush`, `flush_every` and `close` do nothing.
 class memory_table {
  public:
-  /// Throws `bad_argument` for names that files do not take.
+  /// An empty table. Throws `bad_argument` for names that `table_writer` rejects.
   explicit memory_table(const std::vector<std::string>& names)
       : row_(detail::check_column_names(names).size(), ""), table_{names, {}} {
     table_.columns.resize(names.size());
   }
 
-  /// As `table_writer::row`. Allocates as vectors that grow do, unless `reserve` was called.
+  /// Appends a row, as `table_writer::row`. Allocates as std::vector does when it grows, unless `reserve` was called.
   template <class... T>
   void row(const T&... values) {
     const auto numbers = row_.gather(values...);
@@ -26,7 +28,7 @@ class memory_table {
       if (c.size() == c.capacity()) c.reserve(2 * c.size() + 1);  // all or none, then each takes its number
     for (std::size_t j = 0; j < numbers.size(); ++j) table_.columns[j].push_back(numbers[j]);
   }
-  /// Makes room for so many rows in all.
+  /// Reserves memory for this number of rows.
   void reserve(std::size_t rows) {
     for (auto& c : table_.columns) c.reserve(rows);
   }
@@ -35,6 +37,7 @@ class memory_table {
   void flush_every(std::size_t) {}
   void close() {}
 
+  /// The table.
   const table& contents() const { return table_; }
   /// The column of a name. Throws `unknown_name`.
   const std::vector<double>& operator[](std::string_view name) const { return table_[name]; }

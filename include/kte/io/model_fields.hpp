@@ -7,7 +7,7 @@
 
 namespace kte::detail {
 
-/// Reads the fields of a chain, and what a model of a manipulator has besides.
+/// Reads the fields of a chain, and those of the model of a manipulator.
 class model_fields {
  public:
   explicit model_fields(field_reader& in) : in_(in) {}
@@ -64,7 +64,7 @@ class model_fields {
       }
     });
   }
-  /// What a model of a manipulator has besides a chain.
+  /// What a model of a manipulator has in addition to a chain.
   void read_more(const std::string& name, model_record& m) {
     if (name == "tools") {
       m.tools = in_.texts(name);

@@ -17,15 +17,15 @@
 /// Numbers are written as texts of the shortest digits that read back to the same double (docs/file_format.md).
 namespace kte {
 
-/// Writes a chain of either kind, or a model with its tools, limits and inputs, to a file, by its ending: .xml, .json
-/// or .kte. The file is replaced only when all is written, and keeps its permissions; a link stays one. Throws
-/// `bad_file`, or `bad_argument` for a chain that no file can hold; the file is then as before.
+/// Writes a chain of either kind, or a model with its tools, limits and inputs, to a file in the format of its
+/// extension: .xml, .json or .kte. The file is replaced after all is written; its permissions, and symbolic links, are
+/// kept. Throws `bad_file`, or `bad_argument` for a chain that files cannot hold; the file is then unchanged.
 template <class Chain>
 void save_model(const std::filesystem::path& path, const Chain& chain, const save_options& options = {}) {
   const auto format = detail::model_format_of(path);
   detail::save_record(path, format, detail::record_of_model(chain), options);
 }
-/// The same with the limits of its coordinates.
+/// Writes a chain or model with the limits of its coordinates.
 template <class Chain, class Numbers>
 void save_model(const std::filesystem::path& path, const Chain& chain, const joint_limits<Numbers>& limits,
                 const save_options& options = {}) {

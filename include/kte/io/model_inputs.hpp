@@ -31,7 +31,7 @@ std::vector<parameter_record> input_records(const Model& m) {
   });
   return all;
 }
-/// Of a chain of either kind or a model, with all that it has besides. Throws `bad_argument` for what no file can hold.
+/// The record of a chain or a model, with tools, limits and inputs. Throws `bad_argument` for functions of the program.
 template <class T>
 model_record record_of_model(const T& x) {
   model_record m = record_of(x);

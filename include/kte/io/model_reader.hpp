@@ -10,7 +10,7 @@
 /// Files into records. Needs no cereal.
 namespace kte {
 
-/// The formats of model files and archives.
+/// The formats of model files and archives: `json`, `xml` and binary.
 enum class model_format {
   json,
   xml,
@@ -72,24 +72,26 @@ inline model_record only_model(archive_record&& all, const std::string& name) {
 
 }  // namespace detail
 
-/// A model from a text or bytes; `file` is what messages call it. Throws `bad_file` with line and column, or the
-/// offset of the byte, and the field.
-inline model_record from_json(std::string_view text, const std::string& file = "JSON text",
-                              const read_options& options = {}) {
+/// A model from a JSON text; `file` is its name in messages. Throws `bad_file` with line, column and field.
+[[nodiscard]] inline model_record from_json(std::string_view text, const std::string& file = "JSON text",
+                                            const read_options& options = {}) {
   return detail::only_model(detail::read_archive(text, file, model_format::json, options), file);
 }
-inline model_record from_xml(std::string_view text, const std::string& file = "XML text",
-                             const read_options& options = {}) {
+/// A model from an XML text; `file` is its name in messages. Throws `bad_file` with line, column and field.
+[[nodiscard]] inline model_record from_xml(std::string_view text, const std::string& file = "XML text",
+                                           const read_options& options = {}) {
   return detail::only_model(detail::read_archive(text, file, model_format::xml, options), file);
 }
-inline model_record from_binary(std::string_view bytes, const std::string& file = "binary model",
-                                const read_options& options = {}) {
+/// A model from the bytes of a .kte file; `file` is its name in messages. Throws `bad_file` with the offset of the byte
+/// and the field.
+[[nodiscard]] inline model_record from_binary(std::string_view bytes, const std::string& file = "binary model",
+                                              const read_options& options = {}) {
   return detail::only_model(detail::read_archive(bytes, file, model_format::binary, options), file);
 }
 
-/// Reads a file: `to_chain(load_model(path))` is a runtime chain, `from_record(like, load_model(path))` a static one.
-/// Of an archive it is the only chain. Throws `bad_file`.
-inline model_record load_model(const std::filesystem::path& path, const read_options& options = {}) {
+/// Reads the model of a file: `to_chain(load_model(path))` is a runtime chain, `from_record(like, load_model(path))` a
+/// static chain. An archive must have one chain. Throws `bad_file`.
+[[nodiscard]] inline model_record load_model(const std::filesystem::path& path, const read_options& options = {}) {
   return detail::only_model(detail::read_archive(path, options), path.string());
 }
 

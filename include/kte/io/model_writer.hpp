@@ -8,15 +8,16 @@
 /// Records, of models and archives, into files: JSON and XML by cereal.
 namespace kte {
 
-/// As a text. Throws `bad_file` for what `from_json`, `from_xml` would not read again: gravity that is not finite,
-/// names with control characters, and for XML parameters whose names cannot be tags.
+/// A model or an archive as JSON text. Throws `bad_file` for records that `from_json` or `from_xml` would reject:
+/// gravity that is not finite, names with control characters, and for XML parameters whose names cannot be tags.
 template <class Record = model_record>
-std::string to_json(const Record& r) {
+[[nodiscard]] std::string to_json(const Record& r) {
   detail::cereal_writer<cereal::JSONOutputArchive> out;
   return detail::write_file(out, r);
 }
+/// A model or an archive as XML text; see `to_json`.
 template <class Record = model_record>
-std::string to_xml(const Record& r) {
+[[nodiscard]] std::string to_xml(const Record& r) {
   detail::cereal_writer<cereal::XMLOutputArchive> out;
   return detail::write_file(out, r);
 }

@@ -9,7 +9,7 @@
 /// Numbers as text that reads back as the same bits, whatever the locale.
 namespace kte::detail {
 
-/// Appends a number to a text of them; whatever its sign and bits, what is no number is "nan".
+/// Appends a number to a text; every NaN is "nan".
 template <class Real>
 void append_number(std::string& text, Real x) {
   char digits[64];

@@ -31,7 +31,7 @@ inline constexpr bool is_printed<basic_runtime_state<S>> = true;
 template <class Chain, class X>
 inline constexpr bool is_printed<named_vector<Chain, X>> = true;
 template <>
-inline constexpr bool is_printed<kte_map_chain> = true;
+inline constexpr bool is_printed<runtime_chain> = true;
 template <>
 inline constexpr bool is_printed<model_record> = true;
 template <>
@@ -41,7 +41,7 @@ inline constexpr bool is_printed<element_record> = true;
 #ifdef __cpp_lib_format
 #  include <format>
 
-/// Width and fill as of a text.
+/// Formats whatever kte prints by `<<`; width and fill as for a text.
 template <class T>
 requires(kte::detail::is_printed<T>) struct std::formatter<T, char> : std::formatter<std::string, char> {
   template <class Context>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kte/io/print_numbers.hpp>
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
 #include <kte/runtime_chain/static_chain_map.hpp>
 
 /// `std::cout << chain`: a line for the whole and one for each element, with what its ports are connected to and its
@@ -73,13 +73,13 @@ std::ostream& operator<<(std::ostream& out, const static_chain<Gravity, E...>& c
   return out;
 }
 
-/// An element of a runtime chain: its numbers as a file would have them.
+/// An element of a runtime chain, with the numbers that a file would have.
 inline std::ostream& operator<<(std::ostream& out, const kte_element& e) {
   if (!e.holds_code()) return out << e.record();
   const std::vector<std::string_view> names(e.names().begin(), e.names().end());
   return out << describe_element(e.type(), e.ports(), names) << ": a function of the program";
 }
-inline std::ostream& operator<<(std::ostream& out, const kte_map_chain& c) {
+inline std::ostream& operator<<(std::ostream& out, const runtime_chain& c) {
   std::size_t count = 0;
   c.for_each_element([&count](const kte_element&) { ++count; });
   detail::print_title(out, "runtime chain", count) << c.gravity() << '\n';

@@ -88,7 +88,7 @@ std::ostream& operator<<(std::ostream& out, const motion<M...>& x) {
 }
 
 namespace detail {
-/// What frames of either kind, and coordinates that are poses, have besides position and rotation.
+/// What frames of either kind, and coordinates that are poses, have in addition to position and rotation.
 template <class X>
 std::ostream& print_rates(std::ostream& out, const X& x) {
   return print_fields(out << ", ", "velocity", x.velocity, "ang_velocity", x.ang_velocity, "acceleration",

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kte/io/print_numbers.hpp>
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
 #include <kte/static_chain/layout.hpp>
 
 #include <utility>
@@ -45,15 +45,17 @@ std::ostream& operator<<(std::ostream& out, const basic_runtime_state<S>& s) {
       [&of](kind k, int i) -> const auto& { return of(k)[static_cast<std::size_t>(i)]; });
 }
 
-/// A joint vector, q or v, a, tau, to be printed with the names of the coordinates. It refers to both.
+/// A joint vector, q, v, a or tau, that is printed with the names of the coordinates. It refers to the `chain` and the
+/// vector `x`.
 template <class Chain, indexable X>
 struct named_vector {
   const Chain& chain;
   const X& x;
 };
-/// Throws `bad_argument` when it is printed, if x has neither the length of q nor that of v.
+/// A joint vector for printing with the names of the coordinates: `std::cout << by_names(arm, tau)`. Printing throws
+/// `bad_argument` if x has neither the length of q nor that of v.
 template <class Chain, indexable X>
-named_vector<Chain, X> by_names(const Chain& chain, const X& x) {
+[[nodiscard]] named_vector<Chain, X> by_names(const Chain& chain, const X& x) {
   return {chain, x};
 }
 template <class Chain, indexable X>

@@ -21,7 +21,7 @@ int exit_code_of(const F& f) {
   try {
     return f();
   } catch (const std::bad_alloc&) {
-    std::fputs("kte: this needs more memory than there is\n", stderr);
+    std::fputs("kte: not enough memory\n", stderr);
   } catch (const std::exception& e) {
     std::fprintf(stderr, "%s\n", e.what());
   }

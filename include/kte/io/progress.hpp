@@ -10,7 +10,7 @@
 
 namespace kte {
 
-/// Tells how far a simulation is, from time to time of the wall clock; to be called in an observer, or as one:
+/// Reports the progress of a simulation at intervals of the wall clock; to be called in an observer, or as one:
 ///
 ///   kte::progress report(0.0, 10.0, [](double fraction, double elapsed, double left) { ... });
 ///   solver.integrate(10.0, report);
@@ -19,9 +19,9 @@ namespace kte {
 ///
 ///   fraction   (t - t_start) / (t_end - t_start), within 0 and 1; time may run backward
 ///   elapsed    s of the wall clock since it was made
-///   left       elapsed (1 - fraction) / fraction, s: as if each second of the simulation took as long; infinite at 0
+///   left       elapsed (1 - fraction) / fraction, s: the remaining time at the present speed; infinite at 0
 ///
-/// at most once an interval, and once at the end. It does not allocate; mostly all it does is to look at the clock.
+/// at most once per interval, and once at the end. It does not allocate; most calls only read the clock.
 template <class Callback, class Clock = std::chrono::steady_clock>
 requires std::invocable<Callback&, double, double, double>
 class progress {
@@ -37,7 +37,7 @@ class progress {
                                   detail::number(interval.count()));
   }
 
-  /// At time t of the simulation; whatever else an observer gets does not matter.
+  /// To be called at time t, s, of the simulation; further arguments of an observer are ignored.
   template <class T, class... More>
   void operator()(const T& t, const More&...) {
     if (done_) return;

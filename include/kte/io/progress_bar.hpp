@@ -13,15 +13,16 @@
 
 namespace kte {
 
-/// Draws progress as a line of text that is written over, on a terminal:
+/// Draws progress as a line of text that is overwritten, on a terminal:
 ///
 ///   kte::progress report(0.0, 10.0, kte::progress_bar());
 ///
 ///   [##########          ]  50 %  12 s, 12 s left
 ///
-/// Elsewhere, in a log file or a pipe, it is silent, unless asked to draw. The last line, at 100 %, stays.
+/// In a log file or a pipe it draws nothing, unless asked to. The last line, at 100 %, stays.
 class progress_bar {
  public:
+  /// Where progress is drawn: `on_terminals` only, or `always`.
   enum class draw { on_terminals, always };
 
   explicit progress_bar(std::FILE* out = stderr, draw when = draw::on_terminals)

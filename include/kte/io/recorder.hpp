@@ -12,40 +12,41 @@ namespace kte {
 ///   solver.integrate(10.0, kte::every(0.01), [&](double t, const auto& x) { ...; rec.row(t, s); });
 ///   rec.close();
 ///
-/// The first column is t. What there is:
+/// The first column is t. Names are:
 ///
 ///   coordinate          q                 q/v   q/a   q/f
 ///   rotation            ball/rotation     ball/ang_velocity   ball/ang_acceleration   ball/torque
 ///   poses and frames    x/position  x/rotation (2D: x/angle)  x/velocity  x/ang_velocity  x/acceleration
 ///                       x/ang_acceleration  x/force  x/torque
-///   signal              motor   (of three numbers: pull/x  pull/y  pull/z)
+///   signal              motor   (three numbers: pull/x  pull/y  pull/z)
 ///   internal state      bristle           bristle/v
 ///
-/// A vector is a column a component, `tip/position/x`, which may be asked for alone; a rotation has w, x, y, z. The
-/// name of a thing alone is where it is: all of its q, or position and rotation; with /v, /a, /f it is all of these.
-/// A frame may have the name of a coordinate or signal: "elbow/position" is then that of the frame, which alone has
-/// one; what both have is asked for as "frame:elbow" and "coordinate:elbow" ("signal:"), and columns have these names.
-/// Units and axes are those of the state, see `gen_coord`, `frame_3D`, `pose_coord_3D`. The quaternion of a frame is
-/// the one with w >= 0, so x, y, z jump where the frame passes half a turn; that of a coordinate is as in the state.
+/// A vector has a column per component, `tip/position/x`, which may be recorded alone; a rotation has w, x, y, z. The
+/// name of an item alone means all of its q, or position and rotation; with /v, /a, /f all of these. A frame may have
+/// the name of a coordinate or signal: "elbow/position" is then that of the frame, as only frames have a position.
+/// Quantities that both have are named "frame:elbow" and "coordinate:elbow" ("signal:"), also in the columns. Units and
+/// axes are those of the state, see `gen_coord`, `frame_3D`, `pose_coord_3D`. The quaternion of a frame has w >= 0, so
+/// that x, y, z jump where the frame passes half a turn; that of a coordinate is as in the state.
 ///
-/// Without names everything of coordinates, inputs and internal states is recorded, and where all frames are. Static
-/// and runtime chains with the same elements give the same columns. No row allocates; names are looked up once.
+/// Without names all coordinates, inputs and internal states are recorded, and the poses of all frames. Static and
+/// runtime chains of equal elements have equal columns. A row does not allocate; names are looked up once.
 template <class Chain, class Table = table_writer>
 class recorder {
  public:
-  /// Throws `unknown_name` for what the chain does not have, and what `table_writer` throws.
+  /// A recorder into a file. Throws `unknown_name` for names that the chain does not have, and what `table_writer`
+  /// throws.
   recorder(const std::filesystem::path& file, const Chain& chain, const std::vector<std::string>& names = {})
       : recorder(file, chain, names, format_of(file)) {}
   recorder(const std::filesystem::path& file, const Chain& chain, const std::vector<std::string>& names,
            table_format format)
       : recorder(chain, detail::recording(detail::slots_of(chain), names), file, format) {}
-  /// In memory.
+  /// A recorder in memory.
   explicit recorder(const Chain& chain, const std::vector<std::string>& names = {})
       : recorder(chain, detail::recording(detail::slots_of(chain), names)) {}
 
-  /// The quantities as they are in the state at time t. Frames are as of the last `doMotion`, forces as of the last
-  /// `doForce`. Throws `bad_argument` for a state of another runtime chain (for static chains that does not compile),
-  /// and where the matrix of a frame is no rotation.
+  /// Records a row: the quantities of the state at time t, s. Frames are those of the last `doMotion`, forces those of
+  /// the last `doForce`. Throws `bad_argument` for a state of another runtime chain (for static chains it does not
+  /// compile), and if the matrix of a frame is not a rotation.
   template <class T, class State>
   void row(const T& t, const State& s) {
     check(s);
@@ -53,11 +54,13 @@ class recorder {
     out_.row(t, numbers_);
   }
 
-  // As of the table.
+  /// Passes all rows to the operating system, see `table_writer`.
   void flush() { out_.flush(); }
+  /// Flushes after this number of rows.
   void flush_every(std::size_t rows) { out_.flush_every(rows); }
+  /// Writes the remaining rows and closes the file.
   void close() { out_.close(); }
-  /// In memory: what was recorded.
+  /// The recorded table, for a recorder in memory.
   const table& contents() const { return out_.contents(); }
 
  private:

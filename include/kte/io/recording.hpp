@@ -117,7 +117,7 @@ class recording_by_names {
     (std::make_index_sequence<kinds>{});
   }
 
-  /// The name of a thing with what it is, by which it is asked for where its name is shared.
+  /// The name of a thing with what it is, by which it is requested where its name is shared.
   template <kind K>
   static std::string full_name(const named_slot& p) {
     return std::string(is_frame(K) ? "frame:" : is_coordinate(K) ? "coordinate:" : "signal:") + p.name;

@@ -14,7 +14,7 @@ constexpr bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\n' || c
 /// As much of a text as fits into a message.
 inline std::string excerpt(std::string_view text) { return std::string(text.substr(0, 80)); }
 
-/// Of a file with more bytes than `read_options` allows.
+/// Rejects a file with more bytes than `read_options` allows.
 inline std::string file_too_large(std::size_t max_bytes) {
   return "the file has more than " + std::to_string(max_bytes) + " bytes (read_options::max_bytes)";
 }

@@ -54,9 +54,9 @@ concept any_state = requires {
 
 }  // namespace detail
 
-/// All that a state holds. Its scalar is float, double or long double.
+/// The record of all values of a state. Its scalar is float, double or long double.
 template <detail::any_state State>
-state_record record_of(const State& s) {
+[[nodiscard]] state_record record_of(const State& s) {
   static_assert(std::floating_point<typename State::scalar>, "kte: files hold states of float, double and long double");
   state_record r;
   detail::for_each_thing(s, [&r](kind k, std::string_view name, const auto& x) {
@@ -65,8 +65,8 @@ state_record record_of(const State& s) {
   return r;
 }
 
-/// Puts things into a state that has them; what the record does not have stays. A state of less precise numbers rounds.
-/// Throws `unknown_name`, `bad_file`, and the state is then as before.
+/// Restores the values of a record into a state; other values are unchanged. A state of lower precision rounds. Throws
+/// `unknown_name`, `bad_file`, and then leaves the state unchanged.
 template <detail::any_state State>
 void restore(const state_record& r, State& s) {
   State filled = s;

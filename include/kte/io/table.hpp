@@ -11,11 +11,12 @@
 
 namespace kte {
 
-/// Numbers in columns with names: what was read from a file, or collected in memory.
+/// Numbers in columns with `names`, read from a file or collected in memory.
 struct table {
   std::vector<std::string> names;
   std::vector<std::vector<double>> columns;  ///< columns[j][i]: column j of row i
 
+  /// The number of rows.
   std::size_t rows() const { return columns.empty() ? 0 : columns.front().size(); }
   /// The column of a name. Throws `unknown_name`.
   const std::vector<double>& operator[](std::string_view name) const {

@@ -8,7 +8,7 @@
 
 namespace kte {
 
-/// The media of tables in files.
+/// The file formats of tables.
 enum class table_format {
   ssv,  ///< text, columns separated by spaces: gnuplot
   csv,  ///< text, by commas: PlotJuggler, spreadsheets
@@ -27,15 +27,15 @@ inline constexpr known_extension known_extensions[]{{".ssv", table_format::ssv},
                                                     {".csv", table_format::csv}, {".tsv", table_format::tsv},
                                                     {".npy", table_format::npy}, {".mcap", table_format::mcap}};
 
-/// Of a format that is text.
+/// The separator of a text format.
 constexpr char separator_of(table_format f) {
   return f == table_format::csv ? ',' : f == table_format::tsv ? '\t' : ' ';
 }
 
 }  // namespace detail
 
-/// The format that the extension of a file's name says. Throws `bad_argument` with the known ones.
-inline table_format format_of(const std::filesystem::path& path) {
+/// The format of a file by its extension. Throws `bad_argument`, listing the known ones.
+[[nodiscard]] inline table_format format_of(const std::filesystem::path& path) {
   const std::string extension = detail::lower_extension(path);
   std::string known;
   for (const auto& e : detail::known_extensions) {

@@ -8,10 +8,10 @@
 
 namespace kte {
 
-/// Reads what a `table_writer` wrote, or another file of that form. Throws `bad_file` with the path, and the line and
-/// column counted from 1, or the offset in bytes counted from 0, where something is wrong; also for a file cut off
-/// within a row. Needs memory for the file and the numbers in it, whatever its headers claim.
-inline table read_table(const std::filesystem::path& path, table_format format) {
+/// Reads a file of a `table_writer`, or another file of that format. Throws `bad_file` with the path, and the line and
+/// column counted from 1, or the offset in bytes counted from 0; also for a file that ends within a row. The memory
+/// needed is that of the file and its numbers, whatever its headers claim.
+[[nodiscard]] inline table read_table(const std::filesystem::path& path, table_format format) {
   const std::string bytes = detail::read_file(path);
   switch (format) {
     case table_format::npy:
@@ -22,7 +22,7 @@ inline table read_table(const std::filesystem::path& path, table_format format) 
       return detail::read_text_table(path, bytes, detail::separator_of(format));
   }
 }
-/// In the format that the extension says. Throws `bad_argument` for an unknown one.
-inline table read_table(const std::filesystem::path& path) { return read_table(path, format_of(path)); }
+/// Reads a table in the format of its extension. Throws `bad_argument` for an unknown one.
+[[nodiscard]] inline table read_table(const std::filesystem::path& path) { return read_table(path, format_of(path)); }
 
 }  // namespace kte

@@ -11,40 +11,40 @@
 
 namespace kte {
 
-/// Writes a file of numbers row by row, in the format that its extension says (`table_format`).
+/// Writes a table to a file row by row, in the format of its extension (`table_format`).
 ///
 ///   kte::table_writer out("run.csv", {"t", "theta", "omega"});
 ///   solver.integrate(10.0, kte::every(0.01), [&](double t, const auto& x) { out.row(t, x); });
 ///   out.close();
 ///
-/// `read_table` gives every double back bit for bit. Time comes first: in seconds for MCAP, and for PlotJuggler
-/// increasing and named `t`. Names with slashes, `tip/position/x`, are shown as trees.
+/// `read_table` restores every double bit for bit. The first column is time: in seconds for MCAP; for PlotJuggler it
+/// must increase and be named `t`. Names with slashes, `tip/position/x`, are shown as trees.
 ///
-/// Rows go through a buffer. What was flushed can be read whatever happens to the program later. No row allocates, but
-/// for those before the first flush where they are very long. Throws `bad_file` with the path and the reason where the
-/// file cannot be opened or written, at the latest in `close`. The destructor closes and says nothing.
+/// Rows are buffered. Flushed rows can be read even if the program fails later. A row does not allocate, except long
+/// ones before the first flush. Throws `bad_file` with the path and the reason if the file cannot be opened or written,
+/// at the latest in `close`. The destructor closes the file and does not throw.
 class table_writer {
  public:
-  /// Throws `bad_argument` for an unknown extension; for no names, or one that is empty, occurs twice, or has a blank,
-  /// a comma, a quote or a backslash.
+  /// A writer to a file, with the names of its columns. Throws `bad_argument` for an unknown extension; for no names;
+  /// and for a name that is empty, occurs twice, or has a blank, a comma, a quote or a backslash.
   table_writer(const std::filesystem::path& path, const std::vector<std::string>& names)
       : table_writer(path, names, format_of(path)) {}
-  /// In a format that the path does not say.
+  /// A writer to a file in a given format.
   table_writer(const std::filesystem::path& path, const std::vector<std::string>& names, table_format format);
   table_writer(const table_writer&) = delete;
   table_writer& operator=(const table_writer&) = delete;
   ~table_writer();
 
-  /// A row of numbers and vectors of numbers, as many as there are columns; else throws `bad_argument`.
+  /// Writes a row of numbers and vectors of numbers, as many as there are columns; else throws `bad_argument`.
   template <class... T>
   void row(const T&... values) {
     add(row_.gather(values...));
   }
-  /// Hands the rows so far to the operating system, so that they outlive the program.
+  /// Passes all rows to the operating system, so that they survive a failure of the program.
   void flush();
-  /// Flushes by itself after every so many rows; 0, as at the start, when the buffer is full.
+  /// Flushes after this number of rows; 0, the default: when the buffer is full.
   void flush_every(std::size_t rows) { most_waiting_ = rows; }
-  /// Writes what is left and closes the file. Does nothing the second time.
+  /// Writes the remaining rows and closes the file. A second call does nothing.
   void close();
 
  private:

@@ -6,7 +6,7 @@
 
 namespace kte::detail {
 
-/// The bytes of the character that a text begins with; 0 where that is no UTF-8.
+/// The bytes of the character that a text begins with; 0 where that is not UTF-8.
 constexpr std::size_t utf8_length(std::string_view text) {
   const auto byte = [text](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u; };
   const unsigned first = byte(0), second = byte(1);

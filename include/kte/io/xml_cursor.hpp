@@ -39,7 +39,7 @@ class xml_cursor {
     i_ = end + token.size();
     return before;
   }
-  /// What is before one of the characters, or all.
+  /// The text before one of the characters, or all.
   std::string_view until(std::string_view characters) {
     const auto part = text_.substr(i_, text_.find_first_of(characters, i_) - i_);
     i_ += part.size();
@@ -86,13 +86,13 @@ class xml_cursor {
         std::find_if(std::begin(known), std::end(known), [part](const auto& x) { return x.first == part; });
     const bool numeric = part.starts_with('#');
     if (peek() != ';' || (!numeric && k == std::end(known)))
-      source_.fail(from, "'&' begins no known entity (for itself write &amp;)");
+      source_.fail(from, "'&' begins no known entity (write &amp; for the character itself)");
     skip(1);
     numeric ? source_.append(out, character(part.substr(1), from), from) : out.push_back(k->second);
   }
 
  private:
-  /// Of a reference, "233" or "xE9".
+  /// The character of a reference, "233" or "xE9".
   char32_t character(std::string_view digits, std::size_t from) {
     const int base = digits.starts_with('x') ? 16 : 10;
     if (base == 16) digits.remove_prefix(1);

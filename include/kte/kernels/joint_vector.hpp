@@ -10,18 +10,20 @@
 
 namespace kte {
 
-/// One number a degree of freedom.
+/// A vector with one number per degree of freedom.
 template <class S, int N>
 using joint_vector = Eigen::Matrix<S, N, 1>;
+/// A square matrix over the degrees of freedom.
 template <class S, int N>
 using joint_matrix = Eigen::Matrix<S, N, N>;
 
-/// What fused algorithms take for q, v, a, tau: an Eigen vector, std::array, std::span, a pointer.
+/// An argument q, v, a or tau of algorithms: an Eigen vector, std::array, std::span, a pointer.
 template <class T>
 concept indexable = requires(const T& x, std::size_t i) {
   x[i];
 };
 
+/// The type of the numbers of such an argument.
 template <indexable T>
 using value_of = std::remove_cvref_t<decltype(std::declval<const T&>()[std::size_t{}])>;
 
@@ -111,7 +113,7 @@ KTE_INLINE constexpr bool all_finite(const X& x, std::size_t n) {
   const auto sum = zero_or_nan(x, n);
   return all(sum == decltype(sum)(0));
 }
-/// No algorithm gives NaN back in silence: throws `bad_argument` unless x[0] ... x[n-1] are finite numbers.
+/// Throws `bad_argument` unless x[0] ... x[n-1] are finite: no algorithm returns NaN silently.
 template <class X>
 KTE_INLINE constexpr void check_finite(const X& x, std::size_t n, const char* what) {
   if (!all_finite(x, n)) [[unlikely]]

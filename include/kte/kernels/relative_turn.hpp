@@ -49,7 +49,7 @@ KTE_INLINE constexpr auto turn_of(const mat3<RX, RY, RZ>& rotation) {
   return vec3<S>{k * largest.u.x, k * largest.u.y, k * largest.u.z};
 }
 
-/// The same of a rotation about z: an angle in [-pi, pi].
+/// The rotation about z: an angle in [-pi, pi].
 template <class C, class S>
 KTE_INLINE constexpr auto turn_of(const rotation_2D<C, S>& r) {
   using std::atan2;

@@ -14,7 +14,7 @@ namespace kte::detail {
 ///
 ///   M = L D L^T,   d_j = m_jj - sum_k l_jk^2 d_k,   l_ij = (m_ij - sum_k l_ik l_jk d_k) / d_j          (1)
 ///
-/// Golub and Van Loan, Matrix Computations, 4.1.2. Eigen's LLT is a call of its own and takes as long as all the rest
+/// Golub and Van Loan, Matrix Computations, 4.1.2. Eigen's LLT is its own call and takes as long as all the rest
 /// (docs/decisions/05-forward-dynamics.md). Returns whether no pivot d_j vanishes against m_jj.
 template <class Matrix>
 KTE_INLINE bool factorise(Matrix& m) {
@@ -50,16 +50,16 @@ KTE_INLINE void substitute(const Matrix& m, Vector& b) {
   }
 }
 
-/// Of a coordinate, where it is known which.
+/// Names the coordinate, if known.
 [[noreturn, gnu::cold]] inline void raise_singular_mass_matrix(std::string_view coordinate = {}) {
   std::string text("kte: the mass matrix is singular: ");
   if (coordinate.empty())
     text.append("a coordinate");
   else
     text.append("'").append(coordinate).append("'");
-  raise<singular_mass_matrix>(text.append(" moves no mass of its own"));
+  raise<singular_mass_matrix>(text.append(" moves no mass independently of the others"));
 }
-/// The first row of which `factorise` said that its pivot vanishes; m_jj follows again from (1).
+/// The first row with a vanishing pivot, reported by `factorise`; m_jj follows again from (1).
 template <class Matrix>
 [[gnu::cold, gnu::noinline]] int first_vanishing(const Matrix& m) {
   using S = typename Matrix::Scalar;
@@ -128,7 +128,7 @@ KTE_INLINE void solve_in_place(Matrix& m, Vector& b, const Fail& fail) {
   substitute(m, b);
 }
 
-/// The same where some of x are known: of b, which are x for them. Their rows and columns of M are used up.
+/// Solves with some x known: their entries of b are x. Their rows and columns of M are overwritten.
 template <class Matrix, class Vector, class Known, class Fail>
 void solve_partly_known(Matrix& m, Vector& b, const Known& is_known, const Fail& fail) {
   using S = typename Matrix::Scalar;

@@ -4,35 +4,35 @@
 
 namespace kte {
 
-/// What `accelerations_towards` gives.
+/// The result of `accelerations_towards`: the accelerations `a`, the `status`, and the following.
 template <class S, int N>
 struct acceleration_step {
   joint_vector<S, N> a;
   joint_vector<S, N> v;                       ///< v + a dt, for q' = integrate(arm, q, v, dt)
-  Eigen::Matrix<signed char, N, 1> at_bound;  ///< as of `rate_step`
+  Eigen::Matrix<signed char, N, 1> at_bound;  ///< -1, 1: held by the lower or upper bound of its rate; 0: free
   rate_status status;
-  S linear, angular;  ///< how far tools miss the wanted accelerations: the largest, m/s^2 and rad/s^2
+  S linear, angular;  ///< largest errors of the tools' accelerations, m/s^2 and rad/s^2
 };
 
-/// One step of differential inverse kinematics by accelerations: those that move the tools as nearly with the wanted
-/// ones as the limits of positions, rates and accelerations let them. With v' = v + a dt they are the rates of
-/// `rates_towards`,
+/// One step of differential inverse kinematics by accelerations: those that bring the accelerations of the tools
+/// closest to the desired ones within the limits of positions, rates and accelerations. With v' = v + a dt they
+/// correspond to `rates_towards`,
 ///
-///   minimise  |J v' - (J v + dt (wanted - dJ/dt v))|_W^2 + eps |v' - v - dt a_wanted|^2,   a = (v' - v)/dt      (1)
+///   minimize  |J v' - (J v + dt (wanted - dJ/dt v))|_W^2 + eps |v' - v - dt a_wanted|^2,   a = (v' - v)/dt      (1)
 ///
-/// `wanted` has the acceleration, classical, and the angular acceleration of each tool, at its origin in axes of the
-/// world, as `getDependentAccelerations`. To stay on a path, add gains times its errors of velocity and of pose
-/// (`pose_error`). `a_wanted`, 0 if left out, is what is done with freedoms that the tools leave: -k v lets motions
-/// there die. Throws as `rates_towards` does.
+/// `wanted`: the desired acceleration, classical, and angular acceleration of each tool, at its origin in axes of the
+/// world, as `getDependentAccelerations`. To stay on a path, add gains times the errors of velocity and of pose
+/// (`pose_error`). `a_wanted`, 0 if omitted, is the desired acceleration in the null space of the tools: -k v damps
+/// motions there. Throws as `rates_towards`.
 template <class Arm, indexable Q, indexable V, indexable T, indexable W>
-auto accelerations_towards(const Arm& arm, const Q& q, const V& v, const T& wanted, value_of<Q> dt,
-                           const rate_options& options, const W& a_wanted) {
+[[nodiscard]] auto accelerations_towards(const Arm& arm, const Q& q, const V& v, const T& wanted, value_of<Q> dt,
+                                         const rate_options& options, const W& a_wanted) {
   using S = value_of<Q>;
   constexpr int n = detail::arm_dofs<Arm>;
   const auto size = detail::dofs_of(arm);
-  detail::check_twists_of(arm, wanted, "wanted", "a wanted acceleration");
+  detail::check_twists_of(arm, wanted, "wanted", "a desired acceleration");
   detail::check_rates_of(arm, v, "v", "a rate");
-  detail::check_rates_of(arm, a_wanted, "a_wanted", "a wanted acceleration");
+  detail::check_rates_of(arm, a_wanted, "a_wanted", "a desired acceleration");
   const auto m = static_cast<Eigen::Index>(size);
   joint_vector<S, n> now(m), aim(m);
   for (Eigen::Index i = 0; i < m; ++i) {
@@ -47,8 +47,8 @@ auto accelerations_towards(const Arm& arm, const Q& q, const V& v, const T& want
                                  step.status,         step.linear / dt, step.angular / dt};
 }
 template <class Arm, indexable Q, indexable V, indexable T>
-auto accelerations_towards(const Arm& arm, const Q& q, const V& v, const T& wanted, value_of<Q> dt,
-                           const rate_options& options = {}) {
+[[nodiscard]] auto accelerations_towards(const Arm& arm, const Q& q, const V& v, const T& wanted, value_of<Q> dt,
+                                         const rate_options& options = {}) {
   using vector = joint_vector<value_of<Q>, detail::arm_dofs<Arm>>;
   return accelerations_towards(arm, q, v, wanted, dt, options,
                                vector(vector::Zero(static_cast<Eigen::Index>(detail::dofs_of(arm)))));

@@ -8,6 +8,7 @@
 namespace kte::arm_names {
 
 // clang-format off
+/// Coordinates of the ready-made arms.
 inline constexpr struct q1_ final : coord_key<"q1"> {} q1;
 inline constexpr struct q2_ final : coord_key<"q2"> {} q2;
 inline constexpr struct q3_ final : coord_key<"q3"> {} q3;
@@ -18,6 +19,7 @@ inline constexpr struct q7_ final : coord_key<"q7"> {} q7;
 inline constexpr struct track_ final : coord_key<"track"> {} track;
 inline constexpr struct floating_ final : pose_3D_key<"pose"> {} floating;
 
+/// Frames of the ready-made arms.
 inline constexpr struct base_ final : frame_3D_key<"base"> {} base;
 inline constexpr struct cart_ final : frame_3D_key<"cart"> {} cart;
 inline constexpr struct link1_ final : frame_3D_key<"link1"> {} link1;
@@ -37,6 +39,7 @@ namespace kte::planar_arm_names {
 
 // clang-format off
 using arm_names::q1, arm_names::q2, arm_names::q3;
+/// Coordinate and frames of the ready-made arms in the plane.
 inline constexpr struct floating_ final : pose_2D_key<"pose"> {} floating;
 inline constexpr struct base_ final : frame_2D_key<"base"> {} base;
 inline constexpr struct link1_ final : frame_2D_key<"link1"> {} link1;

@@ -6,13 +6,13 @@
 
 namespace kte {
 
-/// What `minimise_in_box` found.
+/// The result of `minimise_in_box`: the minimum x.
 template <class S, int N>
 struct box_minimum {
   joint_vector<S, N> x;
-  Eigen::Matrix<signed char, N, 1> at;  ///< -1 and 1: held by its lower or upper bound; 0: free
-  int pivots;                           ///< systems of equations solved
-  bool optimal;  ///< false: rounding kept (2) from being reached; x is within bounds all the same
+  Eigen::Matrix<signed char, N, 1> at;  ///< -1, 1: at its lower or upper bound; 0: free
+  int pivots;                           ///< number of linear systems solved
+  bool optimal;                         ///< false if rounding prevents (2); x is within bounds then too
 };
 
 namespace detail {
@@ -70,18 +70,18 @@ box_minimum<S, N>& finite_minimum(box_minimum<S, N>& found) {
 }
 }  // namespace detail
 
-/// The x that minimises a convex quadratic function in a box, by a primal active-set method (Nocedal, Wright: Numerical
-/// Optimization, 2006, section 16.5), which starts at the free minimum brought into the box:
+/// Minimizes a convex quadratic function in a box by a primal active-set method (Nocedal, Wright: Numerical
+/// Optimization, 2006, section 16.5), starting from the unconstrained minimum projected into the box:
 ///
 ///   x^T H x / 2 - g^T x,   lower <= x <= upper                                          (1)
 ///   r = H x - g:   r_i = 0 where free,  r_i >= 0 at lower,  r_i <= 0 at upper           (2)
 ///
 /// H is symmetric and positive definite or semidefinite; bounds may be infinite, or equal. (2) holds to rounding.
-/// Nothing is allocated where the size is fixed. Throws `bad_argument` unless lower <= upper and H, g are finite, and
-/// where x is not: numbers are too large or too small.
+/// Nothing is allocated for a fixed size. Throws `bad_argument` unless lower <= upper and H, g are finite, and if x is
+/// not finite: numbers are too large or too small.
 template <class S, int N>
-box_minimum<S, N> minimise_in_box(const joint_matrix<S, N>& h, const joint_vector<S, N>& g,
-                                  const joint_vector<S, N>& lower, const joint_vector<S, N>& upper) {
+[[nodiscard]] box_minimum<S, N> minimise_in_box(const joint_matrix<S, N>& h, const joint_vector<S, N>& g,
+                                                const joint_vector<S, N>& lower, const joint_vector<S, N>& upper) {
   const Eigen::Index n = g.size();
   detail::check_finite(g, static_cast<std::size_t>(n), "kte: the linear part of a quadratic function is not finite");
   detail::check_finite(h.data(), static_cast<std::size_t>(h.size()), "kte: a quadratic function is not finite");

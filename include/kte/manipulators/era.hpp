@@ -8,9 +8,9 @@
 namespace kte {
 
 /// The European Robotic Arm: seven revolute joints, z y x x x y z, links of 1.228, 0.340, 4.072, 4.072, 0.340, 1.228 m
-/// along z where q = 0. ESA gives the whole arm 630 kg and a reach of 9.7 m; masses of its links are not public: these
-/// are a guess that sums to 630 kg, of rods.
-constexpr auto era_chain() {
+/// along z at q = 0. ESA gives 630 kg for the whole arm and a reach of 9.7 m; masses of its links are not public: here
+/// they are those of rods, assumed to sum to 630 kg.
+[[nodiscard]] constexpr auto era_chain() {
   using namespace arm_names;
   const auto rod = [](double m, double d) { return link_body(m, along_z(d), 0.12); };
   return chain(revolute_joint_3D(q1, base, link1), inertia_3D(link1, rod(80, 1.228)),
@@ -21,8 +21,8 @@ constexpr auto era_chain() {
                revolute_joint_3D(q6, link5, link6, axis::y).at(along_z(0.340)), inertia_3D(link6, rod(60, 1.228)),
                revolute_joint_3D(q7, link6, tool).at(along_z(1.228)), inertia_3D(tool, rod(20, 0)));
 }
-/// Half a turn each way, the elbow 3/4 of that.
-constexpr auto era_limits() {
+/// Limits: half a turn in each direction, 3/4 of that for the elbow.
+[[nodiscard]] constexpr auto era_limits() {
   auto limits = unlimited(era_chain());
   limits.upper = detail::in_radians<7>({180, 180, 180, 135, 180, 180, 180});
   limits.lower = detail::negated(limits.upper);
@@ -30,6 +30,6 @@ constexpr auto era_limits() {
 }
 
 /// The arm with its limits.
-constexpr auto era() { return manipulator(era_chain(), arm_names::tool, era_limits()); }
+[[nodiscard]] constexpr auto era() { return manipulator(era_chain(), arm_names::tool, era_limits()); }
 
 }  // namespace kte

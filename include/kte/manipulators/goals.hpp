@@ -5,9 +5,9 @@
 
 #include <tuple>
 
-/// What `clik` is to attain. `reach`, `reach_position` and `look_at` are hard: they are attained, or it says that they
-/// are not. `posture`, `away_from_limits`, `manipulability` are soft, as is what `soft` makes of the others: they are
-/// attained as nearly as the hard ones let them.
+/// What `numerical_inverse_kinematics` is to attain. `reach`, `reach_position` and `look_at` are hard: they are
+/// attained, or it says that they are not. `posture`, `away_from_limits`, `manipulability` are soft, as is what `soft`
+/// makes of the others: they are attained as nearly as the hard ones let them.
 namespace kte {
 
 namespace detail {
@@ -62,21 +62,22 @@ requires requires { Goal::hard; }
 auto as_levels(const Goal& g) { return levels(std::tuple{g}, std::tuple{}); }
 }  // namespace detail
 
-/// A goal with a weight, of its squares, among soft ones.
+/// A soft goal, with a weight of its squares among soft goals.
 template <class Goal>
-auto soft(double weight, const Goal& goal) {
+[[nodiscard]] auto soft(double weight, const Goal& goal) {
   if (!(weight >= 0) || weight - weight != 0)
     detail::raise<bad_argument>("kte: the weight of a goal must be finite and not negative");
   return detail::soft_goal<Goal>{goal, weight};
 }
-/// Several goals: hard ones come first, soft ones have what freedom is left.
+/// Several goals: soft goals are attained as far as the hard ones allow.
 template <class... Goal>
-auto goals(const Goal&... each) {
+[[nodiscard]] auto goals(const Goal&... each) {
   return detail::levels(std::tuple_cat(detail::only<true>(each)...), std::tuple_cat(detail::only<false>(each)...));
 }
-/// The first goals as well as can be, hard and soft ones together; the second with what freedom these leave.
+/// Goals in order: the first goals, hard and soft ones together, are attained as well as possible; the second within
+/// the freedom that these leave.
 template <class First, class Second>
-auto then(const First& first, const Second& second) {
+[[nodiscard]] auto then(const First& first, const Second& second) {
   const auto a = detail::all_of_levels(first);
   const auto b = detail::all_of_levels(second);
   return detail::goal_levels<std::remove_const_t<decltype(a)>, std::remove_const_t<decltype(b)>>{a, b};

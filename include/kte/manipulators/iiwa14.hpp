@@ -7,10 +7,10 @@
 
 namespace kte {
 
-/// The KUKA LBR iiwa 14 R820: seven revolute joints, z y z -y z y z, shoulder 0.36 m up, elbow 0.42 m from it, wrist
-/// 0.40 m from that, flange ("tool") 0.126 m from that, all along z where q = 0. Bodies and lengths are the maker's;
-/// axes of all links are those of the base where q = 0.
-constexpr auto iiwa14_chain() {
+/// The KUKA LBR iiwa 14 R820: seven revolute joints, z y z -y z y z; at q = 0 all along z: the shoulder at 0.36 m, the
+/// elbow 0.42 m from it, the wrist 0.40 m from the elbow, the flange ("tool") 0.126 m from the wrist. Bodies and
+/// lengths are those of the manufacturer; axes of all links are those of the base at q = 0.
+[[nodiscard]] constexpr auto iiwa14_chain() {
   using namespace arm_names;
   return chain(revolute_joint_3D(q1, base, link1).at(along_z(0.1575)),
                inertia_3D(link1, rigid_body{5.76, vec3{zero, -0.03, 0.12}, diagonal(0.033, 0.0333, 0.0123)}),
@@ -30,8 +30,8 @@ constexpr auto iiwa14_chain() {
       .gravity(along_z(-9.81));
 }
 
-/// Its limits of position, rate and torque, of the maker's data sheet.
-constexpr auto iiwa14_limits() {
+/// Limits of position, rate and torque, from the manufacturer's data sheet.
+[[nodiscard]] constexpr auto iiwa14_limits() {
   auto limits = unlimited(iiwa14_chain());
   limits.upper = detail::in_radians<7>({170, 120, 170, 120, 170, 120, 175});
   limits.lower = detail::negated(limits.upper);
@@ -41,6 +41,6 @@ constexpr auto iiwa14_limits() {
 }
 
 /// The arm with its limits.
-constexpr auto iiwa14() { return manipulator(iiwa14_chain(), arm_names::tool, iiwa14_limits()); }
+[[nodiscard]] constexpr auto iiwa14() { return manipulator(iiwa14_chain(), arm_names::tool, iiwa14_limits()); }
 
 }  // namespace kte

@@ -6,23 +6,24 @@
 
 namespace kte {
 
-/// One posture by which an arm answers a pose.
+/// A solution of inverse kinematics: a posture of the arm.
 template <class Q>
 struct ik_answer {
   using scalar = value_of<Q>;
 
-  Q q;                    ///< a configuration of the chain
-  unsigned branch = 0;    ///< bits: 1 shoulder, 2 elbow, 4 wrist; higher ones where there are more answers
-  scalar position{};      ///< m that the tool is away, by forward kinematics
-  scalar rotation{};      ///< rad
-  truth<scalar> exact{};  ///< whether these are within the tolerance; else it is an answer of least squares
+  Q q;                  ///< a configuration of the chain
+  unsigned branch = 0;  ///< bits: 1 shoulder, 2 elbow, 4 wrist; higher ones if there are more solutions
+  scalar position{};    ///< error of the tool's position by forward kinematics, m
+  scalar rotation{};
+  truth<scalar> exact{};  ///< whether these are within the tolerance; else it is a least-squares solution
   truth<scalar> within_limits{};
-  /// Bit i: coordinate i of v could have been anything here (singular); it is as in the seed, or 0. Of packs for each
-  /// lane.
+  /// Bit i: coordinate i of v is arbitrary here (singular), and equal to that of the seed, or 0. For packs one per
+  /// element.
   detail::for_each_lane<scalar, unsigned> free{};
 };
 
-/// All answers, in a fixed order of branches: a range.
+/// All solutions of inverse kinematics, in a fixed order of branches: a range with `begin`, `end`, `size` and `empty`,
+/// of at most `most` solutions.
 template <class Q>
 class ik_answers {
  public:
@@ -33,7 +34,7 @@ class ik_answers {
   std::size_t size() const { return size_; }
   bool empty() const { return size_ == 0; }
   const ik_answer<Q>& operator[](std::size_t i) const { return all_[i]; }
-  /// One more, at `q` so far.
+  /// Adds a solution at q.
   ik_answer<Q>& add(const Q& q) {
     all_[size_].q = q;
     return all_[size_++];
@@ -44,12 +45,13 @@ class ik_answers {
   std::size_t size_ = 0;
 };
 
-/// How near a tool must be for an answer to be called exact: of the reach of the arm, and rad.
+/// Tolerance of the pose of a tool for a solution to be exact: `position`, as a fraction of the reach of the arm, and
+/// `rotation`, rad.
 struct ik_tolerance {
   double position = 1e-9, rotation = 1e-9;
 };
 
-/// The axes of this arm are none of those of which the inverse kinematics is closed form; what() says by how much.
+/// The axes of this arm have no closed form of inverse kinematics; what() has the deviation.
 struct no_closed_form : error {
   using error::error;
 };

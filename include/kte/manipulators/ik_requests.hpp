@@ -6,17 +6,18 @@
 #include <string>
 #include <vector>
 
-/// What may be said of the answers that are wanted of `inverse_kinematics`, besides the pose.
+/// What may be said of the answers that are needed of `inverse_kinematics`, in addition to the pose.
 namespace kte {
 
-/// Where the elbow of an arm of seven axes is when its arm angle is 0.
+/// The reference of the arm angle: where the elbow of an arm of seven axes is at the arm angle 0.
 enum class arm_angle_from {
   stereographic,  ///< as detail/srs_axes.hpp says: without direction only where the wrist is straight below the
                   ///< shoulder
   first_axis      ///< on the side to which axis 1 points, for most arms above: without direction all along that axis
 };
 
-/// Those of an arm of seven axes whose elbow stands at the angle psi, rad, about the line from shoulder to wrist.
+/// Requests the solutions of an arm of seven axes at the arm angle psi, rad, about the line from shoulder to wrist,
+/// from a `reference`.
 struct arm_angle {
   double psi;
   arm_angle_from reference;
@@ -24,24 +25,27 @@ struct arm_angle {
       : psi(angle), reference(from) {}
 };
 
-/// Those in which a joint of an arm of seven, the first or the last, stands at a value, rad, of a slide m.
+/// Requests the solutions in which the first or the last joint of an arm of seven joints, `coordinate`, has a value,
+/// rad or m.
 struct locked_joint {
   std::string_view coordinate;
   double value;
 };
+/// Requests solutions with a joint, by its key or name, locked at a value, rad or m.
 template <key_type Key>
-constexpr locked_joint locked(const Key&, double value) {
+[[nodiscard]] constexpr locked_joint locked(const Key&, double value) {
   return {Key::name, value};
 }
-constexpr locked_joint locked(std::string_view coordinate, double value) { return {coordinate, value}; }
+[[nodiscard]] constexpr locked_joint locked(std::string_view coordinate, double value) { return {coordinate, value}; }
 
-/// The one nearest to a posture, within limits.
+/// Requests the solution within limits that is nearest to the posture q.
 template <class Q>
 struct nearest_to {
   const Q& q;
 };
+/// Requests the solution within limits that is nearest to the posture q.
 template <indexable Q>
-constexpr nearest_to<Q> nearest(const Q& q) {
+[[nodiscard]] constexpr nearest_to<Q> nearest(const Q& q) {
   return {q};
 }
 

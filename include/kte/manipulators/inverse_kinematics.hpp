@@ -8,24 +8,24 @@
 
 namespace kte {
 
-/// Every posture by which the first tool of an arm has a pose (in axes of the base; rotation and position, as
-/// `forward_kinematics` gives it), by formulas, in a fixed order of branches (answer b of eight has branch b):
+/// All postures in which the first tool of an arm has a pose (in axes of the base; rotation and position, as returned
+/// by `forward_kinematics`), in closed form, in a fixed order of branches (solution b of eight has branch b):
 ///
 ///   for (const auto& a : kte::inverse_kinematics(arm, pose)) if (a.exact && a.within_limits) use(a.q);
 ///
-/// An arm of seven joints has infinitely many: these are those of arm angle 0, or with the held joint at 0
-/// (`arm_angle`, `locked`). Angles are between -pi and pi, or within their limits if a multiple of 2 pi takes them
-/// there. Coordinates that do not move the tool are as in `neutral_configuration`. What cannot be reached has answers
-/// of least squares, which are not `exact`.
+/// An arm of seven joints has infinitely many solutions: these are those of arm angle 0, or with the locked joint at 0
+/// (`arm_angle`, `locked`). Angles are between -pi and pi, or within their limits if a multiple of 2 pi brings them
+/// there. Coordinates that do not move the tool are those of `neutral_configuration`. For a pose out of reach solutions
+/// are those of least squares, which are not `exact`.
 ///
-/// Generic in the scalar of the pose, so also derivatives by dual numbers, and several poses at once, in packs:
+/// The function is generic in the scalar of the pose: dual numbers give derivatives, packs several poses at once:
 ///
-///   kte::inverse_kinematics(arm, pose_of_packs)[b].q    // by lanes; exact, within_limits are masks
+///   kte::inverse_kinematics(arm, pose_of_packs)[b].q    // exact and within_limits are masks
 ///
-/// of all arms but those with equations of degree four. Throws `no_closed_form`, and `bad_argument`
-/// for a pose that is none; where the type of a static arm says that it has no closed form, it does not compile.
+/// for all arms except those with equations of degree four. Throws `no_closed_form`, and `bad_argument` for an invalid
+/// pose; a static arm whose type has no closed form does not compile.
 template <class Chain, class Tools, class Rotation, class Position>
-auto inverse_kinematics(const manipulator<Chain, Tools>& arm, const pose<Rotation, Position>& wanted) {
+[[nodiscard]] auto inverse_kinematics(const manipulator<Chain, Tools>& arm, const pose<Rotation, Position>& wanted) {
   detail::refuse_by_type(arm);
   detail::check_closed_form(arm);
   const auto x = detail::checked_pose(detail::spatial(wanted));
@@ -33,9 +33,10 @@ auto inverse_kinematics(const manipulator<Chain, Tools>& arm, const pose<Rotatio
   return detail::all_finished(arm, arm.structure(), x, detail::starting_configuration<S>(arm), S(0));
 }
 
-/// The same of an arm of seven axes at an arm angle.
+/// All postures of an arm of seven axes at an arm angle.
 template <class Chain, class Tools, class Rotation, class Position>
-auto inverse_kinematics(const manipulator<Chain, Tools>& arm, const pose<Rotation, Position>& wanted, arm_angle angle) {
+[[nodiscard]] auto inverse_kinematics(const manipulator<Chain, Tools>& arm, const pose<Rotation, Position>& wanted,
+                                      arm_angle angle) {
   detail::refuse_by_type(arm);
   detail::check_arm_angle(arm);
   if (!(angle.psi - angle.psi == 0)) detail::raise<bad_argument>("kte: an arm angle must be finite");
@@ -46,10 +47,10 @@ auto inverse_kinematics(const manipulator<Chain, Tools>& arm, const pose<Rotatio
   return detail::all_finished(arm, arm.structure(), x, detail::starting_configuration<S>(arm), psi);
 }
 
-/// The same of an arm of seven joints whose first or last stands still.
+/// All postures of an arm of seven joints with its first or last joint locked.
 template <class Chain, class Tools, class Rotation, class Position>
-auto inverse_kinematics(const manipulator<Chain, Tools>& arm, const pose<Rotation, Position>& wanted,
-                        const locked_joint& joint) {
+[[nodiscard]] auto inverse_kinematics(const manipulator<Chain, Tools>& arm, const pose<Rotation, Position>& wanted,
+                                      const locked_joint& joint) {
   detail::refuse_by_type(arm);
   if (!(joint.value - joint.value == 0)) detail::raise<bad_argument>("kte: the value of a locked joint must be finite");
   const auto s = detail::structure_locked(arm, joint.coordinate);
@@ -58,12 +59,13 @@ auto inverse_kinematics(const manipulator<Chain, Tools>& arm, const pose<Rotatio
   return detail::all_finished(arm, s, x, detail::starting_configuration<S>(arm), S(joint.value));
 }
 
-/// At which arm angles an arm of seven axes has a pose with all joints within limits: for each branch all intervals,
-/// their ends to rounding (next to singular postures of shoulder or wrist, to its square root). Between them there is
-/// no answer within limits, however narrow they are. Of shoulders and wrists with right angles.
+/// The intervals of arm angles at which an arm of seven axes has a pose with all joints within limits, for each branch;
+/// their ends are accurate to rounding (near singular postures of shoulder or wrist, to its square root). All intervals
+/// are found, however narrow. For shoulders and wrists with orthogonal axes.
 template <class Chain, class Tools, class Rotation, class Position>
-detail::arm_angle_list arm_angle_intervals(const manipulator<Chain, Tools>& arm, const pose<Rotation, Position>& wanted,
-                                           arm_angle_from reference = arm_angle_from::stereographic) {
+[[nodiscard]] detail::arm_angle_list arm_angle_intervals(const manipulator<Chain, Tools>& arm,
+                                                         const pose<Rotation, Position>& wanted,
+                                                         arm_angle_from reference = arm_angle_from::stereographic) {
   detail::check_arm_angle(arm);
   const auto x = detail::checked_pose(detail::spatial(wanted));
   const auto [R, p] = detail::goal_of(arm.structure(), x);
@@ -77,10 +79,10 @@ detail::arm_angle_list arm_angle_intervals(const manipulator<Chain, Tools>& arm,
   return all;
 }
 
-/// The arm angle of a posture. Throws `bad_argument` for a q of another size or that is not finite.
+/// The arm angle of a posture, rad. Throws `bad_argument` for a q of wrong size or that is not finite.
 template <class Chain, class Tools, indexable Q>
-auto arm_angle_of(const manipulator<Chain, Tools>& arm, const Q& q,
-                  arm_angle_from reference = arm_angle_from::stereographic) {
+[[nodiscard]] auto arm_angle_of(const manipulator<Chain, Tools>& arm, const Q& q,
+                                arm_angle_from reference = arm_angle_from::stereographic) {
   detail::check_arm_angle(arm);
   detail::check_configuration_of(arm, q, "q");
   using S = value_of<Q>;

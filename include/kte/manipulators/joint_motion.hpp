@@ -6,20 +6,20 @@
 
 namespace kte {
 
-/// A configuration with its rates.
+/// A configuration q with its rates v and accelerations a.
 template <class S, int NQ, int N>
 struct motion_point {
   joint_vector<S, NQ> q;
   joint_vector<S, N> v, a;
 };
 
-/// A motion of a manipulator, all coordinates in step: straight in joint space, rotations and poses along constant
-/// rates.
+/// A synchronized motion of all coordinates of a manipulator: straight in joint space, rotations and poses with
+/// constant rates.
 ///
 ///   q(t) = integrate(q_0, s(t) d),   v = s' d,   a = s'' d,   d = difference(q_0, q_1)            (1)
 ///
-/// so that limits of |v_i|, |a_i| and of jerks are limits of s' and its derivatives over |d_i|, and what lies between
-/// two configurations within limits is within limits. A value that holds the manipulator by reference.
+/// so that limits of |v_i|, |a_i| and of jerks are limits of s' and its derivatives over |d_i|, and all configurations
+/// between two configurations within limits are within limits. It refers to the manipulator.
 template <class Arm, class Profile>
 class joint_motion {
   static constexpr int n = detail::arm_dofs<Arm>, nq = detail::arm_numbers<Arm>;
@@ -27,8 +27,9 @@ class joint_motion {
  public:
   joint_motion(const Arm& arm, const joint_vector<double, nq>& from, const joint_vector<double, n>& d, const Profile& p)
       : arm_(arm), from_(from), d_(d), profile_(p) {}
+  /// The duration, s.
   double duration() const { return profile_.duration(); }
-  /// At times before it begins and after it ends it rests.
+  /// The point of the motion at time t, s; at rest before its start and after its end.
   motion_point<double, nq, n> operator()(double t) const {
     const auto [s, s_dot, s_ddot] = profile_(t);
     return {integrate(arm_, from_, d_, s), s_dot * d_, s_ddot * d_};  // (1)
@@ -84,21 +85,21 @@ template <class Arm, class D>
 }
 }  // namespace detail
 
-/// The fastest straight motion from rest to rest within limits of rates and accelerations (those of jerk it breaks at
-/// four instants). Throws `bad_argument`, with the name of a coordinate, where no coordinate that moves has a limit of
-/// acceleration, for ends beyond limits of positions, and where the ends are the same.
+/// The fastest straight motion from rest to rest within limits of rates and accelerations; its jerk is infinite at four
+/// instants. Throws `bad_argument`, naming a coordinate, if no moving coordinate has a limit of acceleration, for ends
+/// beyond limits of positions, and for equal ends.
 template <class Arm, indexable Q0, indexable Q1>
-auto trapezoidal_motion(const Arm& arm, const Q0& from, const Q1& to) {
+[[nodiscard]] auto trapezoidal_motion(const Arm& arm, const Q0& from, const Q1& to) {
   return detail::motion_between(arm, from, to, [&arm](const auto& limits, const auto& d) {
     if (limits.acceleration == limits.none) detail::refuse_unlimited(arm, d, "trapezoidal_motion", "acceleration");
     return trapezoidal_profile<double>(limits);
   });
 }
-/// The fastest straight motion by a polynomial of fifth degree from rest to rest within limits of rates, accelerations
-/// and jerks, or one that takes longer. Throws `bad_argument` for ends beyond limits of positions, and without a
-/// duration if there are no limits.
+/// The fastest straight motion by a polynomial of degree five from rest to rest within limits of rates, accelerations
+/// and jerks, with a duration of at least `at_least`, s. Throws `bad_argument` for ends beyond limits of positions, and
+/// without limits and duration.
 template <class Arm, indexable Q0, indexable Q1>
-auto quintic_motion(const Arm& arm, const Q0& from, const Q1& to, double at_least = 0) {
+[[nodiscard]] auto quintic_motion(const Arm& arm, const Q0& from, const Q1& to, double at_least = 0) {
   return detail::motion_between(arm, from, to, [&arm, at_least](const auto& limits, const auto& d) {
     const bool unlimited =
         limits.rate == limits.none && limits.acceleration == limits.none && limits.jerk == limits.none;

@@ -7,13 +7,13 @@
 
 namespace kte {
 
-/// The body of a link where nobody has published it: a rod from the origin to d, of balls of radius r,
+/// An assumed body of a link without published data: a rod from the origin to d with ends of radius r,
 ///
 ///   c = d/2,   I = m/12 (d.d 1 - d d^T) + 2/5 m r^2 1                (1)
 ///
-/// about its centre. Some of our models have links of this kind, and say so.
+/// about its centre of mass. Arms that use it say so.
 template <class X, class Y, class Z>
-constexpr auto link_body(double m, const vec3<X, Y, Z>& d, double r) {
+[[nodiscard]] constexpr auto link_body(double m, const vec3<X, Y, Z>& d, double r) {
   const auto v = as<double>(d);
   const double k = m / 12, own = 0.4 * m * r * r;
   return rigid_body{m, vec3<>{v.x / 2, v.y / 2, v.z / 2},

@@ -27,13 +27,13 @@ requires(!is_limits<First>) struct keys_before_limits<tool_keys<Keys...>, First,
 };
 }  // namespace detail
 
-/// A chain with tools, and with limits of its coordinates: what inverse kinematics is asked of. It is its chain, as a
-/// `manipulator_kinematics_model` is, so that all algorithms and files take it.
+/// A chain with tools and limits of its coordinates, for inverse kinematics. It derives from the chain, as
+/// `manipulator_kinematics_model` does, so that all algorithms and files accept it.
 ///
 ///   constexpr auto arm = kte::manipulator(chain, tool);            // or (chain, left, right)
 ///   constexpr auto arm = kte::manipulator(chain, tool, limits);    // joint_limits of the chain, kte::unlimited(chain)
 ///
-/// Of a runtime chain: manipulators/runtime_manipulator.hpp.
+/// Runtime chains: manipulators/runtime_manipulator.hpp.
 template <class Chain, class Tools = void>
 class manipulator;
 
@@ -47,23 +47,24 @@ class manipulator<Chain, detail::tool_keys<Tools...>> : public manipulator_kinem
 
   explicit constexpr manipulator(const Chain& c, const Tools&... tools)
       : model(c, tools...), structure_(detail::structure_of(detail::geometry_of<first_tool>(c))) {}
-  /// Throws `bad_parameter`, with the name of the coordinate, for limits that make no sense (`check_limits`).
+  /// A manipulator with its limits. Throws `bad_parameter`, naming the coordinate, for invalid limits (`check_limits`).
   template <class Numbers>
   constexpr manipulator(const Chain& c, const Tools&... tools, const joint_limits<Numbers>& limits)
       : manipulator(c, tools...) {
     limits_ = checked(c, limits);
   }
 
-  /// Infinite, where none were given.
+  /// The limits; infinite if none were given.
   constexpr const limits_type& limits() const { return limits_; }
-  /// What makes its inverse kinematics closed form, if it is: found from the axes of the joints that move the first
-  /// tool, while compiling where the arm is `constexpr`.
+  /// The family of its closed-form inverse kinematics, found from the axes of the joints that move the first tool; at
+  /// compile time for a `constexpr` arm.
   constexpr arm_family family() const { return structure_.family; }
+  /// The structure of the arm on which its closed form depends.
   constexpr const detail::arm_structure& structure() const { return structure_; }
-  /// The same arm whose axes count as parallel within `tolerance`, rad, and as meeting within that part of its reach,
-  /// instead of 1e-9: for arms as calibrated, and for files that have 1.5708 for a quarter turn. Formulas of six and
-  /// seven axes then give where Newton's method begins, whose answers are exact again; next to singular postures they
-  /// may not be.
+  /// A copy of the arm whose axes count as parallel within `tolerance`, rad, and as intersecting within that fraction
+  /// of its reach, instead of 1e-9: for calibrated arms, and for files with 1.5708 for a quarter turn. The closed forms
+  /// of six and seven axes are then start values of Newton's method, whose solutions are exact, except near singular
+  /// postures.
   constexpr manipulator with_axes_within(double tolerance) const {
     auto arm = *this;
     arm.structure_ = detail::structure_of(structure_.original, detail::checked_tolerance(tolerance));

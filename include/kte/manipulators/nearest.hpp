@@ -12,7 +12,7 @@ struct best_answer {
   double way = 1e300;
   enum rank_of { none, away, beyond_limits, good } is = none;
 
-  /// |q - q_now|^2 of the joints; of those that do not get there, how far they are off.
+  /// |q - q_now|^2 of the joints; for solutions that are not exact, their error.
   void look_at(const arm_structure& s, const ik_answer<Q>& a, const Q& now) {
     double apart = 0;
     const auto rank = !a.exact ? away : a.within_limits ? good : beyond_limits;
@@ -124,22 +124,22 @@ best_answer<Q> best_near(const Arm& arm, const plain_pose_of<S>& x, const Q& now
 }
 }  // namespace detail
 
-/// The answer that is exact, within limits and nearest to a posture: the least |q - q_now|, multiples of 2 pi taken
-/// where limits let them be. Angles that are free stay as they are. An arm of seven joints keeps its arm angle (or the
-/// joint that is held); where nothing is within limits there, it takes the nearest value at which something is; of a
-/// joint that is held that is looked for in steps of 0.05 rad, of a track in 1/32 of the reach.
+/// The exact solution within limits nearest to a posture: the least |q - q_now|, with multiples of 2 pi where limits
+/// allow. Angles that are arbitrary are unchanged. An arm of seven joints keeps its arm angle (or the locked joint); if
+/// there is no solution within limits, it uses the nearest value with one. For a locked joint it is searched in steps
+/// of 0.05 rad, for a track of 1/32 of the reach.
 ///
-/// Throws `unreachable` where there is none, with the best that there is; without one, and infinitely far, where the
-/// formulas have no answer at all.
+/// Throws `unreachable` if there is no solution, with the best posture; without a posture, and with infinite errors, if
+/// the closed form has no solution at all.
 template <class Chain, class Tools, class Rotation, class Position, class Q>
-auto inverse_kinematics(const manipulator<Chain, Tools>& arm, const pose<Rotation, Position>& wanted,
-                        const nearest_to<Q>& to) {
+[[nodiscard]] auto inverse_kinematics(const manipulator<Chain, Tools>& arm, const pose<Rotation, Position>& wanted,
+                                      const nearest_to<Q>& to) {
   using namespace detail;
   refuse_by_type(arm);
   check_closed_form(arm);
   const auto x = checked_pose(spatial(wanted));
   using S = std::remove_cvref_t<decltype(x.position.x)>;
-  static_assert(!has_lanes<S>, "kte: the nearest posture is of one pose, not of several in a pack");
+  static_assert(!is_pack<S>, "kte: the nearest posture needs a single pose, not a pack");
   auto now = starting_configuration<S>(arm);
   check_configuration_of(arm, to.q, "q_now");
   for (Eigen::Index i = 0; i < now.size(); ++i) now[i] = S(to.q[static_cast<std::size_t>(i)]);
@@ -160,10 +160,10 @@ auto inverse_kinematics(const manipulator<Chain, Tools>& arm, const pose<Rotatio
   return best.answer;
 }
 
-/// All answers again, with every whole turn that limits leave to each joint: for joints of more than one turn. Only
-/// those that are within limits.
+/// All solutions within limits, with every multiple of a turn that the limits of each joint allow: for joints of more
+/// than one turn.
 template <class Chain, class Tools, class Q>
-std::vector<ik_answer<Q>> unwrapped(const manipulator<Chain, Tools>& arm, const ik_answers<Q>& answers) {
+[[nodiscard]] std::vector<ik_answer<Q>> unwrapped(const manipulator<Chain, Tools>& arm, const ik_answers<Q>& answers) {
   using S = value_of<Q>;
   const auto& original = arm.structure().original;
   const S turn = S(2) * detail::half_turn<S>();

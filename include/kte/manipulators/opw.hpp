@@ -7,15 +7,15 @@
 
 namespace kte {
 
-/// An industrial arm with an ortho-parallel base and a spherical wrist, by the parameters of Brandstoetter, Angerer,
-/// Hofbaur (Austrian Robotics Workshop, 2014), m; those of an ABB IRB 2400.
+/// Lengths of an industrial arm with an ortho-parallel base and a spherical wrist: a1, a2, b, c1, c2, c3, c4 of
+/// Brandstoetter, Angerer, Hofbaur (Austrian Robotics Workshop, 2014), m; by default those of an ABB IRB 2400.
 struct opw_lengths {
   double a1 = 0.1, a2 = -0.135, b = 0, c1 = 0.615, c2 = 0.705, c3 = 0.755, c4 = 0.085;
 };
 
-/// Six revolute joints: z (a1, 0, c1), y (0, 0, c2), y (a2, b, c3), z, y, z (0, 0, c4); in brackets the way to the
-/// next. The arm stands upright where q = 0. Masses are not published: rods of 150, 60, 60, 10, 5, 2 kg are assumed.
-constexpr auto opw_chain(const opw_lengths& l = {}) {
+/// Six revolute joints: z (a1, 0, c1), y (0, 0, c2), y (a2, b, c3), z, y, z (0, 0, c4), each with the vector to the
+/// next joint. The arm is upright at q = 0. Masses are not published; rods of 150, 60, 60, 10, 5, 2 kg are assumed.
+[[nodiscard]] constexpr auto opw_chain(const opw_lengths& l = {}) {
   using namespace arm_names;
   const vec3 d1{l.a1, zero, l.c1};
   const vec3 d3{l.a2, l.b, l.c3};
@@ -29,9 +29,9 @@ constexpr auto opw_chain(const opw_lengths& l = {}) {
                inertia_3D(link6, link_body(2, along_z(l.c4), 0.05)), rigid_link_3D(link6, tool, along_z(l.c4)))
       .gravity(along_z(-9.81));
 }
-/// Of the data sheet of the IRB 2400, whose third angle is less by 90 degrees: there the forearm is horizontal where q
-/// = 0.
-constexpr auto opw_limits() {
+/// Limits from the data sheet of the IRB 2400, whose third angle is smaller by 90 degrees: there the forearm is
+/// horizontal at q = 0.
+[[nodiscard]] constexpr auto opw_limits() {
   auto limits = unlimited(opw_chain());
   limits.lower = detail::in_radians<6>({-180, -100, 30, -200, -120, -400});
   limits.upper = detail::in_radians<6>({180, 110, 155, 200, 120, 400});
@@ -40,7 +40,7 @@ constexpr auto opw_limits() {
 }
 
 /// The arm with its limits.
-constexpr auto opw(const opw_lengths& lengths = {}) {
+[[nodiscard]] constexpr auto opw(const opw_lengths& lengths = {}) {
   return manipulator(opw_chain(lengths), arm_names::tool, opw_limits());
 }
 

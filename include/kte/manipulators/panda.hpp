@@ -10,7 +10,7 @@ namespace kte {
 /// The Franka Emika Panda: seven revolute joints, each about z of its own axes (modified Denavit-Hartenberg parameters
 /// of the maker), flange ("tool") 0.107 m along z of the last. Bodies as identified by Gaz, Cognetti, Oliva, Robuffo
 /// Giordano, De Luca (IEEE Robotics and Automation Letters 4, 2019), which are not the maker's.
-constexpr auto panda_chain() {
+[[nodiscard]] constexpr auto panda_chain() {
   using namespace arm_names;
   constexpr auto& x90 = quarter_turn_x;
   constexpr auto& minus_x90 = minus_quarter_turn_x;
@@ -39,8 +39,8 @@ constexpr auto panda_chain() {
       .gravity(along_z(-9.81));
 }
 
-/// Its limits, of the maker's interface specification.
-constexpr auto panda_limits() {
+/// Limits from the manufacturer's interface specification.
+[[nodiscard]] constexpr auto panda_limits() {
   auto limits = unlimited(panda_chain());
   limits.lower = {-2.8973, -1.7628, -2.8973, -3.0718, -2.8973, -0.0175, -2.8973};
   limits.upper = {2.8973, 1.7628, 2.8973, -0.0698, 2.8973, 3.7525, 2.8973};
@@ -52,6 +52,6 @@ constexpr auto panda_limits() {
 }
 
 /// The arm with its limits.
-constexpr auto panda() { return manipulator(panda_chain(), arm_names::tool, panda_limits()); }
+[[nodiscard]] constexpr auto panda() { return manipulator(panda_chain(), arm_names::tool, panda_limits()); }
 
 }  // namespace kte

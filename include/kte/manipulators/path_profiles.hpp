@@ -9,13 +9,13 @@
 
 namespace kte {
 
-/// How far along a path, with rates: s in [0, 1], s', s''.
+/// A point of a profile along a path: s in [0, 1], and its derivatives s_dot, 1/s, and s_ddot, 1/s^2.
 template <class S>
 struct path_point {
   S s, s_dot, s_ddot;
 };
 
-/// What a path of length 1 may have; infinite where there is no limit.
+/// Limits along a path of length 1: `rate`, `acceleration` and `jerk`; infinite (`none`) where there is no limit.
 template <class S>
 struct path_limits {
   static constexpr S none = std::numeric_limits<S>::infinity();
@@ -41,13 +41,13 @@ const S& checked_time(const S& t) {
 }
 }  // namespace detail
 
-/// From rest to rest in the shortest time that rate u and acceleration a allow: a trapezoid of rates, or a triangle.
+/// The fastest profile from rest to rest within a rate u and an acceleration a: a trapezoid of rates, or a triangle.
 ///
 ///   t_a = min(u/a, sqrt(1/a)),   T = t_a + 1/(a t_a)                                             (1)
 ///   s = a t^2/2,  a t_a (t - t_a/2),  1 - a (T - t)^2/2
 ///
-/// At rest before it begins and after it ends. Throws `bad_argument` for limits that are not above 0, without one of
-/// acceleration, for a duration that is not finite, and for a time that is NaN.
+/// It is at rest before its start and after its end. Throws `bad_argument` for limits that are not positive, without a
+/// limit of acceleration, for a duration that is not finite, and for a time that is NaN.
 template <class S = double>
 class trapezoidal_profile {
  public:
@@ -73,12 +73,12 @@ class trapezoidal_profile {
   S a_, ramp_, duration_;
 };
 
-/// From rest to rest without jumps of acceleration, x = t/T:
+/// A profile from rest to rest with continuous acceleration, x = t/T:
 ///
 ///   s = 10 x^3 - 15 x^4 + 6 x^5,   max s' = 15/8/T,  max s'' = 10/sqrt(3)/T^2,  max s''' = 60/T^3      (2)
 ///
-/// in the shortest time that limits allow, or a longer one; at rest before and after. Throws `bad_argument` for limits
-/// that are not above 0, without a duration, and for a time that is NaN.
+/// in the shortest time within limits, or a longer one; at rest before and after. Throws `bad_argument` for limits that
+/// are not positive, without a duration, and for a time that is NaN.
 template <class S = double>
 class quintic_profile {
  public:

@@ -8,7 +8,7 @@
 namespace kte {
 
 namespace detail {
-/// Of a rotation in any form; throws `bad_argument` for what is none.
+/// The matrix of a rotation in any form; throws `bad_argument` if it is not a rotation.
 template <class R>
 auto quaternion_of(const R& rotation) {
   if constexpr (requires { rotation.w; }) {
@@ -36,22 +36,21 @@ vec3<S> turn_between(const mat3<vec3<S>>& now, const mat3<vec3<S>>& wanted) {
 }
 }  // namespace detail
 
-/// How far a pose is from a wanted one, in axes of the world, as Jacobians and twists are:
+/// The error of a pose with respect to a desired one, in axes of the world, as Jacobians and twists are:
 ///
 ///   e = (p_wanted - p, log(R_wanted R^T))            m, rad; angles in [0, pi]            (1)
 ///
-/// The gradient of |e|^2/2 along a motion of twist t is exactly -e . t, for log keeps the direction of its axis. Throws
-/// `bad_argument` for what is no rotation to 1e-6, and for positions that are not finite.
+/// The time derivative of |e|^2/2 along a motion of twist t is exactly -e . t, as log keeps the direction of its axis.
+/// Throws `bad_argument` for a rotation that is not orthonormal to 1e-6, and for positions that are not finite.
 template <class R, class P, class WantedR, class WantedP>
-auto pose_error(const pose<R, P>& now, const pose<WantedR, WantedP>& wanted) {
+[[nodiscard]] auto pose_error(const pose<R, P>& now, const pose<WantedR, WantedP>& wanted) {
   const auto from = detail::quaternion_of(now.rotation);
   using S = std::remove_cvref_t<decltype(from.w)>;
   const auto w = to_rotation_vector(as<S>(detail::quaternion_of(wanted.rotation)) * conjugate(from));
   const auto p = as<S>(wanted.position) - as<S>(now.position);
   Eigen::Matrix<S, 6, 1> e;
   e << p.x, p.y, p.z, w.x, w.y, w.z;
-  detail::check_finite(e, 6,
-                       "kte: the way from a pose to a wanted one is not finite: a position is not, or is too large");
+  detail::check_finite(e, 6, "kte: the error of a pose is not finite: a position is not finite or too large");
   return e;
 }
 

@@ -9,14 +9,15 @@
 
 namespace kte {
 
-/// Where a body that moves freely (`uav`, `free_floater`) has all its tools at poses, in their order: one answer,
+/// The pose of a body that moves freely (`uav`, `free_floater`) with all its tools at given poses, in their order: one
+/// solution,
 ///
 ///   auto r = kte::inverse_kinematics(floater, std::array{left_pose, right_pose});
 ///
-/// by (1) of frames/fitted_pose.hpp, rotations weighed by the square of the largest distance between tools (1 m if
-/// there is none). `exact` if no tool misses its pose, but by what rounding makes of positions far from the origin.
-/// Throws `no_closed_form` for other arms and for tools that are not on the body, `bad_argument` for what is no pose or
-/// for another number of them.
+/// by (1) of frames/fitted_pose.hpp, with rotations weighted by the square of the largest distance between tools (1 m
+/// if there is only one). `exact` if every tool has its pose, up to rounding of positions far from the origin. Throws
+/// `no_closed_form` for other arms and for tools that are not on the body, `bad_argument` for an invalid pose or a
+/// wrong number of poses.
 template <class Chain, class Tools, class Poses>
 requires requires(const Poses& x) { x[0].rotation, x[0].position, x.size(); }
 auto inverse_kinematics(const manipulator<Chain, Tools>& arm, const Poses& wanted) {
@@ -24,7 +25,8 @@ auto inverse_kinematics(const manipulator<Chain, Tools>& arm, const Poses& wante
   const arm_structure& s = arm.structure();
   if (s.form != closed_form::free_body)
     raise<no_closed_form>(
-        "kte: poses of several tools have a closed form where a body moves freely; kte::clik takes "
+        "kte: poses of several tools have a closed form where a body moves freely; kte::numerical_inverse_kinematics "
+        "takes "
         "them of any arm");
   const auto start = starting_configuration<double>(arm);
   const auto still = arm.getDependentPoses(start);

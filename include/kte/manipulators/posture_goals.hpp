@@ -20,7 +20,7 @@ struct posture_goal {
   void add_to(const At& at, Sum& sum) const {
     using S = typename At::scalar;
     typename At::configuration to(at.q.size());
-    check_size(static_cast<std::size_t>(at.q.size()), wanted, "a wanted posture", "numbers of a configuration");
+    check_size(static_cast<std::size_t>(at.q.size()), wanted, "a desired posture", "numbers of a configuration");
     for (Eigen::Index i = 0; i < to.size(); ++i) to[i] = S(wanted[static_cast<std::size_t>(i)]);
     const auto e = difference(at.arm, at.q, to);
     if (!weights.empty()) check_size(static_cast<std::size_t>(e.size()), weights, "weights of a posture");
@@ -95,14 +95,15 @@ struct manipulability_goal {
 };
 }  // namespace detail
 
-/// A goal of `clik`: near a configuration; `weights` of squares, one for each of v, or none. It is soft.
+/// A soft goal of `numerical_inverse_kinematics`: near the configuration q; `weights` of the squares, one for each of
+/// v, or none.
 template <indexable Q>
-auto posture(const Q& q, std::vector<double> weights = {}) {
+[[nodiscard]] auto posture(const Q& q, std::vector<double> weights = {}) {
   return detail::posture_goal<Q>{q, std::move(weights)};
 }
-/// Coordinates near the middle of their limits. It is soft.
-inline auto away_from_limits() { return detail::away_from_limits_goal{}; }
-/// Far from singular configurations, by Yoshikawa's measure. It is soft.
-inline auto manipulability() { return detail::manipulability_goal{}; }
+/// A soft goal: coordinates near the middle of their limits.
+[[nodiscard]] inline auto away_from_limits() { return detail::away_from_limits_goal{}; }
+/// A soft goal: far from singular configurations, by the manipulability measure of Yoshikawa.
+[[nodiscard]] inline auto manipulability() { return detail::manipulability_goal{}; }
 
 }  // namespace kte

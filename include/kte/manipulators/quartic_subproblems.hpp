@@ -8,13 +8,14 @@
 /// The subproblems of two and three angles that lead to equations of degree four (Elias and Wen, IK-Geo, 2025).
 namespace kte {
 
-/// a + b cos t + c sin t, of n.R(k, t) p.
+/// The coefficients of n.R(k, t) p = a + b cos t + c sin t: `constant`, `cos`, `sin`.
 template <class S>
 struct linear_part {
   S constant, cos, sin;
 };
+/// The coefficients for a unit axis k, a vector p and a direction n.
 template <class S, class N, class K>
-constexpr linear_part<S> linear_part_of(const N& normal, const K& axis, const vec3<S>& p) {
+[[nodiscard]] constexpr linear_part<S> linear_part_of(const N& normal, const K& axis, const vec3<S>& p) {
   const vec3<S> n = as<S>(normal), k = as<S>(axis);
   const S along = dot(n, k) * dot(k, p);
   return {along, dot(n, p) - along, dot(n, cross(k, p))};
@@ -29,8 +30,8 @@ constexpr linear_part<S> linear_part_of(const N& normal, const K& axis, const ve
 /// they bring these nearer to zero: next to a double root they may not. (And within rounding, for derivatives.) `slot`
 /// is a name of a pair: 0, 2 and 1, 3.
 template <class S>
-angle_pairs<S> subproblem6(const std::array<std::array<S, 2>, 2>& A, const std::array<std::array<S, 2>, 2>& B,
-                           const std::array<S, 2>& e) {
+[[nodiscard]] angle_pairs<S> subproblem6(const std::array<std::array<S, 2>, 2>& A,
+                                         const std::array<std::array<S, 2>, 2>& B, const std::array<S, 2>& e) {
   using std::sqrt;
   using matrix = std::array<std::array<double, 2>, 2>;
   const auto number = [](const auto& m) {
@@ -102,8 +103,9 @@ angle_pairs<S> subproblem6(const std::array<std::array<S, 2>, 2>& A, const std::
 /// which is subproblem 6; then t2 by subproblem 1, and Newton's steps where the squares have lost digits
 /// (detail/three_axes_loop.hpp).
 template <class S, class K1, class K2, class K3>
-detail::short_list<three_solved_angles<S>, 8> subproblem5(const vec3<S>& p0, const vec3<S>& p1, const vec3<S>& p2,
-                                                          const vec3<S>& p3, const K1& k1, const K2& k2, const K3& k3) {
+[[nodiscard]] detail::short_list<three_solved_angles<S>, 8> subproblem5(const vec3<S>& p0, const vec3<S>& p1,
+                                                                        const vec3<S>& p2, const vec3<S>& p3,
+                                                                        const K1& k1, const K2& k2, const K3& k3) {
   using std::sqrt;
   const vec3<S> k = as<S>(k2);
   const S unit = S(1) / sqrt(S(dot(p1, p1) + dot(p2, p2) + dot(p3, p3)));  // metres again

@@ -32,7 +32,7 @@ void check_braking(const S& a, const S& dt) {
 /// n further steps follow the first: v dt + (v - a dt) dt + ... + (v - n a dt) dt = d. d >= 0, dt > 0; a may be
 /// infinite, which gives d/dt, or 0, which gives 0. Throws `bad_argument` for what is not so.
 template <class S>
-S stopping_rate(const S& d, const S& a, const S& dt) {
+[[nodiscard]] S stopping_rate(const S& d, const S& a, const S& dt) {
   using std::floor;
   using std::sqrt;
   detail::check_bound(d >= S(0), "a distance must not be negative", d), detail::check_braking(a, dt);
@@ -43,11 +43,12 @@ S stopping_rate(const S& d, const S& a, const S& dt) {
   return a * dt * ((x + n * (n + S(1)) / S(2)) / (n + S(1)));
 }
 
-/// The rates a coordinate may have in the next step.
+/// The allowed rates of a coordinate in the next step: from `lower` to `upper`.
 template <class S>
 struct rate_interval {
   S lower, upper;
-  bool recovering;  ///< outside its limits, or too fast to keep them: it brakes, or comes back, as hard as it may
+  bool
+      recovering;  ///< outside its limits, or too fast to keep them: it brakes or returns with the largest acceleration
 };
 
 /// For a step q += v dt of a coordinate that is at q and had the rate v_now before:
@@ -59,8 +60,8 @@ struct rate_interval {
 /// + v dt stays within [lower, upper] exactly. Throws `bad_argument` unless q and v_now are finite, lower <= upper,
 /// rate and a not negative, dt finite and above 0.
 template <class S>
-rate_interval<S> rate_bounds(const S& q, const S& v_now, const S& lower, const S& upper, const S& rate, const S& a,
-                             const S& dt) {
+[[nodiscard]] rate_interval<S> rate_bounds(const S& q, const S& v_now, const S& lower, const S& upper, const S& rate,
+                                           const S& a, const S& dt) {
   const S eps = std::numeric_limits<S>::epsilon();
   detail::check_bound(q - q == S(0), "the coordinate must be finite", q);
   detail::check_bound(v_now - v_now == S(0), "the rate before must be finite", v_now);
@@ -76,7 +77,7 @@ rate_interval<S> rate_bounds(const S& q, const S& v_now, const S& lower, const S
   };
   S up = towards(upper, S(upper - q)), down = -towards(lower, S(q - lower));
   const S hardest_down = v_now - a * dt, hardest_up = v_now + a * dt;
-  S lost(0);  // in these: of rates, and of q, of which v dt is a difference
+  S lost(0);  // rounding of rates, and of q
   if (a < std::numeric_limits<S>::infinity()) lost = S(64) * eps * (std::abs(v_now) + a * dt + std::abs(q) / dt);
   const bool too_fast_up = up<hardest_down - lost, too_fast_down = down> hardest_up + lost;
   const bool beyond = up < S(0) || down > S(0) || too_fast_up || too_fast_down;

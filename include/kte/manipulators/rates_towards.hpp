@@ -6,26 +6,27 @@
 
 namespace kte {
 
-/// How `rates_towards` weighs what is wanted.
+/// Weights of `rates_towards`.
 struct rate_options {
-  double length = 0.3;    ///< l of (1), m: by which rad/s count as m/s
-  double damping = 1e-6;  ///< eps of (1), relative to the largest diagonal element of J^T W J; not 0
+  double length = 0.3;    ///< l of (1), m: m/s per rad/s
+  double damping = 1e-6;  ///< eps of (1), relative to the largest diagonal element of J^T W J; positive
 };
 
+/// How limits affect the rates.
 enum class rate_status {
-  free,       ///< no limit holds any coordinate back: the tools move as wanted, as far as J lets them
-  limited,    ///< some coordinates are at bounds
+  free,       ///< no coordinate is at a bound: the tools move as desired, as far as J allows
+  limited,    ///< some coordinates are at bounds of their rates
   recovering  ///< some are outside their limits, or were too fast to keep them: they brake or come back as hard as they
               ///< may
 };
 
-/// What `rates_towards` gives.
+/// The result of `rates_towards`, with the `status`.
 template <class S, int N>
 struct rate_step {
   joint_vector<S, N> v;                       ///< for q' = integrate(arm, q, v, dt)
   Eigen::Matrix<signed char, N, 1> at_bound;  ///< -1, 1: held by the lower or upper bound of its rate; 0: free
   rate_status status;
-  S linear, angular;  ///< how far tools miss the wanted twists: the largest |J v - twist| of them, m/s and rad/s
+  S linear, angular;  ///< largest errors |J v - twist| of the tools, m/s and rad/s
 };
 
 namespace detail {
@@ -48,31 +49,32 @@ bool put_rate_bounds(const Arm& arm, const Q& q, const V& v_now, const S& dt, jo
 }
 }  // namespace detail
 
-/// One step of differential inverse kinematics: the rates v, for q' = integrate(arm, q, v, dt), that move the tools as
-/// nearly by the wanted twists as the limits of positions, rates and accelerations let them (`rate_bounds`; limits of
-/// jerk and effort have no part in it).
+/// One step of differential inverse kinematics: the rates v, for q' = integrate(arm, q, v, dt), that bring the twists
+/// of the tools closest to the desired ones within the limits of positions, rates and accelerations (`rate_bounds`).
+/// Limits of jerk and effort are ignored.
 ///
-///   minimise  |J v - twist|_W^2 + eps |v - v_wanted|^2,   lower <= v <= upper,   W = (1, 1, 1, l^2, l^2, l^2)      (1)
+///   minimize  |J v - twist|_W^2 + eps |v - v_wanted|^2,   lower <= v <= upper,   W = (1, 1, 1, l^2, l^2, l^2)      (1)
 ///
-/// `twist` has velocity and angular velocity of each tool, at its origin in axes of the world, as
-/// `getDependentVelocities`. v_now are the rates of the step before. `v_wanted`, 0 if left out, is what is done with
-/// freedoms that the tools leave: its part is eps of the tools'. To come back to a path, add K e to the twist, e by
-/// `pose_error`. Never infeasible; throws `bad_argument` for arguments that are not finite or of the wrong size, dt <=
-/// 0, `bad_parameter` for limits of position of a rotation or pose. Nothing is allocated for static chains.
+/// `twist`: velocity and angular velocity of each tool, at its origin in axes of the world, as
+/// `getDependentVelocities`. v_now: the rates of the previous step. `v_wanted`, 0 if omitted: the desired rates in the
+/// null space of the tools; their weight is eps. To return to a path, add K e to the twist, e of `pose_error`. It is
+/// always feasible. Throws `bad_argument` for arguments that are not finite or of wrong size and for dt <= 0,
+/// `bad_parameter` for limits of position of a rotation or pose. Nothing is allocated for static chains.
 template <class Arm, indexable Q, indexable V, indexable T, indexable W>
-auto rates_towards(const Arm& arm, const Q& q, const V& v_now, const T& twist, value_of<Q> dt,
-                   const rate_options& options, const W& v_wanted) {
+[[nodiscard]] auto rates_towards(const Arm& arm, const Q& q, const V& v_now, const T& twist, value_of<Q> dt,
+                                 const rate_options& options, const W& v_wanted) {
   using S = value_of<Q>;
   constexpr int n = detail::arm_dofs<Arm>;
   const auto size = detail::dofs_of(arm);
   const Eigen::Index m = static_cast<Eigen::Index>(size);
   detail::check_twists_of(arm, twist, "twist", "a twist");
   detail::check_rates_of(arm, v_now, "v_now", "a rate");
-  detail::check_rates_of(arm, v_wanted, "v_wanted", "a wanted rate");
-  if (!(dt > S(0)) || !(dt - dt == S(0))) detail::raise<bad_argument>("kte: a step needs a time dt > 0, and finite");
+  detail::check_rates_of(arm, v_wanted, "v_wanted", "a desired rate");
+  if (!(dt > S(0)) || !(dt - dt == S(0)))
+    detail::raise<bad_argument>("kte: the time dt of a step must be finite and positive");
   for (const double x : {options.length, options.damping})
     if (!(x > 0 && x <= (std::numeric_limits<double>::max)()))
-      detail::raise<bad_argument>("kte: length and damping of rates must be finite and greater than 0, got " +
+      detail::raise<bad_argument>("kte: length and damping of rates must be finite and positive, got " +
                                   detail::number(x));
   detail::check_limits_of_poses(arm);
 
@@ -112,13 +114,13 @@ auto rates_towards(const Arm& arm, const Q& q, const V& v_now, const T& twist, v
     most = (std::max)(most, S(sqrt(missed)));
     if (!(most < std::numeric_limits<S>::infinity()))
       detail::raise<bad_argument>(
-          "kte: by how much a twist is missed is not finite: a twist, a rate or a Jacobian is too large");
+          "kte: the error of a twist is not finite: a twist, a rate or a Jacobian is too large");
   }
   return out;
 }
 template <class Arm, indexable Q, indexable V, indexable T>
-auto rates_towards(const Arm& arm, const Q& q, const V& v_now, const T& twist, value_of<Q> dt,
-                   const rate_options& options = {}) {
+[[nodiscard]] auto rates_towards(const Arm& arm, const Q& q, const V& v_now, const T& twist, value_of<Q> dt,
+                                 const rate_options& options = {}) {
   using S = value_of<Q>;
   const auto n = static_cast<Eigen::Index>(detail::dofs_of(arm));
   return rates_towards(arm, q, v_now, twist, dt, options,

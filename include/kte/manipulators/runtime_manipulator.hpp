@@ -6,29 +6,30 @@
 
 namespace kte {
 
-/// `manipulator` of a runtime chain, its tools by name:
+/// `manipulator` of a runtime chain, with tools by name:
 ///
 ///   kte::manipulator arm(chain, "tool");
 ///   kte::manipulator arm(chain, {"left", "right"}, limits);
 ///
-/// It has a state of its own to work in: one model a thread.
+/// It owns a state; use one per thread.
 template <>
-class manipulator<kte_map_chain, void> : public manipulator_kinematics_model<kte_map_chain> {
-  using model = manipulator_kinematics_model<kte_map_chain>;
+class manipulator<runtime_chain, void> : public manipulator_kinematics_model<runtime_chain> {
+  using model = manipulator_kinematics_model<runtime_chain>;
 
  public:
   using limits_type = joint_limits<>;
 
-  /// Throws `unknown_name` for a frame that the chain does not have, `bad_parameter` for limits that make no sense.
-  manipulator(const kte_map_chain& c, std::vector<std::string> tools, const joint_limits<>& limits);
-  manipulator(const kte_map_chain& c, std::vector<std::string> tools)
+  /// A manipulator with its tools and limits. Throws `unknown_name` for a frame that the chain does not have,
+  /// `bad_parameter` for invalid limits.
+  manipulator(const runtime_chain& c, std::vector<std::string> tools, const joint_limits<>& limits);
+  manipulator(const runtime_chain& c, std::vector<std::string> tools)
       : manipulator(c, std::move(tools), unlimited(c)) {}
   // A text is a template parameter: else {"left", "right"} would also be a std::string, of two pointers.
   template <std::convertible_to<std::string> Text>
-  manipulator(const kte_map_chain& c, const Text& name_of_tool)
+  manipulator(const runtime_chain& c, const Text& name_of_tool)
       : manipulator(c, std::vector<std::string>{name_of_tool}) {}
   template <std::convertible_to<std::string> Text>
-  manipulator(const kte_map_chain& c, const Text& name_of_tool, const joint_limits<>& limits)
+  manipulator(const runtime_chain& c, const Text& name_of_tool, const joint_limits<>& limits)
       : manipulator(c, std::vector<std::string>{name_of_tool}, limits) {}
 
   const joint_limits<>& limits() const { return limits_; }
@@ -41,24 +42,24 @@ class manipulator<kte_map_chain, void> : public manipulator_kinematics_model<kte
   detail::arm_structure structure_;
 };
 template <class... Rest>
-manipulator(const kte_map_chain&, const Rest&...) -> manipulator<kte_map_chain>;
-manipulator(const kte_map_chain&, std::initializer_list<const char*>)->manipulator<kte_map_chain>;
-manipulator(const kte_map_chain&, std::initializer_list<const char*>, const joint_limits<>&)
-    ->manipulator<kte_map_chain>;
+manipulator(const runtime_chain&, const Rest&...) -> manipulator<runtime_chain>;
+manipulator(const runtime_chain&, std::initializer_list<const char*>)->manipulator<runtime_chain>;
+manipulator(const runtime_chain&, std::initializer_list<const char*>, const joint_limits<>&)
+    ->manipulator<runtime_chain>;
 
 }  // namespace kte
 
 #ifdef KTE_FUNCTION
 namespace kte {
 
-KTE_FUNCTION manipulator<kte_map_chain, void>::manipulator(const kte_map_chain& c, std::vector<std::string> tools,
+KTE_FUNCTION manipulator<runtime_chain, void>::manipulator(const runtime_chain& c, std::vector<std::string> tools,
                                                            const joint_limits<>& limits)
     : model(c, std::move(tools)), limits_(limits) {
   check_limits(*this, limits_);
   auto s = make_state();
   structure_ = detail::structure_of(detail::geometry_of(*this, s, this->tools()[0]));
 }
-KTE_FUNCTION manipulator<kte_map_chain> manipulator<kte_map_chain, void>::with_axes_within(double tolerance) const {
+KTE_FUNCTION manipulator<runtime_chain> manipulator<runtime_chain, void>::with_axes_within(double tolerance) const {
   auto arm = *this;
   arm.structure_ = detail::structure_of(structure_.original, detail::checked_tolerance(tolerance));
   return arm;

@@ -9,28 +9,29 @@
 /// `archive::add`.
 namespace kte {
 
-/// The manipulator that a file has:
+/// The manipulator of a model file:
 ///
 ///   auto arm = kte::to_manipulator(kte::load_model("arm.json"));
 ///   auto arm = kte::to_manipulator(archive.model("arm"));
 ///
-/// Infinite limits where the file has none. Throws as `to_chain` does, and `bad_file` for a chain without tools (of
-/// which `kte::manipulator(kte::to_chain(record), "hand")` is one).
-inline manipulator<kte_map_chain> to_manipulator(const model_record& m, const element_registry& registry) {
+/// Limits that the file does not have are infinite. Throws as `to_chain`, and `bad_file` for a model without tools; for
+/// such a model use `kte::manipulator(kte::to_chain(record), "hand")`.
+[[nodiscard]] inline manipulator<runtime_chain> to_manipulator(const model_record& m,
+                                                               const element_registry& registry) {
   if (m.tools.empty()) throw bad_file("kte: a chain without tools is not a manipulator");
   const auto c = to_chain(m, registry);
   return {c, m.tools, limits_of(c, m)};
 }
 template <class = void>
-manipulator<kte_map_chain> to_manipulator(const model_record& m) {
+[[nodiscard]] manipulator<runtime_chain> to_manipulator(const model_record& m) {
   return to_manipulator(m, element_registry::standard());
 }
 
-/// A static manipulator of the type of `like`, with the numbers and limits of a file. Throws `bad_file` that says which
-/// element or tool differs, and how.
+/// A static manipulator of the type of `like`, with the numbers and limits of a file. Throws `bad_file`, naming the
+/// element or tool that differs and the difference.
 template <class Chain, key_type... Tools>
-manipulator<Chain, detail::tool_keys<Tools...>> from_record(const manipulator<Chain, detail::tool_keys<Tools...>>& like,
-                                                            const model_record& m) {
+[[nodiscard]] manipulator<Chain, detail::tool_keys<Tools...>> from_record(
+    const manipulator<Chain, detail::tool_keys<Tools...>>& like, const model_record& m) {
   const auto wanted = like.tools();
   if (!std::equal(wanted.begin(), wanted.end(), m.tools.begin(), m.tools.end()))
     detail::raise<bad_file>("kte: the file has other tools than the static manipulator, whose first is '" +

@@ -7,9 +7,9 @@
 
 namespace kte {
 
-/// A SCARA: two revolute joints about z with links along x, a prismatic one along z (`q3`, m), the tool's offset h
-/// along z, and a revolute one about z. Every link is of 1 kg. There are no limits.
-constexpr auto scara_chain(double length1 = 1, double length2 = 1, double h = 0) {
+/// A SCARA: two revolute joints about z with links along x, a prismatic joint along z (`q3`, m), the offset h of the
+/// tool along z, and a revolute joint about z. Every link has 1 kg. There are no limits.
+[[nodiscard]] constexpr auto scara_chain(double length1 = 1, double length2 = 1, double h = 0) {
   using namespace arm_names;
   const auto ball = rigid_body{1.0, zero3{}, diagonal(0.001, 0.001, 0.001)};
   return chain(revolute_joint_3D(q1, base, link1), inertia_3D(link1, link_body(1, along_x(length1), 0.05)),
@@ -20,9 +20,9 @@ constexpr auto scara_chain(double length1 = 1, double length2 = 1, double h = 0)
       .gravity(along_z(-9.81));
 }
 
-/// The arm, of the same arguments.
+/// The manipulator of `scara_chain`, with these arguments.
 template <class... Number>
-constexpr auto scara(const Number&... lengths) {
+[[nodiscard]] constexpr auto scara(const Number&... lengths) {
   return manipulator(scara_chain(lengths...), arm_names::tool);
 }
 

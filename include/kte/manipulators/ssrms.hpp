@@ -12,7 +12,7 @@ namespace kte {
 /// Nguyen, Hughes (Journal of Guidance, Control and Dynamics 17, 1994), whose axes differ: here along the links; of the
 /// other links by symmetry. That centres of mass are in the middle of links, and that there are no products of inertia,
 /// is assumed.
-constexpr auto ssrms_chain() {
+[[nodiscard]] constexpr auto ssrms_chain() {
   using namespace arm_names;
   constexpr double boom = 6.85, a = 0.38, d = 0.504, end = 0.635;
   return chain(revolute_joint_3D(q1, base, link1),
@@ -30,8 +30,8 @@ constexpr auto ssrms_chain() {
                revolute_joint_3D(q7, link6, tool).at(along_y(-end), half_turn_x),
                inertia_3D(tool, rigid_body{243.66, zero3{}, diagonal(44.413, 44.413, 9.336)}));
 }
-/// 270 degrees each way, 4 degrees/s, 2332 Nm.
-constexpr auto ssrms_limits() {
+/// Limits: 270 degrees in each direction, 4 degrees/s, 2332 Nm.
+[[nodiscard]] constexpr auto ssrms_limits() {
   auto limits = unlimited(ssrms_chain());
   limits.upper = detail::in_radians<7>({270, 270, 270, 270, 270, 270, 270});
   limits.lower = detail::negated(limits.upper);
@@ -41,6 +41,6 @@ constexpr auto ssrms_limits() {
 }
 
 /// The arm with its limits.
-constexpr auto ssrms() { return manipulator(ssrms_chain(), arm_names::tool, ssrms_limits()); }
+[[nodiscard]] constexpr auto ssrms() { return manipulator(ssrms_chain(), arm_names::tool, ssrms_limits()); }
 
 }  // namespace kte

@@ -27,12 +27,12 @@ double double_of(const S& x) {
 }
 }  // namespace detail
 
-/// An angle by cosine and sine; its value is taken when it is asked for.
+/// An angle by its cosine `cos` and sine `sin`.
 template <class S>
 struct solved_angle {
   S cos = S(1), sin = S(0);
 
-  /// In [-pi, pi], rad.
+  /// The angle in [-pi, pi], rad.
   constexpr S value() const {
     using std::atan2;
     return atan2(sin, cos);
@@ -69,31 +69,32 @@ constexpr S root_or_none(const S& x) {
 
 /// The angle of the direction (x, y); 0 at the origin.
 template <class S>
-constexpr solved_angle<S> direction(const S& x, const S& y) {
+[[nodiscard]] constexpr solved_angle<S> direction(const S& x, const S& y) {
   using std::sqrt;
   const S r = sqrt(S(x * x + y * y));
   const truth<S> some = r > S(0);
   const S size = select(some, r, S(1));
   return detail::chosen(some, solved_angle<S>{x / size, y / size}, solved_angle<S>{});
 }
+/// The angle t, rad, by its cosine and sine.
 template <class S>
-solved_angle<S> angle_of(const S& t) {
+[[nodiscard]] solved_angle<S> angle_of(const S& t) {
   solved_angle<S> a;
   sincos(t, a.sin, a.cos);
   return a;
 }
 
-/// Two angles that answer the same question, f + g and f - g.
+/// Two solutions f + g (`plus`) and f - g (`minus`).
 template <class S>
 struct two_angles {
   solved_angle<S> plus, minus;
-  S slack{};        ///< how far what was asked for is beyond the border, in its units; there both angles are the same
-  truth<S> free{};  ///< any angle is as good
+  S slack{};        ///< distance to solvability, in units of the equation; both angles are then equal
+  truth<S> free{};  ///< whether any angle is a solution
 };
 
-/// R(k, t) v = v cos t + (k x v) sin t + k (k.v) (1 - cos t)
+/// The rotated vector R(k, t) v = v cos t + (k x v) sin t + k (k.v) (1 - cos t).
 template <class S, class K, class V>
-constexpr vec3<S> turned(const K& k, const solved_angle<S>& t, const V& v) {
+[[nodiscard]] constexpr vec3<S> turned(const K& k, const solved_angle<S>& t, const V& v) {
   const vec3<S> kk = as<S>(k), x = as<S>(v);
   return t.cos * x + t.sin * cross(kk, x) + (dot(kk, x) * (S(1) - t.cos)) * kk;
 }
@@ -114,37 +115,37 @@ constexpr two_angles<S> angles_with_room(const S& a, const S& b, const S& c, con
 }
 }  // namespace detail
 
-/// a cos t + b sin t = c:
+/// Solves a cos t + b sin t = c:
 ///
 ///   h = |(a, b)|,  f = atan2(b, a),  t = f +- atan2(sqrt(room), c),  room = (h - c)(h + c)          (1)
 ///
-/// Free where h is not above `noise`: then both are what `otherwise` says, half a turn apart.
+/// If h is not above `noise`, any angle is a solution: the result is `otherwise` and the angle half a turn from it.
 template <class S>
-constexpr two_angles<S> linear_in_angle(const S& a, const S& b, const S& c, const S& noise = S(0),
-                                        const solved_angle<S>& otherwise = {}) {
+[[nodiscard]] constexpr two_angles<S> linear_in_angle(const S& a, const S& b, const S& c, const S& noise = S(0),
+                                                      const solved_angle<S>& otherwise = {}) {
   using std::sqrt;
   const S h = sqrt(S(a * a + b * b)), over = detail::size_of(c) - h;
   return detail::angles_with_room(a, b, c, h, S((h - c) * (h + c)), over, noise, otherwise);
 }
 
-/// R(k, t) p1 = p2:
+/// Solves R(k, t) p1 = p2:
 ///
 ///   t = atan2(k.(n1 x n2), n1.n2),  n1, n2 the parts of p1, p2 normal to k          (2)
 ///
-/// of least squares always; 0 where any t is as good. (p1.p2 - (k.p1)(k.p2) and k.(p1 x p2) are the same, but where
-/// the vectors are nearly along k they are differences of large numbers.)
+/// in the least-squares sense; 0 if any t is a solution. (p1.p2 - (k.p1)(k.p2) and k.(p1 x p2) are equal to these in
+/// exact arithmetic, but differences of large numbers for vectors nearly along k.)
 template <class S, class K>
-constexpr solved_angle<S> subproblem1(const K& axis, const vec3<S>& p1, const vec3<S>& p2) {
+[[nodiscard]] constexpr solved_angle<S> subproblem1(const K& axis, const vec3<S>& p1, const vec3<S>& p2) {
   const vec3<S> k = as<S>(axis), n1 = p1 - dot(k, p1) * k, n2 = p2 - dot(k, p2) * k;
   return direction(S(dot(n1, n2)), S(dot(k, cross(n1, n2))));
 }
 
-/// n.R(k, t) p = d: by (1) with
+/// Solves n.R(k, t) p = d by (1) with
 ///
 ///   a = n.p - (n.k)(k.p),  b = n.(k x p),  c = d - (n.k)(k.p)          (3)
 template <class S, class K, class N>
-constexpr two_angles<S> subproblem4(const K& axis, const vec3<S>& p, const N& normal, const S& d,
-                                    const solved_angle<S>& otherwise = {}) {
+[[nodiscard]] constexpr two_angles<S> subproblem4(const K& axis, const vec3<S>& p, const N& normal, const S& d,
+                                                  const solved_angle<S>& otherwise = {}) {
   using std::sqrt;
   const vec3<S> k = as<S>(axis), n = as<S>(normal);
   const S along = dot(n, k) * dot(k, p);
@@ -152,18 +153,20 @@ constexpr two_angles<S> subproblem4(const K& axis, const vec3<S>& p, const N& no
   return linear_in_angle(S(dot(n, p) - along), S(dot(n, cross(k, p))), S(d - along), noise, otherwise);
 }
 
-/// R(k1, t1) p1 = R(k2, t2) p2: pairs (t1.plus, t2.plus), (t1.minus, t2.minus). t1 by (3) with n = k2, d = k2.p2. As
-/// both are as long, with n2 the part of p2 normal to k2
+/// Solutions of R(k1, t1) p1 = R(k2, t2) p2: pairs (t1.plus, t2.plus), (t1.minus, t2.minus) with t1 `first`, t2
+/// `second`. t1 by (3) with n = k2, d = k2.p2. As both vectors have equal length, with n2 the part of p2 normal to k2
 ///
 ///   room = (|k1 x k2| |n2| - e)(|k1 x k2| |n2| + e),   e = k1.p1 - (k1.k2) d,          (4)
 ///
-/// which is taken where these are smaller than h and c: next to k2 p2 keeps its digits. Then t2 by (2).
+/// which is used where these are smaller than h and c: p2 near k2 then loses no digits. t2 follows from (2).
 template <class S>
 struct two_pairs {
   two_angles<S> first, second;
 };
+/// Solves R(k1, t1) p1 = R(k2, t2) p2, see `two_pairs`.
 template <class S, class K1, class K2>
-constexpr two_pairs<S> subproblem2(const K1& axis1, const vec3<S>& p1, const K2& axis2, const vec3<S>& p2) {
+[[nodiscard]] constexpr two_pairs<S> subproblem2(const K1& axis1, const vec3<S>& p1, const K2& axis2,
+                                                 const vec3<S>& p2) {
   using detail::size_of;
   using std::sqrt;
   const vec3<S> k1 = as<S>(axis1), k2 = as<S>(axis2), k12 = cross(k1, k2);
@@ -179,10 +182,10 @@ constexpr two_pairs<S> subproblem2(const K1& axis1, const vec3<S>& p1, const K2&
   return {t1, {rest(t1.plus), rest(t1.minus), t1.slack, {}}};
 }
 
-/// |R(k, t) p1 - p2| = d: by (3) with n = p2 and twice the other side |p1|^2 + |p2|^2 - d^2. (For arms take `triangle`
-/// of two_links.hpp, which loses no digits where the arm is stretched.)
+/// Solves |R(k, t) p1 - p2| = d by (3) with n = p2 and twice the other side |p1|^2 + |p2|^2 - d^2. (For arms use
+/// `triangle` of two_links.hpp, which loses no digits where the arm is stretched.)
 template <class S, class K>
-constexpr two_angles<S> subproblem3(const K& k, const vec3<S>& p1, const vec3<S>& p2, const S& d) {
+[[nodiscard]] constexpr two_angles<S> subproblem3(const K& k, const vec3<S>& p1, const vec3<S>& p2, const S& d) {
   return subproblem4(k, p1, p2, S((dot(p1, p1) + dot(p2, p2) - d * d) / S(2)));
 }
 

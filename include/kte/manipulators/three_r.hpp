@@ -7,9 +7,9 @@
 
 namespace kte {
 
-/// Three revolute joints in the plane, links of lengths along x. Every link is a rod of 1 kg; the tool at the end of
-/// the last. There are no limits.
-constexpr auto three_r_2D_chain(double length1 = 1, double length2 = 1, double length3 = 0) {
+/// Three revolute joints in the plane, with links along x of the given lengths, m. Every link is a rod of 1 kg; the
+/// tool is at the end of the last. There are no limits.
+[[nodiscard]] constexpr auto three_r_2D_chain(double length1 = 1, double length2 = 1, double length3 = 0) {
   using namespace planar_arm_names;
   const auto rod = [](double l) { return planar_body(1.0, l * l / 12 + 0.001, along_x(l / 2)); };
   return chain(revolute_joint_2D(q1, base, link1), inertia_2D(link1, rod(length1)),
@@ -18,9 +18,9 @@ constexpr auto three_r_2D_chain(double length1 = 1, double length2 = 1, double l
                rigid_link_2D(link3, tool, along_x(length3)));
 }
 
-/// The same in space: three revolute joints about z, each link (length, 0, offset), of 1 kg.
-constexpr auto three_r_chain(double length1 = 1, double length2 = 1, double length3 = 0, double offset1 = 0,
-                             double offset2 = 0, double offset3 = 0) {
+/// Three revolute joints about z in space; each link is (length, 0, offset), m, with 1 kg. There are no limits.
+[[nodiscard]] constexpr auto three_r_chain(double length1 = 1, double length2 = 1, double length3 = 0,
+                                           double offset1 = 0, double offset2 = 0, double offset3 = 0) {
   using namespace arm_names;
   const vec3 d1{length1, zero, offset1}, d2{length2, zero, offset2}, d3{length3, zero, offset3};
   return chain(revolute_joint_3D(q1, base, link1), inertia_3D(link1, link_body(1, d1, 0.05)),
@@ -30,13 +30,14 @@ constexpr auto three_r_chain(double length1 = 1, double length2 = 1, double leng
       .gravity(along_z(-9.81));
 }
 
-/// The arms, of the same arguments.
+/// The manipulator of `three_r_2D_chain`, with these arguments.
 template <class... Number>
-constexpr auto three_r_2D(const Number&... lengths) {
+[[nodiscard]] constexpr auto three_r_2D(const Number&... lengths) {
   return manipulator(three_r_2D_chain(lengths...), planar_arm_names::tool);
 }
+/// The manipulator of `three_r_chain`, with these arguments.
 template <class... Number>
-constexpr auto three_r(const Number&... lengths) {
+[[nodiscard]] constexpr auto three_r(const Number&... lengths) {
   return manipulator(three_r_chain(lengths...), arm_names::tool);
 }
 

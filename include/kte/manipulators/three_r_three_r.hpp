@@ -7,8 +7,8 @@
 
 namespace kte {
 
-/// Lengths of an arm z -y -y z -y z with a spherical wrist, m, all along z where q = 0: from joint 1 to 2, 2 to 3, 3 to
-/// 4, 4 to 5, and 5 to 6, where the tool is.
+/// Lengths of an arm z -y -y z -y z with a spherical wrist, m, all along z at q = 0: `base` from joint 1 to 2,
+/// `upper_arm` from 2 to 3, `forearm` from 3 to 4, `wrist` from 4 to 5, `tool` from 5 to 6, where the tool is.
 struct three_r_three_r_lengths {
   double base = 0, upper_arm = 1, forearm = 0.5, wrist = 0.5, tool = 0.2;
 };
@@ -33,11 +33,11 @@ constexpr auto three_r_three_r_on(const Frame& frame, const three_r_three_r_leng
 }  // namespace detail
 
 /// Six revolute joints, z -y -y z -y z. Masses are assumed: 5, 5, 2, 2, 1, 0.5 kg.
-constexpr auto three_r_three_r_chain(const three_r_three_r_lengths& lengths = {}) {
+[[nodiscard]] constexpr auto three_r_three_r_chain(const three_r_three_r_lengths& lengths = {}) {
   return detail::three_r_three_r_on(arm_names::base, lengths);
 }
-/// Half a turn each way.
-constexpr auto three_r_three_r_limits() {
+/// Limits: half a turn in each direction.
+[[nodiscard]] constexpr auto three_r_three_r_limits() {
   auto limits = unlimited(three_r_three_r_chain());
   limits.upper = detail::in_radians<6>({180, 180, 180, 180, 180, 180});
   limits.lower = detail::negated(limits.upper);
@@ -45,7 +45,7 @@ constexpr auto three_r_three_r_limits() {
 }
 
 /// The arm with its limits.
-constexpr auto three_r_three_r(const three_r_three_r_lengths& lengths = {}) {
+[[nodiscard]] constexpr auto three_r_three_r(const three_r_three_r_lengths& lengths = {}) {
   return manipulator(three_r_three_r_chain(lengths), arm_names::tool, three_r_three_r_limits());
 }
 

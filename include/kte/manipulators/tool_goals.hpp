@@ -7,7 +7,8 @@
 
 namespace kte {
 
-/// Weights of a goal's squares, of metres and of radians times a length (`clik_options`); 0: that part does not matter.
+/// Weights of the squares of a goal: `position`, of m, and `rotation`, of radians times a length
+/// (`numerical_ik_options`). 0: ignored.
 struct pose_weights {
   double position = 1, rotation = 1;
 };
@@ -110,24 +111,24 @@ struct look_at_goal : goal_of_tool<Tool> {
 };
 }  // namespace detail
 
-/// A goal of `clik`: the tool at a pose in axes of the world. Throws `bad_argument` for what is not finite, and for a
-/// rotation that is none to 1e-6.
+/// A goal of `numerical_inverse_kinematics`: the tool at a pose in axes of the world. Throws `bad_argument` for a pose
+/// that is not finite, and for a rotation that is not orthonormal to 1e-6.
 template <class Tool, class R, class P>
-auto reach(const Tool& tool, const pose<R, P>& wanted, const pose_weights& weights = {}) {
+[[nodiscard]] auto reach(const Tool& tool, const pose<R, P>& wanted, const pose_weights& weights = {}) {
   const auto p = detail::finite_place(wanted.position);
   return detail::reach_goal<detail::tool_name<Tool>>{{detail::tool_named(tool)},
                                                      {as<double>(matrix(detail::quaternion_of(wanted.rotation))), p},
                                                      detail::checked(weights)};
 }
-/// The tool's origin at a point in axes of the world, whatever its rotation.
+/// A goal: the origin of the tool at a point in axes of the world, m, with any rotation.
 template <class Tool, class P>
 requires geometric<P>
 auto reach_position(const Tool& tool, const P& point) {
   return reach(tool, pose{unit_quaternion<double>{}, point}, {1, 0});
 }
-/// A unit vector in axes of the tool, from its origin, points at a point in axes of the world.
+/// A goal: a unit vector in axes of the tool, from its origin, points at a point in axes of the world, m.
 template <class Tool, class A, class B, class C, class X, class Y, class Z>
-auto look_at(const Tool& tool, const vec3<A, B, C>& axis, const vec3<X, Y, Z>& point) {
+[[nodiscard]] auto look_at(const Tool& tool, const vec3<A, B, C>& axis, const vec3<X, Y, Z>& point) {
   const auto u = as<double>(axis);
   if (!(std::abs(dot(u, u) - 1) < 1e-6)) detail::raise<bad_argument>("kte: look_at needs an axis of length 1");
   return detail::look_at_goal<detail::tool_name<Tool>>{{detail::tool_named(tool)}, u, detail::finite_place(point)};

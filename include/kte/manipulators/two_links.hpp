@@ -6,14 +6,14 @@
 /// keep their digits.
 namespace kte {
 
-/// The angle between two links normal to k by which they reach a distance D, |l1 + R(k, t) l2| = D. With r1, r2 the
+/// The angle between two links normal to k with which they reach a distance D, |l1 + R(k, t) l2| = D. With r1, r2 the
 /// lengths of the links and t0 the angle from l2 to l1:
 ///
 ///   t = t0 +- 2 atan2(sqrt((r1 + r2 - D)(r1 + r2 + D)), sqrt((D - (r1 - r2))(D + (r1 - r2))))          (1)
 ///
-/// Stretched or folded where D is out of reach; `slack`, m, says how far.
+/// If D is out of reach, they are stretched or folded, and `slack`, m, is the distance missing.
 template <class S, class K>
-constexpr two_angles<S> elbow_angles(const K& k, const vec3<S>& l1, const vec3<S>& l2, const S& D) {
+[[nodiscard]] constexpr two_angles<S> elbow_angles(const K& k, const vec3<S>& l1, const vec3<S>& l2, const S& D) {
   using std::sqrt;
   const S r1 = sqrt(dot(l1, l1)), r2 = sqrt(dot(l2, l2));
   const S longer = select(r1 > r2, r1, r2), shorter = select(r1 > r2, r2, r1);
@@ -29,15 +29,17 @@ constexpr two_angles<S> elbow_angles(const K& k, const vec3<S>& l1, const vec3<S
   return {t0 + g, t0 - g, slack, {}};
 }
 
-/// Two links and where they reach: R(k, t2)(l1 + R(k, t3) l2) = a, all normal to k. t3 by (1) with D = |a|, then t2 by
-/// subproblem 1: pairs (t2.plus, t3.plus), (t2.minus, t3.minus). t2 is free where the links fold to a point.
+/// The angles of two links that reach a point: R(k, t2)(l1 + R(k, t3) l2) = a, all normal to k. t3 by (1) with D = |a|,
+/// then t2 by subproblem 1: pairs (t2.plus, t3.plus), (t2.minus, t3.minus). t2 is arbitrary where the links fold to a
+/// point.
 template <class S>
 struct triangle_angles {
   two_angles<S> t2, t3;
 };
+/// Solves R(k, t2)(l1 + R(k, t3) l2) = a, see `triangle_angles`.
 template <class S, class K>
-constexpr triangle_angles<S> triangle(const K& k, const vec3<S>& l1, const vec3<S>& l2, const vec3<S>& a,
-                                      const solved_angle<S>& otherwise = {}) {
+[[nodiscard]] constexpr triangle_angles<S> triangle(const K& k, const vec3<S>& l1, const vec3<S>& l2, const vec3<S>& a,
+                                                    const solved_angle<S>& otherwise = {}) {
   using std::sqrt;
   const S D = sqrt(dot(a, a)), noise = S(8 * std::numeric_limits<S>::epsilon()) * sqrt(S(dot(l1, l1) + dot(l2, l2)));
   const auto t3 = elbow_angles(k, l1, l2, D);

@@ -7,14 +7,14 @@ namespace kte {
 /// An unmanned aerial vehicle as a free body under gravity: 1 kg, with the moments of a small quadrotor, which are
 /// assumed. Thrust and moments of its rotors are forces on the frame `body`.
 template <class P = zero3, class R = no_rotation>
-constexpr auto uav_chain(const P& tool_position = {}, const R& tool_rotation = {}) {
+[[nodiscard]] constexpr auto uav_chain(const P& tool_position = {}, const R& tool_rotation = {}) {
   return free_floater_chain(tool_position, tool_rotation, rigid_body{1.0, zero3{}, diagonal(0.01, 0.01, 0.02)})
       .gravity(along_z(-9.81));
 }
 
-/// The vehicle with its tool, of the same arguments.
+/// The manipulator of `uav_chain`, with these arguments.
 template <class... Arguments>
-constexpr auto uav(const Arguments&... arguments) {
+[[nodiscard]] constexpr auto uav(const Arguments&... arguments) {
   return manipulator(uav_chain(arguments...), arm_names::tool);
 }
 

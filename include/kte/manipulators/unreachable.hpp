@@ -8,20 +8,20 @@
 
 namespace kte {
 
-/// What was asked for cannot be reached.
+/// Why a pose cannot be reached.
 enum class unreachable_reason {
-  distance,       ///< no posture gets there
-  limits,         ///< those that do are beyond the limits of joints
-  local_minimum,  ///< a search ended elsewhere
+  distance,       ///< no posture reaches it
+  limits,         ///< postures that reach it exceed the limits of joints
+  local_minimum,  ///< the search found no posture
 };
-/// As an error, with the best that there is.
+/// A pose cannot be reached: the `reason`, and the best posture q.
 struct unreachable : error {
   unreachable(const std::string& what, unreachable_reason why, std::vector<double> best, double m, double rad)
       : error(what), reason(why), q(std::move(best)), position(m), rotation(rad) {}
 
   unreachable_reason reason;
   std::vector<double> q;
-  double position, rotation;  ///< residual of q: m, rad
+  double position, rotation;  ///< errors of q, m and rad
 };
 
 namespace detail {

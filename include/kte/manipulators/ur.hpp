@@ -7,16 +7,17 @@
 
 namespace kte {
 
-/// Lengths of an arm of Universal Robots, m; those of the UR5.
+/// Lengths of an arm of Universal Robots, m: `shoulder_height`, `shoulder_offset`, `upper_arm`, `elbow_offset`,
+/// `forearm`, `wrist1`, `wrist2`, `wrist3`; by default those of the UR5.
 struct ur_lengths {
   double shoulder_height = 0.089159, shoulder_offset = 0.13585, upper_arm = 0.425, elbow_offset = 0.1197,
          forearm = 0.39225, wrist1 = 0.093, wrist2 = 0.09465, wrist3 = 0.0823;
 };
 
-/// An arm of Universal Robots: six revolute joints, z y y y z y, of which 2, 3 and 4 are parallel; the upper arm is
-/// horizontal where q = 0. Quarter turns are exact, where the maker's description has 1.57079632679 rad. Masses,
-/// centres and moments are the maker's for the UR5.
-constexpr auto ur_chain(const ur_lengths& l = {}) {
+/// An arm of Universal Robots: six revolute joints, z y y y z y; joints 2, 3 and 4 are parallel. The upper arm is
+/// horizontal at q = 0. Quarter turns are exact; the manufacturer's description has 1.57079632679 rad. Masses, centres
+/// and moments are the manufacturer's for the UR5.
+[[nodiscard]] constexpr auto ur_chain(const ur_lengths& l = {}) {
   using namespace arm_names;
   constexpr auto wrist = diagonal(0.111172755531, 0.111172755531, 0.21942);
   return chain(revolute_joint_3D(q1, base, link1).at(along_z(l.shoulder_height)),
@@ -35,8 +36,8 @@ constexpr auto ur_chain(const ur_lengths& l = {}) {
       .gravity(along_z(-9.81));
 }
 
-/// Its limits, of the maker's description of the UR5: two turns a joint, but the elbow one.
-constexpr auto ur_limits() {
+/// Limits from the manufacturer's description of the UR5: two turns for each joint, one for the elbow.
+[[nodiscard]] constexpr auto ur_limits() {
   auto limits = unlimited(ur_chain());
   limits.upper = detail::in_radians<6>({360, 360, 180, 360, 360, 360});
   limits.lower = detail::negated(limits.upper);
@@ -46,7 +47,7 @@ constexpr auto ur_limits() {
 }
 
 /// The arm with its limits.
-constexpr auto ur(const ur_lengths& lengths = {}) {
+[[nodiscard]] constexpr auto ur(const ur_lengths& lengths = {}) {
   return manipulator(ur_chain(lengths), arm_names::tool, ur_limits());
 }
 

@@ -50,11 +50,12 @@ KTE_INLINE void atan2_of(const V& y, const V& x, V& angle) {
 #endif
 }  // namespace detail
 
-/// Angles of n directions, atan2(y, x), rad, of finite numbers: four at a time as sines are (`sincos_each`).
+/// Angles of n directions, atan2(y, x), rad. The numbers must be finite. Four are computed at a time, as in
+/// `sincos_each`.
 inline void atan2_each(const double* y, const double* x, double* angle, std::size_t n) {
   std::size_t i = 0;
 #if defined(KTE_HAS_VECTORS) && !defined(KTE_SCALAR_SINCOS)
-  for (const std::size_t fours = n / 4 * 4; i < fours; i += 4) {
+  for (const std::size_t whole = n / 4 * 4; i < whole; i += 4) {
     detail::double4 t;
     detail::atan2_of(detail::double4{y[i], y[i + 1], y[i + 2], y[i + 3]},
                      detail::double4{x[i], x[i + 1], x[i + 2], x[i + 3]}, t);
@@ -64,7 +65,7 @@ inline void atan2_each(const double* y, const double* x, double* angle, std::siz
   for (; i < n; ++i) angle[i] = std::atan2(y[i], x[i]);
 }
 
-/// Of other scalars, one by one; of packs of doubles as many at a time as their registers take.
+/// Angles in other scalars: one at a time; packs of doubles as many at a time as fit their registers.
 template <class S>
 void atan2_each(const S* y, const S* x, S* angle, std::size_t n) {
   using std::atan2;

@@ -7,6 +7,7 @@
 namespace kte {
 
 namespace axis {
+/// Unit vectors along the coordinate axes: typed, exact, without cost.
 inline constexpr vec3<one_t, zero_t, zero_t> x{};
 inline constexpr vec3<zero_t, one_t, zero_t> y{};
 inline constexpr vec3<zero_t, zero_t, one_t> z{};
@@ -15,13 +16,13 @@ inline constexpr vec3<zero_t, constant<-1>, zero_t> minus_y{};
 inline constexpr vec3<zero_t, zero_t, constant<-1>> minus_z{};
 }  // namespace axis
 
-/// The rotation about the unit axis u by an angle of which cosine c and sine s are given (Rodrigues):
+/// The rotation about the unit axis u by the angle with cosine c and sine s (Rodrigues):
 ///
 ///   R = c 1 + s [u]x + (1 - c) u u^T            (1)
 ///
 /// With typed entries of u, for instance a coordinate axis, (1) folds to a plane rotation.
 template <class X, class Y, class Z, class C, class S>
-KTE_INLINE constexpr auto rotation_about(const vec3<X, Y, Z>& u, const C& c, const S& s) {
+[[nodiscard]] KTE_INLINE constexpr auto rotation_about(const vec3<X, Y, Z>& u, const C& c, const S& s) {
   constexpr bool coordinate_axis =
       int{!std::is_same_v<X, zero_t>} + int{!std::is_same_v<Y, zero_t>} + int{!std::is_same_v<Z, zero_t>} == 1 &&
       typed_constant<X> && typed_constant<Y> && typed_constant<Z>;
@@ -43,14 +44,14 @@ KTE_INLINE constexpr auto rotation_about(const vec3<X, Y, Z>& u, const C& c, con
                 vec3{t.x * u.z - u.y * s, t.y * u.z + u.x * s, t.z * u.z + c}};
   }
 }
-/// The same from the angle in rad.
+/// The rotation about the unit axis u by `angle`, rad.
 template <class X, class Y, class Z, variable T>
-constexpr auto rotation_about(const vec3<X, Y, Z>& u, const T& angle) {
+[[nodiscard]] constexpr auto rotation_about(const vec3<X, Y, Z>& u, const T& angle) {
   const auto r = rotation_by(angle);
   return rotation_about(u, r.cos, r.sin);
 }
 
-/// Turns by 90 and 180 degrees: exact, typed, free. They compose by `*`.
+/// Rotations by 90 and 180 degrees: exact, typed, without cost. They compose by `*`.
 inline constexpr mat3 quarter_turn_x{axis::x, vec3{zero, zero, minus_one}, vec3{zero, one, zero}};
 inline constexpr mat3 quarter_turn_y{vec3{zero, zero, one}, axis::y, vec3{minus_one, zero, zero}};
 inline constexpr mat3 quarter_turn_z{vec3{zero, minus_one, zero}, vec3{one, zero, zero}, axis::z};
@@ -60,7 +61,7 @@ inline constexpr auto minus_quarter_turn_z = transpose(quarter_turn_z);
 inline constexpr auto half_turn_x = quarter_turn_x * quarter_turn_x;
 inline constexpr auto half_turn_y = quarter_turn_y * quarter_turn_y;
 inline constexpr auto half_turn_z = quarter_turn_z * quarter_turn_z;
-/// The same in the plane.
+/// Rotations by 90 and 180 degrees in the plane.
 inline constexpr rotation_2D quarter_turn{zero, one};
 inline constexpr rotation_2D half_turn{minus_one, zero};
 inline constexpr rotation_2D minus_quarter_turn{zero, minus_one};

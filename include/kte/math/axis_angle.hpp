@@ -9,8 +9,8 @@
 /// whole group; small rotations keep them relative to their angle. At half turns the sign of the axis is free.
 namespace kte {
 
-/// A rotation by `angle` (rad) about the unit vector `axis`. The conversions give an angle in [0, pi], and the axis x
-/// for no rotation.
+/// A rotation by `angle`, rad, about the unit vector `axis`. Conversions give an angle in [0, pi], and the axis x for
+/// the identity.
 template <class S = double>
 struct axis_angle {
   using geometry = axis_angle;
@@ -24,21 +24,21 @@ constexpr axis_angle<S> as(const axis_angle<T>& r) {
   return {as<S>(r.angle), as<S>(r.axis)};
 }
 
-/// w = cos(angle/2), (x, y, z) = sin(angle/2) axis; of q and -q, the one with w >= 0.
+/// The quaternion w = cos(angle/2), (x, y, z) = sin(angle/2) axis, with the sign that makes w >= 0.
 template <class S>
-constexpr unit_quaternion<S> to_quaternion(const axis_angle<S>& r) {
+[[nodiscard]] constexpr unit_quaternion<S> to_quaternion(const axis_angle<S>& r) {
   using std::cos;
   using std::sin;
   const S half = r.angle / S(2);
   const S s = sin(half);
   return detail::canonical(unit_quaternion<S>{cos(half), s * r.axis.x, s * r.axis.y, s * r.axis.z});
 }
-/// From a rotation vector r of length t:
+/// The quaternion of a rotation vector r, rad, of length t:
 ///
 ///   w = cos(t/2),  (x, y, z) = sin(t/2)/t r                                (1)
 ///   sin(t/2)/t = 1/2 - t^2/48 + ...,  which is 1/2 if t^2 is below the last digit of 1
 template <class X, class Y, class Z>
-constexpr auto to_quaternion(const vec3<X, Y, Z>& rotation_vector) {
+[[nodiscard]] constexpr auto to_quaternion(const vec3<X, Y, Z>& rotation_vector) {
   using std::cos;
   using std::sin;
   using std::sqrt;
@@ -53,10 +53,10 @@ constexpr auto to_quaternion(const vec3<X, Y, Z>& rotation_vector) {
   return detail::canonical(unit_quaternion<S>{cos(S(t / S(2))), k * r.x, k * r.y, k * r.z});
 }
 
-/// angle = 2 atan2(|u|, w), axis = u/|u|,  u = (x, y, z). The arc cosine of w would lose half the digits near 0, the
-/// arc sine of |u| near pi.
+/// The angle and axis of a quaternion: angle = 2 atan2(|u|, w), axis = u/|u|, u = (x, y, z). The arc cosine of w would
+/// lose half the digits near 0, the arc sine of |u| near pi.
 template <class S>
-constexpr axis_angle<S> to_axis_angle(const unit_quaternion<S>& rotation) {
+[[nodiscard]] constexpr axis_angle<S> to_axis_angle(const unit_quaternion<S>& rotation) {
   using std::atan2;
   using std::sqrt;
   const auto q = detail::canonical(rotation);
@@ -69,9 +69,10 @@ constexpr axis_angle<S> to_axis_angle(const unit_quaternion<S>& rotation) {
   const S n = sqrt(dot(u, u));
   return {S(2) * atan2(S(most * n), q.w), {u.x / n, u.y / n, u.z / n}};
 }
-/// 2 atan2(|u|, w)/|u| u,  u = (x, y, z); below the last digit of 1 in |u|^2, that is 2/w u.
+/// The rotation vector of a quaternion, rad: 2 atan2(|u|, w)/|u| u, u = (x, y, z); 2/w u where |u|^2 is below the last
+/// digit of 1.
 template <class S>
-constexpr vec3<S> to_rotation_vector(const unit_quaternion<S>& rotation) {
+[[nodiscard]] constexpr vec3<S> to_rotation_vector(const unit_quaternion<S>& rotation) {
   using std::atan2;
   using std::sqrt;
   const auto q = detail::canonical(rotation);
@@ -83,27 +84,27 @@ constexpr vec3<S> to_rotation_vector(const unit_quaternion<S>& rotation) {
 
 // ---- the rest by way of these
 template <class S>
-constexpr mat3<vec3<S>> matrix(const axis_angle<S>& r) {
+[[nodiscard]] constexpr mat3<vec3<S>> matrix(const axis_angle<S>& r) {
   return matrix(to_quaternion(r));
 }
 template <class X, class Y, class Z>
-constexpr auto matrix(const vec3<X, Y, Z>& rotation_vector) {
+[[nodiscard]] constexpr auto matrix(const vec3<X, Y, Z>& rotation_vector) {
   return matrix(to_quaternion(rotation_vector));
 }
 template <class RX, class RY, class RZ>
-constexpr auto to_axis_angle(const mat3<RX, RY, RZ>& m) {
+[[nodiscard]] constexpr auto to_axis_angle(const mat3<RX, RY, RZ>& m) {
   return to_axis_angle(to_quaternion(m));
 }
 template <class X, class Y, class Z>
-constexpr auto to_axis_angle(const vec3<X, Y, Z>& rotation_vector) {
+[[nodiscard]] constexpr auto to_axis_angle(const vec3<X, Y, Z>& rotation_vector) {
   return to_axis_angle(to_quaternion(rotation_vector));
 }
 template <class RX, class RY, class RZ>
-constexpr auto to_rotation_vector(const mat3<RX, RY, RZ>& m) {
+[[nodiscard]] constexpr auto to_rotation_vector(const mat3<RX, RY, RZ>& m) {
   return to_rotation_vector(to_quaternion(m));
 }
 template <class S>
-constexpr vec3<S> to_rotation_vector(const axis_angle<S>& r) {
+[[nodiscard]] constexpr vec3<S> to_rotation_vector(const axis_angle<S>& r) {
   return to_rotation_vector(to_quaternion(r));
 }
 

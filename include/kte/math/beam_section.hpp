@@ -2,20 +2,20 @@
 
 namespace kte {
 
-/// The stiffness of a beam in the plane, of a section of area A and second moment I, of a material E, G.
+/// Stiffness of the section of a beam in the plane: area A, second moment I, moduli E and G of the material.
 struct planar_beam_section {
   double EA;      ///< N
   double EI;      ///< N m^2
-  double GA = 0;  ///< stiffness in shear, N: k G A of Timoshenko's beam; 0: none, stiff as Bernoulli's
+  double GA = 0;  ///< shear stiffness k G A of Timoshenko's beam, N; 0: rigid in shear, as Bernoulli's
 };
-/// The same in space: y and z are principal axes of the section, x is along the beam.
+/// Stiffness of the section of a beam in space: y and z are principal axes of the section, x is along the beam.
 struct beam_section {
   double EA;        ///< N
-  double EI_y;      ///< of bending about y, in the plane x-z, N m^2
-  double EI_z;      ///< of bending about z, in the plane x-y, N m^2
-  double GJ;        ///< of torsion, N m^2
-  double GA_y = 0;  ///< stiffness in shear along y, N; 0: none, stiff
-  double GA_z = 0;  ///< along z
+  double EI_y;      ///< bending about y, in the plane x-z, N m^2
+  double EI_z;      ///< bending about z, in the plane x-y, N m^2
+  double GJ;        ///< torsion, N m^2
+  double GA_y = 0;  ///< shear along y, N; 0: rigid in shear
+  double GA_z = 0;  ///< shear along z, N; 0: rigid in shear
 };
 
 namespace detail {

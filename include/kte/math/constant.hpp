@@ -16,15 +16,17 @@ namespace kte {
 template <int N>
 struct constant {};
 
+/// The types of the constants 0 and 1.
 using zero_t = constant<0>;
 using one_t = constant<1>;
+/// The constants 0, 1 and -1.
 inline constexpr zero_t zero{};
 inline constexpr one_t one{};
 inline constexpr constant<-1> minus_one{};
 
-/// A quantity that nobody asked for: any arithmetic with it gives `skip` again and no machine code. An algorithm that
-/// needs no positions starts from a base whose position is `skip`, and no position is ever computed. So are its
-/// entries.
+/// A quantity that is not needed: arithmetic with `skip` gives `skip` and no machine code. An algorithm that needs no
+/// positions starts from a base whose position is `skip`, and no position is computed. Entries x, y, z of a `skip` are
+/// `skip`.
 struct skip {
   static const skip x, y, z;
 };
@@ -41,7 +43,7 @@ inline constexpr bool is_constant<constant<N>> = true;
 template <class T>
 concept typed_constant = detail::is_constant<std::remove_cvref_t<T>>;
 
-/// Vectors, matrices and what is made of them; each says so by a member type `geometry`.
+/// Vectors, matrices and types composed of them; each has a member type `geometry`.
 template <class T>
 concept geometric = requires {
   typename std::remove_cvref_t<T>::geometry;
@@ -51,7 +53,7 @@ concept geometric = requires {
 template <class T>
 concept variable = !typed_constant<T> && !geometric<T> && !std::is_same_v<std::remove_cvref_t<T>, skip>;
 
-/// What an entry of a vector may be.
+/// An entry of a vector: a typed constant or a scalar.
 template <class T>
 concept entry = typed_constant<T> || variable<T>;
 
@@ -65,7 +67,7 @@ KTE_INLINE constexpr S as(const T& x) {
   return S(x);
 }
 
-/// The same entry, with numbers as scalars of type S and typed constants left as they are.
+/// The entry with numbers converted to scalars of type S; typed constants are unchanged.
 template <class S, int N>
 KTE_INLINE constexpr constant<N> lifted(constant<N> c) {
   return c;
@@ -75,7 +77,7 @@ KTE_INLINE constexpr S lifted(const T& x) {
   return S(x);
 }
 
-/// A parameter as its user wrote it; whole numbers become double, so that `along_x(1)` means 1.0 m.
+/// The value of a parameter; integers become double, so that `along_x(1)` means 1.0 m.
 template <entry T>
 KTE_INLINE constexpr auto real(const T& x) {
   if constexpr (std::is_integral_v<T>) {
@@ -154,6 +156,7 @@ KTE_INLINE constexpr T operator-(const T& x, constant<N>) {
 }
 
 // ---- skip with anything
+/// Any type but `skip`.
 template <class T>
 concept not_skip = !std::is_same_v<T, skip>;
 
@@ -190,7 +193,8 @@ template <not_skip T>
 KTE_INLINE constexpr skip operator/(const T&, skip) {
   return {};
 }
-KTE_INLINE constexpr skip sqrt(skip) { return {}; }
+/// The square root of `skip` is `skip`.
+[[nodiscard]] KTE_INLINE constexpr skip sqrt(skip) { return {}; }
 
 /// Literals for typed constants: `0_c`, `1_c`, `-1_c`.
 inline namespace literals {
@@ -208,7 +212,7 @@ constexpr auto operator""_c() {
 }  // namespace literals
 
 namespace detail {
-/// A typed constant as a double, a number as it is.
+/// A typed constant as a double, a number unchanged.
 template <entry T>
 KTE_INLINE constexpr auto as_number(const T& x) {
   if constexpr (typed_constant<T>) {

@@ -12,10 +12,10 @@
 /// Dual numbers: derivatives of anything in this library by automatic differentiation.
 namespace kte {
 
-/// The independent variable i of N at the value x: its derivative by itself is 1. Whole numbers become double. Throws
-/// `bad_argument` unless 0 <= i < N.
+/// The independent variable i of N at the value x: its derivative with respect to itself is 1. Integers become double.
+/// Throws `bad_argument` unless 0 <= i < N.
 template <int N, class T>
-constexpr auto seeded(const T& x, std::type_identity_t<int> i) {
+[[nodiscard]] constexpr auto seeded(const T& x, std::type_identity_t<int> i) {
   using S = std::remove_const_t<decltype(real(x))>;
   if (i < 0 || i >= N) [[unlikely]]
     detail::raise<bad_argument>("kte: a dual number has no variable of this index");
@@ -34,7 +34,7 @@ std::basic_ostream<C, Traits>& operator<<(std::basic_ostream<C, Traits>& out, co
 
 /// The derivatives of a vector of dual numbers: row i belongs to x[i], column j to variable j.
 template <class V>
-auto jacobian_of(const Eigen::MatrixBase<V>& x) {
+[[nodiscard]] auto jacobian_of(const Eigen::MatrixBase<V>& x) {
   static_assert(V::IsVectorAtCompileTime, "kte: jacobian_of takes a vector");
   using D = typename V::Scalar;
   const auto& v = x.derived().eval();
@@ -46,7 +46,7 @@ auto jacobian_of(const Eigen::MatrixBase<V>& x) {
 
 }  // namespace kte
 
-/// As those of T.
+/// The limits of T.
 template <class T, int N>
 struct std::numeric_limits<kte::dual<T, N>> : std::numeric_limits<T> {
  private:

@@ -1,13 +1,14 @@
 #pragma once
 
 #include <kte/math/constant.hpp>
-#include <kte/math/dual_lanes.hpp>
+#include <kte/math/dual_simd.hpp>
 
 namespace kte {
 
 template <class T, int N>
 struct dual;
 
+/// Whether T is a dual number.
 template <class T>
 inline constexpr bool is_dual = false;
 template <class T, int N>
@@ -30,8 +31,8 @@ KTE_INLINE constexpr decltype(auto) factor(const A& a) {
 }
 }  // namespace detail
 
-/// What mixes with dual numbers over T without having derivatives: arithmetic types, T, and in nested dual numbers what
-/// mixes with those inside.
+/// Constants in arithmetic with dual numbers over T: arithmetic types and T; for nested dual numbers also the constants
+/// of the inner ones.
 template <class A, class T>
 concept constant_of = detail::is_constant_of<A, T>;
 
@@ -79,7 +80,7 @@ template <class T, int N>
 KTE_INLINE constexpr dual<T, N> chained(const T& value, const T& slope, const dual<T, N>& x) {
   return {value, x.derivative.map([&](const auto& dx) KTE_INLINE_LAMBDA { return slope * dx; }, x.derivative)};
 }
-/// Of two: r' = s a' + t b'.
+/// The derivatives of a result: r' = s a' + t b'.
 template <class T, int N>
 KTE_INLINE constexpr dual<T, N> chained(const T& value, const T& s, const dual<T, N>& a, const T& t,
                                         const dual<T, N>& b) {

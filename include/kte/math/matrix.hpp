@@ -5,7 +5,7 @@
 /// 3x3 matrices by components, general and symmetric.
 namespace kte {
 
-/// A 3x3 matrix by rows; m.y.x is row 2, column 1.
+/// A 3x3 matrix with the rows x, y, z; m.y.x is row 2, column 1.
 template <class RX = vec3<>, class RY = RX, class RZ = RY>
 struct mat3 {
   using geometry = mat3;
@@ -17,7 +17,7 @@ struct mat3 {
 template <class RX, class RY, class RZ>
 mat3(RX, RY, RZ) -> mat3<RX, RY, RZ>;
 
-/// A symmetric 3x3 matrix by its upper triangle.
+/// A symmetric 3x3 matrix, stored as its upper triangle: `xx`, `xy`, `xz`, `yy`, `yz`, `zz`.
 template <class XX = double, class XY = XX, class XZ = XY, class YY = XZ, class YZ = YY, class ZZ = YZ>
 struct sym3 {
   using geometry = sym3;
@@ -32,11 +32,13 @@ struct sym3 {
 template <class XX, class XY, class XZ, class YY, class YZ, class ZZ>
 sym3(XX, XY, XZ, YY, YZ, ZZ) -> sym3<XX, XY, XZ, YY, YZ, ZZ>;
 
+/// The diagonal matrix diag(xx, yy, zz).
 template <class XX, class YY, class ZZ>
-constexpr auto diagonal(XX xx, YY yy, ZZ zz) {
+[[nodiscard]] constexpr auto diagonal(XX xx, YY yy, ZZ zz) {
   return sym3{xx, zero, zero, yy, zero, zz};
 }
 
+/// The matrix with entries of the scalar S.
 template <class S, class RX, class RY, class RZ>
 KTE_INLINE constexpr mat3<vec3<S>> as(const mat3<RX, RY, RZ>& m) {
   return {as<S>(m.x), as<S>(m.y), as<S>(m.z)};
@@ -46,8 +48,9 @@ KTE_INLINE constexpr sym3<S> as(const sym3<T...>& m) {
   return {as<S>(m.xx), as<S>(m.xy), as<S>(m.xz), as<S>(m.yy), as<S>(m.yz), as<S>(m.zz)};
 }
 
+/// M^T
 template <class RX, class RY, class RZ>
-KTE_INLINE constexpr auto transpose(const mat3<RX, RY, RZ>& m) {
+[[nodiscard]] KTE_INLINE constexpr auto transpose(const mat3<RX, RY, RZ>& m) {
   return mat3{vec3{m.x.x, m.y.x, m.z.x}, vec3{m.x.y, m.y.y, m.z.y}, vec3{m.x.z, m.y.z, m.z.z}};
 }
 template <class RX, class RY, class RZ, class A, class B, class C>
@@ -72,23 +75,25 @@ template <entry S, class RX, class RY, class RZ>
 KTE_INLINE constexpr auto operator*(const S& s, const mat3<RX, RY, RZ>& m) {
   return mat3{s * m.x, s * m.y, s * m.z};
 }
-/// [v]x, by which [v]x u = v x u.
+/// The skew-symmetric matrix [v]x: [v]x u = v x u.
 template <class X, class Y, class Z>
-KTE_INLINE constexpr auto cross_matrix(const vec3<X, Y, Z>& v) {
+[[nodiscard]] KTE_INLINE constexpr auto cross_matrix(const vec3<X, Y, Z>& v) {
   return mat3{vec3{zero, -v.z, v.y}, vec3{v.z, zero, -v.x}, vec3{-v.y, v.x, zero}};
 }
 /// a b^T
 template <class A, class B, class C, class D, class E, class F>
-KTE_INLINE constexpr auto dyad(const vec3<A, B, C>& a, const vec3<D, E, F>& b) {
+[[nodiscard]] KTE_INLINE constexpr auto dyad(const vec3<A, B, C>& a, const vec3<D, E, F>& b) {
   return mat3{a.x * b, a.y * b, a.z * b};
 }
+/// s 1
 template <class S>
-KTE_INLINE constexpr auto diagonal_matrix(const S& s) {
+[[nodiscard]] KTE_INLINE constexpr auto diagonal_matrix(const S& s) {
   return mat3{vec3{s, zero, zero}, vec3{zero, s, zero}, vec3{zero, zero, s}};
 }
 
+/// All nine entries of a symmetric matrix.
 template <class... T>
-KTE_INLINE constexpr auto full(const sym3<T...>& m) {
+[[nodiscard]] KTE_INLINE constexpr auto full(const sym3<T...>& m) {
   return mat3{vec3{m.xx, m.xy, m.xz}, vec3{m.xy, m.yy, m.yz}, vec3{m.xz, m.yz, m.zz}};
 }
 template <class... T, class A, class B, class C>
@@ -100,14 +105,15 @@ KTE_INLINE constexpr auto operator+(const sym3<T...>& a, const sym3<U...>& b) {
   return sym3{a.xx + b.xx, a.xy + b.xy, a.xz + b.xz, a.yy + b.yy, a.yz + b.yz, a.zz + b.zz};
 }
 
+/// The sum of the diagonal.
 template <class... T>
-KTE_INLINE constexpr auto trace(const sym3<T...>& m) {
+[[nodiscard]] KTE_INLINE constexpr auto trace(const sym3<T...>& m) {
   return m.xx + (m.yy + m.zz);
 }
 
-/// R A R^T for symmetric A: six entries, not nine.
+/// R A R^T for symmetric A, by its six entries.
 template <class RX, class RY, class RZ, class... T>
-KTE_INLINE constexpr auto congruence(const mat3<RX, RY, RZ>& r, const sym3<T...>& a) {
+[[nodiscard]] KTE_INLINE constexpr auto congruence(const mat3<RX, RY, RZ>& r, const sym3<T...>& a) {
   const auto m = full(a);
   const auto bx = m * r.x;  // columns of A R^T
   const auto by = m * r.y;

@@ -7,33 +7,34 @@
 
 namespace kte {
 
-/// A smooth curve through points (x_i, y_i), x increasing: cubic between neighbours, straight beyond the ends, with a
-/// continuous slope. Between points it neither overshoots nor swings: where the points rise so does the curve. Slopes
-/// m_i at inner points, with d_i = (y_{i+1} - y_i)/h_i, h_i = x_{i+1} - x_i:
+/// A curve through points (x_i, y_i), `x` increasing, `y` any: cubic between neighbours, straight beyond the ends, with
+/// a continuous slope. It is monotone where the points are, and does not overshoot. Slopes m_i at inner points, with
+/// d_i = (y_{i+1} - y_i)/h_i, h_i = x_{i+1} - x_i:
 ///
 ///   m_i = 0 where d_{i-1} d_i <= 0, else 3 (h_{i-1} + h_i) / ((2 h_i + h_{i-1})/d_{i-1} + (h_i + 2 h_{i-1})/d_i)   (1)
 ///
-/// and those of the outer pieces at the ends. Two points make a straight line.
+/// At the ends the slope is d of the outer piece. Two points give a straight line.
 ///
 /// Fritsch and Butland, A method for constructing local monotone piecewise cubic interpolants, SIAM J. Sci. Stat.
 /// Comput. 5 (1984).
 template <class List = std::vector<double>>
 class monotone_cubic {
  public:
-  /// Of equally many x and y, at least two, x increasing: `is_sound` says whether they are.
+  /// A curve through the points (x_i, y_i), at least two, x increasing. It does not check them: see `is_sound`.
   constexpr monotone_cubic(const List& of_x, const List& of_y) : x(of_x), y(of_y), slope_(of_x), area_(of_x) {
     prepare();
   }
   List x;
   List y;
 
+  /// Whether there are as many x as y, at least two, all finite, with x increasing.
   constexpr bool is_sound() const {
     if (x.size() < 2 || x.size() != y.size()) return false;
     for (std::size_t i = 1; i < x.size(); ++i)
       if (!(x[i - 1] < x[i])) return false;
     return true;
   }
-  /// After x or y have been changed.
+  /// Computes the slopes; to be called after a change of `x` or `y`.
   constexpr void prepare() {
     if (!is_sound()) return;
     slope_ = area_ = x;
@@ -52,7 +53,7 @@ class monotone_cubic {
   constexpr T operator()(const T& at) const {
     return at_place(at).value;
   }
-  /// From the first x to `at`.
+  /// The integral of the curve from the first x to `at`.
   template <class T>
   constexpr T integral(const T& at) const {
     return at_place(at).area;

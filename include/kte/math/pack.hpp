@@ -9,7 +9,7 @@
 /// chain that is evaluated on packs is evaluated on N states in about the time of one.
 namespace kte {
 
-/// What a comparison of packs gives: one truth a lane.
+/// The result of a comparison of packs: one truth value per element.
 template <class T, int N, class Arch = detail::pack_arch<T, N>>
 class pack_mask {
   using reg = detail::pack_register<T, Arch>;
@@ -25,7 +25,7 @@ class pack_mask {
   KTE_INLINE pack_mask& operator&=(const pack_mask& b) { return *this = *this & b; }
   KTE_INLINE pack_mask& operator|=(const pack_mask& b) { return *this = *this | b; }
 
-  /// Whether it holds in all lanes, in any.
+  /// Whether the condition holds in all elements; `any`: in at least one.
   KTE_INLINE friend bool all(const pack_mask& a) { return all_of(a, registers{}); }
   KTE_INLINE friend bool any(const pack_mask& a) { return !all_of(!a, registers{}); }
 
@@ -57,9 +57,9 @@ class pack_mask {
   typename reg::mask m_[count];
 };
 
-/// N floats or doubles, N a power of two. It converts from any number, so that `2 * x` and `x + 0.5` work; with floats,
-/// the number is rounded to float. It is a type of its own under every set of CPU options (`Arch`), so that units
-/// compiled with different ones can be linked.
+/// N floats or doubles, N a power of two. Any number converts to a pack, so that `2 * x` and `x + 0.5` work; with
+/// floats the number is rounded to float. CPU options (`Arch`) are part of the type, so that units compiled with
+/// different options can be linked.
 template <class T, int N, class Arch = detail::pack_arch<T, N>>
 class pack {
   static_assert(std::is_same_v<T, float> || std::is_same_v<T, double>, "kte: packs are of float or double");
@@ -74,29 +74,32 @@ class pack {
   using register_type = typename reg::type;
   using register_bits = typename reg::bits;
   using registers = std::make_index_sequence<count>;
+  /// The number of elements.
   static constexpr int lanes = N;
 
   pack() = default;
-  /// Register by register: as a block of bytes, g++ copies a vector of packs by parts of registers, and loads of whole
-  /// registers then wait for these.
+  /// Copies register by register. As a block of bytes g++ copies a vector of packs by parts of registers, and loads of
+  /// whole registers then stall.
   KTE_INLINE pack(const pack& x) { copy(x, registers{}); }
   KTE_INLINE pack& operator=(const pack& x) {
     copy(x, registers{});
     return *this;
   }
-  /// The same number in all lanes.
+  /// One number in all elements.
   template <class U>
   requires std::is_arithmetic_v<U> KTE_INLINE explicit(false) pack(U x) { fill(static_cast<T>(x), registers{}); }
 
-  /// N numbers, one after the other, anywhere in memory.
+  /// Loads N contiguous numbers; no alignment is needed.
   KTE_INLINE static pack load(const T* p) { return load(p, registers{}); }
+  /// Stores N contiguous numbers; no alignment is needed.
   KTE_INLINE void store(T* p) const { store(p, registers{}); }
-  /// One lane; slow.
+  /// One element; slow.
   KTE_INLINE T operator[](std::size_t i) const {
     T x;
     std::memcpy(&x, reinterpret_cast<const char*>(&b_) + i * sizeof(T), sizeof(T));
     return x;
   }
+  /// Sets one element; slow.
   KTE_INLINE void set(std::size_t i, T x) { std::memcpy(reinterpret_cast<char*>(&b_) + i * sizeof(T), &x, sizeof(T)); }
 
   KTE_INLINE friend pack operator+(const pack& a, const pack& b) { return map(detail::plus{}, a, b, registers{}); }
@@ -117,14 +120,15 @@ class pack {
   KTE_INLINE friend mask operator==(const pack& a, const pack& b) { return equal(a, b, registers{}); }
   KTE_INLINE friend mask operator!=(const pack& a, const pack& b) { return !(a == b); }  // true for NaN, as it should
 
-  /// a in the lanes where the condition holds, b in the others.
+  /// a in the elements where the condition holds, b in the others.
   KTE_INLINE friend pack select(const mask& condition, const pack& a, const pack& b) {
     return chosen(condition, a, b, registers{});
   }
 
-  /// Register i, of registers::size(); f(a) register by register.
+  /// Register i of registers::size(). `map(f, a)` applies f register by register.
   KTE_INLINE register_type& in_register(std::size_t i) { return b_[i]; }
   KTE_INLINE const register_type& in_register(std::size_t i) const { return b_[i]; }
+  /// f(a), register by register.
   template <class F>
   KTE_INLINE static pack map(const F& f, const pack& a) {
     return map(f, a, registers{});

@@ -13,35 +13,38 @@
 /// Functions of packs, and what std and Eigen want to know of them.
 namespace kte {
 
+/// The square root of each element.
 template <class T, int N, class A>
-KTE_INLINE pack<T, N, A> sqrt(const pack<T, N, A>& x) {
+[[nodiscard]] KTE_INLINE pack<T, N, A> sqrt(const pack<T, N, A>& x) {
   return x.map([](const auto& a) KTE_INLINE_LAMBDA { return pack<T, N, A>::register_functions::root(a); }, x);
 }
+/// The absolute value of each element.
 template <class T, int N, class A>
-KTE_INLINE pack<T, N, A> abs(const pack<T, N, A>& x) {
+[[nodiscard]] KTE_INLINE pack<T, N, A> abs(const pack<T, N, A>& x) {
   return x.map([](const auto& a) KTE_INLINE_LAMBDA { return pack<T, N, A>::register_functions::magnitude(a); }, x);
 }
+/// The absolute value of each element.
 template <class T, int N, class A>
-KTE_INLINE pack<T, N, A> fabs(const pack<T, N, A>& x) {
+[[nodiscard]] KTE_INLINE pack<T, N, A> fabs(const pack<T, N, A>& x) {
   return abs(x);
 }
-/// Lane by lane.
+/// The function of each element, computed one by one.
 template <class T, int N, class A>
-KTE_INLINE pack<T, N, A> exp(pack<T, N, A> x) {
+[[nodiscard]] KTE_INLINE pack<T, N, A> exp(pack<T, N, A> x) {
   for (std::size_t i = 0; i < std::size_t{N}; ++i) x.set(i, std::exp(x[i]));
   return x;
 }
 template <class T, int N, class A>
-KTE_INLINE pack<T, N, A> asin(pack<T, N, A> x) {
+[[nodiscard]] KTE_INLINE pack<T, N, A> asin(pack<T, N, A> x) {
   for (std::size_t i = 0; i < std::size_t{N}; ++i) x.set(i, std::asin(x[i]));
   return x;
 }
 template <class T, int N, class A>
-KTE_INLINE pack<T, N, A> atan2(pack<T, N, A> y, const pack<T, N, A>& x) {
+[[nodiscard]] KTE_INLINE pack<T, N, A> atan2(pack<T, N, A> y, const pack<T, N, A>& x) {
   for (std::size_t i = 0; i < std::size_t{N}; ++i) y.set(i, std::atan2(y[i], x[i]));
   return y;
 }
-/// As std::min and std::max.
+/// The smaller, or larger, of each pair of elements, as std::min and std::max.
 template <class T, int N, class A>
 KTE_INLINE pack<T, N, A>(min)(const pack<T, N, A>& a, const pack<T, N, A>& b) {
   return select(b < a, b, a);
@@ -119,7 +122,7 @@ KTE_INLINE void reduced_sincos(const Register& x, Register& sine, Register& cosi
   cosine = __builtin_bit_cast(R, cosine_bits);
 }
 
-/// The lanes that are too large for it, infinite or NaN. The other lanes stay as they are: a state must not depend on
+/// The lanes that are too large for it, infinite or NaN. The other elements are unchanged: a state must not depend on
 /// its neighbours.
 template <class P>
 [[gnu::cold, gnu::noinline]] void sincos_of_large(const P& x, P& sine, P& cosine) {
@@ -149,20 +152,22 @@ KTE_INLINE void sincos(const P& x, P& sine, P& cosine, std::index_sequence<I...>
 
 }  // namespace detail
 
-/// Sines and cosines of angles in rad, lane by lane; the same in all lanes, whatever is in the others. Absolute error
+/// Sines and cosines of angles, rad, of each element; a result does not depend on the other elements. Absolute error
 /// for double below 2.3e-16, for float below 1e-7.
 template <class T, int N, class A>
 KTE_INLINE void sincos(const pack<T, N, A>& angle, pack<T, N, A>& sine, pack<T, N, A>& cosine) {
   detail::sincos(angle, sine, cosine, typename pack<T, N, A>::registers{});
 }
+/// The sine of each element, rad.
 template <class T, int N, class A>
-KTE_INLINE pack<T, N, A> sin(const pack<T, N, A>& angle) {
+[[nodiscard]] KTE_INLINE pack<T, N, A> sin(const pack<T, N, A>& angle) {
   pack<T, N, A> s, c;
   sincos(angle, s, c);
   return s;
 }
+/// The cosine of each element, rad.
 template <class T, int N, class A>
-KTE_INLINE pack<T, N, A> cos(const pack<T, N, A>& angle) {
+[[nodiscard]] KTE_INLINE pack<T, N, A> cos(const pack<T, N, A>& angle) {
   pack<T, N, A> s, c;
   sincos(angle, s, c);
   return c;
@@ -170,7 +175,7 @@ KTE_INLINE pack<T, N, A> cos(const pack<T, N, A>& angle) {
 
 }  // namespace kte
 
-/// As those of one lane.
+/// The limits of one element.
 template <class T, int N, class A>
 class std::numeric_limits<kte::pack<T, N, A>> : public std::numeric_limits<T> {
   using pack = kte::pack<T, N, A>;

@@ -26,7 +26,7 @@ template <class T, int N>
 constexpr const auto& value_part(const dual<T, N>& x) {
   return value_part(x.value);
 }
-/// The same for messages.
+/// The plain value for messages.
 template <class S>
 constexpr double as_double(const S& x) {
   return static_cast<double>(value_part(x));

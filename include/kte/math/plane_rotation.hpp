@@ -13,7 +13,7 @@
 namespace kte::detail {
 
 /// Where such a rotation R, after quarter turns or not, has its entry known to be 1 or -1: e_row = sign R e_column.
-/// Column -1 where there is none.
+/// Column -1 if there is none.
 struct turned_plane {
   int row = -1, column = -1, sign = 0;
 };
@@ -107,7 +107,7 @@ namespace kte {
 
 /// R A R^T for a rotation R and a symmetric or any matrix A.
 template <class R, class A>
-KTE_INLINE constexpr auto turned_by(const R& r, const A& a) {
+[[nodiscard]] KTE_INLINE constexpr auto turned_by(const R& r, const A& a) {
   if constexpr (detail::turns_in_a_plane<R>) {
     return detail::plane_congruence(r, a);
   } else if constexpr (requires { congruence(r, a); }) {

@@ -17,13 +17,13 @@ constexpr double constexpr_sqrt(double x) {
 }
 }  // namespace detail
 
-/// The eigenvalues of a symmetric matrix of finite numbers, the largest first, to a few rounding errors of it: by
-/// Jacobi's rotations (Golub and Van Loan, Matrix Computations, 8.5). A turn by the angle phi in the plane of axes p
+/// The eigenvalues of a symmetric matrix, in descending order, to a few rounding errors of the matrix, which must be
+/// finite. By Jacobi rotations (Golub and Van Loan, Matrix Computations, 8.5). A rotation by phi in the plane of axes p
 /// and q makes a_pq zero if
 ///
 ///   t = tan phi = sign(k)/(|k| + sqrt(k^2 + 1)),   k = (a_qq - a_pp)/(2 a_pq)          (1)
 ///   a_pp -= t a_pq,   a_qq += t a_pq                                                   (2)
-constexpr std::array<double, 3> principal_moments(const sym3<>& m) {
+[[nodiscard]] constexpr std::array<double, 3> principal_moments(const sym3<>& m) {
   std::array<std::array<double, 3>, 3> a{{{m.xx, m.xy, m.xz}, {m.xy, m.yy, m.yz}, {m.xz, m.yz, m.zz}}};
   for (int sweep = 0; sweep < 10; ++sweep)  // five are enough: convergence is quadratic
     for (std::size_t r = 0; r < 3; ++r) {

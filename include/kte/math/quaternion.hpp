@@ -8,8 +8,8 @@
 
 namespace kte {
 
-/// A rotation as a unit quaternion w + x i + y j + z k (Hamilton). Like a rotation matrix it maps axes of the turned
-/// frame to axes of its parent, and a*b turns by b first. q and -q are the same rotation.
+/// A rotation as a unit quaternion w + x i + y j + z k (Hamilton). Like a rotation matrix it maps axes of the rotated
+/// frame to axes of its parent; a*b rotates by b first. q and -q are one rotation.
 template <class S = double>
 struct unit_quaternion {
   using geometry = unit_quaternion;
@@ -22,22 +22,24 @@ struct unit_quaternion {
 template <class S>
 unit_quaternion(S, S, S, S) -> unit_quaternion<S>;
 
+/// The quaternion with entries of the scalar S.
 template <class S, class T>
 KTE_INLINE constexpr unit_quaternion<S> as(const unit_quaternion<T>& q) {
   return {as<S>(q.w), as<S>(q.x), as<S>(q.y), as<S>(q.z)};
 }
+/// The inverse rotation: w - x i - y j - z k.
 template <class S>
-KTE_INLINE constexpr unit_quaternion<S> conjugate(const unit_quaternion<S>& q) {
+[[nodiscard]] KTE_INLINE constexpr unit_quaternion<S> conjugate(const unit_quaternion<S>& q) {
   return {q.w, -q.x, -q.y, -q.z};
 }
-/// The inverse rotation, by the name it has for matrices.
+/// The inverse rotation, as `transpose` of a matrix.
 template <class S>
-KTE_INLINE constexpr unit_quaternion<S> transpose(const unit_quaternion<S>& q) {
+[[nodiscard]] KTE_INLINE constexpr unit_quaternion<S> transpose(const unit_quaternion<S>& q) {
   return conjugate(q);
 }
-/// The cosine of half the angle between two rotations, but for its sign.
+/// The inner product: up to its sign, the cosine of half the angle between two rotations.
 template <class S>
-KTE_INLINE constexpr S dot(const unit_quaternion<S>& a, const unit_quaternion<S>& b) {
+[[nodiscard]] KTE_INLINE constexpr S dot(const unit_quaternion<S>& a, const unit_quaternion<S>& b) {
   return a.w * b.w + a.x * b.x + a.y * b.y + a.z * b.z;
 }
 template <class S>
@@ -54,7 +56,7 @@ KTE_INLINE constexpr auto operator*(const unit_quaternion<S>& q, const vec3<A, B
 }
 
 namespace detail {
-/// (1) for the three axes, with s in place of 2 and `unity` in place of 1.
+/// (1) for the three axes, with s instead of 2 and `unity` instead of 1.
 template <class S>
 KTE_INLINE constexpr mat3<vec3<S>> turned_axes(const unit_quaternion<S>& q, const S& s, const S& unity = S(1)) {
   const S x = s * q.x, y = s * q.y, z = s * q.z;
@@ -66,15 +68,15 @@ KTE_INLINE constexpr mat3<vec3<S>> turned_axes(const unit_quaternion<S>& q, cons
 }
 }  // namespace detail
 
-/// As a 3x3 matrix.
+/// The rotation matrix.
 template <class S>
-KTE_INLINE constexpr mat3<vec3<S>> matrix(const unit_quaternion<S>& q) {
+[[nodiscard]] KTE_INLINE constexpr mat3<vec3<S>> matrix(const unit_quaternion<S>& q) {
   return detail::turned_axes(q, S(2));
 }
-/// The same for a quaternion of any length but 0: with 2/|q|^2 in place of 2, errors of the length do not matter. NaN
-/// where q is 0 or not finite.
+/// The rotation matrix of a quaternion of any length but 0: with 2/|q|^2 instead of 2, so that errors of the length
+/// have no effect. NaN where q is 0 or not finite.
 template <class S>
-KTE_INLINE constexpr mat3<vec3<S>> matrix_of_any_length(const unit_quaternion<S>& q) {
+[[nodiscard]] KTE_INLINE constexpr mat3<vec3<S>> matrix_of_any_length(const unit_quaternion<S>& q) {
   unit_quaternion<S> u = q;
   S n = dot(u, u);
   if (!detail::keeps_digits(n)) [[unlikely]] {
@@ -91,14 +93,15 @@ template <class S, class RX, class RY, class RZ>
 KTE_INLINE constexpr auto operator*(const mat3<RX, RY, RZ>& m, const unit_quaternion<S>& q) {
   return m * matrix(q);
 }
+/// R A R^T for symmetric A and the rotation matrix R of q.
 template <class S, class... T>
-KTE_INLINE constexpr auto congruence(const unit_quaternion<S>& q, const sym3<T...>& a) {
+[[nodiscard]] KTE_INLINE constexpr auto congruence(const unit_quaternion<S>& q, const sym3<T...>& a) {
   return congruence(matrix(q), a);
 }
 
-/// The rotation w + x i + y j + z k of any length but 0, brought to length 1; throws bad_argument if there is none.
+/// The quaternion w + x i + y j + z k normalized to length 1. Throws `bad_argument` if its length is 0 or not finite.
 template <variable S>
-constexpr auto normalized(const S& w, const S& x, const S& y, const S& z) {
+[[nodiscard]] constexpr auto normalized(const S& w, const S& x, const S& y, const S& z) {
   using std::sqrt;
   using T = decltype(real(w));
   const auto larger = [](const T& a, const T& b) { return a < b ? b : a; };
@@ -132,7 +135,7 @@ constexpr unit_quaternion<S> canonical(const unit_quaternion<S>& q) {
 /// q times four times its largest component (Shepperd, J. Guidance and Control 1, 1978). Throws bad_argument if m is
 /// not orthonormal to 1e-6 (in float, to a thousand rounding errors) and right-handed.
 template <class RX, class RY, class RZ>
-constexpr auto to_quaternion(const mat3<RX, RY, RZ>& rotation) {
+[[nodiscard]] constexpr auto to_quaternion(const mat3<RX, RY, RZ>& rotation) {
   using S = detail::scalar_of<decltype(dot(rotation.x, rotation.x + (rotation.y + rotation.z)))>;
   const auto m = as<S>(rotation);
   const S eps = std::numeric_limits<S>::epsilon();

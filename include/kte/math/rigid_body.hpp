@@ -5,12 +5,13 @@
 
 namespace kte {
 
-/// Mass properties as a user gives them.
-///   mass     kg
-///   com      centre of mass in the axes of its frame, m
-///   inertia  about the centre of mass, in the axes of the frame, kg m^2
-/// Elements refuse a body that cannot exist; `rigid_body{...}.as_published()` is taken as it is, for tables of
-/// robots whose inertias are measured or rounded: only finite, and its mass not negative.
+/// Mass properties of a rigid body.
+///   mass       kg
+///   com        centre of mass in the axes of its frame, m
+///   inertia    about the centre of mass, in the axes of the frame, kg m^2
+///   published  see `as_published`
+/// Elements reject a body that is not physically realizable. `rigid_body{...}.as_published()` is checked less: it must
+/// be finite, with a mass that is not negative. It is for tables of robots with measured or rounded inertias.
 template <class M = double, class C = vec3<>, class I = sym3<>>
 struct rigid_body {
   M mass;
@@ -23,14 +24,14 @@ struct rigid_body {
 template <class M, class C, class I>
 rigid_body(M, C, I) -> rigid_body<M, C, I>;
 
-/// A mass at the origin of its frame; no rotational inertia, at no cost.
+/// A mass at the origin of its frame, kg. The zeros of its inertia are typed and cost nothing.
 template <variable T>
-constexpr auto point_mass(T mass) {
+[[nodiscard]] constexpr auto point_mass(T mass) {
   return rigid_body{real(mass), zero3{}, sym3<zero_t>{}};
 }
-/// A mass at `com`.
+/// A mass, kg, at `com`, m, in the axes of its frame.
 template <variable T, class X, class Y, class Z>
-constexpr auto point_mass(T mass, const vec3<X, Y, Z>& com) {
+[[nodiscard]] constexpr auto point_mass(T mass, const vec3<X, Y, Z>& com) {
   return rigid_body{real(mass), com, sym3<zero_t>{}};
 }
 template <class... None>
@@ -38,18 +39,18 @@ requires(sizeof...(None) == 0) constexpr auto point_mass(const None&...) {
   static_assert(detail::fit<None...>, "kte: call it as point_mass(mass) or point_mass(mass, com)");
   return point_mass(1.0);
 }
-/// A body in the plane: the moment of inertia about its centre of mass, normal to the plane; `com` as `vec2{0.1, 0.2}`,
-/// `along_x(0.1)`.
+/// A body in the plane: mass, kg, moment of inertia about the axis normal to the plane through the centre of mass, kg
+/// m^2, and centre of mass, m: `vec2{0.1, 0.2}`, `along_x(0.1)`.
 template <variable T, variable U, class X = zero_t, class Y = zero_t>
-constexpr auto planar_body(T mass, U inertia, const vec3<X, Y, zero_t>& com = {}) {
+[[nodiscard]] constexpr auto planar_body(T mass, U inertia, const vec3<X, Y, zero_t>& com = {}) {
   return rigid_body{real(mass), com, diagonal(zero, zero, real(inertia))};
 }
 template <variable T, variable U, entry X, entry Y>
-constexpr auto planar_body(T mass, U inertia, const vec2<X, Y>& com) {
+[[nodiscard]] constexpr auto planar_body(T mass, U inertia, const vec2<X, Y>& com) {
   return planar_body(mass, inertia, detail::planar(com));
 }
 
-/// The same body with numbers as scalars of type S.
+/// The body with numbers converted to scalars of type S.
 template <class S, class M, class C, class J>
 constexpr auto lifted(const rigid_body<M, C, J>& b) {
   const auto& c = b.com;
@@ -59,9 +60,12 @@ constexpr auto lifted(const rigid_body<M, C, J>& b) {
       sym3{lifted<S>(i.xx), lifted<S>(i.xy), lifted<S>(i.xz), lifted<S>(i.yy), lifted<S>(i.yz), lifted<S>(i.zz)}};
 }
 
-/// The inertia of one or more bodies, about the origin of a frame and in its axes:
-///   mass m, first moment h = m c, inertia I = I_c + m (|c|^2 1 - c c^T).
-/// Acceleration a of the origin and al of the axes need the force and torque
+/// The inertia of one or more rigid bodies, about the origin of a frame and in its axes:
+///
+///   mass m, kg,  first moment h = m c, kg m,  inertia I = I_c + m (|c|^2 1 - c c^T), kg m^2
+///
+/// Acceleration a of the origin and angular acceleration al need the force and torque
+///
 ///   F = m a + al x h,    T = I al + h x a                       (1)
 template <class M, class H, class I>
 struct composite {
@@ -73,6 +77,7 @@ struct composite {
 template <class M, class H, class I>
 composite(M, H, I) -> composite<M, H, I>;
 
+/// No inertia: typed zeros.
 inline constexpr composite<zero_t, zero3, sym3<zero_t>> no_mass{};
 
 namespace detail {
@@ -100,14 +105,14 @@ KTE_INLINE constexpr auto half(const T& x) {
 
 /// The composite inertia of one body.
 template <class M, class C, class I>
-KTE_INLINE constexpr auto to_composite(const rigid_body<M, C, I>& b) {
+[[nodiscard]] KTE_INLINE constexpr auto to_composite(const rigid_body<M, C, I>& b) {
   const auto h = b.mass * b.com;
   return composite{b.mass, h, detail::shifted(b.inertia, b.com, detail::half(b.mass) * b.com)};
 }
 
-/// The inertia seen from another frame, in which this one stands at rotation r and position p.
+/// The inertia in another frame, in which this one has the rotation r and the position p, m.
 template <class R, class P, class M, class H, class I>
-KTE_INLINE constexpr auto transported(const R& r, const P& p, const composite<M, H, I>& b) {
+[[nodiscard]] KTE_INLINE constexpr auto transported(const R& r, const P& p, const composite<M, H, I>& b) {
   const auto h = r * b.moment;
   return composite{b.mass, h + b.mass * p, detail::shifted(congruence(r, b.inertia), p, h + detail::half(b.mass) * p)};
 }

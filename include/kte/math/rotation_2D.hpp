@@ -6,8 +6,8 @@
 
 namespace kte {
 
-/// A rotation about z by its cosine and sine. It turns vectors of space, so that a planar mechanism runs through the
-/// same formulas as a spatial one.
+/// A rotation about z, by its cosine `cos` and sine `sin`. It rotates vectors in space, so that planar and spatial
+/// mechanisms share their formulas.
 template <class C = double, class S = C>
 struct rotation_2D {
   using geometry = rotation_2D;
@@ -20,7 +20,7 @@ rotation_2D(C, S) -> rotation_2D<C, S>;
 
 /// The rotation by `angle` rad.
 template <variable T>
-constexpr auto rotation_by(const T& angle) {
+[[nodiscard]] constexpr auto rotation_by(const T& angle) {
   using std::cos;
   using std::sin;
   const auto a = real(angle);
@@ -29,12 +29,12 @@ constexpr auto rotation_by(const T& angle) {
 
 /// The angle in (-pi, pi], rad.
 template <class S>
-S angle(const rotation_2D<S>& r) {
+[[nodiscard]] S angle(const rotation_2D<S>& r) {
   using std::atan2;
   return atan2(r.sin, r.cos);
 }
 
-/// No rotation at all, at no cost; the neutral element of every product of rotations.
+/// The identity rotation; products with it cost nothing.
 struct no_rotation {
   using geometry = no_rotation;
   friend constexpr bool operator==(no_rotation, no_rotation) { return true; }
@@ -47,12 +47,14 @@ template <class C, class S>
 inline constexpr bool is_planar_rotation<rotation_2D<C, S>> = true;
 }  // namespace detail
 
+/// The rotation with entries of the scalar S.
 template <class S, class A, class B>
 KTE_INLINE constexpr rotation_2D<S> as(const rotation_2D<A, B>& r) {
   return {as<S>(r.cos), as<S>(r.sin)};
 }
+/// The inverse rotation.
 template <class A, class B>
-KTE_INLINE constexpr auto transpose(const rotation_2D<A, B>& r) {
+[[nodiscard]] KTE_INLINE constexpr auto transpose(const rotation_2D<A, B>& r) {
   return rotation_2D{r.cos, -r.sin};
 }
 template <class A, class B, class C, class D>
@@ -68,24 +70,25 @@ KTE_INLINE constexpr auto operator*(const rotation_2D<A, B>& r, const vec2<X, Y>
   return vec2{r.cos * v.x - r.sin * v.y, r.sin * v.x + r.cos * v.y};
 }
 
-/// As a 3x3 matrix.
+/// The 3x3 rotation matrix.
 template <class A, class B>
-KTE_INLINE constexpr auto matrix(const rotation_2D<A, B>& r) {
+[[nodiscard]] KTE_INLINE constexpr auto matrix(const rotation_2D<A, B>& r) {
   return mat3{vec3{r.cos, -r.sin, zero}, vec3{r.sin, r.cos, zero}, vec3{zero, zero, one}};
 }
 template <class RX, class RY, class RZ>
-KTE_INLINE constexpr auto matrix(const mat3<RX, RY, RZ>& m) {
+[[nodiscard]] KTE_INLINE constexpr auto matrix(const mat3<RX, RY, RZ>& m) {
   return m;
 }
-KTE_INLINE constexpr auto matrix(no_rotation) {
+[[nodiscard]] KTE_INLINE constexpr auto matrix(no_rotation) {
   return mat3{vec3{one, zero, zero}, vec3{zero, one, zero}, vec3{zero, zero, one}};
 }
+/// R A R^T for symmetric A.
 template <class A, class B, class... T>
-KTE_INLINE constexpr auto congruence(const rotation_2D<A, B>& r, const sym3<T...>& a) {
+[[nodiscard]] KTE_INLINE constexpr auto congruence(const rotation_2D<A, B>& r, const sym3<T...>& a) {
   return congruence(matrix(r), a);
 }
 
-KTE_INLINE constexpr no_rotation transpose(no_rotation) { return {}; }
+[[nodiscard]] KTE_INLINE constexpr no_rotation transpose(no_rotation) { return {}; }
 template <geometric T>
 KTE_INLINE constexpr T operator*(no_rotation, const T& x) {
   return x;
@@ -93,10 +96,10 @@ KTE_INLINE constexpr T operator*(no_rotation, const T& x) {
 template <geometric T>
 requires(!std::is_same_v<T, no_rotation>) KTE_INLINE constexpr T operator*(const T& x, no_rotation) { return x; }
 template <class... T>
-KTE_INLINE constexpr auto congruence(no_rotation, const sym3<T...>& a) {
+[[nodiscard]] KTE_INLINE constexpr auto congruence(no_rotation, const sym3<T...>& a) {
   return a;
 }
-KTE_INLINE constexpr skip transpose(skip) { return {}; }
-KTE_INLINE constexpr skip matrix(skip) { return {}; }
+[[nodiscard]] KTE_INLINE constexpr skip transpose(skip) { return {}; }
+[[nodiscard]] KTE_INLINE constexpr skip matrix(skip) { return {}; }
 
 }  // namespace kte

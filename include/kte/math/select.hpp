@@ -7,18 +7,19 @@
 
 namespace kte {
 
-/// a where the condition holds, else b. Kernels write this instead of a branch, so that they also work on packs, where
-/// it holds for some states and not for others: pack scalars bring an overload of their own.
+/// a where the condition holds, else b. Kernels use it instead of a branch, so that they work on packs, where the
+/// condition may hold for some elements only. Packs have an overload.
 template <class T>
 KTE_INLINE constexpr T select(bool condition, const T& a, const T& b) {
   return condition ? a : b;
 }
 
-/// Whether a condition holds, in a pack for all states, for any.
+/// Whether a condition holds; for a pack: in all elements.
 KTE_INLINE constexpr bool all(bool condition) { return condition; }
+/// Whether a condition holds; for a pack: in at least one element.
 KTE_INLINE constexpr bool any(bool condition) { return condition; }
 
-/// What a comparison of numbers gives: a bool, of packs a mask.
+/// The type of a comparison of numbers: bool, or the mask of a pack.
 template <class S>
 using truth = decltype(std::declval<const S&>() < std::declval<const S&>());
 

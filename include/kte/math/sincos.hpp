@@ -71,7 +71,7 @@ KTE_INLINE void sincos4(const double4& x, double* sine, double* cosine) {
   __builtin_memcpy(sine, &signed_sin, sizeof signed_sin);
   __builtin_memcpy(cosine, &signed_cos, sizeof signed_cos);
 }
-/// The same of any angles.
+/// Sines and cosines of any angles.
 KTE_INLINE void sincos4(double a, double b, double c, double d, double* sine, double* cosine) {
   const auto in_range = [](double x) KTE_INLINE_LAMBDA { return std::fabs(x) <= largest_reduced_angle; };
   if (in_range(a) && in_range(b) && in_range(c) && in_range(d)) [[likely]]
@@ -83,24 +83,24 @@ KTE_INLINE void sincos4(double a, double b, double c, double d, double* sine, do
 
 }  // namespace detail
 
-/// Sines and cosines of n angles, rad: four at a time as `sincos_all` does.
+/// Sines and cosines of n angles, rad, four at a time as in `sincos_all`.
 inline void sincos_each(const double* angle, double* sine, double* cosine, std::size_t n) {
   std::size_t i = 0;
 #if defined(KTE_HAS_VECTORS) && !defined(KTE_SCALAR_SINCOS)
-  for (const std::size_t fours = n / 4 * 4; i < fours; i += 4)
+  for (const std::size_t whole = n / 4 * 4; i < whole; i += 4)
     detail::sincos4(angle[i], angle[i + 1], angle[i + 2], angle[i + 3], sine + i, cosine + i);
 #endif
   for (; i < n; ++i) sincos(angle[i], sine[i], cosine[i]);
 }
 
-/// Of other scalars, one by one.
+/// Sines and cosines of n angles, rad, in other scalars: one at a time.
 template <class S>
 void sincos_each(const S* angle, S* sine, S* cosine, std::size_t n) {
   for (std::size_t i = 0; i < n; ++i) sincos(angle[i], sine[i], cosine[i]);
 }
 
-/// visit(i, sine, cosine) of n angles, rad, of which `angle(i)` gives one: four at a time likewise. They go to
-/// registers without a way through memory, where four that were just written one by one would be waited for.
+/// Calls visit(i, sine, cosine) for each of n angles `angle(i)`, rad, computed four at a time. The angles stay in
+/// registers: a load of four numbers just stored one by one would stall.
 template <class S, class Angle, class Visit>
 KTE_INLINE void sincos_each(std::size_t n, const Angle& angle, const Visit& visit) {
 #if defined(KTE_HAS_VECTORS) && !defined(KTE_SCALAR_SINCOS)
@@ -122,7 +122,7 @@ KTE_INLINE void sincos_each(std::size_t n, const Angle& angle, const Visit& visi
   }
 }
 
-/// Sines and cosines of the N angles of a chain.
+/// Sines `sin` and cosines `cos` of the N angles of a chain. The arrays are `padded` to whole registers where `simd`.
 template <class S, std::size_t N>
 struct sines {
 #if defined(KTE_HAS_VECTORS) && !defined(KTE_SCALAR_SINCOS)
@@ -135,10 +135,10 @@ struct sines {
   std::array<S, padded> cos;
 };
 
-/// All sines and cosines of a chain at once; `angle(i)` gives angle i in rad. Doubles go four at a time unless
-/// KTE_SCALAR_SINCOS is defined; other scalars one by one, by the `sin` and `cos` found for them.
+/// All sines and cosines of a chain; `angle(i)` returns angle i, rad. Doubles are computed four at a time, unless
+/// KTE_SCALAR_SINCOS is defined; other scalars one at a time by their own `sin` and `cos`.
 template <class S, std::size_t N, class Angle>
-KTE_INLINE sines<S, N> sincos_all(const Angle& angle) {
+[[nodiscard]] KTE_INLINE sines<S, N> sincos_all(const Angle& angle) {
   if constexpr (N == 0) return sines<S, N>{};
   sines<S, N> r;
   if constexpr (sines<S, N>::simd) {
@@ -151,7 +151,7 @@ KTE_INLINE sines<S, N> sincos_all(const Angle& angle) {
         return S(0);
       }
     };
-    const auto fours = [&]<std::size_t... I>(std::index_sequence<I...>) KTE_INLINE_LAMBDA {
+    const auto by_four = [&]<std::size_t... I>(std::index_sequence<I...>) KTE_INLINE_LAMBDA {
       const int done[]{
           (detail::sincos4(detail::double4{at.template operator()<4 * I>(), at.template operator()<4 * I + 1>(),
                                            at.template operator()<4 * I + 2>(), at.template operator()<4 * I + 3>()},
@@ -163,7 +163,7 @@ KTE_INLINE sines<S, N> sincos_all(const Angle& angle) {
       return (1 & ... & int{std::fabs(angle(I)) <= detail::largest_reduced_angle}) != 0;
     };
     if (in_range(std::make_index_sequence<N>{})) [[likely]] {
-      fours(std::make_index_sequence<sines<S, N>::padded / 4>{});
+      by_four(std::make_index_sequence<sines<S, N>::padded / 4>{});
       return r;
     }
 #endif

@@ -5,7 +5,7 @@
 /// Small vectors, written by components: no expression templates, literal types, any mixture of entries.
 namespace kte {
 
-/// A vector in the plane, for what users read and write of a 2D frame.
+/// A vector x, y in the plane, as users read and write it in a 2D frame.
 template <class X = double, class Y = X>
 struct vec2 {
   using geometry = vec2;
@@ -16,7 +16,7 @@ struct vec2 {
 template <class X, class Y>
 vec2(X, Y) -> vec2<X, Y>;
 
-/// A vector in space. An entry may be a typed constant: `vec3{zero, zero, 0.36}`.
+/// A vector x, y, z in space. An entry may be a typed constant: `vec3{zero, zero, 0.36}`.
 template <class X = double, class Y = X, class Z = Y>
 struct vec3 {
   using geometry = vec3;
@@ -28,19 +28,22 @@ struct vec3 {
 template <class X, class Y, class Z>
 vec3(X, Y, Z) -> vec3<X, Y, Z>;
 
+/// The zero vector as a type.
 using zero3 = vec3<zero_t>;
 
-/// A distance along an axis, in m; the other two components are typed zeros and cost nothing.
+/// A vector of length d along an axis, m; the other two components are typed zeros and cost nothing.
 template <variable T>
-constexpr auto along_x(T d) {
+[[nodiscard]] constexpr auto along_x(T d) {
   return vec3{real(d), zero, zero};
 }
+/// A vector of length d along y, m.
 template <variable T>
-constexpr auto along_y(T d) {
+[[nodiscard]] constexpr auto along_y(T d) {
   return vec3{zero, real(d), zero};
 }
+/// A vector of length d along z, m.
 template <variable T>
-constexpr auto along_z(T d) {
+[[nodiscard]] constexpr auto along_z(T d) {
   return vec3{zero, zero, real(d)};
 }
 
@@ -57,6 +60,7 @@ constexpr auto planar(const vec3<X, Y, Z>& v) {
 }
 }  // namespace detail
 
+/// The vector with entries of the scalar S.
 template <class S, class X, class Y>
 KTE_INLINE constexpr vec2<S> as(const vec2<X, Y>& v) {
   return {as<S>(v.x), as<S>(v.y)};
@@ -102,21 +106,21 @@ KTE_INLINE constexpr auto operator*(const vec3<A, B, C>& v, const S& s) {
 
 /// a x b
 template <class A, class B, class C, class D, class E, class F>
-KTE_INLINE constexpr auto cross(const vec3<A, B, C>& a, const vec3<D, E, F>& b) {
+[[nodiscard]] KTE_INLINE constexpr auto cross(const vec3<A, B, C>& a, const vec3<D, E, F>& b) {
   return vec3{a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 template <class T>
-KTE_INLINE constexpr skip cross(skip, const T&) {
+[[nodiscard]] KTE_INLINE constexpr skip cross(skip, const T&) {
   return {};
 }
 template <not_skip T>
-KTE_INLINE constexpr skip cross(const T&, skip) {
+[[nodiscard]] KTE_INLINE constexpr skip cross(const T&, skip) {
   return {};
 }
 
-/// v + a x b, as two fused sums a component where the CPU has them.
+/// v + a x b, by two fused multiply-adds per component where the CPU has them.
 template <class V, class A, class B>
-KTE_INLINE constexpr auto plus_cross(const V& v, const A& a, const B& b) {
+[[nodiscard]] KTE_INLINE constexpr auto plus_cross(const V& v, const A& a, const B& b) {
   if constexpr (std::is_same_v<V, skip> || std::is_same_v<A, skip> || std::is_same_v<B, skip>) {
     return v + cross(a, b);
   } else {
@@ -126,19 +130,19 @@ KTE_INLINE constexpr auto plus_cross(const V& v, const A& a, const B& b) {
 
 /// a . b
 template <class A, class B, class C, class D, class E, class F>
-KTE_INLINE constexpr auto dot(const vec3<A, B, C>& a, const vec3<D, E, F>& b) {
+[[nodiscard]] KTE_INLINE constexpr auto dot(const vec3<A, B, C>& a, const vec3<D, E, F>& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 template <class A, class B, class C, class D>
-KTE_INLINE constexpr auto dot(const vec2<A, B>& a, const vec2<C, D>& b) {
+[[nodiscard]] KTE_INLINE constexpr auto dot(const vec2<A, B>& a, const vec2<C, D>& b) {
   return a.x * b.x + a.y * b.y;
 }
 template <class T>
-KTE_INLINE constexpr skip dot(skip, const T&) {
+[[nodiscard]] KTE_INLINE constexpr skip dot(skip, const T&) {
   return {};
 }
 template <not_skip T>
-KTE_INLINE constexpr skip dot(const T&, skip) {
+[[nodiscard]] KTE_INLINE constexpr skip dot(const T&, skip) {
   return {};
 }
 

@@ -11,7 +11,7 @@
 namespace kte {
 
 namespace detail {
-/// For laws without states of their own.
+/// For laws without their own states.
 struct no_rates {};
 template <class>
 inline constexpr bool never = false;
@@ -42,7 +42,7 @@ inline constexpr int size_of_column = [] {
 }();
 }  // namespace detail
 
-/// A model whose inputs follow a law, at every evaluation:
+/// A model whose inputs are set by a control law at every evaluation:
 ///
 ///   u = law(t, x)                                   (1)
 ///   u = law(t, x, c),   c' = law_rates(t, x, c)     (2)
@@ -50,20 +50,21 @@ inline constexpr int size_of_column = [] {
 ///   kte::controlled arm(model, [&](double t, const auto& x) { return torques(t, x); });
 ///   kte::dormand_prince45 solver(std::ref(arm), 0.0, arm.make_x(q, v));
 ///
-/// with x the state of the model. In (2) the law has states c of its own, such as the integral of a PID controller;
-/// they begin at c0, an std::array or Eigen vector of fixed size, and the state that integrators see is (x, c), c the
-/// last of its internal states:
+/// x is the state of the model. In (2) the law has states c, such as the integral of a PID controller. They begin at
+/// c0, an std::array or Eigen vector of fixed size, and the state that integrators see is (x, c), c the last of its
+/// internal states:
 ///
 ///   kte::controlled arm(model, torques, errors, std::array{0.0});
 ///
-/// What a law returns has as many numbers as there are inputs, or states c, anything with operator[]; else an
-/// evaluation throws `bad_argument`.
+/// The law returns as many numbers as there are inputs, its rates as many as there are states c, as anything with
+/// operator[]; otherwise an evaluation throws `bad_argument`.
 ///
 /// `element_events(arm)` are the events of its elements under the law, `settled(arm, t, x)` the modes of its friction.
 ///
-/// The model is copied; `std::ref(model)` shares it, so that its inputs are seen there. Either way the law sets all of
-/// them, at every evaluation: what one sets besides is lost, and cannot be set here. It moves as the model does, also
-/// where there are rotations. Stiff methods take its Jacobian by differences.
+/// The model is copied; `std::ref(model)` shares it, so that its inputs are seen there. The law sets all inputs at
+/// every evaluation; inputs cannot be set in other ways. The states are those of the model, also where there are
+/// rotations: `displace`, `pull_back`, `magnitudes`, `rounding` are as of the model. Stiff methods compute its Jacobian
+/// by differences.
 template <class Model, class Law, class Rates = detail::no_rates, int N = 0>
 class controlled {
   using shared = std::remove_reference_t<decltype(detail::unwrapped(std::declval<Model&>()))>;
@@ -92,26 +93,30 @@ class controlled {
 
   shared& model() { return detail::unwrapped(model_); }
   const model_type& model() const { return detail::unwrapped(model_); }
+  /// The chain of the model.
   decltype(auto) chain() const { return model().chain(); }
-  /// The law, and the rates of its states.
+  /// The law; `law_rates`: the rates of its states.
   Law& law() { return law_; }
   Rates& law_rates() { return law_rates_; }
 
   decltype(auto) operator()(const S& t, const state& x) {
     return follow(t, x, [&](const model_state& own) -> decltype(auto) { return model()(t, own); });
   }
+  /// x' under the law. Throws as the model, and `bad_argument` if the law returns a wrong number of inputs.
   decltype(auto) computeStateRate(const S& t, const state& x) {
     return follow(t, x, [&](const model_state& own) -> decltype(auto) { return model().computeStateRate(t, own); });
   }
+  /// A state of the chain at x under the law, with all its frames, accelerations and forces.
   decltype(auto) state_at(const S& t, const state& x) {
     set_inputs(t, x);
     return model().state_at(t, own_part(x));
   }
+  /// The output of the model under the law.
   auto computeOutput(const S& t, const state& x) {
     set_inputs(t, x);
     return model().computeOutput(t, own_part(x));
   }
-  /// The same law on a copy of the model with another output.
+  /// A copy of the model with another output, under the same law.
   template <class F>
   auto with_output(const F& f) const {
     auto m = model().with_output(f);
@@ -123,7 +128,8 @@ class controlled {
     }
   }
 
-  /// Lets the law set the inputs of the model. Throws `bad_argument` for an x of another size, as all that takes one.
+  /// Evaluates the law and sets the inputs of the model. Throws `bad_argument` for an x of wrong size, as all functions
+  /// of x do.
   void set_inputs(const S& t, const state& x) {
     check_state(x);
     if constexpr (N == 0) {
@@ -133,7 +139,7 @@ class controlled {
       model().setInput(law_(t, own_part(x), c));
     }
   }
-  /// The inputs that the law gave last.
+  /// The inputs of the last evaluation of the law.
   const auto& input() const { return model().input(); }
   template <class T>
   void input(const T&) const {
@@ -141,42 +147,50 @@ class controlled {
                   "kte: the law of a controlled model sets its inputs at every evaluation: set nothing here, but let "
                   "the law follow what you want to change");
   }
+  /// Deleted by a static_assert: the law sets the inputs.
   template <class U>
   void setInput(const U& u) const {
     input(u);
   }
-  /// Knows no time: a variational integrator would pass the law by.
+  /// Deleted: it has no time argument, so that a variational integrator would ignore the law.
   template <class V>
   void forces_at(const V&) const = delete;
 
   // ---- states: (q, v, z, c)
+  /// How many numbers (x, c) has.
   int state_size() const { return model().state_size() + N; }
+  /// How many numbers (x', c') has.
   int rates() const { return model().rates() + N; }
+  /// How many numbers v has.
   int velocity_count() const { return model().velocity_count(); }
+  /// How many internal states there are, with those of the law.
   int internals() const { return model().internals() + N; }
+  /// The coordinates of the model, with their places in q and v.
   auto freedoms() const { return model().freedoms(); }
 
-  /// Of the model at q, v, with z = 0 or as given, and of the law at its start.
+  /// The state of the model at q and v, with z = 0 or as given, and of the law at its start.
   template <class... QVZ>
   state make_x(const QVZ&... qvz) const {
     return with_law(model().make_x(qvz...), start_);
   }
-  /// A state of the model with one of the law.
+  /// A state x of the model and a state c of the law as one state.
   state with_law(const model_state& x, const law_state& c) const {
     state both(x.size() + N);
     both.head(x.size()) = x;
     both.template tail<N>() = c;
     return both;
   }
+  /// The positions q of a state.
   auto positions_of(const state& x) const { return check_state(x), x.head(Eigen::fix<size_of<0>>(at_velocities(x))); }
+  /// The velocities v of a state.
   auto velocities_of(const state& x) const {
     return check_state(x), x.segment(at_velocities(x), Eigen::fix<size_of<1>>(velocity_count()));
   }
-  /// z of the model, and c.
+  /// The internal states: z of the model, and c.
   auto internals_of(const state& x) const {
     return check_state(x), x.tail(Eigen::fix<longer(size_of<2>)>(internals()));
   }
-  /// (q, v, z) of the model alone; valid until the next call.
+  /// The part (q, v, z) of the model; valid until the next call.
   const model_state& own_part(const state& x) const {
     if constexpr (N == 0) {
       return x;
@@ -184,19 +198,21 @@ class controlled {
       return part_ = x.head(Eigen::fix<model_state::RowsAtCompileTime>(static_cast<int>(x.size()) - N));
     }
   }
-  /// c.
+  /// The states c of the law.
   auto law_states_of(const state& x) const { return check_state(x), x.template tail<N>(); }
+  /// (x, c) of a state of the chain, with c at its start.
   template <class ChainState>
   state getJointStates(const ChainState& s) const {
     return with_law(model().getJointStates(s), start_);
   }
+  /// Puts x into a state of the chain.
   template <class ChainState>
   void setJointStates(const state& x, ChainState& s) const {
     model().setJointStates(own_part(x), s);
   }
 
   // ---- motion on the group, as the model's
-  static constexpr bool on_group = moves_on_group<model_type, model_state>;
+  static constexpr bool on_group = moves_on_group<model_type, model_state>;  ///< whether there are rotations
   void displace(const state& x, const rate& d, state& out) const requires(on_group) {
     out.resize(x.size());
     model().displace(own_part(x), own_rate(d), moved_);
@@ -221,15 +237,19 @@ class controlled {
     rest.head(changed_.size()) = changed_;
     rest.template tail<N>() = d.template tail<N>() - (out.template tail<N>() - x.template tail<N>());
   }
-  // ---- on the loops, as the model's
+
+  /// Whether the model has closed loops, whose states integrators project onto the constraints.
   static constexpr bool settles = detail::settles_states<model_type, model_state>;
+  /// To be called at the start of a step from x.
   void begin_step(const state& x) const requires(settles) { model().begin_step(own_part(x)); }
+  /// Projects the state `out` = x (+) d onto the constraints.
   void settle(const state& x, rate& d, state& out) const requires(settles) {
     changed_ = own_rate(d);
     moved_ = out.head(own_part(x).size());
     model().settle(own_part(x), changed_, moved_);
     d.head(changed_.size()) = changed_, out.head(moved_.size()) = moved_;
   }
+  /// Removes from e the part normal to the constraints at x.
   void tangential(const state& x, rate& e) const requires(settles) {
     changed_ = own_rate(e);
     model().tangential(own_part(x), changed_);

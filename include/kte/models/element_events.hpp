@@ -27,7 +27,7 @@ struct element_switching : described<Element> {
 
   template <class T, class X>
   auto operator()(const T& t, const X& x) const {
-    if constexpr (holds_coordinate<core>) {
+    if constexpr (locks_coordinate<core>) {
       return mode_function(*model, t, own_part(x), place);
     } else {
       auto s = state_at(t, x);
@@ -37,7 +37,7 @@ struct element_switching : described<Element> {
   /// The reset.
   template <class T, class X>
   void switch_over(const T& t, X& x) const {
-    if constexpr (holds_coordinate<core>) {
+    if constexpr (locks_coordinate<core>) {
       auto own = own_part(x);
       switch_mode(*model, t, own, place);
       x.head(own.size()) = own;
@@ -50,7 +50,7 @@ struct element_switching : described<Element> {
   /// What an integration begins with: what the element keeps is made what happens. Says whether it was not.
   template <class T, class X>
   bool mend(const T& t, X& x) const {
-    if constexpr (holds_coordinate<core>) {
+    if constexpr (locks_coordinate<core>) {
       auto own = own_part(x);
       if (!mend_at_start(*model, t, own, place)) return false;
       x.head(own.size()) = own;
@@ -68,9 +68,9 @@ struct element_switching : described<Element> {
   using wiring = typename Model::wiring;
   using core = typename Model::template core_type<I>;
   using inputs = std::make_index_sequence<input_count<core>>;
-  static constexpr holder_place place = [] {
-    holder_place p{};
-    for (const auto& h : Model::holders())
+  static constexpr lock_place place = [] {
+    lock_place p{};
+    for (const auto& h : Model::locks())
       if (h.element == I) p = h;
     return p;
   }();
@@ -96,7 +96,7 @@ struct element_switching : described<Element> {
  public:
   /// Whether the law of the element ever changes.
   static constexpr bool changes =
-      holds_coordinate<core> ||
+      locks_coordinate<core> ||
       !typed_constant<decltype(std::declval<stored_element<core, chain_state<double, wiring>, by_index>>().switching(
           inputs{}))>;
 };
@@ -126,22 +126,22 @@ auto element_events_of(const Model& m, std::index_sequence<I...>) {
 }
 }  // namespace detail
 
-/// Events where the laws of the elements of a model change: a spring that saturates, teeth that touch. Each is located
-/// to the tolerance, ends the step there and starts anew, by the law that holds from then on; there elements switch
-/// what they keep, such as friction between sliding and rest (models/modes.hpp):
+/// Events where the laws of the elements of a model change: a spring saturates, teeth of a gear touch. Each is located
+/// to the tolerance, ends the step and restarts the integration with the new law; elements then switch their modes,
+/// such as friction between sliding and sticking (models/modes.hpp):
 ///
 ///   solver.integrate(10.0, kte::element_events(model));
 ///   solver.integrate(10.0, kte::joined(kte::events(ground), kte::element_events(model)));
 ///
-/// In the order of the elements, with their names. The model must outlive them. An element says where by a function
-/// `switching` of its core, of what its ports are connected to, that goes through zero there.
+/// They are in the order of the elements, with their names. The model must outlive them. An element defines its event
+/// by a function `switching` of its core, with the ports as arguments, that goes through zero there.
 template <class Gravity, class... E, class S, class Output>
-auto element_events(const manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>& model) {
+[[nodiscard]] auto element_events(const manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>& model) {
   return detail::element_events_of<E...>(model, std::index_sequence_for<E...>{});
 }
 
 namespace detail {
-/// Of an event of a model whose inputs a law sets: the law is asked first.
+/// An event of a model under a control law: the law is evaluated first.
 template <class Controlled, class Function>
 struct under_law {
   Controlled* system;
@@ -177,14 +177,14 @@ auto event_under_law(Controlled& c, const std::vector<event<Function, Reset>>& s
 }
 }  // namespace detail
 
-/// The same of a model whose inputs a law sets: at every time and state they are those of the law. Both must outlive
-/// the events.
+/// Events of the elements of a model under a control law, with the inputs of the law at every time and state. Model and
+/// law must outlive the events.
 template <class Model, class Law, class Rates, int N>
 auto element_events(controlled<Model, Law, Rates, N>& c) {
   return std::apply([&c](const auto&... e) { return events(detail::event_under_law(c, e)...); },
                     element_events(c.model()).list);
 }
-/// `settled` (models/modes.hpp) under the law at (t, x).
+/// `settled` (models/modes.hpp) with the inputs of the law at (t, x).
 template <class Model, class Law, class Rates, int N, class T, class X>
 X settled(controlled<Model, Law, Rates, N>& c, const T& t, X x) {
   c.set_inputs(t, x);

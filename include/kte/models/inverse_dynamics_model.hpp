@@ -5,33 +5,34 @@
 
 namespace kte {
 
-/// A chain as a model for controllers that compute forces from motions. It is the chain: an element of larger chains,
-/// with the passes and all algorithms.
+/// A chain as a model for controllers that compute forces from motions. It derives from the chain, so that it can be an
+/// element of larger chains and all algorithms apply.
 ///
 ///   kte::inverse_dynamics_model arm(chain);
 ///   auto tau = arm.computeForces(q, v, a);
 ///
-/// Arguments and units as for `inverse_dynamics`.
+/// Arguments and units are those of `inverse_dynamics`.
 template <class Chain>
 class inverse_dynamics_model : public Chain {
  public:
   explicit constexpr inverse_dynamics_model(const Chain& c) : Chain(c) {}
 
-  /// What must be applied for the accelerations a: inverse dynamics (RNEA).
+  /// The generalized forces for the accelerations a, N and Nm: inverse dynamics (RNEA).
   template <indexable Q, indexable V, indexable A>
   auto computeForces(const Q& q, const V& v, const A& a) const {
     return inverse_dynamics(chain(), q, v, a);
   }
-  /// That and its derivatives by q, v and a.
+  /// The generalized forces and their derivatives by q, v and a.
   template <indexable Q, indexable V, indexable A>
   auto computeForcesAndDerivatives(const Q& q, const V& v, const A& a) const {
     return inverse_dynamics_derivatives(chain(), q, v, a);
   }
+  /// The mass matrix M.
   template <indexable Q>
   auto getMassMatrix(const Q& q) const {
     return mass_matrix(chain(), q);
   }
-  /// M and its rate of change as the chain moves by v; by dual numbers, exact to rounding.
+  /// M and its time derivative at the velocities v, by dual numbers, exact to rounding.
   template <indexable Q, indexable V>
   auto getMassMatrixAndDerivative(const Q& q, const V& v) const {
     using S = value_of<Q>;

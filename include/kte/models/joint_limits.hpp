@@ -9,7 +9,7 @@
 namespace kte {
 
 namespace detail {
-/// A std::array full of x; of lists without a size of their own one without numbers.
+/// A std::array filled with x; an empty list of dynamic size.
 template <class Numbers>
 constexpr Numbers all_of(double x) {
   Numbers out{};
@@ -18,14 +18,14 @@ constexpr Numbers all_of(double x) {
 }
 }  // namespace detail
 
-/// What the coordinates of a chain can do and bear, each a list over v, in the order of the chain's degrees of freedom:
-///   lower, upper    of the coordinate, rad or m; of a pose or rotation along its numbers of v
+/// Limits of the coordinates of a chain, each a list over v, in the order of the degrees of freedom:
+///   lower, upper    of the coordinate, rad or m; for a pose or rotation along its numbers of v
 ///   rate            of |v|, rad/s or m/s
 ///   acceleration, jerk    of |v'|, |v''|
 ///   effort          of |tau|, Nm or N
-/// Infinite where there is no limit; lists that do not know their size, as std::vector, begin with `unlimited(chain)`.
-/// They change nothing that a chain does (`joint_limit_gen` is an element that does):
-/// inverse kinematics, planners and controls read them.
+/// Infinite (`none`) where there is no limit. Lists of dynamic size, such as std::vector, start with
+/// `unlimited(chain)`. Limits do not change the dynamics of a chain (`joint_limit_gen` is an element that does):
+/// inverse kinematics, planners and controllers read them.
 template <class Numbers = std::vector<double>>
 struct joint_limits {
   static constexpr double none = std::numeric_limits<double>::infinity();
@@ -39,12 +39,12 @@ struct joint_limits {
   bool operator==(const joint_limits&) const = default;
 };
 
-/// Limits that limit nothing, to begin with.
+/// Infinite limits for all coordinates of the chain.
 template <class Gravity, class... E>
-constexpr auto unlimited(const static_chain<Gravity, E...>&) {
+[[nodiscard]] constexpr auto unlimited(const static_chain<Gravity, E...>&) {
   return joint_limits<std::array<double, static_cast<std::size_t>(static_chain<Gravity, E...>::dofs)>>{};
 }
-inline joint_limits<> unlimited(const kte_map_chain& c) {
+[[nodiscard]] inline joint_limits<> unlimited(const runtime_chain& c) {
   const std::vector<double> none(static_cast<std::size_t>(c.dofs()), joint_limits<>::none);
   return {std::vector<double>(none.size(), -joint_limits<>::none), none, none, none, none, none};
 }

@@ -15,17 +15,17 @@ namespace kte {
 ///   x' = (v, M(q)^-1 f(q, v, z, u), z')    by `forward_dynamics`, and `z_dot` of the elements         (1)
 ///   y = (q, v), or output(s)               of a state s of the chain at x
 ///
-/// It is the chain, with all that there is for chains, and a right-hand side for integrators:
+/// It derives from the chain, so that all algorithms apply, and it is a right-hand side for integrators:
 ///
 ///   kte::manipulator_dynamics_model arm(chain);
 ///   kte::dormand_prince45 solver(std::ref(arm), 0.0, arm.make_x(q, v));
 ///
-/// For a static chain without heap or virtual calls; a value. For a runtime chain it has a state of its own to work in,
-/// and what it returns is valid until its next call: one model a thread. Bases are at rest, under the chain's gravity.
+/// For a static chain it is a value, without heap or virtual calls. For a runtime chain it owns a state, and results
+/// are valid until the next call: use one model per thread. Bases are at rest, under the gravity of the chain.
 template <class Chain, class S = double, class Output = void>
 class manipulator_dynamics_model;
 
-/// Of a static chain.
+/// The dynamics of a static chain as a system x' = f(t, x, u), y = h(t, x, u).
 template <class Gravity, class... E, class S, class Output>
 class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
     : public state_space<static_chain<Gravity, E...>, S> {
@@ -40,7 +40,7 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
 
   explicit manipulator_dynamics_model(const chain_type& c) : base(c) {}
 
-  /// (1). Throws `bad_argument` for numbers that are not finite, `singular_mass_matrix`.
+  /// x' of (1). Throws `bad_argument` for numbers that are not finite, `singular_mass_matrix`.
   rate computeStateRate(const S& t, const state& x) const {
     const S *q = x.data(), *v = q + size::q, *z = v + size::v;
     const detail::configuration<S, wiring, const S*> at(q);
@@ -53,28 +53,27 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
     if constexpr (size::z > 0) detail::internal_rates(this->chain(), at, v, bases, &r[2 * size::v]);
     return r;
   }
-  /// The same for integrators. Where it throws, they try a shorter step, or say when it was and why.
+  /// x' of (1), for integrators. If it throws, they try a shorter step, or report the time and the cause.
   rate operator()(const S& t, const state& x) const { return computeStateRate(t, x); }
-  /// Of a vector of dynamic size, which is checked before it becomes a state. `state_at` and `computeOutput` likewise.
+  /// x' of a vector of dynamic size, which is checked first; `state_at` and `computeOutput` likewise.
   template <class X>
   requires(X::SizeAtCompileTime == Eigen::Dynamic) rate operator()(const S& t, const Eigen::MatrixBase<X>& x) const {
     return computeStateRate(t, this->checked(x.derived()));
   }
-  /// The derivatives of x' by displacements from x, of which numbers are those of x'
+  /// The derivatives of x' by displacements from x, which have as many numbers as x'
   /// (models/detail/rate_derivatives.hpp): for states of numbers, J_ij = d x'_i / d x_j. Exact to rounding; inputs are
-  /// as set. Stiff methods take it.
+  /// as set. Stiff methods use it.
   using jacobian_matrix = Eigen::Matrix<S, size::x_dot, size::x_dot>;
-  /// Not of chains with friction by what joints carry that keep internal states, of which stiff methods take
-  /// differences: friction answers accelerations, and so those states, by no matrix alone.
-  static constexpr bool has_jacobian = size::z == 0 || !(detail::reads_reaction<typename E::core_type> || ...);
+  /// False for chains with load-dependent friction and internal states, for which stiff methods use differences: the
+  /// friction depends on accelerations, and so do these states.
+  static constexpr bool has_jacobian = size::z == 0 || !(detail::load_dependent_friction<typename E::core_type> || ...);
   jacobian_matrix jacobian(const S& t, const state& x) const requires(has_jacobian) {
     jacobian_matrix j;
     jacobian(t, x, j);
     return j;
   }
   void jacobian(const S& t, const state& x, jacobian_matrix& j) const requires(has_jacobian) { derive(t, x, j); }
-  /// (J B): `jacobian`, and beside it the derivatives of x' by inputs. Where there is no `jacobian`, all by dual
-  /// numbers.
+  /// (J B): `jacobian` and the derivatives of x' by inputs. Without a `jacobian`, all are computed by dual numbers.
   auto jacobian_with_inputs(const S& t, const state& x) const {
     Eigen::Matrix<S, size::x_dot, size::x_dot + size::u> j;
     if constexpr (has_jacobian) {
@@ -84,7 +83,8 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
     }
     return j;
   }
-  /// The forces at x that accelerations answer: M a, of gravity, elements and inputs, less centrifugal ones; N and Nm.
+  /// The generalized forces M a at x, N and Nm: those of gravity, elements and inputs, less Coriolis and centrifugal
+  /// forces.
   joint_vector<S, size::v> forces_at(const state& x, const S& t = S(0)) const {
     const S *q = x.data(), *v = q + size::q;
     const detail::configuration<S, wiring, const S*> at(q);
@@ -93,9 +93,11 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
         this->chain(), detail::given{at, detail::each<S, const S*>{v}, detail::same<zero_t>{}, bases}, one);
   }
 
-  // ---- of elements that may hold a coordinate: models/modes.hpp
-  static constexpr std::size_t holder_count = (std::size_t{detail::holds_coordinate<typename E::core_type>} + ... + 0);
-  static constexpr auto holders() { return holders_of(std::index_sequence_for<E...>{}); }
+  /// The number of elements that may lock a coordinate (models/modes.hpp).
+  static constexpr std::size_t lock_count = (std::size_t{detail::locks_coordinate<typename E::core_type>} + ... + 0);
+  /// The elements that may lock a coordinate, with their coordinates and modes.
+  static constexpr auto locks() { return locks_of(std::index_sequence_for<E...>{}); }
+  /// The holding forces that keep the present accelerations, N and Nm.
   joint_vector<S, size::v> needed_forces(const S& t, const state& x) const {
     const S *q = x.data(), *v = q + size::q;
     const rate r = computeStateRate(t, x);
@@ -105,9 +107,10 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
     return detail::generalized_forces<S>(this->chain(),
                                          detail::given{at, numbers{v}, numbers{r.data() + size::v}, bases}, minus_one);
   }
+  /// The largest holding force of an element, N or Nm.
   S capacity(const S& t, const state& x, std::size_t element) const {
     auto s = make_state<S>(this->chain());
-    if constexpr ((detail::holds_by_load<typename E::core_type> || ...))
+    if constexpr ((detail::locks_by_load<typename E::core_type> || ...))
       s = state_at(t, x);
     else
       setJointStates(t, x, s), this->doMotion(s);
@@ -115,14 +118,14 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
   }
 
   using base::input;
-  /// The value of an input: `model.input(motor) = 2.0`; of one of three numbers a vector of Eigen.
+  /// The value of an input: `model.input(motor) = 2.0`; for an input of three numbers a vector of Eigen.
   template <key_type Key>
   decltype(auto) input(const Key&) {
     constexpr int slot = wiring::template find<Key>();
     static_assert(slot >= 0 && nu_of(Key::what) > 0, "kte: this chain has no input of this name");
     constexpr int place = wiring::input_place(Key::what, slot);
     static_assert(slot < 0 || place >= 0,
-                  "kte: this is not an input from outside: an element of the chain writes it, or it is the time");
+                  "kte: this is not an input: an element of the chain writes it, or it is the time");
     if constexpr (Key::what == kind::vector) {
       return this->u_.template segment<3>(place < 0 ? 0 : place);
     } else {
@@ -130,20 +133,20 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
     }
   }
 
-  /// x of a state of the chain.
+  /// The state x of a state of the chain.
   state getJointStates(const chain_state<S, wiring>& s) const {
     state x = this->make_x(positions(s), velocities(s));
     for (int i = 0; i < size::z; ++i) x[size::q + size::v + i] = s.template get<kind::internal>(i).z;
     return x;
   }
-  /// Puts the time, x and the inputs into a state of the chain. Frames follow with the next doMotion.
+  /// Stores the time, x and the inputs in a state of the chain. Frames are updated by the next doMotion.
   void setJointStates(const S& t, const state& x, chain_state<S, wiring>& s) const {
     setJointStates(x, s);
     for (int i = 0; i < wiring::table.signals; ++i)
       if (const auto& signal = wiring::table.signal[static_cast<std::size_t>(i)]; signal.u < 0)
         s.template get<kind::input>(signal.slot) = t;
   }
-  /// The same, with a time, if there is one, as it is in the state.
+  /// Stores x and the inputs in a state of the chain; the time is unchanged.
   void setJointStates(const state& x, chain_state<S, wiring>& s) const {
     set_positions(s, x.data()), set_velocities(s, x.data() + size::q);
     for (int i = 0; i < size::z; ++i) s.template get<kind::internal>(i).z = x[size::q + size::v + i];
@@ -171,6 +174,7 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
     return state_at(t, state(this->checked(x.derived())));
   }
 
+  /// The output y: (q, v), or the function of `with_output`.
   auto computeOutput(const S& t, const state& x) const {
     if constexpr (std::is_void_v<Output>) {
       return x.template head<size::q + size::v>().eval();
@@ -182,9 +186,9 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
   requires(X::SizeAtCompileTime == Eigen::Dynamic) auto computeOutput(const S& t, const Eigen::MatrixBase<X>& x) const {
     return computeOutput(t, state(this->checked(x.derived())));
   }
-  /// Whether it has another output than (q, v).
+  /// Whether the output is a function of `with_output`, not (q, v).
   static constexpr bool has_output() { return !std::is_void_v<Output>; }
-  /// The same system in another scalar: in dual numbers its rates and outputs have derivatives.
+  /// The system in another scalar: in dual numbers its rates and outputs have derivatives.
   template <class T>
   auto in_scalar() const {
     const auto made = [this] {
@@ -199,7 +203,7 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
     m.setInput(this->u_);
     return m;
   }
-  /// The same system with another output: `model.with_output([](const auto& s) { return s[tip].position.x; })`.
+  /// The system with another output: `model.with_output([](const auto& s) { return s[tip].position.x; })`.
   template <class F>
   auto with_output(const F& f) const {
     manipulator_dynamics_model<chain_type, S, F> m(this->chain(), f);
@@ -209,12 +213,12 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
 
  private:
   template <std::size_t... I>
-  static constexpr auto holders_of(std::index_sequence<I...>) {
-    std::array<detail::holder_place, holder_count> all{};
+  static constexpr auto locks_of(std::index_sequence<I...>) {
+    std::array<detail::lock_place, lock_count> all{};
     std::size_t n = 0;
     const auto add = [&]<std::size_t J>() {
       using core = typename chain_type::template core_type<J>;
-      if constexpr (detail::holds_coordinate<core>) {
+      if constexpr (detail::locks_coordinate<core>) {
         constexpr int row = wiring::freedom_of(kind::gen, wiring::slot(J, 0)).v;
         all[n++] = {J, row, size::q + row, size::q + size::v + wiring::slot(J, detail::kept_port<core>)};
       }

@@ -6,13 +6,13 @@
 
 namespace kte {
 
-/// A chain with the frames that matter, its tools: their poses, Jacobians and motions. It is the chain: an element of
-/// larger chains, with the passes and all algorithms.
+/// A chain with its tools, the frames of interest: their poses, Jacobians and motions. It derives from the chain, so
+/// that it can be an element of larger chains and all algorithms apply.
 ///
 ///   kte::manipulator_kinematics_model arm(chain, tool);
 ///   auto [R, p] = arm.getDependentPoses(q)[0];
 ///
-/// Jacobians and motions are in world axes, linear before angular, one frame below the other; as `jacobian(c, q, frame,
+/// Jacobians and motions are in world axes, linear before angular, the frames stacked, as `jacobian(c, q, frame,
 /// in_world_axes)`.
 template <class Chain, key_type... Frames>
 class manipulator_kinematics_model : public Chain {
@@ -23,13 +23,14 @@ class manipulator_kinematics_model : public Chain {
  public:
   explicit constexpr manipulator_kinematics_model(const Chain& c, const Frames&...) : Chain(c) {}
 
-  /// The names of the frames.
+  /// The names of the tools.
   static constexpr std::array<std::string_view, sizeof...(Frames)> tools() { return {Frames::name...}; }
-  /// Where the frames stand, in the axes of the base.
+  /// The poses of the tools in the base.
   template <indexable Q>
   auto getDependentPoses(const Q& q) const {
     return std::array{forward_kinematics(chain(), q, Frames{})...};
   }
+  /// The Jacobian J of the tools, 6 rows for each.
   template <indexable Q>
   auto getJacobianMatrix(const Q& q) const {
     Eigen::Matrix<value_of<Q>, rows, n> j;
@@ -37,8 +38,8 @@ class manipulator_kinematics_model : public Chain {
     ((j.template middleRows<6>(row) = jacobian(chain(), q, Frames{}, in_world_axes), row += 6), ...);
     return j;
   }
-  /// J and its rate of change as the chain moves by v; by dual numbers, exact to rounding. The accelerations of the
-  /// frames are J a + dJ/dt v.
+  /// J and its time derivative at the velocities v, by dual numbers, exact to rounding. The accelerations of the tools
+  /// are J a + dJ/dt v.
   template <indexable Q, indexable V>
   auto getJacobianMatrixAndDerivative(const Q& q, const V& v) const {
     using matrix = Eigen::Matrix<value_of<Q>, rows, n>;
@@ -82,8 +83,8 @@ class manipulator_kinematics_model : public Chain {
   static void check(const X& x, std::size_t count, const char* what, const Q& q, const V& v) {
     using S = value_of<Q>;
     detail::check_result(x, count, [&] {
-      detail::blame<typename Chain::wiring>(what, detail::each<S, Q>{q}, detail::each<S, V>{v}, detail::same<zero_t>{},
-                                            "a");
+      detail::diagnose<typename Chain::wiring>(what, detail::each<S, Q>{q}, detail::each<S, V>{v},
+                                               detail::same<zero_t>{}, "a");
     });
   }
 };

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kte/contract/coordinate_holder.hpp>
+#include <kte/contract/coordinate_lock.hpp>
 #include <kte/errors.hpp>
 
 #include <Eigen/Core>
@@ -9,8 +9,8 @@
 #include <cstddef>
 #include <limits>
 
-/// Elements that hold coordinates (contract/coordinate_holder.hpp), in models. A model has
-///   holders()                   where they are
+/// Elements that hold coordinates (contract/coordinate_lock.hpp), in models. A model has
+///   locks()                   where they are
 ///   computeStateRate(t, x), velocity_count()
 ///   needed_forces(t, x)         inverse dynamics at the accelerations of x: of what is held, the force that holds it
 ///   capacity(t, x, element)     how large that may be
@@ -19,7 +19,7 @@ namespace kte {
 namespace detail {
 
 /// An element that may hold a coordinate: the places of its rate and of its mode in a state x.
-struct holder_place {
+struct lock_place {
   std::size_t element;
   int row;  ///< among degrees of freedom
   int rate, mode;
@@ -27,31 +27,32 @@ struct holder_place {
 
 /// The first that holds the same coordinate: it keeps the mode for all of them, and has the events.
 template <class Model>
-holder_place leader(const Model& model, const holder_place& h) {
-  for (const auto& other : model.holders())
+lock_place leader(const Model& model, const lock_place& h) {
+  for (const auto& other : model.locks())
     if (other.row == h.row) return other;
   return h;
 }
 /// By how much all that hold the coordinate of h can hold it together.
 template <class Model, class T, class X>
-auto capacity_of_row(const Model& model, const T& t, const X& x, const holder_place& h) {
+auto capacity_of_row(const Model& model, const T& t, const X& x, const lock_place& h) {
   typename X::Scalar most(0);
-  for (const auto& other : model.holders())
+  for (const auto& other : model.locks())
     if (other.row == h.row) most += model.capacity(t, x, other.element);
   return most;
 }
 template <class Model, class X>
-void set_mode(const Model& model, X& x, const holder_place& h, int m) {
-  for (const auto& other : model.holders())
+void set_mode(const Model& model, X& x, const lock_place& h, int m) {
+  for (const auto& other : model.locks())
     if (other.row == h.row) x[other.mode] = typename X::Scalar(m);
 }
-/// What goes through zero where the mode changes: the rate of sliding; of what is held, with capacity F and force f,
+/// The function that goes through zero where the mode changes: the rate of sliding; for a locked coordinate, with
+/// capacity F and force f,
 ///
 ///   F^2 - f^2          (1)
 ///
-/// but not zero: at the limit it is still held, and an event looks for what leaves zero only where it was not there.
+/// but not zero: at the limit it is still locked, and an event detects only functions that were not zero before.
 template <class Model, class T, class X>
-auto mode_function(const Model& model, const T& t, const X& x, const holder_place& h) {
+auto mode_function(const Model& model, const T& t, const X& x, const lock_place& h) {
   using S = typename X::Scalar;
   if (leader(model, h).element != h.element) return S(1);
   const S z = x[h.mode];
@@ -64,13 +65,13 @@ auto mode_function(const Model& model, const T& t, const X& x, const holder_plac
 }
 /// Lets what is held go the way in which it is pulled.
 template <class Model, class X, class Forces>
-void let_go(const Model& model, X& x, const holder_place& h, const Forces& needed) {
+void let_go(const Model& model, X& x, const lock_place& h, const Forces& needed) {
   set_mode(model, x, h, needed[h.row] > typename X::Scalar(0) ? mode::backward : mode::forward);
 }
 /// Whether the mode of a coordinate without rate is not what happens; then it is changed: what is held by more than is
 /// there is let go, and what would be carried against its own friction is held.
 template <class Model, class T, class X>
-bool mend_mode(const Model& model, const T& t, X& x, const holder_place& h) {
+bool mend_mode(const Model& model, const T& t, X& x, const lock_place& h) {
   using S = typename X::Scalar;
   using std::abs;
   const auto beyond = [&](const auto& needed) { return abs(S(needed[h.row])) > capacity_of_row(model, t, x, h); };
@@ -94,17 +95,17 @@ bool mend_mode(const Model& model, const T& t, X& x, const holder_place& h) {
 template <class Model, class T, class X>
 void find_modes(const Model& model, const T& t, X& x) {
   const auto next = [&] {
-    for (const auto& h : model.holders())
+    for (const auto& h : model.locks())
       if (leader(model, h).element == h.element && mend_mode(model, t, x, h)) return true;
     return false;
   };
-  const std::size_t n = model.holders().size(), most = n < 10 ? std::size_t{2} << 2 * n : std::size_t{2} << 20;
+  const std::size_t n = model.locks().size(), most = n < 10 ? std::size_t{2} << 2 * n : std::size_t{2} << 20;
   for (std::size_t i = 0; next(); ++i)
-    if (i == most) raise<no_solution>("kte: no joints can be found that hold, and others that slide: friction jams");
+    if (i == most) raise<no_solution>("kte: no consistent set of sticking and sliding joints exists: friction jams");
 }
 /// At a zero of (1), or of the rate.
 template <class Model, class T, class X>
-void switch_mode(const Model& model, const T& t, X& x, const holder_place& h) {
+void switch_mode(const Model& model, const T& t, X& x, const lock_place& h) {
   using S = typename X::Scalar;
   if (x[h.mode] == S(mode::held)) {
     const auto needed = model.needed_forces(t, x);
@@ -119,7 +120,7 @@ void switch_mode(const Model& model, const T& t, X& x, const holder_place& h) {
 /// Where an integration begins, after an input, a parameter or the state has been changed by hand: the mode becomes
 /// what happens, where it is not. Says whether it was not.
 template <class Model, class T, class X>
-bool mend_at_start(const Model& model, const T& t, X& x, const holder_place& h) {
+bool mend_at_start(const Model& model, const T& t, X& x, const lock_place& h) {
   using S = typename X::Scalar;
   const S rate = x[h.rate];
   if (x[h.mode] != S(mode::held) && x[h.mode] * rate < S(0))
@@ -142,14 +143,15 @@ bool mend_internals(const Switched& switched, X& x, Eigen::Index first, Eigen::I
 
 }  // namespace detail
 
-/// The state x with the modes of all that may hold a coordinate: where its rate is zero it is held, unless that takes
-/// more than it can; else it slides as the rate says. For the start of a simulation; then events keep them:
+/// The state x with consistent modes of all elements that may lock a coordinate: a coordinate at rest is locked, unless
+/// the holding force exceeds the capacity; else it slides in the direction of its rate. For the start of a simulation;
+/// then events switch the modes:
 ///
 ///   const auto x = kte::settled(model, 0.0, model.make_x(q, v));
 template <class Model, class T, class X>
-X settled(const Model& model, const T& t, X x) {
+[[nodiscard]] X settled(const Model& model, const T& t, X x) {
   using S = typename X::Scalar;
-  for (const auto& h : model.holders()) {
+  for (const auto& h : model.locks()) {
     const S rate = x[h.rate];
     x[h.mode] = S(rate > S(0) ? mode::forward : rate < S(0) ? mode::backward : mode::held);
   }

@@ -12,7 +12,7 @@
 #include <kte/models/element_events.hpp>
 #include <kte/models/manipulator_dynamics_model.hpp>
 #include <kte/models/unchanging_chain.hpp>
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
 
 #ifdef KTE_FUNCTION
 #  include <kte/models/detail/loop_steps.hpp>
@@ -27,15 +27,15 @@ template <>
 struct sizes_of_model<unchanging_chain> {
   static constexpr int q = Eigen::Dynamic, v = q, z = q, u = q, x = q, x_dot = q;
   static constexpr bool only_numbers = false;
-  static std::span<const freedom> freedoms(const kte_map_chain& c) { return c.wiring().free; }
-  static int nq(const kte_map_chain& c) { return c.nq(); }
-  static int nv(const kte_map_chain& c) { return c.dofs(); }
-  static int nu(const kte_map_chain& c) { return c.wiring().nu; }
-  static int count(const kte_map_chain& c, kind k) {
+  static std::span<const freedom> freedoms(const runtime_chain& c) { return c.wiring().free; }
+  static int nq(const runtime_chain& c) { return c.nq(); }
+  static int nv(const runtime_chain& c) { return c.dofs(); }
+  static int nu(const runtime_chain& c) { return c.wiring().nu; }
+  static int count(const runtime_chain& c, kind k) {
     return static_cast<int>(c.wiring().names[static_cast<std::size_t>(k)].size());
   }
   template <class Visit>
-  static void each_input(const kte_map_chain& c, const Visit& visit) {
+  static void each_input(const runtime_chain& c, const Visit& visit) {
     for (const auto& s : c.wiring().signals)
       if (s.u >= 0)
         visit(c.wiring().names[static_cast<std::size_t>(s.what)][static_cast<std::size_t>(s.slot)], s.u, nu_of(s.what));
@@ -43,29 +43,32 @@ struct sizes_of_model<unchanging_chain> {
 };
 }  // namespace detail
 
-/// `manipulator_dynamics_model` of a runtime chain.
+/// The dynamics of a runtime chain as a system x' = f(t, x, u), y = h(t, x, u): see `manipulator_dynamics_model`.
 template <>
-class manipulator_dynamics_model<kte_map_chain, double, void> : public state_space<unchanging_chain, double> {
+class manipulator_dynamics_model<runtime_chain, double, void> : public state_space<unchanging_chain, double> {
   using base = state_space<unchanging_chain, double>;
 
  public:
   using output_function = std::function<Eigen::VectorXd(const runtime_state&)>;
 
-  /// Throws `bad_wiring` as `kte_map_chain::make_state` does, and where an element holds a coordinate that others move.
-  explicit manipulator_dynamics_model(const kte_map_chain& c);
+  /// A model of a runtime chain. Throws `bad_wiring` as `runtime_chain::make_state`, and if an element locks a
+  /// coordinate that others move.
+  explicit manipulator_dynamics_model(const runtime_chain& c);
 
   const rate& computeStateRate(double t, const state& x) const;
-  /// The same for integrators. Where it throws, they try a shorter step, or say when it was and why.
+  /// x' of (1), for integrators. If it throws, they try a shorter step, or report the time and the cause.
   const rate& operator()(double t, const state& x) const { return computeStateRate(t, x); }
 
-  /// As of a static chain. Says whether it is known: of chains without internal states (and not where passes alone know
-  /// a joint, tree/chain_tree.hpp); else stiff methods take differences.
+  /// The derivatives of x' by displacements from x. `jacobian` returns whether they are available: for chains without
+  /// internal states whose joints are described by their `relative` (tree/chain_tree.hpp); otherwise stiff methods use
+  /// differences.
   using jacobian_matrix = Eigen::MatrixXd;
   bool jacobian(double t, const state& x, jacobian_matrix& j) const;
-  /// The same; throws `bad_argument` where it is not known.
+  /// The Jacobian of x'; throws `bad_argument` if it is not available.
   jacobian_matrix jacobian(double t, const state& x) const;
 
-  /// As of a static chain, also where there are internal states. Throws `bad_argument` where passes alone know a joint.
+  /// (J B): `jacobian` and the derivatives of x' by inputs, also with internal states. Throws `bad_argument` for a
+  /// joint that only passes support.
   template <std::same_as<double> T>
   jacobian_matrix jacobian_with_inputs(const T& t, const state& x) const {
     setJointStates(t, x, s_);
@@ -75,48 +78,52 @@ class manipulator_dynamics_model<kte_map_chain, double, void> : public state_spa
   }
 
   using base::make_x;
-  /// The same of vectors.
+  /// The state x of vectors q and v, with z = 0 or as given.
   state make_x(const Eigen::VectorXd& q, const Eigen::VectorXd& v) const;
   state make_x(const Eigen::VectorXd& q, const Eigen::VectorXd& v, const Eigen::VectorXd& z) const;
   using base::setInput;
+  /// Sets all inputs u. Throws `bad_argument` for a wrong number of inputs, and for numbers that are not finite.
   void setInput(const Eigen::VectorXd& u);
   using base::input;
-  /// The value of an input; throws `unknown_name`, `bad_argument` where an element writes it, or time does.
+  /// The value of an input. Throws `unknown_name`, and `bad_argument` for a signal that an element writes, and for the
+  /// time.
   double& input(std::string_view name) { return u_[place_of_input(name, kind::input)]; }
   /// An input of three numbers.
   Eigen::Ref<Eigen::Vector3d> vector(std::string_view name) {
     return u_.segment<3>(place_of_input(name, kind::vector));
   }
 
-  /// x of a state of the chain.
+  /// The state x of a state of the chain.
   state getJointStates(const runtime_state& s) const;
-  /// Puts the time, x and the inputs into a state of the chain. Frames follow with the next doMotion.
+  /// Stores the time, x and the inputs in a state of the chain. Frames are updated by the next doMotion.
   void setJointStates(double t, const state& x, runtime_state& s) const;
-  /// The same, with a time, if there is one, as it is in the state.
+  /// Stores x and the inputs in a state of the chain; the time is unchanged.
   void setJointStates(const state& x, runtime_state& s) const;
   /// The state of the chain at x, with all its frames, accelerations and forces; valid until the next call.
   const runtime_state& state_at(double t, const state& x) const { return own_state_at(t, x); }
 
   Eigen::VectorXd computeOutput(double t, const state& x) const;
-  /// What goes through zero where the law of element number `which` of the chain changes, 1 where it does not. For
-  /// events: `element_events(model)`.
+  /// The function that goes through zero where the law of element number `which` of the chain changes; 1 if it does
+  /// not. For events: `element_events(model)`.
   double switching(double t, const state& x, std::size_t which) const;
-  /// What the element keeps, after its law has changed there.
+  /// Updates the mode of the element after its law has changed.
   void switch_over(double t, state& x, std::size_t which) const;
-  /// What an integration begins with: what the element keeps is made what happens. Says whether it was not.
+  /// Makes the mode of the element consistent with the state, for the start of an integration. Returns whether it has
+  /// changed.
   bool mend(double t, state& x, std::size_t which) const;
 
-  /// As of a static chain.
+  /// The generalized forces M a at x, N and Nm: those of gravity, elements and inputs, less Coriolis and centrifugal
+  /// forces.
   Eigen::VectorXd forces_at(const state& x, double t = 0) const;
 
   // ---- of elements that may hold a coordinate: models/modes.hpp
-  const std::vector<detail::holder_place>& holders() const { return holders_; }
+  const std::vector<detail::lock_place>& locks() const { return locks_; }
   const Eigen::VectorXd& needed_forces(double t, const state& x) const;
   double capacity(double t, const state& x, std::size_t element) const;
 
-  /// Whether it has another output than (q, v).
+  /// Whether the output is a function of `with_output`, not (q, v).
   bool has_output() const { return static_cast<bool>(output_); }
-  /// The same system with another output, of a state of the chain.
+  /// The system with another output, a function of a state of the chain.
   manipulator_dynamics_model with_output(output_function f) const {
     auto m = *this;
     m.output_ = std::move(f);
@@ -124,9 +131,13 @@ class manipulator_dynamics_model<kte_map_chain, double, void> : public state_spa
   }
 
   // ---- motion on the group, as of `state_space`
+  /// out = x (+) d (integrators/motion_space.hpp).
   void displace(const state& x, const rate& d, state& out) const;
+  /// Converts the rate r of the state to that of the displacement d.
   void pull_back(const rate& d, rate& r) const;
+  /// The size of the state for each number of a displacement.
   void magnitudes(const state& x, rate& m) const;
+  /// The part of d lost in the rounding of out.
   void rounding(const state& x, const rate& d, const state& out, rate& rest) const;
 
   // ---- of chains with loops (integrators/motion_space.hpp); of others these do nothing
@@ -151,15 +162,15 @@ class manipulator_dynamics_model<kte_map_chain, double, void> : public state_spa
   mutable runtime_state s_;
   mutable rate rate_;
   mutable detail::own_memory loops_;  ///< the rows of closures of a step
-  std::vector<detail::holder_place> holders_;
+  std::vector<detail::lock_place> locks_;
   output_function output_;
 };
-manipulator_dynamics_model(const kte_map_chain&)->manipulator_dynamics_model<kte_map_chain>;
+manipulator_dynamics_model(const runtime_chain&)->manipulator_dynamics_model<runtime_chain>;
 
 namespace detail {
 /// `switching` of one element of a runtime chain.
 struct runtime_switching {
-  const manipulator_dynamics_model<kte_map_chain>* model;
+  const manipulator_dynamics_model<runtime_chain>* model;
   std::size_t element;
 
   double operator()(double t, const Eigen::VectorXd& x) const;
@@ -174,7 +185,7 @@ struct runtime_switching {
 }  // namespace detail
 
 /// As of a static chain (models/element_events.hpp), an event for each element whose law changes.
-inline auto element_events(const manipulator_dynamics_model<kte_map_chain>& model) {
+[[nodiscard]] inline auto element_events(const manipulator_dynamics_model<runtime_chain>& model) {
   using reset = detail::switch_element<detail::runtime_switching>;
   std::vector<decltype(event(detail::runtime_switching{}).reset(reset{}))> all;
   const auto& elements = model.wiring().elements;
@@ -189,20 +200,20 @@ inline auto element_events(const manipulator_dynamics_model<kte_map_chain>& mode
 #ifdef KTE_FUNCTION
 namespace kte {
 
-KTE_FUNCTION manipulator_dynamics_model<kte_map_chain>::manipulator_dynamics_model(const kte_map_chain& c)
+KTE_FUNCTION manipulator_dynamics_model<runtime_chain>::manipulator_dynamics_model(const runtime_chain& c)
     : base(c), s_(c.make_state()), rate_(rates()) {
   if (detail::has_loops(c)) detail::check_loops(c, s_);
-  for (const int e : s_.tree().holders) {
+  for (const int e : s_.tree().locks) {
     const auto& index = wiring().elements[static_cast<std::size_t>(e)].index;
     const int row = s_.tree().plan.row_of_gen[static_cast<std::size_t>(index[0])];
     if (row >= dofs())
       throw bad_wiring("kte: " + describe_element(*wiring().elements[static_cast<std::size_t>(e)].element) +
                        " holds a coordinate that is not a degree of freedom");
-    holders_.push_back({static_cast<std::size_t>(e), row, nq() + row, nq() + dofs() + index[1]});
+    locks_.push_back({static_cast<std::size_t>(e), row, nq() + row, nq() + dofs() + index[1]});
   }
 }
 
-KTE_FUNCTION auto manipulator_dynamics_model<kte_map_chain>::computeStateRate(double t, const state& x) const
+KTE_FUNCTION auto manipulator_dynamics_model<runtime_chain>::computeStateRate(double t, const state& x) const
     -> const rate& {
   setJointStates(t, x, s_);
   rate_.head(dofs()) = velocities_of(x);
@@ -213,7 +224,7 @@ KTE_FUNCTION auto manipulator_dynamics_model<kte_map_chain>::computeStateRate(do
   rates_of_internals();
   return rate_;
 }
-KTE_FUNCTION bool manipulator_dynamics_model<kte_map_chain>::jacobian(double t, const state& x,
+KTE_FUNCTION bool manipulator_dynamics_model<runtime_chain>::jacobian(double t, const state& x,
                                                                       jacobian_matrix& j) const {
   if (internals() > 0 || s_.tree().irregular || detail::has_loops(chain())) return false;
   setJointStates(t, x, s_);
@@ -223,7 +234,7 @@ KTE_FUNCTION bool manipulator_dynamics_model<kte_map_chain>::jacobian(double t, 
   detail::put_rate_derivatives(freedoms(), v, of_accelerations, j);
   return true;
 }
-KTE_FUNCTION auto manipulator_dynamics_model<kte_map_chain>::jacobian(double t, const state& x) const
+KTE_FUNCTION auto manipulator_dynamics_model<runtime_chain>::jacobian(double t, const state& x) const
     -> jacobian_matrix {
   jacobian_matrix j;
   if (!jacobian(t, x, j))
@@ -233,36 +244,35 @@ KTE_FUNCTION auto manipulator_dynamics_model<kte_map_chain>::jacobian(double t, 
   return j;
 }
 
-KTE_FUNCTION auto manipulator_dynamics_model<kte_map_chain>::make_x(const Eigen::VectorXd& q,
+KTE_FUNCTION auto manipulator_dynamics_model<runtime_chain>::make_x(const Eigen::VectorXd& q,
                                                                     const Eigen::VectorXd& v) const -> state {
   return detail::checked_on_loops(*this, base::make_x(q, v));
 }
-KTE_FUNCTION auto manipulator_dynamics_model<kte_map_chain>::make_x(const Eigen::VectorXd& q, const Eigen::VectorXd& v,
+KTE_FUNCTION auto manipulator_dynamics_model<runtime_chain>::make_x(const Eigen::VectorXd& q, const Eigen::VectorXd& v,
                                                                     const Eigen::VectorXd& z) const -> state {
   return detail::checked_on_loops(*this, base::make_x(q, v, z));
 }
-KTE_FUNCTION void manipulator_dynamics_model<kte_map_chain>::setInput(const Eigen::VectorXd& u) { base::setInput(u); }
-KTE_FUNCTION int manipulator_dynamics_model<kte_map_chain>::place_of_input(std::string_view name, kind k) const {
+KTE_FUNCTION void manipulator_dynamics_model<runtime_chain>::setInput(const Eigen::VectorXd& u) { base::setInput(u); }
+KTE_FUNCTION int manipulator_dynamics_model<runtime_chain>::place_of_input(std::string_view name, kind k) const {
   const int slot = wiring().find(name, k);
   for (const auto& signal : wiring().signals)
     if (signal.what == k && signal.slot == slot && signal.u >= 0) return signal.u;
-  throw bad_argument("kte: '" + std::string(name) +
-                     "' is not an input from outside: an element writes it, or it is the time");
+  throw bad_argument("kte: '" + std::string(name) + "' is not an input: an element writes it, or it is the time");
 }
 
-KTE_FUNCTION auto manipulator_dynamics_model<kte_map_chain>::getJointStates(const runtime_state& s) const -> state {
+KTE_FUNCTION auto manipulator_dynamics_model<runtime_chain>::getJointStates(const runtime_state& s) const -> state {
   check(s);
   Eigen::VectorXd z(internals());
   for (Eigen::Index i = 0; i < z.size(); ++i) z[i] = s.get<kind::internal>(static_cast<int>(i)).z;
   return make_x(positions(s), velocities(s), z);
 }
-KTE_FUNCTION void manipulator_dynamics_model<kte_map_chain>::setJointStates(double t, const state& x,
+KTE_FUNCTION void manipulator_dynamics_model<runtime_chain>::setJointStates(double t, const state& x,
                                                                             runtime_state& s) const {
   setJointStates(x, s);
   for (const auto& signal : wiring().signals)
     if (signal.u < 0) s.get<kind::input>(signal.slot) = t;
 }
-KTE_FUNCTION void manipulator_dynamics_model<kte_map_chain>::setJointStates(const state& x, runtime_state& s) const {
+KTE_FUNCTION void manipulator_dynamics_model<runtime_chain>::setJointStates(const state& x, runtime_state& s) const {
   check(s), checked(x);
   set_positions(s, positions_of(x)), set_velocities(s, velocities_of(x));
   for (int i = 0; i < internals(); ++i) s.get<kind::internal>(i).z = x[nq() + dofs() + i];
@@ -273,86 +283,86 @@ KTE_FUNCTION void manipulator_dynamics_model<kte_map_chain>::setJointStates(cons
       s.get<kind::input>(signal.slot) = u_[signal.u];
   }
 }
-KTE_FUNCTION runtime_state& manipulator_dynamics_model<kte_map_chain>::own_state_at(double t, const state& x) const {
+KTE_FUNCTION runtime_state& manipulator_dynamics_model<runtime_chain>::own_state_at(double t, const state& x) const {
   computeStateRate(t, x);  // leaves accelerations in the state
   doMotion(s_), clearForce(s_), doForce(s_);
   return s_;
 }
-KTE_FUNCTION Eigen::VectorXd manipulator_dynamics_model<kte_map_chain>::computeOutput(double t, const state& x) const {
+KTE_FUNCTION Eigen::VectorXd manipulator_dynamics_model<runtime_chain>::computeOutput(double t, const state& x) const {
   checked(x);
   if (output_) return output_(state_at(t, x));
   return x.head(nq() + dofs());
 }
 
-KTE_FUNCTION double manipulator_dynamics_model<kte_map_chain>::switching(double t, const state& x,
+KTE_FUNCTION double manipulator_dynamics_model<runtime_chain>::switching(double t, const state& x,
                                                                          std::size_t which) const {
-  for (const auto& h : holders_)
+  for (const auto& h : locks_)
     if (h.element == which) return detail::mode_function(*this, t, x, h);
   setJointStates(t, x, s_);
   doMotion(s_);
   return wiring().elements.at(which).element->switching(s_);
 }
-KTE_FUNCTION void manipulator_dynamics_model<kte_map_chain>::switch_over(double t, state& x, std::size_t which) const {
-  for (const auto& h : holders_)
+KTE_FUNCTION void manipulator_dynamics_model<runtime_chain>::switch_over(double t, state& x, std::size_t which) const {
+  for (const auto& h : locks_)
     if (h.element == which) return detail::switch_mode(*this, t, x, h);
   setJointStates(t, x, s_);
   doMotion(s_);
   wiring().elements.at(which).element->switch_over(s_);
   for (int i = 0; i < internals(); ++i) x[nq() + dofs() + i] = s_.get<kind::internal>(i).z;
 }
-KTE_FUNCTION bool manipulator_dynamics_model<kte_map_chain>::mend(double t, state& x, std::size_t which) const {
-  for (const auto& h : holders_)
+KTE_FUNCTION bool manipulator_dynamics_model<runtime_chain>::mend(double t, state& x, std::size_t which) const {
+  for (const auto& h : locks_)
     if (h.element == which) return detail::mend_at_start(*this, t, x, h);
   state after = x;
   switch_over(t, after, which);
   return detail::mend_internals(after, x, nq() + dofs(), x.size());
 }
-KTE_FUNCTION Eigen::VectorXd manipulator_dynamics_model<kte_map_chain>::forces_at(const state& x, double t) const {
+KTE_FUNCTION Eigen::VectorXd manipulator_dynamics_model<runtime_chain>::forces_at(const state& x, double t) const {
   setJointStates(t, x, s_);
   return -nonlinear_effects(chain(), s_);
 }
-KTE_FUNCTION const Eigen::VectorXd& manipulator_dynamics_model<kte_map_chain>::needed_forces(double t,
+KTE_FUNCTION const Eigen::VectorXd& manipulator_dynamics_model<runtime_chain>::needed_forces(double t,
                                                                                              const state& x) const {
   computeStateRate(t, x);  // leaves accelerations in the state
   return inverse_dynamics(chain(), s_);
 }
-KTE_FUNCTION double manipulator_dynamics_model<kte_map_chain>::capacity(double t, const state& x,
+KTE_FUNCTION double manipulator_dynamics_model<runtime_chain>::capacity(double t, const state& x,
                                                                         std::size_t element) const {
   const auto& e = wiring().elements.at(element);
-  if (e.stiff) return e.element->capacity(own_state_at(t, x));
+  if (e.rigid) return e.element->capacity(own_state_at(t, x));
   setJointStates(t, x, s_);
   doMotion(s_);
   return e.element->capacity(s_);
 }
-KTE_FUNCTION void manipulator_dynamics_model<kte_map_chain>::rates_of_internals() const {
+KTE_FUNCTION void manipulator_dynamics_model<runtime_chain>::rates_of_internals() const {
   for (const int keeper : wiring().keepers) detail::move_element(wiring(), s_, keeper);
   for (int i = 0; i < internals(); ++i) rate_[2 * dofs() + i] = s_.get<kind::internal>(i).z_dot;
 }
 
-KTE_FUNCTION void manipulator_dynamics_model<kte_map_chain>::displace(const state& x, const rate& d, state& out) const {
+KTE_FUNCTION void manipulator_dynamics_model<runtime_chain>::displace(const state& x, const rate& d, state& out) const {
   base::displace(x, d, out);
 }
-KTE_FUNCTION void manipulator_dynamics_model<kte_map_chain>::pull_back(const rate& d, rate& r) const {
+KTE_FUNCTION void manipulator_dynamics_model<runtime_chain>::pull_back(const rate& d, rate& r) const {
   base::pull_back(d, r);
 }
-KTE_FUNCTION void manipulator_dynamics_model<kte_map_chain>::magnitudes(const state& x, rate& m) const {
+KTE_FUNCTION void manipulator_dynamics_model<runtime_chain>::magnitudes(const state& x, rate& m) const {
   base::magnitudes(x, m);
 }
-KTE_FUNCTION void manipulator_dynamics_model<kte_map_chain>::rounding(const state& x, const rate& d, const state& out,
+KTE_FUNCTION void manipulator_dynamics_model<runtime_chain>::rounding(const state& x, const rate& d, const state& out,
                                                                       rate& rest) const {
   base::rounding(x, d, out, rest);
 }
 
-KTE_FUNCTION void manipulator_dynamics_model<kte_map_chain>::settle(const state& x0, rate& d, state& x) const {
+KTE_FUNCTION void manipulator_dynamics_model<runtime_chain>::settle(const state& x0, rate& d, state& x) const {
   if (detail::has_loops(chain())) detail::settle_on_loops(*this, s_, detail::step_from(*this, s_, loops_, x0), d, x);
 }
-KTE_FUNCTION void manipulator_dynamics_model<kte_map_chain>::tangential(const state& x0, rate& e) const {
+KTE_FUNCTION void manipulator_dynamics_model<runtime_chain>::tangential(const state& x0, rate& e) const {
   if (detail::has_loops(chain())) detail::make_tangential(detail::step_from(*this, s_, loops_, x0), e);
 }
-KTE_FUNCTION void manipulator_dynamics_model<kte_map_chain>::begin_step(const state& x0) const {
+KTE_FUNCTION void manipulator_dynamics_model<runtime_chain>::begin_step(const state& x0) const {
   if (detail::has_loops(chain())) detail::check_step(chain(), s_, detail::step_from(*this, s_, loops_, x0));
 }
-KTE_FUNCTION auto manipulator_dynamics_model<kte_map_chain>::on_loops(const state& x) const -> state {
+KTE_FUNCTION auto manipulator_dynamics_model<runtime_chain>::on_loops(const state& x) const -> state {
   state on = checked(x);
   rate d = rate::Zero(rates());
   settle(x, d, on);

@@ -10,16 +10,16 @@
 #include <kte/models/inverse_dynamics_model.hpp>
 #include <kte/models/manipulator_kinematics_model.hpp>
 #include <kte/models/unchanging_chain.hpp>
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
 
 namespace kte {
 
-/// `inverse_dynamics_model` of a runtime chain. It has a state of its own to work in; what it returns is valid until
-/// its next call: one model a thread.
+/// `inverse_dynamics_model` of a runtime chain. It owns a state; results are valid until the next call. Use one model
+/// per thread.
 template <>
-class inverse_dynamics_model<kte_map_chain> : public unchanging_chain {
+class inverse_dynamics_model<runtime_chain> : public unchanging_chain {
  public:
-  explicit inverse_dynamics_model(const kte_map_chain& c) : unchanging_chain(c), s_(make_state()) {
+  explicit inverse_dynamics_model(const runtime_chain& c) : unchanging_chain(c), s_(make_state()) {
     detail::refuse_loops(c);
   }
 
@@ -39,14 +39,14 @@ class inverse_dynamics_model<kte_map_chain> : public unchanging_chain {
  private:
   mutable runtime_state s_;  // to work in
 };
-inverse_dynamics_model(const kte_map_chain&)->inverse_dynamics_model<kte_map_chain>;
+inverse_dynamics_model(const runtime_chain&)->inverse_dynamics_model<runtime_chain>;
 
-/// `manipulator_kinematics_model` of a runtime chain, of frames by name.
+/// `manipulator_kinematics_model` of a runtime chain; tools are given by name.
 template <>
-class manipulator_kinematics_model<kte_map_chain> : public unchanging_chain {
+class manipulator_kinematics_model<runtime_chain> : public unchanging_chain {
  public:
   /// Throws `unknown_name` for a frame that the chain does not have.
-  manipulator_kinematics_model(const kte_map_chain& c, std::vector<std::string> frames);
+  manipulator_kinematics_model(const runtime_chain& c, std::vector<std::string> frames);
 
   const std::vector<std::string>& tools() const { return frames_; }
 
@@ -70,7 +70,7 @@ class manipulator_kinematics_model<kte_map_chain> : public unchanging_chain {
   Eigen::VectorXd getDependentVelocities(const Q& q, const V& v) const {
     detail::take(*this, s_, q, v);
     const Eigen::VectorXd all = getJacobianMatrix(q) * velocities(s_);
-    detail::check_result(all, static_cast<std::size_t>(all.size()), [this] { detail::blame("a velocity", s_); });
+    detail::check_result(all, static_cast<std::size_t>(all.size()), [this] { detail::diagnose("a velocity", s_); });
     return all;
   }
   /// Accelerations of the frames, classical, without gravity: J a + dJ/dt v.
@@ -92,15 +92,15 @@ class manipulator_kinematics_model<kte_map_chain> : public unchanging_chain {
   std::vector<std::string> frames_;
   mutable runtime_state s_;  // to work in
 };
-manipulator_kinematics_model(const kte_map_chain&, std::vector<std::string>)
-    ->manipulator_kinematics_model<kte_map_chain>;
+manipulator_kinematics_model(const runtime_chain&, std::vector<std::string>)
+    ->manipulator_kinematics_model<runtime_chain>;
 
 }  // namespace kte
 
 #ifdef KTE_FUNCTION
 namespace kte {
 
-KTE_FUNCTION manipulator_kinematics_model<kte_map_chain>::manipulator_kinematics_model(const kte_map_chain& c,
+KTE_FUNCTION manipulator_kinematics_model<runtime_chain>::manipulator_kinematics_model(const runtime_chain& c,
                                                                                        std::vector<std::string> frames)
     : unchanging_chain(c), frames_(std::move(frames)), s_(make_state()) {
   detail::refuse_loops(c);

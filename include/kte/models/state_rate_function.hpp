@@ -4,7 +4,7 @@
 
 namespace kte {
 
-/// A dynamic system x' = f(t, x). Integrators take any function of that form; systems name it `computeStateRate`.
+/// A dynamic system x' = f(t, x). Integrators accept any callable f(t, x); systems also have it as `computeStateRate`.
 template <class F, class X, class T = double>
 concept state_rate_function = requires(F& f, const T& t, const X& x) {
   f.computeStateRate(t, x);
@@ -14,7 +14,7 @@ concept state_rate_function = requires(F& f, const T& t, const X& x) {
 ///
 ///   x' = f(t, x, u),   y = h(t, x, u)
 ///
-/// u stays as it was set until it is set anew.
+/// u is constant until it is set again.
 template <class F, class X, class U, class T = double>
 concept state_rate_function_with_io = state_rate_function<F, X, T> &&
     requires(F& f, const T& t, const X& x, const U& u) {

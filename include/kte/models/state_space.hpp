@@ -39,7 +39,7 @@ struct sizes_of_model {
 ///   u                    signals that no element writes, in order of their first appearance, but the time
 ///
 /// Where coordinates are rotations or poses, q holds quaternions, x' has fewer numbers than x, and integrators move on
-/// the group (integrators/motion_space.hpp). It is the chain, with all that there is for chains.
+/// the group (integrators/motion_space.hpp). It derives from the chain, so that all algorithms apply.
 template <class Chain, class S>
 class state_space : public Chain {
   using size = detail::sizes_of_model<Chain>;
@@ -52,17 +52,18 @@ class state_space : public Chain {
   explicit state_space(const Chain& c) : Chain(c), u_(input_vector::Zero(size::nu(c))) {}
 
   const Chain& chain() const { return *this; }
+  /// How many internal states z there are.
   int internals() const { return size::count(chain(), kind::internal); }
   /// The coordinates, with their places in q and v.
   std::span<const detail::freedom> freedoms() const { return size::freedoms(chain()); }
-  /// How many numbers v and a have.
+  /// How many numbers v has, and a.
   int velocity_count() const { return size::nv(chain()); }
   /// How many numbers x has.
   int state_size() const { return numbers_q() + velocity_count() + internals(); }
   /// How many numbers x' has.
   int rates() const { return 2 * velocity_count() + internals(); }
 
-  /// x of q and v, with z = 0 or as given. Throws `bad_argument` for wrong sizes.
+  /// The state x of q and v, with z = 0 or as given. Throws `bad_argument` for wrong sizes.
   template <indexable Q, indexable V>
   state make_x(const Q& q, const V& v) const {
     return make_x(q, v, Eigen::Matrix<S, size::z, 1>::Zero(internals()).eval());
@@ -83,43 +84,50 @@ class state_space : public Chain {
     for (Eigen::Index i = at_z; i < end; ++i) x[i] = S(z[static_cast<std::size_t>(i - at_z)]);
     return x;
   }
-  /// The parts of x, as views. Throw `bad_argument` for an x of another size.
+  /// The positions q of x, as a view. Throws `bad_argument` for an x of wrong size.
   template <class X>
   auto positions_of(const Eigen::MatrixBase<X>& x) const {
     return checked(x.derived()).head(Eigen::fix<size::q>(numbers_q()));
   }
+  /// The velocities v of x, as a view.
   template <class X>
   auto velocities_of(const Eigen::MatrixBase<X>& x) const {
     return checked(x.derived()).segment(numbers_q(), Eigen::fix<size::v>(velocity_count()));
   }
+  /// The internal states z of x, as a view.
   template <class X>
   auto internals_of(const Eigen::MatrixBase<X>& x) const {
     return checked(x.derived()).tail(Eigen::fix<size::z>(internals()));
   }
 
-  /// Throws `bad_argument` for another count of numbers than the chain has inputs, and for those that are not finite.
+  /// Sets all inputs u. Throws `bad_argument` for a wrong number of inputs, and for numbers that are not finite.
   template <indexable U>
   void setInput(const U& u) {
     check_size(static_cast<std::size_t>(u_.size()), u, "u", "inputs");
     detail::check_result(u, static_cast<std::size_t>(u_.size()), [&] { refuse_inputs(u); });
     for (Eigen::Index i = 0; i < u_.size(); ++i) u_[i] = S(u[static_cast<std::size_t>(i)]);
   }
+  /// The inputs u.
   const input_vector& input() const { return u_; }
 
   // ---- motion on the group, where there are rotations
+  /// out = x (+) d (integrators/motion_space.hpp).
   void displace(const state& x, const rate& d, state& out) const requires(!size::only_numbers) {
     out.resize(x.size());
     const S* from = x.data();
     for (const auto& f : freedoms()) detail::displace_one<S>(f, from, d.data(), out);
     vectors_of(out) = vectors_of(x) + vectors_of(d);
   }
+  /// Converts the rate r of the state to that of the displacement d.
   void pull_back(const rate& d, rate& r) const requires(!size::only_numbers) {
     for (const auto& f : freedoms()) detail::pull_back_one<S>(f, d.data(), r);
   }
+  /// The size of the state for each number of a displacement.
   void magnitudes(const state& x, rate& m) const requires(!size::only_numbers) {
     for (const auto& f : freedoms()) detail::magnitudes_of<S>(f, x.data(), m);
     vectors_of(m) = vectors_of(x);
   }
+  /// The part of d lost in the rounding of out.
   void rounding(const state& x, const rate& d, const state& out, rate& rest) const requires(!size::only_numbers) {
     for (const auto& f : freedoms()) detail::rounding_of_one<S>(f, x.data(), d.data(), out.data(), rest);
     vectors_of(rest) = vectors_of(d) - (vectors_of(out) - vectors_of(x));

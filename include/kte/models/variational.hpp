@@ -11,26 +11,27 @@
 
 namespace kte {
 
-/// A variational integrator of a mechanism, of order 2 or 4, with a fixed step h: the motion that makes the sum of
+/// A variational integrator of a mechanism, of order 2 or 4, with a fixed step h. It makes stationary the sum over the
+/// steps of
 ///
-///   h L(q_m, v)   of every step, q_m its middle, v its velocity          (1)
+///   h L(q_m, v)   with the middle q_m of a step and its velocity v       (1)
 ///
-/// stationary, with L the chain's kinetic less its potential energy. So it is symplectic: energy oscillates and does
-/// not drift, however long. And what a symmetry keeps is kept to rounding: the linear and the angular momentum of a
-/// mechanism that floats. For numbers it is the midpoint rule in momenta:
+/// where L is the kinetic less the potential energy of the chain. So it is symplectic: energy oscillates and does not
+/// drift. It conserves the momenta of symmetries to rounding, such as the linear and angular momentum of a floating
+/// mechanism. For coordinates that are numbers it is the midpoint rule in momenta:
 ///
 ///   p = M(q_m) v,   p0, p1 = p -+ h/2 p',   p' = M_dot v + f(q_m, v)        (2)
 ///   q_m = q0 + h/2 v,   q1 = q0 + h v                                       (3)
 ///
-/// with f as `forces_at`: dampers and motors act by their force at the middle. For rotations see
-/// models/detail/momentum_transport.hpp. Solved to rounding by iteration, for which h must be below about 1 over the
-/// fastest rate: from the v that those of the last steps lead to, by a matrix that begins as M and is learned from the
-/// changes (`secant_iteration`). Order 4: five steps of (1), of lengths
+/// with f of `forces_at`: dampers and motors act by their force at the middle. For rotations see
+/// models/detail/momentum_transport.hpp. It is solved to rounding by iteration, for which h must be below about 1 over
+/// the fastest rate. The iteration starts from the v extrapolated from the last steps, with a matrix that starts as M
+/// and is updated from the changes (`secant_iteration`). Order 4: five steps of (1), of lengths
 ///
 ///   g h, g h, (1 - 4 g) h, g h, g h,   g = 1/(4 - 4^(1/3))                  (4)
 ///
-/// Between the ends: cubics by the velocities at both, of order 3. For models of chains without internal states, static
-/// or, with kte/models/runtime_dynamics_model.hpp, runtime chains, which allocate in every step:
+/// Between the ends of a step: cubics by the velocities at both, of order 3. For models of chains without internal
+/// states, static or, with kte/models/runtime_dynamics_model.hpp, runtime chains, which allocate in every step:
 ///
 ///   kte::variational4 solver(std::ref(model), 0.0, model.make_x(q, v), 0.01);
 ///
@@ -47,9 +48,9 @@ class variational : public fixed_step<variational<Order, F, X>, F, X> {
  public:
   using typename base::rate;
   using typename base::S;
-  static constexpr int order = Order, dense_order = 3;
+  static constexpr int order = Order, dense_order = 3;  ///< of the method and of its dense output
 
-  /// A model, start time (s), start state, step (s). Throws `bad_argument` for a step that is not positive, for a start
+  /// A model, start time, s, start state, step, s. Throws `bad_argument` for a step that is not positive, for a start
   /// that is not finite, and for a runtime chain with internal states.
   variational(F f, const S& t0, const std::type_identity_t<X>& x0, const S& step)
       : base(std::move(f), t0, x0, step), middle_(this->x_), masses_(chain()) {}
@@ -189,6 +190,7 @@ class variational : public fixed_step<variational<Order, F, X>, F, X> {
   vector lost_q_, lost_p_;                                                  ///< in rounding, as `fixed_step` has it
 };
 
+/// The variational integrator of order 2.
 template <class F, class X>
 class variational2 : public variational<2, F, X> {
  public:
@@ -197,6 +199,7 @@ class variational2 : public variational<2, F, X> {
 template <class F, class V>
 variational2(F, const typename V::Scalar&, const Eigen::MatrixBase<V>&, const typename V::Scalar&)
     -> variational2<F, typename V::PlainObject>;
+/// The variational integrator of order 4.
 template <class F, class X>
 class variational4 : public variational<4, F, X> {
  public:

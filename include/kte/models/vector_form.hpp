@@ -5,13 +5,13 @@
 
 namespace kte {
 
-/// A model with the rates of all numbers of x, for methods that know vectors only (`adams`, `bdf`):
+/// A model with the rates of all numbers of x, for methods that accept vectors only (`adams`, `bdf`):
 ///
 ///   x' = (q', v', z'),   q' = v for numbers, R v for positions, q (0, w/2) for quaternions q
 ///
 ///   kte::adams solver(kte::vector_form(std::cref(model)), 0.0, model.make_x(q, v));
 ///
-/// Of runtime chains too, also where all coordinates are numbers. The length of a quaternion means nothing to the
+/// Also for runtime chains, and where all coordinates are numbers. The length of a quaternion has no effect on the
 /// model; it drifts by the error of the integration.
 template <class F>
 class vector_form {
@@ -36,7 +36,7 @@ class vector_form {
     for (Eigen::Index i = 1; i <= rest; ++i) x_dot_[x.size() - i] = r[r.size() - i];
     return x_dot_;
   }
-  /// That of the model, where all its coordinates are numbers; says whether that is so, and known.
+  /// The Jacobian of the model, if all its coordinates are numbers. Returns whether it is available.
   template <class J>
   bool jacobian(const S& t, const state& x, J& j) requires(std::is_same_v<J, typename model::jacobian_matrix>) {
     auto& m = detail::unwrapped(f_);

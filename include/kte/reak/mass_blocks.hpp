@@ -22,7 +22,7 @@ void insert_by_kind(std::vector<X>& all, X x) {
   const auto later = [](const X& a, const X& b) { return order_of(a.what) < order_of(b.what); };
   all.insert(std::upper_bound(all.begin(), all.end(), x, later), std::move(x));
 }
-/// Of a body of mass m, first moment h and inertia I
+/// The mass block of a body of mass m, first moment h and inertia I
 ///
 ///   ( m 1  -[h]x )
 ///   ( [h]x    I  )          (1)
@@ -38,7 +38,7 @@ Eigen::Matrix<S, 6, 6> mass_block(const S& m, const vec3<S>& h, const sym3<S>& i
       -h.y, h.x, o, i.xz, i.yz, i.zz;  // (1)
   return b;
 }
-/// Which rows of six a frame of that kind has.
+/// The rows, of six, of a frame of kind K.
 template <kind K>
 constexpr auto rows_in_space() {
   if constexpr (K == kind::frame_2D)

@@ -3,22 +3,22 @@
 #include <kte/reak/mass_blocks.hpp>
 #include <kte/reak/motion_jacobians.hpp>
 #include <kte/reak/static_mass_matrix_calc.hpp>
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
 
 #include <algorithm>
 #include <utility>
 #include <vector>
 
-/// Of a runtime chain: reak/twist_shaping.hpp.
+/// The mass matrix of a runtime chain by twist shaping: reak/twist_shaping.hpp.
 namespace kte {
 
 template <>
-class mass_matrix_calc<kte_map_chain> {
+class mass_matrix_calc<runtime_chain> {
  public:
-  /// Works with a copy of the chain, of which it takes the same states.
-  explicit mass_matrix_calc(kte_map_chain c) : chain_(std::move(c)) { (void)chain_.wiring(); }
+  /// It owns a copy of the chain, and accepts the states of the chain.
+  explicit mass_matrix_calc(runtime_chain c) : chain_(std::move(c)) { (void)chain_.wiring(); }
   /// Fed with names, of inertias and of coordinates.
-  mass_matrix_calc(kte_map_chain c, const std::vector<std::string>& on, const std::vector<std::string>& by)
+  mass_matrix_calc(runtime_chain c, const std::vector<std::string>& on, const std::vector<std::string>& by)
       : mass_matrix_calc(std::move(c)) {
     for (const auto& n : on) *this << inertia_on(n);
     for (const auto& n : by) *this << moved_by(n);
@@ -36,9 +36,9 @@ class mass_matrix_calc<kte_map_chain> {
         const auto& at = chain_.wiring().elements[e];
         if (at.ports[0].what == k && at.index[0] == index)
           found |= add_body(e);
-        else if (at.spreads && !at.stiff)
+        else if (at.distributed_mass && !at.rigid)
           for (std::size_t p = 1; p < at.ports.size(); ++p)
-            if (at.ports[p].what == k && at.index[p] == index) refuse_spread(e);
+            if (at.ports[p].what == k && at.index[p] == index) refuse_distributed(e);
       }
     }
     if (!found) throw bad_argument("kte: mass_matrix_calc: there is no mass on '" + x.name + "'");
@@ -77,7 +77,7 @@ class mass_matrix_calc<kte_map_chain> {
     return feeding.kept();
   }
 
-  const kte_map_chain& chain() const { return chain_; }
+  const runtime_chain& chain() const { return chain_; }
   // What it was fed with, in that order: names of what has inertia, and of coordinates.
   const std::vector<std::string>& inertias() const { return inertias_; }
   const std::vector<std::string>& coordinates() const { return moved_by_; }
@@ -108,10 +108,10 @@ class mass_matrix_calc<kte_map_chain> {
     const Eigen::MatrixXd half = t.rate.transpose() * t.masses * t.value;
     mass_matrix_with_rate<> m{product(t, s), half + half.transpose()};  // (1)
     detail::check_result(m.rate.data(), static_cast<std::size_t>(m.rate.size()),
-                         detail::blame_state{"a mass matrix", s});
+                         detail::diagnose_state{"a mass matrix", s});
     return m;
   }
-  // The same at q, or q and v, which are put into the state.
+  // At q, or q and v, which are stored in the state.
   template <indexable Q>
   Eigen::MatrixXd mass_matrix(runtime_state& s, const Q& q) const {
     check(s);
@@ -163,15 +163,15 @@ class mass_matrix_calc<kte_map_chain> {
     std::vector<std::string> inertias_, moved_by_;
     bool kept_ = false;
   };
-  [[noreturn]] void refuse_spread(std::size_t e) const {
+  [[noreturn]] void refuse_distributed(std::size_t e) const {
     throw bad_argument("kte: mass_matrix_calc: " + describe_element(*chain_.wiring().elements[e].element) +
-                       " has a mass between several things");
+                       " has a distributed mass");
   }
   /// Whether it has a mass.
   bool add_body(std::size_t e) {
     const auto& at = chain_.wiring().elements[e];
-    if (at.stiff) return false;
-    if (at.spreads) refuse_spread(e);
+    if (at.rigid) return false;
+    if (at.distributed_mass) refuse_distributed(e);
     const auto n = at.element->numbers();
     if (!n.has_mass && n.is != detail::part::body && n.is != detail::part::weight) return false;
     if (std::any_of(bodies_.begin(), bodies_.end(), [e](const body& b) { return b.element == e; }))
@@ -223,15 +223,15 @@ class mass_matrix_calc<kte_map_chain> {
   }
   static Eigen::MatrixXd product(const twist_shaping_result<>& t, const runtime_state& s) {
     Eigen::MatrixXd m = t.value.transpose() * t.masses * t.value;  // (1)
-    detail::check_result(m.data(), static_cast<std::size_t>(m.size()), detail::blame_state{"a mass matrix", s});
+    detail::check_result(m.data(), static_cast<std::size_t>(m.size()), detail::diagnose_state{"a mass matrix", s});
     return m;
   }
 
-  kte_map_chain chain_;
+  runtime_chain chain_;
   std::vector<body> bodies_;
   std::vector<detail::freedom> coordinates_;
   std::vector<std::string> inertias_, moved_by_;
 };
-mass_matrix_calc(kte_map_chain)->mass_matrix_calc<kte_map_chain>;
+mass_matrix_calc(runtime_chain)->mass_matrix_calc<runtime_chain>;
 
 }  // namespace kte

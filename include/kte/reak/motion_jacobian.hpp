@@ -12,8 +12,8 @@
 /// changes.
 namespace kte {
 
-/// What one rate makes of a frame or coordinate, per unit of the rate: velocities in axes of the frame, and their time
-/// derivatives as numbers in these axes.
+/// The motion of a frame or coordinate per unit of one rate: `velocity` and `ang_velocity`, or `q_dot`, in axes of the
+/// frame, and their time derivatives `velocity_rate`, `ang_velocity_rate`, `q_dot_rate` as numbers in these axes.
 template <kind Moved, class S = double>
 struct partial_motion;
 template <class S>
@@ -73,18 +73,19 @@ void put_numbers(Column& c, int& i, const vec3<S>& x) {
 
 /// The Jacobian of a frame (or generalized coordinate) by the rates of one coordinate, with its time derivative.
 ///   Joint   the coordinate: gen, rotation_3D, pose_2D, pose_3D
-///   Moved   frame_2D, frame_3D, or gen
-/// Rows are velocity before angular velocity, in axes of the frame; columns are the rates of the coordinate, linear
+///   Moved   frame_2D, frame_3D, or gen; `joint` and `moved` are these kinds
+/// `rows` are velocity before angular velocity, in axes of the frame; each `column` is a rate of the coordinate, linear
 /// before angular.
 template <kind Joint, kind Moved, class S = double>
 requires(is_coordinate(Joint) && !is_signal(Moved)) struct motion_jacobian {
   static constexpr kind joint = Joint, moved = Moved;
   using scalar = S;
-  static constexpr int rows = detail::rows_of_moved(Moved), columns = nv_of(Joint);
+  static constexpr int rows = detail::rows_of_moved(Moved), columns = nv_of(Joint);  ///< of the matrix
   using matrix_type = Eigen::Matrix<S, rows, columns>;
 
   std::array<partial_motion<Moved, S>, std::size_t{columns}> column{};
 
+  /// The Jacobian as a matrix.
   matrix_type matrix() const {
     return filled([](const auto& x, const auto& put) {
       if constexpr (Moved == kind::gen)
@@ -103,7 +104,8 @@ requires(is_coordinate(Joint) && !is_signal(Moved)) struct motion_jacobian {
     });
   }
 
-  /// The same of another frame X, which moves by `m` in this one: at p, R, with v, w in axes of X (frames/motion.hpp).
+  /// The Jacobian of another frame X, with the motion `m` in this one: at p, R, with v, w in axes of X
+  /// (frames/motion.hpp).
   ///
   ///   u' = R^T (u + w x p),   w' = R^T w                                              (1)
   ///   du'/dt = R^T (du/dt + dw/dt x p) + w' x v - w_X x u',   dw'/dt = R^T dw/dt - w_X x w'          (2)
@@ -141,22 +143,31 @@ requires(is_coordinate(Joint) && !is_signal(Moved)) struct motion_jacobian {
 };
 
 // By joint and frame, in the plane and in space.
+/// The Jacobian of a generalized coordinate by one.
 template <class S = double>
 using jacobian_gen_gen = motion_jacobian<kind::gen, kind::gen, S>;
+/// The Jacobian of a frame in the plane by a generalized coordinate.
 template <class S = double>
 using jacobian_gen_2D = motion_jacobian<kind::gen, kind::frame_2D, S>;
+/// The Jacobian of a frame in space by a generalized coordinate.
 template <class S = double>
 using jacobian_gen_3D = motion_jacobian<kind::gen, kind::frame_3D, S>;
+/// The Jacobian of a generalized coordinate by a pose in the plane.
 template <class S = double>
 using jacobian_2D_gen = motion_jacobian<kind::pose_2D, kind::gen, S>;
+/// The Jacobian of a frame in the plane by a pose in the plane.
 template <class S = double>
 using jacobian_2D_2D = motion_jacobian<kind::pose_2D, kind::frame_2D, S>;
+/// The Jacobian of a frame in space by a pose in the plane.
 template <class S = double>
 using jacobian_2D_3D = motion_jacobian<kind::pose_2D, kind::frame_3D, S>;
+/// The Jacobian of a generalized coordinate by a pose in space.
 template <class S = double>
 using jacobian_3D_gen = motion_jacobian<kind::pose_3D, kind::gen, S>;
+/// The Jacobian of a frame in the plane by a pose in space.
 template <class S = double>
 using jacobian_3D_2D = motion_jacobian<kind::pose_3D, kind::frame_2D, S>;
+/// The Jacobian of a frame in space by a pose in space.
 template <class S = double>
 using jacobian_3D_3D = motion_jacobian<kind::pose_3D, kind::frame_3D, S>;
 

@@ -2,7 +2,7 @@
 
 #include <kte/dynamics/jacobian_rate.hpp>
 #include <kte/reak/motion_jacobian.hpp>
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
 
 /// Motion Jacobians of a coordinate and a frame, or another coordinate, of a static or runtime chain.
 namespace kte {
@@ -38,15 +38,15 @@ auto coordinate_row(const Chain& c, const Q& q) {
     v[i] = D(1);
     const given g{at, each<D, decltype(v)>{v}, same<zero_t>{}, base_at_rest};
     row[static_cast<Eigen::Index>(i)] =
-        as<D>(motion_of<local_types<Chain, std::remove_const_t<decltype(g)>>, kind::gen, Slot>(c, g).q_dot);
+        as<D>(motion_of<flow_types<Chain, std::remove_const_t<decltype(g)>>, kind::gen, Slot>(c, g).q_dot);
     v[i] = D(0);
   }
   return row;
 }
 }  // namespace detail
 
-/// How the rates of `coordinate`, a degree of freedom, move `moved`, a frame or a generalized coordinate, where the
-/// chain moves by v: a `motion_jacobian` by the kinds of both, jacobian_gen_3D and its kin, for bases at rest.
+/// The Jacobian of `moved`, a frame or a generalized coordinate, by the rates of `coordinate`, a degree of freedom, at
+/// the velocities v: a `motion_jacobian` of the kinds of both, such as jacobian_gen_3D, for bases at rest.
 template <class Gravity, class... E, indexable Q, indexable V, key_type Coordinate, key_type Moved>
 auto motion_jacobian_of(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const Coordinate&,
                         const Moved& moved) {
@@ -58,7 +58,7 @@ auto motion_jacobian_of(const static_chain<Gravity, E...>& c, const Q& q, const 
   static_assert(is_coordinate(Coordinate::what) && slot >= 0, "kte: this chain has no coordinate of this name");
   constexpr freedom at = wiring::freedom_of(Coordinate::what, slot < 0 ? 0 : slot);
   static_assert(slot < 0 || at.what == Coordinate::what,
-                "kte: this coordinate is not a degree of freedom: its motion is given already");
+                "kte: this coordinate is not a degree of freedom: its motion is prescribed");
   using result = motion_jacobian<Coordinate::what, Moved::what, S>;
   if constexpr (Moved::what == kind::gen) {
     constexpr int of = wiring::template find<Moved>();
@@ -76,7 +76,7 @@ auto motion_jacobian_of(const static_chain<Gravity, E...>& c, const Q& q, const 
 
 namespace detail {
 /// Where the rates of a coordinate of kind K stand in v. Throws `unknown_name`, `bad_argument`.
-inline int place_in_v(const kte_map_chain& c, const name_or_handle& coordinate, kind k) {
+inline int place_in_v(const runtime_chain& c, const name_or_handle& coordinate, kind k) {
   const int slot = coordinate.find(c.wiring(), k);
   for (const freedom& f : c.wiring().free)
     if (f.what == k && f.slot == slot) return f.v;
@@ -85,14 +85,14 @@ inline int place_in_v(const kte_map_chain& c, const name_or_handle& coordinate, 
 }
 /// How generalized coordinate i moves by the rates of all degrees of freedom. At positions and rates that are good.
 template <class S>
-jacobian_with_rate<Eigen::Matrix<S, 1, Eigen::Dynamic>> coordinate_row_with_rate(const kte_map_chain& c,
+jacobian_with_rate<Eigen::Matrix<S, 1, Eigen::Dynamic>> coordinate_row_with_rate(const runtime_chain& c,
                                                                                  basic_runtime_state<S>& s, int i) {
   using row_type = Eigen::Matrix<S, 1, Eigen::Dynamic>;
   const auto& plan = s.tree().plan;
   jacobian_with_rate<row_type> row{row_type::Zero(plan.coordinates), row_type::Zero(plan.coordinates)};
   row.value[plan.row_of_gen[static_cast<std::size_t>(i)]] = S(1);
   bring_up_to_date(runtime_elements{c}, s);
-  hand_on_with_rates(runtime_elements{c}, s, [&row](int to, int from, const S& ratio, const S& change) {
+  pull_back_followers_with_rates(runtime_elements{c}, s, [&row](int to, int from, const S& ratio, const S& change) {
     row.rate[to] += ratio * row.rate[from] + change * row.value[from];
     row.value[to] += ratio * row.value[from];
   });
@@ -101,7 +101,7 @@ jacobian_with_rate<Eigen::Matrix<S, 1, Eigen::Dynamic>> coordinate_row_with_rate
 }
 /// At positions and rates that are good.
 template <class Result, class S>
-Result motion_jacobian_at_state(const kte_map_chain& c, basic_runtime_state<S>& s, const name_or_handle& coordinate,
+Result motion_jacobian_at_state(const runtime_chain& c, basic_runtime_state<S>& s, const name_or_handle& coordinate,
                                 const name_or_handle& moved) {
   const int first = place_in_v(c, coordinate, Result::joint), index = moved.find(c.wiring(), Result::moved);
   if constexpr (Result::moved == kind::gen) {
@@ -114,19 +114,20 @@ Result motion_jacobian_at_state(const kte_map_chain& c, basic_runtime_state<S>& 
 }
 }  // namespace detail
 
-/// The same, of the kinds that the result says, with bases as the state has them:
+/// The Jacobian of a frame or coordinate by a coordinate of a runtime chain, of the kinds given by the type of the
+/// result, with the bases of the state:
 ///
 ///   motion_jacobian_of<jacobian_gen_3D<>>(arm, s, q, v, "elbow", "tool")
 ///
-/// Throws `unknown_name` where a name is of another kind.
+/// Throws `unknown_name` if a name is of another kind.
 template <class Result, class S>
-Result motion_jacobian_of(const kte_map_chain& c, basic_runtime_state<S>& s, const name_or_handle& coordinate,
+Result motion_jacobian_of(const runtime_chain& c, basic_runtime_state<S>& s, const name_or_handle& coordinate,
                           const name_or_handle& moved) {
   detail::check_motion(c, s), detail::check_state_velocities(s);
   return detail::motion_jacobian_at_state<Result>(c, s, coordinate, moved);
 }
 template <class Result, class S, indexable Q, indexable V>
-Result motion_jacobian_of(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
+Result motion_jacobian_of(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
                           const name_or_handle& coordinate, const name_or_handle& moved) {
   detail::check_motion(c, s);
   (void)detail::place_in_v(c, coordinate, Result::joint), (void)moved.find(c.wiring(), Result::moved);

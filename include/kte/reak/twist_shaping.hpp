@@ -24,7 +24,8 @@ struct inertia_on<Key> {
 };
 template <key_type Key>
 inertia_on(const Key&) -> inertia_on<Key>;
-/// A coordinate that is a degree of freedom, or several: a number, or that of a free or spherical joint.
+/// A coordinate, by its `name`, that is a degree of freedom, or several: a number, or that of a free or spherical
+/// joint.
 template <class Name = std::string>
 struct moved_by {
   explicit moved_by(std::string_view n) : name(n) {}
@@ -36,20 +37,21 @@ struct moved_by<Key> {
 };
 template <key_type Key>
 moved_by(const Key&) -> moved_by<Key>;
-/// All bodies, all coordinates of the chain, as they come.
+/// Selects all bodies of a chain for a `mass_matrix_calc`.
 inline constexpr struct all_inertias_t {
 } all_inertias;
+/// Selects all coordinates of a chain for a `mass_matrix_calc`.
 inline constexpr struct all_coordinates_t {
 } all_coordinates;
 
-/// The twist-shaping matrix T, by which the rates of all bodies follow from those of the coordinates, its time
-/// derivative, and the masses M_c of the bodies, block by block.
+/// The twist-shaping matrix T (`value`), which maps the rates of the coordinates to the twists of all bodies, its time
+/// derivative (`rate`), and the masses M_c of the bodies, block by block.
 template <class Shaping = Eigen::MatrixXd, class Masses = Eigen::MatrixXd>
 struct twist_shaping_result {
   Shaping value, rate;
   Masses masses;
 };
-/// M and dM/dt.
+/// The mass matrix M (`value`) and its time derivative (`rate`).
 template <class Matrix = Eigen::MatrixXd>
 struct mass_matrix_with_rate {
   Matrix value, rate;
@@ -78,8 +80,7 @@ struct mass_matrix_with_rate {
 ///   ( m 1  -[h]x )
 ///   ( [h]x    I  )          (2)
 ///
-/// What is fed twice is refused, and what is no degree of freedom or has no mass; what has a mass between several
-/// things too.
+/// What is fed twice is refused, and what is no degree of freedom or has no mass; what has a distributed mass too.
 template <class Chain, class Bodies = std::index_sequence<>, class Coordinates = std::index_sequence<>>
 class mass_matrix_calc;
 

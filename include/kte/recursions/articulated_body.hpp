@@ -128,18 +128,24 @@ KTE_INLINE constexpr S least_inertia(const A& s, const I& linear, const J& angul
   return S(16) * std::numeric_limits<S>::epsilon() *
          as<S>(dot(s.linear, s.linear) * linear + dot(s.angular, s.angular) * angular);
 }
+/// Notes that an axis has nothing to move, d being what it moves: the first of all that are met, or -1.
+template <class S>
+KTE_INLINE constexpr void note(int& first, int axis, bool moves, const S&) {
+  if (!moves) [[unlikely]]
+    if (first < 0) first = axis;
+}
 /// Eliminates the axes of a joint from the last, one by one; the first is left to `seen_by_parent`, which bodies on
-/// bases do without. `bad` becomes the first axis that has nothing to move, unless it is one already.
-template <int K, body_with_axes B, class I, class W, class L, class A, class Force, class S>
+/// bases do without. `unmoved` notes axes that have nothing to move.
+template <int K, body_with_axes B, class I, class W, class L, class A, class Force, class S, class Unmoved>
 KTE_INLINE constexpr auto eliminate_axes(const B& b, const I& inertia, const W& bias, const L& linear, const A& angular,
-                                         const Force& force, axis_factors<S>* factors, int& bad) {
+                                         const Force& force, axis_factors<S>* factors, Unmoved& unmoved) {
+  constexpr std::integral_constant<int, K> k{};
   const auto s = b.template axis<K>();
   const auto u = accelerating_wrench(inertia, s.linear, s.angular);
   const S d = as<S>(power(s, u) + b.template mass<K>());
-  if (!all(d > least_inertia<S>(s, linear, angular))) [[unlikely]]
-    if (bad < 0) bad = b.first() + K;
+  note(unmoved, b.first() + K, all(d > least_inertia<S>(s, linear, angular)), d);
   const S inverse = S(1) / d;
-  const auto rate = inverse * (force(K) - power(s, bias));
+  const auto rate = inverse * (force(k) - power(s, bias));
   const wrench gain{inverse * u.force, inverse * u.torque};
   assign(factors[K].gain, gain);
   factors[K].rate = as<S>(rate), factors[K].inverse = inverse;
@@ -147,8 +153,8 @@ KTE_INLINE constexpr auto eliminate_axes(const B& b, const I& inertia, const W& 
   if constexpr (K == 0) {
     return y;
   } else {
-    const auto rest = after_elimination<K>(b, y, no_wrench, force(K));
-    return eliminate_axes<K - 1>(b, rest.inertia, rest.bias, linear, angular, force, factors, bad);
+    const auto rest = after_elimination<K>(b, y, no_wrench, force(k));
+    return eliminate_axes<K - 1>(b, rest.inertia, rest.bias, linear, angular, force, factors, unmoved);
   }
 }
 /// I^A and p^A of a body about the origin of its parent and in its axes.
@@ -161,19 +167,28 @@ KTE_INLINE constexpr auto pulled_back(const B& b, const articulated_body<I, W>& 
       shifted(p, i),
       wrench{fresh(force), plus_cross(b.out(x.bias.torque) + transpose(i.coupling) * centripetal, p, force)}};
 }
+/// Whether a body is known to have no axes: a rigid link.
+template <class B>
+inline constexpr bool without_joint = false;
+template <body_with_axes B>
+inline constexpr bool without_joint<B> = B::axes == 0;
 /// What a parent carries of a body.
 template <body B, class C, class Y, class Force>
 KTE_INLINE constexpr auto seen_by_parent(const B& b, const C& c, const Y& y, const Force& force) {
-  if constexpr (B::always_free) {
-    const auto left = after_elimination<0>(b, y, no_wrench, force(0)).inertia;
+  constexpr std::integral_constant<int, 0> first{};
+  if constexpr (without_joint<B>) {
+    const auto more = accelerating_wrench(y.inertia, c.linear, c.angular);
+    return pulled_back(b, articulated_body{y.inertia, y.bias + more}, c.centripetal);
+  } else if constexpr (B::always_free) {
+    const auto left = after_elimination<0>(b, y, no_wrench, force(first)).inertia;
     const auto more = accelerating_wrench(left, c.linear, c.angular);
-    return pulled_back(b, articulated_body{left, after_elimination<0>(b, y, more, force(0)).bias}, c.centripetal);
+    return pulled_back(b, articulated_body{left, after_elimination<0>(b, y, more, force(first)).bias}, c.centripetal);
   } else {
     using S = typename B::scalar;
     dense<S, decltype(articulated_body{y.inertia, y.bias})> left;
     if constexpr (body_with_axes<B>) {
       if (b.free())
-        assign(left, after_elimination<0>(b, y, no_wrench, force(0)));
+        assign(left, after_elimination<0>(b, y, no_wrench, force(first)));
       else
         assign(left, articulated_body{y.inertia, y.bias});
     } else {
@@ -186,28 +201,34 @@ KTE_INLINE constexpr auto seen_by_parent(const B& b, const C& c, const Y& y, con
 }
 
 /// The same, if the joint is free to move.
-template <body_with_axes B, class X, class Force, class S>
-KTE_INLINE constexpr auto eliminated(const B& b, const X& x, const Force& force, axis_factors<S>* factors, int& bad) {
-  const auto all_axes = [&]() KTE_INLINE_LAMBDA {
-    return eliminate_axes<B::axes - 1>(b, x.inertia, x.bias, trace(x.inertia.linear), trace(x.inertia.angular), force,
-                                       factors, bad);
-  };
-  if constexpr (B::always_free) {
-    return all_axes();
+template <body_with_axes B, class X, class Force, class S, class Unmoved>
+KTE_INLINE constexpr auto eliminated(const B& b, const X& x, const Force& force, axis_factors<S>* factors,
+                                     Unmoved& unmoved) {
+  if constexpr (B::axes == 0) {
+    return fresh(x);
   } else {
-    dense<S, decltype(all_axes())> y{};
-    if (b.free())
-      assign(y, all_axes());
-    else
-      assign(y.inertia, x.inertia), assign(y.bias, x.bias);
-    return y;
+    const auto all_axes = [&]() KTE_INLINE_LAMBDA {
+      return eliminate_axes<B::axes - 1>(b, x.inertia, x.bias, trace(x.inertia.linear), trace(x.inertia.angular), force,
+                                         factors, unmoved);
+    };
+    if constexpr (B::always_free) {
+      return all_axes();
+    } else {
+      dense<S, decltype(all_axes())> y{};
+      if (b.free())
+        assign(y, all_axes());
+      else
+        assign(y.inertia, x.inertia), assign(y.bias, x.bias);
+      return y;
+    }
   }
 }
 
 /// The same of a joint of several unit axes that are known by number, all of them, on I^A as a matrix of 6 x 6. Where
-/// nothing is handed on (`ends`), an axis needs no more than the rows of those before it.
+/// nothing goes to the parent (`ends`), an axis needs no more than the rows of those before it.
 template <body B, class X, class Force, class S>
-auto eliminated_by_number(const B& b, const X& x, const Force& force, axis_factors<S>* factors, bool ends, int& bad) {
+auto eliminated_by_number(const B& b, const X& x, const Force& force, axis_factors<S>* factors, bool ends,
+                          int& unmoved) {
   if (!b.free()) return fresh(x);
   const auto& [a, h, j] = x.inertia;
   S m[6][6]{{a.xx, a.xy, a.xz, h.x.x, h.x.y, h.x.z}, {a.xy, a.yy, a.yz, h.y.x, h.y.y, h.y.z},
@@ -219,8 +240,7 @@ auto eliminated_by_number(const B& b, const X& x, const Force& force, axis_facto
   for (int k = b.axis_count(); k-- > 0;) {
     const int n = b.axis_number(k);
     const S d = m[n][n], tau = as<S>(force(k));
-    if (bad < 0 && !all(d > least * (n < 3 ? linear : angular))) [[unlikely]]
-      bad = b.first() + k;
+    note(unmoved, b.first() + k, all(d > least * (n < 3 ? linear : angular)), d);
     const S inverse = S(1) / d, rate = inverse * (tau - p[n]);
     S u[6], gain[6];
     for (int c = 0; c < 6; ++c) u[c] = m[n][c], gain[c] = inverse * u[c], p[c] += rate * u[c];
@@ -292,26 +312,44 @@ KTE_INLINE auto bias_motions(const Driver& d, const Kept& kept, const S* rate, c
     return bias_motion_of(b, parent, rate + b.first(), change + b.first());
   });
 }
-/// Inward, (2), into `factors` of axes: own(body, bias motion) is p^A of the body alone, force(body)(k) acts on axis k
-/// of its joint. Returns the first axis met that has nothing to move, or -1.
-template <class Hand, class Driver, class Kept, class Biases, class Own, class Force, class S>
-KTE_INLINE int articulate(const Driver& d, const Kept& kept, const Biases& biases, const Own& own, const Force& force,
-                          axis_factors<S>* factors) {
-  int bad = -1;
-  d.template inward<false, Hand, false>(
-      kept, biases,
-      [=](const auto& b, const auto& m) KTE_INLINE_LAMBDA {
-        return articulated_body{to_articulated(b.composite()), own(b, m)};
-      },
-      [=, &bad](const body auto& b, const auto& x, bool ends) KTE_INLINE_LAMBDA {
-        if constexpr (body_with_axes<std::remove_cvref_t<decltype(b)>>)
-          return eliminated(b, x, force(b), factors + b.first(), bad);
-        else
-          return eliminated_by_number(b, x, force(b), factors + b.first(), ends, bad);
-      },
-      [=](const body auto& b, const auto& m, const auto& y)
-          KTE_INLINE_LAMBDA { return seen_by_parent(b, m, y, force(b)); });
-  return bad;
+/// Steps of (2): a body alone, with own(body, bias motion) for its p^A; its joint, with force(body)(k) on axis k; its
+/// parent.
+template <class Own>
+struct articulated_alone {
+  Own own;
+  template <class B, class M>
+  KTE_INLINE constexpr auto operator()(const B& b, const M& m) const {
+    return articulated_body{to_articulated(b.composite()), own(b, m)};
+  }
+};
+template <class S, class Force, class Unmoved>
+struct joint_elimination {
+  Force force;
+  axis_factors<S>* factors;
+  Unmoved& unmoved;
+  template <body B, class X, class Ends>
+  KTE_INLINE constexpr auto operator()(const B& b, const X& x, const Ends& ends) const {
+    if constexpr (body_with_axes<B>)
+      return eliminated(b, x, force(b), factors + b.first(), unmoved);
+    else
+      return eliminated_by_number(b, x, force(b), factors + b.first(), ends, unmoved);
+  }
+};
+template <class Force>
+struct articulated_to_parent {
+  Force force;
+  template <body B, class M, class Y>
+  KTE_INLINE constexpr auto operator()(const B& b, const M& m, const Y& y) const {
+    return seen_by_parent(b, m, y, force(b));
+  }
+};
+/// Inward, (2), into `factors` of axes. `unmoved` notes axes that have nothing to move.
+template <class Hand, class Driver, class Kept, class Biases, class Own, class Force, class S, class Unmoved>
+KTE_INLINE void articulate(const Driver& d, const Kept& kept, const Biases& biases, const Own& own, const Force& force,
+                           axis_factors<S>* factors, Unmoved& unmoved) {
+  d.template inward<false, Hand, false>(kept, biases, articulated_alone<Own>{own},
+                                        joint_elimination<S, Force, Unmoved>{force, factors, unmoved},
+                                        articulated_to_parent<Force>{force});
 }
 /// Articulated inertias alone: of a mechanism at rest, without loads and forces.
 struct rest {
@@ -320,24 +358,31 @@ struct rest {
     return [](int) KTE_INLINE_LAMBDA { return zero; };
   }
 };
-template <class Driver, class Kept, class S>
-KTE_INLINE int articulate_at_rest(const Driver& d, const Kept& kept, axis_factors<S>* factors) {
+template <class Driver, class Kept, class S, class Unmoved>
+KTE_INLINE void articulate_at_rest(const Driver& d, const Kept& kept, axis_factors<S>* factors, Unmoved& unmoved) {
   using inertia = articulated<sym3<S>, mat3<vec3<S>>, sym3<S>>;
-  return articulate<articulated_body<inertia, wrench<zero3, zero3>>>(
+  articulate<articulated_body<inertia, wrench<zero3, zero3>>>(
       d, kept, kept_constant<bias_motion<zero3, zero3, zero3, zero3>>{},
-      [](const auto&, const auto&) KTE_INLINE_LAMBDA { return no_wrench; }, rest{}, factors);
+      [](const auto&, const auto&) KTE_INLINE_LAMBDA { return no_wrench; }, rest{}, factors, unmoved);
 }
 /// Outward, (3): accelerations of all bodies, from those of bases in `kept`, and of axes.
-template <class Hand, class Driver, class Kept, class Biases, class S>
-KTE_INLINE void accelerate(const Driver& d, const Kept& kept, const Biases& biases, const axis_factors<S>* factors,
-                           S* change) {
-  d.template descend<Hand>(kept, biases, [=](const body auto& b, const auto& m, const auto& parent) KTE_INLINE_LAMBDA {
+template <class S>
+struct acceleration_of_child {
+  const axis_factors<S>* factors;
+  S* change;
+  template <body B, class M, class A>
+  KTE_INLINE constexpr auto operator()(const B& b, const M& m, const A& parent) const {
     const motion_vector a{
         b.in(plus_cross(parent.acceleration + m.centripetal, parent.ang_acceleration, b.position())) + m.linear,
         b.in(parent.ang_acceleration) + m.angular};
     const auto found = accelerated_if_free(b, factors + b.first(), a, change + b.first());
     return body_motion{skip{}, m.ang_velocity, found.linear, found.angular};
-  });
+  }
+};
+template <class Hand, class Driver, class Kept, class Biases, class S>
+KTE_INLINE void accelerate(const Driver& d, const Kept& kept, const Biases& biases, const axis_factors<S>* factors,
+                           S* change) {
+  d.template descend<Hand>(kept, biases, acceleration_of_child<S>{factors, change});
 }
 
 }  // namespace kte::engine

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kte/engine/body.hpp>
-#include <kte/math/rigid_body.hpp>
+#include <kte/frames/articulated.hpp>
 
 /// Composite inertias: of a body with all beyond it, as if their joints were locked (Featherstone 2008, section 6.2).
 namespace kte::engine {
@@ -14,14 +14,83 @@ KTE_INLINE constexpr auto inertia_seen_by_parent(const B& b, const I& i) {
   return composite{i.mass, h + i.mass * p,
                    kte::detail::shifted(b.out(i.inertia), p, h + kte::detail::half(i.mass) * p)};
 }
+/// Steps of composite inertias: what is fixed to a body or frame; nothing at the joint; to the parent.
+struct fixed_inertia {
+  template <class B, class Kept>
+  KTE_INLINE constexpr auto operator()(const B& b, const Kept&) const {
+    return fresh(b.composite());
+  }
+};
+struct same_inertia {
+  template <body B, class I, class Ends>
+  KTE_INLINE constexpr auto operator()(const B&, const I& i, const Ends&) const {
+    return fresh(i);
+  }
+};
+struct inertia_to_parent {
+  template <body B, class Kept, class I>
+  KTE_INLINE constexpr auto operator()(const B& b, const Kept&, const I& i) const {
+    return inertia_seen_by_parent(b, i);
+  }
+};
 /// Inward: the composite inertias of all bodies, into `kept`; with `Bases` those of bases too, which must hold their
 /// own.
 template <bool Bases, class Hand, class Driver, class Kept>
 KTE_INLINE void composite_inertias(const Driver& d, const Kept& kept) {
-  d.template inward<true, Hand, Bases>(
-      kept, kept_constant<nothing>{}, [](const auto& b, nothing) KTE_INLINE_LAMBDA { return fresh(b.composite()); },
-      [](const body auto&, const auto& i, bool) KTE_INLINE_LAMBDA { return fresh(i); },
-      [](const body auto& b, nothing, const auto& i) KTE_INLINE_LAMBDA { return inertia_seen_by_parent(b, i); });
+  d.template inward<true, Hand, Bases>(kept, kept_constant<nothing>{}, fixed_inertia{}, same_inertia{},
+                                       inertia_to_parent{});
+}
+/// The composite inertia of all that a frame carries, about its origin and in its axes; meet(body, inertia, place) is
+/// called of each body on it with what the body carries, and returns that.
+template <class Frame, class Driver, class Meet = same_inertia>
+KTE_INLINE constexpr auto composite_inertia_of(const Driver& d, const Meet& meet = {}) {
+  return d.template carried<Frame>(kept_constant<nothing>{}, fixed_inertia{}, meet, inertia_to_parent{});
+}
+
+/// put(i, j, s_i^T f) of the axes i of a body for a wrench f of axis j; then f goes on to the parent.
+template <class Put>
+struct column_to_parent {
+  const Put& put;
+  int j;
+  template <body_with_axes B, class W>
+  KTE_INLINE constexpr auto operator()(const B& b, const W& w) const {
+    each_power(b, w, [this, &b](int k, const auto& m) KTE_INLINE_LAMBDA { put(b.first() + k, j, m); });
+    return pulled_back(b, w);
+  }
+};
+/// The mass matrix (CRBA; Walker and Orin 1982; Featherstone 2008, section 6.2), while composite inertias I^c go
+/// inward: the wrench of a unit acceleration of an axis j goes on to the base, past axes i:
+///
+///   M_ij = s_i^T (I^c_j s_j)          (1)
+///
+/// A column is put.diagonal(j, M_jj) and put(i, j, M_ij) of each axis i that is met.
+template <class Put>
+struct mass_columns {
+  const Put& put;
+  template <body_with_axes B, class I, class Place>
+  KTE_INLINE constexpr auto operator()(const B& b, const I& composite_inertia, const Place& place) const {
+    columns<0>(b, composite_inertia, place);
+    return fresh(composite_inertia);
+  }
+
+ private:
+  template <int K, class B, class I, class Place>
+  KTE_INLINE constexpr void columns(const B& b, const I& composite_inertia, const Place& place) const {
+    if constexpr (K < B::axes) {
+      const auto s = b.template axis<K>();
+      const auto w = accelerating_wrench(composite_inertia, s.linear, s.angular);
+      const int j = b.first() + K;
+      put.diagonal(j, power(s, w));
+      each_power<0, K>(b, w, [this, &b, j](int k, const auto& m) KTE_INLINE_LAMBDA { put(b.first() + k, j, m); });
+      place.ancestors(pulled_back(b, w), column_to_parent<Put>{put, j});
+      columns<K + 1>(b, composite_inertia, place);
+    }
+  }
+};
+template <class Driver, class Put>
+KTE_INLINE constexpr void mass_matrix(const Driver& d, const Put& put) {
+  d.template inward<false, nothing, false>(nothing{}, kept_constant<nothing>{}, fixed_inertia{}, mass_columns<Put>{put},
+                                           inertia_to_parent{});
 }
 
 }  // namespace kte::engine

@@ -36,11 +36,11 @@ KTE_INLINE constexpr auto moved(const B& b, const M& parent, const S* rate, cons
                          ((constant<2>{} * cross(w_in, v_j) + cross(w_j, v_j)) + a_j),
                      b.in(al) + (cross(w_in, w_j) + al_j)};
 }
-/// The wrench that a body needs for its motion (Newton and Euler), at its origin:
+/// The wrench on a body that makes its motion (Newton and Euler), at its origin:
 ///
 ///   f = m (a + al x c + w x (w x c)),   n = I al + w x I w + c x f          (4)
 template <class B, class M>
-KTE_INLINE constexpr auto needed_wrench(const B& b, const M& m) {
+KTE_INLINE constexpr auto body_wrench(const B& b, const M& m) {
   const auto& [mass, c, inertia, published] = b.inertia();
   const auto& [v, w, a, al] = m;
   const auto f = mass * plus_cross(plus_cross(a, al, c), w, cross(w, c));
@@ -71,7 +71,7 @@ KTE_INLINE void transmit(const Driver& d, const Kept& kept, const Motions& m, co
 template <bool Keep, class Driver, class Kept, class Motions, class Load, class S>
 KTE_INLINE void transmitted_forces(const Driver& d, const Kept& kept, const Motions& m, const Load& load, S* force) {
   transmit<Keep>(
-      d, kept, m, [=](const auto& b, const auto& moves) KTE_INLINE_LAMBDA { return needed_wrench(b, moves) - load(b); },
+      d, kept, m, [=](const auto& b, const auto& moves) KTE_INLINE_LAMBDA { return body_wrench(b, moves) - load(b); },
       force);
 }
 /// The same of loads alone.

@@ -6,13 +6,13 @@
 
 namespace kte {
 
-/// What is odd about a robot, in words, each with its line if it is from a file: what reading it warned of (inertias
-/// that no body can have, angles that are nearly quarter turns, axes of other lengths), what makes no tree, joints that
-/// move no mass, ranges of nothing, efforts and rates of 0, and a mass matrix that is nearly singular at one of twenty
-/// random configurations (always the same). No findings: an empty list.
-std::vector<robot_note> check_robot(const robot_description& d, const robot_options& options = {});
-/// The same of a robot as it is, by its coordinates, with what `check_chain` finds.
-std::vector<robot_note> check_robot(const robot& r);
+/// Probable mistakes in a robot, as messages with their line if it is from a file: warnings of reading (inertias that
+/// are not physically realizable, angles that are nearly quarter turns, axes that are not of length 1), links that do
+/// not form a tree, joints that move no mass, empty ranges, efforts and rates of 0, and a mass matrix that is nearly
+/// singular at one of twenty random configurations (fixed seed). Without findings the list is empty.
+[[nodiscard]] std::vector<robot_note> check_robot(const robot_description& d, const robot_options& options = {});
+/// Probable mistakes in a robot, by its coordinates, with those that `check_chain` finds.
+[[nodiscard]] std::vector<robot_note> check_robot(const robot& r);
 
 }  // namespace kte
 

@@ -5,13 +5,14 @@
 
 namespace kte {
 
-/// The reverse of `to_robot`: what a chain is as links and joints. Throws `bad_argument`, with the element, for what is
-/// neither: springs between frames, rotors, motors, what is in the plane, a coordinate of two joints. What a
-/// description has no place for, the smoothing of friction, is in its `not_read`.
-robot_description describe(const kte_map_chain& chain, const std::string& name = "robot");
-/// The same with limits and shapes. Throws `bad_parameter` for limits that are none of the chain (`check_limits`).
-/// Limits of acceleration and jerk, and those of coordinates of several numbers, have no place, and are in `not_read`.
-robot_description describe(const robot& r);
+/// The inverse of `to_robot`: the links and joints of a chain. Throws `bad_argument`, naming the element, for elements
+/// that are neither: springs between frames, rotors, motors, elements in the plane, a coordinate of two joints.
+/// Properties without a field in the description, such as the smoothing of friction, are listed in its `not_read`.
+[[nodiscard]] robot_description describe(const runtime_chain& chain, const std::string& name = "robot");
+/// The links and joints of a robot, with limits and shapes. Throws `bad_parameter` for limits that do not fit the chain
+/// (`check_limits`). Limits of acceleration and jerk, and those of coordinates of several numbers, are listed in
+/// `not_read`.
+[[nodiscard]] robot_description describe(const robot& r);
 
 }  // namespace kte
 
@@ -19,7 +20,7 @@ robot_description describe(const robot& r);
 #  include <kte/robots/detail/chain_reader.hpp>
 
 namespace kte {
-KTE_FUNCTION robot_description describe(const kte_map_chain& chain, const std::string& name) {
+KTE_FUNCTION robot_description describe(const runtime_chain& chain, const std::string& name) {
   return detail::chain_reader(chain, name).read();
 }
 KTE_FUNCTION robot_description describe(const robot& r) {

@@ -15,7 +15,7 @@ namespace detail {
 
 class header_writer {
  public:
-  header_writer(const kte_map_chain& chain, const std::string& name)
+  header_writer(const runtime_chain& chain, const std::string& name)
       : robot_(robot_identifier(name)), of_robot_(robot_.ends_with('_') ? robot_ : robot_ + '_') {
     chain.for_each_element([this](const kte_element& e) { add(e); });
     const vec3<>& g = chain.gravity();
@@ -86,25 +86,26 @@ class header_writer {
 }  // namespace detail
 
 /// A chain as a C++ header: keys in `robots::NAME_names`, the chain `robots::NAME`, constexpr, with typed constants
-/// where its numbers are exact zeros, ones and quarter turns, and, if they are given, `robots::NAME_limits`. It needs
-/// only this library. The same chain gives the same text. The key of a name is that name with an underscore behind,
-/// `elbow_`, so that it is no macro and no word of C++; other characters than letters and digits become one too, and
-/// where two names become the same the later one has a number. Throws `bad_argument` for a chain that holds code, or
-/// elements that are not of this library.
-inline std::string to_header(const kte_map_chain& chain, const std::string& name) {
+/// where its numbers are exact zeros, ones and quarter turns, and, if given, `robots::NAME_limits`. The header needs
+/// only this library. Equal chains give equal texts. The key of a name is the name with a trailing underscore,
+/// `elbow_`, so that it is neither a macro nor a keyword; characters other than letters and digits become underscores,
+/// and of two equal names the second gets a number. Throws `bad_argument` for a chain with functions of the program, or
+/// with elements that are not of this library.
+[[nodiscard]] inline std::string to_header(const runtime_chain& chain, const std::string& name) {
   return detail::header_writer(chain, name).text(nullptr);
 }
-/// Also throws `bad_parameter` for limits that are none of this chain.
-inline std::string to_header(const kte_map_chain& chain, const std::string& name, const joint_limits<>& limits) {
+/// A chain with its limits as a C++ header. Throws also `bad_parameter` for limits that do not fit the chain.
+[[nodiscard]] inline std::string to_header(const runtime_chain& chain, const std::string& name,
+                                           const joint_limits<>& limits) {
   check_limits(chain, limits);
   return detail::header_writer(chain, name).text(&limits);
 }
 template <class Gravity, class... E>
-std::string to_header(const static_chain<Gravity, E...>& chain, const std::string& name) {
-  kte_map_chain c;
+[[nodiscard]] std::string to_header(const static_chain<Gravity, E...>& chain, const std::string& name) {
+  runtime_chain c;
   return to_header(c << chain, name);
 }
-inline std::string to_header(const model_record& model, const std::string& name) {
+[[nodiscard]] inline std::string to_header(const model_record& model, const std::string& name) {
   return to_header(to_chain(model), name);
 }
 

@@ -6,15 +6,15 @@
 
 namespace kte {
 
-/// A robot from a text in MJCF, the format of MuJoCo; `name` is what messages call it. Throws `bad_file` with line and
-/// element.
-inline robot_description from_mjcf(std::string_view text, const std::string& name = "MJCF",
-                                   const robot_options& options = {}) {
+/// The description of a robot by a text in MJCF, the format of MuJoCo; `name` is that of the file in messages. Throws
+/// `bad_file` with line and element.
+[[nodiscard]] inline robot_description from_mjcf(std::string_view text, const std::string& name = "MJCF",
+                                                 const robot_options& options = {}) {
   return detail::read_mjcf(detail::parse_xml(text, name), name, options, detail::parse_xml_file);
 }
 
-/// The same from a file.
-inline robot_description load_mjcf(const std::filesystem::path& path, const robot_options& options = {}) {
+/// The description of a robot by a file in MJCF. Throws `bad_file` with line and element.
+[[nodiscard]] inline robot_description load_mjcf(const std::filesystem::path& path, const robot_options& options = {}) {
   return from_mjcf(detail::text_of_file(path), path.string(), options);
 }
 

@@ -5,14 +5,16 @@
 
 namespace kte {
 
-/// A robot as MJCF that MuJoCo reads, from 2.2.2 on, with the shortest digits that read back to the same numbers.
-/// Rotations are quaternions: of quarter turns they come back exactly, others to 4e-16. Inertias are principal moments
-/// and a quaternion. Throws `bad_argument`, with the joint or link, for what changes the motion and MJCF cannot say
-/// (docs/robots.md): followers, bodies that move without mass, moments that no body can have, poses that float in what
-/// moves; `robot_writing::lossy` has them as near as may be. What else is not in the file is listed.
-std::string to_mjcf(const robot_description& d, const robot_writing& o = {});
-std::string to_mjcf(const robot& r, const robot_writing& o = {});
-std::string to_mjcf(const kte_map_chain& c, const std::string& name = "robot", const robot_writing& o = {});
+/// A robot as MJCF for MuJoCo 2.2.2 or later, with the shortest digits that restore every number. Rotations are
+/// quaternions: quarter turns are restored exactly, others to 4e-16. Inertias are principal moments and a quaternion.
+/// Throws `bad_argument`, naming the joint or link, for contents that change the motion and that MJCF does not support
+/// (docs/robots.md): followers, moving bodies without mass, moments that are not physically realizable, floating poses
+/// in a moving link; with `robot_writing::lossy` they are approximated. Other contents that are not in the file are
+/// listed.
+[[nodiscard]] std::string to_mjcf(const robot_description& d, const robot_writing& o = {});
+[[nodiscard]] std::string to_mjcf(const robot& r, const robot_writing& o = {});
+[[nodiscard]] std::string to_mjcf(const runtime_chain& c, const std::string& name = "robot",
+                                  const robot_writing& o = {});
 
 }  // namespace kte
 
@@ -27,7 +29,7 @@ KTE_FUNCTION std::string to_mjcf(const robot& r, const robot_writing& o) {
   const auto d = describe(r);
   return detail::mjcf_writer(d, o, d.not_read).write();
 }
-KTE_FUNCTION std::string to_mjcf(const kte_map_chain& c, const std::string& name, const robot_writing& o) {
+KTE_FUNCTION std::string to_mjcf(const runtime_chain& c, const std::string& name, const robot_writing& o) {
   const auto d = describe(c, name);
   return detail::mjcf_writer(d, o, d.not_read).write();
 }

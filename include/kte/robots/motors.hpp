@@ -5,17 +5,18 @@
 
 namespace kte {
 
-/// Adds the motors of a robot to its chain, a `joint_motor_gen` each, with a command for an input, and lists them in
-/// `robot.motors`, which is also the order of inputs:
+/// Adds the motors of a robot to its chain, a `joint_motor_gen` each, with a command as input, and lists them in
+/// `robot.motors`, in the order of inputs:
 ///   MJCF    <actuator> motor, position, velocity, general: gear, gains, ranges of commands and forces
-///   URDF    <transmission>; of a file without one, and of SDF, one for each joint that moves by itself
-/// In MJCF a command is that of the actuator, else the force of the joint, behind its gear. Forces are kept within the
-/// limit of the joint's effort, if there is one. Damping, friction and armature are in the chain already. What cannot
-/// be had is in `warnings`, by name, what does not hold motors in `not_read`. An input is called as its actuator, or
-/// `JOINT.motor` where that has no name, or a coordinate has it.
+///   URDF    <transmission>; for a file without one, and for SDF, one for each joint that is not a follower
 ///
-/// Throws `bad_argument` for a robot that has motors, and for options that make no sense, `bad_parameter` for limits
-/// that do not fit the chain; nothing has changed then.
+/// A command in MJCF is that of the actuator, else the force of the joint, after the gear. Forces are limited to the
+/// effort of the joint, if any. Damping, friction and armature are in the chain before. Motors that are not supported
+/// are listed in `warnings`, other contents in `not_read`. An input has the name of its actuator, or `JOINT.motor`
+/// where that has no name, or a coordinate has it.
+///
+/// Throws `bad_argument` for a robot that has motors, and for invalid options, `bad_parameter` for limits that do not
+/// fit the chain, and then has changed nothing.
 void add_motors(robot& r, const motor_options& options = {});
 
 }  // namespace kte

@@ -8,45 +8,49 @@
 
 namespace kte {
 
-/// How a robot is read and made into a chain.
+/// Options of reading a robot and making a chain of it.
 struct robot_options {
-  /// Angles this near to a multiple of pi/2, rad, are taken for one, so that rotations have zeros and ones. Files with
-  /// fewer digits need more: 1e-6 takes 1.570796 for pi/2.
+  /// Angles within this distance of a multiple of pi/2, rad, are rounded to it, so that rotations have zeros and ones.
+  /// Files with fewer digits need more: 1e-6 rounds 1.570796 to pi/2.
   double quarter_turn_tolerance = 1e-15;
-  /// In the axes of the root link, or of the world of a floating base, m/s^2. If left out, what the file says, and of
-  /// formats that say nothing (0, 0, -9.81).
+  /// Gravity in the axes of the root link, or of the world for a floating base, m/s^2. Without it, that of the file, or
+  /// (0, 0, -9.81) for formats without gravity.
   std::optional<vec3<>> gravity{};
-  /// The link that is the base of the chain; the file's root if empty. Joints on the way are turned round.
+  /// The link that is the base of the chain; the root of the file if empty. Joints between them are reversed.
   std::string root{};
-  /// Whether the root moves freely in `world`, by a coordinate of six degrees of freedom of the name `base_coordinate`.
+  /// Whether the root moves freely in the frame `world`, by a coordinate of six degrees of freedom named
+  /// `base_coordinate`.
   bool floating_base = false;
+  /// The name of the coordinate of a floating base.
   std::string base_coordinate = "floating_base";
+  /// The name of the frame in which a floating base moves.
   std::string world = "world";
-  /// Whether bodies of links that are fixed to others are added to theirs. Frames stay.
+  /// Whether bodies of links that are fixed to another link are merged into its body. Frames stay.
   bool fold_fixed = false;
-  /// Whether damping and dry friction of joints become elements, as also springs and rotor inertias.
+  /// Whether damping, dry friction, springs and rotor inertias of joints become elements.
   bool joint_dynamics = true;
   /// Dry friction changes its sign over this rate, rad/s or m/s (docs/elements.md, `joint_friction`).
   double friction_smoothing = 1e-3;
-  /// Refuses what moves differently from the robot of the file: every note that `changes_motion`. Else it is a warning.
+  /// Whether a robot that moves differently from that of the file is rejected: every note with `changes_motion`.
+  /// Otherwise these are warnings.
   bool strict = false;
-  /// The model of a file in SDF that has several (`models`).
+  /// The model to read from an SDF file with several (`models`).
   std::string model{};
-  /// Folders in which files of `model://name/...` and `package://name/...` are looked for, after the folder of the
-  /// robot's file and those around it.
+  /// Folders to search for files `model://name/...` and `package://name/...`, after the folder of the robot's file and
+  /// its parents.
   std::vector<std::string> search_path{};
 };
 
-/// What `add_motors` makes of a robot beside what its file says.
+/// Options of `add_motors`.
 struct motor_options {
-  /// Motors that follow a force become servos k (u - q) - c q', whose command u is where the joint should be: N/m or
-  /// Nm/rad, N s/m or Nm s/rad. 0: they stay as they are. Those with gains in the file keep theirs.
+  /// Stiffness and damping of servos k (u - q) - c q', whose command u is the desired position, N/m or Nm/rad, N s/m or
+  /// Nm s/rad, instead of motors whose command is a force; 0: unchanged. Motors with gains in the file are unchanged.
   double stiffness = 0, damping = 0;
-  /// Ranges of joints become stops (`joint_limit_gen`) of this stiffness and damping; 0: they do not.
+  /// Stiffness and damping of stops at the ends of the ranges of joints (`joint_limit_gen`); 0: no stops.
   double stop_stiffness = 0, stop_damping = 0;
 };
 
-/// `load_robot(file, kte::strict)`: the options with `strict`.
+/// The type of `strict`, which converts to options with `strict`.
 struct strict_reading {
   operator robot_options() const {
     robot_options o;
@@ -54,6 +58,7 @@ struct strict_reading {
     return o;
   }
 };
+/// Options with `strict`: `load_robot(file, kte::strict)`.
 inline constexpr strict_reading strict{};
 
 }  // namespace kte

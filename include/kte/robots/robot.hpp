@@ -6,12 +6,16 @@
 
 namespace kte {
 
-/// A robot read from a file (`load_robot`): a chain, and what a chain has no place for.
-///   chain        frames are named as the links, coordinates as the joints
-///   limits       over v, from the file; infinite where it says nothing
-///   soft_limits  the same, with the narrower range of safety controllers where there is one
-///   joints       the coordinates of joints that move, in the file's order, with those that follow others
+/// A robot read from a file (`load_robot`): a chain and further data.
+///   name            of the robot
+///   chain           frames are named as the links, coordinates as the joints
+///   limits          over v, from the file; infinite where it has none
+///   soft_limits     limits with the narrower range of safety controllers, where the file has it
+///   joints          the coordinates of joints that move, in the order of the file, including followers
+///   shapes          visual and collision shapes
+///   configurations  named configurations
 struct robot {
+  /// A shape in the `frame` of its link; `collision`: for collision, not visual.
   struct shape : robot_shape {
     std::string frame;
     bool collision = false;
@@ -23,23 +27,23 @@ struct robot {
     std::string input, joint;
     int v = 0;
   };
-  /// A configuration of the whole robot, by name.
+  /// A named configuration of the whole robot.
   struct configuration {
     std::string name;
     std::vector<double> q;  ///< in the order of the chain
   };
   std::string name;
-  kte_map_chain chain;
+  runtime_chain chain;
   joint_limits<> limits, soft_limits;
   std::vector<std::string> joints;
   std::vector<shape> shapes;
-  std::vector<robot_actuator> actuators;  ///< as the file has them
-  std::vector<motor> motors;              ///< those in the chain (`add_motors`)
+  std::vector<robot_actuator> actuators;  ///< actuators in the file
+  std::vector<motor> motors;              ///< motors in the chain (`add_motors`)
   std::vector<configuration> configurations;
-  std::vector<robot_note> not_read;      ///< what the file holds and the chain does not, with lines
-  std::vector<robot_note> warnings;      ///< first what moves differently from the file's robot, then what is odd
-  std::string file;                      ///< what messages call the file; meshes are looked for around it
-  std::vector<std::string> search_path;  ///< where else: robot_options::search_path
+  std::vector<robot_note> not_read;      ///< contents of the file that are not in the chain, with lines
+  std::vector<robot_note> warnings;      ///< first differences in motion from the file's robot, then probable mistakes
+  std::string file;                      ///< name of the file in messages; meshes are searched for around it
+  std::vector<std::string> search_path;  ///< further folders: robot_options::search_path
 };
 
 }  // namespace kte

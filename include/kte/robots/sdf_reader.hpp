@@ -6,15 +6,15 @@
 
 namespace kte {
 
-/// A robot from a text in SDF; `name` is what messages call it. Throws `bad_file` with line and
+/// The description of a robot by a text in SDF; `name` is that of the file in messages. Throws `bad_file` with line and
 /// element.
-inline robot_description from_sdf(std::string_view text, const std::string& name = "SDF",
-                                  const robot_options& options = {}) {
+[[nodiscard]] inline robot_description from_sdf(std::string_view text, const std::string& name = "SDF",
+                                                const robot_options& options = {}) {
   return detail::read_sdf(detail::parse_xml(text, name), name, options, detail::parse_xml_file);
 }
 
-/// The same from a file.
-inline robot_description load_sdf(const std::filesystem::path& path, const robot_options& options = {}) {
+/// The description of a robot by a file in SDF. Throws `bad_file` with line and element.
+[[nodiscard]] inline robot_description load_sdf(const std::filesystem::path& path, const robot_options& options = {}) {
   return from_sdf(detail::text_of_file(path), path.string(), options);
 }
 

@@ -5,10 +5,10 @@
 
 namespace kte {
 
-/// A robot as a chain. Throws `bad_file` where links and joints make no tree or a joint cannot be had (with file and
-/// line), `bad_argument` for options that do not fit. Bodies whose principal moments no body can have are taken as
-/// published, with a warning.
-robot to_robot(const robot_description& description, const robot_options& options = {});
+/// Makes the chain of a robot. Throws `bad_file`, with file and line, if links and joints do not form a tree or a joint
+/// is not supported, `bad_argument` for options that do not fit. Bodies with principal moments that are not physically
+/// realizable are accepted as published, with a warning.
+[[nodiscard]] robot to_robot(const robot_description& description, const robot_options& options = {});
 
 }  // namespace kte
 

@@ -6,14 +6,15 @@
 
 namespace kte {
 
-/// A robot from a text in URDF; `name` is what messages call it. Throws `bad_file` with line and element.
-inline robot_description from_urdf(std::string_view text, const std::string& name = "URDF",
-                                   const robot_options& options = {}) {
+/// The description of a robot by a text in URDF; `name` is that of the file in messages. Throws `bad_file` with line
+/// and element.
+[[nodiscard]] inline robot_description from_urdf(std::string_view text, const std::string& name = "URDF",
+                                                 const robot_options& options = {}) {
   return detail::read_urdf(detail::parse_xml(text, name), name, options);
 }
 
-/// The same from a file.
-inline robot_description load_urdf(const std::filesystem::path& path, const robot_options& options = {}) {
+/// The description of a robot by a file in URDF. Throws `bad_file` with line and element.
+[[nodiscard]] inline robot_description load_urdf(const std::filesystem::path& path, const robot_options& options = {}) {
   return from_urdf(detail::text_of_file(path), path.string(), options);
 }
 

@@ -5,14 +5,15 @@
 
 namespace kte {
 
-/// A robot as URDF, with the shortest digits that read back to the same numbers. Rotations are written as roll, pitch
-/// and yaw: of quarter turns they come back exactly, others to 4e-16. Where there is no limit the file has 1e308, which
-/// every reader takes, and `to_robot` for none. Throws `bad_argument`, with the joint, for what changes the motion and
-/// URDF cannot say: spherical joints; springs and rotor inertias, which `robot_writing::lossy` leaves out. What else is
-/// not in the file is listed: gravity, motors, planes, ellipsoids.
-std::string to_urdf(const robot_description& d, const robot_writing& o = {});
-std::string to_urdf(const robot& r, const robot_writing& o = {});
-std::string to_urdf(const kte_map_chain& c, const std::string& name = "robot", const robot_writing& o = {});
+/// A robot as URDF, with the shortest digits that restore every number. Rotations are roll, pitch and yaw: quarter
+/// turns are restored exactly, others to 4e-16. A missing limit is written as 1e308, which every reader accepts and
+/// `to_robot` takes as none. Throws `bad_argument`, naming the joint, for contents that change the motion and that URDF
+/// does not support: spherical joints; springs and rotor inertias, which `robot_writing::lossy` omits. Other contents
+/// that are not in the file are listed: gravity, motors, planes, ellipsoids.
+[[nodiscard]] std::string to_urdf(const robot_description& d, const robot_writing& o = {});
+[[nodiscard]] std::string to_urdf(const robot& r, const robot_writing& o = {});
+[[nodiscard]] std::string to_urdf(const runtime_chain& c, const std::string& name = "robot",
+                                  const robot_writing& o = {});
 
 }  // namespace kte
 
@@ -27,7 +28,7 @@ KTE_FUNCTION std::string to_urdf(const robot& r, const robot_writing& o) {
   const auto d = describe(r);
   return detail::urdf_writer(d, o, d.not_read).write();
 }
-KTE_FUNCTION std::string to_urdf(const kte_map_chain& c, const std::string& name, const robot_writing& o) {
+KTE_FUNCTION std::string to_urdf(const runtime_chain& c, const std::string& name, const robot_writing& o) {
   const auto d = describe(c, name);
   return detail::urdf_writer(d, o, d.not_read).write();
 }

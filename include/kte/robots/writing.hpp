@@ -6,18 +6,18 @@
 
 namespace kte {
 
-/// How a robot is written into a file (`to_urdf`, `to_mjcf`).
+/// Options of writing a robot into a file (`to_urdf`, `to_mjcf`).
 struct robot_writing {
-  /// Where what is not in the file as it is in the robot is listed, with lines of the file that the robot is from. The
-  /// entries are also comments at the head of the text.
+  /// Receives notes on the contents of the robot that are not in the file as they are in the robot, with lines of the
+  /// file that the robot is from. The notes are also comments at the top of the text.
   std::vector<robot_note>* not_written = nullptr;
-  /// Whether what the format cannot say and changes the motion is written as near as may be, or left out, and listed;
-  /// else it is refused.
+  /// Whether contents that the format does not support and that change the motion are approximated or omitted, and
+  /// listed; otherwise they are rejected.
   bool lossy = false;
-  /// MJCF: whether limits of efforts are written (actuatorfrcrange: MuJoCo reads it from 2.3.7 on), else listed.
+  /// MJCF: whether limits of efforts are written (actuatorfrcrange, MuJoCo 2.3.7 or later); otherwise they are listed.
   bool effort_limits = false;
-  /// The path that is written for the mesh of a shape; of an empty one the shape is left out, and listed. If it is not
-  /// set, URDF has paths as they are, and MJCF absolute ones of the files that are there; others are left out.
+  /// Returns the path to write for the mesh of a shape; for an empty path the shape is omitted, and listed. Without it
+  /// URDF has the paths unchanged, and MJCF absolute paths of the files that exist; other meshes are omitted.
   std::function<std::string(const std::string& mesh)> mesh_path{};
 };
 

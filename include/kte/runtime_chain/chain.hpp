@@ -11,40 +11,40 @@
 
 namespace kte {
 
-/// A chain put together at run time, under names that are texts:
+/// A chain assembled at run time, with texts as names:
 ///
-///   kte_map_chain c;
+///   runtime_chain c;
 ///   c << revolute_joint_2D("q", "base", "joint") << rigid_link_2D("joint", "tip", along_x(0.5));
 ///
-/// The same elements, rules and passes as in a static chain. A static chain is appended as one element, of another
-/// runtime chain its elements. Elements do not change once they are in; a chain is a value and may be shared between
-/// threads, each with a state of its own. One that is moved from is empty.
-class kte_map_chain : public kte_map {
+/// Elements, rules and passes are those of static chains. A static chain is appended as one element; of another runtime
+/// chain all elements are appended. Elements do not change after they are appended. A chain is a value and may be
+/// shared between threads, each with its own state. A chain that was moved from is empty.
+class runtime_chain : public kte_map {
  public:
-  kte_map_chain() = default;
-  kte_map_chain(const kte_map_chain& o) : kte_map(o), gravity_(o.gravity_), gravity_is_written_(o.gravity_is_written_) {
+  runtime_chain() = default;
+  runtime_chain(const runtime_chain& o) : kte_map(o), gravity_(o.gravity_), gravity_is_written_(o.gravity_is_written_) {
     auto all = o.copies();
     add(all.data(), all.size(), {});
     if (o.use_ == use::whole) topology_.edit().layout = o.topology_->layout;
   }
-  kte_map_chain(kte_map_chain&& o) noexcept { swap(o); }
-  kte_map_chain& operator=(kte_map_chain o) noexcept {
+  runtime_chain(runtime_chain&& o) noexcept { swap(o); }
+  runtime_chain& operator=(runtime_chain o) noexcept {
     swap(o);
     return *this;
   }
 #ifdef KTE_EXTERN
-  ~kte_map_chain() override;  // where it is, virtual functions are compiled
+  ~runtime_chain() override;  // where it is, virtual functions are compiled
 #else
-  ~kte_map_chain() override = default;
+  ~runtime_chain() override = default;
 #endif
 
-  /// Appends an element, a static chain, or a chain. Throws `bad_wiring`; the chain is then as before.
+  /// Appends an element, a static chain, or a chain. Throws `bad_wiring`, with strong exception guarantee.
   template <class Core>
-  kte_map_chain& operator<<(named_element<Core> e) {
+  runtime_chain& operator<<(named_element<Core> e) {
     return append(std::make_unique<kte_map_adapter<Core>>(std::move(e)));
   }
   template <class... Core>
-  kte_map_chain& operator<<(named_elements<Core...> e) {
+  runtime_chain& operator<<(named_elements<Core...> e) {
     std::apply(
         [this](auto&... each) {
           std::unique_ptr<kte_map> all[]{std::make_unique<kte_map_adapter<Core>>(std::move(each))...};
@@ -54,66 +54,70 @@ class kte_map_chain : public kte_map {
     return *this;
   }
   template <class Gravity, class... E>
-  kte_map_chain& operator<<(const static_chain<Gravity, E...>& c) {
+  runtime_chain& operator<<(const static_chain<Gravity, E...>& c) {
     return append(std::make_unique<static_chain_map<static_chain<Gravity, E...>>>(c));
   }
-  kte_map_chain& operator<<(const kte_map_chain& c) {
+  runtime_chain& operator<<(const runtime_chain& c) {
     auto all = c.copies();
     add(all.data(), all.size(), c.gravity_);
     return *this;
   }
   template <class Core, class... Keys>
-  kte_map_chain& operator<<(const element<Core, Keys...>&) {
+  runtime_chain& operator<<(const element<Core, Keys...>&) {
     static_assert(
         detail::fit<Core>,
         "kte: a runtime chain is connected by texts; elements with keys are for kte::chain, and static chains "
         "can be appended");
     return *this;
   }
-  kte_map_chain& operator<<(detail::refused) { return *this; }
+  runtime_chain& operator<<(detail::refused) { return *this; }
   template <class T>
-  requires(!std::is_class_v<T>) kte_map_chain& operator<<(const T&) {
+  requires(!std::is_class_v<T>) runtime_chain& operator<<(const T&) {
     static_assert(detail::fit<T>, "kte: a chain is made of elements and of chains, and this is neither");
     return *this;
   }
-  /// A runtime chain gives its elements away: what still points to it can only throw `bad_argument`.
-  kte_map_chain& append(std::unique_ptr<kte_map> e);
+  /// Appends an element, a static chain or a chain. The elements of a runtime chain are moved out of it; calls through
+  /// other pointers to it throw `bad_argument`. Throws `bad_wiring`.
+  runtime_chain& append(std::unique_ptr<kte_map> e);
 
-  /// Gravity in the axes of the bases, m/s^2; a new state starts with bases accelerated against it. Written here it
-  /// holds for the whole, whatever its parts have; else the chain takes that of the first part appended that has one,
-  /// not zero, and refuses another (`bad_wiring`). States made before are refused where it changes. Throws
-  /// `bad_parameter` for what is not finite.
+  /// Sets gravity, m/s^2, in the axes of the bases; a new state starts with bases accelerated against it. It holds for
+  /// the whole chain, whatever gravity its parts have. Without it the chain takes the gravity of the first appended
+  /// part with one other than zero, and rejects a different one (`bad_wiring`). A change invalidates states made
+  /// before. Throws `bad_parameter` unless it is finite.
   template <class X, class Y, class Z>
-  kte_map_chain& gravity(const vec3<X, Y, Z>& g) {
+  runtime_chain& gravity(const vec3<X, Y, Z>& g) {
     detail::check_gravity(g);
     put_gravity(as<double>(g)), gravity_is_written_ = true;
     return *this;
   }
-  /// `.gravity({0, 0, -9.81})`
-  kte_map_chain& gravity(const vec3<>& g) { return gravity<double, double, double>(g); }
+  /// Sets gravity, m/s^2: `.gravity({0, 0, -9.81})`.
+  runtime_chain& gravity(const vec3<>& g) { return gravity<double, double, double>(g); }
   template <class Number>
-  kte_map_chain& gravity(const Number&) {
+  runtime_chain& gravity(const Number&) {
     static_assert(detail::fit<Number>,
                   "kte: gravity is a vector in the axes of the bases, m/s^2: .gravity(kte::along_z(-9.81))");
     return *this;
   }
   vec3<> gravity() const override { return gravity_; }
 
-  /// Looked up once, for calls that take a name: a frame of either kind, a coordinate of any kind, an input, an
-  /// internal state. Throws `unknown_name`.
+  /// A handle of a frame, in the plane or in space, for calls that take a name. Throws `unknown_name`.
   handle frame(std::string_view name) const { return handle_of(name, is_frame, "frame"); }
+  /// A handle of a coordinate of any kind. Throws `unknown_name`.
   handle coordinate(std::string_view name) const { return handle_of(name, is_coordinate, "coordinate"); }
+  /// A handle of an input. Throws `unknown_name`.
   handle input(std::string_view name) const {
     return handle_of(
         name, [](kind k) { return k == kind::input; }, "input");
   }
+  /// A handle of an internal state. Throws `unknown_name`.
   handle internal(std::string_view name) const {
     return handle_of(
         name, [](kind k) { return k == kind::internal; }, "internal state");
   }
 
-  /// A state for this chain: everything at zero and at rest. Throws `bad_wiring` if an element acts on a coordinate
-  /// by which nothing moves, `bad_argument` if S is not double and elements have laws of their own.
+  /// A state for this chain: all coordinates and rates are zero, and the bases accelerate against gravity. Throws
+  /// `bad_wiring` if an element acts on a coordinate by which nothing moves, `bad_argument` if S is not double and
+  /// there are elements other than joints, links and bodies.
   template <class S = double>
   basic_runtime_state<S> make_state() const;
 
@@ -130,15 +134,15 @@ class kte_map_chain : public kte_map {
     for (auto e = elements_.rbegin(); e != elements_.rend(); ++e) (*e)->doForce(s);
   }
 
-  /// The signals that elements write (measures, controls), in their order, as of the last doMotion: a name and the
-  /// numbers of each.
+  /// A signal that an element writes (measures, controls): its `name` and `numbers`.
   struct output {
     std::string_view name;
     std::vector<double> numbers;
   };
+  /// The signals that elements write, in their order, computed by the last doMotion.
   std::vector<output> outputs(const runtime_state& s) const;
 
-  std::unique_ptr<kte_map> clone() const override { return std::make_unique<kte_map_chain>(*this); }
+  std::unique_ptr<kte_map> clone() const override { return std::make_unique<runtime_chain>(*this); }
   void for_each_element(const std::function<void(const kte_element&)>& visit) const override {
     for (const auto& e : elements_) e->for_each_element(visit);
   }
@@ -147,20 +151,21 @@ class kte_map_chain : public kte_map {
       if (const kte_map* part = e->unrecorded()) return part;
     return nullptr;
   }
-  /// For elements that hold a chain: it is then a part, without states of its own.
+  /// Makes this chain a part of another one, without its own states.
   void connect(topology& t) override {
     for (const auto& e : elements_) e->connect(t);
     topology_ = {}, use_ = use::part;
   }
 
-  /// Throws `bad_argument` if it is part of another chain.
+  /// The wiring of the chain. Throws `bad_argument` if the chain is part of another one.
   const topology& wiring() const {
     if (use_ != use::whole) [[unlikely]]
-      throw bad_argument("kte: this chain has become part of another one, which alone has its wiring and states");
+      throw bad_argument("kte: this chain is part of another one: use the wiring and states of that one");
     return *topology_;
   }
-  /// Degrees of freedom, and numbers of a configuration.
+  /// The number of degrees of freedom.
   int dofs() const { return wiring().nv; }
+  /// The number of entries in a configuration q.
   int nq() const { return wiring().nq; }
   /// Throws `bad_argument` unless the state was made for this chain as it is now.
   template <class S>
@@ -191,8 +196,8 @@ class kte_map_chain : public kte_map {
   /// All or none: `all` is then moved from, or the chain is as before. (A span takes 200 templates more.)
   void add(std::unique_ptr<kte_map>* all, std::size_t count, const vec3<>& part);
   /// All elements of a chain, which is then of no use; `owner` holds it. Or the chain is as before.
-  void take(kte_map_chain& c, std::unique_ptr<kte_map> owner);
-  void swap(kte_map_chain& o) noexcept {
+  void take(runtime_chain& c, std::unique_ptr<kte_map> owner);
+  void swap(runtime_chain& o) noexcept {
     std::swap(elements_, o.elements_), std::swap(emptied_, o.emptied_), std::swap(topology_, o.topology_);
     std::swap(gravity_, o.gravity_), std::swap(gravity_is_written_, o.gravity_is_written_),
         o.use_ = std::exchange(use_, o.use_);
@@ -205,9 +210,11 @@ class kte_map_chain : public kte_map {
   bool gravity_is_written_ = false;
   use use_ = use::whole;
 };
+/// The name that it has in ReaK.
+using kte_map_chain = runtime_chain;
 
 template <class S>
-basic_runtime_state<S> kte_map_chain::make_state() const {
+basic_runtime_state<S> runtime_chain::make_state() const {
   const auto& t = wiring();
   t.check_complete();
   basic_runtime_state<S> s(topology_);
@@ -218,11 +225,18 @@ basic_runtime_state<S> kte_map_chain::make_state() const {
     if (t.writers[2][i] < 0) s.template get<kind::frame_3D>(static_cast<int>(i)).acceleration = up;
   return s;
 }
+/// `make_state<S>(c)` and `dofs(c)`, as for static chains.
+template <class S = double>
+[[nodiscard]] basic_runtime_state<S> make_state(const runtime_chain& c) {
+  return c.make_state<S>();
+}
+[[nodiscard]] inline int dofs(const runtime_chain& c) { return c.dofs(); }
+
 #ifdef KTE_FUNCTION
 #  ifdef KTE_EXTERN
-kte_map_chain::~kte_map_chain() = default;
+runtime_chain::~runtime_chain() = default;
 #  endif
-KTE_FUNCTION std::vector<kte_map_chain::output> kte_map_chain::outputs(const runtime_state& s) const {
+KTE_FUNCTION std::vector<runtime_chain::output> runtime_chain::outputs(const runtime_state& s) const {
   check(s);
   std::vector<output> all;
   for (const auto& e : wiring().elements) {
@@ -240,18 +254,18 @@ KTE_FUNCTION std::vector<kte_map_chain::output> kte_map_chain::outputs(const run
   }
   return all;
 }
-KTE_FUNCTION kte_map_chain& kte_map_chain::append(std::unique_ptr<kte_map> e) {
-  if (!e) throw bad_argument("kte: nothing can be appended to a chain by a null pointer");
+KTE_FUNCTION runtime_chain& runtime_chain::append(std::unique_ptr<kte_map> e) {
+  if (!e) throw bad_argument("kte: a null pointer cannot be appended to a chain");
   kte_map& part = *e;
-  if (typeid(part) == typeid(kte_map_chain)) {
-    auto& c = static_cast<kte_map_chain&>(part);
+  if (typeid(part) == typeid(runtime_chain)) {
+    auto& c = static_cast<runtime_chain&>(part);
     take(c, std::move(e));
   } else {
     add(&e, 1, part.gravity());
   }
   return *this;
 }
-KTE_FUNCTION handle kte_map_chain::handle_of(std::string_view name, bool (*fits)(kind), const char* wanted) const {
+KTE_FUNCTION handle runtime_chain::handle_of(std::string_view name, bool (*fits)(kind), const char* wanted) const {
   const topology& t = wiring();
   const kind k = t.kind_of(name, fits(kind::frame_3D));
   if (!fits(k))
@@ -259,7 +273,7 @@ KTE_FUNCTION handle kte_map_chain::handle_of(std::string_view name, bool (*fits)
                        (wanted[0] == 'i' ? "an " : "a ") + wanted);
   return {k, t.find(name, k), t.layout};
 }
-KTE_FUNCTION kte_map_chain::parts kte_map_chain::copies() const {
+KTE_FUNCTION runtime_chain::parts runtime_chain::copies() const {
   parts all;
   all.reserve(elements_.size());
   for (const auto& e : elements_) {
@@ -268,12 +282,12 @@ KTE_FUNCTION kte_map_chain::parts kte_map_chain::copies() const {
   }
   return all;
 }
-KTE_FUNCTION vec3<> kte_map_chain::with_gravity_of(const vec3<>& part) const {
+KTE_FUNCTION vec3<> runtime_chain::with_gravity_of(const vec3<>& part) const {
   if (gravity_is_written_) return gravity_;
   detail::check_one_gravity(boost::hana::make_tuple(gravity_, part));
   return detail::gravity_of_both(gravity_, part);
 }
-KTE_FUNCTION void kte_map_chain::add(std::unique_ptr<kte_map>* all, std::size_t count, const vec3<>& part) {
+KTE_FUNCTION void runtime_chain::add(std::unique_ptr<kte_map>* all, std::size_t count, const vec3<>& part) {
   (void)wiring();
   const vec3<> g = with_gravity_of(part);
   if (count == 0) return put_gravity(g);
@@ -290,7 +304,7 @@ KTE_FUNCTION void kte_map_chain::add(std::unique_ptr<kte_map>* all, std::size_t 
   for (std::size_t i = 0; i < count; ++i) elements_.push_back(std::move(all[i]));
   gravity_ = g;
 }
-KTE_FUNCTION void kte_map_chain::take(kte_map_chain& c, std::unique_ptr<kte_map> owner) {
+KTE_FUNCTION void runtime_chain::take(runtime_chain& c, std::unique_ptr<kte_map> owner) {
   // The fewer to the more, and no room is kept: a nest is as large as it is deep, not as its square.
   parts& more = emptied_.size() < c.emptied_.size() ? c.emptied_ : emptied_;
   parts& fewer = &more == &emptied_ ? c.emptied_ : emptied_;
@@ -313,14 +327,14 @@ KTE_FUNCTION void kte_map_chain::take(kte_map_chain& c, std::unique_ptr<kte_map>
 }
 #endif
 #ifdef KTE_EXTERN
-KTE_EXTERN template runtime_state kte_map_chain::make_state<double>() const;
+KTE_EXTERN template runtime_state runtime_chain::make_state<double>() const;
 #endif
 
-/// A runtime chain as plain data; what is in it is listed element by element. Throws `bad_argument` if a part of it is
+/// The record of a runtime chain; elements of its parts are listed one by one. Throws `bad_argument` if a part is
 /// neither an element nor a chain.
-model_record record_of(const kte_map_chain& c);
+[[nodiscard]] model_record record_of(const runtime_chain& c);
 #ifdef KTE_FUNCTION
-KTE_FUNCTION model_record record_of(const kte_map_chain& c) {
+KTE_FUNCTION model_record record_of(const runtime_chain& c) {
   if (const kte_map* part = c.unrecorded())
     throw bad_argument("kte: the chain holds a '" + detail::type_text(*part) +
                        "', which no record or file can hold: it is neither an element (a kte_element) nor a chain");

@@ -1,22 +1,22 @@
 #pragma once
 
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
 
 namespace kte {
 
-/// What is odd about a chain, in words, though it may be meant: a coordinate that moves several joints, and a degree of
-/// freedom that moves masses on coordinates alone, where nothing else is connected to it or a joint's coordinate is
-/// nearly of its name. No findings: an empty list.
-std::vector<std::string> check_chain(const kte_map_chain& c);
-/// The same of a static chain.
+/// Probable mistakes in a chain, as messages: a coordinate that moves several joints, and a degree of freedom that
+/// moves only masses on coordinates, if nothing else is connected to it, or its name is nearly that of the coordinate
+/// of a joint. Without findings the list is empty.
+[[nodiscard]] std::vector<std::string> check_chain(const runtime_chain& c);
+/// Probable mistakes in a static chain; see above.
 template <class Gravity, class... E>
-std::vector<std::string> check_chain(const static_chain<Gravity, E...>& c) {
-  kte_map_chain r;
+[[nodiscard]] std::vector<std::string> check_chain(const static_chain<Gravity, E...>& c) {
+  runtime_chain r;
   return check_chain(r << c);
 }
 
 #ifdef KTE_FUNCTION
-KTE_FUNCTION std::vector<std::string> check_chain(const kte_map_chain& c) {
+KTE_FUNCTION std::vector<std::string> check_chain(const runtime_chain& c) {
   const topology& t = c.wiring();
   struct users {
     std::string joints, first_mass;
@@ -29,7 +29,7 @@ KTE_FUNCTION std::vector<std::string> check_chain(const kte_map_chain& c) {
     for (std::size_t p = 0; p < e.ports.size(); ++p) {
       const auto k = static_cast<std::size_t>(e.ports[p].what), i = static_cast<std::size_t>(e.index[p]);
       auto& x = used[k][i];
-      if (e.stiff && is_coordinate(e.ports[p].what) && is_frame(e.ports.back().what)) {
+      if (e.rigid && is_coordinate(e.ports[p].what) && is_frame(e.ports.back().what)) {
         x.joints += (x.joint_count++ == 0 ? "" : ", ") + t.describe(e);
         moving.push_back(t.names[k][i]);
       } else if (e.ports.size() > 1 || !detail::wiring_rules::moves(e.ports[p].how)) {
@@ -47,7 +47,8 @@ KTE_FUNCTION std::vector<std::string> check_chain(const kte_map_chain& c) {
     if (joint_count > 0 || mass.empty()) continue;
     const auto meant = detail::did_you_mean(name, moving);
     if (others == 0 || !meant.empty())
-      found.push_back(mass + " has a degree of freedom of its own, '" + name + "', by which no joint moves" + meant);
+      found.push_back(mass + " is moved by a separate degree of freedom, '" + name + "', by which no joint moves" +
+                      meant);
   }
   return found;
 }

@@ -6,9 +6,9 @@
 
 namespace kte::detail {
 
-/// What a runtime state has for elements with laws of their own, in dual numbers: coordinates and frames, and bodies,
-/// on which the frames stand. It goes with a state of numbers, which has all else. A template, though of one scalar
-/// alone: headers that know it do not instantiate what is in it.
+/// What a runtime state has for elements with their own laws, in dual numbers: coordinates and frames, and bodies, on
+/// which the frames stand. It goes with a state of numbers, which has all else. A template, though of one scalar alone:
+/// headers that know it do not instantiate what is in it.
 template <class D>
 class basic_derivative_state {
  public:
@@ -20,7 +20,7 @@ class basic_derivative_state {
         freedoms_(t.free),
         tree_(std::move(tree)),
         things_([&t](kind k) { return t.count(k); }),
-        work(tree_->forest),
+        work(tree_->body_tree),
         q(static_cast<std::size_t>(t.nq)),
         v(static_cast<std::size_t>(t.nv)),
         a(v),
@@ -36,7 +36,7 @@ class basic_derivative_state {
   }
   std::span<const freedom> freedoms() const { return freedoms_; }
   const runtime_tree<double>& tree() const { return *tree_; }
-  /// Of the chain for which it was made.
+  /// The wiring of the chain for which it was made.
   const std::shared_ptr<const char>& layout() const { return layout_; }
 
  private:

@@ -107,7 +107,7 @@ void assign(element<Core, Keys...>& e, const element_record& r, std::size_t numb
       value = n < r.parameters.size() && r.parameters[n].name == name;
       if (!value) return;
     }
-    if (n == r.parameters.size()) at.fail("has not the parameters of its type");
+    if (n == r.parameters.size()) at.fail("does not have the parameters of its type");
     const auto& p = r.parameters[n++];
     if (p.name != name) at.fail("has a parameter '" + p.name + "' instead of '" + name + "'");
     const record_place here{to_string(p.place) + which + ", " + name};
@@ -115,7 +115,7 @@ void assign(element<Core, Keys...>& e, const element_record& r, std::size_t numb
     reader(value);
     reader.finish();
   });
-  if (n != r.parameters.size()) at.fail("has not the parameters of its type");
+  if (n != r.parameters.size()) at.fail("does not have the parameters of its type");
   const std::array<std::string_view, sizeof...(Keys)> names{Keys::name...};
   parameter_check::breach broken;
   const parameter_check where{Core::type, Core::ports, names, broken};
@@ -129,7 +129,7 @@ void assign(element<Core, Keys...>& e, const element_record& r, std::size_t numb
 /// A static chain of the type of `like` with the numbers of a record. Elements, connections and typed constants must be
 /// those of the type; throws `bad_file` that says which is not, or `bad_parameter`.
 template <class Gravity, class... E>
-static_chain<Gravity, E...> from_record(const static_chain<Gravity, E...>& like, const model_record& r) {
+[[nodiscard]] static_chain<Gravity, E...> from_record(const static_chain<Gravity, E...>& like, const model_record& r) {
   auto elements = like.elements();
   if (r.elements.size() != sizeof...(E))
     throw bad_file("kte: the model has " + std::to_string(r.elements.size()) + " elements, the static chain " +

@@ -9,12 +9,13 @@ namespace kte {
 /// whose gravity is changed, has others.
 class handle {
  public:
+  /// What it is: a coordinate, a frame, an input, ...
   kind what() const { return what_; }
-  /// Among things of its kind.
+  /// Its index among items of its kind.
   int index() const { return index_; }
 
  private:
-  friend class kte_map_chain;
+  friend class runtime_chain;
   friend class name_or_handle;
   handle(kind what, int index, std::shared_ptr<const char> layout)
       : what_(what), index_(index), layout_(std::move(layout)) {}
@@ -23,14 +24,15 @@ class handle {
   std::shared_ptr<const char> layout_;
 };
 
-/// The argument of calls that take a name or a handle.
+/// An argument that is a name or a handle.
 class name_or_handle {
  public:
   template <text_type Text>
   name_or_handle(const Text& name) : name_(name) {}         // NOLINT(google-explicit-constructor)
   name_or_handle(const handle& known) : handle_(&known) {}  // NOLINT(google-explicit-constructor)
 
-  /// The kind and index of a frame. Throws `unknown_name`, or `bad_argument` for a handle of another chain.
+  /// The kind and index of a frame of the chain. Throws `unknown_name`, or `bad_argument` for a handle of another
+  /// chain.
   std::pair<kind, int> frame_of(const topology& t) const {
     if (handle_ == nullptr) return t.frame(name_);
     check(t);
@@ -38,7 +40,7 @@ class name_or_handle {
       throw bad_argument("kte: this is the handle of " + text(handle_->what_) + ", not of a frame");
     return {handle_->what_, handle_->index_};
   }
-  /// The index of a thing of kind k, likewise.
+  /// The index of an item of kind k. Throws `unknown_name`, or `bad_argument` for a handle of another chain.
   int find(const topology& t, kind k) const {
     if (handle_ == nullptr) return t.find(name_, k);
     check(t);
@@ -58,7 +60,7 @@ class name_or_handle {
   const handle* handle_ = nullptr;
 };
 
-/// What names a frame or another thing of a runtime chain.
+/// A type that names an item of a runtime chain: a text or a handle.
 template <class T>
 concept names_something = text_type<T> || std::is_same_v<T, handle>;
 

@@ -18,6 +18,7 @@ namespace kte {
 class kte_element;
 template <class S>
 class basic_runtime_state;
+/// The state of a runtime chain in double.
 using runtime_state = basic_runtime_state<double>;
 namespace detail {
 /// In which derivatives go through elements, four directions at a time.
@@ -28,7 +29,7 @@ using derivative_state = basic_derivative_state<derivative_number>;
 }  // namespace detail
 class topology;
 
-/// A kinetostatic transmission element of a runtime chain: a type-erased element, a static chain, or a chain of such.
+/// A kinetostatic transmission element of a runtime chain: an element, a static chain, or a chain of such.
 class kte_map {
  public:
   virtual ~kte_map() = default;
@@ -37,65 +38,69 @@ class kte_map {
 
   /// Motion from input frames to output frames.
   virtual void doMotion(runtime_state&) const = 0;
-  /// Forces on all its frames and coordinates to zero.
+  /// Sets the forces on all its frames and coordinates to zero.
   virtual void clearForce(runtime_state&) const = 0;
-  /// Forces from output frames, and its own, to input frames.
+  /// Transmits forces from output frames, and adds its own, to input frames.
   virtual void doForce(runtime_state&) const = 0;
 
+  /// A copy.
   virtual std::unique_ptr<kte_map> clone() const = 0;
-  /// What it was made for, m/s^2: a chain to which it is appended takes it. Zero is none.
+  /// Its gravity, m/s^2, which a chain takes when it is appended. Zero is none.
   virtual vec3<> gravity() const { return {}; }
   /// Calls `visit` for every single element in it, in order.
   virtual void for_each_element(const std::function<void(const kte_element&)>& visit) const = 0;
-  /// The first part of it that no record can hold, being more than the elements it lists: itself, if it is neither an
-  /// element nor a chain.
+  /// The first part that records cannot hold, as it is neither an element nor a chain; null if there is none.
   virtual const kte_map* unrecorded() const { return this; }
-  /// Connects all its elements to a chain; when that goes back after a failure, once more. Throws `bad_wiring`.
+  /// Connects all its elements to a chain; called again if the chain is restored after a failure. Throws `bad_wiring`.
   virtual void connect(topology&) = 0;
 
  protected:
   kte_map(const kte_map&) = default;
 };
 
-/// A single element, with what the algorithms need of it beyond the passes.
+/// A single element, with the functions that the algorithms need.
 class kte_element : public kte_map {
  public:
-  /// Type, names of connections, parameters.
+  /// Its record: type, names of connections, parameters.
   virtual element_record record() const = 0;
   const kte_map* unrecorded() const final { return nullptr; }
 
   virtual std::string_view type() const = 0;
   virtual std::span<const port> ports() const = 0;
-  /// What the ports are connected to.
+  /// The names that its ports are connected to.
   virtual std::span<const std::string> names() const = 0;
-  /// Whether it holds functions of its program, which no record can.
+  /// Whether it holds functions of the program, which a record cannot hold.
   virtual bool holds_code() const = 0;
-  /// Its own, after doMotion, J; gravity is the chain's.
+  /// Its kinetic energy after doMotion, J.
   virtual double kinetic_energy(runtime_state&) const = 0;
+  /// Its potential energy after doMotion, J, without that in gravity.
   virtual double potential_energy(runtime_state&) const = 0;
-  /// What goes through zero where its law changes, after doMotion; 1 where it does not change.
+  /// The function that goes through zero where its law changes, after doMotion; 1 if it never does.
   virtual double switching(runtime_state&) const = 0;
-  /// Whether it ever does.
+  /// Whether its law changes at events.
   virtual bool switches() const = 0;
 
-  /// What it is to the loops over records (tree/record.hpp).
+  /// What it is to the loops over body nodes (tree/body_node.hpp).
   virtual detail::element_numbers<double> numbers() const = 0;
-  /// Of a mass between several ports: adds its loads for accelerations alone; m c in axes of the base, after doMotion.
+  /// For a distributed mass: adds its loads due to accelerations alone.
   virtual void mass_loads(runtime_state&) const = 0;
+  /// For a distributed mass: its first moment m c in axes of the base, kg m, after doMotion.
   virtual vec3<> first_moment(runtime_state&) const = 0;
-  /// Whether it holds its coordinate, and by how large a force it could, N or Nm; what it keeps after its law has
-  /// changed.
+  /// Whether it locks its coordinate.
   virtual bool holds(runtime_state&) const = 0;
+  /// The largest holding force, N or Nm.
   virtual double capacity(runtime_state&) const = 0;
+  /// Updates its mode after its law has changed.
   virtual void switch_over(runtime_state&) const = 0;
-  /// Of a joint: its friction, N or Nm, where that depends on the wrench that it carries at its end.
+  /// For a joint with load-dependent friction: its friction, N or Nm, under the wrench at its end.
   virtual double friction(runtime_state&, const wrench<vec3<>, vec3<>>& end) const = 0;
-  /// Of an element that acts on coordinates alone: subtracts the derivatives of its forces.
+  /// For an element that acts on coordinates only: subtracts the derivatives of its forces.
   virtual void derive_forces(runtime_state&) const = 0;
-  /// doMotion and doForce with derivatives, of an element that is more than a joint, a link or a body.
+  /// doMotion with derivatives, for an element other than a joint, a link or a body.
   virtual void derive_motion(detail::derivative_state&) const = 0;
+  /// doForce with derivatives, for an element other than a joint, a link or a body.
   virtual void derive_force(detail::derivative_state&) const = 0;
-  /// Its friction with derivatives, of a joint that has it by the wrench that it carries at its end.
+  /// For a joint with load-dependent friction: its friction with derivatives.
   virtual detail::derivative_number derive_friction(
       detail::derivative_state&,
       const wrench<vec3<detail::derivative_number>, vec3<detail::derivative_number>>& end) const = 0;
@@ -115,8 +120,8 @@ class kte_element : public kte_map {
   }
 };
 
-/// In a message.
-inline std::string describe_element(const kte_element& e) {
+/// An element in messages: "revolute_joint_3D (coordinate 'q', base 'a', end 'b')".
+[[nodiscard]] inline std::string describe_element(const kte_element& e) {
   const std::vector<std::string_view> names(e.names().begin(), e.names().end());
   return describe_element(e.type(), e.ports(), names);
 }

@@ -3,14 +3,14 @@
 #include <kte/contract/force_derivatives.hpp>
 #include <kte/runtime_chain/derivative_state.hpp>
 #include <kte/runtime_chain/kte_map.hpp>
-#include <kte/runtime_chain/lean_pass.hpp>
+#include <kte/runtime_chain/out_of_line_pass.hpp>
 #include <kte/runtime_chain/runtime_state.hpp>
 
 #include <algorithm>
 
 namespace kte {
 
-/// An element of a runtime chain: the same core as in a static chain, connected by texts.
+/// An element of a runtime chain: the core of a static chain, connected by texts.
 template <class Core>
 class kte_map_adapter final : public kte_element {
  public:
@@ -38,7 +38,7 @@ class kte_map_adapter final : public kte_element {
     t.connect(this, Core::type, Core::ports, names_);
     auto& c = t.elements.back();
     std::copy(c.index.begin(), c.index.end(), index_.begin());
-    c.stiff = detail::is_transmission<Core>, c.spreads = detail::spreads_mass<Core>;
+    c.rigid = detail::is_transmission<Core>, c.distributed_mass = detail::distributed_mass<Core>;
     c.load = detail::is_load<Core>, c.closes = detail::is_closure<Core>;
     const bool on_frames =
         std::any_of(Core::ports.begin(), Core::ports.end(), [](const port& p) { return is_frame(p.what); });
@@ -56,7 +56,7 @@ class kte_map_adapter final : public kte_element {
   double switching(runtime_state& s) const override { return as<double>(on(s).switching(inputs{})); }
   bool switches() const override {
     using number = decltype(on(std::declval<runtime_state&>()).switching(inputs{}));
-    return !typed_constant<number> || detail::holds_coordinate<Core>;
+    return !typed_constant<number> || detail::locks_coordinate<Core>;
   }
 
   detail::element_numbers<double> numbers() const override { return detail::numbers_of<double>(core_); }
@@ -71,18 +71,18 @@ class kte_map_adapter final : public kte_element {
   void derive_forces(runtime_state& s) const override { detail::subtract_force_derivatives(core_, s, index_.data()); }
   void derive_motion(detail::derivative_state& s) const override {
     if constexpr (detail::acts<Core>)
-      detail::lean_pass<Core, detail::derivative_state>(core_, s, index_.data()).motion();
+      detail::out_of_line_pass<Core, detail::derivative_state>(core_, s, index_.data()).motion();
   }
   void derive_force(detail::derivative_state& s) const override {
     if constexpr (detail::acts<Core>)
-      detail::lean_pass<Core, detail::derivative_state>(core_, s, index_.data()).force();
+      detail::out_of_line_pass<Core, detail::derivative_state>(core_, s, index_.data()).force();
   }
   detail::derivative_number derive_friction(
       [[maybe_unused]] detail::derivative_state& s,
       [[maybe_unused]] const wrench<vec3<detail::derivative_number>, vec3<detail::derivative_number>>& end)
       const override {
-    if constexpr (detail::reads_reaction<Core>)
-      return detail::lean_pass<Core, detail::derivative_state>(core_, s, index_.data()).friction(end);
+    if constexpr (detail::load_dependent_friction<Core>)
+      return detail::out_of_line_pass<Core, detail::derivative_state>(core_, s, index_.data()).friction(end);
     else
       return {};
   }

@@ -8,8 +8,8 @@
 
 namespace kte {
 
-/// The layout of a chain: where its coordinates stand in q and v.
-inline std::vector<layout_entry<std::string>> layout(const kte_map_chain& c) {
+/// The layout of a chain: the places of its coordinates in q and v.
+[[nodiscard]] inline std::vector<layout_entry<std::string>> layout(const runtime_chain& c) {
   std::vector<layout_entry<std::string>> table;
   for (const auto& f : c.wiring().free)
     table.push_back({c.wiring().names[static_cast<std::size_t>(f.what)][static_cast<std::size_t>(f.slot)], f.what, f.q,
@@ -19,4 +19,4 @@ inline std::vector<layout_entry<std::string>> layout(const kte_map_chain& c) {
 
 }  // namespace kte
 
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>

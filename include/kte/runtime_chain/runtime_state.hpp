@@ -14,7 +14,7 @@
 namespace kte {
 
 namespace detail {
-/// What a state makes for itself when it is first wanted: copies of it begin without.
+/// Memory that a state allocates at first use; copies start without it.
 class own_memory {
  public:
   own_memory() = default;
@@ -40,24 +40,24 @@ class own_memory {
 }  // namespace detail
 
 /// The state of a runtime chain: every coordinate, frame and input by name, and the working memory of the algorithms.
-/// A value; one that is moved from is a state of a chain without elements.
+/// It is a value; a state that was moved from is that of a chain without elements.
 ///
 ///   s.frame_2D("joint").position,  s.coordinate("q").q_ddot,  s.input("motor") = 2.0
 ///
 /// S: double, or for chains of joints, links and bodies another scalar: float, long double, `dual`, `pack` for several
-/// states at once, numbers of more digits. `runtime_state` is that of double, which alone goes through passes.
+/// states at once, multiprecision numbers. Only `runtime_state`, in double, has passes.
 template <class S>
 class basic_runtime_state {
  public:
   using scalar = S;
   using parameter = detail::plain_scalar<S>;
   using tree_type = detail::runtime_tree<parameter>;
-  static constexpr bool has_sines = false;  ///< whether coordinates come with theirs
+  static constexpr bool has_sines = false;  ///< whether sines of coordinates are stored
 
   explicit basic_runtime_state(shared_topology t);
   basic_runtime_state(const basic_runtime_state& o);
   basic_runtime_state(basic_runtime_state&& o) noexcept;
-  /// All or nothing. Allocates only where the states are of other chains.
+  /// Strong exception guarantee. Allocates only if the states are of different chains.
   basic_runtime_state& operator=(const basic_runtime_state& o);
   basic_runtime_state& operator=(basic_runtime_state&& o) noexcept {
     basic_runtime_state moved(std::move(o));
@@ -66,7 +66,7 @@ class basic_runtime_state {
   }
   ~basic_runtime_state();
 
-  /// Thing i of kind K, for the passes.
+  /// Item i of kind K, for the passes.
   template <kind K>
   KTE_INLINE auto& get(int i) {
     return things_.template get<K>(i);
@@ -83,42 +83,55 @@ class basic_runtime_state {
   }
 
  public:
-  /// By name or handle; throws `unknown_name`, `bad_argument`.
+  /// A coordinate by name or handle. Throws `unknown_name`, `bad_argument`.
   gen_coord<S>& coordinate(const name_or_handle& name) { return at<kind::gen>(*this, name); }
   const gen_coord<S>& coordinate(const name_or_handle& name) const { return at<kind::gen>(*this, name); }
+  /// A frame in the plane by name or handle. Throws `unknown_name`, `bad_argument`.
   kte::frame_2D<S>& frame_2D(const name_or_handle& name) { return at<kind::frame_2D>(*this, name); }
   const kte::frame_2D<S>& frame_2D(const name_or_handle& name) const { return at<kind::frame_2D>(*this, name); }
+  /// A frame in space by name or handle. Throws `unknown_name`, `bad_argument`.
   kte::frame_3D<S>& frame_3D(const name_or_handle& name) { return at<kind::frame_3D>(*this, name); }
   const kte::frame_3D<S>& frame_3D(const name_or_handle& name) const { return at<kind::frame_3D>(*this, name); }
+  /// A signal by name or handle. Throws `unknown_name`, `bad_argument`.
   S& input(const name_or_handle& name) { return at<kind::input>(*this, name); }
   S input(const name_or_handle& name) const { return at<kind::input>(*this, name); }
+  /// A signal of three numbers by name or handle.
   vec3<S>& vector(const name_or_handle& name) { return at<kind::vector>(*this, name); }
   const vec3<S>& vector(const name_or_handle& name) const { return at<kind::vector>(*this, name); }
+  /// An internal state by name or handle.
   internal_state<S>& internal(const name_or_handle& name) { return at<kind::internal>(*this, name); }
   const internal_state<S>& internal(const name_or_handle& name) const { return at<kind::internal>(*this, name); }
+  /// The state of a closed loop by name or handle.
   loop_state<S>& loop(const name_or_handle& name) { return at<kind::loop>(*this, name); }
   const loop_state<S>& loop(const name_or_handle& name) const { return at<kind::loop>(*this, name); }
+  /// A coordinate that is a rotation, by name or handle.
   rotation_coord_3D<S>& rotation_3D(const name_or_handle& name) { return at<kind::rotation_3D>(*this, name); }
   const rotation_coord_3D<S>& rotation_3D(const name_or_handle& name) const {
     return at<kind::rotation_3D>(*this, name);
   }
+  /// A coordinate that is a pose in the plane, by name or handle.
   pose_coord_2D<S>& pose_2D(const name_or_handle& name) { return at<kind::pose_2D>(*this, name); }
   const pose_coord_2D<S>& pose_2D(const name_or_handle& name) const { return at<kind::pose_2D>(*this, name); }
+  /// A coordinate that is a pose in space, by name or handle.
   pose_coord_3D<S>& pose_3D(const name_or_handle& name) { return at<kind::pose_3D>(*this, name); }
   const pose_coord_3D<S>& pose_3D(const name_or_handle& name) const { return at<kind::pose_3D>(*this, name); }
 
-  /// Number i of the generalized coordinates that are degrees of freedom; throws `bad_argument`.
+  /// Generalized coordinate number i of those that are degrees of freedom. Throws `bad_argument` for an i out of range.
   gen_coord<S>& coordinate(int i) { return get<kind::gen>(free_coordinate(i)); }
   const gen_coord<S>& coordinate(int i) const { return get<kind::gen>(free_coordinate(i)); }
-  /// Degrees of freedom, and numbers of a configuration.
+  /// The number of degrees of freedom.
   int dofs() const { return topology_->nv; }
+  /// The number of entries in a configuration q.
   int nq() const { return topology_->nq; }
 
+  /// The coordinates that are degrees of freedom, with their places in q and v.
   std::span<const detail::freedom> freedoms() const { return topology_->free; }
 
-  /// What this state was made for.
+  /// The wiring of the chain that this state was made for.
   const shared_topology& made_for() const { return topology_; }
+  /// The kinematic tree of the chain.
   const tree_type& tree() const { return *tree_; }
+  /// The kinematic tree of the chain, shared.
   const std::shared_ptr<const tree_type>& shared_tree() const { return tree_; }
 
  private:
@@ -126,8 +139,8 @@ class basic_runtime_state {
     detail::check_coordinate(i, static_cast<int>(free_coordinates_.size()));
     return free_coordinates_[static_cast<std::size_t>(i)];
   }
-  /// Of a chain without elements, for states that are moved from: made with the first state, as there may be no memory
-  /// when it is wanted.
+  /// The wiring of a chain without elements, for states that were moved from: made with the first state, as there may
+  /// be no memory later.
   static const std::shared_ptr<const tree_type>& no_tree() {
     static const auto none = std::make_shared<const tree_type>(detail::tree_of<parameter>(topology()));
     return none;
@@ -144,7 +157,7 @@ class basic_runtime_state {
   std::vector<int> free_coordinates_;
 
  public:
-  /// Working memory of the algorithms; nothing in it needs to be read or kept.
+  /// Working memory of the algorithms; not for users.
   detail::loop_memory<parameter, S> work;
   detail::own_memory with_derivatives;
   detail::own_memory loops;

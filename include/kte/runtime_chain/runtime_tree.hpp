@@ -5,7 +5,7 @@
 #include <kte/tree/chain_tree.hpp>
 #include <kte/tree/loop_memory.hpp>
 
-/// The records of a runtime chain, worked out once for all copies of a state.
+/// The body nodes of a runtime chain, worked out once for all copies of a state.
 namespace kte::detail {
 
 /// What `arrange` asks of a runtime chain.
@@ -14,8 +14,8 @@ struct runtime_connections {
   std::size_t elements() const { return t.elements.size(); }
   std::span<const port> ports(std::size_t e) const { return t.elements[e].ports; }
   int index(std::size_t e, std::size_t p) const { return t.elements[e].index[p]; }
-  bool stiff(std::size_t e) const { return t.elements[e].stiff; }
-  bool spreads(std::size_t e) const { return t.elements[e].spreads; }
+  bool rigid(std::size_t e) const { return t.elements[e].rigid; }
+  bool distributed_mass(std::size_t e) const { return t.elements[e].distributed_mass; }
   int count(kind k) const { return t.count(k); }
   int writer(kind k, int i) const { return t.writers[static_cast<std::size_t>(k)][static_cast<std::size_t>(i)]; }
   std::size_t freedoms() const { return t.free.size(); }
@@ -42,14 +42,15 @@ template <class S, class P>
 void check_scalar(const topology& t, const runtime_tree<P>& tree) {
   if (std::is_same_v<S, double>) return;
   const auto refuse = [&t](int e, const char* why) {
-    throw bad_argument("kte: states of runtime chains in other scalars than double are for joints, links and bodies; " +
-                       describe_element(*t.elements[static_cast<std::size_t>(e)].element) + why);
+    throw bad_argument(
+        "kte: states of runtime chains in scalars other than double support joints, links and bodies only; " +
+        describe_element(*t.elements[static_cast<std::size_t>(e)].element) + why);
   };
   for (std::size_t e = 0; e < t.elements.size(); ++e)
     if (t.elements[e].closes) refuse(static_cast<int>(e), " closes a loop");
   if (tree.irregular) refuse(tree.irregular.element, tree.irregular.why);
   for (const auto* list : {&tree.followers, &tree.readers, &tree.on_coordinates, &tree.on_frames})
-    for (const int e : *list) refuse(e, " acts by a law of its own");
+    for (const int e : *list) refuse(e, " has its own force law");
 }
 
 }  // namespace kte::detail

@@ -7,8 +7,8 @@
 
 namespace kte {
 
-/// The wiring of a chain, which its states share: while others have it, a change is made on a copy. There always is
-/// one; what is moved from has that of a chain without elements.
+/// The wiring of a chain, shared with its states. A change is made on a copy if it is shared. One that was moved from
+/// is that of a chain without elements.
 class shared_topology {
  public:
   shared_topology() : t_(empty()) {}
@@ -22,6 +22,7 @@ class shared_topology {
 
   const topology& operator*() const { return *t_; }
   const topology* operator->() const { return t_.get(); }
+  /// The wiring for a change; a copy if it is shared.
   topology& edit() {
     if (t_.use_count() > 1) t_ = std::make_shared<topology>(*t_);
     return *t_;

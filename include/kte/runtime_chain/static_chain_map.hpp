@@ -16,9 +16,9 @@ named_element<Core> with_texts(const element<Core, Keys...>& e) {
 }
 }  // namespace detail
 
-/// A static chain as plain data.
+/// The record of a static chain.
 template <class Gravity, class... E>
-model_record record_of(const static_chain<Gravity, E...>& c) {
+[[nodiscard]] model_record record_of(const static_chain<Gravity, E...>& c) {
   model_record r;
   r.gravity.clear();
   detail::append_numbers(r.gravity, c.gravity());

@@ -23,10 +23,11 @@ namespace detail {
 inline std::string text_with_article(kind k) { return std::string(article(k)).append(to_string(k)); }
 }  // namespace detail
 
-/// Who is connected to what in a runtime chain: the counterpart of `detail::wiring`, worked out as elements come, with
-/// the same rules and the same numbering of the degrees of freedom.
+/// The wiring of a runtime chain, built element by element: the counterpart of `detail::wiring`, with the same rules
+/// and the same numbering of the degrees of freedom.
 class topology {
  public:
+  /// An item of a chain: a coordinate, frame, signal or internal state, of the kind `what`.
   struct thing {
     kind what{};
     int index = -1;         ///< among things of its kind; -1: there is none
@@ -35,15 +36,16 @@ class topology {
     bool moves = false;     ///< for coordinates: an element moves by it, or it is given
     explicit operator bool() const { return index >= 0; }
   };
+  /// An `element` and its connections.
   struct connection {
     const kte_element* element = nullptr;
-    std::vector<int> index;       ///< of what each port is connected to
-    std::string_view type;        ///< of the element
-    std::span<const port> ports;  ///< of the element
-    bool stiff = false;           ///< whether it is a joint or a link
-    bool spreads = false;         ///< whether it has a mass between several ports
-    bool load = false;            ///< whether it is a load from outside
-    bool closes = false;          ///< whether it closes a loop
+    std::vector<int> index;         ///< of what each port is connected to
+    std::string_view type;          ///< of the element
+    std::span<const port> ports;    ///< of the element
+    bool rigid = false;             ///< whether it is a joint or a link
+    bool distributed_mass = false;  ///< whether it has a mass between several ports
+    bool load = false;              ///< whether it is a load from outside
+    bool closes = false;            ///< whether it closes a loop
   };
 
   std::array<std::vector<std::string>, kinds> names;  ///< of all things, by kind
@@ -57,13 +59,14 @@ class topology {
   std::vector<int> keepers;                           ///< the elements that keep the internal states, in their order
   std::array<std::vector<int>, kinds> writers;        ///< of all things, by kind: an element, or -1
 
-  /// Equal for chains with the same things in the same order: a new one for every element, the same for copies.
+  /// Identity of the layout: equal for copies of a chain, new for every appended element.
   std::shared_ptr<const char> layout = std::make_shared<char>();
 
-  /// Connects one more element. Throws `bad_wiring`, and then nothing has changed; where memory runs out, `cut` is due.
+  /// Connects an element. Throws `bad_wiring` and then has changed nothing; if memory runs out, call `cut`.
   void connect(const kte_element* e, std::string_view type, std::span<const port> ports,
                std::span<const std::string> to);
-  /// How much there is, for `cut`.
+  /// Sizes of all lists, for `cut`: names, free, quaternions, signals, elements, keepers, row, nq, nv, nu,
+  /// has_derivatives, base_known, layout.
   struct extent {
     std::array<std::size_t, kinds> names{};
     std::size_t free = 0, quaternions = 0, signals = 0, elements = 0, keepers = 0, row = 0;
@@ -71,16 +74,17 @@ class topology {
     bool has_derivatives = true, base_known = false;
     std::shared_ptr<const char> layout;
   };
+  /// The sizes of all lists.
   extent size() const;
-  /// Takes back what was connected since there was so much, also a half of an element. Allocates nothing.
+  /// Removes the elements connected since these sizes, including a partly connected one. Allocates nothing.
   void cut(const extent& before) noexcept;
-  /// Throws `bad_wiring`, with the element, where a coordinate is acted upon but moves nothing.
+  /// Throws `bad_wiring`, naming the element, if a coordinate has forces but nothing moves by it.
   void check_complete() const;
   /// An element in a message: "revolute_joint_3D (coordinate 'q', base 'a', end 'b')".
   std::string describe(const connection& c) const;
-  /// Things of a kind.
+  /// The number of items of a kind.
   int count(kind k) const { return static_cast<int>(names[static_cast<std::size_t>(k)].size()); }
-  /// What a name is; throws `unknown_name`, also where it is that of a frame and of something else.
+  /// The kind of the item with this name. Throws `unknown_name`, also if a frame and another item have it.
   kind kind_of(std::string_view name) const {
     const auto& x = named(name);
     if (x[0] && x[1])
@@ -88,7 +92,8 @@ class topology {
                          detail::text_with_article(x[1].what) + ": which of them is meant?");
     return (x[0] ? x[0] : x[1]).what;
   }
-  /// What it is where a frame is meant, or something else; where there is only the other, that.
+  /// The kind of the item with this name: a frame, or something else if `frame` is false; if there is only one of them,
+  /// that.
   kind kind_of(std::string_view name, bool frame) const {
     const auto& x = named(name);
     return (x[frame] ? x[frame] : x[!frame]).what;
@@ -124,12 +129,12 @@ class topology {
   }
   std::string did_you_mean(std::string_view name) const;
 
-  /// What has a name: a frame at 1, something else at 0. These live apart, and one look-up finds both.
+  /// The items of a name: a frame at 1, another item at 0; one look-up finds both.
   using namesakes = std::array<thing, 2>;
   const namesakes& named(std::string_view name) const {
     const auto it = things_.find(name);
     if (it == things_.end())
-      throw unknown_name("kte: this chain has nothing of the name '" + std::string(name) + "'" + did_you_mean(name));
+      throw unknown_name("kte: this chain has nothing named '" + std::string(name) + "'" + did_you_mean(name));
     return it->second;
   }
   struct hash_of_text {
@@ -213,8 +218,8 @@ KTE_FUNCTION std::string topology::did_you_mean(std::string_view name) const {
 KTE_FUNCTION void topology::check(std::string_view type, std::span<const port> ports,
                                   std::span<const std::string> to) const {
   const auto refuse = [&](const std::string& why) { fail(type, ports, to, why); };
-  // Who reads what only this element writes is to blame.
-  const auto blame_reader = [&](const port& writes, const std::string& name) {
+  // The element that reads an item only this element writes is reported.
+  const auto diagnose_reader = [&](const port& writes, const std::string& name) {
     const auto it = things_.find(name);
     const thing known = it == things_.end() ? thing{} : it->second[is_frame(writes.what)];
     if (!writes.declares() || !known || known.declared || known.what != writes.what) return;
@@ -249,13 +254,13 @@ KTE_FUNCTION void topology::check(std::string_view type, std::span<const port> p
         refuse("it writes '" + name + "', which is then written twice");
         break;
       case detail::problem::read_before_written:
-        blame_reader(x, name);
+        diagnose_reader(x, name);
         refuse("it writes '" + name + "', which is read before it is written");
         break;
       case detail::problem::unknown:
         if (x.what == kind::internal)
           refuse("it reads the internal state '" + name + "', which no element before it keeps");
-        for (std::size_t q = p + 1; q < ports.size(); ++q) blame_reader(ports[q], to[q]);  // taken for the base
+        for (std::size_t q = p + 1; q < ports.size(); ++q) diagnose_reader(ports[q], to[q]);  // taken for the base
         if (of_name != things_.end())
           refuse("'" + name + "' is " + detail::text_with_article(of_name->second[0].what) + ", not " +
                  detail::text_with_article(x.what) + ", and no element before it writes a frame of this name");

@@ -18,16 +18,17 @@ template <class Wiring, class... Core>
 struct connections_of {
   struct element {
     std::span<const port> ports;
-    bool stiff, spreads;
+    bool rigid, distributed_mass;
   };
   static constexpr std::size_t size = sizeof...(Core);
-  std::array<element, size> all{{{std::span<const port>(Core::ports), is_transmission<Core>, spreads_mass<Core>}...}};
+  std::array<element, size> all{
+      {{std::span<const port>(Core::ports), is_transmission<Core>, detail::distributed_mass<Core>}...}};
 
   constexpr std::size_t elements() const { return size; }
   constexpr std::span<const port> ports(std::size_t e) const { return all[e].ports; }
   constexpr int index(std::size_t e, std::size_t p) const { return Wiring::slot(e, p); }
-  constexpr bool stiff(std::size_t e) const { return all[e].stiff; }
-  constexpr bool spreads(std::size_t e) const { return all[e].spreads; }
+  constexpr bool rigid(std::size_t e) const { return all[e].rigid; }
+  constexpr bool distributed_mass(std::size_t e) const { return all[e].distributed_mass; }
   constexpr int count(kind k) const { return Wiring::count(k); }
   constexpr int writer(kind k, int i) const { return Wiring::writer(k, i); }
   constexpr std::size_t freedoms() const { return Wiring::freedoms; }
@@ -58,7 +59,7 @@ template <class Core>
 inline constexpr bool follows_freely = Core::ports.back().how == access::out&& is_coordinate(Core::ports.back().what) &&
                                        (port_count<Core> != 2 || Core::ports[0].what != kind::gen);
 
-/// Of the elements of a chain.
+/// The connections of the elements of a chain.
 template <class Wiring, class... Core>
 struct shapes_of {
   /// By element: whether it writes freely, and forces depend on it.
@@ -78,9 +79,10 @@ struct shapes_of {
       if (freely[e] ? acts_freely[e] : reads[e]) return true;
     return false;
   }();
-  /// Whether there is nothing in the chain that only the loops over records know.
+  /// Whether there is nothing in the chain that only the loops over body nodes know.
   static constexpr bool common = [] {
-    const bool rare[]{(follows_freely<Core> || spreads_mass<Core> || reads_reaction<Core> || holds_coordinate<Core>)...,
+    const bool rare[]{(follows_freely<Core> || detail::distributed_mass<Core> || load_dependent_friction<Core> ||
+                       locks_coordinate<Core>)...,
                       false};
     for (std::size_t e = 0; e < sizeof...(Core); ++e)
       if (rare[e] || acts_freely[e]) return false;

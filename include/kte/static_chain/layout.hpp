@@ -7,7 +7,8 @@
 /// Where the coordinates of a chain stand in its vectors.
 namespace kte {
 
-/// One coordinate: q[q .. q + nq) of a configuration, v[v .. v + nv) of velocities, accelerations and forces.
+/// The coordinate `name` of the kind `what`: q[q .. q + nq) of a configuration, v[v .. v + nv) of velocities,
+/// accelerations and forces.
 ///   number         q; v
 ///   rotation       w, x, y, z of the quaternion; w of the moving frame, in its axes
 ///   pose in space  x, y, z, then the quaternion; v, then w of the moving frame, in its axes
@@ -56,7 +57,7 @@ constexpr auto layout_of() {
 
 /// The layout of a static chain: a table known at compile time, in the order of q and v.
 template <class Gravity, class... E>
-constexpr auto layout(const static_chain<Gravity, E...>&) {
+[[nodiscard]] constexpr auto layout(const static_chain<Gravity, E...>&) {
   constexpr auto table = detail::layout_of<detail::wiring<E...>, E...>();
   return table;
 }

@@ -17,8 +17,8 @@ constexpr void check_coordinate(int i, int count) {
 }
 }  // namespace detail
 
-/// The state of a static chain: every coordinate, frame, input and internal state by name, for the passes to work on
-/// and for users to look at. A value; the chain itself never changes.
+/// The state of a static chain: every coordinate, frame, input and internal state, by key. It is a value that passes
+/// change; the chain is constant. `dofs`: the number of degrees of freedom, `nq`: of numbers of q.
 ///
 ///   s[joint].position,  s[q].q_ddot,  s[motor] = 2.0
 template <class Scalar, class Wiring>
@@ -38,19 +38,18 @@ class chain_state {
     return at(*this, Key{});
   }
 
-  /// The result only keeps compilers from saying more.
+  /// A compile error with an explanation. The result only avoids further errors.
   template <text_type Text>
   constexpr auto& operator[](const Text&) const {
     static_assert(detail::fit<Text>,
-                  "kte: the state of a static chain is asked by keys, s[hand]; texts are for runtime chains");
+                  "kte: items of the state of a static chain are named by keys, s[hand]; texts are for runtime chains");
     return no_thing();
   }
 
-  /// Number i of the generalized coordinates, of which those that are degrees of freedom come first; throws
-  /// `bad_argument`.
+  /// Generalized coordinate number i; the degrees of freedom come first. Throws `bad_argument` for an i out of range.
   constexpr auto& coordinate(int i) { return get<kind::gen>(checked(i)); }
   constexpr const auto& coordinate(int i) const { return get<kind::gen>(checked(i)); }
-  /// Thing i of a kind, for the passes.
+  /// Item i of a kind, for the passes.
   template <kind K>
   constexpr auto& get(int i) {
     return detail::of_kind<K>(things_)[static_cast<std::size_t>(i)];
@@ -69,7 +68,7 @@ class chain_state {
   static constexpr auto& at(Self& s, Key) {
     constexpr int i = Wiring::template find<Key>();
     if constexpr (i < 0 && Wiring::elements == 0) {
-      return no_thing();  // an element was refused, in a sentence of its own
+      return no_thing();  // an element was rejected, with its own message
     } else {
       static_assert(i >= 0, "kte: this chain has nothing of this name");
       return s.template get<Key::what>(i < 0 ? 0 : i);
@@ -88,6 +87,7 @@ class chain_state {
   typename lists<std::make_index_sequence<kinds>>::type things_{};
 };
 
+/// Whether T is the state of a static chain.
 template <class T>
 inline constexpr bool is_chain_state = false;
 template <class Scalar, class Wiring>

@@ -13,7 +13,7 @@
 
 /// Up to how many elements algorithms whose code grows faster than their number are unrolled: mass matrix, articulated
 /// bodies, derivatives. Passes and inverse dynamics are up to three times as many. Beyond that passes have a function
-/// for each type of element core, and algorithms are loops (dynamics/detail/static_loops.hpp). Like other options, the
+/// for each type of element core, and algorithms are loops (dynamics/looped/static_chains.hpp). Like other options, the
 /// same in all units of a program.
 #if !defined(KTE_UNROLLED_ELEMENTS)
 #  define KTE_UNROLLED_ELEMENTS 48
@@ -41,16 +41,18 @@ class static_chain {
 
  public:
   using wiring = detail::wiring<E...>;
+  /// The number of elements.
   static constexpr std::size_t size = sizeof...(E);
-  /// Degrees of freedom: numbers of v, a, tau. (Where they stand: static_chain/layout.hpp.)
+  /// The number of degrees of freedom: of numbers of v, a, tau (their order: static_chain/layout.hpp).
   static constexpr int dofs = wiring::dofs;
-  /// Numbers of a configuration q: more than that where a coordinate is a rotation in space.
+  /// The number of numbers of a configuration q: more than `dofs` where a coordinate is a rotation in space.
   static constexpr int nq = wiring::nq;
-  /// Whether an element reads positions, rotations or linear velocities of frames by its forces; it says so by
-  /// `static constexpr bool reads_positions = true`. Only then do the fused algorithms compute them.
+  /// Whether forces of an element depend on positions, rotations or linear velocities of frames. Its core declares it
+  /// by `static constexpr bool reads_positions = true`. The fused algorithms compute them only then.
   static constexpr bool reads_positions = shapes::reads_positions;
-  /// Whether it has nothing that only the loops over records know; whether all algorithms are unrolled for it.
+  /// Whether it has nothing that only the loops over body nodes know; whether all algorithms are unrolled for it.
   static constexpr bool common = shapes::common;
+  /// Whether algorithms are unrolled for this chain.
   static constexpr bool unrolled = detail::unrolls_all<size> && common;
 
   constexpr static_chain(const boost::hana::tuple<E...>& elements, const Gravity& g)
@@ -72,8 +74,8 @@ class static_chain {
     backward([](const auto& x) { x.force(inputs_of(x)); }, s, std::index_sequence_for<E...>{});
   }
 
-  /// The signals that elements write (measures, controls), in their order, as of the last doMotion; one of three
-  /// numbers is three of these.
+  /// The signals that elements write (measures, controls), in their order, computed by the last doMotion; a signal of
+  /// three numbers is three numbers.
   template <class State>
   constexpr auto outputs(const State& s) const {
     check<State>();
@@ -99,14 +101,14 @@ class static_chain {
     return y;
   }
 
-  /// The same chain under gravity, m/s^2 in the axes of the base: `.gravity(along_z(-9.81))`. It acts as the opposite
-  /// acceleration of the base. Refuses what is not finite (`bad_parameter`).
+  /// A copy of the chain with gravity, m/s^2, in the axes of the base: `.gravity(along_z(-9.81))`. Gravity acts as the
+  /// opposite acceleration of the base. Throws `bad_parameter` if it is not finite.
   template <class X, class Y, class Z>
   constexpr auto gravity(const vec3<X, Y, Z>& g) const {
     detail::check_gravity(g);
     return static_chain<vec3<X, Y, Z>, E...>(elements_, g);
   }
-  /// `.gravity({0, 0, -9.81})`
+  /// A copy of the chain with gravity, m/s^2: `.gravity({0, 0, -9.81})`.
   constexpr auto gravity(const vec3<>& g) const { return gravity<double, double, double>(g); }
   template <class Number>
   constexpr const static_chain& gravity(const Number&) const {
@@ -116,10 +118,12 @@ class static_chain {
   }
   constexpr const Gravity& gravity() const { return gravity_; }
 
+  /// All elements, in order.
   constexpr const boost::hana::tuple<E...>& elements() const { return elements_; }
   template <std::size_t I>
   using core_type = typename std::remove_cvref_t<decltype(boost::hana::at_c<I>(
       std::declval<const boost::hana::tuple<E...>&>()))>::core_type;
+  /// The core of element I.
   template <std::size_t I>
   KTE_INLINE constexpr const auto& core() const {
     return boost::hana::at_c<I>(elements_).core;
@@ -178,7 +182,7 @@ class static_chain {
   Gravity gravity_;
 
  public:
-  /// For calculations that are not unrolled.
+  /// Memory for calculations that are not unrolled.
   [[no_unique_address]] detail::kept_states<!unrolled> kept;
 };
 
@@ -204,7 +208,7 @@ struct check_part<refused> {
 template <class Core>
 struct check_part<named_element<Core>> {
   static_assert(fit<Core>,
-                "kte: a static chain is connected by keys; texts are for runtime chains: kte::kte_map_chain");
+                "kte: a static chain is connected by keys; texts are for runtime chains: kte::runtime_chain");
   static constexpr bool passed = false;
 };
 /// A part's gravity, as a tuple of it or of nothing.
@@ -240,9 +244,9 @@ inline constexpr auto make_chain = [](const auto&... e) {
 /// read is the base of the chain; a coordinate that no element writes is a degree of freedom. A mistake is a compile
 /// error that names the element (docs/errors.md).
 ///
-/// The chain has the gravity of the first part that has one, not zero; two that differ are refused (`bad_wiring`).
+/// The chain has the gravity of the first part with a gravity other than zero; parts with different gravities are
 template <class... E>
-constexpr auto chain(const E&... e) {
+[[nodiscard]] constexpr auto chain(const E&... e) {
   constexpr bool flat = [] {
     for (const bool single : {detail::is_element<E>..., true})  // no fold: clang limits those to 256
       if (!single) return false;
@@ -266,9 +270,9 @@ constexpr auto chain(const E&... e) {
   }
 }
 
-/// A state for a chain: everything at zero and at rest, the base accelerated against the chain's gravity.
+/// A state for a chain: all coordinates and rates are zero, and the base accelerates against gravity.
 template <class Scalar = double, class Gravity, class... E>
-constexpr auto make_state(const static_chain<Gravity, E...>& c) {
+[[nodiscard]] constexpr auto make_state(const static_chain<Gravity, E...>& c) {
   using wiring = detail::wiring<E...>;
   chain_state<Scalar, wiring> s;
   const vec3<Scalar> up = vec3<Scalar>{} - as<Scalar>(c.gravity());
@@ -277,6 +281,11 @@ constexpr auto make_state(const static_chain<Gravity, E...>& c) {
   for (int i = 0; i < wiring::count(kind::frame_3D); ++i)
     if (wiring::writer(kind::frame_3D, i) < 0) s.template get<kind::frame_3D>(i).acceleration = up;
   return s;
+}
+/// The degrees of freedom of a chain: numbers of v, a, tau.
+template <class Gravity, class... E>
+[[nodiscard]] constexpr int dofs(const static_chain<Gravity, E...>&) {
+  return static_chain<Gravity, E...>::dofs;
 }
 
 }  // namespace kte

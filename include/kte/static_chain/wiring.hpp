@@ -16,7 +16,7 @@ namespace kte::detail {
 struct port_use {
   kind what{};
   access how{};
-  std::uint64_t key{};   ///< the same number is the same name
+  std::uint64_t key{};   ///< equal numbers are equal names
   std::uint64_t text{};  ///< the same number is the same text
 };
 
@@ -72,7 +72,7 @@ constexpr auto resolve(const std::array<port_use, P + 1>& use, const std::array<
     if (bucket[b] == 0) bucket[b] = p + 1;
     name[p] = bucket[b] - 1;
   }
-  // The rules, port by port. A name is known by its first port; who reads before it is written is to blame for that.
+  // The rules, port by port. A name is known by its first port; a port that reads it before it is written is at fault.
   std::array<bool, P + 1> moves{};
   for (int p = 0; p < n; ++p) writer[p] = -1;
   const auto written_later = [&](int p) {
@@ -220,7 +220,7 @@ struct wiring {
     for (std::size_t i = 0; i < freedoms; ++i) n += table.free[i].what == kind::gen;
     return n;
   }();
-  /// Whether the sine and cosine of generalized coordinate s are wanted.
+  /// Whether the sine and cosine of generalized coordinate s are needed.
   static constexpr bool angle(int s) { return table.angle[static_cast<std::size_t>(s)]; }
   /// Index of a key among things of its kind, or -1.
   template <class Key>

@@ -97,8 +97,8 @@ std::pair<S, S> power_on_accelerations(trial<S, Core>& x, trial<S, Core>& y) {
 }
 }  // namespace detail
 
-/// For elements that move something: velocities and accelerations of what they move are derivatives of its position and
-/// rotation, along any motion of what they read.
+/// For elements that move something: velocities and accelerations of their outputs are the derivatives of position and
+/// rotation, along any motion of their inputs. Returns the largest violation.
 template <class S, class Element, class Draw>
 S motion_is_derivative(const Element& e, Draw&& draw) {
   return detail::worst_of_many<S>(e.core, draw, [](auto& x) {
@@ -112,7 +112,8 @@ S motion_is_derivative(const Element& e, Draw&& draw) {
   });
 }
 
-/// For transmissions: the power of a load on what they move is that of the loads which they put on what they read.
+/// For transmissions: the power of a load on the outputs is that of the resulting loads on the inputs. Returns the
+/// violation.
 template <class S, class Element, class Draw>
 S power_is_kept(const Element& e, Draw&& draw) {
   return detail::worst_of_many<S>(e.core, draw, [&draw](auto& x) {
@@ -129,8 +130,8 @@ S power_is_kept(const Element& e, Draw&& draw) {
   });
 }
 
-/// For springs and the like, of the given energy(things it reads...): the power of their loads is the energy's
-/// decrease.
+/// For elements with a potential energy(inputs...), such as springs: the power of their loads is the decrease of the
+/// energy. Returns the violation.
 template <class S, class Element, class Draw, class Energy>
 S force_is_gradient(const Element& e, Draw&& draw, const Energy& energy) {
   return detail::worst_of_many<S>(e.core, draw, [&energy](auto& x) {
@@ -146,7 +147,7 @@ S force_is_gradient(const Element& e, Draw&& draw, const Energy& energy) {
   });
 }
 
-/// For dampers and the like: their loads never do work; the violation is the work done.
+/// For dissipative elements, such as dampers: their loads never do positive work. Returns the violation, the work done.
 template <class S, class Element, class Draw>
 S no_work_done(const Element& e, Draw&& draw) {
   return detail::worst_of_many<S>(e.core, draw, [](auto& x) {
@@ -160,8 +161,8 @@ S no_work_done(const Element& e, Draw&& draw) {
   });
 }
 
-/// For elements between several things: action is reaction. Loads on coordinates add up to nothing; so do forces on
-/// frames, and torques about the origin of the world.
+/// For elements between several frames or coordinates: action is reaction. Loads on coordinates sum to zero; so do
+/// forces on frames, and torques about the origin of the world. Returns the violation.
 template <class S, class Element, class Draw>
 S loads_are_opposite(const Element& e, Draw&& draw) {
   return detail::worst_of_many<S>(e.core, draw, [](auto& x) {
@@ -175,8 +176,8 @@ S loads_are_opposite(const Element& e, Draw&& draw) {
   });
 }
 
-/// For elements with a `mass<S>()`: it is the mass by which they resist in doForce, so that mass matrix and inverse
-/// dynamics agree. What they put besides, without accelerations, does not count.
+/// For elements with a `mass<S>()`: their loads in doForce are those of this mass, so that mass matrix and inverse
+/// dynamics agree. Loads without accelerations are subtracted. Returns the violation.
 template <class S, class Element, class Draw>
 S mass_is_that_of_force(const Element& e, Draw&& draw) {
   return detail::worst_of_many<S>(e.core, draw, [&e](auto& x) {
@@ -186,10 +187,10 @@ S mass_is_that_of_force(const Element& e, Draw&& draw) {
     return detail::difference<S, 6>(loads[0], resists);
   });
 }
-/// For elements with a mass between several ports: `mass_loads` are the loads of their accelerations in doForce, and by
-/// a symmetric mass that is not negative: the power of those of one acceleration on another is that of the other on it.
+/// For elements with a distributed mass: `mass_loads` are the loads of their accelerations in doForce, and those of a
+/// symmetric, positive semidefinite mass. Returns the violation.
 template <class S, class Element, class Draw>
-S spread_mass_is_that_of_force(const Element& e, Draw&& draw) {
+S distributed_mass_is_that_of_force(const Element& e, Draw&& draw) {
   return detail::worst_of_many<S>(e.core, draw, [&draw](auto& x) {
     x.for_each([](const port&, auto& thing) { detail::stop(thing); });
     const auto loads = detail::loads_by_accelerations(x);
@@ -207,8 +208,8 @@ S spread_mass_is_that_of_force(const Element& e, Draw&& draw) {
     return xx > 0 ? detail::worse(worst, detail::ratio(xx, own)) : worst;
   });
 }
-/// For elements that know no place or direction of the world: turned and shifted as a whole, what they act on gets the
-/// same loads, in its own axes.
+/// For elements that do not depend on a position or direction in the world: a rigid motion of the whole leaves their
+/// loads, in axes of the frames, unchanged. Returns the violation.
 template <class S, class Element, class Draw>
 S same_anywhere(const Element& e, Draw&& draw) {
   return detail::worst_of_many<S>(e.core, draw, [&draw](auto& x) {
@@ -223,7 +224,8 @@ S same_anywhere(const Element& e, Draw&& draw) {
     return worst;
   });
 }
-/// For an element of typed constants and one of the same numbers: they move alike and put the same loads.
+/// For an element with typed constants and one with equal numbers: they have equal motions and loads. Returns the
+/// difference.
 template <class S, class Typed, class Plain, class Draw>
 S typed_is_plain(const Typed& typed, const Plain& plain, Draw&& draw) {
   return detail::worst_of_many<S>(typed.core, draw, [&](auto& x) {

@@ -10,8 +10,8 @@ namespace kte::testing {
 
 namespace detail {
 /// A chain of an element alone, behind declarations of what it reads.
-inline kte_map_chain declared(const element_record& r, std::span<const port> ports, std::unique_ptr<kte_map> e) {
-  kte_map_chain c;
+inline runtime_chain declared(const element_record& r, std::span<const port> ports, std::unique_ptr<kte_map> e) {
+  runtime_chain c;
   std::set<std::pair<bool, std::string>> known;  // names of frames live apart
   for (std::size_t p = 0; p < ports.size(); ++p) {
     const kind k = ports[p].what;
@@ -25,7 +25,7 @@ inline kte_map_chain declared(const element_record& r, std::span<const port> por
   return c;
 }
 /// Whether an element cannot stand as a state has it: a linkage that does not close.
-inline bool refuses(const kte_map_chain& c, runtime_state s) {
+inline bool refuses(const runtime_chain& c, runtime_state s) {
   try {
     c.doMotion(s);
     return false;
@@ -35,10 +35,9 @@ inline bool refuses(const kte_map_chain& c, runtime_state s) {
 }
 }  // namespace detail
 
-/// For elements that files hold: of its record the registry makes an element with the same record, whose passes on
-/// random motions and loads give the same numbers, or refuse the same motions. The result is 0 if they do, and else
-/// which share of the numbers is another; 1 if the record is. Throws `bad_file` where the registry does not take the
-/// record.
+/// For elements that files can hold: from the record of the element the registry makes an element with an equal record,
+/// whose passes on random motions and loads give equal numbers, or reject the same motions. Returns 0 if so, else the
+/// share of different numbers; 1 if the record differs. Throws `bad_file` if the registry rejects the record.
 template <class Draw>
 double file_round_trip(const kte_element& e, const element_registry& registry, Draw&& draw) {
   const auto record = e.record();

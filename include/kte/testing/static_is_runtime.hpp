@@ -5,7 +5,7 @@
 #include <kte/elements/base.hpp>
 #include <kte/elements/free_joint.hpp>
 #include <kte/elements/inertia.hpp>
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
 #include <kte/testing/detail/states.hpp>
 
 /// An element does in a static chain what it does in a runtime chain.
@@ -68,17 +68,17 @@ constexpr auto carried(const Core& core, std::index_sequence<P...>) {
 }
 /// The elements of a static chain in a runtime chain.
 template <class Gravity, class... E>
-kte_map_chain loose(const static_chain<Gravity, E...>& c) {
-  kte_map_chain r;
+runtime_chain loose(const static_chain<Gravity, E...>& c) {
+  runtime_chain r;
   boost::hana::for_each(c.elements(), [&r](const auto& e) { r << kte::detail::with_texts(e); });
   return r;
 }
 }  // namespace detail
 
-/// For elements that dynamics takes: alone with what carries it, floating bodies and masses on coordinates, in a static
-/// and in a runtime chain, it gives the same motions, loads, forces of inverse dynamics and accelerations of forward
-/// dynamics, at random states. To rounding, which forward dynamics multiplies by the condition of the mass matrix;
-/// where the compiler fuses no products, passes give the same bits.
+/// For elements in dynamics: connected only to floating bodies and masses on coordinates, in a static and in a runtime
+/// chain, the element gives equal motions, loads, forces of inverse dynamics and accelerations of forward dynamics, at
+/// random states. Returns the difference: rounding, which forward dynamics multiplies by the condition number of the
+/// mass matrix. Where the compiler fuses no products, results of passes are bit-identical.
 template <class Core, class Draw>
 double static_is_runtime(const Core& core, Draw&& draw) requires requires {
   Core::ports;

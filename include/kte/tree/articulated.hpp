@@ -3,22 +3,22 @@
 #include <kte/engine/looped.hpp>
 #include <kte/tree/newton_euler.hpp>
 
-/// Forward dynamics of the records of a tree by articulated bodies (recursions/articulated_body.hpp).
+/// Forward dynamics of the body nodes of a tree by articulated bodies (recursions/articulated_body.hpp).
 namespace kte::tree {
 
-/// Which joints are free to move: is_free(number of a record). The accelerations of others are given.
+/// Which joints are free to move: is_free(number of a body node). The accelerations of others are given.
 template <class P, class S, class F>
-void set_free(const forest<P>& f, memory<P, S>& m, const F& is_free) {
-  for (std::size_t i = 0; i < f.records.size(); ++i) {
-    const record<P>& r = f.records[i];
-    m.yields[i] = is_free(i);
-    m.plain[i] = m.yields[i] && r.moves == joint::revolute && m.own_mass[static_cast<std::size_t>(r.first)] == P(0);
+void set_free(const body_tree<P>& f, memory<P, S>& m, const F& is_free) {
+  for (std::size_t i = 0; i < f.nodes.size(); ++i) {
+    const body_node<P>& r = f.nodes[i];
+    m.is_free[i] = is_free(i);
+    m.plain[i] = m.is_free[i] && r.moves == joint::revolute && m.own_mass[static_cast<std::size_t>(r.first)] == P(0);
   }
 }
 /// What velocities alone make of the accelerations of all bodies, from `rate` and the motions of bases; of joints that
 /// are not free with their `acceleration`. What is returned knows which numbers are zero by the kind of joint.
 template <class P, class S>
-auto bias_motions(const forest<P>& f, memory<P, S>& m) {
+auto bias_motions(const body_tree<P>& f, memory<P, S>& m) {
   for (std::size_t b = 0; b < static_cast<std::size_t>(f.bases); ++b)
     m.biases[b].ang_velocity = m.bodies[b].ang_velocity;
   const articulated_bodies<P, S> bodies(f, m);
@@ -29,26 +29,30 @@ auto bias_motions(const forest<P>& f, memory<P, S>& m) {
 /// element acts on frames, into `factors`. Returns the first axis met that has nothing to move, or -1. After
 /// `bias_motions`.
 template <class P, class S, class Biases>
-int articulate(const forest<P>& f, memory<P, S>& m, const Biases& biases) {
+int articulate(const body_tree<P>& f, memory<P, S>& m, const Biases& biases) {
   const articulated_bodies<P, S> bodies(f, m);
-  return engine::articulate<articulated_body<S>>(
+  int unmoved = -1;
+  engine::articulate<articulated_body<S>>(
       engine::looped<articulated_bodies<P, S>>{bodies}, m.articulated.data(), biases,
       [load = load_of_slot<S>{m.loads.data()}](const auto& b, const auto& x)
           KTE_INLINE_LAMBDA { return engine::velocity_wrench(b, x.ang_velocity) - load(b); },
       [force = m.force.data()](const auto& b)
           KTE_INLINE_LAMBDA { return [of_joint = force + b.first()](int k) KTE_INLINE_LAMBDA { return of_joint[k]; }; },
-      m.factors.data());
+      m.factors.data(), unmoved);
+  return unmoved;
 }
 /// The same of articulated inertias alone.
 template <class P, class S>
-int articulate_at_rest(const forest<P>& f, memory<P, S>& m) {
+int articulate_at_rest(const body_tree<P>& f, memory<P, S>& m) {
   const articulated_bodies<P, S> bodies(f, m);
-  return engine::articulate_at_rest(engine::looped<articulated_bodies<P, S>>{bodies}, m.articulated.data(),
-                                    m.factors.data());
+  int unmoved = -1;
+  engine::articulate_at_rest(engine::looped<articulated_bodies<P, S>>{bodies}, m.articulated.data(), m.factors.data(),
+                             unmoved);
+  return unmoved;
 }
 /// Accelerations of all bodies and axes, from the motions of bases. After `articulate`.
 template <class P, class S, class Biases>
-void accelerate(const forest<P>& f, memory<P, S>& m, const Biases& biases) {
+void accelerate(const body_tree<P>& f, memory<P, S>& m, const Biases& biases) {
   using hand = engine::body_motion<skip, vec3<S>, vec3<S>, vec3<S>>;
   const articulated_bodies<P, S> bodies(f, m);
   engine::accelerate<hand>(engine::looped<articulated_bodies<P, S>>{bodies}, m.bodies.data(), biases, m.factors.data(),

@@ -4,28 +4,28 @@
 #include <kte/frames/articulated.hpp>
 #include <kte/tree/placement.hpp>
 
-/// The records of a tree as bodies of recursions (engine/body.hpp), a type for each kind of joint.
+/// The body nodes of a tree as bodies of recursions (engine/body.hpp), a type for each kind of joint.
 namespace kte::tree {
 
-/// Axes of joints. Of the record they read what is no typed constant.
+/// Axes of joints. Of the body node they read what is no typed constant.
 struct about_z {
   static constexpr int axes = 1;
   template <int, class P>
-  KTE_INLINE static constexpr auto axis(const record<P>&) {
+  KTE_INLINE static constexpr auto axis(const body_node<P>&) {
     return engine::motion_vector{zero3{}, vec3{zero, zero, one}};
   }
 };
 struct along_z {
   static constexpr int axes = 1;
   template <int, class P>
-  KTE_INLINE static constexpr auto axis(const record<P>&) {
+  KTE_INLINE static constexpr auto axis(const body_node<P>&) {
     return engine::motion_vector{vec3{zero, zero, one}, zero3{}};
   }
 };
 struct along_and_about_z {
   static constexpr int axes = 1;
   template <int, class P>
-  KTE_INLINE static constexpr auto axis(const record<P>& r) {
+  KTE_INLINE static constexpr auto axis(const body_node<P>& r) {
     return engine::motion_vector{vec3{zero, zero, r.slides}, vec3{zero, zero, r.turns}};
   }
 };
@@ -41,12 +41,12 @@ struct joint_with_rotor {
   P mass;
 };
 
-/// A record where its joint transform has it.
+/// A body node where its joint transform has it.
 template <class Axes, class P, class S, class Freedom = free_joint>
 struct jointed_body {
   using scalar = S;
-  const record<P>& r;
-  const spot<S>& at;
+  const body_node<P>& r;
+  const joint_transform<S>& at;
 
   [[no_unique_address]] Freedom freedom = {};
 
@@ -95,8 +95,8 @@ struct jointed_body {
 template <class P, class S>
 struct several_axes_body {
   using scalar = S;
-  const record<P>& r;
-  const spot<S>& at;
+  const body_node<P>& r;
+  const joint_transform<S>& at;
   bool is_free = true;
 
   static constexpr bool always_free = false;
@@ -125,39 +125,42 @@ struct several_axes_body {
     }
   }
   KTE_INLINE static constexpr skip in(skip) { return {}; }
-  KTE_INLINE vec3<S> in(const vec3<S>& u) const { return transpose(at.rotation) * placed<P, S>{r, at}.to_seat(u); }
-  KTE_INLINE vec3<S> out(const vec3<S>& u) const { return placed<P, S>{r, at}.seat(vec3<S>(at.rotation * u)); }
+  KTE_INLINE vec3<S> in(const vec3<S>& u) const { return transpose(at.rotation) * placed<P, S>{r, at}.in_placement(u); }
+  KTE_INLINE vec3<S> out(const vec3<S>& u) const { return placed<P, S>{r, at}.out_placement(vec3<S>(at.rotation * u)); }
   template <class A>
   KTE_INLINE A out(const A& a) const {
-    return placed<P, S>{r, at}.seat(as<S>(turned_by(at.rotation, a)));
+    return placed<P, S>{r, at}.out_placement(as<S>(turned_by(at.rotation, a)));
   }
 };
 /// The body without its joint.
 template <class P>
-struct rigid_record {
-  const record<P>& r;
+struct rigid_node {
+  const body_node<P>& r;
   int slot;
   KTE_INLINE const auto& inertia() const { return r.body; }
   KTE_INLINE const auto& composite() const { return r.weight; }
 };
 
-/// All records of a tree, as engine/looped.hpp sees them.
+/// All body nodes of a tree, as engine/looped.hpp sees them.
 template <class P, class S>
-class record_bodies {
+class tree_bodies {
  public:
-  record_bodies(const forest<P>& f, const std::vector<spot<S>>& spots)
-      : records_(f.records.data()), spots_(spots.data()), bases_(f.bases), count_(static_cast<int>(f.records.size())) {}
+  tree_bodies(const body_tree<P>& f, const std::vector<joint_transform<S>>& joint_transforms)
+      : nodes_(f.nodes.data()),
+        joint_transforms_(joint_transforms.data()),
+        bases_(f.bases),
+        count_(static_cast<int>(f.nodes.size())) {}
   KTE_INLINE int count() const { return count_; }
   KTE_INLINE int bases() const { return bases_; }
-  KTE_INLINE int parent(int i) const { return records_[i].parent; }
-  KTE_INLINE bool branches(int i) const { return records_[i].branches; }
-  KTE_INLINE bool usual(int i) const { return records_[i].moves == joint::revolute; }
-  KTE_INLINE jointed_body<about_z, P, S> body(int i) const { return {records_[i], spots_[i]}; }
-  KTE_INLINE rigid_record<P> rigid(int i) const { return {records_[i], bases_ + i}; }
+  KTE_INLINE int parent(int i) const { return nodes_[i].parent; }
+  KTE_INLINE bool branches(int i) const { return nodes_[i].branches; }
+  KTE_INLINE bool usual(int i) const { return nodes_[i].moves == joint::revolute; }
+  KTE_INLINE jointed_body<about_z, P, S> body(int i) const { return {nodes_[i], joint_transforms_[i]}; }
+  KTE_INLINE rigid_node<P> rigid(int i) const { return {nodes_[i], bases_ + i}; }
   template <class F>
   KTE_INLINE void with_body(int i, const F& f) const {
-    const record<P>& r = records_[i];
-    const spot<S>& at = spots_[i];
+    const body_node<P>& r = nodes_[i];
+    const joint_transform<S>& at = joint_transforms_[i];
     if (r.moves == joint::several)
       f(several_axes_body<P, S>{r, at});
     else
@@ -165,34 +168,39 @@ class record_bodies {
   }
 
  protected:
-  const record<P>* records_;
-  const spot<S>* spots_;
+  const body_node<P>* nodes_;
+  const joint_transform<S>* joint_transforms_;
   int bases_, count_;
 };
 
 /// The same with one kind for all joints of one axis, where axes matter little.
 template <class P, class S>
-class one_axis_bodies : public record_bodies<P, S> {
+class one_axis_bodies : public tree_bodies<P, S> {
  public:
-  using record_bodies<P, S>::record_bodies;
-  KTE_INLINE bool usual(int i) const { return this->records_[i].moves != joint::several; }
-  KTE_INLINE jointed_body<along_and_about_z, P, S> body(int i) const { return {this->records_[i], this->spots_[i]}; }
+  using tree_bodies<P, S>::tree_bodies;
+  KTE_INLINE bool usual(int i) const { return this->nodes_[i].moves != joint::several; }
+  KTE_INLINE jointed_body<along_and_about_z, P, S> body(int i) const {
+    return {this->nodes_[i], this->joint_transforms_[i]};
+  }
   template <class F>
   KTE_INLINE void with_body(int i, const F& f) const {
-    f(several_axes_body<P, S>{this->records_[i], this->spots_[i]});
+    f(several_axes_body<P, S>{this->nodes_[i], this->joint_transforms_[i]});
   }
 };
 /// The same with joints whose motion may be prescribed, and with masses on their coordinates.
 template <class P, class S>
-class articulated_bodies : public record_bodies<P, S> {
+class articulated_bodies : public tree_bodies<P, S> {
  public:
-  articulated_bodies(const forest<P>& f, const memory<P, S>& m)
-      : record_bodies<P, S>(f, m.spots), free_(m.yields.data()), plain_(m.plain.data()), mass_(m.own_mass.data()) {}
+  articulated_bodies(const body_tree<P>& f, const memory<P, S>& m)
+      : tree_bodies<P, S>(f, m.joint_transforms),
+        free_(m.is_free.data()),
+        plain_(m.plain.data()),
+        mass_(m.own_mass.data()) {}
   KTE_INLINE bool usual(int i) const { return plain_[i] != 0; }
   template <class F>
   KTE_INLINE void with_body(int i, const F& f) const {
-    const record<P>& r = this->records_[i];
-    const spot<S>& at = this->spots_[i];
+    const body_node<P>& r = this->nodes_[i];
+    const joint_transform<S>& at = this->joint_transforms_[i];
     const bool free = free_[i] != 0;
     if (r.moves == joint::several)
       f(several_axes_body<P, S>{r, at, free});

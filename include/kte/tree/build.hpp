@@ -1,21 +1,21 @@
 #pragma once
 
-#include <kte/contract/stiff_numbers.hpp>
-#include <kte/tree/record.hpp>
+#include <kte/contract/rigid_numbers.hpp>
+#include <kte/tree/body_node.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-/// Records of a chain, from the numbers of its joints, links and bodies.
+/// Body nodes of a chain, from the numbers of its joints, links and bodies.
 namespace kte::tree {
 
 template <class P>
-struct forest_builder {
+struct body_tree_builder {
   using pose_type = pose<mat3<vec3<P>>, vec3<P>>;
   using place_type = frame_place<P>;
 
-  forest<P> result;
+  body_tree<P> result;
 
   static pose_type nowhere() { return {as<P>(matrix(no_rotation{})), {}}; }
 
@@ -24,22 +24,22 @@ struct forest_builder {
     result.base_weight.push_back({});
     return {result.bases++, nowhere()};
   }
-  static place_type link(const place_type& base, const detail::stiff_numbers<P>& x) {
+  static place_type link(const place_type& base, const detail::rigid_numbers<P>& x) {
     return {base.slot, compose(base.at, x.at_zero)};
   }
-  /// `row`: of its first axis. Records are numbered as they come, bases before them by `finish`.
-  place_type add_joint(const place_type& base, const detail::stiff_numbers<P>& x, kind what, int slot, int row,
-                       bool yields) {
-    record<P> r;
-    r.what = what, r.slot = slot, r.first = row, r.axes = nv_of(what), r.yields = yields, r.parent = base.slot;
+  /// `row`: of its first axis. Body nodes are numbered as they come, bases before them by `finish`.
+  place_type add_joint(const place_type& base, const detail::rigid_numbers<P>& x, kind what, int slot, int row,
+                       bool is_free) {
+    body_node<P> r;
+    r.what = what, r.slot = slot, r.first = row, r.axes = nv_of(what), r.is_free = is_free, r.parent = base.slot;
     const pose_type body = what == kind::gen ? axis_to_z(x, r) : canonical(x, what, r);  // in the end, at zero
-    seats_.push_back(compose(base.at, compose(x.at_zero, body)));
-    result.records.push_back(r);
-    return {number_of(result.records.size() - 1), inverse(body)};
+    placements_.push_back(compose(base.at, compose(x.at_zero, body)));
+    result.nodes.push_back(r);
+    return {number_of(result.nodes.size() - 1), inverse(body)};
   }
-  /// Whether the joint added last moves as (1) or (2) of contract/stiff_numbers.hpp says.
-  bool moves_by_axes(const detail::stiff_numbers<P>& x, const place_type& end) const {
-    const record<P>& r = result.records.back();
+  /// Whether the joint added last moves as (1) or (2) of contract/rigid_numbers.hpp says.
+  bool moves_by_axes(const detail::rigid_numbers<P>& x, const place_type& end) const {
+    const body_node<P>& r = result.nodes.back();
     pose_type moved = nowhere();
     if (r.moves == joint::several) {
       moved.rotation = r.what == kind::pose_2D
@@ -68,25 +68,25 @@ struct forest_builder {
   void add_body(const place_type& at, const rigid_body<P, vec3<P>, sym3<P>>& b) {
     const rigid_body<P, vec3<P>, sym3<P>> moved{b.mass, to_parent(at.at, b.com), congruence(at.at.rotation, b.inertia)};
     add_weight(at, to_composite(b));
-    if (is_record(at.slot)) {
-      auto& to = record_at(at.slot).body;
+    if (is_node(at.slot)) {
+      auto& to = node_at(at.slot).body;
       to = together(to, moved);
     }
   }
   /// A mass that moves by a law of its own.
   void add_weight(const place_type& at, const composite<P, vec3<P>, sym3<P>>& c) {
-    auto& to = is_record(at.slot) ? record_at(at.slot).weight : result.base_weight[static_cast<std::size_t>(at.slot)];
+    auto& to = is_node(at.slot) ? node_at(at.slot).weight : result.base_weight[static_cast<std::size_t>(at.slot)];
     const auto moved = transported(at.at.rotation, at.at.position, c);
     to = {to.mass + moved.mass, to.moment + moved.moment, to.inertia + moved.inertia};
   }
 
-  /// Orders the records and splits their seats. `places`: of all frames.
-  forest<P> finish(std::array<std::vector<place_type>, 2> places) {
+  /// Orders the body nodes and splits their placements. `places`: of all frames.
+  body_tree<P> finish(std::array<std::vector<place_type>, 2> places) {
     order();
     for (auto& of_kind : places)
       for (auto& x : of_kind)
-        if (is_record(x.slot)) x.slot = result.bases + position_[static_cast<std::size_t>(index_of(x.slot))];
-    split_seats();
+        if (is_node(x.slot)) x.slot = result.bases + position_[static_cast<std::size_t>(index_of(x.slot))];
+    split_placements();
     for (auto& of_kind : places)
       for (auto& x : of_kind)
         if (x.slot >= result.bases) turn_back(about_z_[static_cast<std::size_t>(x.slot - result.bases)], x.at);
@@ -95,11 +95,11 @@ struct forest_builder {
   }
 
  private:
-  // Until the number of bases is known, record i is slot -1 - i.
-  static int number_of(std::size_t record) { return -1 - static_cast<int>(record); }
-  static bool is_record(int slot) { return slot < 0; }
+  // Until the number of bases is known, body node i is slot -1 - i.
+  static int number_of(std::size_t node) { return -1 - static_cast<int>(node); }
+  static bool is_node(int slot) { return slot < 0; }
   static int index_of(int slot) { return -1 - slot; }
-  record<P>& record_at(int slot) { return result.records[static_cast<std::size_t>(index_of(slot))]; }
+  body_node<P>& node_at(int slot) { return result.nodes[static_cast<std::size_t>(index_of(slot))]; }
 
   /// Both bodies as one.
   static rigid_body<P, vec3<P>, sym3<P>> together(const rigid_body<P, vec3<P>, sym3<P>>& a,
@@ -132,7 +132,7 @@ struct forest_builder {
     return {{x.x, y.x, n.x}, {x.y, y.y, n.y}, {x.z, y.z, n.z}};
   }
   /// Where, in the end of a joint of one coordinate, the frame stands that moves along and about its own z.
-  static pose_type axis_to_z(const detail::stiff_numbers<P>& x, record<P>& r) {
+  static pose_type axis_to_z(const detail::rigid_numbers<P>& x, body_node<P>& r) {
     using std::sqrt;
     const vec3<P>&v = x.linear[0], &w = x.angular[0];
     const P ww = dot(w, w), vv = dot(v, v);
@@ -153,7 +153,7 @@ struct forest_builder {
     return {rotation_to(n), (P(1) / ww) * cross(w, v)};
   }
   /// B^-1 of (2): the unit motions of a rotation or pose, given in the end.
-  static pose_type canonical(const detail::stiff_numbers<P>& x, kind what, record<P>& r) {
+  static pose_type canonical(const detail::rigid_numbers<P>& x, kind what, body_node<P>& r) {
     r.moves = joint::several;
     const auto& w = x.angular;
     const auto& v = x.linear;
@@ -175,13 +175,13 @@ struct forest_builder {
 
   /// Parents before children, the bodies beyond one in a row behind it, bases in front.
   void order() {
-    const auto n = result.records.size();
-    std::vector<std::vector<int>> on(n);  // what stands on a record
+    const auto n = result.nodes.size();
+    std::vector<std::vector<int>> on(n);  // what stands on a body node
     std::vector<int> stack;
     position_.assign(n, -1);
     for (std::size_t i = n; i-- > 0;) {  // the stack gives the first child first
-      const int parent = result.records[i].parent;
-      if (is_record(parent))
+      const int parent = result.nodes[i].parent;
+      if (is_node(parent))
         on[static_cast<std::size_t>(index_of(parent))].push_back(static_cast<int>(i));
       else
         stack.push_back(static_cast<int>(i));
@@ -194,41 +194,39 @@ struct forest_builder {
       order.push_back(i);
       for (const int child : on[static_cast<std::size_t>(i)]) stack.push_back(child);
     }
-    std::vector<record<P>> records;
-    std::vector<pose_type> seats;
+    std::vector<body_node<P>> nodes;
+    std::vector<pose_type> placements;
     for (const int i : order) {
-      record<P> r = result.records[static_cast<std::size_t>(i)];
-      if (is_record(r.parent)) r.parent = result.bases + position_[static_cast<std::size_t>(index_of(r.parent))];
+      body_node<P> r = result.nodes[static_cast<std::size_t>(i)];
+      if (is_node(r.parent)) r.parent = result.bases + position_[static_cast<std::size_t>(index_of(r.parent))];
       const int row = r.first;
       r.first = static_cast<int>(result.row.size());
       r.last = r.first + r.axes;
       for (int k = 0; k < r.axes; ++k) result.row.push_back(row + k);
-      records.push_back(r);
-      seats.push_back(seats_[static_cast<std::size_t>(i)]);
+      nodes.push_back(r);
+      placements.push_back(placements_[static_cast<std::size_t>(i)]);
     }
     for (std::size_t i = n; i-- > 0;)
-      if (const int p = records[i].parent - result.bases; p >= 0)
-        records[static_cast<std::size_t>(p)].last =
-            (std::max)(records[static_cast<std::size_t>(p)].last, records[i].last);
+      if (const int p = nodes[i].parent - result.bases; p >= 0)
+        nodes[static_cast<std::size_t>(p)].last = (std::max)(nodes[static_cast<std::size_t>(p)].last, nodes[i].last);
     for (std::size_t i = 0; i < n; ++i)
-      if (const int p = records[i].parent - result.bases; p >= 0 && p + 1 != static_cast<int>(i))
-        records[static_cast<std::size_t>(p)].branches = true;
+      if (const int p = nodes[i].parent - result.bases; p >= 0 && p + 1 != static_cast<int>(i))
+        nodes[static_cast<std::size_t>(p)].branches = true;
     for (std::size_t k = 0; k < result.row.size(); ++k) result.in_order &= result.row[k] == static_cast<int>(k);
     for (std::size_t i = 0; i < n; ++i) {  // what is on the stack is done with when its last axis is passed
-      for (; !stack.empty() && records[static_cast<std::size_t>(stack.back())].last <= records[i].first;
-           stack.pop_back())
+      for (; !stack.empty() && nodes[static_cast<std::size_t>(stack.back())].last <= nodes[i].first; stack.pop_back())
         result.inward.push_back(stack.back());
       stack.push_back(static_cast<int>(i));
     }
     result.inward.insert(result.inward.end(), stack.rbegin(), stack.rend());
-    result.records = std::move(records), seats_ = std::move(seats);
+    result.nodes = std::move(nodes), placements_ = std::move(placements);
   }
 
   /// What is given in axes that are then turned by t about z.
   static void turn_back(const turn<P>& t, pose_type& x) {
     x.rotation = rows_out_z(t.back(), x.rotation), x.position = in_z(t, x.position);
   }
-  static void turn_back(const turn<P>& t, record<P>& r) {
+  static void turn_back(const turn<P>& t, body_node<P>& r) {
     r.body = {r.body.mass, in_z(t, r.body.com), out_z(t.back(), r.body.inertia)};
     r.weight = {r.weight.mass, in_z(t, r.weight.moment), out_z(t.back(), r.weight.inertia)};
   }
@@ -239,21 +237,21 @@ struct forest_builder {
     const P length = sqrt(P(r.x.z * r.x.z + r.y.z * r.y.z));
     return {-r.y.z / length, r.x.z / length};
   }
-  /// (1) of tree/record.hpp. A z-joint whose first child needs `before` is turned by it instead, with all that is fixed
-  /// to its body.
-  void split_seats() {
-    const auto n = result.records.size();
+  /// (1) of tree/body_node.hpp. A z-joint whose first child needs `before` is turned by it instead, with all that is
+  /// fixed to its body.
+  void split_placements() {
+    const auto n = result.nodes.size();
     about_z_.assign(n, {});
     std::vector<char> has_child(n, 0);
     for (std::size_t i = 0; i < n; ++i) {
-      record<P>& r = result.records[i];
-      pose_type seat = seats_[i];
-      r.before = before_of(seat.rotation);
-      const mat3<vec3<P>> rest = rows_out_z(r.before.back(), seat.rotation);  // Rx(tilt) Rz(after)
+      body_node<P>& r = result.nodes[i];
+      pose_type placement = placements_[i];
+      r.before = before_of(placement.rotation);
+      const mat3<vec3<P>> rest = rows_out_z(r.before.back(), placement.rotation);  // Rx(tilt) Rz(after)
       r.tilt = {rest.z.z, -rest.y.z};
       r.after = {rest.x.x, -rest.x.y};
       if (const int p = r.parent - result.bases; p >= 0) {
-        record<P>& on = result.records[static_cast<std::size_t>(p)];
+        body_node<P>& on = result.nodes[static_cast<std::size_t>(p)];
         turn<P>& turned = about_z_[static_cast<std::size_t>(p)];
         if (on.moves != joint::several && !has_child[static_cast<std::size_t>(p)]) {
           turned = r.before;
@@ -264,14 +262,14 @@ struct forest_builder {
           r.before = turned.back() * r.before;
         }
         has_child[static_cast<std::size_t>(p)] = 1;
-        turn_back(turned, seat);
+        turn_back(turned, placement);
       }
       r.turned = r.before.cos != P(1) || r.before.sin != P(0);
-      r.position = seat.position;
+      r.position = placement.position;
     }
   }
 
-  std::vector<pose_type> seats_;
+  std::vector<pose_type> placements_;
   std::vector<int> position_;
   std::vector<turn<P>> about_z_;
 };

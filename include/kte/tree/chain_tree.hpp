@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-/// What the loops over records need of a chain, worked out from its wiring and the numbers of its elements.
+/// What the loops over body nodes need of a chain, worked out from its wiring and the numbers of its elements.
 namespace kte::detail {
 
 /// P: its numbers. Plan: of `arrange`, or a reference to one.
@@ -14,7 +14,7 @@ template <class P, class Plan>
 class chain_tree {
  public:
   Plan plan;
-  tree::forest<P> forest;
+  tree::body_tree<P> body_tree;
   std::vector<int> slot_of_base;  ///< of plan.bases
   struct rotor {
     int coordinate;
@@ -24,20 +24,20 @@ class chain_tree {
   std::vector<P> own_mass;    ///< of all elements on coordinates, by row
   bool has_own_mass = false;
   bool only_bodies = false;  ///< a tree of degrees of freedom with nothing but bodies on it
-  std::vector<int> angles;   ///< records of which sine and cosine are wanted
+  std::vector<int> angles;   ///< body nodes of which sine and cosine are wanted
   /// Elements that write coordinates, signals and frames before bodies can be placed; signals and frames after that:
   /// those on which forces depend, in order.
   std::vector<int> followers, late;
   std::vector<int> on_coordinates;            ///< elements that act on coordinates alone, in order
   std::vector<int> on_frames;                 ///< elements that act on frames and are no rigid bodies; `late` movers
   std::vector<int> weights;                   ///< those of them that have a mass
-  std::vector<int> spread;                    ///< those that have a mass between several ports
+  std::vector<int> distributed;               ///< those that have a mass between several ports
   std::vector<int> readers;                   ///< joints whose friction depends on what they carry
-  std::vector<int> holders;                   ///< elements that may hold a coordinate
+  std::vector<int> locks;                     ///< elements that may hold a coordinate
   std::vector<std::pair<kind, int>> written;  ///< frames that `late` elements write
   std::vector<std::pair<kind, int>> touched;  ///< the frames that these act on
   std::vector<std::pair<kind, int>> turned;   ///< coordinates whose sines or matrices are read, but by joints
-  /// An element that is more than records say, and why.
+  /// An element that is more than body nodes say, and why.
   struct exception {
     int element = -1;  ///< none
     const char* why = "";
@@ -64,17 +64,17 @@ class chain_tree {
       const auto index = [&](std::size_t port) { return c.index(e, port); };
       add(static_cast<int>(e), c.ports(e), index, n, b);
     });
-    forest = b.finish(std::move(frames_));
-    for (std::size_t i = 0; i < forest.records.size(); ++i) {
-      const auto m = forest.records[i].moves;
+    body_tree = b.finish(std::move(frames_));
+    for (std::size_t i = 0; i < body_tree.nodes.size(); ++i) {
+      const auto m = body_tree.nodes[i].moves;
       if (m == tree::joint::revolute || m == tree::joint::screw) angles.push_back(static_cast<int>(i));
     }
     for (const P& m : own_mass) has_own_mass |= m != P(0);
-    only_bodies = !irregular && plan.tree && plan.coordinates == dofs_ && plan.lone_rows.empty() &&
+    only_bodies = !irregular && plan.tree && plan.coordinates == dofs_ && plan.jointless_dofs.empty() &&
                   on_coordinates.empty() && on_frames.empty() && followers.empty() && late.empty() && readers.empty();
     std::erase_if(touched, [this](const auto& x) { return is_late(x.first, x.second); });
     for (const auto& [k, i] : written)
-      forest.frames[k == kind::frame_2D ? 0 : 1][static_cast<std::size_t>(i)].slot = -1;
+      body_tree.frames[k == kind::frame_2D ? 0 : 1][static_cast<std::size_t>(i)].slot = -1;
     depends_ = {};
     for (auto* list : {&touched, &turned}) {
       std::sort(list->begin(), list->end());
@@ -85,7 +85,7 @@ class chain_tree {
  private:
   template <class T>
   using growing = std::vector<T>;
-  using builder = tree::forest_builder<P>;
+  using builder = tree::body_tree_builder<P>;
   using place = typename builder::place_type;
 
   place& frame(kind k, int i) { return frames_[k == kind::frame_2D ? 0 : 1][static_cast<std::size_t>(i)]; }
@@ -98,10 +98,10 @@ class chain_tree {
   template <class Index>
   void add(int number, std::span<const port> ports, const Index& index, const element_numbers<P>& n, builder& b) {
     const auto at = [&](std::size_t p) -> place& { return frame(ports[p].what, index(p)); };
-    if (n.is != part::stiff)
+    if (n.is != part::rigid)
       for (std::size_t p = 0; p < ports.size(); ++p)
         if (ports[p].how == access::angle) turned.emplace_back(ports[p].what, index(p));
-    if (n.is != part::force && n.is != part::stiff && is_frame(ports[0].what) && n.is < part::follower &&
+    if (n.is != part::force && n.is != part::rigid && is_frame(ports[0].what) && n.is < part::follower &&
         is_late(ports[0].what, index(0)))
       exclude_loads(number, " has a mass on a frame that follows others");
     if (!n.power_dual)
@@ -111,26 +111,26 @@ class chain_tree {
       case part::base:
       case part::closure:
         break;
-      case part::stiff: {
+      case part::rigid: {
         if (is_late(ports[last - 1].what, index(last - 1))) {
           exclude(number, " stands on a frame that follows others: joints and links cannot");
           break;
         }
         if (!n.plain_loads)
-          exclude_loads(number, " has a `doForce` of its own: put that force into an element on the coordinate");
+          exclude_loads(number, " has its own `doForce`: put that force into an element on the coordinate");
         if (ports.size() == 2) {
-          at(1) = builder::link(at(0), n.stiff);
+          at(1) = builder::link(at(0), n.rigid);
           break;
         }
         const int row = plan.joint_row[static_cast<std::size_t>(number)];
-        at(last) = b.add_joint(at(last - 1), n.stiff, ports[0].what, index(0), row, row < dofs_);
-        if (!b.moves_by_axes(n.stiff, at(last)))
+        at(last) = b.add_joint(at(last - 1), n.rigid, ports[0].what, index(0), row, row < dofs_);
+        if (!b.moves_by_axes(n.rigid, at(last)))
           exclude(number, " does not move along axes that are constant in its end, as joints must");
-        if (n.reads_reaction) {
+        if (n.load_dependent_friction) {
           readers.push_back(number);
           turned.emplace_back(ports[0].what, index(0));
         }
-        if (n.holds_coordinate) add_holder(number, index(0));
+        if (n.locks_coordinate) add_lock(number, index(0));
         break;
       }
       case part::body:
@@ -171,9 +171,9 @@ class chain_tree {
         break;
       }
       case part::force: {
-        if (n.holds_coordinate) add_holder(number, index(0));
-        if (n.spreads_mass) {
-          spread.push_back(number);
+        if (n.locks_coordinate) add_lock(number, index(0));
+        if (n.distributed_mass) {
+          distributed.push_back(number);
           for (std::size_t p = 0; p <= last; ++p)
             if (is_frame(ports[p].what) && is_late(ports[p].what, index(p)))
               exclude_loads(number, " has a mass on a frame that follows others");
@@ -188,8 +188,8 @@ class chain_tree {
       }
     }
   }
-  void add_holder(int number, int coordinate) {
-    holders.push_back(number);
+  void add_lock(int number, int coordinate) {
+    locks.push_back(number);
     if (plan.row_of_gen[static_cast<std::size_t>(coordinate)] >= dofs_)
       exclude(number, " holds a coordinate that is not a degree of freedom");
   }
@@ -210,7 +210,7 @@ class chain_tree {
     if (!moves_unknown) moves_unknown = {number, why};
   }
 
-  std::array<std::vector<place>, 2> frames_;  ///< until they are in the forest
+  std::array<std::vector<place>, 2> frames_;  ///< until they are in the tree
   dependencies<growing> depends_;             ///< the same
   int dofs_;
 };

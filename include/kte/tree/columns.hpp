@@ -1,7 +1,7 @@
 #pragma once
 
-#include <kte/tree/lanes.hpp>
 #include <kte/tree/placement.hpp>
+#include <kte/tree/simd.hpp>
 
 #include <algorithm>
 #include <vector>
@@ -31,25 +31,25 @@ class axis_rows {
 
 /// A wrench of some axes.
 template <class S>
-struct wrench_lanes {
-  vec3<lanes<S>> force, torque;
+struct simd_wrench {
+  vec3<simd<S>> force, torque;
 
-  KTE_INLINE void put(const one_lane<S>& at, const dense_wrench<S>& w) {
+  KTE_INLINE void put(const simd_lane<S>& at, const dense_wrench<S>& w) {
     at.put(force.x, w.force.x), at.put(force.y, w.force.y), at.put(force.z, w.force.z);
     at.put(torque.x, w.torque.x), at.put(torque.y, w.torque.y), at.put(torque.z, w.torque.z);
   }
   /// Their powers on the unit rate of a joint of one axis.
   template <class P>
-  KTE_INLINE void power_on(const record<P>& r, lanes<S>& power) const {
+  KTE_INLINE void power_on(const body_node<P>& r, simd<S>& power) const {
     power = torque.z;
     if (r.moves != joint::revolute) power = r.slides * force.z + r.turns * power;
   }
   /// To axes and origin of the parent.
   template <class P>
-  KTE_INLINE void go_in(const record<P>& r, const spot<S>& at) {
-    const placed seat{r, at};
+  KTE_INLINE void go_in(const body_node<P>& r, const joint_transform<S>& at) {
+    const placed transform{r, at};
     const vec3<S>& p = at.position;
-    force = seat.out(force), torque = seat.out(torque);
+    force = transform.out(force), torque = transform.out(torque);
     torque.x += p.y * force.z - p.z * force.y;
     torque.y += p.z * force.x - p.x * force.z;
     torque.z += p.x * force.y - p.y * force.x;
@@ -58,11 +58,11 @@ struct wrench_lanes {
 
 /// Three rows as vectors.
 template <class S>
-KTE_INLINE void load_vectors(vec3<lanes<S>>& x, const S* from, std::size_t row) {
+KTE_INLINE void load_vectors(vec3<simd<S>>& x, const S* from, std::size_t row) {
   load<S>(x.x, from), load<S>(x.y, from + row), load<S>(x.z, from + 2 * row);
 }
 template <class S>
-KTE_INLINE void store_vectors(const vec3<lanes<S>>& x, S* to, std::size_t row) {
+KTE_INLINE void store_vectors(const vec3<simd<S>>& x, S* to, std::size_t row) {
   store<S>(x.x, to), store<S>(x.y, to + row), store<S>(x.z, to + 2 * row);
 }
 
@@ -86,33 +86,33 @@ class wrench_rows {
     const std::size_t row = rows_.stride();
     return {{x[0], x[row], x[2 * row]}, {x[3 * row], x[4 * row], x[5 * row]}};
   }
-  KTE_INLINE void get_lanes(int k, wrench_lanes<S>& w) const {
+  KTE_INLINE void get_simd(int k, simd_wrench<S>& w) const {
     load_vectors(w.force, rows_[0] + k, rows_.stride()), load_vectors(w.torque, rows_[3] + k, rows_.stride());
   }
-  KTE_INLINE void set_lanes(int k, const wrench_lanes<S>& w) {
+  KTE_INLINE void set_simd(int k, const simd_wrench<S>& w) {
     store_vectors(w.force, rows_[0] + k, rows_.stride()), store_vectors(w.torque, rows_[3] + k, rows_.stride());
   }
   /// f(wrenches, the first of them) of axes from `first` up to `last`, which are changed by it. Registers end at
   /// `last`.
   template <class F>
   KTE_INLINE void change(int first, int last, const F& f) {
-    by_lanes_to<S>(last, first, [&](int k) KTE_INLINE_LAMBDA { change_lanes(k, f); });
+    for_each_simd_to<S>(last, first, [&](int k) KTE_INLINE_LAMBDA { change_simd(k, f); });
   }
   /// The same with registers from `first`.
   template <class F>
   KTE_INLINE void change_from(int first, int last, const F& f) {
-    by_lanes<S>(first, last, [&](int k) KTE_INLINE_LAMBDA { change_lanes(k, f); });
+    for_each_simd<S>(first, last, [&](int k) KTE_INLINE_LAMBDA { change_simd(k, f); });
   }
   /// The powers of wrenches from `first` up to `last` on the unit rate of axis a of a joint, as numbers of a row: of
   /// this one, or of `to`.
   template <class P>
-  const S* powers_on(const record<P>& r, int a, int first, int last, S* to) const {
+  const S* powers_on(const body_node<P>& r, int a, int first, int last, S* to) const {
     if (r.moves == joint::several) return component(r.axis[static_cast<std::size_t>(a)]);
     if (r.moves == joint::revolute) return component(5);
-    by_lanes<S>(first, last, [&](int k) KTE_INLINE_LAMBDA {
-      wrench_lanes<S> w;
-      get_lanes(k, w);
-      lanes<S> along;
+    for_each_simd<S>(first, last, [&](int k) KTE_INLINE_LAMBDA {
+      simd_wrench<S> w;
+      get_simd(k, w);
+      simd<S> along;
       w.power_on(r, along), store<S>(along, to + k);
     });
     return to;
@@ -120,11 +120,11 @@ class wrench_rows {
 
  private:
   template <class F>
-  KTE_INLINE void change_lanes(int k, const F& f) {
-    wrench_lanes<S> w;
-    get_lanes(k, w);
+  KTE_INLINE void change_simd(int k, const F& f) {
+    simd_wrench<S> w;
+    get_simd(k, w);
     f(w, k);
-    set_lanes(k, w);
+    set_simd(k, w);
   }
   axis_rows<S> rows_;
 };

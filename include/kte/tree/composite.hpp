@@ -10,25 +10,25 @@ namespace kte::tree {
 
 /// Axes of all bodies in the world, their origins, and the axes of their joints; from those of bases.
 template <class P, class S>
-void place_in_world(const forest<P>& f, memory<P, S>& m) {
-  const one_axis_bodies<P, S> bodies(f, m.spots);
+void place_in_world(const body_tree<P>& f, memory<P, S>& m) {
+  const one_axis_bodies<P, S> bodies(f, m.joint_transforms);
   engine::world_placements<world_place<S>>(engine::looped<one_axis_bodies<P, S>>{bodies}, m.world.data(),
                                            m.axes.data());
 }
 
 /// The inertia of each body with all that it carries, at its origin in its axes; with `Bases` those of bases in theirs.
 template <bool Bases, class P, class S>
-void carry_bodies(const forest<P>& f, memory<P, S>& m) {
+void carry_bodies(const body_tree<P>& f, memory<P, S>& m) {
   if constexpr (Bases)
     for (std::size_t b = 0; b < f.base_weight.size(); ++b) engine::assign(m.carried[b], f.base_weight[b]);
-  const one_axis_bodies<P, S> bodies(f, m.spots);
+  const one_axis_bodies<P, S> bodies(f, m.joint_transforms);
   engine::composite_inertias<Bases, dense_composite<S>>(engine::looped<one_axis_bodies<P, S>>{bodies},
                                                         m.carried.data());
 }
 
 /// The wrench that accelerates what a body carries along axis k of its joint, in axes of the body.
 template <class P, class S>
-KTE_INLINE dense_wrench<S> accelerating(const record<P>& r, int k, const dense_composite<S>& c) {
+KTE_INLINE dense_wrench<S> accelerating(const body_node<P>& r, int k, const dense_composite<S>& c) {
   const S& mass = c.mass;
   const vec3<S>& h = c.moment;
   const sym3<S>& i = c.inertia;
@@ -62,19 +62,19 @@ KTE_INLINE dense_wrench<S> accelerating(const record<P>& r, int k, const dense_c
 /// Bodies inward: the wrenches of all axes beyond a body go in together. Into rows over axes, from the diagonal on up
 /// to the last axis beyond it. After `carry_bodies`.
 template <class P, class S>
-void masses(const forest<P>& f, const memory<P, S>& m, wrench_rows<S>& w, axis_rows<S>& rows) {
+void masses(const body_tree<P>& f, const memory<P, S>& m, wrench_rows<S>& w, axis_rows<S>& rows) {
   w.resize(f.axes()), rows.resize(f.axes(), f.axes());
-  for (std::size_t i = f.records.size(); i-- > 0;) {
-    const record<P>& r = f.records[i];
+  for (std::size_t i = f.nodes.size(); i-- > 0;) {
+    const body_node<P>& r = f.nodes[i];
     const dense_composite<S>& carried = m.carried[static_cast<std::size_t>(f.bases) + i];
-    const spot<S>& at = m.spots[i];
+    const joint_transform<S>& at = m.joint_transforms[i];
     const bool on_base = r.parent < f.bases;
     if (r.moves != joint::several) {
       const dense_wrench<S> own = accelerating(r, 0, carried);
       S* const to = rows[r.first];
-      w.change(r.first, r.last, [&](wrench_lanes<S>& x, int k) KTE_INLINE_LAMBDA {
-        if (k <= r.first) x.put(one_lane<S>(r.first - k), own);
-        lanes<S> along;
+      w.change(r.first, r.last, [&](simd_wrench<S>& x, int k) KTE_INLINE_LAMBDA {
+        if (k <= r.first) x.put(simd_lane<S>(r.first - k), own);
+        simd<S> along;
         x.power_on(r, along);  // (1)
         store<S>(along, to + k);
         if (!on_base) x.go_in(r, at);
@@ -85,7 +85,7 @@ void masses(const forest<P>& f, const memory<P, S>& m, wrench_rows<S>& w, axis_r
     for (int j = r.first; j < r.first + r.axes; ++j)
       std::copy(w.component(r.axis[static_cast<std::size_t>(j - r.first)]) + j,
                 w.component(r.axis[static_cast<std::size_t>(j - r.first)]) + r.last, rows[j] + j);
-    if (!on_base) w.change(r.first, r.last, [&](wrench_lanes<S>& x, int) KTE_INLINE_LAMBDA { x.go_in(r, at); });
+    if (!on_base) w.change(r.first, r.last, [&](simd_wrench<S>& x, int) KTE_INLINE_LAMBDA { x.go_in(r, at); });
   }
 }
 

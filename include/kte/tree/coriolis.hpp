@@ -88,26 +88,26 @@ void coriolis_terms(const Tree& t, const world_axis<S>* axes, const world_axis<S
   }
 }
 
-/// Records as such a tree.
+/// Body nodes as such a tree.
 template <class P, class S>
-struct records_as_tree {
-  const forest<P>& f;
+struct nodes_as_tree {
+  const body_tree<P>& f;
   const memory<P, S>& m;
-  const record<P>& at(int i) const { return f.records[static_cast<std::size_t>(i)]; }
-  int count() const { return static_cast<int>(f.records.size()); }
+  const body_node<P>& at(int i) const { return f.nodes[static_cast<std::size_t>(i)]; }
+  int count() const { return static_cast<int>(f.nodes.size()); }
   int parent(int i) const { return at(i).parent - f.bases; }  // bases come first
   int first(int i) const { return at(i).first; }
   int axes(int i) const { return at(i).axes; }
   const vec3<S>& step(int i) const { return m.world[static_cast<std::size_t>(f.bases + i)].step; }
 };
-/// The same of records. After `place_in_world`, with `rate`, and with the velocities of bases in `bodies`, in axes of
-/// the world.
+/// The same of body nodes. After `place_in_world`, with `rate`, and with the velocities of bases in `bodies`, in axes
+/// of the world.
 template <class P, class S, class Put>
-void coriolis_of_records(const forest<P>& f, memory<P, S>& m, const Put& put) {
-  std::vector<coriolis_body<S>> all(f.records.size());
+void coriolis_of_tree(const body_tree<P>& f, memory<P, S>& m, const Put& put) {
+  std::vector<coriolis_body<S>> all(f.nodes.size());
   std::vector<world_axis<S>> changes(f.axes());
-  for (std::size_t i = 0; i < f.records.size(); ++i) {
-    const record<P>& r = f.records[i];
+  for (std::size_t i = 0; i < f.nodes.size(); ++i) {
+    const body_node<P>& r = f.nodes[i];
     const std::size_t slot = static_cast<std::size_t>(f.bases) + i, first = static_cast<std::size_t>(r.first),
                       end = first + static_cast<std::size_t>(r.axes);
     const world_place<S>& place = m.world[slot];
@@ -121,7 +121,7 @@ void coriolis_of_records(const forest<P>& f, memory<P, S>& m, const Put& put) {
                              as<S>(congruence(place.rotation, as<S>(r.weight.inertia)))},
                             v, w);
   }
-  coriolis_terms(records_as_tree<P, S>{f, m}, m.axes.data(), changes.data(), all.data(), put);
+  coriolis_terms(nodes_as_tree<P, S>{f, m}, m.axes.data(), changes.data(), all.data(), put);
 }
 
 }  // namespace kte::tree

@@ -42,7 +42,7 @@ constexpr dependencies<List> dependencies_of(const Chain& c) {
     const auto ports = c.ports(e);
     const std::size_t last = ports.size() - 1;
     if (ports[last].how != access::out) continue;
-    level l = c.stiff(e) ? level::bodies : level::given;
+    level l = c.rigid(e) ? level::bodies : level::given;
     for (std::size_t p = 0; p < last; ++p)
       if (const level input = slot(d.of, ports[p].what, c.index(e, p)); input > l) l = input;
     slot(d.of, ports[last].what, c.index(e, last)) = l;
@@ -51,7 +51,7 @@ constexpr dependencies<List> dependencies_of(const Chain& c) {
   for (std::size_t e = c.elements(); e-- > 0;) {
     const auto ports = c.ports(e);
     const port& last = ports.back();
-    const bool may_not = last.how == access::out && !c.stiff(e) && !is_coordinate(last.what);
+    const bool may_not = last.how == access::out && !c.rigid(e) && !is_coordinate(last.what);
     d.matters[e] = !may_not || slot(wanted, last.what, c.index(e, ports.size() - 1));
     if (d.matters[e])
       for (std::size_t p = 0; p < ports.size(); ++p) slot(wanted, ports[p].what, c.index(e, p)) = 1;

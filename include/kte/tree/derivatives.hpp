@@ -19,23 +19,23 @@ namespace kte::tree {
 /// with them 2B^T s_i, which (4), (5) multiply by s_j' and s_j: it grows by 2 u x F_a. put(j, i, by_q, by_v, by_a):
 /// change of tau_j by coordinate i.
 template <class P, class S, class Put>
-void vary_forces(const forest<P>& f, const memory<P, S>& m, variation_memory<S>& v, const Put& put) {
+void vary_forces(const body_tree<P>& f, const memory<P, S>& m, variation_memory<S>& v, const Put& put) {
   const std::size_t bases = static_cast<std::size_t>(f.bases);
-  using numbers = fours<S>;
+  using numbers = simd4<S>;
   using vectors = vec3<numbers>;
-  for (std::size_t i = f.records.size(); i-- > 0;) {
-    const record<P>& r = f.records[i];
+  for (std::size_t i = f.nodes.size(); i-- > 0;) {
+    const body_node<P>& r = f.nodes[i];
     const world_place<S>& place = m.world[bases + i];
     const body_variation<S>& b = v.bodies[bases + i];
-    const dense_wrench<S> needs{place.rotation * m.wrenches[bases + i].force,
-                                place.rotation * m.wrenches[bases + i].torque};
+    const dense_wrench<S> body_wrench{place.rotation * m.wrenches[bases + i].force,
+                                      place.rotation * m.wrenches[bases + i].torque};
     const S& mass = b.inertia.mass;
     const vec3<S>& h = b.inertia.moment;
     const sym3<S>& inertia = b.inertia.inertia;
     for (int k = r.first; k < r.first + r.axes; ++k) {
       const axis_variation<S>& x = v.axes[static_cast<std::size_t>(k)];
       vectors linear, angular, turning;
-      load_fours<S>(linear, x.linear), load_fours<S>(angular, x.angular), load_fours<S>(turning, x.turning);
+      load_simd4<S>(linear, x.linear), load_simd4<S>(angular, x.angular), load_simd4<S>(turning, x.turning);
       vectors force{mass * linear.x, mass * linear.y, mass * linear.z};
       add_cross(force, angular, h), add_cross(force, b.force, turning);
       vectors torque{inertia.xx * angular.x + inertia.xy * angular.y + inertia.xz * angular.z,
@@ -58,10 +58,10 @@ void vary_forces(const forest<P>& f, const memory<P, S>& m, variation_memory<S>&
       }
       if (r.parent < f.bases) continue;
       const spatial_motion<S> s = x.axis();
-      const vec3<S> more = cross(s.angular, needs.force);
-      vec3<S> more_torque = cross(s.angular, needs.torque), to_rate = transpose(b.torque) * s.angular;
+      const vec3<S> more = cross(s.angular, body_wrench.force);
+      vec3<S> more_torque = cross(s.angular, body_wrench.torque), to_rate = transpose(b.torque) * s.angular;
       if (slides) {
-        more_torque = more_torque + cross(s.linear, needs.force);
+        more_torque = more_torque + cross(s.linear, body_wrench.force);
         to_rate = to_rate - cross(b.force, s.linear);
       }
       force.x[0] += more.x, force.y[0] += more.y, force.z[0] += more.z;
@@ -73,17 +73,17 @@ void vary_forces(const forest<P>& f, const memory<P, S>& m, variation_memory<S>&
       const vec3<S> by_a{force.x[2], force.y[2], force.z[2]};
       for (std::size_t slot = bases + i;;) {
         vectors ways;
-        load_fours<S>(ways, v.bodies[slot].ways);
+        load_simd4<S>(ways, v.bodies[slot].ways);
         add_cross(torque, ways, force);
         vectors from_rates;  // F_a thrice, 2B^T s
         repeat_third<S>(torque.x, from_rates.x), repeat_third<S>(torque.y, from_rates.y);
         repeat_third<S>(torque.z, from_rates.z);
-        slot = static_cast<std::size_t>(f.records[slot - bases].parent);
-        const record<P>& before = f.records[slot - bases];
+        slot = static_cast<std::size_t>(f.nodes[slot - bases].parent);
+        const body_node<P>& before = f.nodes[slot - bases];
         const bool before_slides = before.moves != joint::revolute;
         for (int j = before.first; j < before.first + before.axes; ++j) {
           const axis_variation<S>& y = v.axes[static_cast<std::size_t>(j)];
-          load_fours<S>(linear, y.linear), load_fours<S>(angular, y.angular);
+          load_simd4<S>(linear, y.linear), load_simd4<S>(angular, y.angular);
           numbers on, back;
           power_on(y.axis(), before_slides, on);
           back = angular.x * from_rates.x + angular.y * from_rates.y + angular.z * from_rates.z;

@@ -2,7 +2,7 @@
 
 #include <kte/detail/shuffles.hpp>
 #include <kte/math/matrix.hpp>
-#include <kte/tree/lanes.hpp>
+#include <kte/tree/simd.hpp>
 
 /// A vector in space of which nobody wants single components: in one register where four numbers fit in one, the last
 /// of them zero, else as three numbers.
@@ -10,13 +10,13 @@ namespace kte::tree {
 
 #if defined(KTE_HAS_SHUFFLES)
 template <class S>
-inline constexpr bool fits_register = lanes_of<S>::count == 4;
+inline constexpr bool fits_register = simd_of<S>::count == 4;
 #else
 template <class S>
 inline constexpr bool fits_register = false;
 #endif
 template <class S>
-using direction = std::conditional_t<fits_register<S>, lanes<S>, vec3<S>>;
+using direction = std::conditional_t<fits_register<S>, simd<S>, vec3<S>>;
 
 template <class S>
 KTE_INLINE direction<S> direction_of(const vec3<S>& v) {

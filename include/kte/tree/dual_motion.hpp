@@ -12,7 +12,7 @@ namespace kte::tree {
 /// Of a body, in its axes: how far its joint turns it, and from the origin of its parent to its own in axes of that.
 /// Turns have no value.
 template <class D>
-struct dual_seat {
+struct dual_joint_transform {
   vec3<D> turn{}, step{};
   vec3<D> turned{};  ///< in the world
 };
@@ -22,19 +22,19 @@ template <class D>
 struct dual_memory {
   // From outside: how far joints move along their axes (of value nothing), rates and accelerations of axes.
   std::vector<D> shift, rate, acceleration;
-  std::vector<D> force;                          ///< on axes
-  std::vector<dual_seat<D>> seats;               ///< of slots
-  std::vector<body_motion<D>> bodies;            ///< likewise
-  std::vector<dense_wrench<D>> loads, wrenches;  ///< likewise
-  std::vector<world_place<D>> world;             ///< likewise, but for steps
+  std::vector<D> force;                                   ///< on axes
+  std::vector<dual_joint_transform<D>> joint_transforms;  ///< of slots
+  std::vector<body_motion<D>> bodies;                     ///< likewise
+  std::vector<dense_wrench<D>> loads, wrenches;           ///< likewise
+  std::vector<world_place<D>> world;                      ///< likewise, but for steps
 
   template <class P>
-  explicit dual_memory(const forest<P>& f)
+  explicit dual_memory(const body_tree<P>& f)
       : shift(f.axes(), D(0)),
         rate(shift),
         acceleration(shift),
         force(shift),
-        seats(f.slots()),
+        joint_transforms(f.slots()),
         bodies(f.slots()),
         loads(f.slots()),
         wrenches(f.slots()),
@@ -80,32 +80,32 @@ mat3<vec3<S>> rotation_in_parent(const placed<P, S>& at) {
 }
 /// Bases where they are in plain numbers.
 template <class P, class S, class D>
-void place_bases_in_duals(const forest<P>& f, const memory<P, S>& m, dual_memory<D>& d) {
+void place_bases_in_duals(const body_tree<P>& f, const memory<P, S>& m, dual_memory<D>& d) {
   for (std::size_t b = 0; b < static_cast<std::size_t>(f.bases); ++b) {
     const body_motion<S>& x = m.bodies[b];
     d.bodies[b] = {constants<D>(x.velocity), constants<D>(x.ang_velocity), constants<D>(x.acceleration),
                    constants<D>(x.ang_acceleration)};
     d.world[b].position = constants<D>(m.world[b].position);
-    d.seats[b].turned = {};
-    place_in_duals(m.world[b].rotation, d.seats[b].turned, d.world[b]);
+    d.joint_transforms[b].turned = {};
+    place_in_duals(m.world[b].rotation, d.joint_transforms[b].turned, d.world[b]);
   }
 }
-/// A record whose joint moves it by derivatives alone (engine/body.hpp): R = (1 + [turn]x), in axes of the body.
+/// A body node whose joint moves it by derivatives alone (engine/body.hpp): R = (1 + [turn]x), in axes of the body.
 template <class P, class S, class D>
 struct dual_body {
   using scalar = D;
-  const record<P>& r;
-  const dual_seat<D>& seat;
+  const body_node<P>& r;
+  const dual_joint_transform<D>& transform;
   const mat3<vec3<S>> rotation;  ///< in the parent
 
   KTE_INLINE int first() const { return r.first; }
   KTE_INLINE const auto& inertia() const { return r.body; }
-  KTE_INLINE const vec3<D>& position() const { return seat.step; }
+  KTE_INLINE const vec3<D>& position() const { return transform.step; }
   vec3<D> in(const vec3<D>& u) const {
     const vec3<D> x = product(transpose(rotation), u);
-    return x - dual_cross(seat.turn, x);
+    return x - dual_cross(transform.turn, x);
   }
-  vec3<D> out(const vec3<D>& u) const { return product(rotation, vec3<D>(u + dual_cross(seat.turn, u))); }
+  vec3<D> out(const vec3<D>& u) const { return product(rotation, vec3<D>(u + dual_cross(transform.turn, u))); }
   engine::motion_vector<vec3<D>, vec3<D>> along_axes(const D* x) const {
     engine::motion_vector<vec3<D>, vec3<D>> sum{};
     tree::along_axes(r, x, sum.linear, sum.angular);
@@ -118,50 +118,51 @@ struct dual_body {
 };
 template <class P, class S, class D>
 struct dual_bodies {
-  const forest<P>& f;
+  const body_tree<P>& f;
   const memory<P, S>& m;
   const dual_memory<D>& d;
 
-  const record<P>& at(int i) const { return f.records[static_cast<std::size_t>(i)]; }
-  int count() const { return static_cast<int>(f.records.size()); }
+  const body_node<P>& at(int i) const { return f.nodes[static_cast<std::size_t>(i)]; }
+  int count() const { return static_cast<int>(f.nodes.size()); }
   int bases() const { return f.bases; }
   int parent(int i) const { return at(i).parent; }
   bool branches(int i) const { return at(i).branches; }
   dual_body<P, S, D> body(int i) const {
-    return {at(i), d.seats[static_cast<std::size_t>(f.bases + i)],
-            rotation_in_parent(placed{at(i), m.spots[static_cast<std::size_t>(i)]})};
+    return {at(i), d.joint_transforms[static_cast<std::size_t>(f.bases + i)],
+            rotation_in_parent(placed{at(i), m.joint_transforms[static_cast<std::size_t>(i)]})};
   }
-  rigid_record<P> rigid(int i) const { return {at(i), f.bases + i}; }
+  rigid_node<P> rigid(int i) const { return {at(i), f.bases + i}; }
 };
 
 /// Bodies to where derivatives of `shift` move them, after `place_in_world` in plain numbers, and with bases in place.
 template <class P, class S, class D>
-void place_bodies_in_duals(const forest<P>& f, const memory<P, S>& m, dual_memory<D>& d) {
-  for (std::size_t i = 0; i < f.records.size(); ++i) {
-    const record<P>& r = f.records[i];
+void place_bodies_in_duals(const body_tree<P>& f, const memory<P, S>& m, dual_memory<D>& d) {
+  for (std::size_t i = 0; i < f.nodes.size(); ++i) {
+    const body_node<P>& r = f.nodes[i];
     const std::size_t slot = static_cast<std::size_t>(f.bases) + i, parent = static_cast<std::size_t>(r.parent);
-    dual_seat<D>& seat = d.seats[slot];
+    dual_joint_transform<D>& transform = d.joint_transforms[slot];
     vec3<D> slide{};
-    seat.turn = {};
-    along_axes(r, &d.shift[static_cast<std::size_t>(r.first)], slide, seat.turn);
-    seat.step = constants<D>(m.spots[i].position) + product(rotation_in_parent(placed{r, m.spots[i]}), slide);
-    const vec3<D>& turned = d.seats[parent].turned;
-    const vec3<D> in_world = product(m.world[parent].rotation, seat.step);
-    seat.turned = turned + product(m.world[slot].rotation, seat.turn);
+    transform.turn = {};
+    along_axes(r, &d.shift[static_cast<std::size_t>(r.first)], slide, transform.turn);
+    transform.step = constants<D>(m.joint_transforms[i].position) +
+                     product(rotation_in_parent(placed{r, m.joint_transforms[i]}), slide);
+    const vec3<D>& turned = d.joint_transforms[parent].turned;
+    const vec3<D> in_world = product(m.world[parent].rotation, transform.step);
+    transform.turned = turned + product(m.world[slot].rotation, transform.turn);
     d.world[slot].position = d.world[parent].position + (in_world + dual_cross(turned, in_world));
-    place_in_duals(m.world[slot].rotation, seat.turned, d.world[slot]);
+    place_in_duals(m.world[slot].rotation, transform.turned, d.world[slot]);
   }
 }
 /// As the functions of tree/newton_euler.hpp; derivatives of motions are those that bodies see.
 template <class P, class S, class D>
-void move_in_duals(const forest<P>& f, const memory<P, S>& m, dual_memory<D>& d) {
+void move_in_duals(const body_tree<P>& f, const memory<P, S>& m, dual_memory<D>& d) {
   place_bodies_in_duals(f, m, d);
   const dual_bodies<P, S, D> bodies{f, m, d};
   (void)engine::motions<body_motion<D>>(engine::looped<dual_bodies<P, S, D>>{bodies}, d.bodies.data(), d.rate.data(),
                                         d.acceleration.data());
 }
 template <class P, class S, class D>
-void transmit_in_duals(const forest<P>& f, const memory<P, S>& m, dual_memory<D>& d) {
+void transmit_in_duals(const body_tree<P>& f, const memory<P, S>& m, dual_memory<D>& d) {
   const dual_bodies<P, S, D> bodies{f, m, d};
   engine::transmitted_forces<true>(engine::looped<dual_bodies<P, S, D>>{bodies}, d.wrenches.data(),
                                    engine::kept_array<body_motion<D>>{d.bodies.data() + f.bases},

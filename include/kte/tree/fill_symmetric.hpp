@@ -7,7 +7,7 @@ namespace kte::tree {
 /// A symmetric matrix over coordinates from rows over axes, each from the diagonal on: those of bodies beyond a joint,
 /// which have something in common with it, or of all. What lies beyond the coordinates asked for is left out.
 template <class P, class S, class Matrix>
-void fill_symmetric(const forest<P>& f, int coordinates, const axis_rows<S>& rows, bool all, Matrix& m) {
+void fill_symmetric(const body_tree<P>& f, int coordinates, const axis_rows<S>& rows, bool all, Matrix& m) {
   const int axes = static_cast<int>(f.axes());
   if (f.in_order && axes == coordinates) [[likely]] {
     if (all)
@@ -15,7 +15,7 @@ void fill_symmetric(const forest<P>& f, int coordinates, const axis_rows<S>& row
     else
       m.setZero(axes, axes);
     S* const x = m.data();
-    for (const record<P>& r : f.records)
+    for (const body_node<P>& r : f.nodes)
       for (int j = r.first; j < r.first + r.axes; ++j) {
         // Pointers alone: of a loop with strides g++ makes several, which take longer to choose from than to run.
         const S* from = rows[j] + j;
@@ -26,7 +26,7 @@ void fill_symmetric(const forest<P>& f, int coordinates, const axis_rows<S>& row
     return;
   }
   m.setZero(coordinates, coordinates);
-  for (const record<P>& r : f.records)
+  for (const body_node<P>& r : f.nodes)
     for (int j = r.first; j < r.first + r.axes; ++j)
       for (int k = j; k < (all ? axes : r.last); ++k) {
         const int a = f.row[static_cast<std::size_t>(j)], b = f.row[static_cast<std::size_t>(k)];

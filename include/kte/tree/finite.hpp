@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kte/kernels/joint_vector.hpp>
-#include <kte/tree/lanes.hpp>
+#include <kte/tree/simd.hpp>
 
 #include <iterator>
 #include <limits>
@@ -26,16 +26,16 @@ KTE_INLINE constexpr auto row_of(const X& x) {
 template <class X, class S>
 concept stands_in_row = std::is_same_v<decltype(row_of<S>(std::declval<const X&>())), const S*>;
 
-/// `factor` times the numbers are summed, and zero times that is zero unless one of the products is endless or none (or
+/// `factor` times the numbers are summed, and zero times that is zero unless one of the products is infinite or NaN (or
 /// the sum is). Those that do not fill two registers are read twice.
 template <class S>
 KTE_INLINE bool all_finite_times(const S& factor, const S* x, std::size_t n) {
-  constexpr std::size_t count = lanes_of<S>::count;
+  constexpr std::size_t count = simd_of<S>::count;
   if constexpr (count > 1) {
     if (n >= count) {
-      lanes<S> some{}, others{};
-      const auto add = [&factor](lanes<S>& sum, const S* from) KTE_INLINE_LAMBDA {
-        lanes<S> y;
+      simd<S> some{}, others{};
+      const auto add = [&factor](simd<S>& sum, const S* from) KTE_INLINE_LAMBDA {
+        simd<S> y;
         load<S>(y, from);
         sum += y * factor;
       };

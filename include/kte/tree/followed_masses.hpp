@@ -13,7 +13,7 @@ struct followed_memory {
   ratios<S> j;
   std::vector<int> dof;    ///< of columns
   std::vector<int> place;  ///< of degrees of freedom: their column of the body at hand, if it has one
-  std::vector<int> first;  ///< of records: their first column; -1: nothing has come to them yet
+  std::vector<int> first;  ///< of body nodes: their first column; -1: nothing has come to them yet
 };
 
 /// The mass matrix over the degrees of freedom where coordinates follow them, in one pass over bodies: the composite
@@ -24,14 +24,14 @@ struct followed_memory {
 ///
 /// so that neither time nor memory grow with the square of the number of axes. Into m; after `carry_bodies`.
 template <class P, class S, class Matrix>
-void followed_masses(const forest<P>& f, const memory<P, S>& at, int dofs, followed_memory<S>& x, mass_memory<S>& y,
+void followed_masses(const body_tree<P>& f, const memory<P, S>& at, int dofs, followed_memory<S>& x, mass_memory<S>& y,
                      Matrix& m) {
   std::size_t columns = 0;
   for (const int row : f.row) columns += x.j.of(row).size();
   constexpr std::size_t most_axes = 6;  // of a joint, whose wrenches stand behind the columns for a while
   wrench_rows<S>& w = y.wrenches;
   w.resize(columns + most_axes), y.rows.resize(1, columns + most_axes);
-  x.dof.resize(columns), x.place.assign(static_cast<std::size_t>(dofs), -1), x.first.assign(f.records.size(), -1);
+  x.dof.resize(columns), x.place.assign(static_cast<std::size_t>(dofs), -1), x.first.assign(f.nodes.size(), -1);
   m.setZero(dofs, dofs);
   S* const masses = m.data();
   const auto put = [masses, dofs](std::ptrdiff_t c, std::ptrdiff_t d, const S& mass)
@@ -39,7 +39,7 @@ void followed_masses(const forest<P>& f, const memory<P, S>& at, int dofs, follo
   int *const dof = x.dof.data(), *const place = x.place.data();
   int last = 0;
   for (const int i : f.inward) {
-    const record<P>& r = f.records[static_cast<std::size_t>(i)];
+    const body_node<P>& r = f.nodes[static_cast<std::size_t>(i)];
     const int beyond = x.first[static_cast<std::size_t>(i)], first = beyond < 0 ? last : beyond;
     const auto add = [&](int d, const dense_wrench<S>& load) {
       int& k = place[d];
@@ -79,8 +79,8 @@ void followed_masses(const forest<P>& f, const memory<P, S>& at, int dofs, follo
       const dense_wrench<S> load = w.get(own + a);
       for (const auto& [d, ratio] : ratios_of(a)) add(d, {ratio * load.force, ratio * load.torque});
     }
-    const spot<S>& seat = at.spots[static_cast<std::size_t>(i)];
-    w.change_from(first, last, [&](wrench_lanes<S>& load, int) KTE_INLINE_LAMBDA { load.go_in(r, seat); });
+    const joint_transform<S>& transform = at.joint_transforms[static_cast<std::size_t>(i)];
+    w.change_from(first, last, [&](simd_wrench<S>& load, int) KTE_INLINE_LAMBDA { load.go_in(r, transform); });
     int& of_parent = x.first[static_cast<std::size_t>(r.parent - f.bases)];
     if (of_parent < 0) of_parent = first;
   }

@@ -23,30 +23,30 @@ struct mass_memory {
 ///
 /// symmetric and positive by its form. (Jain, Robot and Multibody Dynamics, 2011, section 7.2.) Bodies inward: all W of
 /// axes beyond a body go in together. Into rows over axes, each from the diagonal on. After `articulate`; of joints
-/// that all yield or rest.
+/// that all move or rest.
 template <class P, class S>
-void inverse_masses(const forest<P>& f, const memory<P, S>& m, mass_memory<S>& x) {
+void inverse_masses(const body_tree<P>& f, const memory<P, S>& m, mass_memory<S>& x) {
   wrench_rows<S>& w = x.wrenches;
   w.resize(f.axes());
   x.rows.resize(f.axes(), f.axes());
   x.left.resize(6, f.axes());
-  const auto give = [](wrench_lanes<S>& load, const dense_wrench<S>& gain, const lanes<S>& e) KTE_INLINE_LAMBDA {
+  const auto give = [](simd_wrench<S>& load, const dense_wrench<S>& gain, const simd<S>& e) KTE_INLINE_LAMBDA {
     load.force.x -= gain.force.x * e, load.force.y -= gain.force.y * e, load.force.z -= gain.force.z * e;
     load.torque.x -= gain.torque.x * e, load.torque.y -= gain.torque.y * e, load.torque.z -= gain.torque.z * e;
   };
-  for (std::size_t i = f.records.size(); i-- > 0;) {
-    const record<P>& r = f.records[i];
-    const spot<S>& at = m.spots[i];
+  for (std::size_t i = f.nodes.size(); i-- > 0;) {
+    const body_node<P>& r = f.nodes[i];
+    const joint_transform<S>& at = m.joint_transforms[i];
     const axis_factors<S>* const factors = &m.factors[static_cast<std::size_t>(r.first)];
-    const bool on_base = r.parent < f.bases, yields = m.yields[i] != 0;
-    if (r.moves != joint::several && yields) {
+    const bool on_base = r.parent < f.bases, is_free = m.is_free[i] != 0;
+    if (r.moves != joint::several && is_free) {
       const dense_wrench<S> gain = factors[0].gain;
       S* const left = x.left[0];
-      w.change(r.first, r.last, [&](wrench_lanes<S>& load, int k) KTE_INLINE_LAMBDA {  // (1)
-        lanes<S> e;
-        if (k <= r.first) load.put(one_lane<S>(r.first - k), {});
+      w.change(r.first, r.last, [&](simd_wrench<S>& load, int k) KTE_INLINE_LAMBDA {  // (1)
+        simd<S> e;
+        if (k <= r.first) load.put(simd_lane<S>(r.first - k), {});
         load.power_on(r, e);
-        if (k <= r.first) one_lane<S>(r.first - k).put(e, S(1));
+        if (k <= r.first) simd_lane<S>(r.first - k).put(e, S(1));
         store<S>(e, left + k);
         if (on_base) return;
         give(load, gain, e);
@@ -54,30 +54,30 @@ void inverse_masses(const forest<P>& f, const memory<P, S>& m, mass_memory<S>& x
       });
     } else {
       for (int k = r.first; k < r.first + r.axes; ++k) w.set(k, dense_wrench<S>{});
-      for (int l = r.first + r.axes; yields && l-- > r.first;) {
+      for (int l = r.first + r.axes; is_free && l-- > r.first;) {
         const S* const component = w.component(r.axis[static_cast<std::size_t>(l - r.first)]);
         S* const left = x.left[l - r.first];
-        by_lanes_to<S>(r.last, l, [&](int k) KTE_INLINE_LAMBDA {
-          lanes<S> e;
+        for_each_simd_to<S>(r.last, l, [&](int k) KTE_INLINE_LAMBDA {
+          simd<S> e;
           tree::load<S>(e, component + k), store<S>(e, left + k);
         });
         left[l] = S(1);
-        w.change(l, r.last, [&](wrench_lanes<S>& load, int k) KTE_INLINE_LAMBDA {
-          lanes<S> e;
+        w.change(l, r.last, [&](simd_wrench<S>& load, int k) KTE_INLINE_LAMBDA {
+          simd<S> e;
           tree::load<S>(e, left + k);
           give(load, factors[l - r.first].gain, e);
         });
       }
-      if (!on_base) w.change(r.first, r.last, [&](wrench_lanes<S>& load, int) KTE_INLINE_LAMBDA { load.go_in(r, at); });
+      if (!on_base) w.change(r.first, r.last, [&](simd_wrench<S>& load, int) KTE_INLINE_LAMBDA { load.go_in(r, at); });
     }
     // What axes of other bodies have in common with those from here on is still to come, if anything is.
     const int beside =
-        on_base ? static_cast<int>(f.axes()) : f.records[static_cast<std::size_t>(r.parent - f.bases)].last;
+        on_base ? static_cast<int>(f.axes()) : f.nodes[static_cast<std::size_t>(r.parent - f.bases)].last;
     for (int j = r.first; j < r.last; ++j) {
-      const int known = yields || j >= r.first + r.axes ? r.last : j;
+      const int known = is_free || j >= r.first + r.axes ? r.last : j;
       std::fill(x.rows[j] + known, x.rows[j] + beside, S(0));
     }
-    if (!yields) continue;
+    if (!is_free) continue;
     const S* const e = x.left[0];
     const std::size_t row = x.left.stride();
     for (int j = r.first; j < r.last; ++j) {  // (2)
@@ -88,8 +88,8 @@ void inverse_masses(const forest<P>& f, const memory<P, S>& m, mass_memory<S>& x
       for (int l = 0; l < axes; ++l)
         rate[static_cast<std::size_t>(l)] = factors[l].inverse * e[static_cast<std::size_t>(l) * row + j];
       const auto add = [&](auto count) KTE_INLINE_LAMBDA {
-        by_lanes_to<S>(r.last, j, [&](int k) KTE_INLINE_LAMBDA {
-          lanes<S> sum{}, e_k;
+        for_each_simd_to<S>(r.last, j, [&](int k) KTE_INLINE_LAMBDA {
+          simd<S> sum{}, e_k;
           if (!own) load<S>(sum, to + k);
           for (std::size_t l = 0; l < static_cast<std::size_t>(count()); ++l) {
             load<S>(e_k, e + l * row + k);
@@ -108,15 +108,15 @@ void inverse_masses(const forest<P>& f, const memory<P, S>& m, mass_memory<S>& x
   }
 }
 
-/// The entry of the diagonal of M^-1 that belongs to axis `k` of record `i`: by (2) the sum of e_lk D_l^-1 e_lk over
+/// The entry of the diagonal of M^-1 that belongs to axis `k` of body node `i`: by (2) the sum of e_lk D_l^-1 e_lk over
 /// the axes l from there to the base, by (1) one after the other. As `inverse_masses`.
 template <class P, class S>
-S inverse_mass_of_axis(const forest<P>& f, const memory<P, S>& m, std::size_t i, int k) {
+S inverse_mass_of_axis(const body_tree<P>& f, const memory<P, S>& m, std::size_t i, int k) {
   dense_wrench<S> load{};
   S sum(0);
   for (bool own = true;; own = false) {
-    const record<P>& r = f.records[i];
-    for (int l = own ? k : r.axes - 1; m.yields[i] && l >= 0; --l) {
+    const body_node<P>& r = f.nodes[i];
+    for (int l = own ? k : r.axes - 1; m.is_free[i] && l >= 0; --l) {
       const axis_factors<S>& factor = m.factors[static_cast<std::size_t>(r.first + l)];
       S e(0);
       if (r.moves == joint::several)
@@ -128,7 +128,7 @@ S inverse_mass_of_axis(const forest<P>& f, const memory<P, S>& m, std::size_t i,
       load = {load.force - e * factor.gain.force, load.torque - e * factor.gain.torque};
     }
     if (r.parent < f.bases) return sum;
-    load = placed{r, m.spots[i]}.out(load);
+    load = placed{r, m.joint_transforms[i]}.out(load);
     i = static_cast<std::size_t>(r.parent - f.bases);
   }
 }

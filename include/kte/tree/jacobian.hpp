@@ -6,18 +6,18 @@
 namespace kte::tree {
 
 /// The pose of a frame in its base, or in the body of slot `top` where it stands on that; the slot is returned. Only
-/// the records on the way are read.
+/// the body nodes on the way are read.
 template <class P, class S>
-int pose_in_base(const forest<P>& f, const memory<P, S>& m, const frame_place<P>& frame, dense_pose<S>& x,
+int pose_in_base(const body_tree<P>& f, const memory<P, S>& m, const frame_place<P>& frame, dense_pose<S>& x,
                  int top = -1) {
   mat3<vec3<S>> rotation = as<S>(frame.at.rotation);
   vec3<S> p = as<S>(frame.at.position);
   int slot = frame.slot;
   while (slot >= f.bases && slot != top) {
     const auto i = static_cast<std::size_t>(slot - f.bases);
-    const placed at{f.records[i], m.spots[i]};
+    const placed at{f.nodes[i], m.joint_transforms[i]};
     rotation = at.units_out(rotation), p = at.at.position + at.out(p);
-    slot = f.records[i].parent;
+    slot = f.nodes[i].parent;
   }
   x = {rotation, p};
   return slot;
@@ -28,7 +28,7 @@ int pose_in_base(const forest<P>& f, const memory<P, S>& m, const frame_place<P>
 ///
 ///   put(k, s_v + s_w x p, s_w)          (1)
 template <class P, class S, class Put>
-KTE_INLINE void columns_of_joint(const record<P>& r, const mat3<direction<S>>& units, const direction<S>& p,
+KTE_INLINE void columns_of_joint(const body_node<P>& r, const mat3<direction<S>>& units, const direction<S>& p,
                                  const Put& put) {
   const direction<S>& z = units.z;
   switch (r.moves) {
@@ -56,15 +56,15 @@ KTE_INLINE void columns_of_joint(const record<P>& r, const mat3<direction<S>>& u
 /// The columns of the Jacobian of a frame in its own axes, from the frame to its base or `top` (Siciliano et al.,
 /// Robotics, 2009, section 3.1.3): put(k, v, w) as (1). Returns as `pose_in_base`.
 template <class P, class S, class N, class Put>
-int jacobian_columns(const forest<P>& f, const memory<P, S>& m, const frame_place<N>& frame, dense_pose<S>& x,
+int jacobian_columns(const body_tree<P>& f, const memory<P, S>& m, const frame_place<N>& frame, dense_pose<S>& x,
                      const Put& put, int top = -1) {
   mat3<direction<S>> units = directions_of<S>(as<S>(frame.at.rotation));
   direction<S> p = combined(units, as<S>(frame.at.position));
   int slot = frame.slot;
   while (slot >= f.bases && slot != top) {
     const auto i = static_cast<std::size_t>(slot - f.bases);
-    const record<P>& r = f.records[i];
-    const placed at{r, m.spots[i]};
+    const body_node<P>& r = f.nodes[i];
+    const placed at{r, m.joint_transforms[i]};
     columns_of_joint<P, S>(r, units, p, put);
     units = at.units_out(units), p = p + combined(units, at.at.position);
     slot = r.parent;
@@ -75,16 +75,16 @@ int jacobian_columns(const forest<P>& f, const memory<P, S>& m, const frame_plac
 /// The same in world axes: the columns of all joints on the way of a frame, from the frame to its base. Bodies outward,
 /// columns back. `base`: the axes of the base.
 template <class P, class S, class Put>
-void jacobian_columns_in_world(const forest<P>& f, memory<P, S>& m, const frame_place<P>& frame,
+void jacobian_columns_in_world(const body_tree<P>& f, memory<P, S>& m, const frame_place<P>& frame,
                                std::span<const int> way, const mat3<vec3<S>>& base, const Put& put) {
   // What is written could be a vector's, for all that compilers know: these are not looked up again.
-  const record<P>* const records = f.records.data();
-  const spot<S>* const spots = m.spots.data();
+  const body_node<P>* const nodes = f.nodes.data();
+  const joint_transform<S>* const joint_transforms = m.joint_transforms.data();
   seen_body<S>* const seen = m.seen.data();
   mat3<direction<S>> units = directions_of<S>(transpose(base));
   for (std::size_t n = way.size(); n-- > 0;) {
     const int i = way[n];
-    const placed at{records[i], spots[i]};
+    const placed at{nodes[i], joint_transforms[i]};
     seen_body<S>& x = seen[n];
     x.step = combined(units, at.at.position);
     units = at.units_in(units);
@@ -93,18 +93,18 @@ void jacobian_columns_in_world(const forest<P>& f, memory<P, S>& m, const frame_
   direction<S> p = combined(units, as<S>(frame.at.position));
   for (std::size_t n = 0; n < way.size(); ++n) {
     const seen_body<S>& x = seen[n];
-    columns_of_joint<P, S>(records[way[n]], x.units, p, put);
+    columns_of_joint<P, S>(nodes[way[n]], x.units, p, put);
     p = p + x.step;
   }
 }
 
 /// The last body that two slots stand on, which may be one of them; -1 where they have different bases.
 template <class P>
-int common_slot(const forest<P>& f, int a, int b) {
+int common_slot(const body_tree<P>& f, int a, int b) {
   while (a != b) {  // parents come first
     int& later = a > b ? a : b;
     if (later < f.bases) return -1;
-    later = f.records[static_cast<std::size_t>(later - f.bases)].parent;
+    later = f.nodes[static_cast<std::size_t>(later - f.bases)].parent;
   }
   return a;
 }

@@ -15,7 +15,7 @@ namespace kte::tree {
 ///
 /// `moves`: V, W relative to the base. Needs `rate`. Returns as `pose_in_base`.
 template <class P, class S, class Put>
-int jacobian_rate_columns(const forest<P>& f, const memory<P, S>& m, const frame_place<P>& frame, dense_pose<S>& x,
+int jacobian_rate_columns(const body_tree<P>& f, const memory<P, S>& m, const frame_place<P>& frame, dense_pose<S>& x,
                           world_axis<S>& moves, const Put& put) {
   world_axis<S> beyond{}, with_own{};
   int last = (std::numeric_limits<int>::max)();

@@ -7,7 +7,7 @@
 
 namespace kte::detail {
 
-/// Working memory of the loops over records, so that they allocate nothing but by the first call that needs it.
+/// Working memory of the loops over body nodes, so that they allocate nothing but by the first call that needs it.
 template <class P, class S>
 struct loop_memory : tree::memory<P, S> {
   using vector = Eigen::Matrix<S, Eigen::Dynamic, 1>;
@@ -15,15 +15,15 @@ struct loop_memory : tree::memory<P, S> {
 
   template <class Tree>
   loop_memory(const Tree& t, int dofs, std::size_t elements)
-      : tree::memory<P, S>(t.forest),
+      : tree::memory<P, S>(t.body_tree),
         forces(dofs),
         kept(2 * static_cast<std::size_t>(dofs)),
         prescribed(static_cast<std::size_t>(dofs)),
         wanted(elements),
         friction(t.readers.size()) {
     for (std::size_t k = 0; k < this->own_mass.size(); ++k)
-      this->own_mass[k] = t.own_mass[static_cast<std::size_t>(t.forest.row[k])];
-    tree::set_free(t.forest, *this, [&t](std::size_t i) { return t.forest.records[i].yields; });
+      this->own_mass[k] = t.own_mass[static_cast<std::size_t>(t.body_tree.row[k])];
+    tree::set_free(t.body_tree, *this, [&t](std::size_t i) { return t.body_tree.nodes[i].is_free; });
   }
   vector forces;                 ///< what is given back: forces or accelerations
   std::vector<S> kept;           ///< rates and accelerations that are put aside

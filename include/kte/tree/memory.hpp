@@ -4,8 +4,8 @@
 #include <kte/frames/motion.hpp>
 #include <kte/recursions/articulated_body.hpp>
 #include <kte/recursions/world_placement.hpp>
+#include <kte/tree/body_node.hpp>
 #include <kte/tree/direction.hpp>
-#include <kte/tree/record.hpp>
 
 #include <Eigen/Core>
 
@@ -22,10 +22,10 @@ using dense_pose = pose<mat3<vec3<S>>, vec3<S>>;
 template <class S>
 using dense_composite = composite<S, vec3<S>, sym3<S>>;
 
-/// Where a body stands in its parent: the angle of the joint with `after` of its seat, the origin in axes of the
+/// Where a body stands in its parent: the angle of the joint with `after` of its placement, the origin in axes of the
 /// parent, and of `several` the rotation besides.
 template <class S>
-struct spot {
+struct joint_transform {
   turn<S> angle;
   vec3<S> position{};
   mat3<vec3<S>> rotation{};
@@ -61,16 +61,16 @@ template <class P, class S>
 struct memory {
   // From outside: where bodies are (`place`), rates, accelerations and forces of axes, their own masses, the motions of
   // bases.
-  std::vector<spot<S>> spots;                ///< of records
-  std::vector<S> rate, acceleration, force;  ///< of axes
+  std::vector<joint_transform<S>> joint_transforms;  ///< of body nodes
+  std::vector<S> rate, acceleration, force;          ///< of axes
   std::vector<P> own_mass;
-  std::vector<char> yields;               ///< of records: whether the joint is free to move
-  std::vector<char> plain;                ///< of records: whether it is also about z, without a mass on its coordinate
-  std::vector<int> way;                   ///< records from a frame to its base (`place_ancestors`)
-  std::vector<int> turning;               ///< those of them that turn about z
-  std::vector<seen_body<S>> seen;         ///< all of them
-  std::vector<body_motion<S>> bodies;     ///< of slots
-  std::vector<dense_wrench<S>> loads;     ///< of slots: what elements put on bodies, at their origin
+  std::vector<char> is_free;           ///< of body nodes: whether the joint is free to move
+  std::vector<char> plain;             ///< of body nodes: whether it is also about z, without a mass on its coordinate
+  std::vector<int> way;                ///< body nodes from a frame to its base (`place_ancestors`)
+  std::vector<int> turning;            ///< those of them that turn about z
+  std::vector<seen_body<S>> seen;      ///< all of them
+  std::vector<body_motion<S>> bodies;  ///< of slots
+  std::vector<dense_wrench<S>> loads;  ///< of slots: what elements put on bodies, at their origin
   std::vector<dense_wrench<S>> wrenches;  ///< of slots: what bodies and all that they carry need
 
   std::vector<world_place<S>> world;  ///< of slots
@@ -80,17 +80,17 @@ struct memory {
   std::vector<articulated_body<S>> articulated;  ///< of slots on which several bodies stand
   std::vector<axis_factors<S>> factors;          ///< of axes
 
-  explicit memory(const forest<P>& f)
-      : spots(f.records.size()),
+  explicit memory(const body_tree<P>& f)
+      : joint_transforms(f.nodes.size()),
         rate(f.axes()),
         acceleration(f.axes()),
         force(f.axes()),
         own_mass(f.axes()),
-        yields(f.records.size()),
-        plain(f.records.size()),
-        way(f.records.size()),
-        turning(f.records.size()),
-        seen(f.records.size()),
+        is_free(f.nodes.size()),
+        plain(f.nodes.size()),
+        way(f.nodes.size()),
+        turning(f.nodes.size()),
+        seen(f.nodes.size()),
         bodies(f.slots()),
         loads(f.slots()),
         wrenches(f.slots()),
@@ -100,10 +100,10 @@ struct memory {
         biases(f.slots()),
         articulated(f.slots()),
         factors(f.axes()) {
-    for (std::size_t i = 0; i < spots.size(); ++i) {
-      const record<P>& r = f.records[i];
-      spots[i].angle = {S(r.after.cos), S(r.after.sin)};
-      spots[i].position = as<S>(r.position);
+    for (std::size_t i = 0; i < joint_transforms.size(); ++i) {
+      const body_node<P>& r = f.nodes[i];
+      joint_transforms[i].angle = {S(r.after.cos), S(r.after.sin)};
+      joint_transforms[i].position = as<S>(r.position);
     }
   }
 };

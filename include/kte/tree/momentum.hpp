@@ -12,7 +12,7 @@ struct mass_moment {
 };
 /// Of all bodies, in world axes. After `place_in_world`, `carry_bodies`.
 template <class P, class S>
-mass_moment<S> weight_in_world(const forest<P>& f, const memory<P, S>& m) {
+mass_moment<S> weight_in_world(const body_tree<P>& f, const memory<P, S>& m) {
   mass_moment<S> sum;
   for (std::size_t b = 0; b < static_cast<std::size_t>(f.bases); ++b) {
     const auto& x = m.world[b];
@@ -23,10 +23,10 @@ mass_moment<S> weight_in_world(const forest<P>& f, const memory<P, S>& m) {
 }
 /// put(k, momentum of the unit rate of axis k about a point, in world axes).
 template <class P, class S, class Put>
-void momenta(const forest<P>& f, const memory<P, S>& m, const vec3<S>& about, const Put& put) {
+void momenta(const body_tree<P>& f, const memory<P, S>& m, const vec3<S>& about, const Put& put) {
   const std::size_t bases = static_cast<std::size_t>(f.bases);
-  for (std::size_t i = 0; i < f.records.size(); ++i) {
-    const record<P>& r = f.records[i];
+  for (std::size_t i = 0; i < f.nodes.size(); ++i) {
+    const body_node<P>& r = f.nodes[i];
     const world_place<S>& x = m.world[bases + i];
     const vec3<S> arm = x.position - about;
     for (int k = 0; k < r.axes; ++k) {

@@ -3,24 +3,24 @@
 #include <kte/engine/looped.hpp>
 #include <kte/tree/bodies.hpp>
 
-/// Inverse dynamics of the records of a tree (recursions/newton_euler.hpp).
+/// Inverse dynamics of the body nodes of a tree (recursions/newton_euler.hpp).
 namespace kte::tree {
 
 /// The motions of all bodies from those of bases and axes. Linear velocities on request.
 template <bool Velocities, class P, class S>
-void move_bodies(const forest<P>& f, memory<P, S>& m) {
+void move_bodies(const body_tree<P>& f, memory<P, S>& m) {
   using velocity = std::conditional_t<Velocities, vec3<S>, skip>;
   using hand = engine::body_motion<velocity, vec3<S>, vec3<S>, vec3<S>>;
-  const record_bodies<P, S> bodies(f, m.spots);
-  (void)engine::motions<hand>(engine::looped<record_bodies<P, S>>{bodies}, m.bodies.data(), m.rate.data(),
+  const tree_bodies<P, S> bodies(f, m.joint_transforms);
+  (void)engine::motions<hand>(engine::looped<tree_bodies<P, S>>{bodies}, m.bodies.data(), m.rate.data(),
                               m.acceleration.data());
 }
 /// What bodies need for motions that are known, less `loads`, goes in along the tree, into `wrenches`; of an axis its
 /// power into `force`.
 template <class P, class S, class Load>
-void transmit_wrenches(const forest<P>& f, memory<P, S>& m, const Load& load) {
-  const record_bodies<P, S> bodies(f, m.spots);
-  engine::transmitted_forces<true>(engine::looped<record_bodies<P, S>>{bodies}, m.wrenches.data(),
+void transmit_wrenches(const body_tree<P>& f, memory<P, S>& m, const Load& load) {
+  const tree_bodies<P, S> bodies(f, m.joint_transforms);
+  engine::transmitted_forces<true>(engine::looped<tree_bodies<P, S>>{bodies}, m.wrenches.data(),
                                    engine::kept_array<body_motion<S>>{m.bodies.data() + f.bases}, load, m.force.data());
 }
 
@@ -35,9 +35,9 @@ struct load_of_slot {
 };
 /// The same of loads on bodies that need nothing else.
 template <class P, class S>
-void transmit_loads(const forest<P>& f, memory<P, S>& m) {
-  const record_bodies<P, S> bodies(f, m.spots);
-  engine::transmitted_loads(engine::looped<record_bodies<P, S>>{bodies}, m.wrenches.data(),
+void transmit_loads(const body_tree<P>& f, memory<P, S>& m) {
+  const tree_bodies<P, S> bodies(f, m.joint_transforms);
+  engine::transmitted_loads(engine::looped<tree_bodies<P, S>>{bodies}, m.wrenches.data(),
                             load_of_slot<S>{m.loads.data()}, m.force.data());
 }
 

@@ -21,22 +21,22 @@ KTE_INLINE Row combined(const mat3<Row>& units, const vec3<S>& v) {
   return v.x * units.x + v.y * units.y + v.z * units.z;
 }
 
-/// A record where its spot has it.
+/// A body node where its joint transform has it.
 template <class P, class S>
 struct placed {
-  const record<P>& r;
-  const spot<S>& at;
+  const body_node<P>& r;
+  const joint_transform<S>& at;
 
   /// To axes of the parent: vectors of numbers, or of lanes of them.
   template <class L>
   KTE_INLINE vec3<L> out(vec3<L> u) const {
     if (r.moves == joint::several) [[unlikely]]
       u = rotated(at.rotation, u);
-    return seat(u);
+    return out_placement(u);
   }
   /// To axes of the body.
   KTE_INLINE vec3<S> in(const vec3<S>& u) const {
-    const vec3<S> x = to_seat(u);
+    const vec3<S> x = in_placement(u);
     if (r.moves == joint::several) [[unlikely]]
       return rotated_back(at.rotation, x);
     return x;
@@ -62,13 +62,13 @@ struct placed {
     return {f, out(w.torque) + cross(at.position, f)};
   }
 
-  /// Across the seat and a turn about z alone.
-  KTE_INLINE vec3<S> to_seat(vec3<S> u) const {
+  /// Across the placement and a turn about z alone.
+  KTE_INLINE vec3<S> in_placement(vec3<S> u) const {
     if (r.turned) u = in_z(r.before, u);
     return in_z(at.angle, in_x(r.tilt, u));
   }
   template <class X>
-  KTE_INLINE X seat(const X& x) const {
+  KTE_INLINE X out_placement(const X& x) const {
     const X y = out_x(r.tilt, out_z(at.angle, x));
     return r.turned ? out_z(r.before, y) : y;
   }
@@ -80,17 +80,17 @@ struct placed {
   }
 };
 template <class P, class S>
-placed(const record<P>&, const spot<S>&) -> placed<P, S>;
+placed(const body_node<P>&, const joint_transform<S>&) -> placed<P, S>;
 
-/// The position of a body whose joint has slid by d along the axes of its seat.
+/// The position of a body whose joint has slid by d along the axes of its placement.
 template <class P, class S>
-KTE_INLINE vec3<S> slid(const record<P>& r, const vec3<S>& d) {
+KTE_INLINE vec3<S> slid(const body_node<P>& r, const vec3<S>& d) {
   const vec3<S> x = out_x(r.tilt, out_z(r.after, d));
   return r.position + (r.turned ? out_z(r.before, x) : x);
 }
 /// Puts a z-joint at q, of which (turned) cosine and sine are known.
 template <class P, class S>
-KTE_INLINE void place_on_z(const record<P>& r, const S& q, const turn<S>& angle, spot<S>& at) {
+KTE_INLINE void place_on_z(const body_node<P>& r, const S& q, const turn<S>& angle, joint_transform<S>& at) {
   if (r.moves != joint::prismatic) at.angle = r.after * angle;
   if (r.moves != joint::revolute) at.position = slid(r, vec3<S>{S(0), S(0), r.slides * q});
 }
@@ -104,7 +104,7 @@ KTE_INLINE S& component(vec3<S>& linear, vec3<S>& angular, int n) {
 
 /// What the rates of a joint, or their changes, make: x[0] .. of its axes, in axes of the body.
 template <class P, class S>
-KTE_INLINE void along_axes(const record<P>& r, const S* x, vec3<S>& linear, vec3<S>& angular) {
+KTE_INLINE void along_axes(const body_node<P>& r, const S* x, vec3<S>& linear, vec3<S>& angular) {
   switch (r.moves) {
     case joint::revolute:
       angular.z += x[0];
@@ -124,7 +124,7 @@ KTE_INLINE void along_axes(const record<P>& r, const S* x, vec3<S>& linear, vec3
 }
 /// put(k, the power of a wrench on the unit rate of axis k of a joint) for its first `count` axes.
 template <class P, class S, class Put>
-KTE_INLINE void powers_along(const record<P>& r, const dense_wrench<S>& w, int count, const Put& put) {
+KTE_INLINE void powers_along(const body_node<P>& r, const dense_wrench<S>& w, int count, const Put& put) {
   switch (r.moves) {
     case joint::revolute:
       put(0, w.torque.z);

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-/// Where coordinates and joints of a chain stand, for the loops over records: of runtime chains, and of static chains
-/// that are not unrolled.
+/// Where coordinates and joints of a chain stand, for the loops over body nodes: of runtime chains, and of static
+/// chains that are not unrolled.
 namespace kte::detail {
 
 /// What `arrange` works out. List: std::vector, or `short_list` where a chain is known to the compiler.
@@ -16,15 +16,15 @@ template <template <class> class List>
 struct plan {
   List<std::pair<kind, int>> bases;  ///< frames that no element writes, or only from what comes from outside
   List<int> joint_row;               ///< by element: of a joint its first coordinate among all coordinates
-  List<int> row_of_gen;  ///< of generalized coordinates, among all coordinates: free ones first, then the others
-  List<int> lone_rows;   ///< of degrees of freedom that move no joint
-  int coordinates = 0;   ///< all of them
-  bool tree = true;      ///< no coordinate follows another or moves two joints, no mass is between two things
+  List<int> row_of_gen;      ///< of generalized coordinates, among all coordinates: free ones first, then the others
+  List<int> jointless_dofs;  ///< of degrees of freedom that move no joint
+  int coordinates = 0;       ///< all of them
+  bool tree = true;          ///< no coordinate follows another or moves two joints, no mass is between two things
 };
 
 /// Works out the plan of a chain: `Chain` says
-///   elements(), ports(e), index(e, p), stiff(e)   its elements, what their ports are connected to, joints and links
-///   spreads(e)                                    whether it has a mass between several ports
+///   elements(), ports(e), index(e, p), rigid(e)   its elements, what their ports are connected to, joints and links
+///   distributed_mass(e)                                    whether it has a mass between several ports
 ///   count(k), writer(k, i)                        the things of kind k, and the element that writes one, or -1
 ///   freedoms(), freedom_at(f), dofs()             its degrees of freedom
 template <template <class> class List, class Chain>
@@ -58,8 +58,8 @@ constexpr plan<List> arrange(const Chain& c) {
   for (std::size_t e = 0; e < c.elements(); ++e) {
     const auto ports = c.ports(e);
     p.joint_row[e] = -1;
-    p.tree &= !c.spreads(e);
-    if (!c.stiff(e)) {
+    p.tree &= !c.distributed_mass(e);
+    if (!c.rigid(e)) {
       const port& last = ports.back();
       p.tree &= last.how != access::out || last.what != kind::gen ||
                 depends.at(kind::gen, c.index(e, ports.size() - 1)) == level::given;
@@ -71,7 +71,7 @@ constexpr plan<List> arrange(const Chain& c) {
   for (std::size_t f = 0; f < c.freedoms(); ++f) {
     const int row = c.freedom_at(f).v;
     p.tree &= joints[static_cast<std::size_t>(row)] <= 1;
-    if (joints[static_cast<std::size_t>(row)] == 0) p.lone_rows.push_back(row);
+    if (joints[static_cast<std::size_t>(row)] == 0) p.jointless_dofs.push_back(row);
   }
   return p;
 }

@@ -40,7 +40,7 @@ per_parameter<S> power_by_parameters(const Motion& x, const vec3<S>& v, const ve
 /// The forces on all axes for the motion of a body fixed to a frame, by its inertial parameters: put(k, y) for each
 /// axis k between the frame and its base, of which the rate moves the frame as its Jacobian says. After `move_bodies`.
 template <class P, class S, class Put>
-void forces_by_parameters(const forest<P>& f, const memory<P, S>& m, const frame_place<P>& frame, const Put& put) {
+void forces_by_parameters(const body_tree<P>& f, const memory<P, S>& m, const frame_place<P>& frame, const Put& put) {
   const body_motion<S>& b = m.bodies[static_cast<std::size_t>(frame.slot)];
   const auto x = compose(motion{skip{}, no_rotation{}, skip{}, b.ang_velocity, b.acceleration, b.ang_acceleration},
                          at_rest(as<S>(frame.at.rotation), as<S>(frame.at.position)));

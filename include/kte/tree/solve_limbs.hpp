@@ -1,7 +1,7 @@
 #pragma once
 
-#include <kte/tree/lanes.hpp>
-#include <kte/tree/record.hpp>
+#include <kte/tree/body_node.hpp>
+#include <kte/tree/simd.hpp>
 
 #include <algorithm>
 #include <span>
@@ -35,13 +35,13 @@ struct solve_arguments {
 };
 /// Rows from i on, and from `further` on, as many as go together, of columns j, j + 1 .. of X = -M^-1 B and
 /// Y = -M^-1 C.
-template <int Columns, bool Two, class Lane, class S, class Size, class Rows>
+template <int Columns, bool Two, class Simd, class S, class Size, class Rows>
 KTE_INLINE void solve_block(const solve_arguments<S, Size, Rows>& s, int i, int further, int j) {
-  Lane x[Columns]{}, y[Columns]{}, u[Columns]{}, v[Columns]{};
+  Simd x[Columns]{}, y[Columns]{}, u[Columns]{}, v[Columns]{};
   const S *const b = s.b + j * s.n, *const c = s.c + j * s.n;
   s.rows.each([&](int k) KTE_INLINE_LAMBDA {
     const S* const column = s.inverse + k * s.n;
-    Lane m, o{};
+    Simd m, o{};
     load(m, column + i);
     if constexpr (Two) load(o, column + further);
     for (int a = 0; a < Columns; ++a) {
@@ -58,15 +58,15 @@ KTE_INLINE void solve_block(const solve_arguments<S, Size, Rows>& s, int i, int 
 }
 template <int Columns, class S, class Size, class Rows>
 void solve_together(const solve_arguments<S, Size, Rows>& s, int j) {
-  constexpr int count = static_cast<int>(lanes_of<S>::count);
+  constexpr int count = static_cast<int>(simd_of<S>::count);
   if (s.n < count) {
     for (int i = 0; i < s.n; ++i) solve_block<Columns, false, S>(s, i, i, j);
     return;
   }
   const int blocks = (s.n + count - 1) / count;  // the last goes back over some rows
   const auto begin = [&s](int block) KTE_INLINE_LAMBDA { return (std::min)(block * count, s.n - count); };
-  for (int k = 0; k + 1 < blocks; k += 2) solve_block<Columns, true, lanes<S>>(s, begin(k), begin(k + 1), j);
-  if (blocks % 2 != 0) solve_block<Columns, false, lanes<S>>(s, begin(blocks - 1), 0, j);
+  for (int k = 0; k + 1 < blocks; k += 2) solve_block<Columns, true, simd<S>>(s, begin(k), begin(k + 1), j);
+  if (blocks % 2 != 0) solve_block<Columns, false, simd<S>>(s, begin(blocks - 1), 0, j);
 }
 
 /// Columns from `first` to `end`.
@@ -90,18 +90,17 @@ void solve_columns(const solve_arguments<S, Size, Rows>& s, int first, int end) 
 /// X = -M^-1 B and Y = -M^-1 C for axes in order: a column of B and C has rows of bodies on the way to its own and
 /// beyond it. Bodies that stand one on the other have that in common. If `coupled`, columns are full.
 template <class P, class S>
-void solve_limbs(const forest<P>& f, bool coupled, std::vector<int>& rows, const S* inverse, const S* b, const S* c,
+void solve_limbs(const body_tree<P>& f, bool coupled, std::vector<int>& rows, const S* inverse, const S* b, const S* c,
                  S* x, S* y) {
   const int n = static_cast<int>(f.axes());
-  for (std::size_t i = 0; i < f.records.size();) {
-    const record<P>& r = f.records[i];
+  for (std::size_t i = 0; i < f.nodes.size();) {
+    const body_node<P>& r = f.nodes[i];
     int end = r.first + r.axes;
-    for (; ++i < f.records.size() && !f.records[i - 1].branches &&
-           f.records[i].parent == f.bases + static_cast<int>(i) - 1;)
-      end += f.records[i].axes;
+    for (; ++i < f.nodes.size() && !f.nodes[i - 1].branches && f.nodes[i].parent == f.bases + static_cast<int>(i) - 1;)
+      end += f.nodes[i].axes;
     rows.clear();
     for (int slot = r.parent; slot >= f.bases && !coupled;) {
-      const record<P>& before = f.records[static_cast<std::size_t>(slot - f.bases)];
+      const body_node<P>& before = f.nodes[static_cast<std::size_t>(slot - f.bases)];
       for (int k = 0; k < before.axes; ++k) rows.push_back(before.first + k);
       slot = before.parent;
     }

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <kte/tree/composite.hpp>
-#include <kte/tree/fours.hpp>
 #include <kte/tree/newton_euler.hpp>
+#include <kte/tree/simd4.hpp>
 
 /// Derivatives of inverse dynamics (Singh, Russo and Wensing, Efficient analytical derivatives of rigid-body dynamics
 /// using spatial vector algebra, 2022), in world axes at the origin of each body. Spatial vectors: a motion is
@@ -82,7 +82,7 @@ struct variation_memory {
 
 /// (1), (2) of each body alone. After `move_bodies`, `place_in_world`.
 template <class P, class S>
-void start_variations(const forest<P>& f, const memory<P, S>& m, variation_memory<S>& v) {
+void start_variations(const body_tree<P>& f, const memory<P, S>& m, variation_memory<S>& v) {
   const std::size_t bases = static_cast<std::size_t>(f.bases);
   const auto take_motion = [&](std::size_t slot) {
     const mat3<vec3<S>>& r = m.world[slot].rotation;
@@ -92,8 +92,8 @@ void start_variations(const forest<P>& f, const memory<P, S>& m, variation_memor
     x.ang_acceleration = r * b.ang_acceleration;
   };
   for (std::size_t b = 0; b < bases; ++b) take_motion(b);
-  for (std::size_t i = 0; i < f.records.size(); ++i) {
-    const record<P>& r = f.records[i];
+  for (std::size_t i = 0; i < f.nodes.size(); ++i) {
+    const body_node<P>& r = f.nodes[i];
     const std::size_t slot = bases + i;
     const world_place<S>& place = m.world[slot];
     take_motion(slot);

@@ -6,17 +6,17 @@
 
 namespace kte {
 
-/// How a live page is served: `kte::live_page page(arm, {.title = "Our arm"})`.
+/// Options of a live page: `kte::live_page page(arm, {.title = "Our arm"})`.
 struct live_options {
   std::string title{};  ///< if empty, the name of the robot
-  int port = 0;         ///< 0: one that is free
-  /// Quantities to plot and to record besides q and v of coordinates, by the names that `kte::recorder` has for them.
+  int port = 0;         ///< 0: any free port
+  /// Quantities to plot and to record in addition to q and v of coordinates, by their names in `kte::recorder`.
   std::vector<std::string> columns{};
-  bool paused = false;  ///< at the start
-  double speed = 1;     ///< seconds of the simulation in a second, at the start
-  /// Of recordings in memory. A recording that is full ends, which the page says.
+  bool paused = false;  ///< whether the page starts paused
+  double speed = 1;     ///< initial speed, seconds of the simulation per second
+  /// Largest size of recordings in memory. A full recording ends, and the page reports it.
   std::size_t recording_bytes = std::size_t{64} << 20;
-  /// Of the meshes in the page, as text (`page_options::mesh_bytes`).
+  /// Largest size of the meshes in the page, as text (`page_options::mesh_bytes`).
   std::size_t mesh_bytes = std::size_t{4} << 20;
 };
 

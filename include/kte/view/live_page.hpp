@@ -37,7 +37,7 @@ class live_rows : public scene_recording<Chain> {
 };
 }  // namespace detail
 
-/// Shows a mechanism while the program simulates it:
+/// Shows a mechanism in the browser while the program simulates it:
 ///
 ///   kte::live_page page(arm, {.title = "Our arm"});
 ///   page.slider("torque", -5, 5, 0, "N m");
@@ -49,16 +49,17 @@ class live_rows : public scene_recording<Chain> {
 ///     page.show(solver.time(), model.state_at(solver.time(), solver.state()));
 ///   }
 ///
-/// Of static chains, runtime chains and robots; `show` is called in one thread.
+/// For static chains, runtime chains and robots; `show` is called in one thread.
 template <drawable Chain>
 class live_page : public live_server {
  public:
-  /// Throws `unknown_name` for a column that the chain does not have, `bad_argument` for a port where it cannot listen.
+  /// A page of a chain or robot. Throws `unknown_name` for a column that the chain does not have, `bad_argument` for a
+  /// port that is not available.
   explicit live_page(const Chain& chain, const live_options& options = {})
       : live_page(detail::live_rows<Chain>(chain, options.columns), options) {}
 
-  /// The frames as of the last `doMotion` of the state. Never waits. Throws `bad_argument` for a state of another
-  /// chain.
+  /// Shows the frames of the last `doMotion` of the state, at time t, s. Never waits. Throws `bad_argument` for a state
+  /// of another chain.
   template <class T, class State>
   void show(const T& t, const State& s) {
     publish(static_cast<double>(t), rows_.read(s));

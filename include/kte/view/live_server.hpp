@@ -10,53 +10,56 @@
 
 namespace kte {
 
-/// What a `live_page` is, whatever the chain: the server of the page, its sliders, its buttons, and its clock.
+/// The part of a `live_page` that does not depend on the chain: the server of the page, its sliders, its buttons, and
+/// its clock.
 ///
-/// It listens at 127.0.0.1 alone, and answers who knows the address with its token of 128 bits. Threads of its own
-/// serve the pages: `show` never waits for them, and each gets the newest state when it has taken the one before. All
-/// members may be called in any thread.
+/// It listens at 127.0.0.1 only, and answers only requests with the token of 128 bits in its address. Threads of the
+/// server serve the pages: `show` never waits for them, and each page gets the newest state after it has shown the
+/// previous one. All members may be called in any thread.
 class live_server {
  public:
   live_server(const live_server&) = delete;
   live_server& operator=(const live_server&) = delete;
-  /// Tells the pages that this is the end, and closes them.
+  /// Closes all pages.
   ~live_server();
 
-  /// "http://127.0.0.1:41234/2f...c1/". Who has it sees the page and moves the sliders: it is to be kept as a password.
+  /// The address, "http://127.0.0.1:41234/2f...c1/". It gives access to the page and its sliders: keep it secret, as a
+  /// password.
   const std::string& url() const;
-  /// How many pages are open.
+  /// The number of open pages.
   std::size_t pages() const;
 
-  /// A slider, from now on. Throws `bad_argument` for a name that is there, for limits that are not in order or not
-  /// finite, and for a value outside of them.
+  /// Adds a slider. Throws `bad_argument` for a name in use, for limits that are not finite and in order, and for a
+  /// value outside of them.
   void slider(std::string_view name, double lower, double upper, double value, std::string_view unit = "1");
-  /// Where it stands. Throws `unknown_name`.
+  /// The value of a slider. Throws `unknown_name`.
   double value(std::string_view name) const;
-  /// What a page pulls now, for the elements `pull_2D`, `pull_3D` of the chain. Its stiffness is that by which the mass
-  /// of the mechanism would swing at 9 rad/s.
+  /// The present pull of a page, for the elements `pull_2D`, `pull_3D` of the chain. Its stiffness gives the mass of
+  /// the mechanism a frequency of 9 rad/s.
   page_pull pull() const;
-  /// Whether the page says so; the program goes on by `wait`, or by itself.
+  /// Whether the page is paused; the program may use `wait`, or this.
   bool paused() const;
+  /// Pauses the page, or continues.
   void pause(bool on = true);
   /// Whether Reset was pressed since the last call.
   bool reset();
-  /// Seconds of the simulation in a second, as the page has it.
+  /// The speed set in the page, seconds of the simulation per second.
   double speed() const;
 
-  /// Waits until the clock of the page is at t, s: it runs at `speed`, and stands while the page is paused. Step lets
-  /// one call through, Reset too. A t before the last one, and one that comes late, sets the clock to it. False after
-  /// `stop`.
+  /// Waits until the clock of the page is at t, s. The clock runs at `speed`, and stops while the page is paused. The
+  /// buttons Step and Reset let one call return. A t before the last one, and a late call, set the clock to t. Returns
+  /// false after `stop`.
   bool wait(double t);
-  /// Waits until a page is open. False after `stop`.
+  /// Waits until a page is open. Returns false after `stop`.
   bool wait_for_page();
-  /// A sentence for the page, in place of the one before.
+  /// Shows a text in the page, replacing the previous one.
   void say(std::string_view text);
-  /// From now on `wait` and `wait_for_page` give false.
+  /// Makes `wait` and `wait_for_page` return false from now on.
   void stop();
 
  protected:
-  /// Serves a scene with one recording, whose columns are those of `publish`. Throws `bad_argument` for options that
-  /// make no sense, and for a port where it cannot listen.
+  /// Serves a scene with one recording, whose columns are those of `publish`. Throws `bad_argument` for invalid
+  /// options, and for a port that is not available.
   live_server(const scene& s, const live_options& options);
 
   void publish(double t, const scene_row& row);

@@ -7,12 +7,12 @@
 #include <kte/view/svg/topology.hpp>
 
 /// Pictures for papers in SVG, of chains, robots and recordings (docs/pictures.md). Needs the library kte::view, which
-/// makes scenes; who has a `scene`, or plots tables, includes kte/view/svg/picture.hpp or kte/view/svg/plot.hpp alone.
+/// makes scenes. For a `scene`, and for plots of tables, kte/view/svg/picture.hpp and kte/view/svg/plot.hpp suffice.
 namespace kte {
 
 /// Units of the coordinates and columns of a mechanism, by name: `kte::plot(run, {"elbow"}, {.units =
 /// units_of(scene)})`.
-inline unit_map units_of(const scene& s) {
+[[nodiscard]] inline unit_map units_of(const scene& s) {
   unit_map units;
   for (const auto& r : s.recordings)
     for (const auto& c : r.columns)
@@ -22,11 +22,12 @@ inline unit_map units_of(const scene& s) {
   return units;
 }
 template <drawable Chain>
-unit_map units_of(const Chain& chain) {
+[[nodiscard]] unit_map units_of(const Chain& chain) {
   return units_of(scene_of(chain));
 }
 
-/// Of what was recorded, of a mechanism where all coordinates are zero, of one that moves as a table says.
+/// Draws a mechanism as SVG into a file: a recording, a chain with all coordinates zero, or a chain that moves as a
+/// table.
 inline void write_picture(const std::filesystem::path& file, const recorded_scene& r, const picture_options& o = {}) {
   write_picture(file, r.contents(), o);
 }
@@ -39,6 +40,7 @@ void write_picture(const std::filesystem::path& file, const Chain& chain, const 
                    const picture_options& o = {}) {
   write_picture(file, scene_of(chain, numbers), o);
 }
+/// Draws a recording, or a chain that moves as a table, as an animated SVG into a file.
 inline void write_moving_picture(const std::filesystem::path& file, const recorded_scene& r,
                                  const picture_options& o = {}) {
   write_moving_picture(file, r.contents(), o);
@@ -48,6 +50,7 @@ void write_moving_picture(const std::filesystem::path& file, const Chain& chain,
                           const picture_options& o = {}) {
   write_moving_picture(file, scene_of(chain, numbers), o);
 }
+/// Draws the topology of a chain as SVG into a file.
 template <drawable Chain>
 void write_topology(const std::filesystem::path& file, const Chain& chain, const topology_options& o = {}) {
   write_topology(file, scene_of(chain), o);

@@ -2,7 +2,7 @@
 
 #include <kte/contract/no_parameters.hpp>
 #include <kte/contract/transmission.hpp>
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
 #include <kte/view/page_pull.hpp>
 
 #include <string_view>
@@ -12,12 +12,12 @@ namespace kte {
 
 namespace core {
 
-/// The force of a pull on its point r, of a frame whose pose is p, R, while it is the frame that is pulled:
+/// The force of a pull on the point r of a frame with the pose p, R, while a page pulls this frame:
 ///
 ///   F = k (R^T (t - p) - r) - c (v + w x r),  T = r x F          (1)
 ///
-/// In the plane, what r and t have out of it does not matter. The pull belongs to the program, which changes it at any
-/// time.
+/// In the plane, the parts of r and t out of the plane are ignored. The pull belongs to the program, which may change
+/// it at any time.
 template <kind Dim, class Name>
 struct pull : no_parameters {
   static constexpr type_name type{"pull", Dim};
@@ -49,17 +49,19 @@ struct pull : no_parameters {
 
 }  // namespace core
 
-/// An element by which a page pulls `frame`, a key or a text, while `by`, which lives as long as the chain, names it.
+/// An element by which a page pulls `frame`, a key or a text, in the plane, while `by` names it; `by` must outlive the
+/// chain.
 template <class F>
-constexpr auto pull_2D(const F& frame, const page_pull& by) {
+[[nodiscard]] constexpr auto pull_2D(const F& frame, const page_pull& by) {
   if constexpr (key_type<F>) {
     return connect(core::pull<kind::frame_2D, std::string_view>{{}, &by, F::name}, frame);
   } else {
     return connect(core::pull<kind::frame_2D, std::string>{{}, &by, std::string(frame)}, frame);
   }
 }
+/// An element by which a page pulls `frame`, a key or a text, in space; see `pull_2D`.
 template <class F>
-constexpr auto pull_3D(const F& frame, const page_pull& by) {
+[[nodiscard]] constexpr auto pull_3D(const F& frame, const page_pull& by) {
   if constexpr (key_type<F>) {
     return connect(core::pull<kind::frame_3D, std::string_view>{{}, &by, F::name}, frame);
   } else {
@@ -68,7 +70,7 @@ constexpr auto pull_3D(const F& frame, const page_pull& by) {
 }
 
 /// The chain with such an element on each frame that a joint moves.
-inline kte_map_chain with_pulls(kte_map_chain c, const page_pull& by) {
+[[nodiscard]] inline runtime_chain with_pulls(runtime_chain c, const page_pull& by) {
   for (const kind k : {kind::frame_2D, kind::frame_3D}) {
     const auto at = static_cast<std::size_t>(k);
     const auto names = c.wiring().names[at];
@@ -76,7 +78,7 @@ inline kte_map_chain with_pulls(kte_map_chain c, const page_pull& by) {
     for (std::size_t i = 0; i < names.size(); ++i) {
       if (writers[i] < 0) continue;
       const auto& e = c.wiring().elements[static_cast<std::size_t>(writers[i])];
-      if (!e.stiff || !is_coordinate(e.ports.front().what)) continue;
+      if (!e.rigid || !is_coordinate(e.ports.front().what)) continue;
       if (k == kind::frame_2D)
         c << pull_2D(names[i], by);
       else

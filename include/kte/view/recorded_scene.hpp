@@ -27,10 +27,10 @@ struct replay_plan {
 };
 }  // namespace detail
 
-/// A scene with one recording that grows row by row: what `scene_recording` is, whatever the chain.
+/// A scene with one recording that grows row by row: the part of `scene_recording` that does not depend on the chain.
 class recorded_scene {
  public:
-  /// The scene with what was recorded so far.
+  /// The scene with the recording so far.
   const scene& contents() const { return scene_; }
 
  protected:
@@ -56,7 +56,7 @@ class recorded_scene {
   std::vector<detail::recorded> cells_;
   scene_row row_;
   bool broken_ = false;                ///< whether there were numbers that are not finite
-  bool knows_v_ = true;                ///< whether v is known
+  bool knows_v_ = true;                ///< whether there are velocities
   std::vector<bool> unknown_signals_;  ///< of a table
 };
 

@@ -36,7 +36,7 @@ auto first_state(const Chain& chain) {
 }
 }  // namespace detail
 
-/// The scene of a mechanism in a state, whose frames are as of the last `doMotion`.
+/// The scene of a mechanism in a state, with the frames of the last `doMotion`.
 template <drawable Chain, class State>
 requires requires { typename State::scalar; }
 scene scene_of(const Chain& chain, const State& s) {
@@ -44,17 +44,18 @@ scene scene_of(const Chain& chain, const State& s) {
   r.row(0.0, s);
   return r.contents();
 }
-/// The same where all coordinates are zero; of robots in the first configuration of their file, or within their limits.
+/// The scene of a mechanism with all coordinates zero; of robots in the first configuration of their file, or within
+/// their limits.
 template <drawable Chain>
-scene scene_of(const Chain& chain) {
+[[nodiscard]] scene scene_of(const Chain& chain) {
   auto s = detail::first_state(chain);
   detail::chain_in(chain).doMotion(s);
   return scene_of(chain, s);
 }
-/// The scene with the recordings of tables: the column t, the coordinates by the names that `kte::recorder` has for
-/// them, and others, which become plots. Throws `unknown_name` for coordinates that a table has no columns of.
+/// The scene with the recording of a table: the column t, the coordinates by their names in `kte::recorder`; other
+/// columns become plots. Throws `unknown_name` for coordinates without columns.
 template <drawable Chain>
-scene scene_of(const Chain& chain, const table& numbers, const recording_options& options = {}) {
+[[nodiscard]] scene scene_of(const Chain& chain, const table& numbers, const recording_options& options = {}) {
   scene_recording<Chain> r(chain, options);
   auto s = detail::first_state(chain);
   r.rows(chain, s, numbers);

@@ -7,13 +7,13 @@
 
 namespace kte {
 
-/// Records a mechanism for pictures (`write_page`): where its frames are, its coordinates, and quantities to plot:
+/// Records a mechanism for pictures (`write_page`): poses of frames, coordinates, and quantities to plot:
 ///
 ///   kte::scene_recording rec(pendulum, {.columns = {"tip/velocity"}});
 ///   solver.integrate(10.0, kte::every(0.01), [&](double t, const auto& x) { rec.row(t, model.state_at(t, x)); });
 ///   kte::write_page("swing.html", rec);
 ///
-/// Of static chains, runtime chains, manipulators and robots.
+/// For static chains, runtime chains, manipulators and robots.
 template <drawable Chain>
 class scene_recording : public recorded_scene {
  public:
@@ -21,17 +21,17 @@ class scene_recording : public recorded_scene {
   explicit scene_recording(const Chain& chain, const recording_options& options = {})
       : recorded_scene(detail::parts_with_limits(chain), options), layout_(layout_of(detail::chain_in(chain))) {}
 
-  /// The frames as of the last `doMotion` of the state. Throws `bad_argument` for a state of another chain, and for a
-  /// time before that of the last row.
+  /// Records the frames of the last `doMotion` of the state at time t, s. Throws `bad_argument` for a state of another
+  /// chain, and for a time before that of the last row.
   template <class T, class State>
   void row(const T& t, const State& s) {
     numbers_of(s);
     add(static_cast<double>(t));
   }
 
-  /// All rows of a table with the column t and those of the coordinates, by the names that `kte::recorder` has for
-  /// them; so also inputs and internal states, if they are there. All other columns become plots. `s` is a state to
-  /// work in. Throws `unknown_name` for coordinates without columns.
+  /// Records all rows of a table with the column t and those of the coordinates, by their names in `kte::recorder`,
+  /// also inputs and internal states, if any. Other columns become plots. `s` is a state to work in. Throws
+  /// `unknown_name` for coordinates without columns.
   template <class State>
   void rows(const Chain& chain, State& s, const table& numbers) {
     const auto plan = replay(detail::parts_of(chain), numbers);
@@ -44,7 +44,7 @@ class scene_recording : public recorded_scene {
   }
 
  protected:
-  /// Of the state, in the order of `scene_row`.
+  /// The numbers of the state, in the order of `scene_row`.
   template <class State>
   const scene_row& numbers_of(const State& s) {
     check(s);

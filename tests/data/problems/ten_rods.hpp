@@ -16,17 +16,17 @@ inline constexpr struct q7_ final : kte::coord_key<"q7"> {} q7;
 inline constexpr struct q8_ final : kte::coord_key<"q8"> {} q8;
 inline constexpr struct q9_ final : kte::coord_key<"q9"> {} q9;
 inline constexpr struct q10_ final : kte::coord_key<"q10"> {} q10;
-inline constexpr struct seat1_ final : kte::frame_2D_key<"seat1"> {} seat1;
-inline constexpr struct seat2_ final : kte::frame_2D_key<"seat2"> {} seat2;
-inline constexpr struct seat3_ final : kte::frame_2D_key<"seat3"> {} seat3;
-inline constexpr struct seat4_ final : kte::frame_2D_key<"seat4"> {} seat4;
-inline constexpr struct seat5_ final : kte::frame_2D_key<"seat5"> {} seat5;
-inline constexpr struct seat6_ final : kte::frame_2D_key<"seat6"> {} seat6;
-inline constexpr struct seat7_ final : kte::frame_2D_key<"seat7"> {} seat7;
-inline constexpr struct seat8_ final : kte::frame_2D_key<"seat8"> {} seat8;
-inline constexpr struct seat9_ final : kte::frame_2D_key<"seat9"> {} seat9;
-inline constexpr struct seat10_ final : kte::frame_2D_key<"seat10"> {} seat10;
-inline constexpr struct seat11_ final : kte::frame_2D_key<"seat11"> {} seat11;
+inline constexpr struct mount1_ final : kte::frame_2D_key<"mount1"> {} mount1;
+inline constexpr struct mount2_ final : kte::frame_2D_key<"mount2"> {} mount2;
+inline constexpr struct mount3_ final : kte::frame_2D_key<"mount3"> {} mount3;
+inline constexpr struct mount4_ final : kte::frame_2D_key<"mount4"> {} mount4;
+inline constexpr struct mount5_ final : kte::frame_2D_key<"mount5"> {} mount5;
+inline constexpr struct mount6_ final : kte::frame_2D_key<"mount6"> {} mount6;
+inline constexpr struct mount7_ final : kte::frame_2D_key<"mount7"> {} mount7;
+inline constexpr struct mount8_ final : kte::frame_2D_key<"mount8"> {} mount8;
+inline constexpr struct mount9_ final : kte::frame_2D_key<"mount9"> {} mount9;
+inline constexpr struct mount10_ final : kte::frame_2D_key<"mount10"> {} mount10;
+inline constexpr struct mount11_ final : kte::frame_2D_key<"mount11"> {} mount11;
 inline constexpr struct rod1_ final : kte::frame_2D_key<"rod1"> {} rod1;
 inline constexpr struct rod2_ final : kte::frame_2D_key<"rod2"> {} rod2;
 inline constexpr struct rod3_ final : kte::frame_2D_key<"rod3"> {} rod3;
@@ -48,17 +48,17 @@ struct ten_rods {
   static constexpr auto model = [] {
     using namespace ten_rods_names;
     constexpr auto rod = planar_body(1.0, 1.0 / 12, along_x(0.5));
-    return chain(revolute_joint_2D(q1, seat1, rod1), inertia_2D(rod1, rod), rigid_link_2D(rod1, seat2, along_x(1.0)),
-                 revolute_joint_2D(q2, seat2, rod2), inertia_2D(rod2, rod), rigid_link_2D(rod2, seat3, along_x(1.0)),
-                 revolute_joint_2D(q3, seat3, rod3), inertia_2D(rod3, rod), rigid_link_2D(rod3, seat4, along_x(1.0)),
-                 revolute_joint_2D(q4, seat4, rod4), inertia_2D(rod4, rod), rigid_link_2D(rod4, seat5, along_x(1.0)),
-                 revolute_joint_2D(q5, seat5, rod5), inertia_2D(rod5, rod), rigid_link_2D(rod5, seat6, along_x(1.0)),
-                 revolute_joint_2D(q6, seat6, rod6), inertia_2D(rod6, rod), rigid_link_2D(rod6, seat7, along_x(1.0)),
-                 revolute_joint_2D(q7, seat7, rod7), inertia_2D(rod7, rod), rigid_link_2D(rod7, seat8, along_x(1.0)),
-                 revolute_joint_2D(q8, seat8, rod8), inertia_2D(rod8, rod), rigid_link_2D(rod8, seat9, along_x(1.0)),
-                 revolute_joint_2D(q9, seat9, rod9), inertia_2D(rod9, rod), rigid_link_2D(rod9, seat10, along_x(1.0)),
-                 revolute_joint_2D(q10, seat10, rod10), inertia_2D(rod10, rod),
-                 rigid_link_2D(rod10, seat11, along_x(1.0)))
+    return chain(revolute_joint_2D(q1, mount1, rod1), inertia_2D(rod1, rod), rigid_link_2D(rod1, mount2, along_x(1.0)),
+                 revolute_joint_2D(q2, mount2, rod2), inertia_2D(rod2, rod), rigid_link_2D(rod2, mount3, along_x(1.0)),
+                 revolute_joint_2D(q3, mount3, rod3), inertia_2D(rod3, rod), rigid_link_2D(rod3, mount4, along_x(1.0)),
+                 revolute_joint_2D(q4, mount4, rod4), inertia_2D(rod4, rod), rigid_link_2D(rod4, mount5, along_x(1.0)),
+                 revolute_joint_2D(q5, mount5, rod5), inertia_2D(rod5, rod), rigid_link_2D(rod5, mount6, along_x(1.0)),
+                 revolute_joint_2D(q6, mount6, rod6), inertia_2D(rod6, rod), rigid_link_2D(rod6, mount7, along_x(1.0)),
+                 revolute_joint_2D(q7, mount7, rod7), inertia_2D(rod7, rod), rigid_link_2D(rod7, mount8, along_x(1.0)),
+                 revolute_joint_2D(q8, mount8, rod8), inertia_2D(rod8, rod), rigid_link_2D(rod8, mount9, along_x(1.0)),
+                 revolute_joint_2D(q9, mount9, rod9), inertia_2D(rod9, rod), rigid_link_2D(rod9, mount10, along_x(1.0)),
+                 revolute_joint_2D(q10, mount10, rod10), inertia_2D(rod10, rod),
+                 rigid_link_2D(rod10, mount11, along_x(1.0)))
         .gravity(along_x(9.81));
   }();
 
@@ -79,7 +79,7 @@ struct ten_rods {
     Eigen::Matrix<S, 12, 1> r;
     S angle(0);
     for (int i = 0; i < 10; ++i) r[i] = angle += q[i];
-    const auto tip = forward_kinematics(model, q, ten_rods_names::seat11).position;
+    const auto tip = forward_kinematics(model, q, ten_rods_names::mount11).position;
     r[10] = tip.y, r[11] = -tip.x;
     return r;
   }

@@ -142,7 +142,7 @@ std::string solo12() {
 }
 std::string pendulum() {
   using namespace kte;
-  kte_map_chain c;
+  runtime_chain c;
   c.gravity(along_y(-9.81));
   c << revolute_joint_2D("q", "base", "joint") << rigid_link_2D("joint", "tip", along_x(0.5))
     << inertia_2D("tip", point_mass(1.0));
@@ -156,7 +156,7 @@ std::string pendulum() {
 std::string elastic() {
   using namespace kte;
   const rigid_body body{0.5, vec3<>{0.02, 0, 0}, diagonal(0.001, 0.002, 0.0015)};
-  kte_map_chain c;
+  runtime_chain c;
   c.gravity(vec3<>{0, 0, -9.81});
   c << base_3D("wall") << free_joint_3D("pose", "wall", "body") << inertia_3D("body", body)
     << flexible_beam_3D("wall", "body", 0.5, beam_section{.EA = 2000, .EI_y = 0.8, .EI_z = 0.7, .GJ = 0.5})
@@ -171,7 +171,7 @@ std::string elastic() {
 /// A coordinate so well damped that explicit methods creep.
 std::string stiff() {
   using namespace kte;
-  kte_map_chain c;
+  runtime_chain c;
   c.gravity(vec3<>{0, -9.81, 0});
   c << revolute_joint_2D("q1", "base", "a") << rigid_link_2D("a", "b", along_x(0.5)) << inertia_2D("b", point_mass(1.0))
     << joint_damping_gen("q1", 5e4) << revolute_joint_2D("q2", "b", "c") << rigid_link_2D("c", "d", along_x(0.5))
@@ -179,10 +179,10 @@ std::string stiff() {
   return reference("stiff", record_of(c), {0.2, 0.3}, {0, 0}).to(0.5).to(2).text();
 }
 /// A pendulum that comes to rest by friction, one that meets its stop, one with bristles: elements that switch and have
-/// states of their own.
+/// their own states.
 std::string switching() {
   using namespace kte;
-  kte_map_chain c;
+  runtime_chain c;
   c.gravity(vec3<>{0, -9.81, 0});
   for (const std::string i : {"1", "2", "3"})
     c << revolute_joint_2D("q" + i, "base", "a" + i) << rigid_link_2D("a" + i, "b" + i, along_x(0.5))
@@ -195,7 +195,7 @@ std::string switching() {
 /// A motor whose input is 3 Nm in the file.
 std::string inputs() {
   using namespace kte;
-  kte_map_chain c;
+  runtime_chain c;
   c << revolute_joint_2D("q", "base", "arm") << inertia_2D("arm", planar_body(1.0, 0.5))
     << driving_actuator_gen("q", "motor");
   page::dynamics_model m(c);
@@ -206,7 +206,7 @@ std::string inputs() {
 /// What acts has formulas; the second pendulum is held by friction.
 std::string acting() {
   using namespace kte;
-  kte_map_chain c;
+  runtime_chain c;
   c.gravity(vec3<>{0, -9.81, 0});
   c << revolute_joint_2D("q", "base", "joint") << rigid_link_2D("joint", "tip", along_x(0.5))
     << inertia_2D("tip", point_mass(1.0)) << rigid_link_2D("base", "hook", vec2{1.0, 1.0})

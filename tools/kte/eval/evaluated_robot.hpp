@@ -7,7 +7,7 @@ namespace evaluate {
 
 /// A chain without bodies that stand still, and its coordinates in the order of the table's columns.
 struct evaluated_robot {
-  kte::kte_map_chain chain;
+  kte::runtime_chain chain;
   std::vector<std::string> coordinates;
 
   explicit evaluated_robot(const kte_tool::mechanism& m)

@@ -44,8 +44,8 @@ class program_cache {
     const bool whole = std::string_view(bytes).substr(size) == hash_text(std::string_view(bytes).substr(0, size));
     return whole ? std::move(file) : descriptor();
   }
-  /// make(folder) makes the file `program` in a folder of its own (mode 0700), which is removed in the end; the program
-  /// gets its name when it is complete.
+  /// make(folder) makes the file `program` in its own folder (mode 0700), which is removed in the end; the program gets
+  /// its name when it is complete.
   void add(const std::string& name, const std::function<void(const std::filesystem::path&)>& make) const {
     std::string pattern = (folder_ / (name + ".XXXXXX")).string();
     if (!mkdtemp(pattern.data())) kte::detail::raise_file("make", pattern, errno);

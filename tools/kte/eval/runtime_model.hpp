@@ -8,7 +8,7 @@
 #include <kte/dynamics/inverse_dynamics.hpp>
 #include <kte/dynamics/jacobian.hpp>
 #include <kte/dynamics/mass_matrix.hpp>
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
 
 #include <string>
 #include <vector>
@@ -16,7 +16,7 @@
 namespace evaluate {
 
 /// Throws `kte::unknown_name` for frames that the chain has not, and `kte::bad_argument` for those of the plane.
-inline void check_frames(const kte::kte_map_chain& chain, const std::vector<std::string>& frames) {
+inline void check_frames(const kte::runtime_chain& chain, const std::vector<std::string>& frames) {
   for (const auto& name : frames)
     if (chain.frame(name).what() != kte::kind::frame_3D)
       throw kte::bad_argument("kte: the frame '" + name + "' is a frame in the plane: its Jacobian is not printed");
@@ -30,7 +30,7 @@ class runtime_model {
   using vector = std::vector<S>;
 
   /// Throws as `check_frames`.
-  runtime_model(const kte::kte_map_chain& chain, const std::vector<std::string>& frames)
+  runtime_model(const kte::runtime_chain& chain, const std::vector<std::string>& frames)
       : chain_(chain), state_(chain.make_state<S>()), frames_(frames) {
     check_frames(chain, frames);
   }
@@ -73,7 +73,7 @@ class runtime_model {
   }
 
  private:
-  const kte::kte_map_chain& chain_;
+  const kte::runtime_chain& chain_;
   kte::basic_runtime_state<S> state_;
   std::vector<std::string> frames_;
 };

@@ -28,7 +28,7 @@ inline std::string main_text(const evaluated_robot& r, const options& o) {
   return s + ");\n}\n";
 }
 
-/// Of this program: who builds it anew may have changed the library.
+/// Of this program: who builds it again may have changed the library.
 inline std::string time_of_build() {
   std::error_code none;
   const auto time = std::filesystem::last_write_time("/proc/self/exe", none);

@@ -8,8 +8,8 @@
 
 namespace kte_tool {
 
-/// Calls a function at SIGINT (Ctrl-C) and SIGTERM, in a thread of its own. To be made before other threads, which then
-/// do not get these signals.
+/// Calls a function at SIGINT (Ctrl-C) and SIGTERM, in its own thread. To be made before other threads, which then do
+/// not get these signals.
 class interruption {
  public:
   interruption() {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kte/elements/joint_motor.hpp>
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +18,7 @@ struct motor_in_chain {
   kte::motor_law law;
 };
 /// That which has this input, if there is one.
-inline std::optional<motor_in_chain> motor_of_input(const kte::kte_map_chain& c, std::string_view input) {
+inline std::optional<motor_in_chain> motor_of_input(const kte::runtime_chain& c, std::string_view input) {
   std::optional<motor_in_chain> found;
   c.for_each_element([&](const kte::kte_element& e) {
     if (e.type() != "joint_motor_gen" || e.names().back() != input) return;

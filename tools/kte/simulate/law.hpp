@@ -10,12 +10,12 @@
 
 namespace kte_tool {
 
-/// The chain with a force on each of its coordinates of one number, as inputs of their own.
+/// The chain with a force on each of its coordinates of one number, as their own inputs.
 struct driven_chain {
-  kte::kte_map_chain chain;
+  kte::runtime_chain chain;
   std::vector<std::string> force_of;  ///< over v: the input; empty where there is none
 
-  explicit driven_chain(const kte::kte_map_chain& c) : chain(c), force_of(static_cast<std::size_t>(c.dofs())) {
+  explicit driven_chain(const kte::runtime_chain& c) : chain(c), force_of(static_cast<std::size_t>(c.dofs())) {
     const auto registry = kte::element_registry::standard();
     for (const auto& e : kte::layout(c)) {
       if (e.nv != 1) continue;
@@ -57,7 +57,7 @@ class pd_control {
     double kp, kd, effort;
   };
 
-  pd_control(const evaluate::state_table& table, const mechanism& m, const kte::kte_map_chain& c, bool compensates)
+  pd_control(const evaluate::state_table& table, const mechanism& m, const kte::runtime_chain& c, bool compensates)
       : input_(table, m, c),
         chain_(c),
         state_(c.make_state()),
@@ -94,7 +94,7 @@ class pd_control {
 
  private:
   state_input input_;
-  const kte::kte_map_chain& chain_;
+  const kte::runtime_chain& chain_;
   kte::runtime_state state_;
   bool compensates_;
   time_table q_, v_;

@@ -7,7 +7,7 @@ namespace kte_tool {
 /// x' = f(t, x) of a chain whose inputs follow a law, at every evaluation: of one type, whatever the law.
 class plant {
  public:
-  using model_type = kte::manipulator_dynamics_model<kte::kte_map_chain>;
+  using model_type = kte::manipulator_dynamics_model<kte::runtime_chain>;
   using S = double;
   using state = model_type::state;
   using rate = model_type::rate;
@@ -16,7 +16,7 @@ class plant {
   using law = std::function<void(double t, const state& x, Eigen::VectorXd& u)>;
 
   /// A law of the time alone leaves the derivatives of f by x as they are.
-  plant(const kte::kte_map_chain& c, law l, bool of_time_alone)
+  plant(const kte::runtime_chain& c, law l, bool of_time_alone)
       : model_(c), u_(model_.input()), law_(std::move(l)), of_time_alone_(of_time_alone) {}
 
   model_type& model() { return model_; }

@@ -20,11 +20,11 @@ constexpr const char* of_fixed_step = "runge_kutta4, semi_implicit_euler, implic
 command& add_solver(command& c, solver_options& o) {
   return c
       .text("--solver", "NAME", o.name,
-            std::string("dormand_prince45 if left out. By tolerance: ") + by_tolerance +
-                ". Of a fixed step: " + of_fixed_step)
+            std::string("default dormand_prince45. With adaptive steps: ") + by_tolerance +
+                ". With a fixed step: " + of_fixed_step)
       .number("--tolerance", "X", o.tolerance,
-              "absolute and relative, of each step; " + short_number(o.tolerance) + " if left out")
-      .number("--step", "S", o.step, "of solvers of a fixed step, s; 0.001 if left out");
+              "absolute and relative tolerance of each step; default " + short_number(o.tolerance))
+      .number("--step", "S", o.step, "for solvers with a fixed step, s; default 0.001");
 }
 
 void check_settings(const solver_options& o) {

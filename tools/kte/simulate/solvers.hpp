@@ -17,7 +17,7 @@ struct solver_options {
 };
 /// --solver, --tolerance and --step.
 command& add_solver(command& c, solver_options& o);
-/// Throws `usage_error` for numbers that make no sense.
+/// Throws `usage_error` for numbers that is invalid.
 void check_settings(const solver_options& o);
 
 /// Called at evenly spaced times.

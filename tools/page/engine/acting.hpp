@@ -7,7 +7,7 @@
 
 namespace kte::page {
 
-using dynamics_model = manipulator_dynamics_model<kte_map_chain>;
+using dynamics_model = manipulator_dynamics_model<runtime_chain>;
 
 /// What an element exerts on one of the things that it acts on: number `which` of its frames, or of its coordinates. On
 /// a frame in axes of the world, at its origin; on a coordinate of one number in force.x, on others in its own axes.
@@ -21,7 +21,7 @@ struct exerted {
 /// The loads in a mechanism at a state: of its elements, one by one, and of its joints.
 class acting {
  public:
-  /// frames: those whose reactions are wanted.
+  /// frames: those whose reactions are needed.
   acting(dynamics_model m, std::vector<handle> frames)
       : model_(std::move(m)), frames_(std::move(frames)), state_(model_.chain().make_state()) {}
 

@@ -24,7 +24,7 @@ class mechanism {
 
   const dynamics_model& model() const { return model_; }
   /// A model of a chain with these elements, its inputs as the file has them.
-  dynamics_model modelled(const kte_map_chain& c) const {
+  dynamics_model modelled(const runtime_chain& c) const {
     dynamics_model m(c);
     detail::restore_inputs(record_, m);
     return m;
@@ -61,7 +61,7 @@ class mechanism {
   }
 
   /// The chain and a pull on a frame. Throws `unknown_name`.
-  kte_map_chain pulled(kte_map_chain c, const page_pull& by) const {
+  runtime_chain pulled(runtime_chain c, const page_pull& by) const {
     if (chain_.frame(by.frame).what() == kind::frame_2D)
       c << pull_2D(by.frame, by);
     else
@@ -69,7 +69,7 @@ class mechanism {
     return c;
   }
   /// The chain and damping of all coordinates.
-  kte_map_chain damped(kte_map_chain c, const double& damping) const {
+  runtime_chain damped(runtime_chain c, const double& damping) const {
     for (const auto& f : chain_.wiring().free)
       for (int i = 0; i < f.in_row; ++i) {
         const auto& name =
@@ -90,7 +90,7 @@ class mechanism {
       }
     return c;
   }
-  const kte_map_chain& chain() const { return chain_; }
+  const runtime_chain& chain() const { return chain_; }
   /// Loads in the model of a chain with these elements, and perhaps more.
   acting acting_in(const dynamics_model& m) const { return {m, tracks_}; }
   std::size_t track_count() const { return tracks_.size(); }
@@ -99,7 +99,7 @@ class mechanism {
   void put(double t, const Eigen::VectorXd& x) { model_.setJointStates(t, x, state_); }
 
   model_record record_;
-  kte_map_chain chain_;
+  runtime_chain chain_;
   dynamics_model model_;
   runtime_state state_;
   std::vector<handle> tracks_;

@@ -88,10 +88,10 @@ class player {
     if (!(x >= 0 && std::isfinite(x)))
       throw bad_argument(std::string("kte: ") + what + " must be finite and not negative, got " + detail::number(x));
   }
-  kte_map_chain with_pull() const {
+  runtime_chain with_pull() const {
     return pull_.frame.empty() ? shown_.chain() : shown_.pulled(shown_.chain(), pull_);
   }
-  kte_map_chain with_pull_and_damping() const {
+  runtime_chain with_pull_and_damping() const {
     return damping_ != 0 ? shown_.damped(with_pull(), damping_) : with_pull();
   }
   void rebuild() {

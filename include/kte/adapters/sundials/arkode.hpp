@@ -18,7 +18,7 @@ class arkode : public explicit_form<arkode<Table, F, X>, F, X> {
  public:
   using typename base::S;
 
-  /// f(t, x), start time (s), start state, tolerances, table. Throws `bad_argument` for tolerances that are not
+  /// f(t, x), start time, s, start state, tolerances, table. Throws `bad_argument` for tolerances that are not
   /// positive, for a start that is not finite, and for a table that SUNDIALS has not.
   template <class V>
   arkode(F f, const S& t0, const Eigen::MatrixBase<V>& x0, const tolerances<S>& tol, Table table)
@@ -42,7 +42,7 @@ class arkode : public explicit_form<arkode<Table, F, X>, F, X> {
     }
   }
 
-  /// For what ARKODE can and this class has no name for: `ARKStepSetSafetyFactor(solver.memory(), 0.9)`.
+  /// The memory of ARKODE, for functions without a member here: `ARKStepSetSafetyFactor(solver.memory(), 0.9)`.
   void* memory() { return memory_.get(); }
 
  private:

@@ -17,7 +17,7 @@ class cvode : public explicit_form<cvode<Lmm, F, X>, F, X> {
  public:
   using typename base::S;
 
-  /// f(t, x), start time (s), start state, tolerances. Throws `bad_argument` for tolerances that are not positive, and
+  /// f(t, x), start time, s, start state, tolerances. Throws `bad_argument` for tolerances that are not positive, and
   /// for a start that is not finite.
   template <class V>
   cvode(F f, const S& t0, const Eigen::MatrixBase<V>& x0, const tolerances<S>& tol = {})
@@ -39,7 +39,7 @@ class cvode : public explicit_form<cvode<Lmm, F, X>, F, X> {
     }
   }
 
-  /// For what CVODE can and this class has no name for: `CVodeSetMaxOrd(solver.memory(), 2)`.
+  /// The memory of CVODE, for functions without a member here: `CVodeSetMaxOrd(solver.memory(), 2)`.
   void* memory() { return memory_.get(); }
 
  private:

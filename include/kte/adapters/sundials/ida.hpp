@@ -19,15 +19,15 @@ struct implicit_form {
 };
 }  // namespace detail
 
-/// IDA: backward differentiation formulas of order 1 to 5 for equations that are not solved for x', also where some of
-/// them are algebraic (of index 1):
+/// IDA: backward differentiation formulas of order 1 to 5 for implicit and differential-algebraic equations (of index
+/// 1):
 ///
 ///   f(t, x, x') = 0                                 (1)
 ///   J_ij = d f_i / d x_j + c d f_i / d x'_j         (2)
 ///
-/// f(t, x, x_dot) returns the residual, or f(t, x, x_dot, r) writes it into r, which has the size of x. J is
-/// f.jacobian(t, x, x_dot, c, J) where f has that: J a square matrix of the right size, filled by f. Otherwise IDA
-/// takes differences. `evaluations` of `statistics` are those of the residual.
+/// f(t, x, x_dot) returns the residual, or f(t, x, x_dot, r) writes it into r, of the size of x. J is f.jacobian(t, x,
+/// x_dot, c, J) where f has it: f fills a square matrix J of the right size. Otherwise IDA uses differences.
+/// `evaluations` of `statistics` counts residuals.
 ///
 ///   kte::sundials::ida solver(residual, 0.0, x0, x0_dot, {.absolute = 1e-9, .relative = 1e-9});
 ///   solver.make_consistent(Eigen::Vector3d(1, 1, 0), 10.0);   // if x0[2] is a guess only
@@ -71,15 +71,15 @@ class ida : public integrator<ida<R, X>, detail::implicit_form<R>, X> {
   /// x' at `time()`.
   const X& derivative() const { return x_dot_; }
 
-  /// Goes on from another time, state and derivative. Throws as the constructor.
+  /// Continues from another time, state and derivative. Throws as the constructor.
   template <class V, class W>
   void restart(const S& t, const Eigen::MatrixBase<V>& x, const Eigen::MatrixBase<W>& x_dot) {
     const X derivative = checked(x_dot);
     base::restart(t, x);
     x_dot_ = derivative;
   }
-  /// Goes back to a time of the last step, with the derivative that its dense output has there: for an observer that
-  /// stops at a sample.
+  /// Returns to a time of the last step, with the derivative of its dense output there: for an observer that stops at a
+  /// sample.
   template <class V>
   void restart(const S& t, const Eigen::MatrixBase<V>& x) {
     X x_dot = x_dot_;
@@ -87,18 +87,19 @@ class ida : public integrator<ida<R, X>, detail::implicit_form<R>, X> {
     restart(t, x, x_dot);
   }
 
-  /// Solves (1) at `time()` for x_i where differential_i is 0 (algebraic), and for x'_i where it is 1; keeps the other
-  /// x_i. t_next: some time to which `integrate` will go. Throws `integration_failure` where no solution was found.
+  /// Solves (1) at `time()` for x_i where differential_i is 0 (algebraic), and for x'_i where it is 1; the other x_i
+  /// are unchanged. t_next: a time towards which `integrate` will go. Throws `integration_failure` if no solution is
+  /// found.
   template <class V>
   void make_consistent(const Eigen::MatrixBase<V>& differential, const S& t_next) {
     X kinds = checked(differential);
     this->require(IDASetId(memory(), this->vector_of(kinds).get()));
     solve_start(IDA_YA_YDP_INIT, t_next);
   }
-  /// Solves (1) at `time()` for all x; keeps x'. Otherwise the same.
+  /// Solves (1) at `time()` for all x, with x' unchanged; see `make_consistent`.
   void make_state_consistent(const S& t_next) { solve_start(IDA_Y_INIT, t_next); }
 
-  /// For what IDA can and this class has no name for: `IDASetSuppressAlg(solver.memory(), SUNTRUE)`.
+  /// The memory of IDA, for functions without a member here: `IDASetSuppressAlg(solver.memory(), SUNTRUE)`.
   void* memory() { return memory_.get(); }
 
  private:

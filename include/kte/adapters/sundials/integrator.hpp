@@ -14,23 +14,23 @@
 /// and differential/algebraic equation solvers, ACM Trans. Math. Softw. 31 (2005), 363-396.
 namespace kte::sundials {
 
-/// What the integrators of SUNDIALS share. Neither copied nor moved: SUNDIALS keeps their address.
+/// Base of the integrators of SUNDIALS. It can be neither copied nor moved: SUNDIALS keeps its address.
 ///
 /// The size of the error e of a step from x is that of SUNDIALS:
 ///
 ///   |e| = sqrt(1/n sum_i (w_i e_i)^2),   w_i = 1 / (absolute_i + relative_i |x_i|)          (1)
 ///
-/// An `integrate` goes on with the step and order that the last one came to, unless time turns back. Where f has jumped
-/// since, the error tells; after a jump of the state call `restart`. What f throws comes out of `integrate`.
+/// `integrate` continues with the step and order of the previous call, unless time turns back. The error control
+/// detects a jump of f; after a jump of the state call `restart`. Exceptions of f leave `integrate`.
 ///
-/// A solver derives from this with itself as `Method` and has functions that return a flag of SUNDIALS:
+/// A solver derives from this class with itself as `Method` and has functions that return a flag of SUNDIALS:
 ///
 ///   initialize()                starts again from `time_` and `y_`
-///   begin_with(h)               the first step after that is of length h
-///   take_step(t_end, reached)   one step towards t_end, not beyond it: leaves the state in `y_`, says its time
-///   dense_at(t, y)              the state y at a time of the last step
+///   begin_with(h)               sets the length h of the next step
+///   take_step(t_end, reached)   one step towards t_end, not beyond it: stores the state in `y_` and its time in
+///   `reached` dense_at(t, y)              the state y at a time of the last step
 ///
-/// and `counted()`, what was counted since `initialize`, and `flag_name(flag)`, allocated by malloc.
+/// and `counted()`, the counts since `initialize`, and `flag_name(flag)`, allocated by malloc.
 template <class Method, class F, class X>
 class integrator : public kte::integrator<Method, F, X> {
   using base = kte::integrator<Method, F, X>;
@@ -45,8 +45,8 @@ class integrator : public kte::integrator<Method, F, X> {
   integrator(const integrator&) = delete;
   integrator& operator=(const integrator&) = delete;
 
-  /// Goes on from another time and state, for instance after an impact. Throws `bad_argument` unless they are finite,
-  /// and for a state of another size.
+  /// Continues from another time and state, for instance after an impact. Throws `bad_argument` unless they are finite,
+  /// and for a state of wrong size.
   template <class V>
   void restart(const S& t, const Eigen::MatrixBase<V>& x) {
     if (x.size() != this->x_.size())
@@ -99,7 +99,7 @@ class integrator : public kte::integrator<Method, F, X> {
   void check(int flag) const {
     relay_.rethrow();
     if (flag < 0)
-      this->fail((finite_ ? "" : std::string(endless) + this->base::reason() + "; ") + reason_of(flag),
+      this->fail((finite_ ? "" : std::string(non_finite) + this->base::reason() + "; ") + reason_of(flag),
                  failure_reason::other);
   }
 
@@ -144,7 +144,7 @@ class integrator : public kte::integrator<Method, F, X> {
     if (!this->next_is_finite()) [[unlikely]]
       this->fail("the next state is not a finite number", failure_reason::not_finite);
     if (reached != t_end && is_lost(reached)) [[unlikely]]
-      this->fail(finite_ ? "the tolerances need steps that are lost in the rounding of t" : endless,
+      this->fail(finite_ ? "the tolerances need steps that are lost in the rounding of t" : non_finite,
                  finite_ ? failure_reason::step_too_short : failure_reason::not_finite);
     this->accept(reached);
     fresh_ = false;
@@ -177,7 +177,7 @@ class integrator : public kte::integrator<Method, F, X> {
   Method& method() { return static_cast<Method&>(*this); }
   const Method& method() const { return static_cast<const Method&>(*this); }
 
-  static constexpr const char* endless = "f is not finite, however short the step";
+  static constexpr const char* non_finite = "f is not finite, however short the step";
   tolerances<S> tolerances_;
   detail::accountant accountant_;
   long long tries_ = 0;

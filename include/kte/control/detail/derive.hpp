@@ -65,12 +65,11 @@ matrix_of<S> derive_in_duals(int rows, int count, const F& f) {
   }
   return j;
 }
-/// The same by central differences of order 4, of y = f(j, h), x moved by h along direction j, that is large by
-/// size(j):
+/// dy/dx by central differences of order 4, of y = f(j, h), x moved by h along direction j, of magnitude size(j):
 ///
 ///   (8 (f(h) - f(-h)) - (f(2h) - f(-2h)))/(12 h),   h = eps^(1/5) size(j)          (1)
 ///
-/// whose error is some eps^(4/5) (in double 3e-13) of y and of its fifth derivative, in units of size(j).
+/// with an error of some eps^(4/5) (3e-13 in double) of y and of its fifth derivative, in units of size(j).
 template <class S, class Size, class F>
 matrix_of<S> derive_by_differences(int rows, int count, const Size& size, const F& f) {
   using std::pow;
@@ -82,7 +81,7 @@ matrix_of<S> derive_by_differences(int rows, int count, const Size& size, const 
   }
   return j;
 }
-/// Of a number x.
+/// The size of a number x.
 template <class S>
 S size_of_number(const S& x) {
   using std::abs;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kte/dynamics/detail/blame.hpp>
+#include <kte/dynamics/detail/diagnose.hpp>
 #include <kte/frames/rigid_motion.hpp>
 
 /// How one coordinate moves by its rates: numbers, rotations, poses.

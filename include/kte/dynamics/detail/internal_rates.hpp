@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kte/contract/passes.hpp>
-#include <kte/dynamics/detail/given.hpp>
+#include <kte/dynamics/unrolled/given.hpp>
 
 /// Internal states of elements in fused evaluations.
 namespace kte::detail {
@@ -36,7 +36,7 @@ KTE_INLINE auto with_signals(const Base& base, const S& time, const S* inputs, c
   return base_with_signals<Wiring, Base, S>{base, time, inputs, internals};
 }
 
-/// The same where the whole chain moves: with positions too.
+/// The rates of internal states when the whole chain moves, with positions.
 template <class Base>
 struct base_in_motion : Base {
   template <kind, int>
@@ -60,7 +60,7 @@ inline constexpr bool sees_coordinates_only = [] {
 /// What elements see of degrees of freedom and signals from outside.
 template <class Chain, class Given>
 class outside {
-  using types = local_types<Chain, Given>;
+  using types = flow_types<Chain, Given>;
   using wiring = typename Chain::wiring;
 
  public:
@@ -75,9 +75,9 @@ class outside {
 };
 /// What they see of all that a chain moves. There are no accelerations.
 template <class Chain, class Given>
-struct inside : local_motion<Chain, Given> {
-  using local_motion<Chain, Given>::local_motion;
-  using typename local_motion<Chain, Given>::types;
+struct inside : unrolled_motion<Chain, Given> {
+  using unrolled_motion<Chain, Given>::unrolled_motion;
+  using typename unrolled_motion<Chain, Given>::types;
   template <std::size_t I, std::size_t P>
   decltype(auto) seen() const {
     return this->template get<types::template what<I, P>, Chain::wiring::slot(I, P), types::template shown<I, P>>();

@@ -3,7 +3,7 @@
 #include <kte/dynamics/frame_motion.hpp>
 #include <kte/elements/base.hpp>
 #include <kte/elements/rigid_link.hpp>
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
 
 #include <array>
 #include <string>
@@ -35,7 +35,7 @@ class chain_reduction {
 
  public:
   template <class Q>
-  chain_reduction(const kte_map_chain& c, const Q& q) : chain_(c), state_(c.make_state()) {
+  chain_reduction(const runtime_chain& c, const Q& q) : chain_(c), state_(c.make_state()) {
     refuse_loops(c);
     take(c, state_, q);
     for (std::size_t k = 0; k < kinds; ++k) locked_[k].resize(c.wiring().names[k].size());
@@ -52,8 +52,8 @@ class chain_reduction {
       }
     throw bad_argument("kte: '" + std::string(name) + "' is not a degree of freedom: only those can be locked");
   }
-  kte_map_chain make() {
-    kte_map_chain r;
+  runtime_chain make() {
+    runtime_chain r;
     r.gravity(chain_.gravity());
     for (const auto& e : chain_.wiring().elements) add(e, r);
     return r;
@@ -62,9 +62,9 @@ class chain_reduction {
  private:
   const std::string& name(kind k, int i) const { return at(chain_.wiring().names, k, i); }
 
-  void add(const topology::connection& e, kte_map_chain& to) {
+  void add(const topology::connection& e, runtime_chain& to) {
     const std::size_t last = e.ports.size() - 1;
-    const bool follows = !e.stiff && e.ports[last].how == access::out && e.ports[last].what == kind::gen;
+    const bool follows = !e.rigid && e.ports[last].how == access::out && e.ports[last].what == kind::gen;
     bool any = false, all = true;
     for (std::size_t p = 0; p < (follows ? last : last + 1); ++p) {
       const bool is = is_coordinate(e.ports[p].what) && at(locked_, e.ports[p].what, e.index[p]) != free;
@@ -73,7 +73,7 @@ class chain_reduction {
     if (follows) e.element->doMotion(state_);  // where joints read it
     if (!any) {
       to.append(e.element->clone());
-    } else if (e.stiff) {
+    } else if (e.rigid) {
       add_link(e, to);
     } else if (follows && all) {
       at(locked_, kind::gen, e.index[last]) = as_locked;
@@ -85,10 +85,10 @@ class chain_reduction {
   /// Masses that cannot move, and what holds that which is locked; `all`: it is connected to nothing else.
   bool needless(const topology::connection& e, bool all) const {
     const auto n = e.element->numbers();
-    return (all && n.has_mass) || (n.holds_coordinate && at(locked_, e.ports[0].what, e.index[0]) != free);
+    return (all && n.has_mass) || (n.locks_coordinate && at(locked_, e.ports[0].what, e.index[0]) != free);
   }
   /// The pose of a joint is that of its end when its base stands at the origin.
-  void add_link(const topology::connection& e, kte_map_chain& to) {
+  void add_link(const topology::connection& e, runtime_chain& to) {
     const std::size_t at_end = e.ports.size() - 1, at_base = at_end - 1;
     const auto& base = name(e.ports[at_base].what, e.index[at_base]);
     const auto& end = name(e.ports[at_end].what, e.index[at_end]);
@@ -103,16 +103,16 @@ class chain_reduction {
     }
   }
   /// A locked coordinate that an element acts on stands at a constant distance from nothing.
-  void keep_constant(kind k, int i, kte_map_chain& to) {
+  void keep_constant(kind k, int i, runtime_chain& to) {
     if (!is_coordinate(k) || at(locked_, k, i) != as_locked) return;
     if (k != kind::gen)
-      throw bad_argument("kte: '" + name(k, i) + "' cannot be locked: an element besides its joint acts on it");
+      throw bad_argument("kte: '" + name(k, i) + "' cannot be locked: an element other than its joint acts on it");
     const std::string origin = "origin of " + name(k, i);
     to << base_gen(origin) << rigid_link_gen(origin, name(k, i), state_.get<kind::gen>(i).q);
     at(locked_, k, i) = as_constant;
   }
 
-  const kte_map_chain& chain_;
+  const runtime_chain& chain_;
   runtime_state state_;
   std::array<std::vector<lock_state>, kinds> locked_;  ///< of things, by kind
 };
@@ -124,7 +124,7 @@ inline constexpr bool reads_key = [] {
     if (same) return true;
   return false;
 }();
-/// Whether nothing but joints reads what is to be locked.
+/// Whether only joints reads what is to be locked.
 template <class Locked, class Element>
 inline constexpr bool locks_cleanly = true;
 template <class Locked, class Core, class... Keys>
@@ -142,7 +142,7 @@ inline constexpr bool is_freedom = [] {
 }();
 template <class Chain, class Given, class... Locked>
 struct static_reduction {
-  using types = local_types<Chain, Given>;
+  using types = flow_types<Chain, Given>;
   using wiring = typename Chain::wiring;
   const Chain& chain;
   const Given& given;

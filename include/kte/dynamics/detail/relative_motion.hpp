@@ -16,8 +16,8 @@ dense_motion<S> in_numbers(const M& m) {
   return {as<S>(m.position),     as<S>(matrix(m.rotation)), as<S>(m.velocity),
           as<S>(m.ang_velocity), as<S>(m.acceleration),     as<S>(m.ang_acceleration)};
 }
-template <class S, class Blame = too_large>
-dense_motion<S> checked_motion(const dense_motion<S>& a, const dense_motion<S>& b, const Blame& why = {"a motion"}) {
+template <class S, class Diagnose = too_large>
+dense_motion<S> checked_motion(const dense_motion<S>& a, const dense_motion<S>& b, const Diagnose& why = {"a motion"}) {
   const dense_motion<S> x = in_numbers<S>(relative(a, b));
   for (const auto* v : {&x.position, &x.velocity, &x.ang_velocity, &x.acceleration, &x.ang_acceleration}) {
     const S all[]{v->x, v->y, v->z};
@@ -34,7 +34,7 @@ inline constexpr std::size_t common_length = [] {
   return n;
 }();
 template <class Chain, class Frame>
-inline constexpr bool moved_by_joints = moves_stiffly<Chain, Frame::what, frame_slot<Frame, Chain>()>;
+inline constexpr bool moved_by_joints = moves_rigidly<Chain, Frame::what, frame_slot<Frame, Chain>()>;
 template <class Chain, class Frame>
 using branch_of = branch<Chain, Frame::what, frame_slot<Frame, Chain>()>;
 /// Where the end of a branch stands in that of its element N - 1.
@@ -90,10 +90,10 @@ class local_relative_jacobian : columns<S, Chain, Given> {
 
 /// Where B stands in A, after `place_bodies`, by what is between them alone; `common`: of their slots.
 template <class S>
-tree::dense_pose<S> pose_between(const kte_map_chain& c, basic_runtime_state<S>& s, const runtime_frame& b,
+tree::dense_pose<S> pose_between(const runtime_chain& c, basic_runtime_state<S>& s, const runtime_frame& b,
                                  const runtime_frame& a, int common) {
   if (common < 0) return plain_pose<S>(compose(inverse(pose_of(c, s, a)), pose_of(c, s, b)));
-  const auto& f = s.tree().forest;
+  const auto& f = s.tree().body_tree;
   tree::dense_pose<S> x, y;
   (void)tree::pose_in_base(f, s.work, f.frame(a.what, a.index), x, common);
   (void)tree::pose_in_base(f, s.work, f.frame(b.what, b.index), y, common);
@@ -101,31 +101,31 @@ tree::dense_pose<S> pose_between(const kte_map_chain& c, basic_runtime_state<S>&
 }
 template <class S>
 int common_slot_of(const basic_runtime_state<S>& s, const runtime_frame& b, const runtime_frame& a) {
-  const auto& f = s.tree().forest;
+  const auto& f = s.tree().body_tree;
   const int of = f.frame(b.what, b.index).slot, in = f.frame(a.what, a.index).slot;
   return of < 0 || in < 0 ? -1 : tree::common_slot(f, in, of);  // those that follow others are in none
 }
 /// At positions that are good.
 template <class S>
-tree::dense_pose<S> relative_pose_of(const kte_map_chain& c, basic_runtime_state<S>& s, const runtime_frame& b,
+tree::dense_pose<S> relative_pose_of(const runtime_chain& c, basic_runtime_state<S>& s, const runtime_frame& b,
                                      const runtime_frame& a) {
   place_bodies(runtime_elements{c}, s);
   return pose_between(c, s, b, a, common_slot_of(s, b, a));
 }
 template <class S>
-dense_motion<S> relative_motion_of(const kte_map_chain& c, basic_runtime_state<S>& s, const runtime_frame& b,
+dense_motion<S> relative_motion_of(const runtime_chain& c, basic_runtime_state<S>& s, const runtime_frame& b,
                                    const runtime_frame& a) {
   static_assert(goes_through_passes<S>);
   move(c.wiring(), s, a), move(c.wiring(), s, b);
   const auto all = [](const auto& m) { return in_numbers<S>(m); };
-  return checked_motion(with_motion(s, a, all), with_motion(s, b, all), blame_state{"a motion", s});
+  return checked_motion(with_motion(s, a, all), with_motion(s, b, all), diagnose_state{"a motion", s});
 }
 /// At positions that are good.
 template <class S>
-basic_runtime_jacobian<S> relative_jacobian_of(const kte_map_chain& c, basic_runtime_state<S>& s,
+basic_runtime_jacobian<S> relative_jacobian_of(const runtime_chain& c, basic_runtime_state<S>& s,
                                                const runtime_frame& b, const runtime_frame& a) {
   const auto& t = s.tree();
-  const auto& f = t.forest;
+  const auto& f = t.body_tree;
   const auto &at_a = f.frame(a.what, a.index), &at_b = f.frame(b.what, b.index);
   refuse_following(c, s, a), refuse_following(c, s, b);
   const int common = common_slot_of(s, b, a);

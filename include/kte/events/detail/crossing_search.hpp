@@ -29,14 +29,14 @@ class crossing_search {
   crossing_search(crossing wanted, int side, const S& noise, int depth)
       : wanted_(wanted), side_(side), noise_(noise), depth_(depth) {}
 
-  /// The first crossing of the wanted direction from a to b. y: g at a, a + (b - a) / 8, ..., b.
+  /// The first crossing in the given direction from a to b. y: g at a, a + (b - a) / 8, ..., b.
   template <class G>
   bool find(G&& g, const S& a, const S& b, const values& y) {
     using std::abs;
     for (const S& v : y) scale_ = abs(v) < scale_ ? scale_ : S(abs(v));
     return split(g, a, b, y, depth_);
   }
-  /// Whether g leaves this side in the wanted direction as time goes on from a to b.
+  /// Whether g leaves this side in the given direction as time goes from a to b.
   bool is_wanted(bool forward) const {
     return wanted_ == crossing::both || (wanted_ == crossing::rising) == ((side_ < 0) == forward);
   }

@@ -183,7 +183,7 @@ class event_loop {
     e.on_reset(t, x_);
     check_state(e, k, t, "reset");
   }
-  /// Of what an event has made x_.
+  /// The state after an event.
   template <class E>
   void check_state(const E& e, std::size_t k, const S& t, const char* maker) const {
     for (Eigen::Index i = 0; i < x_.size(); ++i)

@@ -4,7 +4,7 @@
 
 namespace kte::detail {
 
-/// What is known of an event. A side is the sign of g: -1 or 1; 0 where only the motion from here can tell.
+/// The status of an event. A side is the sign of g: -1 or 1; 0 where it follows only from the motion.
 template <class S>
 struct event_status {
   S value{};     ///< g at the start of the step

@@ -7,7 +7,7 @@
 
 namespace kte::detail {
 
-/// The events of a list along the last step of a solver, each with what is known of it.
+/// The events of a list along the last step of a solver, each with its status.
 template <class Solver, class List>
 class watched_events {
  public:

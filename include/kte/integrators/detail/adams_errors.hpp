@@ -57,7 +57,7 @@ struct adams_errors {
     const S least = S(1e-36);
     return -0.5f * log_of(4 * static_cast<float>(square < least ? least : square)) / static_cast<float>(order + 1);
   }
-  /// The logarithm to 0.001, of infinity and of what is no number 128 at least.
+  /// The logarithm to 0.001; at least 128 for infinity and NaN.
   KTE_INLINE static float log_of(float x) {
     constexpr std::uint32_t fraction = 0x7fffff, one = 0x3f800000;
     const auto bits = std::bit_cast<std::uint32_t>(x);

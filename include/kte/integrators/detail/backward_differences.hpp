@@ -21,7 +21,7 @@ class backward_differences {
  public:
   static constexpr int most = 5;  ///< degree of the polynomial
 
-  /// Of the line from x with the slope times the step.
+  /// The history of the line from x with the slope times the step.
   template <class X, class D>
   void start(const X& x, const D& difference) {
     columns_.setZero(x.size(), most + 3);
@@ -61,7 +61,7 @@ class backward_differences {
     columns_.col(k + 1) = d;
     for (int j = k; j >= 0; --j) columns_.col(j) += columns_.col(j + 1);
   }
-  /// (3): the same polynomial of degree k, seen with steps r h.
+  /// (3): the polynomial of degree k with steps r h.
   void rescale(int k, const S& r) {
     const square change = changes(k, r);
     for (Eigen::Index i = 0; i < columns_.rows(); ++i) {

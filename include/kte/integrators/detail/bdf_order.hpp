@@ -4,7 +4,7 @@
 
 namespace kte::detail {
 
-/// An order, and by how much the step changes with it.
+/// An order, and the change of the step with it.
 template <class S>
 struct order_choice {
   int order;

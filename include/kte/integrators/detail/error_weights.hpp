@@ -15,7 +15,7 @@ class error_weights {
       : tolerances_(tol), absolute_(n), relative_(n), inverse_(n), share_(1 / S(static_cast<double>(n))) {
     for (Eigen::Index i = 0; i < n; ++i) absolute_[i] = tol.absolute[i], relative_[i] = tol.relative[i];
   }
-  /// Of a step from x0 to x1.
+  /// The weights of a step from x0 to x1.
   KTE_INLINE void weigh(const X& x0, const X& x1) {
     using std::abs;
     for (Eigen::Index i = 0; i < inverse_.size(); ++i) {

@@ -39,7 +39,7 @@ class implicit_stages : public implicit_integrator<Method, F, X> {
   bool jacobian_is_known() const { return jacobian_is_known_; }
   /// Whether J is that of the present state.
   bool jacobian_is_new() const { return jacobian_is_new_; }
-  /// At a start: nothing is known of f any more.
+  /// At a start: discards all data of f.
   void forget_jacobian() { jacobian_is_known_ = jacobian_is_new_ = false; }
   /// After a step: J is that of the state before.
   void keep_jacobian() { jacobian_is_new_ = false; }
@@ -88,7 +88,7 @@ class implicit_stages : public implicit_integrator<Method, F, X> {
     }
   }
 
-  /// Of a displacement, as the tolerances see it.
+  /// The norm of a displacement in terms of the tolerances.
   template <class E>
   S size(const E& e) const {
     const auto& sizes = this->magnitudes(this->x_);

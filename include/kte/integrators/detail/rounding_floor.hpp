@@ -42,7 +42,7 @@ class rounding_floor {
   }
 
  private:
-  /// Not b where that is no number.
+  /// The larger of a and b; a if b is NaN.
   static S least(const S& a, const S& b) { return b < a ? b : a; }
 
   S size_{0};                 ///< the norm of (1) where it matters

@@ -26,7 +26,7 @@ class secant_iteration {
     if (afresh || plain_) b_.setIdentity();
     plain_ = has_last_ = false;
   }
-  /// The same again, with B = 1 throughout.
+  /// The iteration again, with B = 1.
   void begin_plainly() { plain_ = true, has_last_ = false; }
   /// g becomes s; size: of x.
   template <class V>

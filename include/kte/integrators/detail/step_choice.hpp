@@ -8,7 +8,7 @@
 
 namespace kte::detail {
 
-/// What is in the way of a step; of none, the text is null.
+/// The obstacle to a step; without one the text is null.
 struct obstacle {
   const char* text = nullptr;
   failure_reason reason = failure_reason::not_finite;
@@ -43,7 +43,7 @@ class step_choice {
   }
   /// The length that is proposed for the next step.
   const S& proposed() const { return step_; }
-  /// The same with the sign of the way from t to t_end.
+  /// The step with the sign of the direction from t to t_end.
   S proposed(const S& t, const S& t_end) const { return t_end < t ? S(-step_) : step_; }
 
   /// Chooses the first step from t to t_end. f0: slope at t; sizes: of the state; slope_after(h): slope after an Euler

@@ -7,12 +7,13 @@
 
 namespace kte {
 
-/// Pairs of angles, at most four where the equations say so, and double ones.
+/// A pair of angles, `first` and `second`, a solution of two equations.
 template <class S>
 struct angle_pair {
   solved_angle<S> first, second;
-  unsigned slot;  ///< its name
+  unsigned slot;  ///< identifies the pair among all solutions
 };
+/// All pairs: at most four, and double solutions.
 template <class S>
 using angle_pairs = detail::short_list<angle_pair<S>, 8>;
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kte/dynamics/detail/blame.hpp>
+#include <kte/dynamics/detail/diagnose.hpp>
 #include <kte/manipulators/manipulator.hpp>
 
 /// What numerical inverse kinematics asks of static and of runtime manipulators by one name.
@@ -53,14 +53,14 @@ void check_configuration_of(const Arm& arm, const Q& q, const char* name) {
   if (!all_finite(q, n)) [[unlikely]]
     raise_not_finite("a coordinate", layout(arm), {{name, plain_numbers(q, n), true}});
 }
-/// The same of rates or accelerations.
+/// Rejects rates or accelerations.
 template <class Arm, class V>
 void check_rates_of(const Arm& arm, const V& v, const char* name, const char* what) {
   check_size(dofs_of(arm), v, name);
   if (!all_finite(v, dofs_of(arm))) [[unlikely]]
     raise_not_finite(what, layout(arm), {{name, plain_numbers(v, dofs_of(arm))}});
 }
-/// The same of six numbers for each tool.
+/// Rejects twists, six numbers for each tool.
 template <class Arm, class T>
 void check_twists_of(const Arm& arm, const T& twist, const char* name, const char* what) {
   const auto& tools = arm.tools();

@@ -22,9 +22,9 @@ struct arm_geometry {
   std::array<bool, most> slides{};
   std::array<int, most> in_q{}, in_v{};  ///< where the coordinate is in q and in v
   pose<mat3<vec3<>>, vec3<>> tool{mat3<vec3<>>{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, vec3<>{0, 0, 0}};
-  /// Of a body that moves freely, without joints: its pose in `seat` is the coordinate at in_q[0].
+  /// A body that moves freely, without joints: its pose in `placement` is the coordinate at in_q[0].
   enum class freely : unsigned char { not_at_all, in_plane, in_space } moves = freely::not_at_all;
-  pose<mat3<vec3<>>, vec3<>> seat = tool;
+  pose<mat3<vec3<>>, vec3<>> placement = tool;
   /// Why it is none of these, or nothing: "has a joint that ...".
   const char* refused = nullptr;
 
@@ -43,7 +43,7 @@ struct arm_geometry {
   }
 };
 
-/// The same arm from the tool to the base: its pose is the inverse.
+/// The arm from the tool to the base: its pose is the inverse.
 constexpr arm_geometry reversed(const arm_geometry& a) {
   arm_geometry r = a;
   r.tool = inverse(a.tool);

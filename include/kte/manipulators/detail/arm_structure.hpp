@@ -9,7 +9,7 @@
 
 namespace kte {
 
-/// What makes the inverse kinematics of an arm closed form.
+/// Families of arms with closed-form inverse kinematics; `none`: another arm.
 enum class arm_family : std::uint8_t {
   none,
   planar_3R,           ///< three parallel axes, and a tool in their plane
@@ -17,8 +17,8 @@ enum class arm_family : std::uint8_t {
   spherical_wrist,     ///< axes 4, 5, 6 meet in a point
   spherical_shoulder,  ///< axes 1, 2, 3 do
   three_parallel,      ///< three axes in a row, with 5 and 6 (or 1 and 2) beyond them
-  srs,                 ///< seven axes, of which the first and the last three meet
-  offset_7R,           ///< seven axes that are one of these when the first or the last is held
+  srs,                 ///< seven axes; the first three meet, and the last three
+  offset_7R,           ///< seven axes that are one of these with the first or the last locked
   on_track,            ///< six that are, on a slide or with one at the tool
   free_body            ///< a coordinate that is the pose of a body, and no joints
 };
@@ -236,7 +236,7 @@ constexpr bool fits_planar(arm_structure& s, double most_rad) {
   return false;
 }
 
-/// Seven joints of which one is held, and the others turn.
+/// Seven joints, one of them locked.
 constexpr arm_structure with_held(const arm_geometry& arm, int joint, double tolerance) {
   arm_structure s;
   s.original = arm, s.reach = reach_of(arm), s.tolerance = tolerance;

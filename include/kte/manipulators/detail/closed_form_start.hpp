@@ -8,7 +8,7 @@
 
 namespace kte::detail {
 
-/// Where all that is wanted of the only tool of an arm is a pose, and the arm has a closed form: puts the answer within
+/// Where all that is needed of the only tool of an arm is a pose, and the arm has a closed form: puts the answer within
 /// limits that is nearest to q into q. False if there is none.
 template <class Arm, class Goals, class Q>
 bool start_at_closed_form(const Arm&, const Goals&, Q&) {

@@ -6,17 +6,17 @@ namespace kte::detail {
 
 /// The numbers of two choices in each of `lanes` of the four ways from `way` on: 0 or 1.
 template <class L, class S>
-struct lanes_of_ways {
-  static constexpr std::size_t lanes = answer_lanes<S>::count;
+struct packed_ways {
+  static constexpr std::size_t lanes = answer_pack<S>::count;
   std::array<unsigned, lanes> first, second;
 
-  explicit lanes_of_ways(unsigned way) {
+  explicit packed_ways(unsigned way) {
     for (unsigned l = 0; l < lanes; ++l) first[l] = (way + l) >> 1 & 1u, second[l] = (way + l) & 1u;
   }
   static truth<L> is_one(const std::array<unsigned, lanes>& choice) {
     std::array<S, lanes> x;
     for (std::size_t l = 0; l < lanes; ++l) x[l] = S(static_cast<int>(choice[l]));
-    return L(0.5) < lanes_at(x.data());
+    return L(0.5) < load_pack(x.data());
   }
 };
 
@@ -26,11 +26,11 @@ struct lanes_of_ways {
 template <class S, class Begin, class End>
 raw_answers<S> eight_answers(std::size_t joints, branch_bit first, branch_bit second, branch_bit third,
                              const Begin& begin, const End& end) {
-  using L = typename answer_lanes<S>::type;
-  constexpr std::size_t lanes = answer_lanes<S>::count;
+  using L = typename answer_pack<S>::type;
+  constexpr std::size_t lanes = answer_pack<S>::count;
   raw_answers<S> out;
   out.size = 8;
-  const auto add = [&](const lanes_of_ways<L, S>& way, const std::array<raw_answer<L>, 2>& both) {
+  const auto add = [&](const packed_ways<L, S>& way, const std::array<raw_answer<L>, 2>& both) {
     for (const std::size_t b : {0u, 1u}) {
       std::array<std::size_t, lanes> name;
       for (std::size_t l = 0; l < lanes; ++l) {
@@ -39,7 +39,7 @@ raw_answers<S> eight_answers(std::size_t joints, branch_bit first, branch_bit se
       }
       const auto put = [&](const L& x, auto& row) {
         std::array<S, lanes> y;
-        put_lanes(x, y.data());
+        store_pack(x, y.data());
         for (std::size_t l = 0; l < lanes; ++l) row[name[l]] = y[l];
       };
       for (std::size_t k = 0; k < joints; ++k)
@@ -49,10 +49,10 @@ raw_answers<S> eight_answers(std::size_t joints, branch_bit first, branch_bit se
   };
   constexpr unsigned together = lanes == 1 ? 2 : 4;  // ways with one beginning
   for (unsigned way = 0; way < 4; way += together) {
-    const lanes_of_ways<L, S> one(way);
+    const packed_ways<L, S> one(way);
     const auto begun = begin(one.is_one(one.first));
     for (unsigned k = way; k < way + together; k += lanes) {
-      const lanes_of_ways<L, S> both(k);
+      const packed_ways<L, S> both(k);
       add(both, end(begun, both.is_one(both.second)));
     }
   }

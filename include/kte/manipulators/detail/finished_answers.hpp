@@ -21,10 +21,12 @@ auto starting_configuration(const Arm& arm) {
 template <class Chain, key_type First, key_type... More>
 constexpr void refuse_by_type(const manipulator<Chain, tool_keys<First, More...>>&) {
   static_assert(sizeof...(More) == 0,
-                "kte: inverse kinematics in closed form is of an arm with one tool; kte::clik takes goals of several");
+                "kte: inverse kinematics in closed form needs an arm with one tool; kte::numerical_inverse_kinematics "
+                "takes goals of several");
   static_assert(sizeof...(More) > 0 || may_have_closed_form<First, Chain>(),
-                "kte: no closed form of inverse kinematics: for that an arm has three, four, six or seven joints of "
-                "one free coordinate each between base and tool, or a body that moves freely; kte::clik solves others");
+                "kte: no closed form of inverse kinematics: it needs an arm with three, four, six or seven joints of "
+                "one free coordinate each between base and tool, or a body that moves freely; "
+                "kte::numerical_inverse_kinematics solves others");
 }
 template <class Arm>
 constexpr void refuse_by_type(const Arm&) {}
@@ -33,10 +35,11 @@ constexpr void refuse_by_type(const Arm&) {}
 template <class Arm>
 void check_closed_form(const Arm& arm) {
   if (arm.tools().size() != 1)
-    raise<bad_argument>("kte: inverse kinematics in closed form is of an arm with one tool; this one has " +
+    raise<bad_argument>("kte: inverse kinematics in closed form needs an arm with one tool; this one has " +
                         std::to_string(arm.tools().size()));
   if (arm.structure().form == closed_form::none)
-    raise<no_closed_form>("kte: " + why_no_closed_form(arm.structure()) + "; kte::clik needs none");
+    raise<no_closed_form>("kte: " + why_no_closed_form(arm.structure()) +
+                          "; kte::numerical_inverse_kinematics needs none");
 }
 
 /// A configuration, by joint.
@@ -51,17 +54,17 @@ by_joint<S> raw_angles(const arm_geometry& arm, const Q& q) {
 template <class Arm, class S, class Q>
 void put_within_limits(const Arm& arm, const arm_structure& s, const Q& start, solved_answers<S>& solved,
                        typename solved_answers<S>::row& within) {
-  using L = typename answer_lanes<S>::type;
+  using L = typename answer_pack<S>::type;
   within.fill(S(1));
   for (std::size_t i = 0; i < static_cast<std::size_t>(s.original.n); ++i) {
     const auto v = static_cast<std::size_t>(s.original.in_v[i]);
     const double lower = arm.limits().lower[v], upper = arm.limits().upper[v];
     const L from = L(start[s.original.in_q[i]]);
-    for (std::size_t a = 0; a < solved.at.size; a += answer_lanes<S>::count) {
-      L t = lanes_at(solved.at.t[i].data() + a);
+    for (std::size_t a = 0; a < solved.at.size; a += answer_pack<S>::count) {
+      L t = load_pack(solved.at.t[i].data() + a);
       const auto inside = bring_within(lower, upper, s.original.slides[i], from, t);
-      put_lanes(t, solved.at.t[i].data() + a);
-      put_lanes(L(select(inside, lanes_at(within.data() + a), L(0))), within.data() + a);
+      store_pack(t, solved.at.t[i].data() + a);
+      store_pack(L(select(inside, load_pack(within.data() + a), L(0))), within.data() + a);
     }
   }
 }
@@ -77,7 +80,7 @@ template <class S>
 auto free_coordinates(const arm_structure& s, const S& joints) {
   for_each_lane<S, unsigned> bits{};
   if (any(joints != S(0))) {
-    if constexpr (has_lanes<S>) {
+    if constexpr (is_pack<S>) {
       for (std::size_t i = 0; i < bits.size(); ++i) bits[i] = bits_of_v(s, static_cast<unsigned>(joints[i]));
     } else {
       bits = bits_of_v(s, static_cast<unsigned>(double_of(joints)));
@@ -88,11 +91,11 @@ auto free_coordinates(const arm_structure& s, const S& joints) {
 
 /// Throws where packs of poses have no formulas.
 template <class S>
-void check_lanes(const arm_structure& s) {
-  if constexpr (has_lanes<S>)
+void check_packs(const arm_structure& s) {
+  if constexpr (is_pack<S>)
     if (s.form == closed_form::free_body || is_rough(s))
       raise<no_closed_form>(
-          "kte: inverse kinematics of several poses at once, in a pack, is of arms whose closed forms need no "
+          "kte: inverse kinematics of packs of poses is limited to arms whose closed forms need no "
           "equations of degree four and no tolerance; take the poses of this one by one");
 }
 
@@ -107,9 +110,9 @@ ik_answers<Q> all_finished(const Arm& arm, const arm_structure& s, const plain_p
     a.position = gap.position, a.rotation = gap.rotation;
     a.exact = both<truth<S>>(a.position <= most_m, a.rotation <= most_rad);
   };
-  check_lanes<S>(s);
+  check_packs<S>(s);
   ik_answers<Q> all;
-  if constexpr (!has_lanes<S>)
+  if constexpr (!is_pack<S>)
     if (s.form == closed_form::free_body) {
       auto& a = all.add(start);
       rate(a, place_free_body(s.original, x, a.q));
@@ -145,7 +148,7 @@ limits_by_joint limits_of_joints(const Arm& arm) {
   }
   return limits;
 }
-/// The structure of an arm of seven joints of which one is held.
+/// The structure of an arm of seven joints with one of them locked.
 template <class Arm>
 arm_structure structure_locked(const Arm& arm, std::string_view coordinate) {
   check_closed_form(arm);

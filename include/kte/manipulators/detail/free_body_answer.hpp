@@ -6,13 +6,13 @@
 
 namespace kte::detail {
 
-/// Puts the body of a tool, which moves freely, to where the tool is at x: its coordinate is seat^-1 x tool^-1, of that
-/// what the plane has. Returns what is missing.
+/// Puts the body of a tool, which moves freely, to where the tool is at x: its coordinate is placement^-1 x tool^-1, of
+/// that what the plane has. Returns what is missing.
 template <class S, class Q>
 pose_gap<S> place_free_body(const arm_geometry& arm, const plain_pose_of<S>& x, Q& q) {
   const auto scaled = [](const auto& y) { return plain_pose_of<S>{as<S>(y.rotation), as<S>(y.position)}; };
-  const plain_pose_of<S> seat = scaled(arm.seat), tool = scaled(arm.tool);
-  plain_pose_of<S> body = compose(inverse(seat), compose(x, inverse(tool)));
+  const plain_pose_of<S> placement = scaled(arm.placement), tool = scaled(arm.tool);
+  plain_pose_of<S> body = compose(inverse(placement), compose(x, inverse(tool)));
   auto& [R, p] = body;
   const int i = arm.in_q[0];
   if (arm.moves == arm_geometry::freely::in_plane) {
@@ -24,7 +24,7 @@ pose_gap<S> place_free_body(const arm_geometry& arm, const plain_pose_of<S>& x, 
     put_vector(q, i, p), put_quaternion(q, i + 3, turn);
     R = as<S>(matrix(turn));
   }
-  return gap_between(plain_pose_of<S>(compose(seat, compose(body, tool))), x);
+  return gap_between(plain_pose_of<S>(compose(placement, compose(body, tool))), x);
 }
 
 /// Whether its position is within limits, and in the plane its angle, which turns by whole turns for it.

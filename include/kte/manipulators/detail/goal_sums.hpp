@@ -17,7 +17,7 @@ template <class P>
 vec3<> finite_place(const P& position) {
   const auto p = as<double>(in_space(position));
   if (!(dot(p, p) < std::numeric_limits<double>::infinity()))
-    raise<bad_argument>("kte: a wanted position must be finite");
+    raise<bad_argument>("kte: a desired position must be finite");
   return p;
 }
 template <class Weights>

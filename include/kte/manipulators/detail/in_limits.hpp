@@ -9,7 +9,7 @@ namespace kte::detail {
 /// derivatives.
 template <class S>
 S nearest_whole(const S& x) {
-  if constexpr (has_lanes<S>) {
+  if constexpr (is_pack<S>) {
     const S large = S(sincos_numbers<typename S::value_type>::to_integer);
     return (x + large) - large;
   } else {

@@ -65,7 +65,7 @@ short_list<three_solved_angles<S>, 8> around_parallel_axes(const arm_structure& 
   return all;
 }
 
-/// The parallel axes from there, with p45 + R(h5, q5) p56 in place of p45. Where h6 is along h, q6 is free, or within
+/// The parallel axes from there, with p45 + R(h5, q5) p56 instead of p45. Where h6 is along h, q6 is free, or within
 /// reach, as in (3) of detail/six_axes.hpp.
 template <class S>
 raw_answers<S> parallel_and_two_axes(const arm_structure& s, const rotation_matrix<S>& R06, const vec3<S>& position,

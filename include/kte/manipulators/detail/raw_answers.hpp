@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kte/manipulators/detail/answer_lanes.hpp>
+#include <kte/manipulators/detail/answer_pack.hpp>
 #include <kte/manipulators/detail/arm_structure.hpp>
 #include <kte/manipulators/subproblems.hpp>
 
@@ -21,7 +21,7 @@ struct joint_turns {
   void put(std::size_t i, const solved_angle<S>& t) { sine[i] = t.sin, cosine[i] = t.cos; }
 };
 template <class L, class S>
-joint_turns<L> in_lanes(const joint_turns<S>& x) {
+joint_turns<L> as_packs(const joint_turns<S>& x) {
   joint_turns<L> y;
   for (std::size_t i = 0; i < x.sine.size(); ++i) y.sine[i] = L(x.sine[i]), y.cosine[i] = L(x.cosine[i]);
   return y;
@@ -69,7 +69,7 @@ struct raw_answers {
     branch[size++] = name;
   }
   static constexpr std::size_t padded(std::size_t n) {
-    constexpr std::size_t lanes = answer_lanes<S>::count;
+    constexpr std::size_t lanes = answer_pack<S>::count;
     return (n + lanes - 1) / lanes * lanes;
   }
 };
@@ -131,7 +131,7 @@ S half_turn() {
   using std::atan2;
   if constexpr (std::is_floating_point_v<S>) {
     return std::numbers::pi_v<S>;
-  } else if constexpr (has_lanes<S>) {
+  } else if constexpr (is_pack<S>) {
     return S(std::numbers::pi);
   } else {
     return atan2(S(0), S(-1));

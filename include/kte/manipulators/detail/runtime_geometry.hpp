@@ -4,53 +4,53 @@
 #include <kte/dynamics/frame_motion.hpp>
 #include <kte/dynamics/jacobian.hpp>
 #include <kte/manipulators/detail/arm_geometry.hpp>
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
 
 #include <string>
 
 namespace kte::detail {
 
-/// The joints between the base and a frame of a runtime chain, where the state is at zero. From its records: their
+/// The joints between the base and a frame of a runtime chain, where the state is at zero. From its body nodes: their
 /// order, and which coordinates they have; the axes from the Jacobian at zero. Column (v, w) of a joint that turns,
 /// with the origin of the frame at p, is w x (p - o) and w for any o on its axis, of which the nearest to p is
 ///
 ///   o = p + w x v          (1)
-arm_geometry geometry_of(const kte_map_chain& c, runtime_state& s, const std::string& frame);
+arm_geometry geometry_of(const runtime_chain& c, runtime_state& s, const std::string& frame);
 
 }  // namespace kte::detail
 
 #ifdef KTE_FUNCTION
 namespace kte::detail {
 
-KTE_FUNCTION arm_geometry geometry_of(const kte_map_chain& c, runtime_state& s, const std::string& frame) {
+KTE_FUNCTION arm_geometry geometry_of(const runtime_chain& c, runtime_state& s, const std::string& frame) {
   arm_geometry arm;
   const auto x = find_frame(c, frame);
-  const auto& forest = s.tree().forest;
-  const auto& place = forest.frame(x.what, x.index);
+  const auto& body_tree = s.tree().body_tree;
+  const auto& place = body_tree.frame(x.what, x.index);
   if (s.tree().moves_unknown || place.slot < 0) {
     arm.refused = "has an element that is neither joint nor link between base and tool";
     return arm;
   }
   std::vector<int> columns;
-  for (int slot = place.slot; slot >= forest.bases;) {
-    const auto& r = forest.records[static_cast<std::size_t>(slot - forest.bases)];
-    const bool is_free = r.yields && (r.what == kind::pose_2D || r.what == kind::pose_3D);
-    if (is_free && slot == place.slot && r.parent < forest.bases)
+  for (int slot = place.slot; slot >= body_tree.bases;) {
+    const auto& r = body_tree.nodes[static_cast<std::size_t>(slot - body_tree.bases)];
+    const bool is_free = r.is_free && (r.what == kind::pose_2D || r.what == kind::pose_3D);
+    if (is_free && slot == place.slot && r.parent < body_tree.bases)
       arm.moves = r.what == kind::pose_2D ? arm_geometry::freely::in_plane : arm_geometry::freely::in_space;
     else if (r.axes != 1)
       arm.refused = "has a joint of several degrees of freedom";
-    else if (!r.yields)
+    else if (!r.is_free)
       arm.refused = "has a joint whose coordinate is given, or follows others";
     else if (r.moves == tree::joint::screw)
       arm.refused = "has a screw joint";
-    columns.insert(columns.begin(), forest.row[static_cast<std::size_t>(r.first)]);
+    columns.insert(columns.begin(), body_tree.row[static_cast<std::size_t>(r.first)]);
     slot = r.parent;
   }
   if (arm.refused != nullptr) return arm;
   arm.tool = forward_kinematics(c, s, frame);
   if (arm.moves != arm_geometry::freely::not_at_all) {
     const auto on_body = place.at;
-    arm.seat = compose(arm.tool, inverse(on_body)), arm.tool = on_body;
+    arm.placement = compose(arm.tool, inverse(on_body)), arm.tool = on_body;
     for (const auto& f : c.wiring().free)
       if (f.v == columns[0]) arm.in_q[0] = f.q, arm.in_v[0] = f.v;
     return arm;

@@ -22,10 +22,10 @@ vec3<S> normal_to(const vec3<>& unit, const vec3<S>& v) {
 template <class S>
 raw_answers<S> wrist_and_parallel(const arm_structure& s, const rotation_matrix<S>& R06, const vec3<S>& position,
                                   const joint_turns<S>& seed) {
-  using L = typename answer_lanes<S>::type;
+  using L = typename answer_pack<S>::type;
   const vec3<>&h1 = s.h(0), &h = s.h(1);
   const auto R = as<L>(R06);
-  const auto start = in_lanes<L>(seed);
+  const auto start = as_packs<L>(seed);
   const vec3<L> w = as<L>(position) - as<L>(s.p(0)), p12 = as<L>(s.p(1) - s.p(0));
   const vec3<L> l1 = as<L>(normal_part(s.p(2) - s.p(1), h)), l2 = as<L>(normal_part(s.p(3) - s.p(2), h));
   const auto q1 = subproblem4(vec3<>(-h1), w, h, L(dot(h, s.p(3) - s.p(0))), start.at(0));
@@ -51,7 +51,7 @@ raw_answers<S> wrist_and_parallel(const arm_structure& s, const rotation_matrix<
   return eight_answers<S>(6, shoulder_bit, elbow_bit, wrist_bit, begin, end);
 }
 
-/// Of the angles at which a cos t + b sin t is within [least, most], the one nearest to 0; where there is none, the one
+/// Of the angles at which a cos t + b sin t is within [least, most], the one nearest to 0; if there is none, the one
 /// that misses least.
 template <class S>
 solved_angle<S> nearest_within(const S& a, const S& b, const S& least, const S& most) {
@@ -111,11 +111,11 @@ std::array<raw_answer<S>, 2> both_of_parallel_axes(const arm_structure& s, const
 template <class S>
 raw_answers<S> parallel_and_meeting(const arm_structure& s, const rotation_matrix<S>& R06, const vec3<S>& position,
                                     const joint_turns<S>& seed) {
-  using L = typename answer_lanes<S>::type;
+  using L = typename answer_pack<S>::type;
   using std::sqrt;
   const vec3<>&h1 = s.h(0), &h = s.h(1), &h5 = s.h(4), &h6 = s.h(5);
   const auto R = as<L>(R06);
-  const auto start = in_lanes<L>(seed);
+  const auto start = as_packs<L>(seed);
   const vec3<L> w = as<L>(position) - as<L>(s.p(0)), p12 = as<L>(s.p(1) - s.p(0)), p45 = as<L>(s.p(4) - s.p(3));
   const vec3<L> normal = cross(as<L>(h), as<L>(h5));
   const auto q1 = subproblem4(vec3<>(-h1), w, h, L(dot(h, s.p(4) - s.p(0))), start.at(0));

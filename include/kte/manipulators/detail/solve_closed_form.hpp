@@ -21,7 +21,7 @@ arm_goal<S> goal_of(const arm_structure& s, const plain_pose_of<S>& x) {
   return {R, x.position - R * as<S>(s.arm.tool.position - s.p(s.arm.n - 1))};
 }
 
-/// What is wanted of `arm_structure::arm` when the joint that is held stands at `value`.
+/// What is needed of `arm_structure::arm` when the joint that is held stands at `value`.
 template <class S>
 plain_pose_of<S> pose_for_formulas(const arm_structure& s, plain_pose_of<S> x, const S& value,
                                    const solved_angle<S>& turn) {
@@ -51,7 +51,7 @@ raw_answers<S> answers_by_formulas(const arm_structure& s, const plain_pose_of<S
     default:
       break;
   }
-  if constexpr (!has_lanes<S>) {
+  if constexpr (!is_pack<S>) {
     if (s.form == closed_form::wrist_general) return wrist_and_three_axes(s, R, p, seed);
     if (s.form == closed_form::parallel_general) return parallel_and_two_axes(s, R, p, seed);
   }
@@ -147,7 +147,7 @@ solved_answers<S> solve_closed_form(const arm_structure& s, const plain_pose_of<
   put_postures(s, raw, extra, turn, out.at);
   out.at.look_at_gaps(s.original, wanted, out.position, out.rotation);
   out.branch = raw.branch, out.free = raw.free;
-  if constexpr (!has_lanes<S>)
+  if constexpr (!is_pack<S>)
     if (is_rough(s))
       for (std::size_t a = 0; a < out.at.size; ++a) polish(s, wanted, out, a);
   return out;

@@ -27,7 +27,7 @@ struct elbow_side {
     const vec3<S> e = psi.cos * ex + psi.sin * ey, n = psi.cos * ey - psi.sin * ex;
     return as<S>(dyad(w, v) + dyad(e, f) + dyad(n, g));
   }
-  /// Of a posture that has this elbow.
+  /// The arm angle of a posture with this elbow.
   solved_angle<S> psi_of(const rotation_matrix<S>& R) const {
     const vec3<S> e = R * f;
     return direction(S(dot(ex, e)), S(dot(ey, e)));
@@ -75,9 +75,9 @@ std::array<elbow_side<S>, 2> elbow_sides(const arm_structure& s, const vec3<S>& 
 template <class S>
 raw_answers<S> shoulder_and_wrist(const arm_structure& s, const rotation_matrix<S>& R07, const vec3<S>& position,
                                   const solved_angle<S>& psi, const joint_turns<S>& seed) {
-  using L = typename answer_lanes<S>::type;
+  using L = typename answer_pack<S>::type;
   const auto R = as<L>(R07);
-  const auto start = in_lanes<L>(seed);
+  const auto start = as_packs<L>(seed);
   const solved_angle<L> angle{L(psi.cos), L(psi.sin)};
   struct begun {
     std::array<raw_answer<L>, 2> both;

@@ -37,7 +37,7 @@ constexpr const char* refused_by_type() {
   }
 }
 
-/// Element I where its coordinate is zero: no sines are asked for, so that it is known while compiling.
+/// Element I where its coordinate is zero: no sines are requested, so that it is known while compiling.
 template <std::size_t I, class Chain>
 constexpr void add_element(const Chain& c, pose<mat3<vec3<>>, vec3<>>& x, arm_geometry& arm) {
   using core_t = typename Chain::template core_type<I>;
@@ -54,7 +54,7 @@ constexpr void add_element(const Chain& c, pose<mat3<vec3<>>, vec3<>>& x, arm_ge
     constexpr kind what = core_t::ports[0].what;
     if (arm.moves != arm_geometry::freely::not_at_all) arm.refused = "has a joint of several degrees of freedom";
     step(c.template core<I>().relative(motion{zero3{}, no_rotation{}, zero3{}, zero3{}, zero3{}, zero3{}}));
-    arm.seat = x, x = arm_geometry{}.seat;
+    arm.placement = x, x = arm_geometry{}.placement;
     arm.moves = what == kind::pose_2D ? arm_geometry::freely::in_plane : arm_geometry::freely::in_space;
     arm.in_q[0] = wiring::template at<what, wiring::slot(I, 0)>.q;
     arm.in_v[0] = wiring::template at<what, wiring::slot(I, 0)>.v;
@@ -87,7 +87,7 @@ constexpr bool may_have_closed_form() {
   return !refused && (joints == 3 || joints == 4 || joints == 6 || joints == 7);
 }
 
-/// Of the joints between the base and a frame.
+/// The geometry of the joints between the base and a frame.
 template <class Frame, class Chain>
 constexpr arm_geometry geometry_of(const Chain& c) {
   using path = branch<Chain, Frame::what, frame_slot<Frame, Chain>()>;

@@ -4,11 +4,11 @@
 
 namespace kte {
 
-/// What subproblem 5 asks for.
+/// A solution of subproblem 5: the angles `first`, `second` and `third`.
 template <class S>
 struct three_solved_angles {
   solved_angle<S> first, second, third;
-  unsigned slot;  ///< a name: of two that differ in bit 0 alone, one becomes the other where they meet
+  unsigned slot;  ///< identifies the solution; two that differ in bit 0 only become equal at a double solution
 };
 
 namespace detail {
@@ -35,7 +35,7 @@ turning_point<S> point_turned(const vec3<S>& from, const vec3<S>& k, const vec3<
 ///
 ///   d = b - R2 a,  r its direction normal to k2,  c1 = db/dt1,  c3 = R2 da/dt3,
 ///
-/// Newton's steps: u.c1 dt1 - u.c3 dt3 = -u.d for u = k2 and u = r; then t2 anew.          (1)
+/// Newton's steps: u.c1 dt1 - u.c3 dt3 = -u.d for u = k2 and u = r; then t2 again.          (1)
 template <class S>
 struct three_axes_loop {
   turning_point<S> b, a;
@@ -69,7 +69,7 @@ struct three_axes_loop {
     vec3<S> a, b, d;  ///< the points, and what they lack
   };
   vec3<S> gap(const place& x) const { return x.b - turned(k2, x.t.second, x.a); }
-  /// Whether t is one of `all`, of which t2 is `unknown`.
+  /// Whether t is one of `all`, whose t2 is `unknown`.
   static bool knows(const list& all, const three_solved_angles<S>& t, double unknown) {
     for (const auto& x : all)
       if (same_angle(x.first, t.first) && same_angle(x.third, t.third) && same_angle(x.second, t.second, unknown))

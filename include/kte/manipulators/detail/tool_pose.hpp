@@ -2,7 +2,7 @@
 
 #include <kte/manipulators/detail/raw_answers.hpp>
 
-/// Where a tool is, of one posture and of many, and how far that is from where it is wanted.
+/// Where a tool is, of one posture and of many, and how far that is from where it is needed.
 namespace kte::detail {
 
 template <class S>
@@ -66,21 +66,22 @@ struct postures {
   }
   /// The pose of the tool of each, by its sines and cosines, and what that misses.
   void look_at_gaps(const arm_geometry& arm, const plain_pose_of<S>& wanted, row& position, row& rotation) const {
-    using L = typename answer_lanes<S>::type;
+    using L = typename answer_pack<S>::type;
     const plain_pose_of<L> there{as<L>(wanted.rotation), as<L>(wanted.position)};
-    for (std::size_t first = 0; first < size; first += answer_lanes<S>::count) {
+    for (std::size_t first = 0; first < size; first += answer_pack<S>::count) {
       plain_pose_of<L> x{as<L>(arm.tool.rotation), as<L>(arm.tool.position)};
       for (auto i = static_cast<std::size_t>(arm.n); i-- > 0;) {
         const vec3<L> h = as<L>(arm.axis[i]), o = as<L>(arm.point[i]);
         if (arm.slides[i]) {
-          x.position = x.position + lanes_at(t[i].data() + first) * h;
+          x.position = x.position + load_pack(t[i].data() + first) * h;
         } else {
-          const auto r = as<L>(rotation_about(h, lanes_at(cosine[i].data() + first), lanes_at(sine[i].data() + first)));
+          const auto r =
+              as<L>(rotation_about(h, load_pack(cosine[i].data() + first), load_pack(sine[i].data() + first)));
           x = {as<L>(r * x.rotation), vec3<L>(o + r * vec3<L>(x.position - o))};
         }
       }
       const auto gap = gap_between(x, there);
-      put_lanes(gap.position, position.data() + first), put_lanes(gap.rotation, rotation.data() + first);
+      store_pack(gap.position, position.data() + first), store_pack(gap.rotation, rotation.data() + first);
     }
   }
 };

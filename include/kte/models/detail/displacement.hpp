@@ -67,7 +67,7 @@ void rounding_of_one(const freedom& f, const Q& q, const D& d, const To& to, Res
     rest[f.v + 2] = lost.z;
   }
   const std::size_t k = turns_only ? i : i + 3;
-  // As it was rounded: made anew of length 1 it would be rounded again. One that a user gave may have any length.
+  // As it was rounded: made again of length 1 it would be rounded again. One that a user gave may have any length.
   const unit_quaternion<S> given{S(q[k]), S(q[k + 1]), S(q[k + 2]), S(q[k + 3])};
   const S square = given.w * given.w + given.x * given.x + given.y * given.y + given.z * given.z;
   const bool is_unit = square < S(1.001) && square > S(0.999);

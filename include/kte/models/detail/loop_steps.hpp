@@ -1,11 +1,11 @@
 #pragma once
 
+#include <kte/dynamics/closed_loops/constrained_dynamics.hpp>
 #include <kte/dynamics/configuration_space.hpp>
-#include <kte/dynamics/loops/constrained_dynamics.hpp>
 #include <kte/dynamics/state_vectors.hpp>
 
 /// Steps of a model whose chain has loops. With J_S, R of the rows that are chosen at the state x0 where a step starts,
-/// and N = M^-1 J_S^T R^-1 (dynamics/loops/loop_factor.hpp):
+/// and N = M^-1 J_S^T R^-1 (dynamics/closed_loops/loop_factor.hpp):
 ///
 ///   q(d) = q0 (+) (d_q + N mu),   g_S(q) = 0           (1)
 ///   v(d) = v0 + d_v + N nu,       J_S(q) v = 0         (2)
@@ -47,7 +47,7 @@ loop_step& step_from(const Model& model, runtime_state& s, own_memory& kept, con
   step.x0 = x0;
   return step;
 }
-inline std::string gap_text(const kte_map_chain& c, const loop_equations& e) {
+inline std::string gap_text(const runtime_chain& c, const loop_equations& e) {
   const auto widest = widest_gap(e);
   return "'" + closure_places::name_of(c, *widest.closure) + "' is open by " + number(widest.size) +
          (widest.linear ? " m" : " rad");
@@ -56,7 +56,7 @@ inline std::string gap_text(const kte_map_chain& c, const loop_equations& e) {
 inline constexpr double least_pivot_of_branch = 1e-7;
 /// Throws `bad_argument` where a step starts off the loops, or so near to a singular configuration that branches cannot
 /// be told apart.
-inline void check_step(const kte_map_chain& c, const runtime_state&, loop_step& step) {
+inline void check_step(const runtime_chain& c, const runtime_state&, loop_step& step) {
   if (step.gap > off_loops_above) [[unlikely]]
     throw bad_argument("kte: the state is off the loops: " + gap_text(c, step.equations) +
                        ": kte::assemble finds one that is on them");
@@ -74,7 +74,7 @@ inline void check_step(const kte_map_chain& c, const runtime_state&, loop_step& 
 /// (1) and (2).
 template <class Model>
 void settle_on_loops(const Model& model, runtime_state& s, loop_step& step, Eigen::VectorXd& d, Eigen::VectorXd& x) {
-  const kte_map_chain& c = model.chain();
+  const runtime_chain& c = model.chain();
   const int n = model.dofs();
   auto& [layout, e, factor] = loops_of(c, s);
   const loop_factor* by = &step.factor;
@@ -118,7 +118,7 @@ inline void make_tangential(const loop_step& step, Eigen::VectorXd& e) {
 }
 /// Accelerations under no forces from outside, at a stage of a step: by the rows of its start, unless the state is on
 /// the loops.
-inline const Eigen::VectorXd& accelerations_in_step(const kte_map_chain& c, runtime_state& s, own_memory& kept) {
+inline const Eigen::VectorXd& accelerations_in_step(const runtime_chain& c, runtime_state& s, own_memory& kept) {
   check_regular_tree(c, s), check_positions(s);
   auto& e = loops_of(c, s).equations;
   e.at_positions(c, s, false);

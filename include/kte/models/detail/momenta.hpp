@@ -6,12 +6,13 @@
 /// What variational integrators ask of the masses of a chain.
 namespace kte::detail {
 
-/// Of a static chain. What is given is not kept.
+/// Momenta of a static chain. Arguments are not stored.
 template <class Chain, class S>
 class momenta_of {
   using wiring = typename Chain::wiring;
   using vector = joint_vector<S, sizes_of_model<Chain>::v>;
-  static_assert(wiring::count(kind::internal) == 0, "kte: variational integrators know no internal states of elements");
+  static_assert(wiring::count(kind::internal) == 0,
+                "kte: variational integrators do not support internal states of elements");
 
  public:
   explicit momenta_of(const Chain&) {}

@@ -5,13 +5,13 @@
 #include <kte/dynamics/state_vectors.hpp>
 #include <kte/models/detail/momenta.hpp>
 #include <kte/models/unchanging_chain.hpp>
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
 
 #include <utility>
 
 namespace kte::detail {
 
-/// Of a runtime chain, in a state of its own.
+/// Momenta of a runtime chain, in its own state.
 template <class S>
 class momenta_of<unchanging_chain, S> {
   using vector = runtime_vector<S>;
@@ -22,7 +22,7 @@ class momenta_of<unchanging_chain, S> {
     refuse_loops(c);
     if (c.wiring().count(kind::internal) > 0)
       raise<bad_argument>(
-          "kte: variational integrators know no internal states of elements, as that of " +
+          "kte: variational integrators do not support internal states of elements, as that of " +
           describe_element(*c.wiring().elements[static_cast<std::size_t>(c.wiring().keepers[0])].element));
   }
 
@@ -35,7 +35,7 @@ class momenta_of<unchanging_chain, S> {
   }
   void solve(const unchanging_chain& c, const S* q, vector& p) {
     auto m = mass_matrix(c, s_, numbers(q, s_.nq()));
-    solve_in_place(m, p, [this](int row) { blame_mass(s_, row, true); });
+    solve_in_place(m, p, [this](int row) { diagnose_mass(s_, row, true); });
   }
 
  private:

@@ -1,10 +1,10 @@
 #pragma once
 
 #include <kte/dynamics/derivatives.hpp>
-#include <kte/dynamics/detail/runtime_duals.hpp>
+#include <kte/dynamics/runtime/duals.hpp>
 #include <kte/dynamics/state_vectors.hpp>
 #include <kte/models/detail/rate_derivatives.hpp>
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
 
 /// (J B) of models/detail/rate_derivatives.hpp of runtime chains. Templates, though of double alone: who does not call
 /// them does not compile them.
@@ -12,7 +12,7 @@ namespace kte::detail {
 
 /// Column j of (J B) as a direction of a state with derivatives: along q, v, z, u; accelerations along `a`.
 template <std::same_as<double> S, class D, class Column>
-void seed_direction(const kte_map_chain& c, basic_derivative_state<D>& d, int j, std::size_t lane, const Column& a) {
+void seed_direction(const runtime_chain& c, basic_derivative_state<D>& d, int j, std::size_t lane, const Column& a) {
   const topology& t = c.wiring();
   const int n = t.nv, nz = t.count(kind::internal);
   for (int i = 0; i < n; ++i) d.a[static_cast<std::size_t>(i)].derivative[lane] = a[i];
@@ -54,9 +54,9 @@ vec3<dual<S, N>> turning_of(const mat3<vec3<dual<S, N>>>& rotation) {
 }
 /// Bases, with derivatives where elements move them.
 template <std::same_as<double> S, class D>
-void place_bases(const kte_map_chain& c, const basic_runtime_state<S>& s, basic_derivative_state<D>& d) {
+void place_bases(const runtime_chain& c, const basic_runtime_state<S>& s, basic_derivative_state<D>& d) {
   const auto& t = s.tree();
-  tree::place_bases_in_duals(t.forest, s.work, d.work);
+  tree::place_bases_in_duals(t.body_tree, s.work, d.work);
   for (std::size_t i = 0; i < t.plan.bases.size(); ++i) {
     const auto [k, index] = t.plan.bases[i];
     if (c.wiring().writers[static_cast<std::size_t>(k)][static_cast<std::size_t>(index)] < 0) continue;
@@ -67,14 +67,14 @@ void place_bases(const kte_map_chain& c, const basic_runtime_state<S>& s, basic_
                              as<D>(m.ang_acceleration)};
       d.work.world[slot].position = as<D>(m.position);
       d.work.world[slot].rotation = as<D>(matrix(m.rotation));
-      d.work.seats[slot].turned = turning_of(d.work.world[slot].rotation);
+      d.work.joint_transforms[slot].turned = turning_of(d.work.world[slot].rotation);
     });
   }
 }
 /// doMotion with derivatives of the elements that keep internal states, and of what these depend on, after inverse
 /// dynamics.
 template <class D>
-void move_keepers(const kte_map_chain& c, basic_derivative_state<D>& d) {
+void move_keepers(const runtime_chain& c, basic_derivative_state<D>& d) {
   const topology& t = c.wiring();
   std::vector<char> wanted(t.elements.size());
   for (const int keeper : t.keepers) wanted[static_cast<std::size_t>(keeper)] = 1;
@@ -86,14 +86,14 @@ void move_keepers(const kte_map_chain& c, basic_derivative_state<D>& d) {
     if (!wanted[e]) continue;
     each_read(t.elements[e], [&](kind k, int i) {
       const int writer = t.writers[static_cast<std::size_t>(k)][static_cast<std::size_t>(i)];
-      if (writer >= 0 && !t.elements[static_cast<std::size_t>(writer)].stiff)
+      if (writer >= 0 && !t.elements[static_cast<std::size_t>(writer)].rigid)
         wanted[static_cast<std::size_t>(writer)] = 1;
     });
   }
   for (std::size_t e = 0; e < wanted.size(); ++e) {
     if (!wanted[e]) continue;
     each_read(t.elements[e], [&](kind k, int i) {
-      if (is_frame(k) && d.tree().forest.frame(k, i).slot >= 0) place_frame(d, k, i, true);
+      if (is_frame(k) && d.tree().body_tree.frame(k, i).slot >= 0) place_frame(d, k, i, true);
     });
     runtime_elements{c}.move(static_cast<int>(e), d);
   }
@@ -101,7 +101,7 @@ void move_keepers(const kte_map_chain& c, basic_derivative_state<D>& d) {
 
 /// (J B) at what the state has, under no other forces. Throws as `forward_dynamics_derivatives`.
 template <std::same_as<double> S>
-void derive_rates_by_inputs(const kte_map_chain& c, basic_runtime_state<S>& s, runtime_matrix<S>& j) {
+void derive_rates_by_inputs(const runtime_chain& c, basic_runtime_state<S>& s, runtime_matrix<S>& j) {
   const topology& t = c.wiring();
   const int n = t.nv, nz = t.count(kind::internal), columns = 2 * n + nz + t.nu;
   j.resize(2 * n + nz, columns);
@@ -121,7 +121,7 @@ void derive_rates_by_inputs(const kte_map_chain& c, basic_runtime_state<S>& s, r
     bring_up_to_date(runtime_elements{c}, d);
     place_bases(c, s, d);
     // Shifts of rotations go with their directions, numbers with themselves.
-    needed_forces_in_duals(runtime_elements{c}, s, d, directions{vector_of::q, first});
+    inverse_dynamics_in_duals(runtime_elements{c}, s, d, directions{vector_of::q, first});
   };
   const auto each_group = [&](int begin, const auto& visit) {
     for (int first = begin; first < columns; first += lanes) visit(first, (std::min)(first + lanes, columns));
@@ -147,7 +147,7 @@ void derive_rates_by_inputs(const kte_map_chain& c, basic_runtime_state<S>& s, r
 }
 
 #ifdef KTE_EXTERN
-KTE_EXTERN template void derive_rates_by_inputs(const kte_map_chain&, runtime_state&, runtime_matrix<double>&);
+KTE_EXTERN template void derive_rates_by_inputs(const runtime_chain&, runtime_state&, runtime_matrix<double>&);
 #endif
 
 }  // namespace kte::detail

@@ -79,7 +79,7 @@ class chain_builder {
     to_.append(constant_force_3D(centre, (0.0 - l.gravity_compensation * l.inertial->mass) * gravity(), vec3<>{}));
   }
 
-  /// Of a joint that does not move: where what it carries stands in what carries it.
+  /// The pose of the child in the parent of a fixed joint.
   robot_pose place_of(const robot_tree::step& s) const {
     const auto& j = joint(s);
     const auto place = j.origin * j.child_pose;
@@ -98,18 +98,18 @@ class chain_builder {
       if (s.reversed && !has_one_coordinate(j))
         raise<bad_argument>("kte: " + place_text(d_.source, j.line) + "joint '" + j.name +
                             "' has no single coordinate and cannot be turned round: choose a root above it");
-      auto seat = s.reversed ? inverse_of(j.child_pose) : j.origin;
+      auto placement = s.reversed ? inverse_of(j.child_pose) : j.origin;
       auto rest = s.reversed ? inverse_of(j.origin) : j.child_pose;
       const vec3<> axis = s.reversed ? vec3<>{0.0 - j.axis.x, 0.0 - j.axis.y, 0.0 - j.axis.z} : j.axis;
       if (j.is == kind::planar) {
         const robot_pose plane{{}, turn_of_z_to(axis)};
-        seat = seat * plane, rest = inverse_of(plane) * rest;
+        placement = placement * plane, rest = inverse_of(plane) * rest;
       }
       const auto end = is_nothing(rest) ? to : to_.fresh(to + ".joint");
       if (j.mimic) append_mimic(j);
-      append_moving(j, from, end, seat, axis);
+      append_moving(j, from, end, placement, axis);
       if (end != to) to_.append_link(end, to, rest);
-      forces_.append(j, from, end, seat);
+      forces_.append(j, from, end, placement);
     }
     append_body(tree_.link(to));
     append_compensation(d_.links[tree_.link(to)]);
@@ -127,9 +127,9 @@ class chain_builder {
     }
   }
 
-  void append_moving(const robot_joint& j, const std::string& from, const std::string& to, const robot_pose& seat,
+  void append_moving(const robot_joint& j, const std::string& from, const std::string& to, const robot_pose& placement,
                      const vec3<>& n) {
-    const auto placed = [&](const auto& e) { to_.append(e.at(seat.position, seat.rotation)); };
+    const auto placed = [&](const auto& e) { to_.append(e.at(placement.position, placement.rotation)); };
     if (j.is == kind::revolute) {
       if (n == as<double>(axis::x)) return placed(revolute_joint_3D(j.name, from, to, axis::x));
       if (n == as<double>(axis::y)) return placed(revolute_joint_3D(j.name, from, to, axis::y));

@@ -11,7 +11,7 @@ namespace kte::detail {
 /// Reads links and joints out of a chain, from the records of its elements.
 class chain_reader {
  public:
-  chain_reader(const kte_map_chain& c, const std::string& name) : record_(record_of(c)) {
+  chain_reader(const runtime_chain& c, const std::string& name) : record_(record_of(c)) {
     d_.name = name, d_.source = "chain of '" + name + "'";
     const auto& g = record_.gravity;
     d_.gravity = vec3<>{g[0], g[1], g[2]};

@@ -34,7 +34,7 @@ std::string cpp_list(std::span<const double> values, const Text& text) {
   return s + "}";
 }
 
-/// axis::x and its kin.
+/// axis::x, axis::minus_y, ...
 inline std::optional<std::string> cpp_axis(std::span<const double> v) {
   static constexpr std::array names{"x", "y", "z"};
   for (std::size_t i = 0; i < 3; ++i)

@@ -15,7 +15,7 @@ namespace kte::detail {
 /// Throws `bad_file` with byte, line or facet: for other extensions, files of the wrong size, vertices that are not
 /// finite, indices out of range, meshes without vertices, and files of more than 1 GiB.
 triangle_mesh read_mesh(const std::filesystem::path& path);
-/// The same from the bytes of a file; `path` gives the extension, and the name for messages.
+/// A mesh from the bytes of a file; `path` gives the extension, and the name for messages.
 triangle_mesh parse_mesh(const std::filesystem::path& path, std::string_view bytes);
 
 }  // namespace kte::detail

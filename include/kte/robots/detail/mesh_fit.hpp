@@ -5,7 +5,7 @@
 
 namespace kte::detail {
 
-/// A shape in place of a mesh.
+/// A shape instead of a mesh.
 struct fitted_geom {
   robot_pose pose;  ///< in the mesh
   vec3<> half{};  ///< sphere: radius; capsule, cylinder: radius, half length along z; box, ellipsoid: half edges, axes

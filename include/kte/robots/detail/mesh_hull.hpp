@@ -10,7 +10,7 @@
 namespace kte::detail {
 
 /// The convex hull of points, by Quickhull (Barber, Dobkin and Huhdanpaa, ACM Transactions on Mathematical Software 22,
-/// 1996): a facet takes in the farthest of the points that see it, in place of all facets which that point sees. Who
+/// 1996): a facet takes in the farthest of the points that see it, instead of all facets which that point sees. Who
 /// sees what is decided exactly (orientation.hpp), so that points on planes, edges and other points, and points that
 /// are nearly there, do no harm; the rest is in doubles. Facets wait in a queue: from a stack one side of a prism with
 /// many corners would be refined before the other has any, by facets whose number is quadratic.

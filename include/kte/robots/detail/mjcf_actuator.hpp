@@ -43,7 +43,7 @@ inline void read_mjcf_law(const xml_item& x, robot_actuator& a) {
 /// An actuator of MJCF; without a joint it acts on something else.
 inline robot_actuator read_mjcf_actuator(const xml_item& x, const mjcf_scope& in) {
   robot_actuator a{x.has("name") ? in.named(x.text("name")) : "", x.line(), {}};
-  for (const auto* of : {"jointinparent", "joint"})  // the same for joints of one coordinate
+  for (const auto* of : {"jointinparent", "joint"})  // equivalent for joints of one coordinate
     if (x.has(of)) a.joint = in.named(x.text(of));
   if (x.has("gear"))
     if (const auto gear = x.list("gear"); !gear.empty()) a.gear = gear[0];

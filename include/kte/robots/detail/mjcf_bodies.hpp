@@ -54,7 +54,7 @@ class mjcf_bodies {
     bool fixed, weighs;
   };
 
-  /// What has no name in the file gets one that nothing has there.
+  /// Elements without a name in the file get an unused one.
   void collect_names(const xml_node& n) {
     for (const auto& [key, value] : n.attributes)
       if (key == "name" && (n.name == "body" || n.name == "joint" || n.name == "freejoint")) taken_.insert(value);

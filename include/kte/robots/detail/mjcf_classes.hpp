@@ -32,7 +32,7 @@ class mjcf_classes {
     const auto of = kinds_.find(kind.empty() ? kind_of(x.node().name) : kind);
     return of == kinds_.end() ? own : x.with(of->second, known->second);
   }
-  /// The same without defaults.
+  /// The element without defaults.
   xml_item cleaned(const xml_item& x) const { return x.with(none_, 0); }
 
  private:

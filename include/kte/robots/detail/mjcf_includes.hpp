@@ -10,7 +10,7 @@
 
 namespace kte::detail {
 
-/// Puts what the files of <include file="..."/> hold in place of these elements, whatever their roots are called. Names
+/// Puts what the files of <include file="..."/> hold instead of these elements, whatever their roots are called. Names
 /// of files are relative to the folder of the robot's file, or else of the file that includes them. As in MuJoCo a file
 /// is included once, which also bounds what is read.
 class mjcf_includes {

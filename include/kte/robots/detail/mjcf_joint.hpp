@@ -4,7 +4,7 @@
 
 namespace kte::detail {
 
-/// A range, where there is one: by its own flag, or as the compiler says because it is written.
+/// A range, if there is one: by its own flag, or as the compiler says because it is written.
 inline std::optional<std::pair<double, double>> mjcf_range(const xml_item& x, const char* range, const char* limited,
                                                            const mjcf_settings& settings) {
   const auto on = keyword(x, limited, {"auto", "true", "false"});
@@ -16,7 +16,7 @@ inline std::optional<std::pair<double, double>> mjcf_range(const xml_item& x, co
   return std::pair{r[0], r[1]};
 }
 
-/// Of a hinge or slide: where it stands, its axis, and `ref`, the coordinate where the body stands as written.
+/// Position and axis of a hinge or slide, and `ref`, its coordinate at the configuration of the file.
 inline void place_mjcf_joint(const xml_item& x, const mjcf_scope& in, robot_joint& j, double ref) {
   j.origin.position = in.place.position + in.place.rotation * x.vector_or("pos", {});
   j.child_pose.position = vec3<>{} - j.origin.position;

@@ -8,7 +8,7 @@
 
 namespace kte::detail {
 
-/// The meshes among the assets of files in MJCF, each read once, and only if its mass or its size is asked for.
+/// The meshes among the assets of files in MJCF, each read once, and only if its mass or its size is requested.
 class mjcf_meshes {
   /// Says for which geom a mesh has no body.
   template <class F>

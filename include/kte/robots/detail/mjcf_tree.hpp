@@ -8,7 +8,7 @@
 
 namespace kte::detail {
 
-/// A file in MJCF and the models that it attaches, each with settings of its own.
+/// A file in MJCF and the models that it attaches, each with its own settings.
 struct mjcf_model {
   xml_node root;
   robot_description& d;

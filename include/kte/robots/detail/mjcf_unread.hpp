@@ -33,7 +33,7 @@ class mjcf_unread {
         if (!no_equality_ && classes.resolved(c, "", "equality").text_or("active", "true") == "true")
           c.moves_differently("this constraint is not modelled");
         else
-          c.not_read("not read, as it is switched off");
+          c.not_read("not read: it is disabled");
     } else if (x.name() == "tendon") {
       for (const auto& c : x.children()) tendon(classes.resolved(c, ""));
     } else if (x.name() == "deformable") {
@@ -67,7 +67,7 @@ class mjcf_unread {
   void actuator(const xml_item& x) { actuators_[std::string(x.name())].add(x); }
   /// One that pulls without a command.
   void servo(const xml_item& x) { servos_[std::string(x.name())].add(x); }
-  /// What was gathered, as warnings.
+  /// Emits the collected notes as warnings.
   void finish() {
     for (const auto& [kind, a] : actuators_)
       a.first->moves_differently("its law is not modelled, as of others of <" + kind + ">: " + a.list());
@@ -79,7 +79,7 @@ class mjcf_unread {
       site_->not_read("what sites look like is not read: " + all);
     }
     if (contact_)
-      contact_->moves_differently("contact is not modelled: friction, solref and the like of " +
+      contact_->moves_differently("contact is not modelled: friction, solref and others of " +
                                   std::to_string(contacts_) + (contacts_ == 1 ? " element" : " elements"));
   }
 

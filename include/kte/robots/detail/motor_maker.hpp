@@ -51,7 +51,7 @@ class motor_maker {
     check(o_.stiffness, "stiffness"), check(o_.damping, "damping");
     check(o_.stop_stiffness, "stop_stiffness"), check(o_.stop_damping, "stop_damping");
     if (o_.stiffness == 0 && o_.damping > 0)
-      raise<bad_argument>("kte: motor_options: a servo of damping without a stiffness goes nowhere");
+      raise<bad_argument>("kte: motor_options: a servo with damping needs a stiffness");
   }
   static std::string title(const robot_actuator& a) {
     return a.name.empty() ? "the actuator of joint '" + a.joint + "'" : "actuator '" + a.name + "'";
@@ -59,7 +59,7 @@ class motor_maker {
   void warn(const robot_actuator& a, const std::string& why) {
     made_.warnings.push_back({a.line, title(a) + " is left out: " + why});
   }
-  /// Says of those that act on nothing that a motor can drive.
+  /// Warns about actuators that act on nothing that a motor can drive.
   void check_joint(const robot_actuator& a, const std::vector<place>& places) {
     const auto at = std::find_if(places.begin(), places.end(), [&](const place& e) { return e.name == a.joint; });
     if (at == places.end())

@@ -5,7 +5,7 @@
 
 namespace kte::detail {
 
-/// What stands for no limit in files of formats that have no word for it, and are read by programs that take no "inf".
+/// The number for "no limit" in formats without a word for it, whose readers reject "inf".
 inline constexpr double most_in_file = 1e308;
 
 inline double limit_in_file(double x) { return std::abs(x) > most_in_file ? std::copysign(most_in_file, x) : x; }

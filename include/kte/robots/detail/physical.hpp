@@ -4,7 +4,7 @@
 
 namespace kte::detail {
 
-/// What is wrong with the moments of a body, by the rule of the elements (contract/parameter_check.hpp), or nothing.
+/// The error of the moments of a body, by the rule of the elements (contract/parameter_check.hpp), or an empty text.
 inline std::string unphysical(const rigid_body<>& b) {
   parameter_check::breach broken;
   const parameter_check where{"", {}, {}, broken};
@@ -12,9 +12,10 @@ inline std::string unphysical(const rigid_body<>& b) {
   if (broken.rule == nullptr) return {};
   const auto& [largest, middle, smallest] = broken.moments;
   char text[200];
-  std::snprintf(text, sizeof text,
-                "no body can have such an inertia: its principal moment %.6g is above %.6g + %.6g by %.3g kg m^2",
-                largest, middle, smallest, broken.value);
+  std::snprintf(
+      text, sizeof text,
+      "the inertia is not physically realizable: its principal moment %.6g is above %.6g + %.6g by %.3g kg m^2",
+      largest, middle, smallest, broken.value);
   return text;
 }
 

@@ -43,14 +43,14 @@ std::string free_name(const std::vector<T>& all, std::string name) {
 }
 /// Of length 1, whatever its length.
 inline vec3<> unit_direction(const xml_item& x, const vec3<>& n) {
-  if (std::abs(dot(n, n) - 1) <= 4e-16) return {n.x + 0.0, n.y + 0.0, n.z + 0.0};  // written here, it stays as it is
+  if (std::abs(dot(n, n) - 1) <= 4e-16) return {n.x + 0.0, n.y + 0.0, n.z + 0.0};  // written by this library: unchanged
   const double size = (std::max)({std::abs(n.x), std::abs(n.y), std::abs(n.z)});
   if (size == 0) x.fail("the axis has length 0");
   const vec3<> m{n.x / size, n.y / size, n.z / size};  // no square of it overflows
   const double root = std::sqrt(dot(m, m));
   return {m.x / root + 0.0, m.y / root + 0.0, m.z / root + 0.0};
 }
-/// The same, with a warning where it is not meant as 1.
+/// A unit vector, with a warning if the length is not 1.
 inline vec3<> unit_axis(const xml_item& x, const vec3<>& n) {
   const double whole = std::hypot(n.x, n.y, n.z);
   if (std::abs(whole - 1) > 1e-6 && whole > 0)
@@ -79,7 +79,7 @@ inline void note_near_quarter(const xml_item& x, double angle, const robot_optio
   const auto [count, off] = nearest_quarter(angle);
   if (off > 1e-14 && off < (count == 0 ? 1e-6 : 1e-4) && off > o.quarter_turn_tolerance)
     x.warn("the angle " + number(angle) + " is " + short_number(count) + " quarter turns but for " + short_number(off) +
-           " rad, and taken as it is: a larger robot_options::quarter_turn_tolerance makes it exact");
+           " rad, and used unchanged: a larger robot_options::quarter_turn_tolerance makes it exact");
 }
 
 }  // namespace kte::detail

@@ -2,7 +2,7 @@
 
 #include <kte/elements/compiled_elements.hpp>
 #include <kte/robots/description.hpp>
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
 
 #include <string>
 #include <unordered_set>
@@ -18,7 +18,7 @@ class robot_elements {
     for (const auto& x : d.frames) taken_.insert(x.name);
   }
 
-  kte_map_chain& chain() { return chain_; }
+  runtime_chain& chain() { return chain_; }
   template <class E>
   [[gnu::cold, gnu::noinline]] void append(const E& e) {
     chain_ << e;
@@ -35,7 +35,7 @@ class robot_elements {
   }
 
  private:
-  kte_map_chain chain_;
+  runtime_chain chain_;
   std::unordered_set<std::string> taken_;
 };
 

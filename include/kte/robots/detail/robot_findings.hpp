@@ -4,7 +4,7 @@
 #include <kte/dynamics/mass_matrix.hpp>
 #include <kte/robots/detail/robot_tree.hpp>
 #include <kte/robots/robot.hpp>
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
 
 #include <Eigen/Eigenvalues>
 
@@ -14,7 +14,7 @@ namespace kte::detail {
 
 /// The worst condition of M at random configurations, with its rows and columns divided by the roots of its diagonal,
 /// so that units do not matter: M_ij / sqrt(M_ii M_jj). Infinite where a coordinate moves no mass.
-inline double worst_condition(const kte_map_chain& c) {
+inline double worst_condition(const runtime_chain& c) {
   // No packs: in those of AVX-512 g++ 12 takes its own headers' registers for uninitialised.
   using matrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
   auto s = c.make_state();

@@ -1,12 +1,12 @@
 #pragma once
 
 #include <kte/dynamics/configuration_space.hpp>
-#include <kte/dynamics/detail/record_inverse.hpp>
+#include <kte/dynamics/looped/mass_matrix_inverse.hpp>
 #include <kte/dynamics/mass_matrix.hpp>
 #include <kte/robots/detail/robot_elements.hpp>
 #include <kte/robots/detail/robot_tree.hpp>
 #include <kte/robots/options.hpp>
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
 
 #include <Eigen/Cholesky>
 
@@ -14,18 +14,18 @@
 
 namespace kte::detail {
 
-/// What joints of a robot do besides moving: springs, dampers, friction, inertias of rotors.
+/// What joints of a robot do in addition to moving: springs, dampers, friction, inertias of rotors.
 class robot_forces {
  public:
   robot_forces(robot_elements& to, std::vector<robot_note>& warnings, const robot_description& d,
                const robot_options& o)
       : to_(to), warnings_(warnings), d_(d), o_(o) {}
 
-  /// Of a joint between two frames, the seat of which stands in the first.
-  void append(const robot_joint& j, const std::string& from, const std::string& end, const robot_pose& seat) {
+  /// The forces of a joint between two frames; its placement is in the first.
+  void append(const robot_joint& j, const std::string& from, const std::string& end, const robot_pose& placement) {
     const auto& x = j.dynamics;
     if (x == robot_joint_dynamics{} || !o_.joint_dynamics) return;
-    if (!has_one_coordinate(j)) return append_of_ball(j, from, end, seat);
+    if (!has_one_coordinate(j)) return append_of_ball(j, from, end, placement);
     if (x.time_constant == 0) append_spring(j, x);
     if (x.armature != 0) to_.append(inertia_gen(j.name, x.armature));
   }
@@ -35,7 +35,8 @@ class robot_forces {
 
  private:
   void append_spring(const robot_joint& j, const robot_joint_dynamics& x);
-  void append_of_ball(const robot_joint& j, const std::string& from, const std::string& end, const robot_pose& seat);
+  void append_of_ball(const robot_joint& j, const std::string& from, const std::string& end,
+                      const robot_pose& placement);
   std::vector<double> inverse_masses(const Eigen::VectorXd& q);
 
   robot_elements& to_;
@@ -95,9 +96,9 @@ inline std::vector<double> robot_forces::inverse_masses(const Eigen::VectorXd& q
 }
 
 /// Damping d and stiffness k of what turns freely are a torque, -d w - k r, with the velocity w and the rotation vector
-/// r of what the joint moves in its seat; a free body is also damped by the force -d v at its origin.
+/// r of what the joint moves in its placement; a free body is also damped by the force -d v at its origin.
 inline void robot_forces::append_of_ball(const robot_joint& j, const std::string& from, const std::string& end,
-                                         const robot_pose& seat) {
+                                         const robot_pose& placement) {
   auto left = j.dynamics;
   const bool ball = j.is == robot_joint::kind::spherical, free = j.is == robot_joint::kind::floating;
   if ((ball || free) && left.damping != 0) {
@@ -106,7 +107,7 @@ inline void robot_forces::append_of_ball(const robot_joint& j, const std::string
     left.damping = 0;
   }
   if (ball && left.stiffness != 0) {
-    to_.append(torsion_spring_3D(from, end, left.stiffness, 0.0, seat.rotation));
+    to_.append(torsion_spring_3D(from, end, left.stiffness, 0.0, placement.rotation));
     left.stiffness = 0;
   }
   left.rest = 0;

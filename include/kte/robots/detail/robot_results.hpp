@@ -4,12 +4,12 @@
 #include <kte/robots/detail/no_limit.hpp>
 #include <kte/robots/detail/robot_tree.hpp>
 #include <kte/robots/robot.hpp>
-#include <kte/runtime_chain/kte_map_chain.hpp>
 #include <kte/runtime_chain/layout.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
 
 #include <algorithm>
 
-/// What a robot has besides its chain.
+/// What a robot has in addition to its chain.
 namespace kte::detail {
 
 inline void list_joints(robot& r, const robot_description& d) {

@@ -7,7 +7,7 @@
 namespace kte::detail {
 
 /// Where names are looked up: those of links, joints and frames of a nested model begin, from outside, with the names
-/// of the models that they are in, "leg::foot". What is merged has a frame of its own for its model, and no such names.
+/// of the models that they are in, "leg::foot". What is merged has its own frame for its model, and no such names.
 struct sdf_scope {
   std::string prefix, model = "__model__";  ///< "leg::", and the frame of the model
 
@@ -36,7 +36,7 @@ class sdf_frames {
     if (!fresh) f.from.fail("there is another frame of this name");
   }
   bool has(const std::string& name) const { return frames_.contains(name); }
-  /// For models, of which a frame inside may stand where the pose says.
+  /// The pose of a model; a frame inside may be the one placed.
   void place(const std::string& name, const robot_pose& pose) { frames_.find(name)->second.pose = pose; }
   void attach(const std::string& name, const std::string& to) { frames_.find(name)->second.attached_to = to; }
   /// The full name for one that is written in a scope.

@@ -4,7 +4,7 @@
 
 namespace kte::detail {
 
-/// Puts the models of other files in place of <include>.
+/// Puts the models of other files instead of <include>.
 class sdf_includes {
  public:
   sdf_includes(robot_description& d, const robot_options& o, xml_parser parse)
@@ -12,14 +12,14 @@ class sdf_includes {
     open_.push_back(whole_path(d.source));
   }
 
-  /// Of a model, and of those in it.
+  /// The includes of a model, and of models in it.
   void resolve(xml_node& model) {
     for (auto& c : model.children) {
       if (c.name == "include") c = included(c);
       if (c.name == "model") resolve(c);
     }
   }
-  /// What stands in place of an <include>: a model, or an actor or a light. Their names, poses and others are as the
+  /// What stands instead of an <include>: a model, or an actor or a light. Their names, poses and others are as the
   /// include says.
   xml_node included(const xml_node& n) {
     const xml_item x(n, d_);

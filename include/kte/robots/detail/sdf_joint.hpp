@@ -21,7 +21,7 @@ class sdf_joints {
     type(x, j);
     j.origin = frames_.relative(x, j.parent, frame), j.child_pose = frames_.relative(x, frame, j.child);
     engine(x);
-    const seat at{scope, frame};
+    const placement at{scope, frame};
     if (has_one_coordinate(j)) axis(axis_of(x, "axis"), at, j);
     if (j.is == kind::screw) j.pitch = pitch(x);
     rotor(x, j);
@@ -32,7 +32,7 @@ class sdf_joints {
 
  private:
   using kind = robot_joint::kind;
-  struct seat {
+  struct placement {
     const sdf_scope& scope;
     const std::string& frame;  ///< of the joint
   };
@@ -56,7 +56,7 @@ class sdf_joints {
     return *a;
   }
   /// One after another, with a link without a body in between.
-  void two_axes(const xml_item& x, const seat& at, robot_joint j) {
+  void two_axes(const xml_item& x, const placement& at, robot_joint j) {
     auto second = j;
     auto& middle = d_.links.emplace_back();
     middle.name = free_name(d_.links, j.child + ".cross"), middle.line = j.line, middle.file = j.file;
@@ -66,7 +66,7 @@ class sdf_joints {
     d_.joints.push_back(std::move(j)), d_.joints.push_back(std::move(second));
   }
 
-  void axis(const xml_item& x, const seat& at, robot_joint& j) const {
+  void axis(const xml_item& x, const placement& at, robot_joint& j) const {
     x.only({"xyz", "limit", "dynamics", "mimic"}, {});
     direction(x, at, j);
     j.lower = -robot_joint::none, j.upper = j.rate = j.effort = robot_joint::none;
@@ -90,7 +90,7 @@ class sdf_joints {
     }
     if (const auto m = first_child(x, "mimic")) mimic(*m, at.scope, j);
   }
-  void direction(const xml_item& x, const seat& at, robot_joint& j) const {
+  void direction(const xml_item& x, const placement& at, robot_joint& j) const {
     const auto n = first_child(x, "xyz");
     if (!n || (trimmed_content(*n).empty())) x.warn("has no <xyz>: it is 0 0 1, as SDF says then");
     j.axis = {0, 0, 1};

@@ -4,7 +4,7 @@
 
 namespace kte::detail {
 
-/// What is not modelled and stands in a file many times, as one warning of each kind.
+/// Contents that are not modelled and occur many times, as one warning per kind.
 class sdf_leftovers {
  public:
   void surface(const xml_item& x) { surfaces_.push_back(x); }

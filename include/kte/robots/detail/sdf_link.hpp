@@ -11,7 +11,7 @@ class sdf_links {
  public:
   sdf_links(const robot_options& o, const sdf_frames& f, sdf_leftovers& l) : options_(o), frames_(f), leftovers_(l) {}
 
-  /// A link of this full name. What stands still needs no body.
+  /// A link of this full name. A static link needs no body.
   robot_link read(const xml_item& x, const sdf_scope& scope, const std::string& name, bool stands, bool windy) {
     x.only({"inertial", "visual", "collision", "pose", "gravity", "velocity_decay", "kinematic", "enable_wind",
             "plugin", "drake:deformable_properties"},
@@ -56,7 +56,7 @@ class sdf_links {
     }
     return moved_body(in_link(*i, scope, l.name), b);
   }
-  /// Of the shapes of collision with their densities. A mass that is given scales them.
+  /// The inertia of the collision shapes by their densities. A given mass scales it.
   rigid_body<> solids(const xml_item& x, const xml_item& inertial, const robot_link& l) const {
     const auto shapes = x.children("collision");
     if (shapes.empty()) inertial.fail("its inertia is that of its collisions, but the link has none");
@@ -79,7 +79,7 @@ class sdf_links {
 
   static void motion(const xml_item& x, bool windy) {
     if (const auto k = first_child(x, "kinematic"); k && child_flag(x, "kinematic", false))
-      k->moves_differently("not read: it is moved by what has no place here");
+      k->moves_differently("not read: it moves by an unsupported element");
     if (const auto v = first_child(x, "velocity_decay");
         v && (child_number(*v, "linear", 0) != 0 || child_number(*v, "angular", 0) != 0))
       v->moves_differently("not read");

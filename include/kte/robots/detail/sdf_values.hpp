@@ -2,7 +2,7 @@
 
 #include <kte/robots/detail/read_values.hpp>
 
-/// What stands between the tags of SDF, where an empty text is the format's default.
+/// The text between tags of SDF; an empty text is the default of the format.
 namespace kte::detail {
 
 /// Without blanks at the ends.

@@ -51,7 +51,7 @@ class urdf_joints {
       j.pitch = x.needed_child("drake:screw_thread_pitch").number("value") / (2 * std::numbers::pi);
     return t == "universal";
   }
-  /// Turns about x and then about y of the seat.
+  /// Turns about x and then about y of the placement.
   void cross(robot_joint j) {
     auto second = j;
     auto& middle = d_.links.emplace_back();

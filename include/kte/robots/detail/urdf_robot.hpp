@@ -70,7 +70,7 @@ class urdf_robot {
       }
     if (joints.empty()) return inertia == 0 ? x.not_read("not read") : x.fail("has no <joint>");
     if (joints.size() > 1)
-      x.warn("couples " + std::to_string(joints.size()) + " joints: each has a motor of its own instead");
+      x.warn("couples " + std::to_string(joints.size()) + " joints: each has its own motor instead");
     for (std::size_t i = 0; i < joints.size(); ++i) {
       const auto name = joints[i].text("name");
       const auto j = std::find_if(d_.joints.begin(), d_.joints.end(),

@@ -109,7 +109,8 @@ class mjcf_writer {
     if (!(w.mass >= 0)) left_out_.refuse(title(l), "its mass is " + number(w.mass));
     if (w.fault() > 0) {
       char why[80];
-      std::snprintf(why, sizeof why, "no body can have such moments: one is wrong by %.3g kg m^2", w.fault());
+      std::snprintf(why, sizeof why, "the moments are not physically realizable: one is wrong by %.3g kg m^2",
+                    w.fault());
       if (plan_.rest(l.name))
         left_out_.list(l.line, title(l) + ": " + why + ": it is at rest, and has the nearest that a body can have");
       else
@@ -148,7 +149,7 @@ class mjcf_writer {
     for (const auto& j : d_.joints) {
       if (!j.mimic) continue;
       left_out_.change(j.line, mjcf_title(j), "it follows joint '" + j.mimic->joint + "'",
-                       "it has a coordinate of its own, and an equality, which is soft");
+                       "it has its own coordinate, and an equality constraint, which is soft");
       if (!any) out_.open("equality");
       any = true;
       out_.open("joint"), out_.attribute("joint1", std::string_view(j.name));
@@ -185,7 +186,7 @@ class mjcf_writer {
     }
     if (any) out_.close();
   }
-  /// Of a law what differs from that of <motor>.
+  /// The difference of a law from that of <motor>.
   void motor(const motor_law& law) {
     if (law.gain != 1) out_.attribute("gainprm", law.gain);
     if (law.offset != 0 || law.stiffness != 0 || law.damping != 0) {

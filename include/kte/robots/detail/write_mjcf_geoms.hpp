@@ -105,7 +105,7 @@ class mjcf_geoms {
     if (s.is == form::sphere) return {x.x};
     if (s.is == form::box) return {x.x / 2, x.y / 2, x.z / 2};
     if (s.is == form::cylinder || s.is == form::capsule) return {x.x, x.y / 2};
-    if (s.is == form::plane && !(x.x >= 0 && x.y >= 0 && x.z > 0)) return {0, 0, 1};  // endless
+    if (s.is == form::plane && !(x.x >= 0 && x.y >= 0 && x.z > 0)) return {0, 0, 1};  // infinite
     return {x.x, x.y, x.z};
   }
   void leave_out(const robot_shape& s, const std::string& owner, const std::string& why) {

@@ -38,9 +38,10 @@ class mjcf_joints {
     if (const auto p = inverse_of(behind).position; type != "slide" && p != vec3<>{}) out_.attribute("pos", p);
   }
   void free_joint(const robot_joint& j) {
-    const auto& seat = plan_.rest(j.parent);
-    if (!seat) left_out_.refuse(mjcf_title(j), "it floats in a link that moves, '" + j.parent + "'");
-    if (!is_nothing(*seat * j.origin)) left_out_.refuse(mjcf_title(j), "its seat stands elsewhere than the world");
+    const auto& placement = plan_.rest(j.parent);
+    if (!placement) left_out_.refuse(mjcf_title(j), "it floats in a link that moves, '" + j.parent + "'");
+    if (!is_nothing(*placement * j.origin))
+      left_out_.refuse(mjcf_title(j), "its placement stands elsewhere than the world");
     if (j.parent != "world")
       left_out_.list(j.line, mjcf_title(j) + ": it floats in the world, in which link '" + j.parent + "' rests");
     out_.open("joint"), out_.attribute("name", std::string_view(j.name));

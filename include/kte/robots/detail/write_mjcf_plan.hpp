@@ -15,7 +15,7 @@ struct mjcf_body {
 };
 
 /// Which bodies of MJCF the links and joints of a description (without poses of children) make. MuJoCo takes no moving
-/// body without mass; joints with nothing but a massless frame between them are those of one body.
+/// body without mass; joints with only a massless frame between them are those of one body.
 class mjcf_plan {
  public:
   using kind = robot_joint::kind;
@@ -88,7 +88,7 @@ class mjcf_plan {
     return b && mjcf_weight(*b).moves();
   }
   static int dofs(kind is) { return is == kind::fixed ? 0 : is == kind::spherical || is == kind::planar ? 3 : 1; }
-  /// Whether the link so far is nothing but a frame between its joints and one more, that can be of the same body.
+  /// Whether the link so far is only a frame between its joints and one more, that can be of the same body.
   bool goes_on(const mjcf_body& b) const {
     const auto& l = d_.links[b.link];
     if (bodies_[b.link] || !l.visuals.empty() || !l.collisions.empty() || below_[b.link].size() != 1) return false;

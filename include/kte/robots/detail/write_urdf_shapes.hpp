@@ -10,7 +10,7 @@
 
 namespace kte::detail {
 
-/// With so many decimals; quarter turns with all.
+/// With this number of decimals; quarter turns with all.
 inline double cut_angle(double x, int decimals) {
   if (nearest_quarter(x).distance <= 1e-15) return x;
   char digits[32];

@@ -23,7 +23,7 @@ class xml_defaults {
     all.push_back({now, value});
     return before;
   }
-  /// The value at a moment; null where there is none, or an empty one.
+  /// The value at a moment; null if there is none, or an empty one.
   const std::string* find(std::string_view attribute, moment at) const {
     const auto all = values_.find(attribute);
     if (all == values_.end()) return nullptr;

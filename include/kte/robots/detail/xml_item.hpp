@@ -34,7 +34,7 @@ class xml_item {
     raise<bad_file>("kte: " + place_text(file().empty() ? d_->source : file(), line()) + title() + ": " + why);
   }
   void warn(const std::string& what) const { d_->warnings.push_back({line(), title() + ": " + what, file()}); }
-  /// Of what makes the robot move differently from the file's.
+  /// A warning about a difference in motion from the robot of the file.
   void moves_differently(const std::string& what) const {
     d_->warnings.push_back({line(), title() + ": " + what, file(), true});
   }
@@ -100,7 +100,7 @@ class xml_item {
     if (x.size() != 1) fail(std::string(what) + " must be one number, got " + std::to_string(x.size()));
     return x[0];
   }
-  /// What stands between the tags.
+  /// The text between the tags.
   const std::string& content() const { return e_->text; }
 
   std::vector<xml_item> children(std::string_view of = {}) const {
@@ -109,7 +109,7 @@ class xml_item {
       if (of.empty() || of == c.name) all.emplace_back(c, *d_);
     return all;
   }
-  /// The child of a name, of which there may be one.
+  /// The child of a name, at most one.
   std::optional<xml_item> child(const char* of) const {
     const auto all = children(of);
     if (all.size() > 1) all[1].fail("comes a second time");

@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <string_view>
 
-/// What reading XML needs besides the library of XML.
+/// What reading XML needs in addition to the library of XML.
 namespace kte::detail {
 
 /// The root of a file in XML that another file names. Its elements know the file.

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
 #include <kte/testing/detail/numeric.hpp>
 #include <kte/testing/detail/trial.hpp>
 
@@ -46,13 +46,13 @@ template <class T>
 auto as_array(const T& thing) {
   return std::bit_cast<std::array<double, sizeof(T) / sizeof(double)>>(thing);
 }
-/// The same random motion and inputs in both.
+/// Equal random motions and inputs in both.
 template <class State, class Draw>
 void draw_motion(State& s, runtime_state& r, Draw& draw) {
   for_each_pair(s, r,
                 [&draw]<class T>(T& a, T& b) { a = b = random_thing<kte::detail::kind_of_thing<T>, double>(draw); });
 }
-/// The same random loads on both.
+/// Equal random loads on both.
 template <class State, class Draw>
 void draw_loads(State& s, runtime_state& r, Draw& draw) {
   for_each_pair(s, r, [&draw]<class T>(T& a, T& b) {
@@ -85,9 +85,9 @@ void add_gap(gap& g, State& s, runtime_state& r) {
     for (std::size_t i = 0; i < x.size(); ++i) g.add(x[i], y[i]);
   });
 }
-/// Of the three passes of two chains on states in which all is the same.
+/// The difference of the three passes of two chains on equal states.
 template <class Chain, class State, class Draw>
-gap gap_of_passes(const Chain& c, State& s, const kte_map_chain& d, runtime_state& r, Draw& draw) {
+gap gap_of_passes(const Chain& c, State& s, const runtime_chain& d, runtime_state& r, Draw& draw) {
   gap g;
   c.doMotion(s), d.doMotion(r), add_gap(g, s, r);
   draw_loads(s, r, draw);

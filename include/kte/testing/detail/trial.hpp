@@ -94,7 +94,7 @@ kte::detail::thing_of<K, S> random_thing(Draw& draw) {
   }
 }
 
-/// An element alone, with a thing of its own at every port.
+/// An element alone, with its own thing at every port.
 template <class S, class Core>
 class trial {
  public:

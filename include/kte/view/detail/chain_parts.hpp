@@ -1,8 +1,8 @@
 #pragma once
 
 #include <kte/io/recording.hpp>
-#include <kte/runtime_chain/kte_map_chain.hpp>
 #include <kte/runtime_chain/layout.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
 #include <kte/runtime_chain/static_chain_map.hpp>
 
 #include <boost/hana/for_each.hpp>
@@ -19,7 +19,7 @@ struct element_parts {
   std::span<const port> ports;
   std::vector<std::string> names;
   std::vector<parameter_record> parameters;
-  bool stiff = false;       ///< a joint or a link
+  bool rigid = false;       ///< a joint or a link
   bool holds_code = false;  ///< it has no parameters then
 };
 /// A shape of a robot's file.
@@ -65,13 +65,13 @@ chain_parts parts_of(const static_chain<Gravity, E...>& c) {
   p.slots = slots_of(c);
   return p;
 }
-inline chain_parts parts_of(const kte_map_chain& c) {
+inline chain_parts parts_of(const runtime_chain& c) {
   chain_parts p;
   const topology& t = c.wiring();
   p.gravity = c.gravity();
   for (const auto& e : t.elements) {
     auto& x =
-        p.elements.emplace_back(element_parts{std::string(e.type), e.ports, {}, {}, e.stiff, e.element->holds_code()});
+        p.elements.emplace_back(element_parts{std::string(e.type), e.ports, {}, {}, e.rigid, e.element->holds_code()});
     for (std::size_t i = 0; i < e.ports.size(); ++i)
       x.names.push_back(t.names[static_cast<std::size_t>(e.ports[i].what)][static_cast<std::size_t>(e.index[i])]);
     if (!x.holds_code) x.parameters = e.element->record().parameters;
@@ -80,7 +80,7 @@ inline chain_parts parts_of(const kte_map_chain& c) {
   return p;
 }
 
-/// What has a chain and shapes: a `robot`. (A template, so that who draws chains does not read robots.)
+/// A type with a chain and shapes: a `robot`. It is a template, so that drawing chains does not include robots.
 template <class T>
 concept robot_like = requires(const T& r) {
   r.chain.wiring();
@@ -96,7 +96,7 @@ chain_parts parts_of(const Robot& r) {
   return p;
 }
 
-/// The same with the limits of a manipulator.
+/// The parts of a manipulator, with its limits.
 template <class T>
 chain_parts parts_with_limits(const T& c) {
   auto p = parts_of(c);

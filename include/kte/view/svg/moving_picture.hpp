@@ -118,12 +118,12 @@ class moving_shapes {
 
 }  // namespace detail::svg
 
-/// A mechanism as it moves in a recording, again and again: SVG 1.1 with animations and no scripts, which browsers show
-/// also as an image of a page; other programs show the first position. Drawn as `picture`; where it does not end as it
-/// began it fades out and in.
+/// A mechanism that moves as a recording, in a loop: SVG 1.1 with animations and without scripts, which browsers also
+/// show as an image of a page; other programs show the first position. Drawn as `picture`; if the last position differs
+/// from the first, it fades out and in.
 ///
 /// Throws as `picture`, and `bad_argument` for a recording of one time.
-inline std::string moving_picture(const scene& s, const picture_options& o = {}) {
+[[nodiscard]] inline std::string moving_picture(const scene& s, const picture_options& o = {}) {
   using namespace detail::svg;
   mechanism_canvas c(s, o);
   const moving_shapes shapes(c);
@@ -142,7 +142,8 @@ inline std::string moving_picture(const scene& s, const picture_options& o = {})
   return out.end().document();
 }
 
-/// The same in a file, which is replaced only when all is written. Throws `bad_file` where that cannot be.
+/// Writes a moving picture to a file, which is replaced after all is written. Throws `bad_file` if it cannot be
+/// written.
 inline void write_moving_picture(const std::filesystem::path& file, const scene& s, const picture_options& o = {}) {
   detail::replace_file(file, moving_picture(s, o));
 }

@@ -3,7 +3,7 @@
 #include <array>
 #include <cstddef>
 
-/// Lines that people tell apart, also those who do not see all colours, and in grey.
+/// Line styles that are distinguishable, also for colour-blind people and in grey.
 namespace kte::detail::svg {
 
 /// The palette of Okabe and Ito, which has no two colours that look alike to the colour-blind; without its yellow,
@@ -21,7 +21,7 @@ struct line_style {
   dash_lengths dash;
   double width;  ///< mm
 };
-/// Of the curve number i: no two of the first 70 are the same.
+/// The style of curve number i: the first 70 are different.
 constexpr line_style style_of(std::size_t i) {
   constexpr std::size_t all = palette.size() * dashes.size();  // their numbers have no common divisor
   return {palette[i % palette.size()], dashes[i % dashes.size()], i / all % 2 == 0 ? 0.35 : 0.7};

@@ -14,7 +14,7 @@ inline std::vector<double> picture_times(const mechanism_canvas& c) {
   if (!(o.every >= 0 && std::isfinite(o.every)))
     raise<bad_argument>("kte: a picture every " + four_digits(o.every) + " s");
   if (!o.times.empty()) {
-    if (o.every > 0) raise<bad_argument>("kte: a picture is at times, or every so many seconds, not both");
+    if (o.every > 0) raise<bad_argument>("kte: a picture has either `times` or `every`, not both");
     for (const double t : o.times)
       if (!(t >= first && t <= last))
         raise<bad_argument>("kte: a picture at " + four_digits(t) + " s of a recording from " + four_digits(first) +
@@ -34,17 +34,17 @@ inline std::vector<double> picture_times(const mechanism_canvas& c) {
 
 }  // namespace detail::svg
 
-/// A mechanism at some times of a recording over each other, earlier ones paler: SVG 1.1, a text.
+/// A mechanism at some times of a recording, drawn over each other, earlier ones paler: SVG 1.1, a text.
 ///
 ///   kte::write_picture("swing.svg", recording.contents(), {.every = 0.1, .trails = {"tip"}});
 ///
 /// Links are lines; joints circles, boxes and cylinders; bodies the outlines of their ellipsoids of inertia; springs,
-/// dampers and beams what they are. Planar scenes are drawn in their plane, others as seen from far away in the
-/// direction `look_from`. What has no symbol is named in the description (`<desc>`).
+/// dampers and beams have their symbols. Planar scenes are drawn in their plane, others in parallel projection along
+/// `look_from`. Parts without a symbol are named in the description (`<desc>`).
 ///
-/// Throws `unknown_name` for frames that are not there, `bad_argument` for times that were not recorded, sizes that
-/// give no picture, and scenes whose parts do not fit together.
-inline std::string picture(const scene& s, const picture_options& o = {}) {
+/// Throws `unknown_name` for frames that do not exist, `bad_argument` for times that were not recorded, invalid sizes,
+/// and scenes whose parts do not fit together.
+[[nodiscard]] inline std::string picture(const scene& s, const picture_options& o = {}) {
   using namespace detail::svg;
   mechanism_canvas c(s, o);
   const auto times = picture_times(c);
@@ -74,7 +74,7 @@ inline std::string picture(const scene& s, const picture_options& o = {}) {
   return out.end().document();
 }
 
-/// The same in a file, which is replaced only when all is written. Throws `bad_file` where that cannot be.
+/// Writes a picture to a file, which is replaced after all is written. Throws `bad_file` if it cannot be written.
 inline void write_picture(const std::filesystem::path& file, const scene& s, const picture_options& o = {}) {
   detail::replace_file(file, picture(s, o));
 }

@@ -8,7 +8,7 @@
 /// How wide texts are, for layouts: fonts differ.
 namespace kte::detail::svg {
 
-/// Of a character, in sizes of the font: that of a wide sans-serif font; ideographs and symbols are squares.
+/// The width of a character in units of the font size, for a wide sans-serif font; ideographs and symbols are squares.
 constexpr double character_width(char32_t c) {
   constexpr short ascii[]{// thousandths, from the blank to the tilde
                           318,  401, 460, 838, 636, 950, 780, 275, 390, 390, 500, 838, 318, 361, 318, 337,

@@ -5,17 +5,17 @@
 
 namespace kte {
 
-/// The topology of a mechanism: what moves as one in boxes, layer by layer from the ground, joints between them by
-/// letters (R revolute, P prismatic, H screw, C cylindrical, U universal, S spherical, E planar, F free) with their
-/// names; loops, and what acts between two of them, as dashed arcs. SVG 1.1, a text.
+/// The topology of a mechanism: rigid bodies as boxes, layer by layer from the ground, joints between them as letters
+/// (R revolute, P prismatic, H screw, C cylindrical, U universal, S spherical, E planar, F free) with their names;
+/// loops, and forces between two bodies, as dashed arcs. SVG 1.1, a text.
 ///
-/// Throws `bad_argument` for sizes that give no picture, and scenes whose parts do not fit together.
-inline std::string topology_picture(const scene& s, const topology_options& o = {}) {
+/// Throws `bad_argument` for invalid sizes, and scenes whose parts do not fit together.
+[[nodiscard]] inline std::string topology_picture(const scene& s, const topology_options& o = {}) {
   const detail::svg::rigid_groups groups(s);
   return detail::svg::topology_drawing(s, groups, o).text();
 }
 
-/// The same in a file, which is replaced only when all is written. Throws `bad_file` where that cannot be.
+/// Writes a topology to a file, which is replaced after all is written. Throws `bad_file` if it cannot be written.
 inline void write_topology(const std::filesystem::path& file, const scene& s, const topology_options& o = {}) {
   detail::replace_file(file, topology_picture(s, o));
 }

@@ -5,7 +5,7 @@
 /// Texts of any bytes as text of XML.
 namespace kte::detail::svg {
 
-/// A character of a text and how many bytes it takes. What is no UTF-8 is U+FFFD, one byte at a time.
+/// A character of a text and its number of bytes. A byte that is not UTF-8 is U+FFFD.
 struct text_character {
   char32_t code;
   std::size_t bytes;

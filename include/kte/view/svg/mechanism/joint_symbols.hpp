@@ -47,7 +47,7 @@ class joint_symbols {
     out_.push_back({styles::joint, j.name, std::move(outline), 0, true, true});
     out_.push_back({styles::joint_line, j.name, ring(0, 4, j.at + end), 0, true, true});
   }
-  /// A slider: a box along the axis, of which three faces are seen; in the plane one.
+  /// A slider: a box along the axis with three visible faces; in the plane one.
   void box(const joint_place& j, double half_length, double half_width) {
     const auto [a, b] = across(j.axis);
     const vec3<> edges[]{mm(half_width) * facing(b), mm(half_length) * facing(j.axis), mm(half_width) * facing(a)};

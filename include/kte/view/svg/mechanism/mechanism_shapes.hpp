@@ -18,7 +18,7 @@ class mechanism_shapes {
       for (const auto& b : scene_.bodies)
         if (b.mass > 0) put_body(out, b, frames[index(b.frame)]);
     for (const auto& l : scene_.links) put_link(out, frames[index(l.from)], frames[index(l.to)], styles::link, l.type);
-    for (const auto& j : scene_.joints) put_seat(out, j, frames);
+    for (const auto& j : scene_.joints) put_placement(out, j, frames);
     for (const auto& f : scene_.forces) put_force(out, f, frames);
     if (o_.joints)
       for (const auto& j : scene_.joints) put_joint(out, j, frames);
@@ -65,23 +65,25 @@ class mechanism_shapes {
       out.push_back({styles::link, name, {view_(f.position), view_(f(vector(b.centre)))}});
   }
   /// From the frame before a joint to where it sits; of sliders the rail.
-  void put_seat(std::vector<drawn_shape>& out, const scene::joint& j, const std::vector<placed_frame>& frames) const {
+  void put_placement(std::vector<drawn_shape>& out, const scene::joint& j,
+                     const std::vector<placed_frame>& frames) const {
     if (j.kind == "free") return;
     const auto &a = frames[index(j.before)], &b = frames[index(j.after)];
     const bool slides = j.has_axis && (j.kind == "prismatic" || j.kind == "cylindrical" || j.kind == "screw");
     const bool moves = j.kind == "planar" || j.kind == "other";  // one from the other; recordings are rounded
     const double least = 1e-3 * scene_.size;
     if (!slides) {
-      if (moves || length(b.position - a.position) > least) put_link(out, a, b, styles::seat, j.name);
+      if (moves || length(b.position - a.position) > least) put_link(out, a, b, styles::placement, j.name);
       return;
     }
-    const vec3<> axis = a.rotation * vector(j.axis), seat = b.position - dot(b.position - a.position, axis) * axis;
+    const vec3<> axis = a.rotation * vector(j.axis), placement = b.position - dot(b.position - a.position, axis) * axis;
     const bool known = std::isfinite(j.lower) && std::isfinite(j.upper) && j.kind == "prismatic";
     const double reach = 3 * o_.joint_radius / view_.scale(), now = dot(b.position - a.position, axis);
     const double low = known ? j.lower : (std::min)(now - reach, 0.0),
                  high = known ? j.upper : (std::max)(now + reach, 0.0);
-    out.push_back({styles::rail, j.name, {view_(seat + low * axis), view_(seat + high * axis)}});
-    if (length(seat - a.position) > least) out.push_back({styles::seat, j.name, {view_(a.position), view_(seat)}});
+    out.push_back({styles::rail, j.name, {view_(placement + low * axis), view_(placement + high * axis)}});
+    if (length(placement - a.position) > least)
+      out.push_back({styles::placement, j.name, {view_(a.position), view_(placement)}});
   }
   void put_joint(std::vector<drawn_shape>& out, const scene::joint& j, const std::vector<placed_frame>& frames) const {
     const double r = o_.joint_radius;

@@ -13,7 +13,7 @@ inline vec3<> unit_or(const vec3<>& v, const vec3<>& other) {
   return n > 1e-12 ? (1 / n) * v : other;
 }
 
-/// What is seen of the world from far away: up is against gravity.
+/// The parallel projection of the world: up is against gravity.
 struct view_axes {
   vec3<> right{1, 0, 0}, up{0, 1, 0}, towards{0, 0, 1};
 

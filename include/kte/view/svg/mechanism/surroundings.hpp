@@ -42,7 +42,7 @@ inline std::vector<drawn_shape> ground_symbol(picture_point at, double radius) {
   return all;
 }
 
-/// A length of one digit, 1, 2 or 5, of about so many m, as text with a unit.
+/// A length of one digit, 1, 2 or 5, near a number of m, as text with a unit.
 struct round_length {
   double metres;
   std::string text;

@@ -31,7 +31,7 @@ inline constexpr struct {
                         {"force", "xyz", "N", "force"},
                         {"torque", "xyz", "N m", "torque"}};
 
-/// Of a coordinate, its rates, and the force on it, by its own unit; q, v, a, f is which.
+/// The unit of a coordinate, its rates, or the force on it (q, v, a, f), by the unit of the coordinate.
 inline column_meaning meaning_on_coordinate(char which, std::string_view unit) {
   const bool angle = unit == "rad", length = unit == "m", known = !unit.empty();
   const std::string u(unit);
@@ -54,7 +54,7 @@ inline std::string printed_unit(std::string unit) {
   return unit;
 }
 
-/// What recorders mean by the name of a column, or of a thing with a unit of its own.
+/// What recorders mean by the name of a column, or of a thing with its own unit.
 inline column_meaning meaning_by_name(std::string_view name, const unit_map& units) {
   if (name == "t" || name == "time") return {"s", "time"};
   if (name == "energy" || name.starts_with("energy/")) return {"J", "energy"};
@@ -84,7 +84,7 @@ inline column_meaning meaning_by_name(std::string_view name, const unit_map& uni
       return {std::string(q.unit), std::string(q.quantity)};
   return {};
 }
-/// The same of a column that may have a unit given by its whole name.
+/// The unit of a column, which may be given for its whole name.
 inline column_meaning meaning_of_column(std::string_view name, const unit_map& units) {
   auto meaning = meaning_by_name(name, units);
   const auto u = units.find(name);

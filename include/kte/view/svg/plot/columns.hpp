@@ -39,7 +39,7 @@ class plot_columns {
     if (names.empty())
       for (std::size_t j = 0; j < table_.names.size(); ++j)
         if (table_.names[j] != x) wanted.push_back(j);
-    if (wanted.empty()) raise<bad_argument>("kte: the table to plot has no column besides '" + x + "'");
+    if (wanted.empty()) raise<bad_argument>("kte: the table to plot has no column other than '" + x + "'");
     std::vector<plot_panel> all;
     for (const auto j : wanted) {
       auto c = column(j);

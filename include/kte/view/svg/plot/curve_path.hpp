@@ -23,7 +23,7 @@ class curve_path {
     last_ = {p, count_++};
     kept_ = true;
   }
-  /// The next point begins anew.
+  /// The next point starts again.
   void gap() {
     put_kept();
     if (drawn_ == 1 && dotted_.insert({hundredths(at_.x / 10), hundredths(at_.y / 10)}).second) dots.push_back(at_);

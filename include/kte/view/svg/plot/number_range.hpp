@@ -31,7 +31,7 @@ inline number_range shown_range(number_range r, double part) {
   const double more = part * (r.high / 2 - r.low / 2) * 2;
   return {(std::max)(r.low - more, -most), (std::min)(r.high + more, most)};
 }
-/// The same of positive numbers on a logarithmic axis.
+/// The range of positive numbers on a logarithmic axis.
 inline number_range shown_logarithmic_range(number_range r, double part) {
   constexpr double least = std::numeric_limits<double>::denorm_min(), most = (std::numeric_limits<double>::max)();
   if (r.empty()) return {1, 10};

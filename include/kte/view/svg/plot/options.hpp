@@ -8,28 +8,28 @@
 
 namespace kte {
 
-/// Which curves share a panel.
+/// Curves that share a panel.
 enum class panels {
-  by_unit,   ///< those of one quantity: all angles, all velocities
-  together,  ///< all
-  each       ///< none
+  by_unit,   ///< curves of one quantity: all angles, all velocities
+  together,  ///< all curves
+  each       ///< a panel per curve
 };
 
-/// How a table is plotted: `kte::write_plot("run.svg", run, {"elbow", "elbow/v"}, {.width = 85})`.
+/// Options of a plot: `kte::write_plot("run.svg", run, {"elbow", "elbow/v"}, {.width = 85})`.
 struct plot_options {
   double width = 170;    ///< mm: journals have columns of 85 mm and pages of 170 mm
-  double height = 0;     ///< mm; 0 is as high as the panels want
+  double height = 0;     ///< mm; 0: as high as the panels need
   double font_size = 8;  ///< points of 1/72 inch
   std::string font = "sans-serif";
-  std::string title{};    ///< above the picture; also what screen readers call it
+  std::string title{};    ///< above the picture, and for screen readers
   std::string against{};  ///< the column on the horizontal axis; empty for the first one, the time
   std::string label{};    ///< of the vertical axes, in place of the name or quantity; the unit is put behind it
-  unit_map units{};       ///< of coordinates, inputs, or columns, whose names do not say it
+  unit_map units{};       ///< units of coordinates, inputs, or columns that do not follow from their names
   panels share = panels::by_unit;
-  bool log_x = false, log_y = false;
+  bool log_x = false, log_y = false;                       ///< whether an axis is logarithmic
   double from = -std::numeric_limits<double>::infinity();  ///< rows below it on the horizontal axis are left out,
   double to = std::numeric_limits<double>::infinity();     ///< and those above this
-  bool dashed = true;                                      ///< whether curves differ by dashes besides colours
+  bool dashed = true;                                      ///< whether curves differ by dashes in addition to colours
   bool grid = true;
 };
 

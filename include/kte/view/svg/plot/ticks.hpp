@@ -41,7 +41,7 @@ inline std::string decimal_text(long long n, int k) {
   return (n < 0 ? "−" : "") + digits;
 }
 
-/// The same without zeros behind the last digit that counts.
+/// The number without trailing zeros.
 inline std::string shortest_decimal_text(long long n, int k) {
   while (n != 0 && k < 0 && n % 10 == 0) n /= 10, ++k;
   return decimal_text(n, k);
@@ -80,8 +80,8 @@ inline long long roundest(const decimal_steps& s) {
   return s.first;
 }
 
-/// At most so many ticks of a linear axis. Labels have at most five digits: numbers beyond that have a factor of 1000s,
-/// or one number in common, by which labels are less.
+/// At most this many ticks of a linear axis. Labels have at most five digits: numbers beyond that have a factor of
+/// 1000s, or one number in common, by which labels are less.
 inline tick_list linear_ticks(double low, double high, std::size_t most) {
   const auto s = steps_between(low, high, most);
   tick_list list;

@@ -22,7 +22,7 @@ class topology_drawing {
   topology_drawing(const scene& s, const rigid_groups& g, const topology_options& o)
       : scene_(s), g_(g), o_(o), font_(o.font_size * 25.4 / 72), l_(s, g, font_) {
     if (!(o.font_size >= 1 && o.font_size <= 100 && o.width >= 0 && o.width <= 5000))
-      raise<bad_argument>("kte: a topology has letters of 1 to 100 points and a width of 0 to 5000 mm");
+      raise<bad_argument>("kte: the topology needs letters of 1 to 100 points and a width of 0 to 5000 mm");
   }
 
   std::string text() {

@@ -4,12 +4,12 @@
 
 namespace kte {
 
-/// How the topology of a mechanism is drawn: `kte::write_topology("arm.svg", scene, {.width = 170})`.
+/// Options of a topology: `kte::write_topology("arm.svg", scene, {.width = 170})`.
 struct topology_options {
-  double width = 0;  ///< mm, to which all of it, letters too, is made larger or smaller; 0: as large as letters want
+  double width = 0;      ///< mm, to which the picture is scaled, with its letters; 0: the natural size of the letters
   double font_size = 8;  ///< points of 1/72 inch
   std::string font = "sans-serif";
-  std::string title{};  ///< what screen readers call it; empty for that of the scene
+  std::string title{};  ///< for screen readers; empty for that of the scene
 };
 
 }  // namespace kte

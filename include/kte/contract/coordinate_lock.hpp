@@ -1,0 +1,57 @@
+#pragma once
+
+#include <kte/contract/transmission.hpp>
+#include <kte/math/select.hpp>
+
+namespace kte {
+
+/// What an element that may hold a coordinate keeps: a number, part of the state of models, that only events change.
+namespace mode {
+inline constexpr int sliding = 0;    ///< which way, says the rate: at the start
+inline constexpr int forward = 1;    ///< slides on
+inline constexpr int backward = -1;  ///< slides at negative rate
+inline constexpr int held = 2;       ///< rests, v' = 0
+}  // namespace mode
+
+/// An element that may lock a coordinate: dry friction, a brake, a lock. A core that derives from it has the coordinate
+/// at its first port and its mode, an internal state, at its second, and has
+///
+///   doForce(c, mode, ...)    the force while the coordinate slides, zero while it is locked          (1)
+///   capacity(c, mode, ...)   the largest holding force, N or Nm                                      (2)
+///
+/// Forward dynamics gives a locked coordinate no acceleration, as hybrid dynamics does. In models events switch the
+/// mode (`element_events`): where the rate of a sliding coordinate goes through zero, it is locked, unless the holding
+/// force would exceed (2); where the holding force exceeds (2), it slides.
+struct coordinate_lock {
+  /// Declares to the algorithms that the element may lock a coordinate.
+  static constexpr bool locks_coordinate = true;
+
+  /// Whether a mode is that of a locked coordinate.
+  template <class C, class Z, class... Others>
+  KTE_INLINE static constexpr bool holds(const C&, const Z& mode, const Others&...) {
+    return all(as<number<Z>>(mode) == number<Z>(mode::held));
+  }
+  /// The rate of the mode: zero, as only events change it.
+  template <class... Things>
+  KTE_INLINE static constexpr auto z_dot(const Things&...) {
+    return zero;
+  }
+
+ protected:
+  /// The scalar of arithmetic with arguments; some may be typed constants.
+  template <class... X>
+  using number = std::remove_cvref_t<decltype((detail::as_number(std::declval<X>()) + ...))>;
+  /// 1 or -1, also of a mode that is none; at the start that of the rate.
+  template <class S>
+  KTE_INLINE static constexpr S direction(const S& mode, const S& rate) {
+    const S by_rate = select(rate > S(0), S(1), S(select(rate < S(0), S(-1), S(0))));
+    const S by_mode = select(mode < S(0), S(-1), S(select(mode == S(mode::sliding), by_rate, mode)));  // a NaN stays
+    return select(mode > S(0), S(1), by_mode);
+  }
+  template <class S>
+  KTE_INLINE static constexpr S unless_held(const S& mode, const S& force) {
+    return select(mode == S(mode::held), S(0), force);
+  }
+};
+
+}  // namespace kte

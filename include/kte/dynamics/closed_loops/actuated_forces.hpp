@@ -1,0 +1,103 @@
+#pragma once
+
+#include <kte/dynamics/closed_loops/assemble.hpp>
+#include <kte/dynamics/inverse_dynamics.hpp>
+
+namespace kte {
+
+namespace detail {
+Eigen::VectorXd actuated_forces(const runtime_chain& c, runtime_state& s, const std::vector<std::string>& names);
+Eigen::MatrixXd actuated_motion(const runtime_chain& c, runtime_state& s, const std::vector<std::string>& names);
+}  // namespace detail
+
+/// All velocities by those of the actuated coordinates of a chain with loops, v = G v_actuated: the null space of the
+/// constraint Jacobian with identity rows at these,
+///
+///   J G = 0,   G_actuated = 1          (1)
+///
+/// so that G^T M G is the mass matrix of the mechanism in these coordinates, and J_tool G its Jacobian. Throws
+/// `bad_argument` where they are not as many as the mobility, `no_solution` where they do not determine the motion.
+template <indexable Q>
+Eigen::MatrixXd loop_motion(const runtime_chain& c, runtime_state& s, const Q& q, const actuated_coordinates& by) {
+  detail::check_regular_tree(c, s);
+  return detail::take(c, s, q).call([&] { return detail::actuated_motion(c, s, by.names); });
+}
+
+/// Inverse dynamics of a chain with loops: the forces at the actuated coordinates, in their order, by which a motion
+/// that keeps the loops closed happens, with no force at the others:
+///
+///   tau = G^T (inverse dynamics of the tree)          (2)
+///
+/// Throws as `loop_motion`, and `bad_argument` where the accelerations do not keep the loops closed.
+template <indexable Q, indexable V, indexable A>
+Eigen::VectorXd inverse_dynamics(const runtime_chain& c, runtime_state& s, const Q& q, const V& v, const A& a,
+                                 const actuated_coordinates& by) {
+  detail::check_regular_tree(c, s);
+  return detail::take(c, s, q, v, a).call([&] { return detail::actuated_forces(c, s, by.names); });
+}
+
+}  // namespace kte
+
+#ifdef KTE_FUNCTION
+namespace kte::detail {
+
+KTE_FUNCTION Eigen::MatrixXd actuated_motion(const runtime_chain& c, runtime_state& s,
+                                             const std::vector<std::string>& names) {
+  const std::vector<int> actuated = rows_of_coordinates(c, s, names);
+  const int n = s.dofs();
+  Eigen::MatrixXd j(0, n);
+  int rank = 0;
+  if (has_loops(c)) {
+    const auto& [layout, e, factor] = factorized_loops(c, s);
+    rank = factor.rank();
+    const Eigen::MatrixXd all = e.scaled_jacobian();
+    const Eigen::VectorXd chosen = factor.chosen_of(e, Eigen::VectorXd::Ones(e.places.rows));
+    j.resize(rank, n);
+    for (int k = 0, row = 0; k < e.places.rows; ++k)
+      if (chosen[k] != 0) j.row(row++) = all.row(k);
+  }
+  if (static_cast<int>(actuated.size()) != n - rank)
+    throw bad_argument("kte: this chain has mobility " + std::to_string(n - rank) +
+                       " here, so it is driven by as many coordinates, not by " + std::to_string(actuated.size()));
+  std::vector<char> is_actuated(static_cast<std::size_t>(n), 0);
+  for (const int row : actuated) is_actuated[static_cast<std::size_t>(row)] = 1;
+  std::vector<int> others, all_rows;
+  for (int row = 0; row < n; ++row)
+    if (!is_actuated[static_cast<std::size_t>(row)]) others.push_back(row);
+  for (int k = 0; k < rank; ++k) all_rows.push_back(k);
+  Eigen::MatrixXd b(rank, rank), driven(rank, n - rank);
+  for (int k = 0; k < rank; ++k) b.row(k) = j.col(others[static_cast<std::size_t>(k)]).transpose();
+  for (int k = 0; k < n - rank; ++k) driven.col(k) = j.col(actuated[static_cast<std::size_t>(k)]);
+  pivoted_qr qr;
+  if (!qr.take(b, all_rows, least_pivot))
+    throw no_solution("kte: the actuated coordinates do not determine the motion of the loops here");
+  qr.r.transpose().triangularView<Eigen::Lower>().solveInPlace(driven);
+  const Eigen::MatrixXd x = -(qr.q * driven);
+  Eigen::MatrixXd g = Eigen::MatrixXd::Zero(n, n - rank);
+  for (int k = 0; k < rank; ++k) g.row(others[static_cast<std::size_t>(k)]) = x.row(k);
+  for (int k = 0; k < n - rank; ++k) g(actuated[static_cast<std::size_t>(k)], k) = 1;
+  return g;
+}
+KTE_FUNCTION Eigen::VectorXd actuated_forces(const runtime_chain& c, runtime_state& s,
+                                             const std::vector<std::string>& names) {
+  const Eigen::MatrixXd g = actuated_motion(c, s, names);
+  if (has_loops(c)) {
+    auto& e = loops_of(c, s).equations;
+    const Eigen::VectorXd a = read_numbers<vector_of::a>(s);
+    e.at_rates(c, s);
+    const Eigen::VectorXd off = e.acceleration + e.times(a);
+    const Eigen::VectorXd sizes = e.acceleration.cwiseAbs() + e.times_sizes(a);
+    for (int k = 0; k < e.places.rows; ++k)
+      if (std::abs(off[k]) > 1e-6 * (sizes.maxCoeff() + 1e-300)) [[unlikely]]
+        throw bad_argument("kte: these accelerations do not keep '" +
+                           closure_places::name_of(c, e.places.closure_of_row(k)) +
+                           "' closed: those of constrained_dynamics do");
+  }
+  coordinate_forces(c, s);
+  take_generalized_forces(s);
+  check_result(s.work.forces, static_cast<std::size_t>(s.dofs()), diagnose_state{"a force", s});
+  return g.transpose() * s.work.forces;
+}
+
+}  // namespace kte::detail
+#endif

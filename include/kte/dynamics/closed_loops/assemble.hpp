@@ -1,0 +1,165 @@
+#pragma once
+
+#include <kte/dynamics/closed_loops/constrained_dynamics.hpp>
+#include <kte/dynamics/configuration_space.hpp>
+
+namespace kte {
+
+namespace detail {
+Eigen::VectorXd assembled(const runtime_chain& c, runtime_state& s, Eigen::VectorXd q,
+                          const std::vector<std::string>& held);
+}  // namespace detail
+
+/// A configuration on the loops, from a guess, by Levenberg and Marquardt's method: with J the constraint Jacobian and
+/// g the residuals,
+///
+///   (J^T J + mu 1) d = -J^T g,   q <- q (+) d,   mu ~ |g|^2          (1)
+///
+/// at most a quarter turn a step, so that it converges quadratically also where rows are redundant. Coordinates that
+/// are `held` are unchanged:
+///
+///   q = kte::assemble(four_bar, s, guess, kte::held("crank"))
+///
+/// Which of several assemblies is found is the guess's choice. Throws `cannot_assemble`, with the closure that stays
+/// open and by how much, or that closes half a turn off; `bad_argument`, `unknown_name`. Into the state, too.
+template <indexable Q>
+Eigen::VectorXd assemble(const runtime_chain& c, runtime_state& s, const Q& guess, const held_coordinates& held = {}) {
+  detail::check_regular_tree(c, s);
+  return detail::take(c, s, guess).call([&] {
+    return detail::assembled(c, s, detail::read_numbers<detail::vector_of::q>(s), held.names);
+  });
+}
+
+}  // namespace kte
+
+#ifdef KTE_FUNCTION
+namespace kte::detail {
+
+/// The degrees of freedom of coordinates, by name. Throws `unknown_name`, `bad_argument`.
+inline std::vector<int> rows_of_coordinates(const runtime_chain& c, const runtime_state& s,
+                                            const std::vector<std::string>& names) {
+  std::vector<int> rows;
+  for (const auto& name : names) {
+    const kind k = c.wiring().kind_of(name, false);
+    const int slot = c.wiring().find(name, k);
+    const auto all = s.freedoms();
+    const auto at =
+        std::find_if(all.begin(), all.end(), [&](const freedom& f) { return f.what == k && f.slot == slot; });
+    if (at == all.end()) throw bad_argument("kte: '" + name + "' is not a degree of freedom of this chain");
+    for (int i = 0; i < nv_of(k); ++i) rows.push_back(at->v + i);
+  }
+  return rows;
+}
+
+/// Residuals of a chain over the coordinates that may move.
+class assembly {
+ public:
+  assembly(const runtime_chain& c, runtime_state& s, const std::vector<std::string>& held)
+      : chain_(c), state_(s), equations_(loops_of(c, s).equations) {
+    std::vector<char> is_held(static_cast<std::size_t>(s.dofs()), 0);
+    for (const int row : rows_of_coordinates(c, s, held)) is_held[static_cast<std::size_t>(row)] = 1;
+    for (int row = 0; row < s.dofs(); ++row)
+      if (!is_held[static_cast<std::size_t>(row)]) free_.push_back(row);
+    unit_.setOnes(s.dofs());
+    const auto& f = s.tree().body_tree;
+    for (const auto& r : f.nodes)
+      for (int k = 0; k < r.axes; ++k) {
+        const int row = f.row[static_cast<std::size_t>(r.first + k)];
+        const bool slides =
+            r.moves == tree::joint::prismatic || (r.moves == tree::joint::several && r.axis[std::size_t(k)] < 3);
+        if (row < s.dofs() && slides) unit_[row] = equations_.places.length;
+      }
+  }
+  /// |g|, with g and J of q.
+  double at(const Eigen::VectorXd& q) {
+    write_numbers<vector_of::q>(state_, q, "q");
+    equations_.at_positions(chain_, state_, true);
+    return equations_.residual.norm();
+  }
+  double gap() const { return equations_.residual.cwiseAbs().maxCoeff(); }
+  /// (1), of g and J as they are; false where nothing moves.
+  bool step(double mu, Eigen::VectorXd& d) const {
+    const auto m = equations_.residual.size(), n = static_cast<Eigen::Index>(free_.size());
+    Eigen::MatrixXd b = Eigen::MatrixXd::Zero(m + n, n);
+    const Eigen::MatrixXd j = equations_.scaled_jacobian();
+    for (Eigen::Index k = 0; k < n; ++k) {
+      const int row = free_[static_cast<std::size_t>(k)];
+      b.col(k).head(m) = unit_[row] * j.col(row);
+      b(m + k, k) = mu;
+    }
+    std::vector<int> all(free_.size());
+    for (std::size_t k = 0; k < all.size(); ++k) all[k] = static_cast<int>(k);
+    pivoted_qr qr;
+    if (!qr.take(b, all, 0)) return false;
+    Eigen::VectorXd x = -(qr.q.topRows(m).transpose() * equations_.residual);
+    qr.r.triangularView<Eigen::Upper>().solveInPlace(x);
+    constexpr double quarter_turn = 1.5707963267948966;
+    if (const double most = x.size() > 0 ? x.cwiseAbs().maxCoeff() : 0; most > quarter_turn) x *= quarter_turn / most;
+    d = Eigen::VectorXd::Zero(unit_.size());
+    for (std::size_t k = 0; k < free_.size(); ++k) d[free_[k]] = unit_[free_[k]] * x[static_cast<Eigen::Index>(k)];
+    return d.cwiseAbs().maxCoeff() > 0;
+  }
+  [[noreturn]] void fail(int steps, const char* why) const {
+    const auto widest = widest_gap(equations_);
+    throw cannot_assemble("kte: the loops do not close: '" + closure_places::name_of(chain_, *widest.closure) +
+                          "' stays open by " + short_number(widest.size) + (widest.linear ? " m" : " rad") + " after " +
+                          std::to_string(steps) + " steps (" + why + ")");
+  }
+  /// Throws where rotations are on their false solution.
+  void check_upright() const {
+    for (const auto& x : equations_.places.closures)
+      if (x.of_frames() && !loop_equations::element(chain_, x).is_upright(loop_equations::placed(state_, x)))
+        throw cannot_assemble("kte: the loops close, but '" + closure_places::name_of(chain_, x) +
+                              "' with its frames half a turn apart: another guess");
+  }
+
+ private:
+  static std::string short_number(double x) {
+    char text[40];
+    std::snprintf(text, sizeof text, "%.3g", x);
+    return text;
+  }
+  const runtime_chain& chain_;
+  runtime_state& state_;
+  loop_equations& equations_;
+  std::vector<int> free_;
+  Eigen::VectorXd unit_;  ///< of coordinates: the length of the chain, or 1 rad
+};
+
+KTE_FUNCTION Eigen::VectorXd assembled(const runtime_chain& c, runtime_state& s, Eigen::VectorXd q,
+                                       const std::vector<std::string>& held) {
+  if (!has_loops(c)) return q;
+  assembly loops(c, s, held);
+  constexpr int most_steps = 200;
+  double size = loops.at(q), damping = 1;
+  int steps = 0;
+  bool last = loops.gap() <= 1e-14;
+  for (; loops.gap() > 1e-15 && steps < most_steps; ++steps) {
+    Eigen::VectorXd d, next;
+    double after = 0;
+    bool better = false;
+    for (; damping < 1e18; damping *= 8) {
+      if (!loops.step((std::max)(damping * size, 1e-150), d)) break;
+      next = integrate(c, q, d, 1.0);
+      after = loops.at(next);
+      better = after < size;
+      if (better) break;
+      (void)loops.at(q);
+    }
+    if (!better) break;  // as near as it comes
+    const bool little = after > 0.9999 * size && size > 1e-13;
+    q = next, size = after, damping = (std::max)(damping / 8, 1e-3);
+    if (last || (little && steps > 50)) break;
+    last = loops.gap() <= 1e-14;
+  }
+  (void)loops.at(q);
+  if (!(loops.gap() <= 1e-10))
+    loops.fail(steps, steps < most_steps ? "the nearest approach: bars too short, closures that contradict each other, "
+                                           "or another guess"
+                                         : "too many: another guess");
+  loops.check_upright();
+  return q;
+}
+
+}  // namespace kte::detail
+#endif

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <kte/dynamics/runtime/vectors.hpp>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace kte {
+
+/// The closures of a chain at a configuration.
+struct loops_report {
+  int rows = 0;      ///< of all closures
+  int rank = 0;      ///< number of independent rows
+  int mobility = 0;  ///< remaining degrees of freedom: dofs - rank
+  /// The smallest pivot of independent rows over the largest, of the block where that is least: near a singular
+  /// configuration it goes to zero. 1 where there are no rows.
+  double pivot_ratio = 1;
+  double gap = 0;                      ///< the largest residual, m or rad
+  std::string widest;                  ///< the closure that has it
+  std::vector<std::string> dependent;  ///< rows that follow from others: "pin[2]", or "pin" of a closure of one row
+  std::vector<std::string> blocks;     ///< closures that share degrees of freedom, in a text: "pin, slot"
+};
+
+/// The result of `constrained_dynamics`. `rank`: the number of independent rows of closures; `mobility`: the remaining
+/// degrees of freedom, dofs - rank.
+struct constrained_dynamics_result {
+  Eigen::VectorXd a;  ///< accelerations
+  /// The force of a closure, N and Nm, by its rows (frames/loop_state.hpp). Throws `unknown_name`.
+  const loop_state<>& loop(std::string_view name) const {
+    for (std::size_t i = 0; i < names.size(); ++i)
+      if (names[i] == name) return loops[i];
+    throw unknown_name("kte: this chain has no closure '" + std::string(name) + "'");
+  }
+  int rank = 0, mobility = 0;
+  std::vector<std::string> dependent;  ///< rows without a force, as they follow from others
+
+  std::vector<std::string> names;  ///< of closures, in order
+  std::vector<loop_state<>> loops;
+};
+
+/// The `names` of actuated coordinates, an argument of `inverse_dynamics` of a chain with loops.
+struct actuated_coordinates {
+  std::vector<std::string> names;
+};
+/// The actuated coordinates, an argument of `inverse_dynamics` of a chain with loops.
+template <class... Text>
+actuated_coordinates actuated(const Text&... names) {
+  return {{std::string(std::string_view(names))...}};
+}
+/// The `names` of coordinates that `assemble` does not change.
+struct held_coordinates {
+  std::vector<std::string> names;
+};
+/// The coordinates that `assemble` does not change.
+template <class... Text>
+held_coordinates held(const Text&... names) {
+  return {{std::string(std::string_view(names))...}};
+}
+
+}  // namespace kte

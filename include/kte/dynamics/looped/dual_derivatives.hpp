@@ -1,0 +1,90 @@
+#pragma once
+
+#include <kte/dynamics/configuration_space.hpp>
+#include <kte/dynamics/inverse_dynamics.hpp>
+#include <kte/math/dual.hpp>
+
+namespace kte {
+
+namespace detail {
+
+/// A configuration that moves along velocity number `direction` of a coordinate: lane `lane` of its numbers.
+template <class S, int N>
+void displace(freedom f, int direction, std::size_t lane, std::span<dual<S, N>> x) {
+  std::array<S, 6> unit{};
+  unit[static_cast<std::size_t>(direction)] = S(1);
+  std::array<S, 7> own{}, rate{};
+  const auto first = static_cast<std::size_t>(f.q), count = static_cast<std::size_t>(nq_of(f.what));
+  for (std::size_t k = 0; k < count; ++k) own[k] = x[first + k].value;
+  f.q = f.v = 0;
+  rate_of_one<S>(f, own, unit, rate);
+  for (std::size_t k = 0; k < count; ++k) x[first + k].derivative[lane] = rate[k];
+}
+
+/// Directions that are derived by at once: along degrees of freedom from `first` on, of the configuration, v or a; or
+/// along those of the colours from `first` on, where a force depends on one of each colour at most.
+struct directions {
+  vector_of by;
+  int first;
+  const int* colour = nullptr;
+
+  int lane(int row) const { return (colour != nullptr ? colour[row] : row) - first; }
+};
+/// Derivatives of tau = evaluate(directions), which reads q, v and a as dual numbers, by q and v, and by a where
+/// `by_a`: as many directions at a time as they have, into `r`.
+template <class S, int N, class Evaluate, class Result>
+void derive_by_duals(std::span<const freedom> freedoms, std::span<dual<S, N>> q, std::span<dual<S, N>> v,
+                     std::span<dual<S, N>> a, bool by_a, const Evaluate& evaluate, Result& r) {
+  const int dofs = static_cast<int>(v.size());
+  for (const vector_of by : {vector_of::q, vector_of::v, vector_of::a})
+    for (int first = 0; first < dofs && (by != vector_of::a || by_a); first += N) {
+      for (auto* numbers : {&q, &v, &a})
+        for (auto& x : *numbers) x = dual<S, N>(x.value);
+      for (const freedom& f : freedoms)
+        for (int k = 0; k < nv_of(f.what); ++k) {
+          const int lane = f.v + k - first;
+          if (lane < 0 || lane >= N) continue;
+          if (by == vector_of::q)
+            displace(f, k, static_cast<std::size_t>(lane), q);
+          else
+            (by == vector_of::v ? v : a)[static_cast<std::size_t>(f.v + k)].derivative[static_cast<std::size_t>(lane)] =
+                S(1);
+        }
+      const auto& tau = evaluate(directions{by, first});
+      auto& to = by == vector_of::q ? r.by_q : by == vector_of::v ? r.by_v : r.by_a;
+      for (int i = 0; i < dofs; ++i) {
+        r.tau[i] = tau[i].value;
+        for (int j = first; j < dofs && j < first + N; ++j)
+          to(i, j) = tau[i].derivative[static_cast<std::size_t>(j - first)];
+      }
+    }
+}
+
+/// Derivatives of inverse dynamics by q and v of a static chain of any elements; by a too where friction depends on
+/// what joints carry. by_a is else the mass matrix.
+template <class S, class Chain, class Base, class Q, class V, class A>
+void dual_derivatives(const Chain& c, const Base& base, const Q& q, const V& v, const A& a,
+                      inverse_dynamics_result<S, Chain::dofs>& r) {
+  using number = dual<S, 4>;
+  using wiring = typename Chain::wiring;
+  using positions = std::array<number, std::size_t{Chain::nq}>;
+  using rates = std::array<number, std::size_t{Chain::dofs}>;
+  positions x;
+  rates y, z;
+  for (std::size_t i = 0; i < x.size(); ++i) x[i] = number(S(q[i]));
+  for (std::size_t i = 0; i < y.size(); ++i) y[i] = number(S(v[i])), z[i] = number(S(a[i]));
+  auto lent = c.kept.template borrow<static_state<number, Chain>>(c);
+  static_state<number, Chain>& s = lent;
+  const auto evaluate = [&](const directions&) {
+    const configuration<number, wiring, positions> at(x);
+    const given g{at, each<number, rates>{y}, each<number, rates>{z}, base};
+    const auto tau = take_forces(c, g, s, minus_one);
+    check_forces<wiring>(tau, g);
+    return tau;
+  };
+  derive_by_duals(std::span(wiring::table.free.data(), wiring::freedoms), std::span<number>(x), std::span<number>(y),
+                  std::span<number>(z), has_load_dependent_friction<Chain>, evaluate, r);
+}
+
+}  // namespace detail
+}  // namespace kte

@@ -1,0 +1,150 @@
+#pragma once
+
+#include <kte/dynamics/looped/places.hpp>
+#include <kte/dynamics/looped/touched_frames.hpp>
+#include <kte/tree/composite.hpp>
+#include <kte/tree/newton_euler.hpp>
+
+/// Between the state of a chain and the loops over body nodes: the forces of elements, and inverse dynamics. State: as
+/// `runtime_state`, of a runtime chain or of a static one that is not unrolled. `Elements` says of element e
+///   move(e, s), push(e, s)          its doMotion and doForce
+///   ports(e), index(e, p)           what it is connected to; written(e): what its last port is connected to
+///   derive(e, s)                    derivatives of its forces (contract/force_derivatives.hpp)
+///   mass_loads(e, s)                loads of a mass between several ports, for accelerations alone
+///   holds(e, s)                     whether it holds its coordinate
+///   friction(e, s, wrench)          of a joint that carries a wrench at its end
+///   diagnose_mass(s, row, finite)      throws: a mass of coordinate `row` that cannot be used
+///   diagnose_friction(s, row)          throws: friction of coordinate `row` that jams
+namespace kte::detail {
+
+/// No forces on coordinates.
+template <class State>
+void clear_coordinates(State& s) {
+  for (std::size_t i = 0; i < s.tree().plan.row_of_gen.size(); ++i)
+    s.template get<kind::gen>(static_cast<int>(i)).f = typename State::scalar(0);
+  for_each_listed_freedom(s, [](auto& c, const freedom&) {
+    if constexpr (requires { clear_load(c); }) clear_load(c);
+  });
+}
+
+/// Which elements count: all; all, but with load-dependent friction as it is in the working memory; bodies.
+enum class acting { all, with_given_friction, bodies };
+
+/// What acts on coordinates, and followers, which hand on what is on them: from the last.
+template <class Elements, class State>
+void push_on_coordinates(const Elements& c, State& s, acting who) {
+  const auto& t = s.tree();
+  auto f = t.followers.rbegin();
+  const auto pass_on = [&](int until) {
+    for (; f != t.followers.rend() && *f > until; ++f) c.push(*f, s);
+  };
+  if (who != acting::bodies)
+    for (auto e = t.on_coordinates.rbegin(); e != t.on_coordinates.rend(); ++e) {
+      pass_on(*e);
+      c.push(*e, s);
+    }
+  pass_on(-1);
+}
+
+/// friction(element, row of its coordinate, force on it) of the joints whose friction depends on what they carry, after
+/// `transmit_wrenches`.
+template <class Elements, class State, class F>
+void for_each_friction(const Elements& c, State& s, const F& f) {
+  using S = typename State::scalar;
+  const auto& body_tree = s.tree().body_tree;
+  for (const int e : s.tree().readers) {
+    const auto& place = body_tree.frame(c.ports(e).back().what, c.written(e));
+    const auto& body_wrench = s.work.wrenches[static_cast<std::size_t>(place.slot)];
+    const auto carried = transmit(inverse(place.at), tree::dense_wrench<S>{-body_wrench.force, -body_wrench.torque});
+    const auto& r = body_tree.nodes[static_cast<std::size_t>(place.slot - body_tree.bases)];
+    f(r, c.friction(e, s, tree::dense_wrench<S>{as<S>(carried.force), as<S>(carried.torque)}));
+  }
+}
+
+/// The forces of virtual power on the coordinates for the motion of bodies, into the state, where there is nothing
+/// else.
+template <class State>
+void forces_of_moved_bodies(State& s) {
+  const auto& t = s.tree();
+  auto& w = s.work;
+  tree::transmit_wrenches(t.body_tree, w, engine::no_load{});
+  if (t.has_own_mass)
+    for (std::size_t k = 0; k < w.force.size(); ++k) w.force[k] += w.own_mass[k] * w.acceleration[k];
+  for (const auto& r : t.body_tree.nodes) {
+    const auto k = static_cast<std::size_t>(r.first);
+    if (r.what == kind::gen) [[likely]]
+      s.template get<kind::gen>(r.slot).f = -w.force[k];
+    else
+      each_axis<vector_of::f>(s, r, [&w](auto& f, std::size_t i) { f = -w.force[i]; });
+  }
+}
+/// Inverse dynamics at the rates of the state, without accelerations of coordinates.
+template <class Elements, class State>
+void bias_forces_of_bodies(const Elements& c, State& s) {
+  auto& w = s.work;
+  place_bodies(c, s), take_rates(s), take_bases(s);
+  std::fill(w.acceleration.begin(), w.acceleration.end(), typename State::scalar(0));
+  tree::move_bodies<false>(s.tree().body_tree, w);
+  forces_of_moved_bodies(s);
+}
+
+/// Inverse dynamics (RNEA): the forces of virtual power on the coordinates, into the state. At rates and accelerations
+/// of the state; of bodies alone, with bases that are accelerated or not. `moved`: forward dynamics has just been, of
+/// what is in the state, and where there are only bodies they are in place and move as they do.
+template <class Elements, class State>
+void forces_on_coordinates(const Elements& c, State& s, acting who, bool accelerated_bases = true, bool moved = false) {
+  using S = typename State::scalar;
+  const auto& t = s.tree();
+  auto& w = s.work;
+  moved &= t.only_bodies;
+  if (!moved) place_bodies(c, s), take_rates(s), take_bases(s);
+  if (!accelerated_bases)
+    for (std::size_t b = 0; b < static_cast<std::size_t>(t.body_tree.bases); ++b)
+      w.bodies[b].acceleration = w.bodies[b].ang_acceleration = vec3<S>{};
+  if (t.only_bodies) {
+    if (!moved) tree::move_bodies<false>(t.body_tree, w);
+    return forces_of_moved_bodies(s);
+  }
+  clear_coordinates(s);
+  for (const auto& [coordinate, mass] : t.rotors) {
+    auto& x = s.template get<kind::gen>(coordinate);
+    x.f -= mass * x.q_ddot;
+  }
+  const auto& others = who != acting::bodies ? t.on_frames : t.weights;
+  if (others.empty() && (who == acting::bodies || t.late.empty())) {
+    tree::move_bodies<false>(t.body_tree, w);
+    tree::transmit_wrenches(t.body_tree, w, engine::no_load{});
+  } else {
+    tree::move_bodies<true>(t.body_tree, w);
+    place_in_world(s);
+    place_touched_frames(s, true);
+    if (who != acting::bodies) move_late(c, s);
+    for (auto e = others.rbegin(); e != others.rend(); ++e) c.push(*e, s);
+    take_frame_loads(s);
+    tree::transmit_wrenches(t.body_tree, w, tree::load_of_slot<S>{w.loads.data()});
+  }
+  for (const auto& r : t.body_tree.nodes)
+    each_axis<vector_of::f>(s, r, [&w](auto& f, std::size_t k) { f -= w.force[k]; });
+  if (who != acting::bodies) {
+    auto given = w.friction.begin();
+    for_each_friction(c, s, [&](const auto& r, const S& friction) {
+      s.template get<kind::gen>(r.slot).f += who == acting::all ? friction : *given++;
+    });
+  }
+  push_on_coordinates(c, s, who);
+}
+
+/// After that, what must be applied for the motion to happen, into `forces` of the working memory.
+template <class State>
+void take_generalized_forces(State& s) {
+  const auto& t = s.tree();
+  auto& f = s.work.forces;
+  if (t.only_bodies) {
+    for (std::size_t k = 0; k < t.body_tree.row.size(); ++k) f[t.body_tree.row[k]] = s.work.force[k];
+  } else {
+    read_listed_numbers<vector_of::f>(s, f);
+    f = -f;
+  }
+}
+
+}  // namespace kte::detail

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <kte/dynamics/looped/inverse_dynamics.hpp>
+
+/// What few chains have, in the loops over body nodes: distributed masses. `Elements` and states as in
+/// dynamics/looped/inverse_dynamics.hpp.
+namespace kte::detail {
+
+/// Rates and accelerations of all degrees of freedom, put aside; they are zero until this goes.
+template <class State>
+class motion_aside {
+ public:
+  explicit motion_aside(State& s) : state_(s), v_(s.dofs()), a_(s.dofs()) {
+    read_listed_numbers<vector_of::v>(s, v_), read_listed_numbers<vector_of::a>(s, a_);
+    const decltype(v_) none = decltype(v_)::Zero(s.dofs());
+    put_all(none, none);
+  }
+  ~motion_aside() { put_all(v_, a_); }
+  motion_aside(const motion_aside&) = delete;
+  motion_aside& operator=(const motion_aside&) = delete;
+
+ private:
+  template <class V>
+  void put_all(const V& v, const V& a) {
+    for_each_listed_freedom(
+        state_, [&](auto& x, const freedom& at) { put<vector_of::v>(x, at, v), put<vector_of::a>(x, at, a); });
+  }
+  State& state_;
+  Eigen::Matrix<typename State::scalar, Eigen::Dynamic, 1> v_, a_;
+};
+
+/// The forces of distributed masses on the degrees of freedom, at rest under the accelerations of the state.
+template <class Elements, class State>
+void forces_of_distributed_masses(const Elements& c, State& s) {
+  const auto& t = s.tree();
+  auto& w = s.work;
+  bring_up_to_date(c, s);
+  take_rates(s);
+  for (std::size_t b = 0; b < static_cast<std::size_t>(t.body_tree.bases); ++b) w.bodies[b] = {};
+  tree::move_bodies<true>(t.body_tree, w);
+  place_touched_frames(s, true);
+  clear_coordinates(s);
+  for (const int e : t.distributed) c.mass_loads(e, s);
+  take_frame_loads(s);
+  tree::transmit_loads(t.body_tree, w);
+  for (const auto& r : t.body_tree.nodes)
+    each_axis<vector_of::f>(s, r, [&w](auto& f, std::size_t k) { f -= w.force[k]; });
+  push_on_coordinates(c, s, acting::bodies);
+}
+/// Their part of the mass matrix, by columns: the forces that unit accelerations need,
+///
+///   M = sum J^T M_e J          (1)
+///
+/// with M_e of an element over its ports. After `place_bodies`.
+template <class Elements, class State, class Matrix>
+void add_distributed_masses(const Elements& c, State& s, Matrix& m) {
+  using S = typename State::scalar;
+  const motion_aside<State> aside(s);
+  place_in_world(s);
+  Eigen::Matrix<S, Eigen::Dynamic, 1> a = Eigen::Matrix<S, Eigen::Dynamic, 1>::Zero(s.dofs()), none(s.dofs()),
+                                      f(s.dofs());
+  const auto forces_at = [&](auto& forces) {
+    for_each_listed_freedom(s, [&](auto& x, const freedom& at) { put<vector_of::a>(x, at, a); });
+    forces_of_distributed_masses(c, s);
+    read_listed_numbers<vector_of::f>(s, forces);
+  };
+  forces_at(none);  // not zero where a motion is given
+  for (int j = 0; j < s.dofs(); ++j) {
+    a[j] = S(1);
+    forces_at(f);
+    for (int i = j; i < s.dofs(); ++i) {  // the other triangle is the same but for rounding
+      const S mass = none[i] - f[i];
+      m(i, j) += mass;
+      if (i != j) m(j, i) += mass;
+    }
+    a[j] = S(0);
+  }
+}
+
+}  // namespace kte::detail

@@ -1,0 +1,109 @@
+#pragma once
+
+#include <kte/dynamics/runtime/elements.hpp>
+#include <kte/kernels/solve.hpp>
+
+#include <algorithm>
+#include <utility>
+
+/// The algorithms on runtime chains, as loops over body nodes.
+namespace kte {
+
+namespace detail {
+
+template <class S>
+void check_masses(const basic_runtime_state<S>& s, const runtime_matrix<S>& m) {
+  if (!tree::all_finite_in_row(m.data(), static_cast<std::size_t>(m.size()))) [[unlikely]]
+    diagnose_mass(s, first_non_finite(m), false);
+}
+/// At positions that are good, under the forces that are `kept`.
+template <class S>
+const runtime_vector<S>& accelerations_under_kept(const runtime_chain& c, basic_runtime_state<S>& s,
+                                                  std::span<const char> prescribed) {
+  const auto& kept = s.work.kept;
+  accelerate_by_tree(
+      runtime_elements{c}, s, [&kept](int i) { return kept[static_cast<std::size_t>(i)]; }, prescribed);
+  check_result(s, [&] {
+    diagnose("an acceleration", s, runtime_vector<S>(Eigen::Map<const runtime_vector<S>>(kept.data(), s.dofs())));
+  });
+  write_numbers<vector_of::a>(s, s.work.forces, "a");
+  return s.work.forces;
+}
+/// The same under applied(i). Some accelerations may be given, in the state: those of rows that are `prescribed`.
+template <class S, class Tau>
+const runtime_vector<S>& accelerations_under(const runtime_chain& c, basic_runtime_state<S>& s, const Tau& applied,
+                                             std::span<const char> prescribed = {}) {
+  for (int i = 0; i < s.dofs(); ++i)  // what is applied may be a result that the state holds
+    s.work.kept[static_cast<std::size_t>(i)] = applied(i);
+  return accelerations_under_kept(c, s, prescribed);
+}
+
+struct runtime_frame {
+  kind what;
+  int index;
+};
+inline runtime_frame find_frame(const runtime_chain& c, const name_or_handle& frame) {
+  const auto [k, index] = frame.frame_of(c.wiring());
+  return {k, index};
+}
+/// doMotion of an element, after that of all that it depends on, each once.
+template <class S>
+void move_element(const topology& t, basic_runtime_state<S>& s, int element) {
+  const auto at = [](auto& x, int e) -> auto& { return x[static_cast<std::size_t>(e)]; };
+  auto& wanted = s.work.wanted;
+  at(wanted, element) = 1;
+  int first = element;
+  for (int e = element; e >= first; --e) {
+    if (!at(wanted, e)) continue;
+    const auto& c = at(t.elements, e);
+    for (std::size_t p = 0; p < c.ports.size(); ++p) {
+      if (c.ports[p].writes()) continue;
+      const int writer = at(t.writers[static_cast<std::size_t>(c.ports[p].what)], c.index[p]);
+      if (writer >= 0) at(wanted, writer) = 1, first = (std::min)(first, writer);
+    }
+  }
+  for (int e = first; e <= element; ++e)
+    if (std::exchange(at(wanted, e), 0)) at(t.elements, e).element->doMotion(s);
+}
+/// The same for a frame: what writes it, if an element does.
+template <class S>
+void move(const topology& t, basic_runtime_state<S>& s, const runtime_frame& x) {
+  const int writer = t.writers[static_cast<std::size_t>(x.what)][static_cast<std::size_t>(x.index)];
+  if (writer >= 0) move_element(t, s, writer);
+}
+
+/// Throws `bad_argument` for a frame that follows others.
+template <class S>
+void refuse_following(const runtime_chain& c, const basic_runtime_state<S>& s, const runtime_frame& x) {
+  if (s.tree().body_tree.frame(x.what, x.index).slot >= 0) [[likely]]
+    return;
+  throw bad_argument("kte: this algorithm takes frames that joints and links move, and '" +
+                     c.wiring().names[static_cast<std::size_t>(x.what)][static_cast<std::size_t>(x.index)] +
+                     "' follows others");
+}
+/// f(motion) of a frame in its present state.
+template <class S, class F>
+auto with_motion(basic_runtime_state<S>& s, const runtime_frame& x, const F& f) {
+  return x.what == kind::frame_2D ? f(spatial(s.template get<kind::frame_2D>(x.index)))
+                                  : f(spatial(s.template get<kind::frame_3D>(x.index)));
+}
+template <class S>
+struct passes_in {
+  static_assert(std::is_same_v<S, double>,
+                "kte: elements of runtime chains have passes in double only: motion of frames and energies need a "
+                "kte::runtime_state");
+  static constexpr bool known = true;
+};
+template <class S>
+inline constexpr bool goes_through_passes = passes_in<S>::known;
+
+#ifdef KTE_EXTERN
+KTE_EXTERN template void check_masses(const runtime_state&, const runtime_matrix<double>&);
+KTE_EXTERN template const runtime_vector<double>& accelerations_under_kept(const runtime_chain&, runtime_state&,
+                                                                           std::span<const char>);
+KTE_EXTERN template void move_element(const topology&, runtime_state&, int);
+#endif
+
+}  // namespace detail
+
+}  // namespace kte

@@ -1,0 +1,120 @@
+#pragma once
+
+#include <kte/dynamics/runtime/algorithms.hpp>
+#include <kte/tree/momentum.hpp>
+
+/// Loops over the bodies of runtime chains, in the working memory of a state.
+namespace kte {
+
+namespace detail {
+
+/// Puts accelerations, and on request velocities, of a state aside for as long as it lives.
+template <class S>
+class rates_aside {
+ public:
+  rates_aside(basic_runtime_state<S>& s, bool velocities) : state_(s), velocities_(velocities) {
+    each([](S& x, S& kept) { kept = x, x = S(0); });
+  }
+  ~rates_aside() {
+    each([](S& x, const S& kept) { x = kept; });
+  }
+  rates_aside(const rates_aside&) = delete;
+  rates_aside& operator=(const rates_aside&) = delete;
+
+ private:
+  template <class F>
+  void each(const F& f) {
+    for_each_listed_freedom(state_, [&](auto& c, const freedom& at) {
+      auto i = static_cast<std::size_t>(at.v), j = i + static_cast<std::size_t>(state_.dofs());
+      visit_a(c, [&](S& x) { f(x, state_.work.kept[i++]); });
+      if (velocities_) visit_v(c, [&](S& x) { f(x, state_.work.kept[j++]); });
+    });
+  }
+  basic_runtime_state<S>& state_;
+  bool velocities_;
+};
+
+template <class S>
+const runtime_vector<S>& applied_forces(basic_runtime_state<S>& s) {
+  take_generalized_forces(s);
+  check_result(s, [&s] { diagnose("a force", s); });
+  return s.work.forces;
+}
+
+/// Throws `bad_argument` for distributed masses.
+template <class S>
+void refuse_distributed_masses(const runtime_chain& c, const basic_runtime_state<S>& s) {
+  if (!s.tree().distributed.empty()) [[unlikely]]
+    throw bad_argument("kte: this algorithm counts the masses of single frames and coordinates, and " +
+                       describe_element(runtime_elements{c}.element(s.tree().distributed.front())) +
+                       " has a mass between several");
+}
+
+/// Inverse dynamics of the bodies alone, without accelerations of coordinates.
+template <class S>
+void forces_of_bodies(const runtime_chain& c, basic_runtime_state<S>& s, bool accelerated_bases) {
+  refuse_distributed_masses(c, s);
+  forces_on_coordinates(runtime_elements{c}, s, acting::bodies, accelerated_bases);
+}
+
+/// The inertias of bodies with all they carry, and axes, in the world.
+template <class S>
+void carry_bodies(const runtime_chain& c, basic_runtime_state<S>& s) {
+  place_bodies(runtime_elements{c}, s);
+  place_in_world(s);
+  tree::carry_bodies<true>(s.tree().body_tree, s.work);
+}
+/// The same where bodies are all there is.
+template <class S>
+void carry(const runtime_chain& c, basic_runtime_state<S>& s) {
+  refuse_distributed_masses(c, s);
+  carry_bodies(c, s);
+}
+/// visit(row of an axis among all coordinates, momentum of its unit rate about a point of the world).
+template <class S, class F>
+void for_each_momentum(basic_runtime_state<S>& s, const vec3<S>& about, const F& visit) {
+  const auto& f = s.tree().body_tree;
+  tree::momenta(f, s.work, about,
+                [&](int k, const tree::dense_wrench<S>& h) { visit(f.row[static_cast<std::size_t>(k)], h); });
+}
+/// Coordinates that are given rest.
+template <class S>
+void rest_given_coordinates(basic_runtime_state<S>& s) {
+  for (const auto& r : s.tree().body_tree.nodes)
+    if (r.what == kind::gen && !r.is_free && s.made_for()->writers[0][static_cast<std::size_t>(r.slot)] < 0)
+      s.work.rate[static_cast<std::size_t>(r.first)] = s.work.acceleration[static_cast<std::size_t>(r.first)] = S(0);
+}
+/// visit(motion, slot) of bases that elements move as signals say. Those that are given from outside rest.
+template <class S, class Visit>
+void for_each_moved_base(basic_runtime_state<S>& s, const Visit& visit) {
+  const auto& t = s.tree();
+  for (std::size_t i = 0; i < t.plan.bases.size(); ++i) {
+    const auto [k, index] = t.plan.bases[i];
+    if (s.made_for()->writers[static_cast<std::size_t>(k)][static_cast<std::size_t>(index)] < 0) continue;
+    const auto slot = static_cast<std::size_t>(t.slot_of_base[i]);
+    with_frame(s, k, index, [&](const auto& x) { visit(spatial(x), slot); });
+  }
+}
+/// Momentum about a point of the world, after `carry`; coordinates that are given rest.
+template <class S>
+tree::dense_wrench<S> momentum_of_coordinates(basic_runtime_state<S>& s, const vec3<S>& about) {
+  const auto& f = s.tree().body_tree;
+  take_rates(s), rest_given_coordinates(s);
+  tree::dense_wrench<S> sum{};
+  tree::momenta(f, s.work, about, [&](int k, const tree::dense_wrench<S>& h) {
+    const S& r = s.work.rate[static_cast<std::size_t>(k)];
+    sum = {sum.force + r * h.force, sum.torque + r * h.torque};
+  });
+  for_each_moved_base(s, [&](const auto& x, std::size_t slot) {
+    const tree::dense_composite<S>& all = s.work.carried[slot];
+    const tree::world_place<S>& at = s.work.world[slot];
+    const vec3<S> v = as<S>(x.velocity), w = as<S>(x.ang_velocity);
+    const vec3<S> p = at.rotation * (all.mass * v + cross(w, all.moment));
+    const vec3<S> spin = at.rotation * (all.inertia * w + cross(all.moment, v));
+    sum = {sum.force + p, sum.torque + spin + cross(at.position - about, p)};
+  });
+  return sum;
+}
+}  // namespace detail
+
+}  // namespace kte

@@ -1,0 +1,136 @@
+#pragma once
+
+#include <kte/dynamics/looped/dual_derivatives.hpp>
+#include <kte/dynamics/runtime/algorithms.hpp>
+#include <kte/runtime_chain/derivative_state.hpp>
+
+/// Derivatives of inverse dynamics of runtime chains by dual numbers, where forces act between frames or coordinates
+/// follow others. Templates, though of double alone: who does not call them does not compile them.
+namespace kte::detail {
+
+/// A state with derivatives of the same chain.
+template <std::same_as<double> S, class State = basic_derivative_state<dual<S, derivative_number::variables>>>
+State& state_with_derivatives(const runtime_chain& c, basic_runtime_state<S>& s) {
+  const topology& t = c.wiring();
+  const auto make = [&] { return State(t, s.shared_tree()); };
+  auto& d = s.with_derivatives.template get<State>(make);
+  if (d.layout() != t.layout) d = make();
+  return d;
+}
+/// All that is given from outside, as constants, and q, v and a.
+template <std::same_as<double> S, class D>
+void take_given(basic_runtime_state<S>& s, basic_derivative_state<D>& d) {
+  const auto take = [](auto& to, const auto& x) {
+    set_motion(to, motion{x.position, x.rotation, x.velocity, x.ang_velocity, x.acceleration, x.ang_acceleration});
+  };
+  for (const auto& [k, i] : s.tree().plan.bases) {
+    if (k == kind::frame_2D)
+      take(d.template get<kind::frame_2D>(i), spatial(s.template get<kind::frame_2D>(i)));
+    else
+      take(d.template get<kind::frame_3D>(i), s.template get<kind::frame_3D>(i));
+  }
+  const auto& row = s.tree().plan.row_of_gen;
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    if (row[i] < s.dofs()) continue;
+    const auto& from = s.template get<kind::gen>(static_cast<int>(i));
+    auto& to = d.template get<kind::gen>(static_cast<int>(i));
+    to.q = from.q, to.q_dot = from.q_dot, to.q_ddot = from.q_ddot;
+  }
+  const auto& t = *s.made_for();
+  for (const auto& x : t.signals) {
+    if (x.what == kind::vector)
+      d.template get<kind::vector>(x.slot) = as<D>(s.template get<kind::vector>(x.slot));
+    else
+      d.template get<kind::input>(x.slot) = s.template get<kind::input>(x.slot);
+  }
+  for (int i = 0; i < t.count(kind::internal); ++i)
+    d.template get<kind::internal>(i).z = s.template get<kind::internal>(i).z;
+  read_listed_numbers<vector_of::q>(s, d.q), read_listed_numbers<vector_of::v>(s, d.v);
+  read_listed_numbers<vector_of::a>(s, d.a);
+}
+
+/// How far the coordinates of joints move them along their axes, in axes of the body, and their rates. Rotations and
+/// poses, which are always free, move along `moving`.
+template <class D>
+void take_shifts(basic_derivative_state<D>& d, const directions& moving) {
+  auto& w = d.work;
+  const auto& f = d.tree().body_tree;
+  for (const auto& r : f.nodes) {
+    const auto first = static_cast<std::size_t>(r.first);
+    if (r.what == kind::gen)
+      w.shift[first] = {0.0, d.template get<kind::gen>(r.slot).q.derivative};
+    else
+      for (auto k = first; k < first + static_cast<std::size_t>(r.axes); ++k) {
+        w.shift[k] = D(0);
+        if (const int lane = moving.lane(f.row[k]); moving.by == vector_of::q && lane >= 0 && lane < D::variables)
+          w.shift[k].derivative[static_cast<std::size_t>(lane)] = 1;
+      }
+    each_axis<vector_of::v>(d, r, [&w](const D& x, std::size_t k) { w.rate[k] = x; });
+    each_axis<vector_of::a>(d, r, [&w](const D& x, std::size_t k) { w.acceleration[k] = x; });
+  }
+}
+/// Coordinates to q, v, a of the state with derivatives.
+template <class D>
+void put_coordinates(basic_derivative_state<D>& d) {
+  for_each_listed_freedom(d, [&d](auto& x, const freedom& at) {
+    put<vector_of::q>(x, at, d.q), put<vector_of::v>(x, at, d.v), put<vector_of::a>(x, at, d.a);
+  });
+}
+/// Inverse dynamics at q, v, a of the state with derivatives, with bases in place: what must be applied, into its
+/// `forces`.
+template <class Elements, std::same_as<double> S, class D>
+void inverse_dynamics_in_duals(const Elements& elements, const basic_runtime_state<S>& s, basic_derivative_state<D>& d,
+                               const directions& moving) {
+  const auto& t = s.tree();
+  put_coordinates(d);
+  bring_up_to_date(elements, d);
+  take_shifts(d, moving);
+  clear_coordinates(d);
+  for (const auto& [coordinate, mass] : t.rotors) {
+    auto& x = d.template get<kind::gen>(coordinate);
+    x.f -= mass * x.q_ddot;
+  }
+  tree::move_in_duals(t.body_tree, s.work, d.work);
+  if (!t.on_frames.empty() || !t.late.empty()) {
+    place_touched_frames(d, true);
+    move_late(elements, d);
+    for (auto e = t.on_frames.rbegin(); e != t.on_frames.rend(); ++e) elements.push(*e, d);
+    take_frame_loads(d);
+  }
+  tree::transmit_in_duals(t.body_tree, s.work, d.work);
+  for (const auto& r : t.body_tree.nodes)
+    each_axis<vector_of::f>(d, r, [&d](auto& f, std::size_t k) { f -= d.work.force[k]; });
+  for_each_friction(elements, d, [&d](const auto& r, const D& friction) {
+    auto& x = d.template get<kind::gen>(r.slot);
+    x.f = x.f + friction;
+  });
+  push_on_coordinates(elements, d, acting::all);
+  read_listed_numbers<vector_of::f>(d, d.forces);
+  for (auto& f : d.forces) f = -f;
+}
+
+/// By q and v at what the state has, into `of_forces`; by_a is the mass matrix, where friction depends on what joints
+/// carry it is derived too. After inverse dynamics.
+template <std::same_as<double> S>
+void derive_forces_by_duals(const runtime_chain& c, basic_runtime_state<S>& s) {
+  auto& r = s.work.of_forces;
+  const Eigen::Index n = s.dofs();
+  r.tau.resize(n), r.by_q.setZero(n, n), r.by_v.setZero(n, n), r.by_a.setZero(n, n);
+  const bool load_dependent = !s.tree().readers.empty();
+  auto& d = state_with_derivatives(c, s);
+  take_given(s, d);
+  place_in_world(s);
+  tree::place_bases_in_duals(s.tree().body_tree, s.work, d.work);
+  derive_by_duals(
+      s.freedoms(), std::span(d.q), std::span(d.v), std::span(d.a), load_dependent,
+      [&](const directions& moving) -> const auto& {
+        inverse_dynamics_in_duals(runtime_elements{c}, s, d, moving);
+        return d.forces;
+      },
+      r);
+  if (load_dependent) return;
+  mass_of_coordinates(runtime_elements{c}, s);
+  r.by_a = s.work.mass;
+}
+
+}  // namespace kte::detail

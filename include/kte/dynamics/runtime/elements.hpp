@@ -1,0 +1,126 @@
+#pragma once
+
+#include <kte/dynamics/looped/derivatives.hpp>
+#include <kte/dynamics/looped/mass_matrix_inverse.hpp>
+#include <kte/dynamics/runtime/arguments.hpp>
+#include <kte/runtime_chain/chain.hpp>
+
+#include <algorithm>
+
+/// The elements of a runtime chain in the loops over body nodes.
+namespace kte::detail {
+
+/// Elements are those of the chain at hand: a state may have been made for one of which this is a copy.
+struct runtime_elements {
+  const runtime_chain& chain;
+
+  const topology::connection& connection(int e) const { return chain.wiring().elements[static_cast<std::size_t>(e)]; }
+  const kte_element& element(int e) const { return *connection(e).element; }
+  std::span<const port> ports(int e) const { return connection(e).ports; }
+  int index(int e, std::size_t p) const { return connection(e).index[p]; }
+  int written(int e) const { return connection(e).index.back(); }
+  void move(int e, runtime_state& s) const { element(e).doMotion(s); }
+  void push(int e, runtime_state& s) const { element(e).doForce(s); }
+  void derive(int e, runtime_state& s) const { element(e).derive_forces(s); }
+  void mass_loads(int e, runtime_state& s) const { element(e).mass_loads(s); }
+  bool holds(int e, runtime_state& s) const { return element(e).holds(s); }
+  double friction(int e, runtime_state& s, const tree::dense_wrench<double>& end) const {
+    return element(e).friction(s, end);
+  }
+  void move(int e, derivative_state& s) const { element(e).derive_motion(s); }
+  void push(int e, derivative_state& s) const { element(e).derive_force(s); }
+  derivative_number friction(int e, derivative_state& s, const tree::dense_wrench<derivative_number>& end) const {
+    return element(e).derive_friction(s, end);
+  }
+  // States of other scalars are for chains in which nothing is left for elements to do.
+  template <class State>
+  void move(int, State&) const {}
+  template <class State>
+  void push(int, State&) const {}
+  template <class State>
+  void derive(int, State&) const {}
+  template <class State>
+  void mass_loads(int, State&) const {}
+  template <class State>
+  bool holds(int, State&) const {
+    return false;
+  }
+  template <class State, class Wrench>
+  auto friction(int, State&, const Wrench&) const {
+    return typename State::scalar(0);
+  }
+  template <class State>
+  [[noreturn]] void diagnose_mass(const State& s, int row, bool finite) const {
+    detail::diagnose_mass(s, row, finite);
+  }
+  template <class State>
+  [[noreturn]] void diagnose_friction(const State& s, int row) const {
+    raise_jammed(name_of_row(layout_of_state(s), row));
+  }
+};
+
+/// Throws `bad_argument` unless the state is of this chain, which is no part of another.
+template <class S>
+void check_whole(const runtime_chain& c, const basic_runtime_state<S>& s) {
+  (void)c.wiring();
+  c.check(s);
+}
+template <class Exception>
+[[noreturn, gnu::cold]] void refuse_chain(const runtime_chain& c, const Exception& x) {
+  throw bad_argument("kte: only passes and inverse dynamics support this chain: " +
+                     describe_element(runtime_elements{c}.element(x.element)) + x.why);
+}
+/// Whether a chain has closures of loops.
+inline bool has_loops(const runtime_chain& c) { return c.wiring().count(kind::loop) > 0; }
+/// Rejects a chain that only passes support.
+template <class S>
+void check_regular_tree(const runtime_chain& c, const basic_runtime_state<S>& s) {
+  check_whole(c, s);
+  if (s.tree().irregular) [[unlikely]]
+    refuse_chain(c, s.tree().irregular);
+}
+/// Throws `bad_argument`, naming the first closure, for a chain with loops in an algorithm that does not support them.
+inline void refuse_loops(const runtime_chain& c, const char* instead = "") {
+  if (!has_loops(c)) [[likely]]
+    return;
+  const auto& elements = c.wiring().elements;
+  const auto first = std::find_if(elements.begin(), elements.end(), [](const auto& e) { return e.closes; });
+  throw bad_argument("kte: this algorithm does not know closures of loops, as " + describe_element(*first->element) +
+                     instead);
+}
+/// `check_regular_tree` for algorithms that support trees only.
+template <class S>
+void check_regular(const runtime_chain& c, const basic_runtime_state<S>& s) {
+  check_regular_tree(c, s);
+  refuse_loops(c);
+}
+/// Rejects a chain whose motion only passes support.
+template <class S>
+void check_motion(const runtime_chain& c, const basic_runtime_state<S>& s) {
+  check_whole(c, s);
+  if (s.tree().moves_unknown) [[unlikely]]
+    refuse_chain(c, s.tree().moves_unknown);
+}
+
+/// Inverse dynamics, into the state. `moved`: as for `forces_on_coordinates`.
+template <class S>
+void coordinate_forces(const runtime_chain& c, basic_runtime_state<S>& s, bool moved = false) {
+  check_whole(c, s);
+  if constexpr (std::is_same_v<S, double>)
+    if (s.tree().irregular) [[unlikely]] {
+      c.doMotion(s), c.clearForce(s), c.doForce(s);
+      return;
+    }
+  forces_on_coordinates(runtime_elements{c}, s, acting::all, true, moved);
+}
+
+#ifdef KTE_EXTERN
+KTE_EXTERN template void check_whole(const runtime_chain&, const runtime_state&);
+KTE_EXTERN template void check_regular_tree(const runtime_chain&, const runtime_state&);
+KTE_EXTERN template void check_regular(const runtime_chain&, const runtime_state&);
+KTE_EXTERN template void coordinate_forces(const runtime_chain&, runtime_state&, bool);
+KTE_EXTERN template void mass_of_coordinates(const runtime_elements&, runtime_state&);
+KTE_EXTERN template void take_generalized_forces(runtime_state&);
+#endif
+
+}  // namespace kte::detail

@@ -1,0 +1,79 @@
+#pragma once
+#pragma GCC system_header  // compilers then say nothing about the macros
+
+#include <kte/detail/call.hpp>
+#include <kte/frames/motion.hpp>
+#include <kte/kernels/joint_vector.hpp>
+#include <kte/math/eigen.hpp>
+#include <kte/static_chain/static_chain.hpp>
+
+/// What algorithms say to calls that are meant for a chain of the other kind, in one sentence. No call that is right
+/// fits one of these.
+namespace kte {
+
+class runtime_chain;
+
+// The last argument is the type of the result, which only keeps compilers from saying more.
+#define KTE_ASKED_BY_NAME(algorithm, arguments, ...)                                                                  \
+  template <class Gravity, class... E, class... A>                                                                    \
+  requires(text_type<A> || ...) auto algorithm(const static_chain<Gravity, E...>&, const A&...) {                     \
+    static_assert(detail::fit<A...>, "kte: items of a static chain are named by keys, " #algorithm "(arm, " arguments \
+                                     ", hand); texts are for runtime chains");                                        \
+    return __VA_ARGS__();                                                                                             \
+  }                                                                                                                   \
+  template <class... A>                                                                                               \
+  requires(key_type<A> || ...) auto algorithm(const runtime_chain&, const A&...) {                                    \
+    static_assert(detail::fit<A...>, "kte: items of a runtime chain are named by texts, " #algorithm                  \
+                                     "(arm, s, " arguments ", \"hand\"); keys are for static chains");                \
+    return __VA_ARGS__();                                                                                             \
+  }
+#define KTE_STATE_OF_STATIC_CHAIN(algorithm, ...)                                                            \
+  template <class S, class Wiring, class... A>                                                               \
+  auto algorithm(const runtime_chain&, const chain_state<S, Wiring>&, const A&...) {                         \
+    static_assert(detail::fit<Wiring>,                                                                       \
+                  "kte: this is the state of a static chain; a runtime chain makes its own: make_state(c)"); \
+    return __VA_ARGS__();                                                                                    \
+  }
+#define KTE_STATE_FORGOTTEN \
+  "kte: algorithms on runtime chains work in a state, the second argument: auto s = make_state(c);"
+
+KTE_ASKED_BY_NAME(forward_kinematics, "q", pose<mat3<vec3<>>, vec3<>>)
+KTE_ASKED_BY_NAME(jacobian, "q", Eigen::Matrix<double, 6, Eigen::Dynamic>)
+KTE_ASKED_BY_NAME(frame_velocity, "q, v", linear_angular<double>)
+KTE_ASKED_BY_NAME(frame_acceleration, "q, v, a", linear_angular<double>)
+
+KTE_STATE_OF_STATIC_CHAIN(forward_dynamics, Eigen::VectorXd)
+KTE_STATE_OF_STATIC_CHAIN(inverse_dynamics, Eigen::VectorXd)
+KTE_STATE_OF_STATIC_CHAIN(mass_matrix, Eigen::MatrixXd)
+
+template <indexable Q, indexable V, indexable T>
+[[nodiscard]] Eigen::VectorXd forward_dynamics(const runtime_chain&, const Q&, const V&, const T&) {
+  static_assert(detail::fit<Q, V, T>, KTE_STATE_FORGOTTEN " forward_dynamics(c, s, q, v, tau)");
+  return {};
+}
+template <indexable Q, indexable V, indexable A>
+[[nodiscard]] Eigen::VectorXd inverse_dynamics(const runtime_chain&, const Q&, const V&, const A&) {
+  static_assert(detail::fit<Q, V, A>, KTE_STATE_FORGOTTEN " inverse_dynamics(c, s, q, v, a)");
+  return {};
+}
+template <indexable Q>
+[[nodiscard]] Eigen::MatrixXd mass_matrix(const runtime_chain&, const Q&) {
+  static_assert(detail::fit<Q>, KTE_STATE_FORGOTTEN " mass_matrix(c, s, q)");
+  return {};
+}
+template <indexable Q, text_type Text>
+[[nodiscard]] pose<mat3<vec3<>>, vec3<>> forward_kinematics(const runtime_chain&, const Q&, const Text&) {
+  static_assert(detail::fit<Q>, KTE_STATE_FORGOTTEN " forward_kinematics(c, s, q, \"hand\")");
+  return {};
+}
+template <indexable Q, text_type Text>
+[[nodiscard]] Eigen::Matrix<double, 6, Eigen::Dynamic> jacobian(const runtime_chain&, const Q&, const Text&) {
+  static_assert(detail::fit<Q>, KTE_STATE_FORGOTTEN " jacobian(c, s, q, \"hand\")");
+  return {};
+}
+
+#undef KTE_ASKED_BY_NAME
+#undef KTE_STATE_OF_STATIC_CHAIN
+#undef KTE_STATE_FORGOTTEN
+
+}  // namespace kte

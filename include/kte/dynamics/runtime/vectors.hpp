@@ -1,0 +1,102 @@
+#pragma once
+
+#include <kte/dynamics/detail/diagnose.hpp>
+#include <kte/dynamics/detail/state_numbers.hpp>
+#include <kte/runtime_chain/runtime_state.hpp>
+
+/// The numbers of a runtime state as vectors, and which of them is at fault.
+namespace kte {
+
+/// Numbers of a runtime chain.
+template <class S>
+using runtime_vector = Eigen::Matrix<S, Eigen::Dynamic, 1>;
+/// A matrix of a runtime chain, dofs x dofs or another dynamic size.
+template <class S>
+using runtime_matrix = Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>;
+
+namespace detail {
+template <vector_of Which, class S>
+runtime_vector<S> read_numbers(const basic_runtime_state<S>& s) {
+  runtime_vector<S> x(Which == vector_of::q ? s.nq() : s.dofs());
+  read_listed_numbers<Which>(s, x);
+  return x;
+}
+template <vector_of Which, class S, indexable X>
+void write_numbers(basic_runtime_state<S>& s, const X& x, const char* name) {
+  if constexpr (Which == vector_of::q)
+    check_configuration(s.nq(), s.dofs(), x);
+  else
+    check_size(static_cast<std::size_t>(s.dofs()), x, name);
+  for_each_listed_freedom(s, [&x](auto& c, const freedom& at) { put<Which>(c, at, x); });
+}
+template <class S>
+std::vector<layout_entry<>> layout_of_state(const basic_runtime_state<S>& s) {
+  std::vector<layout_entry<>> layout;
+  for (const auto& f : s.freedoms())
+    layout.push_back({s.made_for()->names[static_cast<std::size_t>(f.what)][static_cast<std::size_t>(f.slot)], f.what,
+                      f.q, nq_of(f.what), f.v, nv_of(f.what)});
+  return layout;
+}
+/// Throws `bad_argument` that names a signal from outside that is not finite, if one is.
+template <class S>
+[[gnu::cold]] void diagnose_signals(const char* what, const basic_runtime_state<S>& s) {
+  for (const auto& signal : s.made_for()->signals) {
+    const auto& name =
+        s.made_for()->names[static_cast<std::size_t>(signal.what)][static_cast<std::size_t>(signal.slot)];
+    if (signal.what == kind::vector)
+      raise_if_signal_is_non_finite(what, name, s.template get<kind::vector>(signal.slot));
+    else
+      raise_if_signal_is_non_finite(what, name, s.template get<kind::input>(signal.slot));
+  }
+}
+/// Throws `bad_argument` that names the number at fault, of those in the state and of `tau`.
+template <class S>
+[[noreturn, gnu::cold]] void diagnose(const char* what, const basic_runtime_state<S>& s,
+                                      const runtime_vector<S>& tau = {}) {
+  const auto layout = layout_of_state(s);
+  const auto q = plain_numbers(read_numbers<vector_of::q>(s)), v = plain_numbers(read_numbers<vector_of::v>(s)),
+             a = plain_numbers(read_numbers<vector_of::a>(s)), f = plain_numbers(tau);
+  if (has_plain_numbers<S>) raise_if_no_rotation(layout, q);
+  diagnose_signals(what, s);
+  if (tau.size() == 0) raise_not_finite(what, layout, {{"q", q, true}, {"v", v}, {"a", a}});
+  // Under forces accelerations are given only of hybrid dynamics.
+  if (!culprit(layout, {{"q", q, true}, {"v", v}, {"tau", f}}).empty())
+    raise_not_finite(what, layout, {{"q", q, true}, {"v", v}, {"tau", f}});
+  raise_not_finite(what, layout, {{"a", a}});
+}
+/// As a function, of a result: throws as `diagnose` does.
+template <class S>
+struct diagnose_state {
+  const char* what;
+  const basic_runtime_state<S>& state;
+  [[noreturn, gnu::cold]] void operator()() const { diagnose(what, state); }
+};
+template <class S>
+diagnose_state(const char*, const basic_runtime_state<S>&) -> diagnose_state<S>;
+/// As on static chains: a mass of coordinate `row` that cannot be used.
+template <class S>
+[[noreturn, gnu::cold]] void diagnose_mass(const basic_runtime_state<S>& s, int row, bool finite) {
+  const auto layout = layout_of_state(s);
+  if (finite) raise_singular_mass_matrix(name_of_row(layout, row));
+  const auto q = plain_numbers(read_numbers<vector_of::q>(s));
+  const argument positions{"q", q, true};
+  if (!culprit(layout, {positions}).empty()) raise_not_finite("a mass", layout, {positions});
+  raise_non_finite_mass(name_of_row(layout, row));
+}
+}  // namespace detail
+
+#ifdef KTE_EXTERN
+namespace detail {
+/// Only there for the alignment at which the library was compiled: what it allocates by another (-march) could not be
+/// freed. Where linking fails here, options differ.
+template <int Alignment>
+void compiled_for_alignment() {}
+KTE_EXTERN template void compiled_for_alignment<EIGEN_MAX_ALIGN_BYTES>();
+[[gnu::used]] inline void (*const same_alignment)() = compiled_for_alignment<EIGEN_MAX_ALIGN_BYTES>;
+
+KTE_EXTERN template void diagnose(const char*, const runtime_state&, const runtime_vector<double>&);
+KTE_EXTERN template void diagnose_mass(const runtime_state&, int, bool);
+}  // namespace detail
+#endif
+
+}  // namespace kte

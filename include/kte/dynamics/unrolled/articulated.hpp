@@ -1,0 +1,265 @@
+#pragma once
+
+#include <kte/dynamics/unrolled/bodies.hpp>
+#include <kte/dynamics/unrolled/given.hpp>
+#include <kte/recursions/articulated_body.hpp>
+
+#include <algorithm>
+#include <cstdint>
+
+/// Forward dynamics of static chains by articulated bodies (recursions/articulated_body.hpp).
+namespace kte::detail {
+
+/// The axes of joints whose accelerations are asked for: in `Given` they are typed zeros. Those of others are given.
+template <class Chain, class Given>
+struct axes_free_under : axes_of_dofs<Chain> {
+  template <std::size_t I>
+  static constexpr bool is_free = [] {
+    if constexpr (is_free_joint<Chain, I>) {
+      constexpr int row = axes_of_dofs<Chain>::template row<I>;
+      return std::is_same_v<decltype(std::declval<const Given&>().a.template at<row>()), zero_t>;
+    } else {
+      return false;
+    }
+  }();
+  template <std::size_t I>
+  static constexpr int axes = is_free<I> ? joint_dofs<core_of<Chain, I>> : 0;
+};
+
+/// Which axes have nothing to move: a bit for each row, the last for all from the 64th on. (Branches at each joint take
+/// longer.)
+struct unmoved_axes {
+  std::uint64_t all = 0;
+  std::uint64_t non_finite = 0;  ///< what they move is not finite; of those behind one that moves nothing, neither
+};
+template <class S>
+KTE_INLINE constexpr void note(unmoved_axes& x, int axis, bool moves, const S& moved) {
+  const std::uint64_t here = std::uint64_t{1} << (std::min)(axis, 63);
+  x.all |= moves ? 0 : here;
+  x.non_finite |= all(moved * S(0) == S(0)) ? 0 : here;
+}
+
+/// What an element puts that has several ports; that of one with a single port is made when it is wanted.
+template <class Core>
+inline constexpr bool puts_early = !is_transmission<Core> && (port_count<Core> > 1);
+template <class Types, std::size_t I>
+struct early_loads {
+  static constexpr bool usable = true;
+};
+template <class Types, std::size_t I>
+requires puts_early<typename Types::template core<I>>
+struct early_loads<Types, I> {
+  static constexpr bool usable = Types::template loads<I>::usable;
+  typename Types::template loads<I>::type value{};
+};
+
+/// Of a joint or link: forces on its axes, and the accelerations that the rates make.
+template <class Forces, class Bias>
+struct joint_drive {
+  Forces forces;
+  Bias bias;
+};
+template <class Forces, class Bias>
+joint_drive(Forces, Bias) -> joint_drive<Forces, Bias>;
+/// As the recursion asks for them.
+struct force_of_body {
+  template <class B>
+  KTE_INLINE constexpr auto operator()(const B& b) const {
+    return [&b]<int K>(std::integral_constant<int, K>) KTE_INLINE_LAMBDA { return nth<std::size_t{K}>(b.more.forces); };
+  }
+};
+struct bias_of_body {
+  template <class Part>
+  KTE_INLINE constexpr engine::nothing at(const Part&) const {
+    return {};
+  }
+  template <engine::body B>
+  KTE_INLINE constexpr const auto& of(const B& b) const {
+    return b.more.bias;
+  }
+};
+struct needed_alone {
+  template <class Part>
+  KTE_INLINE constexpr auto operator()(const Part& part, engine::nothing) const {
+    return no_wrench - part.more;
+  }
+};
+
+/// The bodies of an `articulated_chain` under forces `tau`.
+template <class S, class Chain, class Axes>
+class driven_bodies : public typed_bodies<S, Chain, Axes> {
+  using base = typed_bodies<S, Chain, Axes>;
+  using vector = typename Chain::vector;
+  const vector& tau_;
+
+ public:
+  KTE_INLINE constexpr driven_bodies(const Chain& c, const vector& tau) : base(c), tau_(tau) {}
+
+  template <std::size_t I>
+  KTE_INLINE constexpr auto body() const {
+    using end = typename base::template end<I>;
+    const auto& x = this->motion_.template get<end::what, end::slot>();
+    return [&]<int... K>(std::integer_sequence<int, K...>) KTE_INLINE_LAMBDA {
+      return base::template body_with<I>(mass<I>(), [&]() KTE_INLINE_LAMBDA {
+        return joint_drive{
+            make_loads(this->motion_.template force_on_axis<I, K>(tau_)...),
+            engine::bias_motion{skip{}, zero3{}, engine::fresh(x.acceleration), engine::fresh(x.ang_acceleration)}};
+      });
+    }
+    (std::make_integer_sequence<int, Axes::template axes<I>>{});
+  }
+  template <class Frame, std::size_t N>
+  KTE_INLINE constexpr auto fixed() const {
+    return base::template fixed_with<Frame, N>([this]() KTE_INLINE_LAMBDA {
+      constexpr load_place at = base::template place<Frame, N>;
+      return this->motion_.template load<Frame::what, Frame::slot, at.element, at.index>();
+    });
+  }
+  static constexpr auto none() { return base::none_with(no_wrench); }
+
+ private:
+  template <std::size_t I>
+  KTE_INLINE constexpr auto mass() const {
+    if constexpr (Axes::template axes<I> == 0) {
+      return zero;
+    } else {
+      return this->motion_.template mass_of_joint<I>();
+    }
+  }
+};
+
+/// Articulated inertias inward, accelerations outward. `Given` has positions and rates (`rates_only`).
+template <class S, class Chain, class Given, class Elements = std::make_index_sequence<Chain::size>>
+class articulated_chain;
+
+template <class S, class Chain, class Given, std::size_t... E>
+class articulated_chain<S, Chain, Given, std::index_sequence<E...>>
+    : public unrolled_motion<Chain, Given>, protected early_loads<flow_types<Chain, Given>, E>... {
+  using motion_type = unrolled_motion<Chain, Given>;
+
+ public:
+  using typename motion_type::types;
+  using typename motion_type::wiring;
+  using vector = joint_vector<S, Chain::dofs>;
+  using axes = axes_free_under<Chain, Given>;
+  template <std::size_t I>
+  using core_t = typename types::template core<I>;
+
+  /// The motion that the rates make.
+  KTE_INLINE constexpr articulated_chain(const Chain& c, const Given& g) : motion_type(c, g) {}
+
+  /// Accelerations under forces `tau`. Throws `singular_mass_matrix`, and `bad_argument` for NaN.
+  KTE_INLINE void accelerate(const vector& tau, vector& a) {
+    static_assert(sizeof(need) > 0);
+    const int done[]{(push<E>(typename types::template inputs<E>{}), 0)..., 0};
+    (void)done;
+    using bodies_type = driven_bodies<S, articulated_chain, axes>;
+    const bodies_type bodies(*this, tau);
+    const engine::unrolled<bodies_type> d{bodies};
+    engine::articulate<engine::nothing>(d, engine::nothing{}, bias_of_body{}, needed_alone{}, force_of_body{},
+                                        factors_.data(), unmoved_);
+    without_joints(tau, a, std::make_index_sequence<wiring::freedoms>{});
+    const int given[]{(put_given<E>(a), 0)..., 0};
+    (void)given;
+    engine::accelerate<engine::nothing>(
+        d,
+        [this]<class Frame>(Frame) KTE_INLINE_LAMBDA {
+          const auto& x = this->template get<Frame::what, Frame::slot>();
+          return engine::body_motion{skip{}, skip{}, engine::fresh(x.acceleration), engine::fresh(x.ang_acceleration)};
+        },
+        bias_of_body{}, factors_.data(), a.data());
+    check_moved();  // not on the way: compilers would move what comes before it behind it
+    check_accelerations<wiring>(a, this->given_, tau);
+  }
+
+  /// Load Index of element I, which is on thing Slot of kind K.
+  template <kind K, int Slot, std::size_t I, std::size_t Index>
+  KTE_INLINE constexpr auto load() const {
+    if constexpr (is_transmission<core_t<I>>) {
+      return no_load<K>();
+    } else if constexpr (puts_early<core_t<I>>) {
+      return nth<Index>(static_cast<const early<I>&>(*this).value);
+    } else {
+      return nth<Index>(
+          this->chain_.template core<I>().doForce(this->template get<K, Slot, types::template shown<I, 0>>()));
+    }
+  }
+  /// The force on axis K of joint I, and the mass on its coordinate besides what it moves.
+  template <std::size_t I, int K>
+  KTE_INLINE constexpr auto force_on_axis(const vector& tau) const {
+    constexpr kind k = coordinate_kind<core_t<I>>;
+    return tau[axes::template row<I> + K] + number_of<k, K>(coordinate_load<k, wiring::slot(I, 0)>());
+  }
+  template <std::size_t I>
+  KTE_INLINE constexpr auto mass_of_joint() const {
+    return this->template mass_on_coordinate<S, coordinate_kind<core_t<I>>, wiring::slot(I, 0)>();
+  }
+
+ protected:
+  KTE_INLINE void check_moved() const {
+    if (unmoved_.all != 0) [[unlikely]]
+      diagnose_axes<wiring>(unmoved_.all, unmoved_.non_finite, this->given_.at.q);
+  }
+
+  // ---- what elements put on frames and coordinates
+  template <std::size_t I>
+  using early = early_loads<types, I>;
+  template <std::size_t I, std::size_t... P>
+  KTE_INLINE constexpr void push(std::index_sequence<P...>) {
+    // No force depends on what writes freely here: what it puts is nothing, as it is made.
+    if constexpr (puts_early<core_t<I>> && early<I>::usable && !writes_freely<core_t<I>>)
+      static_cast<early<I>&>(*this).value = this->chain_.template core<I>().doForce(
+          this->template get<types::template what<I, P>, wiring::slot(I, P), types::template shown<I, P>>()...);
+  }
+  template <kind K, int Slot>
+  KTE_INLINE constexpr auto coordinate_load() const {
+    return [this]<std::size_t... N>(std::index_sequence<N...>) KTE_INLINE_LAMBDA {
+      constexpr auto& places = loads_on<wiring, K, Slot>;
+      return (no_load<K>() + ... + this->template load<K, Slot, places[N].element, places[N].index>());
+    }
+    (std::make_index_sequence<loads_on<wiring, K, Slot>.size()>{});
+  }
+  /// The accelerations of joint I that are given.
+  template <std::size_t I>
+  KTE_INLINE constexpr void put_given(vector& a) const {
+    if constexpr (is_free_joint<Chain, I> && !axes::template is_free<I>)
+      for_each_number<joint_dofs<core_t<I>>>([&]<int N>() KTE_INLINE_LAMBDA {
+        constexpr int row = axes::template row<I> + N;
+        a[row] = this->given_.a.template at<row>();
+      });
+  }
+  /// A degree of freedom that moves no joint, only a mass of its own.
+  template <std::size_t F>
+  static constexpr bool moves_no_joint() {
+    constexpr bool is_joint[]{is_transmission<core_t<E>>...};
+    for (const auto& place : loads_on<wiring, wiring::template free<F>.what, wiring::template free<F>.slot>)
+      if (is_joint[place.element]) return false;
+    return true;
+  }
+  template <std::size_t... F>
+  KTE_INLINE void without_joints(const vector& tau, vector& a, std::index_sequence<F...>) {
+    const int done[]{(without_joint<F>(tau, a), 0)..., 0};
+    (void)done;
+  }
+  template <std::size_t F>
+  KTE_INLINE constexpr void without_joint(const vector& tau, vector& a) {
+    if constexpr (moves_no_joint<F>()) {
+      constexpr freedom at = wiring::template free<F>;
+      if constexpr (!std::is_same_v<decltype(this->given_.a.template at<at.v>()), zero_t>) {
+        a[at.v] = this->given_.a.template at<at.v>();
+      } else {
+        const S m = as<S>(this->template mass_on_coordinate<S, at.what, at.slot>());
+        note(unmoved_, at.v, all(m > S(0)), m);
+        a[at.v] = as<S>(tau[at.v] + number_of<at.what, 0>(coordinate_load<at.what, at.slot>())) / m;
+      }
+    }
+  }
+
+  std::array<engine::axis_factors<S>, std::size_t{Chain::dofs} + 1> factors_;  ///< by row
+  unmoved_axes unmoved_;
+
+ public:
+  using need = typename types::template need<first_false({early<E>::usable..., false})>::type;  // unrolled_passes
+};
+
+}  // namespace kte::detail

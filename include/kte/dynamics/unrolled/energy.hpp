@@ -1,0 +1,74 @@
+#pragma once
+
+#include <kte/dynamics/centre_of_mass.hpp>
+
+/// Energies of static chains, element by element.
+namespace kte::detail {
+
+/// Sum over the elements of a chain of f<I>(), which may be a typed zero.
+template <class Chain, class F>
+KTE_INLINE constexpr auto sum_over_elements(const F& f) {
+  return [&f]<std::size_t... I>(std::index_sequence<I...>) KTE_INLINE_LAMBDA {
+    return (zero + ... + f.template operator()<I>());
+  }
+  (std::make_index_sequence<Chain::size>{});
+}
+
+template <class S, class Chain, class At, class V>
+KTE_INLINE auto kinetic_energy_at(const Chain& c, const At& at, const V& v) {
+  const given g{at, v, same<skip>{}, rest_base_of<Chain>(base_with_velocity)};
+  using given_type = std::remove_const_t<decltype(g)>;
+  using types = flow_types<Chain, given_type>;
+  const unrolled_motion<Chain, given_type> m(c, g);
+  return sum_over_elements<Chain>([&]<std::size_t I>() KTE_INLINE_LAMBDA {
+    const auto& core = c.template core<I>();
+    return [&]<std::size_t... P>(std::index_sequence<P...>) KTE_INLINE_LAMBDA {
+      const auto see = [&m]<std::size_t Port>() KTE_INLINE_LAMBDA -> decltype(auto) {
+        return m.template get<types::template what<I, Port>, Chain::wiring::slot(I, Port)>();
+      };
+      if constexpr (requires { core.kinetic_energy(see.template operator()<P>()...); }) {
+        return core.kinetic_energy(see.template operator()<P>()...);
+      } else {
+        return zero;
+      }
+    }
+    (typename types::template inputs<I>{});
+  });
+}
+
+/// Of gravity, and of the elements that have a potential, of which only the anchors are evaluated.
+template <class S, class Chain, class At>
+KTE_INLINE auto potential_energy_at(const Chain& c, const At& at) {
+  const given g{at, same<skip>{}, same<skip>{}, base_with_pose};
+  using types = flow_types<Chain, std::remove_const_t<decltype(g)>>;
+  const auto elastic = sum_over_elements<Chain>([&]<std::size_t I>() KTE_INLINE_LAMBDA {
+    const auto& core = c.template core<I>();
+    return [&]<std::size_t... P>(std::index_sequence<P...>) KTE_INLINE_LAMBDA {
+      const auto see = [&]<std::size_t Port>() KTE_INLINE_LAMBDA {
+        return motion_of<types, types::template what<I, Port>, Chain::wiring::slot(I, Port)>(c, g);
+      };
+      const auto own = [&]() KTE_INLINE_LAMBDA {
+        if constexpr (requires { core.potential_energy(see.template operator()<P>()...); }) {
+          return core.potential_energy(see.template operator()<P>()...);
+        } else {
+          return zero;
+        }
+      }();
+      if constexpr (requires { core.first_moment(see.template operator()<P>()...); }) {
+        return own - dot(c.gravity(), core.first_moment(see.template operator()<P>()...));
+      } else {
+        return own;
+      }
+    }
+    (typename types::template inputs<I>{});
+  });
+  return elastic - dot(c.gravity(), weight_of<S>(c, at).moment);  // (2)
+}
+template <class S, class X, class Diagnose = too_large>
+KTE_INLINE S checked_energy(const X& energy, const Diagnose& why = {"an energy"}) {
+  const S all[]{as<S>(energy)};
+  check_result(all, 1, why);
+  return all[0];
+}
+
+}  // namespace kte::detail

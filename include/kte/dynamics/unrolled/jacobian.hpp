@@ -1,0 +1,127 @@
+#pragma once
+
+#include <kte/dynamics/frame_motion.hpp>
+#include <kte/dynamics/looped/velocities_at_unit_rates.hpp>
+#include <kte/dynamics/unrolled/columns.hpp>
+
+/// Jacobians of frames of static chains, joint by joint.
+namespace kte::detail {
+
+/// The elements from a base to a frame.
+template <class Chain, kind K, int Slot>
+struct branch {
+  using wiring = typename Chain::wiring;
+  template <std::size_t I>
+  using core_t = typename Chain::template core_type<I>;
+  /// The frame that element I starts from, of its own kind; links and joints have it on their last port but one.
+  static constexpr std::array<int, Chain::size + 1> base_of = []<std::size_t... I>(std::index_sequence<I...>) {
+    return std::array<int, Chain::size + 1>{
+        wiring::slot(I, port_count<core_t<I>> < 2 ? 0 : port_count<core_t<I>> - 2)..., 0};
+  }
+  (std::make_index_sequence<Chain::size>{});
+  static constexpr std::size_t length = [] {
+    std::size_t n = 0;
+    for (int w = wiring::writer(K, Slot); w >= 0; w = wiring::writer(K, base_of[std::size_t(w)])) ++n;
+    return n;
+  }();
+  static constexpr std::array<std::size_t, length + 1> elements = [] {
+    std::array<std::size_t, length + 1> e{};
+    int w = wiring::writer(K, Slot);
+    for (std::size_t n = length; n-- > 0; w = wiring::writer(K, base_of[std::size_t(w)])) e[n] = std::size_t(w);
+    return e;
+  }();
+};
+
+template <class S, class Chain, class Given, kind K, int Slot>
+class unrolled_jacobian : columns<S, Chain, Given> {
+  using base = columns<S, Chain, Given>;
+  using path = branch<Chain, K, Slot>;
+
+ public:
+  using base::base;
+  using typename base::matrix_type;
+
+  /// From the frame, which stands at x in the end of element N - 1 of the branch, to its base.
+  template <std::size_t N = path::length, class X = pose<no_rotation, zero3>>
+  KTE_INLINE void inward(const X& x = {}) {
+    if constexpr (N > 0) {
+      constexpr std::size_t i = path::elements[N - 1];
+      base::template for_each_axis<i>([&]<int M>() KTE_INLINE_LAMBDA {
+        const auto s = this->template axis<i, M>();
+        const auto t = transpose(x.rotation);
+        this->template put<i, M>(t * plus_cross(s.velocity, s.ang_velocity, x.position), t * s.ang_velocity);  // (1)
+      });
+      inward<N - 1>(compose(this->template pose_of_element<i>(), x));
+    }
+  }
+  /// From the base to the frame, of which it returns the position; x is where the end of element N - 1 stands.
+  template <std::size_t N = 0, class X = pose<no_rotation, zero3>>
+  KTE_INLINE auto outward(const X& x = {}) {
+    if constexpr (N == path::length) {
+      return x.position;
+    } else {
+      constexpr std::size_t i = path::elements[N];
+      const auto end = compose(x, this->template pose_of_element<i>());
+      const auto p = outward<N + 1>(end);
+      base::template for_each_axis<i>([&]<int M>() KTE_INLINE_LAMBDA {
+        const auto s = this->template axis<i, M>();
+        const auto w = end.rotation * s.ang_velocity;
+        this->template put<i, M>(plus_cross(end.rotation * s.velocity, w, p - end.position), w);  // (2)
+      });
+      return p;
+    }
+  }
+};
+
+/// Whether only links and joints are on the way from a base to a frame.
+template <class Chain, kind K, int Slot>
+inline constexpr bool moves_rigidly = [] {
+  constexpr int w = Chain::wiring::writer(K, Slot);
+  if constexpr (w < 0) {
+    return true;
+  } else if constexpr (!is_transmission<core_of<Chain, std::size_t{w}>>) {
+    return false;
+  } else {
+    return moves_rigidly<Chain, K, Chain::wiring::slot(std::size_t{w}, port_count<core_of<Chain, std::size_t{w}>> - 2)>;
+  }
+}();
+/// Of a frame that follows others.
+template <bool World, class S, class Frame, class Chain, class At>
+auto jacobian_by_rates(const Chain& c, const At& at) {
+  six_by_dofs<S, Chain::dofs> j;
+  std::array<S, std::size_t{Chain::dofs}> rates{};
+  constexpr same_base base{motion{zero3{}, no_rotation{}, zero3{}, zero3{}, skip{}, skip{}}};
+  put_velocities_at_unit_rates<S>(j, rates, [&] {
+    return velocities_of<S>(motion_at<Frame>(c, given{at, each<S, decltype(rates)>{rates}, same<skip>{}, base}), World);
+  });
+  return j;
+}
+
+/// Of one that does not.
+template <bool World, class S, class Frame, class Chain, class At>
+KTE_INLINE auto jacobian_along(const Chain& c, const At& at) {
+  const given g{at, same<skip>{}, same<skip>{}, base_with_pose};
+  using pass = unrolled_jacobian<S, Chain, std::remove_const_t<decltype(g)>, Frame::what, frame_slot<Frame, Chain>()>;
+  typename pass::matrix_type j;
+  if constexpr (World) {
+    pass(c, g, j).outward();
+  } else {
+    pass(c, g, j).inward();
+  }
+  return j;
+}
+
+template <bool World, class Frame, class Chain, class Q>
+KTE_INLINE auto jacobian_of(const Chain& c, const Q& q) {
+  using S = value_of<Q>;
+  check_configuration<Chain>(q);
+  const configuration<S, typename Chain::wiring, Q> at(q);
+  at.check();
+  if constexpr (!moves_rigidly<Chain, Frame::what, frame_slot<Frame, Chain>()>) {
+    return jacobian_by_rates<World, S, Frame>(c, at);
+  } else {
+    return jacobian_along<World, S, Frame>(c, at);
+  }
+}
+
+}  // namespace kte::detail

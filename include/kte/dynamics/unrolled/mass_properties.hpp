@@ -1,0 +1,96 @@
+#pragma once
+
+#include <kte/dynamics/unrolled/bodies.hpp>
+#include <kte/dynamics/unrolled/given_bases.hpp>
+#include <kte/recursions/composite_body.hpp>
+
+/// Masses of static chains, their centre and their momentum.
+namespace kte::detail {
+
+/// f<Frame>(x) of all that bodies stand on without a joint to it: bases, where x is no motion at all, and frames of a
+/// motion that is given, where x is that, from bases which have one origin and one set of axes.
+template <class Motion, class F>
+KTE_INLINE constexpr auto sum_over_grounds(const Motion& m, const F& f) {
+  using wiring = typename Motion::wiring;
+  using chain = typename Motion::chain_type;
+  using types = typename Motion::types;
+  const auto of_base = [&]<kind K, int Slot>() KTE_INLINE_LAMBDA {
+    if constexpr (wiring::writer(K, Slot) < 0) {
+      return f.template operator()<frame_place<K, Slot>>(pose{no_rotation{}, zero3{}});
+    } else {
+      return no_mass;
+    }
+  };
+  const auto of_element = [&]<std::size_t I>() KTE_INLINE_LAMBDA {
+    constexpr kind k = types::template output_kind<I>;
+    constexpr int slot = types::template output_slot<I>;
+    const auto& x = m.template get<k, slot>();
+    return f.template operator()<frame_place<k, slot>>(pose{x.rotation, x.position});
+  };
+  return [&]<int... P, int... Q, std::size_t... I>(std::integer_sequence<int, P...>, std::integer_sequence<int, Q...>,
+                                                   std::index_sequence<I...>) KTE_INLINE_LAMBDA {
+    return (no_mass + ... + of_base.template operator()<kind::frame_2D, P>()) +
+           (no_mass + ... + of_base.template operator()<kind::frame_3D, Q>()) +
+           (no_mass + ... + of_element.template operator()<I>());
+  }
+  (std::make_integer_sequence<int, wiring::count(kind::frame_2D)>{},
+   std::make_integer_sequence<int, wiring::count(kind::frame_3D)>{}, typename given_bases<chain>::type{});
+}
+
+inline constexpr same_base base_of_nothing{motion{skip{}, skip{}, skip{}, skip{}, skip{}, skip{}}};
+
+/// The composite inertia of a chain about the origin of its bases and in their axes, (1) and (2) of `centre_of_mass`.
+template <class S, class Chain, class At>
+KTE_INLINE auto weight_of(const Chain& c, const At& at) {
+  const given g{at, same<skip>{}, same<skip>{}, base_with_pose};
+  static_assert(sizeof(passed_over<Chain>) > 0);
+  using motion_type = unrolled_motion<Chain, std::remove_const_t<decltype(g)>>;
+  using bodies_type = typed_bodies<S, motion_type, axes_of_joints<Chain>>;
+  const motion_type m(c, g);
+  const bodies_type bodies(m);
+  const engine::unrolled<bodies_type> d{bodies};
+  return sum_over_grounds(m, [&d]<class Frame>(const auto& x) KTE_INLINE_LAMBDA {
+    return transported(x.rotation, x.position, engine::composite_inertia_of<Frame>(d));
+  });
+}
+/// A sum of m x divided by the mass.
+template <class S, class M, class X, class Diagnose = too_large>
+KTE_INLINE vec3<S> divided_by_mass(const M& mass, const X& sum, const Diagnose& why = {"a centre of mass"}) {
+  static_assert(!std::is_same_v<M, zero_t>, "kte: a chain without bodies has no centre of mass");
+  const vec3<S> s = as<S>(sum), r{s.x / as<S>(mass), s.y / as<S>(mass), s.z / as<S>(mass)};
+  const S numbers[]{r.x, r.y, r.z};
+  check_result(numbers, 3, [&]() KTE_INLINE_LAMBDA {
+    if (!all(as<S>(mass) == S(0))) why();
+    raise<bad_argument>("kte: a chain whose mass is zero has no centre of mass");
+  });
+  return r;
+}
+
+/// The sum of the loads that a pass has put on bases, which have one origin and one set of axes.
+template <class Pass>
+KTE_INLINE auto load_on_bases(const Pass& pass) {
+  using wiring = typename Pass::chain_type::wiring;
+  const auto on = [&pass]<kind K, int Slot>() KTE_INLINE_LAMBDA {
+    if constexpr (wiring::writer(K, Slot) < 0) {
+      return pass.template load<K, Slot>();
+    } else {
+      return no_wrench;
+    }
+  };
+  return [&on]<int... P, int... Q>(std::integer_sequence<int, P...>, std::integer_sequence<int, Q...>)
+      KTE_INLINE_LAMBDA {
+    return (no_wrench + ... + on.template operator()<kind::frame_2D, P>()) +
+           (no_wrench + ... + on.template operator()<kind::frame_3D, Q>());
+  }
+  (std::make_integer_sequence<int, wiring::count(kind::frame_2D)>{},
+   std::make_integer_sequence<int, wiring::count(kind::frame_3D)>{});
+}
+/// The sum of the momenta of all bodies at rest bases, at their origin and in their axes.
+template <class S, class Chain, class At, class V>
+KTE_INLINE auto momentum_at_base(const Chain& c, const At& at, const V& v) {
+  const given g{at, v, same<skip>{}, rest_base_of<Chain>(base_with_velocity)};
+  const with_loads<Chain, momenta<S>> bodies{c};
+  return load_on_bases(unrolled_passes<with_loads<Chain, momenta<S>>, std::remove_const_t<decltype(g)>>(bodies, g));
+}
+
+}  // namespace kte::detail

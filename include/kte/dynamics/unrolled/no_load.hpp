@@ -1,0 +1,55 @@
+#pragma once
+
+#include <kte/contract/transmission.hpp>
+#include <kte/detail/numbers_where.hpp>
+
+#include <utility>
+
+/// Elements that put no loads.
+namespace kte::detail {
+
+template <kind K>
+constexpr auto no_load() {
+  if constexpr (K == kind::gen) {
+    return zero;
+  } else {
+    return no_wrench;
+  }
+}
+
+template <class Core>
+struct no_loads;
+
+/// An element that puts no loads.
+template <class Core>
+struct no_load_core {
+  static constexpr auto& type = Core::type;
+  static constexpr auto& ports = Core::ports;
+
+  template <class... Inputs>
+  KTE_INLINE constexpr auto doForce(const Inputs&...) const {
+    return none(loaded{});
+  }
+
+ private:
+  friend no_loads<Core>;
+  /// Its inputs that are no signals.
+  static constexpr auto takes_load = [] {
+    std::array<bool, port_count<Core>> is{};
+    for (std::size_t p = 0; p < input_count<Core>; ++p) is[p] = !is_signal(Core::ports[p].what);
+    return is;
+  }();
+  using loaded = typename numbers_where<takes_load>::type;
+  template <std::size_t... P>
+  KTE_INLINE static constexpr auto none(std::index_sequence<P...>) {
+    return make_loads(no_load<Core::ports[P].what>()...);
+  }
+};
+
+/// The type of what it puts.
+template <class Core>
+struct no_loads {
+  using type = decltype(no_load_core<Core>::none(typename no_load_core<Core>::loaded{}));
+};
+
+}  // namespace kte::detail

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <kte/contract/joint.hpp>
+#include <kte/detail/numbers_where.hpp>
+#include <kte/math/dual_number.hpp>
+#include <kte/static_chain/connections.hpp>
+#include <kte/static_chain/static_chain.hpp>
+#include <kte/tree/plan.hpp>
+
+/// The order of work on a static chain.
+namespace kte::detail {
+
+template <class Chain>
+inline constexpr auto static_plan =
+    arrange<static_lists<typename Chain::wiring>::template list>(static_connections<Chain>{});
+
+/// Whether algorithms are unrolled: not for scalars whose operations are functions, where loops over body nodes
+/// (dynamics/looped/static_chains.hpp) are as fast and compile in a tenth of the time
+/// (docs/decisions/02-compile-time.md). Of dual numbers of those that are a few instructions: a small chain in dual
+/// numbers, as variational integrators evaluate it, would else spend nine tenths of its time on building its tree. Nor
+/// of chains that have what only those loops know (static_chain/connections.hpp).
+template <class S>
+inline constexpr bool is_a_few_instructions = std::is_floating_point_v<S> || requires {
+  S::lanes;
+};  // packs
+template <class T, int N>
+inline constexpr bool is_a_few_instructions<dual<T, N>> = is_a_few_instructions<T>;
+template <class Chain, class S>
+inline constexpr bool is_unrolled = Chain::unrolled&& is_a_few_instructions<S>;
+template <class Chain, class S>
+inline constexpr bool has_unrolled_passes = unrolls_passes<Chain::size>&& is_a_few_instructions<S>;
+
+/// The things of kind K that come from outside and are no degrees of freedom, as an index_sequence.
+template <class Wiring, kind K>
+inline constexpr auto is_given = [] {
+  std::array<bool, std::size_t{Wiring::count(K)} + 1> is{};
+  for (int s = 0; s < Wiring::count(K); ++s)
+    is[static_cast<std::size_t>(s)] =
+        Wiring::writer(K, s) < 0 && !(is_coordinate(K) && Wiring::freedom_of(K, s).what == K);
+  return is;
+}();
+template <class Wiring, kind K>
+using given_things = typename numbers_where<is_given<Wiring, K>>::type;
+
+/// f<K, Slot>() for every frame that no element writes.
+template <class Wiring, class F>
+KTE_INLINE void for_each_base(const F& f) {
+  const auto all =
+      [&f]<std::size_t... P, std::size_t... Q>(std::index_sequence<P...>, std::index_sequence<Q...>) KTE_INLINE_LAMBDA {
+    const int done[]{(f.template operator()<kind::frame_2D, int{P}>(), 0)...,
+                     (f.template operator()<kind::frame_3D, int{Q}>(), 0)..., 0};
+    (void)done;
+  };
+  all(given_things<Wiring, kind::frame_2D>{}, given_things<Wiring, kind::frame_3D>{});
+}
+
+}  // namespace kte::detail

@@ -1,0 +1,121 @@
+#pragma once
+
+#include <kte/engine/body.hpp>
+
+#include <cstddef>
+
+/// The driver that unrolls over a tree of types. It takes the steps of recursions, as the driver of engine/looped.hpp
+/// does, but all values are local variables, each of the type that the step before returned.
+namespace kte::engine {
+
+/// `Bodies` is a tree that is known to the compiler. Frames, which are types, have parts: bodies with their joints, by
+/// number, and what is fixed to the frame. A rigid link is a body without axes. It has
+///   each_base(f)                 f(frame) for each base
+///   parts<Frame>                 how many parts a frame has
+///   body_on<Frame, N>            the number of the body that is part N, or -1
+///   end<I>, parent<I>            the frame that body I moves; the number of the body it stands on, or -1
+///   body<I>()                    the body. Steps are instantiated once for each type that it has
+///   fixed<Frame, N>(), none()    part N, which is fixed to the frame; nothing at all
+template <class Bodies>
+struct unrolled {
+  const Bodies& bodies;
+
+  /// The place of body I in the tree; true where it ends, on a base.
+  template <std::size_t I, bool Ends>
+  struct tree_place {
+    static constexpr std::size_t number = I;
+    const unrolled& driver;
+    KTE_INLINE constexpr operator bool() const { return Ends; }
+    /// value = step(body, value) of each body from the parent to the base.
+    template <class Value, class Step>
+    KTE_INLINE constexpr void ancestors(const Value& value, const Step& step) const {
+      driver.template ancestors<I>(value, step);
+    }
+  };
+
+  /// From children to parents, as `looped`: a frame carries own(fixed part, value) of all that is fixed to it, and what
+  /// bodies hand on. Nothing is kept, so there are no arrays. meet(body, carried, tree_place).
+  template <bool Keep, class Hand, bool Bases, class Values, class Own, class Meet, class PullBack>
+  KTE_INLINE constexpr void inward(nothing, const Values& values, const Own& own, const Meet& meet,
+                                   const PullBack& pull_back) const {
+    static_assert(!Keep && !Bases);
+    const inward_steps<Values, Own, Meet, PullBack> steps{values, own, meet, pull_back};
+    bodies.each_base([&]<class Frame>(Frame) KTE_INLINE_LAMBDA { (void)carried_by<true, Frame>(steps); });
+  }
+  /// What a frame carries.
+  template <class Frame, class Values, class Own, class Meet, class PullBack>
+  KTE_INLINE constexpr auto carried(const Values& values, const Own& own, const Meet& meet,
+                                    const PullBack& pull_back) const {
+    return carried_by<false, Frame>(inward_steps<Values, Own, Meet, PullBack>{values, own, meet, pull_back});
+  }
+
+  /// From parents to children: step(body, kept value, value of its parent), with base(frame) for bodies on bases.
+  template <class Hand, class Base, class Values, class Step>
+  KTE_INLINE constexpr void descend(const Base& base, const Values& values, const Step& step) const {
+    bodies.each_base([&]<class Frame>(Frame f) KTE_INLINE_LAMBDA { from<Frame, 0>(base(f), values, step); });
+  }
+
+  /// From body I to its base: value = step(body, value) of each body on the way.
+  template <std::size_t I, class Value, class Step>
+  KTE_INLINE constexpr void to_base(const Value& value, const Step& step) const {
+    ancestors<I>(step(bodies.template body<I>(), value), step);
+  }
+
+ private:
+  template <class Values, class Own, class Meet, class PullBack>
+  struct inward_steps {
+    const Values& values;
+    const Own& own;
+    const Meet& meet;
+    const PullBack& pull_back;
+  };
+
+  template <std::size_t I, class Value, class Step>
+  KTE_INLINE constexpr void ancestors(const Value& value, const Step& step) const {
+    constexpr int parent = Bodies::template parent<I>;
+    if constexpr (parent >= 0) to_base<std::size_t{parent}>(value, step);
+  }
+  template <bool Ends, class Frame, class Steps>
+  KTE_INLINE constexpr auto carried_by(const Steps& steps) const {
+    const auto none = Bodies::none();
+    return with_parts<Ends, Frame, 0>(steps, steps.own(none, steps.values.at(none)));
+  }
+  /// `sum`, and all parts from N on, one after the other: of a sum in one expression g++ makes the last part first,
+  /// whose numbers then wait in memory.
+  template <bool Ends, class Frame, std::size_t N, class Steps, class Sum>
+  KTE_INLINE constexpr auto with_parts(const Steps& steps, const Sum& sum) const {
+    if constexpr (N == Bodies::template parts<Frame>) {
+      return sum;
+    } else {
+      constexpr int number = Bodies::template body_on<Frame, N>;
+      if constexpr (number < 0) {
+        const auto part = bodies.template fixed<Frame, N>();
+        return with_parts<Ends, Frame, N + 1>(steps, sum + steps.own(part, steps.values.at(part)));
+      } else {
+        constexpr std::size_t i{number};
+        const auto carried = carried_by<false, typename Bodies::template end<i>>(steps);
+        const auto b = bodies.template body<i>();
+        const auto met = steps.meet(b, carried, tree_place<i, Ends>{*this});
+        if constexpr (Ends) {
+          return with_parts<Ends, Frame, N + 1>(steps, sum);
+        } else {
+          return with_parts<Ends, Frame, N + 1>(steps, sum + steps.pull_back(b, steps.values.of(b), met));
+        }
+      }
+    }
+  }
+  template <class Frame, std::size_t N, class Hand, class Values, class Step>
+  KTE_INLINE constexpr void from(const Hand& hand, const Values& values, const Step& step) const {
+    if constexpr (N < Bodies::template parts<Frame>) {
+      constexpr int number = Bodies::template body_on<Frame, N>;
+      if constexpr (number >= 0) {
+        constexpr std::size_t i{number};
+        const auto b = bodies.template body<i>();
+        from<typename Bodies::template end<i>, 0>(step(b, values.of(b), hand), values, step);
+      }
+      from<Frame, N + 1>(hand, values, step);
+    }
+  }
+};
+
+}  // namespace kte::engine

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <kte/math/pack_functions.hpp>
+
+namespace kte::detail {
+
+/// How many answers of an arm are worked on at once, and as what: doubles and floats four in the lanes of a pack, other
+/// scalars one by one. Packs have a pose of their own in each lane already.
+template <class S>
+struct answer_pack {
+  using type = S;
+  static constexpr std::size_t count = 1;
+};
+template <class S>
+requires std::is_same_v<S, double> || std::is_same_v<S, float>
+struct answer_pack<S> {
+  using type = pack<S, 4>;
+  static constexpr std::size_t count = 4;
+};
+/// As many as a register has are taken from and put into rows of answers, which are padded to full ones.
+template <class S>
+typename answer_pack<S>::type load_pack(const S* x) {
+  if constexpr (answer_pack<S>::count == 1)
+    return *x;
+  else
+    return answer_pack<S>::type::load(x);
+}
+template <class S>
+void store_pack(const typename answer_pack<S>::type& x, S* to) {
+  if constexpr (answer_pack<S>::count == 1)
+    *to = x;
+  else
+    x.store(to);
+}
+
+/// Whether a scalar has several poses in it.
+template <class S>
+inline constexpr bool is_pack = requires {
+  S::lanes;
+};
+/// A T, of packs one for each lane.
+template <class S, class T>
+struct one_for_each_lane {
+  using type = T;
+};
+template <class S, class T>
+requires is_pack<S>
+struct one_for_each_lane<S, T> {
+  using type = std::array<T, std::size_t{S::lanes}>;
+};
+template <class S, class T>
+using for_each_lane = typename one_for_each_lane<S, T>::type;
+
+}  // namespace kte::detail

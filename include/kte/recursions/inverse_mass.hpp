@@ -1,0 +1,41 @@
+#pragma once
+
+#include <kte/recursions/articulated_body.hpp>
+
+/// The inverse of the mass matrix from articulated inertias, in its innovations form (Rodriguez, Jain and
+/// Kreutz-Delgado, Int. J. Robotics Research 10, 1991; Jain, Robot and Multibody Dynamics, 2011, section 7.2): a unit
+/// force on axis j leaves e_ij on each axis i on the way to its base, and
+///
+///   (M^-1)_jk = sum_i e_ij D_i^-1 e_ik        over the axes i of the way of both          (1)
+///
+/// No sum is larger than the geometric mean of two numbers of the diagonal.
+namespace kte::engine {
+
+/// A load W at a body and force(k) on the axes of its joint: what is left on each axis, from the last on, put(k, e),
+/// and the load that is left:
+///
+///   e_k = f_k + s_k^T W,   W' = W - U_k D_k^-1 e_k          (2)
+///
+/// S, or several numbers at a time.
+template <int K, body_with_axes B, class W, class Force, class S, class Put>
+KTE_INLINE constexpr auto load_beyond_axes(const B& b, const W& load, const Force& force,
+                                           const axis_factors<S>* factors, const Put& put) {
+  if constexpr (K < 0) {
+    return load;
+  } else {
+    constexpr std::integral_constant<int, K> k{};
+    constexpr int n = eliminated_component<B, K>;
+    const auto s = b.template axis<K>();
+    const auto f = force(k);
+    const auto e = static_cast<std::remove_const_t<decltype(f)>>(f + power(s, load));
+    put(k, e);
+    const wrench left{load.force - e * factors[K].gain.force, load.torque - e * factors[K].gain.torque};
+    if constexpr (n < 0) {
+      return load_beyond_axes<K - 1>(b, left, force, factors, put);
+    } else {
+      return load_beyond_axes<K - 1>(b, without<n>(left) - wrench{f * s.linear, f * s.angular}, force, factors, put);
+    }
+  }
+}
+
+}  // namespace kte::engine
