@@ -11,7 +11,7 @@ using namespace kte;
 TEST_CASE("closures go through records, with their parameters") {
   const vec3<> u{0.6, 0, 0.8}, t{0, 1, 0};
   runtime_chain c;
-  c << revolute_joint_3D("q1", "base", "a", axis::z) << revolute_joint_3D("q2", "a", "b", axis::x)
+  c << revolute_joint_3D("q1", "base", "a", axis::z) << revolute_joint_3D("q2", "a", "b", axis::x) << base_2D("ground")
     << revolute_joint_2D("p1", "ground", "d") << revolute_joint_2D("p2", "d", "e");
   c << coincident_points_2D("1", "d", "e") << coincident_points_3D("2", "a", "b") << coincident_frames_2D("3", "d", "e")
     << coincident_frames_3D("4", "a", "b") << hinge_3D("5", "a", "b", u) << universal_3D("6", "a", "b", u, t)
