@@ -12,7 +12,7 @@ namespace kte {
 ///   kte::adams solver(kte::vector_form(std::cref(model)), 0.0, model.make_x(q, v));
 ///
 /// Also for runtime chains, and where all coordinates are numbers. The length of a quaternion has no effect on the
-/// model; it drifts by the error of the integration.
+/// model; it drifts by the error of the integration. Throws `bad_argument` for a chain with closed loops.
 template <class F>
 class vector_form {
   using model = detail::unwrapped_type<F>;
@@ -22,8 +22,11 @@ class vector_form {
   using S = typename state::Scalar;
 
   explicit vector_form(F f) : f_(std::move(f)) {
-    if constexpr (requires { detail::refuse_loops(detail::unwrapped(f_)); })
-      detail::refuse_loops(detail::unwrapped(f_), ": its states settle at the ends of steps of one-step methods alone");
+    if constexpr (requires { detail::unwrapped(f_).has_loops(); })
+      if (detail::unwrapped(f_).has_loops())
+        throw bad_argument(
+            "kte: states of closed loops are corrected at the ends of steps, which adams and bdf cannot do: use a "
+            "one-step method");
   }
 
   const state& operator()(const S& t, const state& x) {

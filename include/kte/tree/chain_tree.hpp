@@ -105,7 +105,7 @@ class chain_tree {
         is_late(ports[0].what, index(0)))
       exclude_loads(number, " has a mass on a frame that follows others");
     if (!n.power_dual)
-      exclude_loads(number, " hands back other loads than those of its motion, as controllers want them");
+      exclude_loads(number, " returns loads that are not the dual of its motion, for controllers");
     const std::size_t last = ports.size() - 1;
     switch (n.is) {
       case part::base:
