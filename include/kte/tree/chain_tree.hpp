@@ -104,8 +104,7 @@ class chain_tree {
     if (n.is != part::force && n.is != part::rigid && is_frame(ports[0].what) && n.is < part::follower &&
         is_late(ports[0].what, index(0)))
       exclude_loads(number, " has a mass on a frame that follows others");
-    if (!n.power_dual)
-      exclude_loads(number, " returns loads that are not the dual of its motion, for controllers");
+    if (!n.power_dual) exclude_loads(number, " returns loads that are not the dual of its motion, for controllers");
     const std::size_t last = ports.size() - 1;
     switch (n.is) {
       case part::base:
