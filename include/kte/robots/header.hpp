@@ -41,6 +41,9 @@ class header_writer {
     if (call == factory_calls().end())
       throw bad_argument("kte: no header can hold a " + std::string(e.type()) +
                          ": it is not an element of this library");
+    if (e.ports().back().what == kind::loop)
+      throw bad_argument("kte: no header can hold a " + std::string(e.type()) +
+                         ": static chains do not support closures of loops");
     headers_.insert(call->second.header);
     std::string names;
     for (std::size_t p = 0; p < e.ports().size(); ++p)
@@ -89,8 +92,8 @@ class header_writer {
 /// where its numbers are exact zeros, ones and quarter turns, and, if given, `robots::NAME_limits`. The header needs
 /// only this library. Equal chains give equal texts. The key of a name is the name with a trailing underscore,
 /// `elbow_`, so that it is neither a macro nor a keyword; characters other than letters and digits become underscores,
-/// and of two equal names the second gets a number. Throws `bad_argument` for a chain with functions of the program, or
-/// with elements that are not of this library.
+/// and of two equal names the second gets a number. Throws `bad_argument` for a chain with functions of the program,
+/// closures of loops, or elements that are not of this library.
 [[nodiscard]] inline std::string to_header(const runtime_chain& chain, const std::string& name) {
   return detail::header_writer(chain, name).text(nullptr);
 }
