@@ -185,10 +185,10 @@ if [ -n "$(ls temporary)" ]; then wrong "kte plot leaves files: $(ls temporary)"
 # ik
 sed 's/"continuous"/"prismatic"/; s/axis xyz="0 1 0"/axis xyz="1 0 0"/' arm.urdf >slide.urdf
 printf 'x,y,z\n0.25,0,0\n' >poses.csv
-gives 0 "slide.urdf:3: link 'arm': no body" "$kte" ik slide.urdf --frame arm --poses poses.csv
+gives 0 "slide.urdf:3: link 'arm': the inertia is not physically realizable" "$kte" ik slide.urdf --frame arm --poses poses.csv
 prints 'pose,status,q_0,position_error,rotation_error'
 prints '0,reached,0.2'
-gives 0 "no body" "$kte" ik slide.urdf --frame arm --poses poses.csv --json
+gives 0 "not physically realizable" "$kte" ik slide.urdf --frame arm --poses poses.csv --json
 json ik
 prints '"status":"reached"'
 printf 'x,y,z\n0.25,1,0\n' >far.csv
@@ -279,7 +279,7 @@ prints "unknown field 'x_note' is left out"
 
 # Names of links and joints that tables do not take.
 sed 's/"arm"/"upper, arm"/; s/link="arm"/link="upper, arm"/; s/name="q"/name="shoulder \&quot;1\&quot;"/' arm.urdf >names.urdf
-gives 0 'no body' "$kte" simulate names.urdf --time 0.1 --record names.csv --frames
+gives 0 'not physically realizable' "$kte" simulate names.urdf --time 0.1 --record names.csv --frames
 head -1 names.csv >out
 prints 't,shoulder__1_,'
 prints 'upper__arm/position/x'
