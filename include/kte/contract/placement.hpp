@@ -18,9 +18,9 @@ struct placed_joint : Joint, transmission<placed_joint<Joint, Rotation, Position
 
   constexpr placed_joint(const Joint& x, const Position& r, const Rotation& R) : Joint(x), position(r), rotation(R) {}
 
-  template <class C>
-  KTE_INLINE constexpr auto relative(const C& c) const {
-    const auto x = Joint::relative(c);
+  template <class... C>
+  KTE_INLINE constexpr auto relative(const C&... c) const {
+    const auto x = Joint::relative(c...);
     return motion{position + rotation * x.position,
                   rotation * x.rotation,
                   x.velocity,
