@@ -8,14 +8,11 @@
 /// What the composite-rigid-body algorithm asks of elements, in static and runtime chains.
 namespace kte::detail {
 
-/// How many coordinates a transmission has. Its last two ports are the base and the end.
-template <class Core>
-inline constexpr std::size_t coordinates_of = port_count<Core> > 2;
-/// The kind of a joint's coordinate, and its number of degrees of freedom; none for a link.
+/// The kind of a joint's coordinate or coordinates, and its number of degrees of freedom; none for a link.
 template <class Core>
 inline constexpr kind coordinate_kind = Core::ports[0].what;
 template <class Core>
-inline constexpr int joint_dofs = nv_of(coordinate_kind<Core>);
+inline constexpr int joint_dofs = coordinates_of<Core> > 1 ? int{coordinates_of<Core>} : nv_of(coordinate_kind<Core>);
 /// A core with a mass, on its first port.
 template <class Core, class S>
 inline constexpr bool has_mass = requires(const Core& c) {

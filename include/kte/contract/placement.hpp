@@ -26,9 +26,9 @@ struct placed_joint : Joint, transmission<placed_joint<Joint, Rotation, Position
   constexpr placed_joint(const Joint& x, const Position& r, const Rotation& R) : Joint(x), position(r), rotation(R) {}
   constexpr explicit placed_joint(const Joint& x) : placed_joint() { static_cast<Joint&>(*this) = x; }
 
-  template <class C>
-  KTE_INLINE constexpr auto relative(const C& c) const {
-    const auto x = Joint::relative(c);
+  template <class... C>
+  KTE_INLINE constexpr auto relative(const C&... c) const {
+    const auto x = Joint::relative(c...);
     return motion{position + rotation * x.position,
                   rotation * x.rotation,
                   x.velocity,
