@@ -112,16 +112,4 @@ inline constexpr bool has_several_coordinates =
     Core::ports.size() > 3 && Core::ports[0].what == kind::gen&& Core::ports[1].what
                                   == kind::gen&& is_frame(Core::ports.back().what);
 
-/// Former flags (kte/deprecated.hpp).
-template <class Core>
-inline constexpr bool former_distributed_mass = false;
-template <class Core>
-requires requires { Core::spreads_mass; }
-inline constexpr bool former_distributed_mass<Core> = former::spreads_mass<Core>;
-template <class Core>
-inline constexpr bool former_load_dependent_friction = false;
-template <class Core>
-requires requires { Core::reads_reaction; }
-inline constexpr bool former_load_dependent_friction<Core> = former::reads_reaction<Core>;
-
 }  // namespace kte::detail
