@@ -58,6 +58,14 @@ constexpr auto plain_coordinate(bool tried) {
     return motion{p, r, vec3<>{}, vec3<>{}, vec3<>{}, vec3<>{}};
   }
 }
+/// The same of all coordinates of a joint.
+template <class Core>
+constexpr auto plain_coordinates(bool tried) {
+  if constexpr (coordinates_of<Core> == 1)
+    return plain_coordinate<coordinate_kind<Core>>(tried);
+  else
+    return tuple_of_coordinates<Core>([tried]<std::size_t>() { return plain_coordinate<kind::gen>(tried); });
+}
 template <class P, class M>
 pose<mat3<vec3<P>>, vec3<P>> plain_pose(const M& m) {
   return {as<P>(matrix(m.rotation)), as<P>(m.position)};

@@ -35,10 +35,34 @@ KTE_INLINE constexpr void for_each_number(const F& f) {
   all_of_them(std::make_integer_sequence<int, N>{});
 }
 
+/// The motion of a joint at its coordinate, or at a tuple of its coordinates.
+template <class Core, class C>
+KTE_INLINE constexpr auto relative_at(const Core& core, const C& c) {
+  return core.relative(c);
+}
+template <class Core, class... C>
+constexpr auto relative_at(const Core& core, const std::tuple<C...>& c) {
+  return std::apply([&core](const auto&... x) { return core.relative(x...); }, c);
+}
+/// Coordinates without rates.
+template <class... C>
+constexpr auto position_only(const std::tuple<C...>& c) {
+  return std::apply([](const auto&... x) { return std::tuple{position_only(x)...}; }, c);
+}
 /// Axis n of a joint at coordinate c: the motion that its unit rate makes.
 template <int N, class Core, class C>
 KTE_INLINE constexpr auto axis_of(const Core& core, const C& c) {
   return core.relative(unit_rate<coordinate_kind<Core>, N>(c));
+}
+template <int N, class Core, class... C>
+constexpr auto axis_of(const Core& core, const std::tuple<C...>& c) {
+  return axis_among<std::size_t{N}>(core, c, std::make_index_sequence<sizeof...(C)>{});
+}
+/// f<K>() for each coordinate K of a joint, as a tuple.
+template <class Core, class F>
+constexpr auto tuple_of_coordinates(const F& f) {
+  return [&f]<std::size_t... K>(std::index_sequence<K...>) { return std::tuple{f.template operator()<K>()...}; }
+  (std::make_index_sequence<coordinates_of<Core>>{});
 }
 
 }  // namespace kte::detail

@@ -10,13 +10,6 @@
 /// dS/dt in axes of the end from dS/dq.
 namespace kte::detail {
 
-/// Coordinate number `lane` of N, in dual numbers of all of them.
-template <class D, class S>
-constexpr D variable(const S& q, std::size_t lane) {
-  D x(q);
-  x.derivative[lane] = decltype(x.value)(1);
-  return x;
-}
 /// Axis K of a joint in numbers D.
 template <std::size_t K, class D, class Core, std::size_t N>
 joint_axis<D> axis_in(const Core& core, const std::array<D, N>& q) {
@@ -50,8 +43,7 @@ pose<mat3<vec3<S>>, vec3<S>> place_varying_joint(const Core& core, const S* q, j
   std::array<D, n> first;
   std::array<E, n> twice;
   for (std::size_t k = 0; k < n; ++k) {
-    at[k] = q[k], first[k] = variable<D>(q[k], k);
-    twice[k] = variable<E>(first[k], k);
+    at[k] = q[k], first[k] = seeded<int{n}>(q[k], int(k)), twice[k] = seeded<int{n}>(first[k], int(k));
   }
   const auto put = [&]<std::size_t K>() {
     const joint_axis<D> s = axis_in<K>(core, first);
