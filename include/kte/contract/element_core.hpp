@@ -44,6 +44,8 @@ concept element_core = requires(const Core& core, const parameter_check& where) 
 /// A core that files can hold. `parameters(self, visit)` calls `visit("name", self.member)` for each parameter, in the
 /// order of files; `self` may be constant or not, then values that follow from parameters are to be computed again. The
 /// core has a default constructor, for parameters to be read into.
+/// Optional: `optional_parameters`, a std::array of the names that files may leave out, and `arguments`, how the
+/// factory takes the parameters if not one by one: "rest_length, {EA, EI, GA}".
 template <class Core>
 concept core_in_files = element_core<Core> && std::default_initializable<Core> &&
     requires(const Core& core, const detail::any_visitor& visit) {
