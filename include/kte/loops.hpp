@@ -5,4 +5,5 @@
 #include <kte/dynamics/closed_loops/actuated_forces.hpp>
 #include <kte/dynamics/closed_loops/assemble.hpp>
 #include <kte/dynamics/closed_loops/constrained_dynamics.hpp>
+#include <kte/dynamics/closed_loops/static_chains.hpp>
 #include <kte/elements/closures.hpp>
