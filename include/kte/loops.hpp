@@ -7,3 +7,4 @@
 #include <kte/dynamics/closed_loops/constrained_dynamics.hpp>
 #include <kte/dynamics/closed_loops/static_chains.hpp>
 #include <kte/elements/closures.hpp>
+#include <kte/models/detail/static_model_loops.hpp>

@@ -96,7 +96,7 @@ auto result_of(const Closures& closures, const State& s) {
   }
   return r;
 }
-using no_rates = same<zero_t>;
+using not_moving = same<zero_t>;
 }  // namespace detail
 
 /// As of a runtime chain; r.loop(pin).force, or r.force(pin).
@@ -106,7 +106,7 @@ template <class Gravity, class... E, indexable Q, indexable V, indexable T>
   check_size<chain_type::dofs>(v, "v"), check_size<chain_type::dofs>(tau, "tau");
   joint_vector<double, chain_type::dofs> f;
   for (int i = 0; i < chain_type::dofs; ++i) f[i] = static_cast<double>(tau[static_cast<std::size_t>(i)]);
-  return detail::with_loops_at(c, q, detail::each<double, V>{v}, detail::no_rates{},
+  return detail::with_loops_at(c, q, detail::each<double, V>{v}, detail::not_moving{},
                                [&](const auto& closures, auto& s) {
                                  detail::static_loops<chain_type>::accelerate(closures, s, closures.given, f);
                                  return detail::result_of<chain_type>(closures, s);
@@ -114,14 +114,14 @@ template <class Gravity, class... E, indexable Q, indexable V, indexable T>
 }
 template <class Gravity, class... E, indexable Q>
 [[nodiscard]] loops_report loops(const static_chain<Gravity, E...>& c, const Q& q) {
-  return detail::with_loops_at(c, q, detail::no_rates{}, detail::no_rates{}, [](const auto& closures, auto& s) {
+  return detail::with_loops_at(c, q, detail::not_moving{}, detail::not_moving{}, [](const auto& closures, auto& s) {
     detail::factorize_loops(closures, s, s.loops);
     return detail::report_of(closures, s.loops, s.dofs());
   });
 }
 template <class Gravity, class... E, indexable Q>
 [[nodiscard]] Eigen::MatrixXd loop_jacobian(const static_chain<Gravity, E...>& c, const Q& q) {
-  return detail::with_loops_at(c, q, detail::no_rates{}, detail::no_rates{}, [](const auto& closures, auto& s) {
+  return detail::with_loops_at(c, q, detail::not_moving{}, detail::not_moving{}, [](const auto& closures, auto& s) {
     s.loops.equations.at_positions(closures, s, true);
     return s.loops.equations.dense_jacobian();
   });
@@ -132,7 +132,7 @@ template <class Gravity, class... E, indexable Q, indexable V>
   check_size<chain_type::dofs>(v, "v");
   using vector = joint_vector<double, chain_type::dofs>;
   return detail::with_loops_at(
-      c, q, detail::each<double, V>{v}, detail::no_rates{}, [&](const auto& closures, auto& s) -> vector {
+      c, q, detail::each<double, V>{v}, detail::not_moving{}, [&](const auto& closures, auto& s) -> vector {
         Eigen::VectorXd on(chain_type::dofs);
         for (int i = 0; i < chain_type::dofs; ++i) on[i] = static_cast<double>(v[static_cast<std::size_t>(i)]);
         detail::factorize_loops(closures, s, s.loops);
@@ -149,12 +149,12 @@ template <class Gravity, class... E, indexable Q>
   using chain_type = static_chain<Gravity, E...>;
   using vector = joint_vector<double, chain_type::nq>;
   return detail::with_loops_at(
-      c, guess, detail::no_rates{}, detail::no_rates{}, [&](const auto& closures, auto& s) -> vector {
+      c, guess, detail::not_moving{}, detail::not_moving{}, [&](const auto& closures, auto& s) -> vector {
         Eigen::VectorXd q(chain_type::nq);
         for (int i = 0; i < chain_type::nq; ++i) q[i] = static_cast<double>(guess[static_cast<std::size_t>(i)]);
         const auto set = [&](const Eigen::VectorXd& x) {
           const detail::configuration<double, typename chain_type::wiring, Eigen::VectorXd> at(x);
-          s.take(detail::given{at, detail::no_rates{}, detail::no_rates{}, detail::base_under_gravity(c)});
+          s.take(detail::given{at, detail::not_moving{}, detail::not_moving{}, detail::base_under_gravity(c)});
         };
         const auto moved = [&](const Eigen::VectorXd& from, const Eigen::VectorXd& d) -> Eigen::VectorXd {
           return integrate(c, from, d, 1.0);
@@ -166,7 +166,7 @@ template <class Gravity, class... E, indexable Q>
 template <class Gravity, class... E, indexable Q>
 [[nodiscard]] Eigen::MatrixXd loop_motion(const static_chain<Gravity, E...>& c, const Q& q,
                                           const actuated_coordinates& by) {
-  return detail::with_loops_at(c, q, detail::no_rates{}, detail::no_rates{}, [&](const auto& closures, auto& s) {
+  return detail::with_loops_at(c, q, detail::not_moving{}, detail::not_moving{}, [&](const auto& closures, auto& s) {
     detail::factorize_loops(closures, s, s.loops);
     return detail::motion_by(detail::rows_of_coordinates(c, by.names), s.dofs(), &s.loops);
   });
