@@ -92,6 +92,20 @@ void check_step(const Loops& loops, const X& x0) {
           "kte: the loops are as near to a singular configuration as rounding, where the mechanism may go on "
           "in several ways: larger tolerances pass it in one step");
 }
+/// Raises `bad_argument` where a step from x0 ends much nearer to a singular configuration than it started: velocities
+/// at the end would have errors of eps over the pivot. A shorter step ends before the singular configuration, and the
+/// next one passes it.
+template <class Loops, class X>
+void check_step_end(const Loops& loops, const X& x0) {
+  constexpr double near = 1e-4, nearer = 1e-2;
+  const auto& start = step_from(loops, x0);
+  const auto& end = loops.workspace();
+  for (std::size_t i = 0; i < end.factor.parts.size(); ++i) {
+    const double pivot = end.factor.smallest_pivot(end.equations, i);
+    if (pivot < near && pivot < nearer * start.factor.smallest_pivot(start.equations, i)) [[unlikely]]
+      raise<bad_argument>("kte: the step ends too near to a singular configuration of the loops: a shorter step");
+  }
+}
 
 /// (1) and (2).
 template <class Loops, class X, class Rate>

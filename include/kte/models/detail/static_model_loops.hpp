@@ -71,6 +71,10 @@ struct static_model_loops<static_chain<Gravity, E...>> {
   static void begin_step(const Model& m, memory& kept, const X& x0) {
     check_step(of(m, kept), x0);
   }
+  template <class Model, class X>
+  static void check_end(const Model& m, memory& kept, const X& x0) {
+    check_step_end(of(m, kept), x0);
+  }
   template <class Model, class X, class Rate>
   static void settle(const Model& m, memory& kept, const X& x0, Rate& d, X& x) {
     settle_on_loops(of(m, kept), x0, d, x);
