@@ -150,7 +150,8 @@ class manipulator_dynamics_model<runtime_chain, double, void> : public state_spa
   void tangential(const state& x0, rate& e) const;
   /// Chooses the independent rows of closures for the step from x0. Throws `bad_argument` where it is off the loops.
   void begin_step(const state& x0) const;
-  /// Throws `bad_argument` where the step from x0 that has just been computed ends too near to a singular configuration.
+  /// Throws `bad_argument` where the step from x0 that has just been computed ends too near to a singular
+  /// configuration.
   void check_end(const state& x0, const state& next) const;
   /// x on the loops, wherever it is. Throws `bad_argument` that names a closure which does not close from there:
   /// `assemble` goes a longer way.
@@ -233,8 +234,8 @@ KTE_FUNCTION auto manipulator_dynamics_model<runtime_chain>::computeStateRate(do
 KTE_FUNCTION const Eigen::VectorXd& manipulator_dynamics_model<runtime_chain>::accelerations_in_step() const {
   detail::check_regular_tree(chain(), s_), detail::check_positions(s_);
   const auto none = [](int) { return 0.0; };
-  return detail::constrained_accelerations(
-      chain(), s_, none, detail::rows_of_stage(detail::runtime_model_loops{*this, s_, loops_}));
+  return detail::constrained_accelerations(chain(), s_, none,
+                                           detail::rows_of_stage(detail::runtime_model_loops{*this, s_, loops_}));
 }
 KTE_FUNCTION bool manipulator_dynamics_model<runtime_chain>::jacobian(double t, const state& x,
                                                                       jacobian_matrix& j) const {

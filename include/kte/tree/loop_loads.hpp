@@ -48,8 +48,8 @@ KTE_INLINE void add_to(simd_wrench<S>& sum, const simd_wrench<S>& x) {
 ///   e = f + s.W,   W' = W - U D^-1 e          (1)
 ///
 /// put(axis, e); the sum of e_k D^-1 e_l over all axes is the acceleration of load k by load l (recursions/
-/// inverse_mass.hpp). `loads`: by place in `way`, of as many loads as go into a register; `force`: likewise, of the axes
-/// of the joint there, `most_axes` each, or nothing.
+/// inverse_mass.hpp). `loads`: by place in `way`, of as many loads as go into a register; `force`: likewise, of the
+/// axes of the joint there, `most_axes` each, or nothing.
 template <class P, class S, class Put>
 void send_to_bases(const body_tree<P>& f, const memory<P, S>& m, const load_way& way, simd_wrench<S>* loads,
                    const S* force, const Put& put) {
@@ -76,8 +76,7 @@ void send_to_bases(const body_tree<P>& f, const memory<P, S>& m, const load_way&
       put(r.first, e);
       leave(load, factors[0].gain, e);
     } else if (m.is_free[i]) {
-      simd<S>* const all[]{&load.force.x,  &load.force.y,  &load.force.z,
-                           &load.torque.x, &load.torque.y, &load.torque.z};
+      simd<S>* const all[]{&load.force.x, &load.force.y, &load.force.z, &load.torque.x, &load.torque.y, &load.torque.z};
       for (int k = r.axes; k-- > 0;) {
         if (r.moves == joint::varying)
           load.power_on(at.axes[static_cast<std::size_t>(k)], e);

@@ -148,10 +148,9 @@ class assembly {
   /// Throws where rotations are on their false solution.
   void check_upright() const {
     for (const auto& x : equations_.places.closures)
-      if (x.of_frames() &&
-          !closures_.is_upright(x.element, loop_equations::motion_between(state_, x)))
+      if (x.of_frames() && !closures_.is_upright(x.element, loop_equations::motion_between(state_, x)))
         raise<cannot_assemble>("kte: the loops close, but '" + closures_.loop_name(x.loop) +
-                              "' with its frames half a turn apart: another guess");
+                               "' with its frames half a turn apart: another guess");
   }
 
   static std::string short_number(double x) {

@@ -17,7 +17,7 @@ struct closure_place {
   std::vector<int> coordinates;  ///< of a closure of coordinates: slots, and rows of v
   std::vector<int> dofs;
   std::vector<int> axes;  ///< likewise: which axis of the joint there
-  tree::load_way way;  ///< of its forces, in trees
+  tree::load_way way;     ///< of its forces, in trees
   /// By place in the way: of frame1, frame2 or of coordinates; -1 on a base.
   std::vector<int> enters;
   bool of_frames() const { return coordinates.empty(); }

@@ -22,9 +22,9 @@ Eigen::MatrixXd loop_jacobian_at_state(const runtime_chain& c, runtime_state& s)
 ///
 ///   M a = tau - bias + J^T lambda,   J a = -J_dot v          (1)
 ///
-/// by articulated bodies and a column-pivoted QR factorisation of L^-T J^T, M = L^T L, so that redundant closures are no harm: a and J^T
-/// lambda do not depend on which rows are taken. The force of a single redundant closure does: rows in `dependent` get
-/// none. Singular configurations are met to 1e-10 of the largest pivot.
+/// by articulated bodies and a column-pivoted QR factorisation of L^-T J^T, M = L^T L, so that redundant closures are
+/// no harm: a and J^T lambda do not depend on which rows are taken. The force of a single redundant closure does: rows
+/// in `dependent` get none. Singular configurations are met to 1e-10 of the largest pivot.
 ///
 ///   constrained_dynamics(c, s, q, v, tau)    r.a, r.loop("pin").force, r.rank, r.mobility, r.dependent
 ///
@@ -105,8 +105,7 @@ loops_report report_of(const Closures& c, const loop_workspace& m, int dofs) {
   for (const auto& b : e.places.blocks) {
     std::string names;
     for (const int k : b.closures)
-      names.append(names.empty() ? "" : ", ")
-          .append(c.loop_name(e.places.closures[static_cast<std::size_t>(k)].loop));
+      names.append(names.empty() ? "" : ", ").append(c.loop_name(e.places.closures[static_cast<std::size_t>(k)].loop));
     r.blocks.push_back(names);
   }
   return r;

@@ -22,8 +22,7 @@ struct loop_workspace {
 struct loop_memory_of_state : loop_workspace {
   std::shared_ptr<const char> layout;
   constrained_dynamics_result result;
-  loop_memory_of_state(const runtime_closures& c, const runtime_state& s)
-      : loop_workspace(c, s), layout(c.layout()) {}
+  loop_memory_of_state(const runtime_closures& c, const runtime_state& s) : loop_workspace(c, s), layout(c.layout()) {}
 };
 inline loop_memory_of_state& loops_of(const runtime_chain& c, runtime_state& s) {
   const auto make = [&] { return loop_memory_of_state(closures_of(c), s); };

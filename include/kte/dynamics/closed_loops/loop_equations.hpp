@@ -9,7 +9,8 @@ namespace kte::detail {
 class loop_equations {
  public:
   template <class Closures, class State>
-  loop_equations(const Closures& c, const State& s) : places(c, s), motions_(places.closures.size()), ends_(places.closures.size()) {
+  loop_equations(const Closures& c, const State& s)
+      : places(c, s), motions_(places.closures.size()), ends_(places.closures.size()) {
     for (const auto& b : places.blocks) jacobian.emplace_back(b.rows, static_cast<Eigen::Index>(b.places.size()));
     residual.resize(places.rows), acceleration.resize(places.rows);
   }
@@ -109,7 +110,8 @@ class loop_equations {
         const int at = x.enters[port];
         if (at < 0) return;
         const auto& place = f.frame(frame.what, frame.index).at;
-        tree::add_to(loads_[static_cast<std::size_t>(at)], tree::seen_from<double>(place.rotation, place.position, load));
+        tree::add_to(loads_[static_cast<std::size_t>(at)],
+                     tree::seen_from<double>(place.rotation, place.position, load));
       };
       loads_.assign(x.way.nodes.size(), simd_load{});
       enter(0, x.frame1, on1), enter(1, x.frame2, on2);
@@ -195,7 +197,8 @@ class loop_equations {
       for (std::size_t n = 0; n < x.dofs.size(); ++n) {
         const auto place = static_cast<std::size_t>(places.place_of_row[static_cast<std::size_t>(x.dofs[n])]);
         if (x.enters[n] >= 0) {
-          forces_[tree::most_axes * static_cast<std::size_t>(x.enters[n]) + static_cast<std::size_t>(x.axes[n])] += by[n];
+          forces_[tree::most_axes * static_cast<std::size_t>(x.enters[n]) + static_cast<std::size_t>(x.axes[n])] +=
+              by[n];
           continue;
         }
         double sum = 0;
@@ -324,7 +327,7 @@ class loop_equations {
 
   std::vector<closing_motion<double>> motions_;  ///< of closures of frames, at rest
   std::vector<ends_of_closure> ends_;
-  std::vector<simd_load> loads_;                 ///< on bodies of a way
+  std::vector<simd_load> loads_;  ///< on bodies of a way
   std::vector<double> forces_;
 };
 

@@ -131,14 +131,15 @@ template <class Gravity, class... E, indexable Q, indexable V>
   using chain_type = static_chain<Gravity, E...>;
   check_size<chain_type::dofs>(v, "v");
   using vector = joint_vector<double, chain_type::dofs>;
-  return detail::with_loops_at(
-      c, q, detail::each<double, V>{v}, detail::not_moving{}, [&](const auto& closures, auto& s) -> vector {
-        Eigen::VectorXd on(chain_type::dofs);
-        for (int i = 0; i < chain_type::dofs; ++i) on[i] = static_cast<double>(v[static_cast<std::size_t>(i)]);
-        detail::factorize_loops(closures, s, s.loops);
-        detail::put_on_loops(s, s.loops, on);
-        return on;
-      });
+  return detail::with_loops_at(c, q, detail::each<double, V>{v}, detail::not_moving{},
+                               [&](const auto& closures, auto& s) -> vector {
+                                 Eigen::VectorXd on(chain_type::dofs);
+                                 for (int i = 0; i < chain_type::dofs; ++i)
+                                   on[i] = static_cast<double>(v[static_cast<std::size_t>(i)]);
+                                 detail::factorize_loops(closures, s, s.loops);
+                                 detail::put_on_loops(s, s.loops, on);
+                                 return on;
+                               });
 }
 template <class Gravity, class... E, indexable Q, indexable V>
 [[nodiscard]] auto impulse(const static_chain<Gravity, E...>& c, const Q& q, const V& v) {
@@ -172,16 +173,15 @@ template <class Gravity, class... E, indexable Q>
   });
 }
 template <class Gravity, class... E, indexable Q, indexable V, indexable A>
-[[nodiscard]] Eigen::VectorXd inverse_dynamics(const static_chain<Gravity, E...>& c, const Q& q, const V& v,
-                                               const A& a, const actuated_coordinates& by) {
+[[nodiscard]] Eigen::VectorXd inverse_dynamics(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const A& a,
+                                               const actuated_coordinates& by) {
   using chain_type = static_chain<Gravity, E...>;
   check_size<chain_type::dofs>(v, "v"), check_size<chain_type::dofs>(a, "a");
   return detail::with_loops_at(
       c, q, detail::each<double, V>{v}, detail::each<double, A>{a},
       [&](const auto& closures, auto& s) -> Eigen::VectorXd {
         detail::factorize_loops(closures, s, s.loops);
-        const Eigen::MatrixXd g =
-            detail::motion_by(detail::rows_of_coordinates(c, by.names), s.dofs(), &s.loops);
+        const Eigen::MatrixXd g = detail::motion_by(detail::rows_of_coordinates(c, by.names), s.dofs(), &s.loops);
         detail::check_accelerations_on_loops(closures, s, s.loops.equations);
         const joint_vector<double, chain_type::dofs> f = detail::take_forces(c, closures.given, s, minus_one);
         return g.transpose() * f;

@@ -40,14 +40,16 @@ struct static_closures : static_elements<Chain, Given> {
   std::string describe(int e) const {
     std::string text;
     [&]<std::size_t... I>(std::index_sequence<I...>) {
-      const int done[]{(e == static_cast<int>(I) ? (text = std::string(std::string_view(core_of<Chain, I>::type)), 0)
-                                                 : 0)...};
+      const int done[]{
+          (e == static_cast<int>(I) ? (text = std::string(std::string_view(core_of<Chain, I>::type)), 0) : 0)...};
       (void)done;
     }
     (std::make_index_sequence<Chain::size>{});
     return text;
   }
-  static std::string loop_name(int loop) { return std::string(loop_names<Chain>::table[static_cast<std::size_t>(loop)]); }
+  static std::string loop_name(int loop) {
+    return std::string(loop_names<Chain>::table[static_cast<std::size_t>(loop)]);
+  }
 
  private:
   template <class C>

@@ -134,7 +134,8 @@ void settle_on_loops(const Loops& loops, const X& x0, Rate& d, X& x) {
   double gap = evaluate(false), last = std::numeric_limits<double>::infinity();
   for (int i = 0; gap > 1e-16; ++i) {
     if (!(gap < 1e300) || i == 20)
-      raise<bad_argument>("kte: the loops do not close at the end of a step: " + gap_text(closures, e) + ": a shorter step");
+      raise<bad_argument>("kte: the loops do not close at the end of a step: " + gap_text(closures, e) +
+                          ": a shorter step");
     if (gap > last / 20) {  // the factor of the start is no longer good, or the rest is rounding
       if (gap <= on_loops_within && by == &factor) break;
       (void)evaluate(true);
@@ -146,7 +147,8 @@ void settle_on_loops(const Loops& loops, const X& x0, Rate& d, X& x) {
   }
   (void)evaluate(true);
   if (const double open = e.residual.cwiseAbs().maxCoeff(); !(open <= 1e-10)) [[unlikely]]
-    raise<bad_argument>("kte: the closures contradict each other: " + gap_text(closures, e) + " where others are closed");
+    raise<bad_argument>("kte: the closures contradict each other: " + gap_text(closures, e) +
+                        " where others are closed");
   factor.factorize(closures, s, e);
   if (!factor.keep(closures, s, e, step.factor, 1e-14)) factor.choose(closures, s, e, least_pivot);
   for (int i = 0; i < 2; ++i) move(n, factor.least_change(s, e, e.times(model.velocities_of(x))));

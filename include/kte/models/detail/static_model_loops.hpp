@@ -50,8 +50,8 @@ struct static_model_loops<static_chain<Gravity, E...>> {
       const configuration<double, wiring, const double*> at(q);
       at.check();
       std::copy_n(q, wiring::nq, kept.here.at.q.numbers.data());
-      kept.s.take(given{at, each<double, const double*>{v}, same<zero_t>{},
-                        model.bases_at(kept.time, v + wiring::dofs)});
+      kept.s.take(
+          given{at, each<double, const double*>{v}, same<zero_t>{}, model.bases_at(kept.time, v + wiring::dofs)});
       check_regular(model.chain(), kept.s);
     }
     template <class X>
@@ -101,7 +101,7 @@ struct static_model_loops<static_chain<Gravity, E...>> {
     auto& own = of(m, kept).state();
     for (int i = 0; i < wiring::count(kind::loop); ++i)
       s.template get<kind::loop>(i).force = own.template get<kind::loop>(i).force,
-                         s.template get<kind::loop>(i).torque = own.template get<kind::loop>(i).torque;
+                 s.template get<kind::loop>(i).torque = own.template get<kind::loop>(i).torque;
   }
 };
 
