@@ -5,4 +5,6 @@
 #include <kte/dynamics/closed_loops/actuated_forces.hpp>
 #include <kte/dynamics/closed_loops/assemble.hpp>
 #include <kte/dynamics/closed_loops/constrained_dynamics.hpp>
+#include <kte/dynamics/closed_loops/static_chains.hpp>
 #include <kte/elements/closures.hpp>
+#include <kte/models/detail/static_model_loops.hpp>

@@ -102,38 +102,19 @@ class kte_map_adapter final : public kte_element {
     else
       return {};
   }
-  void close_frames([[maybe_unused]] const detail::closing_motion<double>& m, [[maybe_unused]] int order,
+  void close_frames([[maybe_unused]] const detail::closing_motion<double>& m, [[maybe_unused]] detail::closing what,
                     [[maybe_unused]] double* rows) const override {
-    if constexpr (closes_frames) {
-      const auto put = [rows](const auto& all) {
-        const auto numbers = detail::rows_in_numbers<double>(all);
-        std::copy(numbers.begin(), numbers.end(), rows);
-      };
-      if (order == 0)
-        put(core_.residual(m));
-      else if (order == 1)
-        put(core_.residual_dot(m));
-      else
-        put(core_.residual_ddot(m));
-    }
+    if constexpr (closes_frames) detail::close_frames_by(core_, m, what, rows);
   }
   bool is_upright([[maybe_unused]] const detail::closing_motion<double>& m) const override {
-    if constexpr (requires { core_.upright(m); })
-      return core_.upright(m);
-    else
-      return true;
+    return detail::is_upright_by(core_, m);
   }
   std::array<double, 2> close_coordinates([[maybe_unused]] const double* q, [[maybe_unused]] const double* v,
                                           [[maybe_unused]] double* gradient) const override {
-    if constexpr (detail::is_closure<Core> && !closes_frames) {
-      std::array<double, port_count<Core> - 1> at, rates;
-      std::copy_n(q, at.size(), at.begin()), std::copy_n(v, rates.size(), rates.begin());
-      const auto by = core_.gradient(at);
-      std::copy(by.begin(), by.end(), gradient);
-      return {core_.residual(at), core_.curvature(at, rates)};
-    } else {
+    if constexpr (detail::is_closure<Core> && !closes_frames)
+      return detail::close_coordinates_by(core_, q, v, gradient);
+    else
       return {};
-    }
   }
 
  private:
