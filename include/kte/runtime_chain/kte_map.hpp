@@ -118,6 +118,22 @@ class kte_element : public kte_map {
                                                   double* /*gradient*/) const {
     return {};
   }
+  /// The same with derivatives.
+  virtual void close_frames(const detail::closing_motion<detail::derivative_number>&, int /*order*/,
+                            detail::derivative_number* /*rows*/) const {}
+  virtual std::array<detail::derivative_number, 2> close_coordinates(const detail::derivative_number* /*q*/,
+                                                                     const detail::derivative_number* /*v*/,
+                                                                     detail::derivative_number* /*gradient*/) const {
+    return {};
+  }
+  /// The parameters by which a closure gives its derivatives, and these derivatives of the functions above.
+  virtual std::span<const std::string_view> closure_parameters() const { return {}; }
+  virtual void close_frames_by(int /*parameter*/, const detail::closing_motion<double>&, int /*order*/,
+                               double* /*rows*/) const {}
+  virtual std::array<double, 2> close_coordinates_by(int /*parameter*/, const double* /*q*/, const double* /*v*/,
+                                                     double* /*gradient*/) const {
+    return {};
+  }
 };
 
 /// An element in messages: "revolute_joint_3D (coordinate 'q', base 'a', end 'b')".

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/contract/closure_parameters.hpp>
 #include <kte/contract/force_derivatives.hpp>
 #include <kte/runtime_chain/derivative_state.hpp>
 #include <kte/runtime_chain/kte_map.hpp>
@@ -93,20 +94,12 @@ class kte_map_adapter final : public kte_element {
     else
       return {};
   }
-  void close_frames([[maybe_unused]] const detail::closing_motion<double>& m, [[maybe_unused]] int order,
-                    [[maybe_unused]] double* rows) const override {
-    if constexpr (closes_frames) {
-      const auto put = [rows](const auto& all) {
-        const auto numbers = detail::rows_in_numbers<double>(all);
-        std::copy(numbers.begin(), numbers.end(), rows);
-      };
-      if (order == 0)
-        put(core_.residual(m));
-      else if (order == 1)
-        put(core_.residual_dot(m));
-      else
-        put(core_.residual_ddot(m));
-    }
+  void close_frames(const detail::closing_motion<double>& m, int order, double* rows) const override {
+    put_rows(m, order, rows);
+  }
+  void close_frames(const detail::closing_motion<detail::derivative_number>& m, int order,
+                    detail::derivative_number* rows) const override {
+    put_rows(m, order, rows);
   }
   bool is_upright([[maybe_unused]] const detail::closing_motion<double>& m) const override {
     if constexpr (requires { core_.upright(m); })
@@ -114,17 +107,32 @@ class kte_map_adapter final : public kte_element {
     else
       return true;
   }
-  std::array<double, 2> close_coordinates([[maybe_unused]] const double* q, [[maybe_unused]] const double* v,
-                                          [[maybe_unused]] double* gradient) const override {
-    if constexpr (detail::is_closure<Core> && !closes_frames) {
-      std::array<double, port_count<Core> - 1> at, rates;
-      std::copy_n(q, at.size(), at.begin()), std::copy_n(v, rates.size(), rates.begin());
-      const auto by = core_.gradient(at);
-      std::copy(by.begin(), by.end(), gradient);
-      return {core_.residual(at), core_.curvature(at, rates)};
-    } else {
+  std::array<double, 2> close_coordinates(const double* q, const double* v, double* gradient) const override {
+    return relation(core_, q, v, gradient);
+  }
+  std::array<detail::derivative_number, 2> close_coordinates(const detail::derivative_number* q,
+                                                             const detail::derivative_number* v,
+                                                             detail::derivative_number* gradient) const override {
+    return relation(core_, q, v, gradient);
+  }
+  std::span<const std::string_view> closure_parameters() const override {
+    if constexpr (detail::derived_by_parameters<Core>)
+      return Core::parameter_names;
+    else
       return {};
-    }
+  }
+  void close_frames_by([[maybe_unused]] int parameter, [[maybe_unused]] const detail::closing_motion<double>& m,
+                       [[maybe_unused]] int order, [[maybe_unused]] double* rows) const override {
+    if constexpr (closes_frames && detail::derived_by_parameters<Core>)
+      detail::put_in_numbers(core_.by_parameter(parameter, m, order), rows);
+  }
+  std::array<double, 2> close_coordinates_by([[maybe_unused]] int parameter, [[maybe_unused]] const double* q,
+                                             [[maybe_unused]] const double* v,
+                                             [[maybe_unused]] double* gradient) const override {
+    if constexpr (!closes_frames && detail::derived_by_parameters<Core>)
+      return relation(detail::value_by_parameter<Core>{{}, core_, parameter}, q, v, gradient);
+    else
+      return {};
   }
 
  private:
@@ -134,6 +142,34 @@ class kte_map_adapter final : public kte_element {
   template <class State>
   auto on(State& s) const {
     return detail::stored_element<Core, State, detail::by_index>{core_, s, {index_.data()}};
+  }
+
+  /// Of a closure of frames.
+  template <class S>
+  void put_rows([[maybe_unused]] const detail::closing_motion<S>& m, [[maybe_unused]] int order,
+                [[maybe_unused]] S* rows) const {
+    if constexpr (closes_frames) {
+      if (order == 0)
+        detail::put_in_numbers(core_.residual(m), rows);
+      else if (order == 1)
+        detail::put_in_numbers(core_.residual_dot(m), rows);
+      else
+        detail::put_in_numbers(core_.residual_ddot(m), rows);
+    }
+  }
+  /// Of a closure of coordinates, or of its derivative by a parameter.
+  template <class Relation, class S>
+  static std::array<S, 2> relation([[maybe_unused]] const Relation& r, [[maybe_unused]] const S* q,
+                                   [[maybe_unused]] const S* v, [[maybe_unused]] S* gradient) {
+    if constexpr (detail::is_closure<Core> && !closes_frames) {
+      std::array<S, port_count<Core> - 1> at, rates;
+      std::copy_n(q, at.size(), at.begin()), std::copy_n(v, rates.size(), rates.begin());
+      const auto by = r.gradient(at);
+      std::copy(by.begin(), by.end(), gradient);
+      return {r.residual(at), r.curvature(at, rates)};
+    } else {
+      return {};
+    }
   }
 
   Core core_;

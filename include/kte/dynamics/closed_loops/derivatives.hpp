@@ -1,0 +1,121 @@
+#pragma once
+
+#include <kte/dynamics/closed_loops/constrained_dynamics.hpp>
+
+#ifdef KTE_FUNCTION
+#  include <kte/dynamics/closed_loops/loop_variations.hpp>
+#  include <kte/dynamics/runtime/derivatives.hpp>
+#endif
+
+namespace kte {
+
+/// The result of `constrained_dynamics_derivatives`, for n degrees of freedom and m rows of closures.
+struct constrained_dynamics_derivatives_result {
+  Eigen::VectorXd a;                                   ///< accelerations, n
+  Eigen::VectorXd lambda;                              ///< forces of closures by the rows of `loop_jacobian`, m: N, Nm
+  Eigen::MatrixXd by_q, by_v, by_tau;                  ///< of a, n x n
+  Eigen::MatrixXd lambda_by_q, lambda_by_v, lambda_by_tau;  ///< of lambda, m x n
+  int rank = 0, mobility = 0;  ///< the number of independent rows, and n - rank
+};
+
+namespace detail {
+constrained_dynamics_derivatives_result constrained_dynamics_derived(const runtime_chain& c, runtime_state& s,
+                                                                     const Eigen::VectorXd& tau);
+}  // namespace detail
+
+/// The accelerations of a chain with loops and the forces of its closures, with their derivatives by q, along the
+/// numbers of v, by v and by tau: implicit differentiation of the equations of motion,
+///
+///   ID(q, v, a) - J^T lambda = tau,   J a + J_dot v = 0                                        (1)
+///   M da - J^T dlambda = dtau - d(ID - J^T lambda),   J da = -d(J a + J_dot v)                 (2)
+///
+/// with a, lambda held in the derivatives d(...) on the right, and the factor of `constrained_dynamics`.
+///
+///   const auto r = kte::constrained_dynamics_derivatives(c, s, q, v, tau);    r.by_q, r.lambda_by_q
+///
+/// These are derivatives with all coordinates independent, also in directions that open the loops, where the closures
+/// keep J a + J_dot v at zero. Along motions on the loops combine them: with v = G v_y (`loop_motion`), by_q * G. Where
+/// rows depend on others, (1) and (2) are those of the independent rows that `constrained_dynamics` chooses, and the
+/// others have no force: on the loops a, its derivatives along motions on the loops, and J^T lambda are the same for
+/// each choice; lambda is not, and neither are derivatives in directions that open the loops. Arguments and errors as
+/// for `constrained_dynamics`.
+template <indexable Q, indexable V, indexable T>
+constrained_dynamics_derivatives_result constrained_dynamics_derivatives(const runtime_chain& c, runtime_state& s,
+                                                                         const Q& q, const V& v, const T& tau) {
+  detail::check_regular_tree(c, s);
+  return detail::take(c, s, q, v, detail::found_later{}, tau).call([&] {
+    Eigen::VectorXd forces(s.dofs());
+    for (int i = 0; i < s.dofs(); ++i) forces[i] = static_cast<double>(tau[static_cast<std::size_t>(i)]);
+    return detail::constrained_dynamics_derived(c, s, forces);
+  });
+}
+
+}  // namespace kte
+
+#ifdef KTE_FUNCTION
+namespace kte::detail {
+
+/// The equations (2) of a chain with loops at a state after `constrained_dynamics`.
+class loop_sensitivity {
+ public:
+  loop_sensitivity(const runtime_chain& c, runtime_state& s) : equations_(loops_of(c, s).equations),
+        factor_(loops_of(c, s).factor) {
+    if (s.tree().plan.tree)
+      articulate_and_invert(runtime_elements{c}, s, inverse_);
+    else
+      invert_free_rows(runtime_elements{c}, s, inverse_);
+  }
+  /// da and dlambda, of rows in m and rad, for columns of forces and of J a + J_dot v.
+  void solve(const Eigen::MatrixXd& forces, const Eigen::MatrixXd& accelerations, Eigen::MatrixXd& a,
+             Eigen::MatrixXd& lambda) const {
+    a.noalias() = inverse_ * forces;
+    lambda.resize(accelerations.rows(), forces.cols());
+    for (Eigen::Index k = 0; k < forces.cols(); ++k) {
+      const Eigen::VectorXd off = accelerations.col(k) + equations_.times(a.col(k));
+      a.col(k) -= factor_.least_change(equations_, off);
+      lambda.col(k) = -factor_.multipliers(equations_, off);
+    }
+    for (const auto& x : equations_.places.closures)
+      for (int r = 0; r < x.rows.count(); ++r) lambda.row(x.first + r) *= equations_.places.scale(x, r);
+  }
+
+ private:
+  const loop_equations& equations_;
+  const loop_factor& factor_;
+  Eigen::MatrixXd inverse_;  ///< of M
+};
+/// The forces of all closures in a state.
+inline Eigen::VectorXd loop_forces(const closure_places& at, const runtime_state& s) {
+  Eigen::VectorXd all(at.rows);
+  for (const auto& x : at.closures) {
+    const auto& loop = s.get<kind::loop>(x.loop);
+    for (int r = 0; r < x.rows.count(); ++r) all[x.first + r] = row_of(loop.force, loop.torque, x.rows, r);
+  }
+  return all;
+}
+KTE_FUNCTION constrained_dynamics_derivatives_result constrained_dynamics_derived(const runtime_chain& c,
+                                                                                  runtime_state& s,
+                                                                                  const Eigen::VectorXd& tau) {
+  constrained_dynamics_derivatives_result r;
+  const Eigen::Index n = s.dofs();
+  r.a = accelerations_of_chain(c, s, [&tau](int i) { return tau[i]; });
+  r.mobility = s.dofs();
+  if (!has_loops(c)) {
+    const auto& tree = accelerations_derived(c, s);
+    r.by_q = tree.by_q, r.by_v = tree.by_v, r.by_tau = tree.by_tau;
+    for (auto* m : {&r.lambda_by_q, &r.lambda_by_v, &r.lambda_by_tau}) m->resize(0, n);
+    return r;
+  }
+  const auto& [layout, e, factor] = loops_of(c, s);
+  r.rank = factor.rank(), r.mobility = s.dofs() - r.rank;
+  r.lambda = loop_forces(e.places, s);
+  const loop_variations by = vary_loops(c, s, e);
+  const loop_sensitivity equations(c, s);
+  equations.solve(-by.forces.by_q, by.accelerations_by_q, r.by_q, r.lambda_by_q);
+  equations.solve(-by.forces.by_v, by.accelerations_by_v, r.by_v, r.lambda_by_v);
+  equations.solve(Eigen::MatrixXd::Identity(n, n), Eigen::MatrixXd::Zero(e.places.rows, n), r.by_tau, r.lambda_by_tau);
+  return r;
+}
+
+}  // namespace kte::detail
+#endif
