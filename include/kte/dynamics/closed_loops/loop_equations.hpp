@@ -62,10 +62,7 @@ class loop_equations {
     for (const auto& x : places.closures) {
       double rows[6];
       if (x.of_frames()) {
-        const pose<mat3<vec3<>>, vec3<>> here{as<double>(matrix(no_rotation{})), {}};
-        const auto m = placed(s, x);
-        const auto a = moved(s, x.frame1, here), b = moved(s, x.frame2, {m.rotation, m.position});
-        element(c, x).close_frames(as_closing_motion<double>(relative(a, b)), 2, rows);
+        element(c, x).close_frames(motion_between(s, x), 2, rows);
       } else {
         coordinate_rows(c, s, x, [&rows](const auto& values, const double*) { rows[0] = values[1]; });
       }
@@ -114,6 +111,13 @@ class loop_equations {
     if (common < 0) in_a = in_world(s, base_a, in_a), in_b = in_world(s, base_b, in_b);
     const auto at = compose(inverse(in_a), in_b);
     return {as<double>(at.position), as<double>(matrix(at.rotation)), {}, {}, {}, {}};
+  }
+  /// The motion of frame2 in frame1, of bodies that move.
+  static closing_motion<double> motion_between(runtime_state& s, const closure_place& x) {
+    const pose<mat3<vec3<>>, vec3<>> here{as<double>(matrix(no_rotation{})), {}};
+    const auto m = placed(s, x);
+    const auto a = moved(s, x.frame1, here), b = moved(s, x.frame2, {m.rotation, m.position});
+    return as_closing_motion<double>(relative(a, b));
   }
   static const kte_element& element(const runtime_chain& c, const closure_place& x) {
     return runtime_elements{c}.element(x.element);
