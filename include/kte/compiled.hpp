@@ -8,6 +8,7 @@
 #define KTE_COMPILED_HERE
 
 #include <kte/control/discretize.hpp>
+#include <kte/control/linearize_loops.hpp>
 #include <kte/control/lqr.hpp>
 #include <kte/dynamics/bias_forces.hpp>
 #include <kte/dynamics/centroidal.hpp>

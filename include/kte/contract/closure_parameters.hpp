@@ -13,7 +13,9 @@
 namespace kte::detail {
 
 template <class Core>
-inline constexpr bool derived_by_parameters = requires { Core::parameter_names; };
+inline constexpr bool derived_by_parameters = requires {
+  Core::parameter_names;
+};
 
 /// The derivative of a closure of coordinates by parameter k, with its own derivatives by coordinates.
 template <class Core>

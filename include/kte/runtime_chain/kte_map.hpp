@@ -118,18 +118,21 @@ class kte_element : public kte_map {
                                                   double* /*gradient*/) const {
     return {};
   }
-  /// The same with derivatives.
+  /// The residual or a derivative of it in dual numbers.
   virtual void close_frames(const detail::closing_motion<detail::derivative_number>&, int /*order*/,
                             detail::derivative_number* /*rows*/) const {}
+  /// The residual and the derivatives of a closure of coordinates in dual numbers.
   virtual std::array<detail::derivative_number, 2> close_coordinates(const detail::derivative_number* /*q*/,
                                                                      const detail::derivative_number* /*v*/,
                                                                      detail::derivative_number* /*gradient*/) const {
     return {};
   }
-  /// The parameters by which a closure gives its derivatives, and these derivatives of the functions above.
+  /// Parameters of a closure with derivatives (contract/closure_parameters.hpp).
   virtual std::span<const std::string_view> closure_parameters() const { return {}; }
+  /// The derivative of `close_frames` by a parameter.
   virtual void close_frames_by(int /*parameter*/, const detail::closing_motion<double>&, int /*order*/,
                                double* /*rows*/) const {}
+  /// The derivative of `close_coordinates` by a parameter.
   virtual std::array<double, 2> close_coordinates_by(int /*parameter*/, const double* /*q*/, const double* /*v*/,
                                                      double* /*gradient*/) const {
     return {};

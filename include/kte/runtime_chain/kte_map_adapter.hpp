@@ -144,7 +144,7 @@ class kte_map_adapter final : public kte_element {
     return detail::stored_element<Core, State, detail::by_index>{core_, s, {index_.data()}};
   }
 
-  /// Of a closure of frames.
+  /// Writes the rows of a closure of frames.
   template <class S>
   void put_rows([[maybe_unused]] const detail::closing_motion<S>& m, [[maybe_unused]] int order,
                 [[maybe_unused]] S* rows) const {
@@ -157,7 +157,7 @@ class kte_map_adapter final : public kte_element {
         detail::put_in_numbers(core_.residual_ddot(m), rows);
     }
   }
-  /// Of a closure of coordinates, or of its derivative by a parameter.
+  /// The relation of a closure of coordinates, or its derivative by a parameter.
   template <class Relation, class S>
   static std::array<S, 2> relation([[maybe_unused]] const Relation& r, [[maybe_unused]] const S* q,
                                    [[maybe_unused]] const S* v, [[maybe_unused]] S* gradient) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kte/dynamics/closed_loops/actuated_forces.hpp>
+#include <kte/dynamics/closed_loops/actuated_dynamics.hpp>
 #include <kte/dynamics/closed_loops/derivatives.hpp>
 
 namespace kte {
@@ -8,7 +8,8 @@ namespace kte {
 /// A parameter of a closure, by the name of its loop:
 ///
 ///   "length", "factor1", "factor2", "constant"    of `distance`, `coupled_coordinates`
-///   "frame1.x", "frame1.y", "frame1.z"            of a closure of frames: how far frame1 is displaced on its body, m, in
+///   "frame1.x", "frame1.y", "frame1.z"            of a closure of frames: how far frame1 is displaced on its body, m,
+///   in
 ///                                                 its axes; "frame2.x" ... likewise
 ///   "frame1.rx", "frame1.ry", "frame1.rz"         how far it is turned about its axes, rad
 struct closure_parameter {
@@ -17,9 +18,9 @@ struct closure_parameter {
 
 /// The result of `closure_derivatives`, a column a parameter: of n coordinates, m rows of closures.
 struct closure_derivatives_result {
-  Eigen::MatrixXd q;                         ///< n rows, along the numbers of v: how the configuration follows
-  Eigen::MatrixXd v;                         ///< n rows: how the velocities follow
-  Eigen::MatrixXd a, lambda;                 ///< accelerations, forces of closures, n and m rows, on the closed loops
+  Eigen::MatrixXd q;          ///< n rows, along the numbers of v: how the configuration follows
+  Eigen::MatrixXd v;          ///< n rows: how the velocities follow
+  Eigen::MatrixXd a, lambda;  ///< accelerations, forces of closures, n and m rows, on the closed loops
   Eigen::MatrixXd a_in_place, lambda_in_place;  ///< the same with q and v held: partial derivatives
 };
 
@@ -46,9 +47,7 @@ closure_derivatives_result closure_derivatives(const runtime_chain& c, runtime_s
                                                const actuated_coordinates& by) {
   detail::check_regular_tree(c, s);
   return detail::take(c, s, q, v, detail::found_later{}, tau).call([&] {
-    Eigen::VectorXd forces(s.dofs());
-    for (int i = 0; i < s.dofs(); ++i) forces[i] = static_cast<double>(tau[static_cast<std::size_t>(i)]);
-    return detail::closures_derived(c, s, forces, parameters, by.names);
+    return detail::closures_derived(c, s, detail::as_vector(tau, s.dofs()), parameters, by.names);
   });
 }
 
@@ -59,13 +58,6 @@ closure_derivatives_result closure_derivatives(const runtime_chain& c, runtime_s
 
 namespace kte::detail {
 
-/// The equations of `by_parameter` for velocities: J d = -off, with none of the actuated coordinates.
-inline Eigen::VectorXd followed_motion(const loop_memory_of_state& loops, const Eigen::MatrixXd& g,
-                                       const std::vector<int>& actuated, const Eigen::VectorXd& off) {
-  Eigen::VectorXd d = -loops.factor.least_change(loops.equations, off), of_actuated(g.cols());
-  for (Eigen::Index k = 0; k < g.cols(); ++k) of_actuated[k] = d[actuated[static_cast<std::size_t>(k)]];
-  return d - g * of_actuated;
-}
 KTE_FUNCTION closure_derivatives_result closures_derived(const runtime_chain& c, runtime_state& s,
                                                          const Eigen::VectorXd& tau,
                                                          const std::vector<closure_parameter>& parameters,
@@ -73,10 +65,10 @@ KTE_FUNCTION closure_derivatives_result closures_derived(const runtime_chain& c,
   closure_variations variations(c, s, parameters);
   const Eigen::MatrixXd g = actuated_motion(c, s, actuated);
   const std::vector<int> rows = rows_of_coordinates(c, s, actuated);
-  const auto all = constrained_dynamics_derived(c, s, tau);
+  loop_variations by;
+  const auto all = constrained_dynamics_derived(c, s, tau, &by);
   const auto& loops = loops_of(c, s);
   const auto& e = loops.equations;
-  const loop_variations by = vary_loops(c, s, e);
   const auto own = variations.at_state(c, s);
 
   closure_derivatives_result r;

@@ -53,10 +53,10 @@ class closure_variations {
  private:
   struct wanted {
     int closure;
-    int number = -1;         ///< of its own parameters
-    int frame = 0;           ///< which is displaced, 1 or 2,
-    bool turns = false;      ///< by a rotation
-    std::size_t axis = 0;    ///< about or along this axis
+    int number = -1;       ///< among the parameters of the closure
+    int frame = 0;         ///< which is displaced, 1 or 2,
+    bool turns = false;    ///< by a rotation
+    std::size_t axis = 0;  ///< about or along this axis
   };
   struct rows_at {
     double of[3][6]{};
@@ -134,12 +134,12 @@ class closure_variations {
     (&(w.turns ? turn : step).x)[w.axis] = by;
     const pose<mat3<vec3<D>>, vec3<D>> moved{
         {{D(1), -turn.z, turn.y}, {turn.z, D(1), -turn.x}, {-turn.y, turn.x, D(1)}}, step};
-    const pose<mat3<vec3<D>>, vec3<D>> stays{
-        {{D(1), none, none}, {none, D(1), none}, {none, none, D(1)}}, {none, none, none}};
+    const pose<mat3<vec3<D>>, vec3<D>> stays{{{D(1), none, none}, {none, D(1), none}, {none, none, D(1)}},
+                                             {none, none, none}};
     const auto &on_1 = w.frame == 1 ? moved : stays, &on_2 = w.frame == 2 ? moved : stays;
-    const auto m = as_closing_motion<D>(compose(inverse(at_rest(on_1.rotation, on_1.position)),
-                                                compose(as_closing_motion<D>(loop_equations::motion_between(s, x)),
-                                                        at_rest(on_2.rotation, on_2.position))));
+    const auto m = as_closing_motion<D>(compose(
+        inverse(at_rest(on_1.rotation, on_1.position)),
+        compose(as_closing_motion<D>(loop_equations::motion_between(s, x)), at_rest(on_2.rotation, on_2.position))));
     const auto& element = loop_equations::element(c, x);
     for (int order = 0; order < 3; ++order) {
       D all[6];
@@ -153,9 +153,7 @@ class closure_variations {
   }
   template <class W>
   static tree::dense_wrench<double> derivative_of(const W& w) {
-    const auto of = [](const auto& x) {
-      return vec3<>{x.x.derivative[0], x.y.derivative[0], x.z.derivative[0]};
-    };
+    const auto of = [](const auto& x) { return vec3<>{x.x.derivative[0], x.y.derivative[0], x.z.derivative[0]}; };
     return {of(w.force), of(w.torque)};
   }
   /// Adds what a wrench on a frame does on coordinates.

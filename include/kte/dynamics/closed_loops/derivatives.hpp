@@ -11,16 +11,25 @@ namespace kte {
 
 /// The result of `constrained_dynamics_derivatives`, for n degrees of freedom and m rows of closures.
 struct constrained_dynamics_derivatives_result {
-  Eigen::VectorXd a;                                   ///< accelerations, n
-  Eigen::VectorXd lambda;                              ///< forces of closures by the rows of `loop_jacobian`, m: N, Nm
-  Eigen::MatrixXd by_q, by_v, by_tau;                  ///< of a, n x n
+  Eigen::VectorXd a;                   ///< accelerations, n
+  Eigen::VectorXd lambda;              ///< forces of closures by the rows of `loop_jacobian`, m: N, Nm
+  Eigen::MatrixXd by_q, by_v, by_tau;  ///< of a, n x n
   Eigen::MatrixXd lambda_by_q, lambda_by_v, lambda_by_tau;  ///< of lambda, m x n
-  int rank = 0, mobility = 0;  ///< the number of independent rows, and n - rank
+  int rank = 0, mobility = 0;                               ///< the number of independent rows, and n - rank
 };
 
 namespace detail {
+struct loop_variations;
+/// With loops, the derivatives of the equations into `kept`.
 constrained_dynamics_derivatives_result constrained_dynamics_derived(const runtime_chain& c, runtime_state& s,
-                                                                     const Eigen::VectorXd& tau);
+                                                                     const Eigen::VectorXd& tau,
+                                                                     loop_variations* kept = nullptr);
+template <indexable X>
+Eigen::VectorXd as_vector(const X& x, int n) {
+  Eigen::VectorXd all(n);
+  for (int i = 0; i < n; ++i) all[i] = static_cast<double>(x[static_cast<std::size_t>(i)]);
+  return all;
+}
 }  // namespace detail
 
 /// The accelerations of a chain with loops and the forces of its closures, with their derivatives by q, along the
@@ -37,16 +46,14 @@ constrained_dynamics_derivatives_result constrained_dynamics_derived(const runti
 /// keep J a + J_dot v at zero. Along motions on the loops combine them: with v = G v_y (`loop_motion`), by_q * G. Where
 /// rows depend on others, (1) and (2) are those of the independent rows that `constrained_dynamics` chooses, and the
 /// others have no force: on the loops a, its derivatives along motions on the loops, and J^T lambda are the same for
-/// each choice; lambda is not, and neither are derivatives in directions that open the loops. Arguments and errors as
+/// each choice; lambda and derivatives in directions that open the loops depend on the choice. Arguments and errors as
 /// for `constrained_dynamics`.
 template <indexable Q, indexable V, indexable T>
 constrained_dynamics_derivatives_result constrained_dynamics_derivatives(const runtime_chain& c, runtime_state& s,
                                                                          const Q& q, const V& v, const T& tau) {
   detail::check_regular_tree(c, s);
   return detail::take(c, s, q, v, detail::found_later{}, tau).call([&] {
-    Eigen::VectorXd forces(s.dofs());
-    for (int i = 0; i < s.dofs(); ++i) forces[i] = static_cast<double>(tau[static_cast<std::size_t>(i)]);
-    return detail::constrained_dynamics_derived(c, s, forces);
+    return detail::constrained_dynamics_derived(c, s, detail::as_vector(tau, s.dofs()));
   });
 }
 
@@ -58,8 +65,8 @@ namespace kte::detail {
 /// The equations (2) of a chain with loops at a state after `constrained_dynamics`.
 class loop_sensitivity {
  public:
-  loop_sensitivity(const runtime_chain& c, runtime_state& s) : equations_(loops_of(c, s).equations),
-        factor_(loops_of(c, s).factor) {
+  loop_sensitivity(const runtime_chain& c, runtime_state& s)
+      : equations_(loops_of(c, s).equations), factor_(loops_of(c, s).factor) {
     if (s.tree().plan.tree)
       articulate_and_invert(runtime_elements{c}, s, inverse_);
     else
@@ -95,7 +102,8 @@ inline Eigen::VectorXd loop_forces(const closure_places& at, const runtime_state
 }
 KTE_FUNCTION constrained_dynamics_derivatives_result constrained_dynamics_derived(const runtime_chain& c,
                                                                                   runtime_state& s,
-                                                                                  const Eigen::VectorXd& tau) {
+                                                                                  const Eigen::VectorXd& tau,
+                                                                                  loop_variations* kept) {
   constrained_dynamics_derivatives_result r;
   const Eigen::Index n = s.dofs();
   r.a = accelerations_of_chain(c, s, [&tau](int i) { return tau[i]; });
@@ -109,11 +117,12 @@ KTE_FUNCTION constrained_dynamics_derivatives_result constrained_dynamics_derive
   const auto& [layout, e, factor] = loops_of(c, s);
   r.rank = factor.rank(), r.mobility = s.dofs() - r.rank;
   r.lambda = loop_forces(e.places, s);
-  const loop_variations by = vary_loops(c, s, e);
+  loop_variations by = vary_loops(c, s, e);
   const loop_sensitivity equations(c, s);
   equations.solve(-by.forces.by_q, by.accelerations_by_q, r.by_q, r.lambda_by_q);
   equations.solve(-by.forces.by_v, by.accelerations_by_v, r.by_v, r.lambda_by_v);
   equations.solve(Eigen::MatrixXd::Identity(n, n), Eigen::MatrixXd::Zero(e.places.rows, n), r.by_tau, r.lambda_by_tau);
+  if (kept != nullptr) *kept = std::move(by);
   return r;
 }
 
