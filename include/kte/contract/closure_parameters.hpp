@@ -2,8 +2,6 @@
 
 #include <kte/contract/coordinate_closure.hpp>
 
-#include <algorithm>
-
 /// Derivatives of closures by their own numbers, for cores that give them:
 ///
 ///   static constexpr std::array<std::string_view, N> parameter_names
@@ -17,9 +15,29 @@ inline constexpr bool derived_by_parameters = requires {
   Core::parameter_names;
 };
 
+/// The derivative of a closure of frames by parameter k.
+template <class Core>
+struct rows_by_parameter {
+  const Core& of;
+  int parameter;
+
+  template <class M>
+  constexpr auto residual(const M& m) const {
+    return of.by_parameter(parameter, m, 0);
+  }
+  template <class M>
+  constexpr auto residual_dot(const M& m) const {
+    return of.by_parameter(parameter, m, 1);
+  }
+  template <class M>
+  constexpr auto residual_ddot(const M& m) const {
+    return of.by_parameter(parameter, m, 2);
+  }
+};
 /// The derivative of a closure of coordinates by parameter k, with its own derivatives by coordinates.
 template <class Core>
 struct value_by_parameter : coordinate_closure<value_by_parameter<Core>> {
+  static constexpr auto ports = Core::ports;
   const Core& of;
   int parameter;
 
@@ -28,12 +46,5 @@ struct value_by_parameter : coordinate_closure<value_by_parameter<Core>> {
     return of.by_parameter(parameter, q...);
   }
 };
-
-/// Rows as numbers.
-template <class S, class... R>
-constexpr void put_in_numbers(const values<R...>& rows, S* to) {
-  const auto numbers = rows_in_numbers<S>(rows);
-  std::copy(numbers.begin(), numbers.end(), to);
-}
 
 }  // namespace kte::detail

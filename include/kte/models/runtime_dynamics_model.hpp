@@ -204,7 +204,7 @@ namespace kte {
 
 KTE_FUNCTION manipulator_dynamics_model<runtime_chain>::manipulator_dynamics_model(const runtime_chain& c)
     : base(c), s_(c.make_state()), rate_(rates()) {
-  if (detail::has_loops(c)) detail::check_loops(c, s_);
+  if (detail::has_loops(c)) detail::check_loops(detail::closures_of(c), s_);
   for (const int e : s_.tree().locks) {
     const auto& index = wiring().elements[static_cast<std::size_t>(e)].index;
     const int row = s_.tree().plan.row_of_gen[static_cast<std::size_t>(index[0])];
@@ -359,7 +359,7 @@ KTE_FUNCTION void manipulator_dynamics_model<runtime_chain>::settle(const state&
   if (detail::has_loops(chain())) detail::settle_on_loops(*this, s_, detail::step_from(*this, s_, loops_, x0), d, x);
 }
 KTE_FUNCTION void manipulator_dynamics_model<runtime_chain>::tangential(const state& x0, rate& e) const {
-  if (detail::has_loops(chain())) detail::make_tangential(detail::step_from(*this, s_, loops_, x0), e);
+  if (detail::has_loops(chain())) detail::make_tangential(s_, detail::step_from(*this, s_, loops_, x0), e);
 }
 KTE_FUNCTION void manipulator_dynamics_model<runtime_chain>::begin_step(const state& x0) const {
   if (detail::has_loops(chain())) detail::check_step(chain(), s_, detail::step_from(*this, s_, loops_, x0));

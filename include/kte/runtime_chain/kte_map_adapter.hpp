@@ -94,26 +94,32 @@ class kte_map_adapter final : public kte_element {
     else
       return {};
   }
-  void close_frames(const detail::closing_motion<double>& m, int order, double* rows) const override {
-    put_rows(m, order, rows);
+  void close_frames([[maybe_unused]] const detail::closing_motion<double>& m, [[maybe_unused]] detail::closing what,
+                    [[maybe_unused]] double* rows) const override {
+    if constexpr (closes_frames) detail::close_frames_by(core_, m, what, rows);
   }
-  void close_frames(const detail::closing_motion<detail::derivative_number>& m, int order,
-                    detail::derivative_number* rows) const override {
-    put_rows(m, order, rows);
+  void close_frames([[maybe_unused]] const detail::closing_motion<detail::derivative_number>& m,
+                    [[maybe_unused]] detail::closing what,
+                    [[maybe_unused]] detail::derivative_number* rows) const override {
+    if constexpr (closes_frames) detail::close_frames_by(core_, m, what, rows);
   }
   bool is_upright([[maybe_unused]] const detail::closing_motion<double>& m) const override {
-    if constexpr (requires { core_.upright(m); })
-      return core_.upright(m);
+    return detail::is_upright_by(core_, m);
+  }
+  std::array<double, 2> close_coordinates([[maybe_unused]] const double* q, [[maybe_unused]] const double* v,
+                                          [[maybe_unused]] double* gradient) const override {
+    if constexpr (closes_coordinates)
+      return detail::close_coordinates_by(core_, q, v, gradient);
     else
-      return true;
+      return {};
   }
-  std::array<double, 2> close_coordinates(const double* q, const double* v, double* gradient) const override {
-    return relation(core_, q, v, gradient);
-  }
-  std::array<detail::derivative_number, 2> close_coordinates(const detail::derivative_number* q,
-                                                             const detail::derivative_number* v,
-                                                             detail::derivative_number* gradient) const override {
-    return relation(core_, q, v, gradient);
+  std::array<detail::derivative_number, 2> close_coordinates(
+      [[maybe_unused]] const detail::derivative_number* q, [[maybe_unused]] const detail::derivative_number* v,
+      [[maybe_unused]] detail::derivative_number* gradient) const override {
+    if constexpr (closes_coordinates)
+      return detail::close_coordinates_by(core_, q, v, gradient);
+    else
+      return {};
   }
   std::span<const std::string_view> closure_parameters() const override {
     if constexpr (detail::derived_by_parameters<Core>)
@@ -121,16 +127,16 @@ class kte_map_adapter final : public kte_element {
     else
       return {};
   }
-  void close_frames_by([[maybe_unused]] int parameter, [[maybe_unused]] const detail::closing_motion<double>& m,
-                       [[maybe_unused]] int order, [[maybe_unused]] double* rows) const override {
+  void frames_by_parameter([[maybe_unused]] int parameter, [[maybe_unused]] const detail::closing_motion<double>& m,
+                           [[maybe_unused]] detail::closing what, [[maybe_unused]] double* rows) const override {
     if constexpr (closes_frames && detail::derived_by_parameters<Core>)
-      detail::put_in_numbers(core_.by_parameter(parameter, m, order), rows);
+      detail::close_frames_by(detail::rows_by_parameter<Core>{core_, parameter}, m, what, rows);
   }
-  std::array<double, 2> close_coordinates_by([[maybe_unused]] int parameter, [[maybe_unused]] const double* q,
-                                             [[maybe_unused]] const double* v,
-                                             [[maybe_unused]] double* gradient) const override {
-    if constexpr (!closes_frames && detail::derived_by_parameters<Core>)
-      return relation(detail::value_by_parameter<Core>{{}, core_, parameter}, q, v, gradient);
+  std::array<double, 2> coordinates_by_parameter([[maybe_unused]] int parameter, [[maybe_unused]] const double* q,
+                                                 [[maybe_unused]] const double* v,
+                                                 [[maybe_unused]] double* gradient) const override {
+    if constexpr (closes_coordinates && detail::derived_by_parameters<Core>)
+      return detail::close_coordinates_by(detail::value_by_parameter<Core>{{}, core_, parameter}, q, v, gradient);
     else
       return {};
   }
@@ -138,38 +144,11 @@ class kte_map_adapter final : public kte_element {
  private:
   using inputs = std::make_index_sequence<input_count<Core>>;
   static constexpr bool closes_frames = detail::is_closure<Core> && is_frame(Core::ports[0].what);
+  static constexpr bool closes_coordinates = detail::is_closure<Core> && !closes_frames;
 
   template <class State>
   auto on(State& s) const {
     return detail::stored_element<Core, State, detail::by_index>{core_, s, {index_.data()}};
-  }
-
-  /// Writes the rows of a closure of frames.
-  template <class S>
-  void put_rows([[maybe_unused]] const detail::closing_motion<S>& m, [[maybe_unused]] int order,
-                [[maybe_unused]] S* rows) const {
-    if constexpr (closes_frames) {
-      if (order == 0)
-        detail::put_in_numbers(core_.residual(m), rows);
-      else if (order == 1)
-        detail::put_in_numbers(core_.residual_dot(m), rows);
-      else
-        detail::put_in_numbers(core_.residual_ddot(m), rows);
-    }
-  }
-  /// The relation of a closure of coordinates, or its derivative by a parameter.
-  template <class Relation, class S>
-  static std::array<S, 2> relation([[maybe_unused]] const Relation& r, [[maybe_unused]] const S* q,
-                                   [[maybe_unused]] const S* v, [[maybe_unused]] S* gradient) {
-    if constexpr (detail::is_closure<Core> && !closes_frames) {
-      std::array<S, port_count<Core> - 1> at, rates;
-      std::copy_n(q, at.size(), at.begin()), std::copy_n(v, rates.size(), rates.begin());
-      const auto by = r.gradient(at);
-      std::copy(by.begin(), by.end(), gradient);
-      return {r.residual(at), r.curvature(at, rates)};
-    } else {
-      return {};
-    }
   }
 
   Core core_;

@@ -68,9 +68,9 @@ Eigen::MatrixXd jacobian(const runtime_chain& c, runtime_state& s, const Q& q, c
 namespace kte::detail {
 
 /// The motion d with J d = -off in which the actuated coordinates do not move.
-inline Eigen::VectorXd followed_motion(const loop_memory_of_state& loops, const Eigen::MatrixXd& g,
+inline Eigen::VectorXd followed_motion(runtime_state& s, loop_memory_of_state& loops, const Eigen::MatrixXd& g,
                                        const std::vector<int>& actuated, const Eigen::VectorXd& off) {
-  const Eigen::VectorXd d = -loops.factor.least_change(loops.equations, off);
+  const Eigen::VectorXd d = -loops.factor.least_change(s, loops.equations, off);
   Eigen::VectorXd of_actuated(g.cols());
   for (Eigen::Index k = 0; k < g.cols(); ++k) of_actuated[k] = d[actuated[static_cast<std::size_t>(k)]];
   return d - g * of_actuated;
@@ -80,8 +80,8 @@ KTE_FUNCTION Eigen::VectorXd actuated_drift(const runtime_chain& c, runtime_stat
   const Eigen::MatrixXd g = actuated_motion(c, s, names);
   if (!has_loops(c)) return Eigen::VectorXd::Zero(s.dofs());
   auto& loops = loops_of(c, s);
-  loops.equations.at_rates(c, s);
-  return followed_motion(loops, g, rows_of_coordinates(c, s, names), loops.equations.acceleration);
+  loops.equations.at_rates(closures_of(c), s);
+  return followed_motion(s, loops, g, rows_of_coordinates(c, s, names), loops.equations.acceleration);
 }
 KTE_FUNCTION Eigen::VectorXd actuated_bias(const runtime_chain& c, runtime_state& s,
                                            const std::vector<std::string>& names) {

@@ -48,13 +48,12 @@ KTE_FUNCTION Eigen::MatrixXd actuated_motion(const runtime_chain& c, runtime_sta
   Eigen::MatrixXd j(0, n);
   int rank = 0;
   if (has_loops(c)) {
-    const auto& [layout, e, factor] = factorized_loops(c, s);
-    rank = factor.rank();
-    const Eigen::MatrixXd all = e.scaled_jacobian();
-    const Eigen::VectorXd chosen = factor.chosen_of(e, Eigen::VectorXd::Ones(e.places.rows));
+    const auto& m = factorized_loops(c, s);
+    rank = m.factor.rank();
+    const Eigen::MatrixXd all = m.equations.scaled_jacobian();
     j.resize(rank, n);
-    for (int k = 0, row = 0; k < e.places.rows; ++k)
-      if (chosen[k] != 0) j.row(row++) = all.row(k);
+    for (int k = 0, row = 0; k < m.equations.places.rows; ++k)
+      if (m.factor.is_chosen(m.equations, k)) j.row(row++) = all.row(k);
   }
   if (static_cast<int>(actuated.size()) != n - rank)
     throw bad_argument("kte: this chain has mobility " + std::to_string(n - rank) +
@@ -65,14 +64,18 @@ KTE_FUNCTION Eigen::MatrixXd actuated_motion(const runtime_chain& c, runtime_sta
   for (int row = 0; row < n; ++row)
     if (!is_actuated[static_cast<std::size_t>(row)]) others.push_back(row);
   for (int k = 0; k < rank; ++k) all_rows.push_back(k);
-  Eigen::MatrixXd b(rank, rank), driven(rank, n - rank);
+  pivoted_qr qr;
+  Eigen::MatrixXd &b = qr.matrix(rank, rank), driven(rank, n - rank);
   for (int k = 0; k < rank; ++k) b.row(k) = j.col(others[static_cast<std::size_t>(k)]).transpose();
   for (int k = 0; k < n - rank; ++k) driven.col(k) = j.col(actuated[static_cast<std::size_t>(k)]);
-  pivoted_qr qr;
-  if (!qr.take(b, all_rows, least_pivot))
+  if (!qr.take(all_rows, least_pivot))
     throw no_solution("kte: the actuated coordinates do not determine the motion of the loops here");
-  qr.r.transpose().triangularView<Eigen::Lower>().solveInPlace(driven);
-  const Eigen::MatrixXd x = -(qr.q * driven);
+  Eigen::MatrixXd x(rank, n - rank);
+  for (Eigen::Index k = 0; k < x.cols(); ++k) {
+    driven.col(k) *= -1;
+    qr.solve_transposed(driven.col(k).data());
+    qr.times_q(driven.col(k).data(), x.col(k).data());
+  }
   Eigen::MatrixXd g = Eigen::MatrixXd::Zero(n, n - rank);
   for (int k = 0; k < rank; ++k) g.row(others[static_cast<std::size_t>(k)]) = x.row(k);
   for (int k = 0; k < n - rank; ++k) g(actuated[static_cast<std::size_t>(k)], k) = 1;
@@ -84,13 +87,13 @@ KTE_FUNCTION Eigen::VectorXd actuated_forces(const runtime_chain& c, runtime_sta
   if (has_loops(c)) {
     auto& e = loops_of(c, s).equations;
     const Eigen::VectorXd a = read_numbers<vector_of::a>(s);
-    e.at_rates(c, s);
+    e.at_rates(closures_of(c), s);
     const Eigen::VectorXd off = e.acceleration + e.times(a);
     const Eigen::VectorXd sizes = e.acceleration.cwiseAbs() + e.times_sizes(a);
     for (int k = 0; k < e.places.rows; ++k)
       if (std::abs(off[k]) > 1e-6 * (sizes.maxCoeff() + 1e-300)) [[unlikely]]
         throw bad_argument("kte: these accelerations do not keep '" +
-                           closure_places::name_of(c, e.places.closure_of_row(k)) +
+                           closures_of(c).loop_name(e.places.closure_of_row(k).loop) +
                            "' closed: those of constrained_dynamics do");
   }
   coordinate_forces(c, s);

@@ -73,14 +73,16 @@ class assembly {
   /// |g|, with g and J of q.
   double at(const Eigen::VectorXd& q) {
     write_numbers<vector_of::q>(state_, q, "q");
-    equations_.at_positions(chain_, state_, true);
+    equations_.at_positions(closures_of(chain_), state_, true);
     return equations_.residual.norm();
   }
   double gap() const { return equations_.residual.cwiseAbs().maxCoeff(); }
   /// (1), of g and J as they are; false where nothing moves.
   bool step(double mu, Eigen::VectorXd& d) const {
     const auto m = equations_.residual.size(), n = static_cast<Eigen::Index>(free_.size());
-    Eigen::MatrixXd b = Eigen::MatrixXd::Zero(m + n, n);
+    pivoted_qr qr;
+    Eigen::MatrixXd& b = qr.matrix(m + n, n);
+    b.setZero();
     const Eigen::MatrixXd j = equations_.scaled_jacobian();
     for (Eigen::Index k = 0; k < n; ++k) {
       const int row = free_[static_cast<std::size_t>(k)];
@@ -89,10 +91,11 @@ class assembly {
     }
     std::vector<int> all(free_.size());
     for (std::size_t k = 0; k < all.size(); ++k) all[k] = static_cast<int>(k);
-    pivoted_qr qr;
-    if (!qr.take(b, all, 0)) return false;
-    Eigen::VectorXd x = -(qr.q.topRows(m).transpose() * equations_.residual);
-    qr.r.triangularView<Eigen::Upper>().solveInPlace(x);
+    if (!qr.take(all, 0)) return false;
+    Eigen::VectorXd y = Eigen::VectorXd::Zero(m + n);
+    y.head(m) = -equations_.residual;
+    qr.times_q_transposed(y.data()), qr.solve(y.data());
+    Eigen::VectorXd x = y.head(n);
     constexpr double quarter_turn = 1.5707963267948966;
     if (const double most = x.size() > 0 ? x.cwiseAbs().maxCoeff() : 0; most > quarter_turn) x *= quarter_turn / most;
     d = Eigen::VectorXd::Zero(unit_.size());
@@ -101,15 +104,15 @@ class assembly {
   }
   [[noreturn]] void fail(int steps, const char* why) const {
     const auto widest = widest_gap(equations_);
-    throw cannot_assemble("kte: the loops do not close: '" + closure_places::name_of(chain_, *widest.closure) +
+    throw cannot_assemble("kte: the loops do not close: '" + closures_of(chain_).loop_name(widest.closure->loop) +
                           "' stays open by " + short_number(widest.size) + (widest.linear ? " m" : " rad") + " after " +
                           std::to_string(steps) + " steps (" + why + ")");
   }
   /// Throws where rotations are on their false solution.
   void check_upright() const {
     for (const auto& x : equations_.places.closures)
-      if (x.of_frames() && !loop_equations::element(chain_, x).is_upright(loop_equations::placed(state_, x)))
-        throw cannot_assemble("kte: the loops close, but '" + closure_places::name_of(chain_, x) +
+      if (x.of_frames() && !closures_of(chain_).is_upright(x.element, loop_equations::motion_between(state_, x)))
+        throw cannot_assemble("kte: the loops close, but '" + closures_of(chain_).loop_name(x.loop) +
                               "' with its frames half a turn apart: another guess");
   }
 

@@ -67,21 +67,21 @@ KTE_FUNCTION closure_derivatives_result closures_derived(const runtime_chain& c,
   const std::vector<int> rows = rows_of_coordinates(c, s, actuated);
   loop_variations by;
   const auto all = constrained_dynamics_derived(c, s, tau, &by);
-  const auto& loops = loops_of(c, s);
-  const auto& e = loops.equations;
+  auto& loops = loops_of(c, s);
+  auto& e = loops.equations;
   const auto own = variations.at_state(c, s);
 
   closure_derivatives_result r;
   const auto count = static_cast<Eigen::Index>(parameters.size());
   r.q.resize(s.dofs(), count), r.v.resize(s.dofs(), count);
   for (Eigen::Index k = 0; k < count; ++k) {
-    r.q.col(k) = followed_motion(loops, g, rows, own.residuals.col(k));
+    r.q.col(k) = followed_motion(s, loops, g, rows, own.residuals.col(k));
     const Eigen::VectorXd open = e.times(r.q.col(k)) + own.residuals.col(k);
     if (open.size() > 0 && !(open.cwiseAbs().maxCoeff() <= 1e-8 * (1 + own.residuals.col(k).cwiseAbs().maxCoeff())))
       throw no_solution("kte: '" + parameters[static_cast<std::size_t>(k)].parameter + "' of '" +
                         parameters[static_cast<std::size_t>(k)].closure +
                         "' cannot change: redundant closures would contradict each other");
-    r.v.col(k) = followed_motion(loops, g, rows, own.velocities.col(k) + by.velocities_by_q * r.q.col(k));
+    r.v.col(k) = followed_motion(s, loops, g, rows, own.velocities.col(k) + by.velocities_by_q * r.q.col(k));
   }
   loop_sensitivity(c, s).solve(own.forces, own.accelerations, r.a_in_place, r.lambda_in_place);
   r.a = r.a_in_place + all.by_q * r.q + all.by_v * r.v;

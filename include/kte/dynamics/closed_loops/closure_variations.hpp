@@ -37,10 +37,10 @@ class closure_variations {
       rows_at rows;
       if (!x.of_frames())
         by_coordinates(c, s, x, w.number, rows, r.forces, k);
-      else if (w.number >= 0)
-        by_number(c, s, x, w.number, rows, r.forces, k);
+      else if (const auto m = e.moving(s, static_cast<std::size_t>(w.closure)); w.number >= 0)
+        by_number(c, s, x, m, w.number, rows, r.forces, k);
       else
-        by_displacement(c, s, x, w, rows, r.forces, k);
+        by_displacement(c, s, x, m, w, rows, r.forces, k);
       for (int i = 0; i < x.rows.count(); ++i)
         for (int order = 0; order < 3; ++order)
           (order == 0   ? r.residuals
@@ -65,9 +65,9 @@ class closure_variations {
   static wanted find(const runtime_chain& c, const closure_places& places, const closure_parameter& p) {
     for (std::size_t i = 0; i < places.closures.size(); ++i) {
       const auto& x = places.closures[i];
-      if (closure_places::name_of(c, x) != p.closure) continue;
+      if (closures_of(c).loop_name(x.loop) != p.closure) continue;
       wanted w{static_cast<int>(i)};
-      const auto own = loop_equations::element(c, x).closure_parameters();
+      const auto own = runtime_elements{c}.element(x.element).closure_parameters();
       const auto at = std::find(own.begin(), own.end(), p.parameter);
       if (at != own.end()) {
         w.number = static_cast<int>(at - own.begin());
@@ -96,37 +96,30 @@ class closure_variations {
       const auto& at = s.get<kind::gen>(x.coordinates[n]);
       q[n] = at.q, v[n] = at.q_dot;
     }
-    const auto [value, curvature] = loop_equations::element(c, x).close_coordinates_by(number, q, v, by);
+    const auto [value, curvature] = runtime_elements{c}.element(x.element).coordinates_by_parameter(number, q, v, by);
     rows.of[0][0] = value, rows.of[2][0] = curvature;
     for (std::size_t n = 0; n < x.coordinates.size(); ++n) {
       rows.of[1][0] += by[n] * v[n], rows.of[2][0] += by[n] * s.get<kind::gen>(x.coordinates[n]).q_ddot;
       forces(x.dofs[n], column) += by[n] * s.get<kind::loop>(x.loop).torque.x;
     }
   }
-  static void by_number(const runtime_chain& c, runtime_state& s, const closure_place& x, int number, rows_at& rows,
-                        Eigen::MatrixXd& forces, Eigen::Index column) {
-    const auto& element = loop_equations::element(c, x);
-    auto m = loop_equations::motion_between(s, x);
-    for (int order = 0; order < 3; ++order) element.close_frames_by(number, m, order, rows.of[order]);
-    m.velocity = m.ang_velocity = {};
-    double load[6];
-    for (std::size_t i = 0; i < 6; ++i) {
-      double row[6];
-      auto unit = m;
-      (&(i < 3 ? unit.velocity : unit.ang_velocity).x)[i % 3] = 1;
-      element.close_frames_by(number, unit, 1, row);
-      load[i] = 0;
-      for (int k = 0; k < x.rows.count(); ++k)
-        load[i] += row_of(s.get<kind::loop>(x.loop).force, s.get<kind::loop>(x.loop).torque, x.rows, k) * row[k];
-    }
-    const tree::dense_wrench<double> on_b{{load[0], load[1], load[2]}, {load[3], load[4], load[5]}};
+  static void by_number(const runtime_chain& c, runtime_state& s, const closure_place& x,
+                        const closing_motion<double>& m, int number, rows_at& rows, Eigen::MatrixXd& forces,
+                        Eigen::Index column) {
+    const auto& element = runtime_elements{c}.element(x.element);
+    for (int order = 0; order < 3; ++order)
+      element.frames_by_parameter(number, m, static_cast<closing>(order), rows.of[order]);
+    double units[6 * closing_stride];
+    element.frames_by_parameter(number, m, closing::wrenches, units);
+    const auto on_b = load_of_rows(x.rows, s.get<kind::loop>(x.loop), units);
     push(c, s, x.frame2, on_b, forces, column);
     const auto on_a = transmit(m, on_b);
     push(c, s, x.frame1, {-on_a.force, -on_a.torque}, forces, column);
   }
   /// A frame F' on the body of a frame of the closure, displaced from it: lane 0.
-  static void by_displacement(const runtime_chain& c, runtime_state& s, const closure_place& x, const wanted& w,
-                              rows_at& rows, Eigen::MatrixXd& forces, Eigen::Index column) {
+  static void by_displacement(const runtime_chain& c, runtime_state& s, const closure_place& x,
+                              const closing_motion<double>& between, const wanted& w, rows_at& rows,
+                              Eigen::MatrixXd& forces, Eigen::Index column) {
     const D none(0);
     D by(0);
     by.derivative[0] = 1;
@@ -137,13 +130,13 @@ class closure_variations {
     const pose<mat3<vec3<D>>, vec3<D>> stays{{{D(1), none, none}, {none, D(1), none}, {none, none, D(1)}},
                                              {none, none, none}};
     const auto &on_1 = w.frame == 1 ? moved : stays, &on_2 = w.frame == 2 ? moved : stays;
-    const auto m = as_closing_motion<D>(compose(
-        inverse(at_rest(on_1.rotation, on_1.position)),
-        compose(as_closing_motion<D>(loop_equations::motion_between(s, x)), at_rest(on_2.rotation, on_2.position))));
-    const auto& element = loop_equations::element(c, x);
+    const auto m =
+        as_closing_motion<D>(compose(inverse(at_rest(on_1.rotation, on_1.position)),
+                                     compose(as_closing_motion<D>(between), at_rest(on_2.rotation, on_2.position))));
+    const auto& element = runtime_elements{c}.element(x.element);
     for (int order = 0; order < 3; ++order) {
       D all[6];
-      element.close_frames(m, order, all);
+      element.close_frames(m, static_cast<closing>(order), all);
       for (int r = 0; r < x.rows.count(); ++r) rows.of[order][r] = all[r].derivative[0];
     }
     const auto on_b = load_of_closure(element, s.get<kind::loop>(x.loop), m);

@@ -65,8 +65,11 @@ namespace kte::detail {
 /// The equations (2) of a chain with loops at a state after `constrained_dynamics`.
 class loop_sensitivity {
  public:
-  loop_sensitivity(const runtime_chain& c, runtime_state& s)
-      : equations_(loops_of(c, s).equations), factor_(loops_of(c, s).factor) {
+  loop_sensitivity(const runtime_chain& c, runtime_state& s) : state_(s), loops_(loops_of(c, s)) {
+    const loop_factor chosen = loops_.factor;
+    loops_.equations.at_positions(closures_of(c), s, true);
+    loops_.factor.factorize(closures_of(c), s, loops_.equations);
+    (void)loops_.factor.keep(closures_of(c), s, loops_.equations, chosen, 0);
     if (s.tree().plan.tree)
       articulate_and_invert(runtime_elements{c}, s, inverse_);
     else
@@ -74,21 +77,22 @@ class loop_sensitivity {
   }
   /// da and dlambda, of rows in m and rad, for columns of forces and of J a + J_dot v.
   void solve(const Eigen::MatrixXd& forces, const Eigen::MatrixXd& accelerations, Eigen::MatrixXd& a,
-             Eigen::MatrixXd& lambda) const {
+             Eigen::MatrixXd& lambda) {
+    const auto& e = loops_.equations;
     a.noalias() = inverse_ * forces;
     lambda.resize(accelerations.rows(), forces.cols());
     for (Eigen::Index k = 0; k < forces.cols(); ++k) {
-      const Eigen::VectorXd off = accelerations.col(k) + equations_.times(a.col(k));
-      a.col(k) -= factor_.least_change(equations_, off);
-      lambda.col(k) = -factor_.multipliers(equations_, off);
+      const Eigen::VectorXd off = accelerations.col(k) + e.times(a.col(k));
+      a.col(k) -= loops_.factor.least_change(state_, e, off);
+      lambda.col(k) = -loops_.factor.multipliers(e, off);
     }
-    for (const auto& x : equations_.places.closures)
-      for (int r = 0; r < x.rows.count(); ++r) lambda.row(x.first + r) *= equations_.places.scale(x, r);
+    for (const auto& x : e.places.closures)
+      for (int r = 0; r < x.rows.count(); ++r) lambda.row(x.first + r) *= e.places.scale(x, r);
   }
 
  private:
-  const loop_equations& equations_;
-  const loop_factor& factor_;
+  runtime_state& state_;
+  loop_memory_of_state& loops_;
   Eigen::MatrixXd inverse_;  ///< of M
 };
 /// The forces of all closures in a state.
@@ -106,7 +110,8 @@ KTE_FUNCTION constrained_dynamics_derivatives_result constrained_dynamics_derive
                                                                                   loop_variations* kept) {
   constrained_dynamics_derivatives_result r;
   const Eigen::Index n = s.dofs();
-  r.a = accelerations_of_chain(c, s, [&tau](int i) { return tau[i]; });
+  for (int i = 0; i < s.dofs(); ++i) s.work.kept[static_cast<std::size_t>(i)] = tau[i];
+  r.a = has_loops(c) ? accelerations_on_loops(c, s) : accelerations_under_kept(c, s, {});
   r.mobility = s.dofs();
   if (!has_loops(c)) {
     const auto& tree = accelerations_derived(c, s);
@@ -114,11 +119,12 @@ KTE_FUNCTION constrained_dynamics_derivatives_result constrained_dynamics_derive
     for (auto* m : {&r.lambda_by_q, &r.lambda_by_v, &r.lambda_by_tau}) m->resize(0, n);
     return r;
   }
-  const auto& [layout, e, factor] = loops_of(c, s);
-  r.rank = factor.rank(), r.mobility = s.dofs() - r.rank;
+  const auto& loops = loops_of(c, s);
+  const auto& e = loops.equations;
+  r.rank = loops.factor.rank(), r.mobility = s.dofs() - r.rank;
   r.lambda = loop_forces(e.places, s);
   loop_variations by = vary_loops(c, s, e);
-  const loop_sensitivity equations(c, s);
+  loop_sensitivity equations(c, s);
   equations.solve(-by.forces.by_q, by.accelerations_by_q, r.by_q, r.lambda_by_q);
   equations.solve(-by.forces.by_v, by.accelerations_by_v, r.by_v, r.lambda_by_v);
   equations.solve(Eigen::MatrixXd::Identity(n, n), Eigen::MatrixXd::Zero(e.places.rows, n), r.by_tau, r.lambda_by_tau);

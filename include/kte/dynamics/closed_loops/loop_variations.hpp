@@ -17,25 +17,23 @@ struct loop_variations {
   Eigen::MatrixXd accelerations_by_q, accelerations_by_v, velocities_by_q;
 };
 
-/// The load of a closure of frames on its second frame, for the motion m of that in the first:
+/// The load on the second frame of a closure of frames, of what its wrenches are for unit rates:
 ///
 ///   (F, T) . (v, w) = lambda . residual_dot(v, w)          (4)
 template <class D>
-tree::dense_wrench<D> load_of_closure(const kte_element& closure, const loop_state<>& loop, closing_motion<D> m) {
-  const closure_rows rows = closure.rows();
-  m.velocity = m.ang_velocity = {};
-  const auto power = [&](D& rate) {
-    D row[6], sum(0);
-    rate = D(1);
-    closure.close_frames(m, 1, row);
-    rate = D(0);
-    for (int k = 0; k < rows.count(); ++k) sum = sum + row_of(loop.force, loop.torque, rows, k) * row[k];
-    return sum;
-  };
-  const auto load = [&](vec3<D>& rates) { return vec3<D>{power(rates.x), power(rates.y), power(rates.z)}; };
-  tree::dense_wrench<D> on_b;
-  on_b.force = load(m.velocity), on_b.torque = load(m.ang_velocity);
-  return on_b;
+tree::dense_wrench<D> load_of_rows(const closure_rows& rows, const loop_state<>& loop, const D* units) {
+  D load[6];
+  for (int i = 0; i < 6; ++i, units += closing_stride) {
+    load[i] = D(0);
+    for (int k = 0; k < rows.count(); ++k) load[i] = load[i] + row_of(loop.force, loop.torque, rows, k) * units[k];
+  }
+  return {{load[0], load[1], load[2]}, {load[3], load[4], load[5]}};
+}
+inline tree::dense_wrench<derivative_number> load_of_closure(const kte_element& closure, const loop_state<>& loop,
+                                                             const closing_motion<derivative_number>& m) {
+  derivative_number units[6 * closing_stride];
+  closure.close_frames(m, closing::wrenches, units);
+  return load_of_rows(closure.rows(), loop, units);
 }
 /// Adds a wrench on a frame to the loads of its body.
 template <class D>
@@ -65,11 +63,12 @@ class closures_in_duals {
   void push_frames(const closure_place& x, const Visit& visit) const {
     const auto& f = state_.tree().body_tree;
     const auto &at_a = f.frame(x.frame1.what, x.frame1.index), &at_b = f.frame(x.frame2.what, x.frame2.index);
-    const auto& element = loop_equations::element(chain_, x);
+    const auto& element = runtime_elements{chain_}.element(x.element);
     auto m = as_closing_motion<D>(relative(motion_of(at_a), motion_of(at_b)));
-    take_values(loop_equations::placed(state_, x), m);
+    take_values(loop_equations::motion_between(state_, x), m);
     D velocities[6], accelerations[6];
-    element.close_frames(m, 1, velocities), element.close_frames(m, 2, accelerations);
+    element.close_frames(m, closing::residual_dot, velocities);
+    element.close_frames(m, closing::residual_ddot, accelerations);
     for (int r = 0; r < x.rows.count(); ++r) visit(x.first + r, velocities[r], accelerations[r]);
     const auto on_b = load_of_closure(element, state_.get<kind::loop>(x.loop), m);
     const auto on_a = transmit(m, on_b);
@@ -83,7 +82,7 @@ class closures_in_duals {
       const auto& at = d_.get<kind::gen>(x.coordinates[n]);
       q[n] = at.q, v[n] = at.q_dot;
     }
-    D acceleration = loop_equations::element(chain_, x).close_coordinates(q, v, by)[1], velocity(0);
+    D acceleration = runtime_elements{chain_}.element(x.element).close_coordinates(q, v, by)[1], velocity(0);
     for (std::size_t n = 0; n < x.coordinates.size(); ++n) {
       auto& at = d_.get<kind::gen>(x.coordinates[n]);
       velocity = velocity + by[n] * v[n], acceleration = acceleration + by[n] * at.q_ddot;
@@ -116,7 +115,7 @@ inline loop_variations vary_loops(const runtime_chain& c, runtime_state& s, cons
   for (auto* m : {&r.accelerations_by_q, &r.accelerations_by_v, &r.velocities_by_q}) m->setZero(rows, n);
   derivative_state& d = state_with_derivatives(c, s);
   take_given(s, d);
-  place_in_world(s);
+  take_bases(s), place_in_world(s);
   tree::place_bases_in_duals(s.tree().body_tree, s.work, d.work);
   const closures_in_duals closures(c, s, e.places, d);
   const auto derive = [&](const directions& moving) -> const auto& {

@@ -30,14 +30,14 @@ struct loop_step {
 /// What is kept of the step from x0, or that.
 template <class Model>
 loop_step& step_from(const Model& model, runtime_state& s, own_memory& kept, const Eigen::VectorXd& x0) {
-  auto& step = kept.template get<loop_step>([&] { return loop_step{{}, loop_equations(model.chain(), s), {}}; });
+  auto& step = kept.template get<loop_step>([&] { return loop_step{{}, loop_equations(closures_of(model.chain()), s), {}}; });
   if (step.x0.size() == x0.size() && step.x0 == x0) return step;
   step.x0.resize(0);
   model.setJointStates(x0, s);
   check_positions(s);
   auto& e = step.equations;
-  e.at_positions(model.chain(), s, true);
-  step.factor.choose(model.chain(), s, e, least_pivot_at(e.residual));
+  e.at_positions(closures_of(model.chain()), s, true);
+  choose_rows(closures_of(model.chain()), s, e, step.factor);
   step.gap = e.residual.cwiseAbs().maxCoeff();
   const Eigen::VectorXd v = model.velocities_of(x0);
   const Eigen::VectorXd rates = e.times(v), most = e.times_sizes(v);
@@ -49,7 +49,7 @@ loop_step& step_from(const Model& model, runtime_state& s, own_memory& kept, con
 }
 inline std::string gap_text(const runtime_chain& c, const loop_equations& e) {
   const auto widest = widest_gap(e);
-  return "'" + closure_places::name_of(c, *widest.closure) + "' is open by " + number(widest.size) +
+  return "'" + closures_of(c).loop_name(widest.closure->loop) + "' is open by " + number(widest.size) +
          (widest.linear ? " m" : " rad");
 }
 /// Loops that are closed to rounding tell branches apart while pivots are above its root.
@@ -79,11 +79,12 @@ void settle_on_loops(const Model& model, runtime_state& s, loop_step& step, Eige
   auto& memory = loops_of(c, s);
   auto& e = memory.equations;
   auto& factor = memory.factor;
-  const loop_factor* by = &step.factor;
+  const auto closures = closures_of(c);
+  loop_factor* by = &step.factor;
   const auto evaluate = [&](bool with_jacobian) {
     set_positions(s, model.positions_of(x));
-    e.at_positions(c, s, with_jacobian);
-    return step.factor.chosen_of(step.equations, e.residual).cwiseAbs().maxCoeff();
+    e.at_positions(closures, s, with_jacobian);
+    return step.factor.largest_of_chosen(step.equations, e.residual);
   };
   const auto move = [&](int first, const Eigen::VectorXd& change) {
     Eigen::VectorXd r = Eigen::VectorXd::Zero(d.size());
@@ -99,23 +100,25 @@ void settle_on_loops(const Model& model, runtime_state& s, loop_step& step, Eige
     if (gap > last / 20) {  // the factor of the start is no longer good, or the rest is rounding
       if (gap <= on_loops_within && by == &factor) break;
       (void)evaluate(true);
-      if (factor.keep(c, s, e, step.factor, 1e-14)) by = &factor;
+      factor.factorize(closures, s, e);
+      if (factor.keep(closures, s, e, step.factor, 1e-14)) by = &factor;
     }
-    move(0, by->least_change(step.equations, e.residual));
+    move(0, by->least_change(s, step.equations, e.residual));
     last = gap, gap = evaluate(false);
   }
   (void)evaluate(true);
   if (const double open = e.residual.cwiseAbs().maxCoeff(); !(open <= 1e-10)) [[unlikely]]
     throw bad_argument("kte: the closures contradict each other: " + gap_text(c, e) + " where others are closed");
-  if (!factor.keep(c, s, e, step.factor, 1e-14)) factor.choose(c, s, e, least_pivot);
-  for (int i = 0; i < 2; ++i) move(n, factor.least_change(e, e.times(model.velocities_of(x))));
+  factor.factorize(closures, s, e);
+  if (!factor.keep(closures, s, e, step.factor, 1e-14)) factor.choose(closures, s, e, least_pivot);
+  for (int i = 0; i < 2; ++i) move(n, factor.least_change(s, e, e.times(model.velocities_of(x))));
 }
 /// (3) of positions and velocities.
-inline void make_tangential(const loop_step& step, Eigen::VectorXd& e) {
+inline void make_tangential(runtime_state& s, loop_step& step, Eigen::VectorXd& e) {
   const auto n = static_cast<Eigen::Index>(step.equations.places.row_of_place.size());
   for (const Eigen::Index first : {Eigen::Index(0), n}) {
     const Eigen::VectorXd part = e.segment(first, n);
-    e.segment(first, n) -= step.factor.least_change(step.equations, step.equations.times(part));
+    e.segment(first, n) -= step.factor.least_change(s, step.equations, step.equations.times(part));
   }
 }
 /// Accelerations under no forces from outside, at a stage of a step: by the rows of its start, unless the state is on
@@ -123,7 +126,7 @@ inline void make_tangential(const loop_step& step, Eigen::VectorXd& e) {
 inline const Eigen::VectorXd& accelerations_in_step(const runtime_chain& c, runtime_state& s, own_memory& kept) {
   check_regular_tree(c, s), check_positions(s);
   auto& e = loops_of(c, s).equations;
-  e.at_positions(c, s, false);
+  e.at_positions(closures_of(c), s, false);
   const auto none = [](int) { return 0.0; };
   const bool off = e.residual.cwiseAbs().maxCoeff() > on_loops_within;
   auto* step = off ? kept.find<loop_step>() : nullptr;

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <kte/tree/articulated.hpp>
+#include <kte/tree/columns.hpp>
+
+#include <vector>
+
+/// Loads on the bodies of a tree whose articulated inertias are known, and the accelerations that they make.
+namespace kte::tree {
+
+/// The bodies that loads pass on their way to the bases, those further out first.
+struct load_way {
+  std::vector<int> nodes;
+  std::vector<int> next;  ///< by place in `nodes`: the place of the parent, or -1
+};
+/// Articulated inertias as they are at some positions: joint transforms by body, factors by axis.
+template <class S>
+struct articulated_tree {
+  std::vector<joint_transform<S>> joint_transforms;
+  std::vector<axis_factors<S>> factors;
+};
+
+/// A wrench on a frame seen from where the frame stands, at p with rotation R: f = R f, n = R n + p x f.
+template <class S, class R>
+KTE_INLINE simd_wrench<S> seen_from(const mat3<vec3<R>>& r, const vec3<R>& p, const simd_wrench<S>& w) {
+  const auto turned = [&r](const vec3<simd<S>>& u) KTE_INLINE_LAMBDA {
+    return vec3<simd<S>>{r.x.x * u.x + r.x.y * u.y + r.x.z * u.z, r.y.x * u.x + r.y.y * u.y + r.y.z * u.z,
+                         r.z.x * u.x + r.z.y * u.y + r.z.z * u.z};
+  };
+  simd_wrench<S> x{turned(w.force), turned(w.torque)};
+  x.torque.x += p.y * x.force.z - p.z * x.force.y;
+  x.torque.y += p.z * x.force.x - p.x * x.force.z;
+  x.torque.z += p.x * x.force.y - p.y * x.force.x;
+  return x;
+}
+
+/// What loads leave on each axis on their way: with the axis s, U D^-1 of articulate_body.hpp, and a force f on the
+/// axis itself,
+///
+///   e = f + s.W,   W' = W - U D^-1 e          (1)
+///
+/// put(axis, e); the sum of e_k D^-1 e_l over all axes is the acceleration of load k by load l (recursions/
+/// inverse_mass.hpp). `loads`: by place in `way`, of as many loads as go into a register; `force`: likewise, of the one
+/// axis of the joint there.
+template <class P, class S, class Put>
+void send_to_bases(const body_tree<P>& f, const memory<P, S>& m, const load_way& way, simd_wrench<S>* loads,
+                   const S* force, const Put& put) {
+  const auto leave = [](simd_wrench<S>& load, const dense_wrench<S>& gain, const simd<S>& e) KTE_INLINE_LAMBDA {
+    load.force.x -= gain.force.x * e, load.force.y -= gain.force.y * e, load.force.z -= gain.force.z * e;
+    load.torque.x -= gain.torque.x * e, load.torque.y -= gain.torque.y * e, load.torque.z -= gain.torque.z * e;
+  };
+  for (std::size_t n = 0; n < way.nodes.size(); ++n) {
+    const auto i = static_cast<std::size_t>(way.nodes[n]);
+    const body_node<P>& r = f.nodes[i];
+    const axis_factors<S>* const factors = &m.factors[static_cast<std::size_t>(r.first)];
+    simd_wrench<S> load = loads[n];
+    simd<S> e;
+    if (m.is_free[i] && r.moves != joint::several) {
+      load.power_on(r, e);
+      if (force) e += force[n];
+      put(r.first, e);
+      leave(load, factors[0].gain, e);
+    } else if (m.is_free[i]) {
+      simd<S>* const all[]{&load.force.x,  &load.force.y,  &load.force.z,
+                           &load.torque.x, &load.torque.y, &load.torque.z};
+      for (int k = r.axes; k-- > 0;) {
+        e = *all[r.axis[static_cast<std::size_t>(k)]];
+        put(r.first + k, e);
+        leave(load, factors[k].gain, e);
+      }
+    }
+    if (way.next[n] < 0) continue;
+    load.go_in(r, m.joint_transforms[i]);
+    simd_wrench<S>& sum = loads[way.next[n]];
+    sum.force.x += load.force.x, sum.force.y += load.force.y, sum.force.z += load.force.z;
+    sum.torque.x += load.torque.x, sum.torque.y += load.torque.y, sum.torque.z += load.torque.z;
+  }
+}
+/// The accelerations of axes, from rest and on bases at rest, that make the part `rate` of their factors: D^-1 e of
+/// (1). Into `acceleration`.
+template <class P, class S>
+void accelerate_from_rest(const body_tree<P>& f, memory<P, S>& m,
+                          const std::vector<joint_transform<S>>& joint_transforms, const axis_factors<S>* factors) {
+  using hand = engine::body_motion<skip, zero3, vec3<S>, vec3<S>>;
+  for (std::size_t b = 0; b < static_cast<std::size_t>(f.bases); ++b) m.bodies[b] = {};
+  const articulated_bodies<P, S> bodies(f, m, joint_transforms);
+  engine::accelerate<hand>(engine::looped<articulated_bodies<P, S>>{bodies}, m.bodies.data(),
+                           engine::kept_constant<engine::bias_motion<zero3, zero3, zero3, zero3>>{}, factors,
+                           m.acceleration.data());
+}
+
+}  // namespace kte::tree
