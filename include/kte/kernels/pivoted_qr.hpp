@@ -1,5 +1,7 @@
 #pragma once
 
+#include <kte/tree/simd.hpp>
+
 #include <Eigen/Core>
 
 #include <cmath>
@@ -10,32 +12,36 @@ namespace kte::detail {
 
 /// B P = Q R by Householder reflections (Golub and Van Loan, Matrix Computations, 2013, 5.4.2), of the columns of B
 /// that are independent: Q has orthonormal columns, R is square and upper triangular. Nothing is allocated where B is
-/// as large as before.
+/// as large as before. Vectors of as many numbers as B has rows have `padding` zeros behind them.
 class pivoted_qr {
  public:
   std::vector<int> chosen;           ///< columns of B, in the order of R
   double largest = 0, smallest = 0;  ///< of the diagonal of R
+  static constexpr Eigen::Index padding = static_cast<Eigen::Index>(tree::simd_of<double>::count) - 1;
 
+  using block = Eigen::Map<Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
   /// B, to be filled; its numbers are lost by `choose` and `take`.
-  Eigen::MatrixXd& matrix(Eigen::Index rows, Eigen::Index columns) {
-    if (b_.rows() != rows || b_.cols() != columns) {
-      b_.resize(rows, columns), diagonal_.resize(columns);
+  block matrix(Eigen::Index rows, Eigen::Index columns) {
+    if (rows_ != rows || columns_ != columns) {
+      rows_ = rows, columns_ = columns;
+      b_.setZero(rows + padding, columns);
+      diagonal_.resize(columns), square_.resize(columns);
       chosen.reserve(static_cast<std::size_t>(columns));
     }
-    return b_;
+    return {b_.data(), rows, columns, Eigen::OuterStride<>(rows + padding)};
   }
   /// Each time takes the column with most beside those taken. Columns with less than `least` times the first, or with
   /// less than `zero`, count as dependent.
   void choose(double least, double zero = 0) {
-    chosen.resize(static_cast<std::size_t>(b_.cols()));
+    chosen.resize(static_cast<std::size_t>(columns_));
     for (std::size_t i = 0; i < chosen.size(); ++i) chosen[i] = static_cast<int>(i);
     largest = smallest = 0;
     Eigen::Index k = 0;
-    for (; k < (std::min)(b_.rows(), b_.cols()); ++k) {
+    for (; k < (std::min)(rows_, columns_); ++k) {
       Eigen::Index best = k;
       double most = -1;
-      for (Eigen::Index j = k; j < b_.cols(); ++j)
-        if (const double square = dot(k, j, j); square > most) most = square, best = j;
+      for (Eigen::Index j = k; j < columns_; ++j)
+        if (const double square = square_of(k, j); square > most) most = square, best = j;
       const double norm = std::sqrt(most);
       if (!(norm > least * largest) || !(norm > zero)) break;
       if (best != k) {
@@ -51,21 +57,22 @@ class pivoted_qr {
   bool take(const std::vector<int>& columns, double least) {
     chosen = columns;
     largest = smallest = 0;
-    if (b_.rows() < b_.cols()) return false;
-    for (Eigen::Index k = 0; k < b_.cols(); ++k) reflect(k, std::sqrt(dot(k, k, k)));
-    return b_.cols() == 0 || smallest > least * largest;
+    if (rows_ < columns_) return false;
+    for (Eigen::Index k = 0; k < columns_; ++k) reflect(k, std::sqrt(square_of(k, k)));
+    return columns_ == 0 || smallest > least * largest;
   }
   Eigen::Index rank() const { return static_cast<Eigen::Index>(chosen.size()); }
 
-  /// y = Q x, of as many numbers as B has rows.
+  /// y = Q x.
   void times_q(const double* x, double* y) const {
     const Eigen::Index n = rank();
-    for (Eigen::Index i = 0; i < b_.rows(); ++i) y[i] = i < n ? x[i] : 0;
-    for (Eigen::Index k = n; k-- > 0;) reflect_numbers(k, y);
+    for (Eigen::Index i = 0; i < rows_; ++i) y[i] = i < n ? x[i] : 0;
+    for (Eigen::Index i = 0; i < padding; ++i) y[rows_ + i] = 0;
+    for (Eigen::Index k = n; k-- > 0;) reflect_from(k, y + k);
   }
   /// The first numbers of y become Q^T y.
   void times_q_transposed(double* y) const {
-    for (Eigen::Index k = 0; k < rank(); ++k) reflect_numbers(k, y);
+    for (Eigen::Index k = 0; k < rank(); ++k) reflect_from(k, y + k);
   }
   /// x becomes R^-1 x.
   void solve(double* x) const {
@@ -82,10 +89,10 @@ class pivoted_qr {
     }
   }
   Eigen::MatrixXd q() const {
-    Eigen::MatrixXd all(b_.rows(), rank());
+    Eigen::MatrixXd all(rows_ + padding, rank());
     const Eigen::MatrixXd unit = Eigen::MatrixXd::Identity(rank(), rank());
     for (Eigen::Index k = 0; k < rank(); ++k) times_q(unit.col(k).data(), all.col(k).data());
-    return all;
+    return all.topRows(rows_);
   }
   Eigen::MatrixXd r() const {
     Eigen::MatrixXd all = b_.topLeftCorner(rank(), rank()).triangularView<Eigen::StrictlyUpper>();
@@ -94,16 +101,26 @@ class pivoted_qr {
   }
 
  private:
-  /// The product of columns i and j from row k on, in two sums.
-  double dot(Eigen::Index k, Eigen::Index i, Eigen::Index j) const {
-    return dot_numbers(b_.rows() - k, &b_.coeffRef(k, i), &b_.coeffRef(k, j));
+  using simd = tree::simd<double>;
+  static constexpr Eigen::Index lanes = padding + 1;
+
+  /// x . y of n numbers and the zeros behind them.
+  KTE_INLINE static double dot(Eigen::Index n, const double* x, const double* y) {
+    simd sum{}, a, b;
+    for (Eigen::Index i = 0; i < n; i += lanes) {
+      tree::load<double>(a, x + i), tree::load<double>(b, y + i);
+      sum += a * b;
+    }
+    double each[lanes];
+    tree::store<double>(sum, each);
+    double all = each[0];
+    for (Eigen::Index i = 1; i < lanes; ++i) all += each[i];
+    return all;
   }
-  static double dot_numbers(Eigen::Index n, const double* x, const double* y) {
-    double even = 0, odd = 0;
-    Eigen::Index i = 0;
-    for (; i + 1 < n; i += 2) even += x[i] * y[i], odd += x[i + 1] * y[i + 1];
-    if (i < n) even += x[i] * y[i];
-    return even + odd;
+  /// Of column j from row k on.
+  double square_of(Eigen::Index k, Eigen::Index j) const {
+    const double* const x = &b_.coeffRef(k, j);
+    return dot(rows_ - k, x, x);
   }
   /// Reflects column k onto axis k by 1 - v v^T / (-d v_0), v of the column less d on its axis; keeps v from the
   /// diagonal on.
@@ -111,21 +128,26 @@ class pivoted_qr {
     const double d = b_(k, k) > 0 ? -norm : norm;
     diagonal_[k] = d;
     b_(k, k) -= d;
+    const double square = -d * b_(k, k);
+    square_[k] = square > 0 ? 1 / square : 0;
     largest = k == 0 ? norm : (std::max)(largest, norm), smallest = k == 0 ? norm : (std::min)(smallest, norm);
-    for (Eigen::Index j = k + 1; j < b_.cols(); ++j) reflect_from(k, &b_.coeffRef(k, j));
+    for (Eigen::Index j = k + 1; j < columns_; ++j) reflect_from(k, &b_.coeffRef(k, j));
   }
-  void reflect_numbers(Eigen::Index k, double* y) const { reflect_from(k, y + k); }
-  void reflect_from(Eigen::Index k, double* y) const {
-    const Eigen::Index n = b_.rows() - k;
+  KTE_INLINE void reflect_from(Eigen::Index k, double* y) const {
+    const Eigen::Index n = rows_ - k;
     const double* const v = &b_.coeffRef(k, k);
-    const double square = -diagonal_[k] * v[0];
-    if (!(square > 0)) return;
-    const double along = dot_numbers(n, v, y) / square;
-    for (Eigen::Index i = 0; i < n; ++i) y[i] -= along * v[i];
+    const double along = square_[k] * dot(n, v, y);
+    simd a, b;
+    for (Eigen::Index i = 0; i < n; i += lanes) {
+      tree::load<double>(a, v + i), tree::load<double>(b, y + i);
+      b -= along * a;
+      tree::store<double>(b, y + i);
+    }
   }
 
+  Eigen::Index rows_ = 0, columns_ = 0;
   Eigen::MatrixXd b_;
-  Eigen::VectorXd diagonal_;
+  Eigen::VectorXd diagonal_, square_;
 };
 
 }  // namespace kte::detail

@@ -34,6 +34,12 @@ KTE_INLINE simd_wrench<S> seen_from(const mat3<vec3<R>>& r, const vec3<R>& p, co
   return x;
 }
 
+template <class S>
+KTE_INLINE void add_to(simd_wrench<S>& sum, const simd_wrench<S>& x) {
+  sum.force.x += x.force.x, sum.force.y += x.force.y, sum.force.z += x.force.z;
+  sum.torque.x += x.torque.x, sum.torque.y += x.torque.y, sum.torque.z += x.torque.z;
+}
+
 /// What loads leave on each axis on their way: with the axis s, U D^-1 of articulate_body.hpp, and a force f on the
 /// axis itself,
 ///
@@ -49,11 +55,16 @@ void send_to_bases(const body_tree<P>& f, const memory<P, S>& m, const load_way&
     load.force.x -= gain.force.x * e, load.force.y -= gain.force.y * e, load.force.z -= gain.force.z * e;
     load.torque.x -= gain.torque.x * e, load.torque.y -= gain.torque.y * e, load.torque.z -= gain.torque.z * e;
   };
+  simd_wrench<S> load{};
+  bool at_hand = false;
   for (std::size_t n = 0; n < way.nodes.size(); ++n) {
     const auto i = static_cast<std::size_t>(way.nodes[n]);
     const body_node<P>& r = f.nodes[i];
     const axis_factors<S>* const factors = &m.factors[static_cast<std::size_t>(r.first)];
-    simd_wrench<S> load = loads[n];
+    if (at_hand)
+      add_to(load, loads[n]);
+    else
+      load = loads[n];
     simd<S> e;
     if (m.is_free[i] && r.moves != joint::several) {
       load.power_on(r, e);
@@ -69,11 +80,24 @@ void send_to_bases(const body_tree<P>& f, const memory<P, S>& m, const load_way&
         leave(load, factors[k].gain, e);
       }
     }
+    at_hand = false;
     if (way.next[n] < 0) continue;
     load.go_in(r, m.joint_transforms[i]);
-    simd_wrench<S>& sum = loads[way.next[n]];
-    sum.force.x += load.force.x, sum.force.y += load.force.y, sum.force.z += load.force.z;
-    sum.torque.x += load.torque.x, sum.torque.y += load.torque.y, sum.torque.z += load.torque.z;
+    at_hand = way.next[n] == static_cast<int>(n) + 1;
+    if (!at_hand) add_to(loads[way.next[n]], load);
+  }
+}
+/// Linear velocities of the bodies on a way, from the motions of bases and angular velocities.
+template <class P, class S>
+void take_velocities(const body_tree<P>& f, memory<P, S>& m, const load_way& way) {
+  for (std::size_t n = way.nodes.size(); n-- > 0;) {
+    const auto i = static_cast<std::size_t>(way.nodes[n]);
+    const body_node<P>& r = f.nodes[i];
+    const joint_transform<S>& at = m.joint_transforms[i];
+    const auto& parent = m.bodies[static_cast<std::size_t>(r.parent)];
+    vec3<S> v = placed<P, S>{r, at}.in(vec3<S>(parent.velocity + cross(parent.ang_velocity, at.position))), unused{};
+    along_axes(r, &m.rate[static_cast<std::size_t>(r.first)], v, unused);
+    m.bodies[static_cast<std::size_t>(f.bases) + i].velocity = v;
   }
 }
 /// The accelerations of axes, from rest and on bases at rest, that make the part `rate` of their factors: D^-1 e of

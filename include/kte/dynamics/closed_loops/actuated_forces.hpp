@@ -65,12 +65,13 @@ KTE_FUNCTION Eigen::MatrixXd actuated_motion(const runtime_chain& c, runtime_sta
     if (!is_actuated[static_cast<std::size_t>(row)]) others.push_back(row);
   for (int k = 0; k < rank; ++k) all_rows.push_back(k);
   pivoted_qr qr;
-  Eigen::MatrixXd &b = qr.matrix(rank, rank), driven(rank, n - rank);
+  auto b = qr.matrix(rank, rank);
+  Eigen::MatrixXd driven(rank, n - rank);
   for (int k = 0; k < rank; ++k) b.row(k) = j.col(others[static_cast<std::size_t>(k)]).transpose();
   for (int k = 0; k < n - rank; ++k) driven.col(k) = j.col(actuated[static_cast<std::size_t>(k)]);
   if (!qr.take(all_rows, least_pivot))
     throw no_solution("kte: the actuated coordinates do not determine the motion of the loops here");
-  Eigen::MatrixXd x(rank, n - rank);
+  Eigen::MatrixXd x(rank + pivoted_qr::padding, n - rank);
   for (Eigen::Index k = 0; k < x.cols(); ++k) {
     driven.col(k) *= -1;
     qr.solve_transposed(driven.col(k).data());

@@ -81,7 +81,7 @@ class assembly {
   bool step(double mu, Eigen::VectorXd& d) const {
     const auto m = equations_.residual.size(), n = static_cast<Eigen::Index>(free_.size());
     pivoted_qr qr;
-    Eigen::MatrixXd& b = qr.matrix(m + n, n);
+    auto b = qr.matrix(m + n, n);
     b.setZero();
     const Eigen::MatrixXd j = equations_.scaled_jacobian();
     for (Eigen::Index k = 0; k < n; ++k) {
@@ -92,7 +92,7 @@ class assembly {
     std::vector<int> all(free_.size());
     for (std::size_t k = 0; k < all.size(); ++k) all[k] = static_cast<int>(k);
     if (!qr.take(all, 0)) return false;
-    Eigen::VectorXd y = Eigen::VectorXd::Zero(m + n);
+    Eigen::VectorXd y = Eigen::VectorXd::Zero(m + n + pivoted_qr::padding);
     y.head(m) = -equations_.residual;
     qr.times_q_transposed(y.data()), qr.solve(y.data());
     Eigen::VectorXd x = y.head(n);

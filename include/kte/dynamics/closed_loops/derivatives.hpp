@@ -83,8 +83,8 @@ class loop_sensitivity {
     lambda.resize(accelerations.rows(), forces.cols());
     for (Eigen::Index k = 0; k < forces.cols(); ++k) {
       const Eigen::VectorXd off = accelerations.col(k) + e.times(a.col(k));
-      a.col(k) -= loops_.factor.least_change(state_, e, off);
-      lambda.col(k) = -loops_.factor.multipliers(e, off);
+      loops_.factor.least_change(state_, e, off, loops_.change, loops_.multipliers);
+      a.col(k) -= loops_.change, lambda.col(k) = -loops_.multipliers;
     }
     for (const auto& x : e.places.closures)
       for (int r = 0; r < x.rows.count(); ++r) lambda.row(x.first + r) *= e.places.scale(x, r);

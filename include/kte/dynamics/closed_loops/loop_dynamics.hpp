@@ -78,11 +78,12 @@ void accelerate_on_loops(const Closures& c, State& s, loop_workspace& m, const T
   check_loops(c, s);
   auto& [e, factor, change, multipliers] = m;
   const bool tree = s.tree().plan.tree;
-  accelerate_by_tree(c, s, applied, {});
+  accelerate_by_tree(c.elements(), s, applied, {});
   auto& a = s.work.forces;
   e.at_positions(c, s, !tree, tree);
   if (tree) {  // all is in the working memory
     factor.take_articulated(s, e);
+    e.take_velocities(s);
     e.accelerate_residuals(c, s, [&a](int i) { return a[i]; });
   } else {
     change = a;
@@ -93,8 +94,7 @@ void accelerate_on_loops(const Closures& c, State& s, loop_workspace& m, const T
     a = change;
   }
   if (!rows || !factor.keep(c, s, e, *rows, least_pivot)) factor.choose(c, s, e, least_pivot_at(e.residual));
-  factor.multipliers(e, e.acceleration, multipliers);
-  factor.least_change(s, e, e.acceleration, change);
+  factor.least_change(s, e, e.acceleration, change, multipliers);
   a -= change, multipliers = -multipliers;
   put_loop_forces(e.places, multipliers, s);
 }

@@ -62,13 +62,19 @@ class loop_equations {
     const auto& f = s.tree().body_tree;
     for (std::size_t k = 0; k < f.row.size(); ++k)
       if (f.row[k] < s.dofs()) s.work.acceleration[k] = 0;
+    tree::move_bodies<true>(f, s.work);
     accelerate_residuals(c, s, [](int) { return 0.0; });
   }
-  /// The second derivatives of residuals, after `at_positions`, at the rates and accelerations of all axes and the
-  /// motions of bases in the working memory; a(i): those of degrees of freedom.
+  /// Linear velocities of the bodies that closures stand on, after forward dynamics, which does without.
+  template <class State>
+  void take_velocities(State& s) const {
+    for (const auto& x : places.closures)
+      if (x.of_frames()) tree::take_velocities(s.tree().body_tree, s.work, x.way);
+  }
+  /// The second derivatives of residuals, after `at_positions`, at the motions of bodies in the working memory; a(i):
+  /// those of degrees of freedom.
   template <class Closures, class State, class A>
   void accelerate_residuals(const Closures& c, State& s, const A& a) {
-    tree::move_bodies<true>(s.tree().body_tree, s.work);
     for (std::size_t k = 0; k < places.closures.size(); ++k) {
       const auto& x = places.closures[k];
       double rows[6];
@@ -106,7 +112,8 @@ class loop_equations {
         const int at = x.enters[port];
         if (at < 0) return;
         const auto& place = f.frame(frame.what, frame.index).at;
-        add(loads_[static_cast<std::size_t>(at)], tree::seen_from<double>(place.rotation, place.position, load));
+        tree::add_to(loads_[static_cast<std::size_t>(at)],
+                     tree::seen_from<double>(place.rotation, place.position, load));
       };
       loads_.assign(x.way.nodes.size(), simd_load{});
       enter(0, x.frame1, on1), enter(1, x.frame2, on2);
@@ -158,15 +165,11 @@ class loop_equations {
     const auto& x = places.closures[closure];
     const auto& m = motions_[closure];
     return as_closing_motion<double>(
-        relative(moved(s, x.frame1, vec3<>{}, no_rotation{}), moved(s, x.frame2, m.position, m.rotation)));
+        relative(moved(s, x.frame1, zero3{}, no_rotation{}), moved(s, x.frame2, m.position, m.rotation)));
   }
 
  private:
   using simd_load = tree::simd_wrench<double>;
-  static void add(simd_load& sum, const simd_load& x) {
-    sum.force.x += x.force.x, sum.force.y += x.force.y, sum.force.z += x.force.z;
-    sum.torque.x += x.torque.x, sum.torque.y += x.torque.y, sum.torque.z += x.torque.z;
-  }
   int column_of_row(int row) const {
     return places.column_of_place[static_cast<std::size_t>(places.place_of_row[static_cast<std::size_t>(row)])];
   }

@@ -67,7 +67,7 @@ class loop_factor {
       const auto& b = e.places.blocks[i];
       all_.resize(static_cast<Eigen::Index>(b.places.size()), b.rows);
       put_half_solved(c, s, e, i, all_);
-      auto& m = parts[i].matrix(all_.rows(), static_cast<Eigen::Index>(rows.size()));
+      auto m = parts[i].matrix(all_.rows(), static_cast<Eigen::Index>(rows.size()));
       for (std::size_t k = 0; k < rows.size(); ++k) m.col(static_cast<Eigen::Index>(k)) = all_.col(rows[k]);
       if (!parts[i].take(rows, least)) return false;
     }
@@ -81,53 +81,24 @@ class loop_factor {
   /// (4) for c of all rows, by degrees of freedom. The working memory of the state loses its motion.
   template <class State>
   void least_change(State& s, const loop_equations& e, const Eigen::VectorXd& c, Eigen::VectorXd& d) {
-    const auto& at = e.places;
-    const auto n = static_cast<Eigen::Index>(at.row_of_place.size());
-    left_.setZero(n), d.resize(n);
-    for_each_part(e, c, [&](const pivoted_qr& p, const loop_block& b) {
-      p.solve_transposed(chosen_.data());
-      p.times_q(chosen_.data(), half_.data());
-      for (std::size_t k = 0; k < b.places.size(); ++k) left_[b.places[k]] = half_[static_cast<Eigen::Index>(k)];
+    least_change(s, e, c, d, [](const pivoted_qr&, const loop_block&) {});
+  }
+  /// The same, and (5), zero for rows that are not chosen.
+  template <class State>
+  void least_change(State& s, const loop_equations& e, const Eigen::VectorXd& c, Eigen::VectorXd& d,
+                    Eigen::VectorXd& lambda) {
+    lambda.setZero(e.places.rows);
+    least_change(s, e, c, d, [&](const pivoted_qr& p, const loop_block& b) {
+      p.solve(chosen_.data());
+      for (std::size_t k = 0; k < p.chosen.size(); ++k)
+        lambda[e.places.row_of(b, p.chosen[k])] = chosen_[static_cast<Eigen::Index>(k)];
     });
-    if (!s.tree().plan.tree) {
-      mass_.other_half(left_.data());
-      d = left_;
-      return;
-    }
-    auto& factors = keeps_ ? kept_.factors : s.work.factors;
-    for (Eigen::Index k = 0; k < n; ++k) {
-      const int axis = at.axis_of_place[static_cast<std::size_t>(k)];
-      const double rate = left_[k] * root_[k];
-      if (axis >= 0)
-        factors[static_cast<std::size_t>(axis)].rate = rate;
-      else
-        d[at.row_of_place[static_cast<std::size_t>(k)]] = rate;
-    }
-    tree::accelerate_from_rest(s.tree().body_tree, s.work, keeps_ ? kept_.joint_transforms : s.work.joint_transforms,
-                               factors.data());
-    for (std::size_t k = 0; k < at.axis_of_place.size(); ++k)
-      if (const int axis = at.axis_of_place[k]; axis >= 0)
-        d[at.row_of_place[k]] = s.work.acceleration[static_cast<std::size_t>(axis)];
   }
   template <class State>
   Eigen::VectorXd least_change(State& s, const loop_equations& e, const Eigen::VectorXd& c) {
     Eigen::VectorXd d;
     least_change(s, e, c, d);
     return d;
-  }
-  /// (5) into `all`, zero for rows that are not chosen.
-  void multipliers(const loop_equations& e, const Eigen::VectorXd& c, Eigen::VectorXd& all) {
-    all.setZero(e.places.rows);
-    for_each_part(e, c, [&](const pivoted_qr& p, const loop_block& b) {
-      p.solve_transposed(chosen_.data()), p.solve(chosen_.data());
-      for (std::size_t k = 0; k < p.chosen.size(); ++k)
-        all[e.places.row_of(b, p.chosen[k])] = chosen_[static_cast<Eigen::Index>(k)];
-    });
-  }
-  Eigen::VectorXd multipliers(const loop_equations& e, const Eigen::VectorXd& c) {
-    Eigen::VectorXd all;
-    multipliers(e, c, all);
-    return all;
   }
   bool is_chosen(const loop_equations& e, int row) const {
     for (std::size_t i = 0; i < parts.size(); ++i)
@@ -149,6 +120,45 @@ class loop_factor {
   std::vector<pivoted_qr> parts;  ///< of blocks
 
  private:
+  /// (4), and visit(factor of a block, the block) where R^-T c of its chosen rows is in `chosen_`.
+  template <class State, class Visit>
+  void least_change(State& s, const loop_equations& e, const Eigen::VectorXd& c, Eigen::VectorXd& d,
+                    const Visit& visit) {
+    const auto& at = e.places;
+    const auto n = static_cast<Eigen::Index>(at.row_of_place.size());
+    left_.setZero(n), d.resize(n);
+    if (chosen_.size() < at.rows) chosen_.resize(at.rows);
+    if (half_.size() < n + pivoted_qr::padding) half_.resize(n + pivoted_qr::padding);
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      const auto& b = at.blocks[i];
+      const auto& p = parts[i];
+      for (std::size_t k = 0; k < p.chosen.size(); ++k)
+        chosen_[static_cast<Eigen::Index>(k)] = c[at.row_of(b, p.chosen[k])];
+      p.solve_transposed(chosen_.data());
+      p.times_q(chosen_.data(), half_.data());
+      for (std::size_t k = 0; k < b.places.size(); ++k) left_[b.places[k]] = half_[static_cast<Eigen::Index>(k)];
+      visit(p, b);
+    }
+    if (!s.tree().plan.tree) {
+      mass_.other_half(left_.data());
+      d = left_;
+      return;
+    }
+    auto& factors = keeps_ ? kept_.factors : s.work.factors;
+    for (Eigen::Index k = 0; k < n; ++k) {
+      const int axis = at.axis_of_place[static_cast<std::size_t>(k)];
+      const double rate = left_[k] * root_[k];
+      if (axis >= 0)
+        factors[static_cast<std::size_t>(axis)].rate = rate;
+      else
+        d[at.row_of_place[static_cast<std::size_t>(k)]] = rate;
+    }
+    tree::accelerate_from_rest(s.tree().body_tree, s.work, keeps_ ? kept_.joint_transforms : s.work.joint_transforms,
+                               factors.data());
+    for (std::size_t k = 0; k < at.axis_of_place.size(); ++k)
+      if (const int axis = at.axis_of_place[k]; axis >= 0)
+        d[at.row_of_place[k]] = s.work.acceleration[static_cast<std::size_t>(axis)];
+  }
   template <class Closures, class State>
   void factorize_mass(const Closures& c, State& s, const loop_equations& e) {
     mass_.factorize(c, s);
@@ -157,7 +167,8 @@ class loop_factor {
   }
   /// (2) of block i.
   template <class Closures, class State>
-  void put_half_solved(const Closures& c, State& s, loop_equations& e, std::size_t i, Eigen::MatrixXd& b) const {
+  void put_half_solved(const Closures& c, State& s, loop_equations& e, std::size_t i,
+                       Eigen::Ref<Eigen::MatrixXd> b) const {
     if (!s.tree().plan.tree) {
       b = e.jacobian[i].transpose();
       for (Eigen::Index k = 0; k < b.cols(); ++k) mass_.half_solve(b.col(k).data());
@@ -170,19 +181,6 @@ class loop_factor {
       first += e.places.closures[static_cast<std::size_t>(k)].rows.count();
     }
   }
-  /// visit(factor of a block, the block), with c of its chosen rows in `chosen_`, and room for what it becomes.
-  template <class Visit>
-  void for_each_part(const loop_equations& e, const Eigen::VectorXd& c, const Visit& visit) {
-    if (chosen_.size() < e.places.rows) chosen_.resize(e.places.rows);
-    if (half_.size() < root_.size()) half_.resize(root_.size());
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-      const auto& b = e.places.blocks[i];
-      for (std::size_t k = 0; k < parts[i].chosen.size(); ++k)
-        chosen_[static_cast<Eigen::Index>(k)] = c[e.places.row_of(b, parts[i].chosen[k])];
-      visit(parts[i], b);
-    }
-  }
-
   Eigen::VectorXd root_;                 ///< D^-1/2, or 1 / L_kk, by place
   tree::articulated_tree<double> kept_;  ///< where it was factorized
   bool keeps_ = false;
