@@ -148,24 +148,28 @@ class loop_equations {
   }
   /// The motion of frame2 in frame1, at rest.
   template <class State>
-  static closing_motion<double> motion_between(State& s, const closure_place& x) {
+  static auto motion_between(State& s, const closure_place& x) {
+    using S = typename State::scalar;
     const auto& f = s.tree().body_tree;
     const auto &a = f.frame(x.frame1.what, x.frame1.index), &b = f.frame(x.frame2.what, x.frame2.index);
     const int common = tree::common_slot(f, a.slot, b.slot);
-    tree::dense_pose<double> in_a, in_b;
+    tree::dense_pose<S> in_a, in_b;
     const int base_a = tree::pose_in_base(f, s.work, a, in_a, common);
     const int base_b = tree::pose_in_base(f, s.work, b, in_b, common);
     if (common < 0) in_a = in_world(s, base_a, in_a), in_b = in_world(s, base_b, in_b);
     const auto at = compose(inverse(in_a), in_b);
-    return {as<double>(at.position), as<double>(matrix(at.rotation)), {}, {}, {}, {}};
+    return closing_motion<S>{as<S>(at.position), as<S>(matrix(at.rotation)), {}, {}, {}, {}};
   }
-  /// The motion of frame2 of a closure in frame1, of bodies that move, after `at_positions`.
+  /// The motion of frame2 in frame1 where it stands as in m, of bodies that move.
+  template <class State, class S>
+  static closing_motion<S> moving_between(const State& s, const closure_place& x, const closing_motion<S>& m) {
+    return as_closing_motion<S>(
+        relative(moved(s, x.frame1, zero3{}, no_rotation{}), moved(s, x.frame2, m.position, m.rotation)));
+  }
+  /// That of a closure, after `at_positions`.
   template <class State>
   closing_motion<double> moving(const State& s, std::size_t closure) const {
-    const auto& x = places.closures[closure];
-    const auto& m = motions_[closure];
-    return as_closing_motion<double>(
-        relative(moved(s, x.frame1, zero3{}, no_rotation{}), moved(s, x.frame2, m.position, m.rotation)));
+    return moving_between(s, places.closures[closure], motions_[closure]);
   }
 
  private:
@@ -273,10 +277,11 @@ class loop_equations {
     for (int row = 0; row < s.dofs(); ++row) put(column_of_row(row), all.col(row).data());
   }
   template <class State>
-  static tree::dense_pose<double> in_world(State& s, int base, const tree::dense_pose<double>& x) {
-    tree::dense_pose<double> at = x;
+  static auto in_world(State& s, int base, const tree::dense_pose<typename State::scalar>& x) {
+    using S = typename State::scalar;
+    tree::dense_pose<S> at = x;
     for_each_base(s, [&](const auto& m, std::size_t slot) {
-      if (static_cast<int>(slot) == base) at = plain_pose<double>(compose(plain_pose<double>(m), x));
+      if (static_cast<int>(slot) == base) at = plain_pose<S>(compose(plain_pose<S>(m), x));
     });
     return at;
   }
