@@ -109,6 +109,9 @@ class kte_element : public kte_map {
   virtual closure_rows rows() const { return {}; }
   /// For a closure of frames: its rows for the motion of its second frame in its first.
   virtual void close_frames(const detail::closing_motion<double>&, detail::closing, double* /*rows*/) const {}
+  /// The residual, its second derivative and the wrenches of rows for several motions: `all_rows_of_closing` numbers a
+  /// motion.
+  virtual void close_frames(std::span<const detail::closing_motion<double>>, double* /*rows*/) const {}
   /// Whether a closed loop is not at the false solution of a rotation, half a turn off.
   virtual bool is_upright(const detail::closing_motion<double>&) const { return true; }
   /// The residual of a closure of coordinates at q with rates v, its derivatives by the coordinates, and its second

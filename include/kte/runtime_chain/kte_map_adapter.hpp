@@ -103,6 +103,15 @@ class kte_map_adapter final : public kte_element {
                     [[maybe_unused]] detail::derivative_number* rows) const override {
     if constexpr (closes_frames) detail::close_frames_by(core_, m, what, rows);
   }
+  void close_frames([[maybe_unused]] std::span<const detail::closing_motion<double>> motions,
+                    [[maybe_unused]] double* rows) const override {
+    if constexpr (closes_frames)
+      for (const auto& m : motions)
+        for (const auto what : {detail::closing::residual, detail::closing::residual_ddot, detail::closing::wrenches}) {
+          detail::close_frames_by(core_, m, what, rows);
+          rows += (what == detail::closing::wrenches ? 6 : 1) * detail::closing_stride;
+        }
+  }
   bool is_upright([[maybe_unused]] const detail::closing_motion<double>& m) const override {
     return detail::is_upright_by(core_, m);
   }

@@ -111,12 +111,13 @@ class loops_in_lanes {
     const auto moving = loop_equations::moving_between(s, x, m);
     const int count = x.rows.count();
     S units[6][6];
+    closing_motion<double> motions[lanes];
+    double rows[lanes * all_rows_of_closing];
+    for (std::size_t lane = 0; lane < lanes; ++lane) motions[lane] = of_lane(moving, lane);
+    c.element(x.element).close_frames(motions, rows);
     for (std::size_t lane = 0; lane < lanes; ++lane) {
-      const closing_motion<double> one = of_lane(moving, lane);
-      double g[6], accelerations[6], wrenches[6 * closing_stride];
-      c.close_frames(x.element, one, closing::residual, g);
-      c.close_frames(x.element, one, closing::residual_ddot, accelerations);
-      c.close_frames(x.element, one, closing::wrenches, wrenches);
+      const double *g = rows + lane * all_rows_of_closing, *accelerations = g + closing_stride,
+                   *wrenches = accelerations + closing_stride;
       for (int r = 0; r < count; ++r) {
         const double scale = places_.scale(x, r);
         gap_[lane] = (std::max)(gap_[lane], std::abs(scale * g[r]));
