@@ -9,4 +9,5 @@
 #include <kte/dynamics/closed_loops/closure_derivatives.hpp>
 #include <kte/dynamics/closed_loops/constrained_dynamics.hpp>
 #include <kte/dynamics/closed_loops/derivatives.hpp>
+#include <kte/dynamics/closed_loops/hybrid.hpp>
 #include <kte/elements/closures.hpp>
