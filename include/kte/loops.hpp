@@ -10,4 +10,6 @@
 #include <kte/dynamics/closed_loops/constrained_dynamics.hpp>
 #include <kte/dynamics/closed_loops/derivatives.hpp>
 #include <kte/dynamics/closed_loops/hybrid.hpp>
+#include <kte/dynamics/closed_loops/static_chains.hpp>
 #include <kte/elements/closures.hpp>
+#include <kte/models/detail/static_model_loops.hpp>

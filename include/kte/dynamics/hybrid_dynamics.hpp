@@ -69,6 +69,7 @@ template <class Gravity, class... E, indexable Q, indexable V, indexable X, key_
   using chain_type = static_chain<Gravity, E...>;
   using wiring = typename chain_type::wiring;
   using S = value_of<Q>;
+  static_assert(sizeof(detail::check_closures_of<chain_type>) > 0);
   detail::check_configuration<chain_type>(q);
   check_size<chain_type::dofs>(v, "v"), check_size<chain_type::dofs>(known, "known");
   using accelerations = detail::some_accelerations<S, wiring, X, Keys...>;

@@ -87,18 +87,30 @@ void send_to_bases(const body_tree<P>& f, const memory<P, S>& m, const load_way&
     if (!at_hand) add_to(loads[way.next[n]], load);
   }
 }
-/// Linear velocities of the bodies on a way, from the motions of bases and angular velocities.
+/// The place of a frame in a body, and its velocity there at rates of axes, in axes of the body.
+template <class S>
+struct moving_place {
+  mat3<vec3<S>> rotation;
+  vec3<S> position, velocity;
+};
+/// Of a frame in its base, or in the body of slot `top` where it stands on that. Returns the slot.
 template <class P, class S>
-void take_velocities(const body_tree<P>& f, memory<P, S>& m, const load_way& way) {
-  for (std::size_t n = way.nodes.size(); n-- > 0;) {
-    const auto i = static_cast<std::size_t>(way.nodes[n]);
+int place_and_velocity(const body_tree<P>& f, const memory<P, S>& m, const frame_place<P>& frame, int top,
+                       moving_place<S>& x) {
+  x.rotation = as<S>(frame.at.rotation), x.position = as<S>(frame.at.position), x.velocity = {};
+  int slot = frame.slot;
+  while (slot >= f.bases && slot != top) {
+    const auto i = static_cast<std::size_t>(slot - f.bases);
     const body_node<P>& r = f.nodes[i];
-    const joint_transform<S>& at = m.joint_transforms[i];
-    const auto& parent = m.bodies[static_cast<std::size_t>(r.parent)];
-    vec3<S> v = placed<P, S>{r, at}.in(vec3<S>(parent.velocity + cross(parent.ang_velocity, at.position))), unused{};
-    along_axes(r, &m.rate[static_cast<std::size_t>(r.first)], v, unused);
-    m.bodies[static_cast<std::size_t>(f.bases) + i].velocity = v;
+    const placed<P, S> at{r, m.joint_transforms[i]};
+    vec3<S> linear{}, angular{};
+    along_axes(r, m.joint_transforms[i], &m.rate[static_cast<std::size_t>(r.first)], linear, angular);
+    x.velocity = at.out(vec3<S>(x.velocity + linear + cross(angular, x.position)));
+    x.position = at.at.position + at.out(x.position);
+    x.rotation = at.units_out(x.rotation);
+    slot = r.parent;
   }
+  return slot;
 }
 /// The accelerations of axes, from rest and on bases at rest, that make the part `rate` of their factors: D^-1 e of
 /// (1). Into `acceleration`.

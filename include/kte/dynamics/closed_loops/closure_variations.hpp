@@ -37,7 +37,7 @@ class closure_variations {
       rows_at rows;
       if (!x.of_frames())
         by_coordinates(c, s, x, w.number, rows, r.forces, k);
-      else if (const auto m = e.moving(s, static_cast<std::size_t>(w.closure)); w.number >= 0)
+      else if (const closing_motion<double> m = loop_equations::moving_between(s, x); w.number >= 0)
         by_number(c, s, x, m, w.number, rows, r.forces, k);
       else
         by_displacement(c, s, x, m, w, rows, r.forces, k);

@@ -83,7 +83,6 @@ void accelerate_on_loops(const Closures& c, State& s, loop_workspace& m, const T
   e.at_positions(c, s, !tree, tree);
   if (tree) {  // all is in the working memory
     factor.take_articulated(s, e);
-    e.take_velocities(s);
     e.accelerate_residuals(c, s, [&a](int i) { return a[i]; });
   } else {
     change = a;

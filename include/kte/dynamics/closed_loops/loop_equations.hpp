@@ -9,7 +9,8 @@ namespace kte::detail {
 class loop_equations {
  public:
   template <class Closures, class State>
-  loop_equations(const Closures& c, const State& s) : places(c, s), motions_(places.closures.size()) {
+  loop_equations(const Closures& c, const State& s)
+      : places(c, s), motions_(places.closures.size()), ends_(places.closures.size()) {
     for (const auto& b : places.blocks) jacobian.emplace_back(b.rows, static_cast<Eigen::Index>(b.places.size()));
     residual.resize(places.rows), acceleration.resize(places.rows);
   }
@@ -22,7 +23,7 @@ class loop_equations {
   /// g, and optionally J, at valid positions; of bodies that are `placed` there already, or will be.
   template <class Closures, class State>
   void at_positions(const Closures& c, State& s, bool with_jacobian, bool placed = false) {
-    if (!placed) place_bodies(c, s);
+    if (!placed) place_bodies(c.elements(), s);
     for (std::size_t i = 0; i < places.blocks.size(); ++i) {
       if (with_jacobian) jacobian[i].setZero();
       int row = 0;
@@ -30,8 +31,9 @@ class loop_equations {
         const auto& x = places.closures[static_cast<std::size_t>(k)];
         double g[6];
         if (x.of_frames()) {
+          find_places(s, x, ends_[static_cast<std::size_t>(k)]);
           auto& m = motions_[static_cast<std::size_t>(k)];
-          m = motion_between(s, x);
+          m = between(ends_[static_cast<std::size_t>(k)]);
           c.close_frames(x.element, m, closing::residual, g);
           if (with_jacobian) fill(c, s, x, m, jacobian[i], row);
         } else {
@@ -63,13 +65,9 @@ class loop_equations {
     for (std::size_t k = 0; k < f.row.size(); ++k)
       if (f.row[k] < s.dofs()) s.work.acceleration[k] = 0;
     tree::move_bodies<true>(f, s.work);
+    for (std::size_t k = 0; k < places.closures.size(); ++k)
+      if (places.closures[k].of_frames()) find_places(s, places.closures[k], ends_[k]);
     accelerate_residuals(c, s, [](int) { return 0.0; });
-  }
-  /// Linear velocities of the bodies that closures stand on, after forward dynamics, which does without.
-  template <class State>
-  void take_velocities(State& s) const {
-    for (const auto& x : places.closures)
-      if (x.of_frames()) tree::take_velocities(s.tree().body_tree, s.work, x.way);
   }
   /// The second derivatives of residuals, after `at_positions`, at the motions of bodies in the working memory; a(i):
   /// those of degrees of freedom.
@@ -79,7 +77,7 @@ class loop_equations {
       const auto& x = places.closures[k];
       double rows[6];
       if (x.of_frames()) {
-        c.close_frames(x.element, moving(s, k), closing::residual_ddot, rows);
+        c.close_frames(x.element, accelerated(s, x, ends_[k], motions_[k]), closing::residual_ddot, rows);
       } else {
         coordinate_rows(c, s, x, [&](const auto& values, const double* by) {
           rows[0] = values[1];
@@ -148,31 +146,40 @@ class loop_equations {
   }
   /// The motion of frame2 in frame1, at rest.
   template <class State>
-  static auto motion_between(State& s, const closure_place& x) {
-    using S = typename State::scalar;
-    const auto& f = s.tree().body_tree;
-    const auto &a = f.frame(x.frame1.what, x.frame1.index), &b = f.frame(x.frame2.what, x.frame2.index);
-    const int common = tree::common_slot(f, a.slot, b.slot);
-    tree::dense_pose<S> in_a, in_b;
-    const int base_a = tree::pose_in_base(f, s.work, a, in_a, common);
-    const int base_b = tree::pose_in_base(f, s.work, b, in_b, common);
-    if (common < 0) in_a = in_world(s, base_a, in_a), in_b = in_world(s, base_b, in_b);
-    const auto at = compose(inverse(in_a), in_b);
-    return closing_motion<S>{as<S>(at.position), as<S>(matrix(at.rotation)), {}, {}, {}, {}};
+  static auto motion_between(const State& s, const closure_place& x) {
+    ends_of_closure<typename State::scalar> at;
+    find_places(s, x, at);
+    return between(at);
   }
-  /// The motion of frame2 in frame1 where it stands as in m, of bodies that move.
-  template <class State, class S>
-  static closing_motion<S> moving_between(const State& s, const closure_place& x, const closing_motion<S>& m) {
-    return as_closing_motion<S>(
-        relative(moved(s, x.frame1, zero3{}, no_rotation{}), moved(s, x.frame2, m.position, m.rotation)));
-  }
-  /// That of a closure, after `at_positions`.
+  /// The motion of frame2 in frame1, of bodies that move.
   template <class State>
-  closing_motion<double> moving(const State& s, std::size_t closure) const {
-    return moving_between(s, places.closures[closure], motions_[closure]);
+  static auto moving_between(const State& s, const closure_place& x) {
+    ends_of_closure<typename State::scalar> at;
+    find_places(s, x, at);
+    return accelerated(s, x, at, between(at));
   }
 
  private:
+  /// The frames of a closure in the body that both stand on, or in the world; its slot, or -1.
+  template <class S>
+  struct ends_of_closure {
+    tree::moving_place<S> first, second;
+    int common = -1;
+  };
+  template <class State, class S>
+  static void find_places(const State& s, const closure_place& x, ends_of_closure<S>& at) {
+    const auto& f = s.tree().body_tree;
+    const auto &a = f.frame(x.frame1.what, x.frame1.index), &b = f.frame(x.frame2.what, x.frame2.index);
+    at.common = tree::common_slot(f, a.slot, b.slot);
+    const int base_a = tree::place_and_velocity(f, s.work, a, at.common, at.first);
+    const int base_b = tree::place_and_velocity(f, s.work, b, at.common, at.second);
+    if (at.common < 0) into_world(s, base_a, at.first), into_world(s, base_b, at.second);
+  }
+  template <class S>
+  static closing_motion<S> between(const ends_of_closure<S>& at) {
+    const auto to_a = transpose(at.first.rotation);
+    return {to_a * (at.second.position - at.first.position), to_a * at.second.rotation, {}, {}, {}, {}};
+  }
   using simd_load = tree::simd_wrench<double>;
   int column_of_row(int row) const {
     return places.column_of_place[static_cast<std::size_t>(places.place_of_row[static_cast<std::size_t>(row)])];
@@ -198,10 +205,13 @@ class loop_equations {
       loads_.assign(x.way.nodes.size(), simd_load{}), forces_.assign(x.way.nodes.size(), 0);
       for (std::size_t n = 0; n < x.dofs.size(); ++n) {
         const auto place = static_cast<std::size_t>(places.place_of_row[static_cast<std::size_t>(x.dofs[n])]);
-        if (x.enters[n] >= 0)
+        if (x.enters[n] >= 0) {
           forces_[static_cast<std::size_t>(x.enters[n])] += by[n];
-        else
-          put(places.column_of_place[place], 0, root[static_cast<Eigen::Index>(place)] * by[n]);
+          continue;
+        }
+        double sum = 0;
+        for (std::size_t k = 0; k < x.dofs.size(); ++k) sum += x.dofs[k] == x.dofs[n] ? by[k] : 0;
+        put(places.column_of_place[place], 0, root[static_cast<Eigen::Index>(place)] * sum);
       }
       const auto put_first = [&](int axis, const tree::simd<double>& e) {
         const auto place = static_cast<std::size_t>(places.place_of_axis[static_cast<std::size_t>(axis)]);
@@ -276,28 +286,57 @@ class loop_equations {
       pull_back_followers(c, s, [&all](int to, int from, double ratio) { all.col(to) += ratio * all.col(from); });
     for (int row = 0; row < s.dofs(); ++row) put(column_of_row(row), all.col(row).data());
   }
-  template <class State>
-  static auto in_world(State& s, int base, const tree::dense_pose<typename State::scalar>& x) {
-    using S = typename State::scalar;
-    tree::dense_pose<S> at = x;
-    for_each_base(s, [&](const auto& m, std::size_t slot) {
-      if (static_cast<int>(slot) == base) at = plain_pose<S>(compose(plain_pose<S>(m), x));
-    });
-    return at;
+  /// The motion of frame2 in frame1 with all its derivatives, of which it has the pose. With the position p in axes of
+  /// frame1, and its velocity there that frames have in the body or base that both stand on,
+  ///
+  ///   p' = v_2 - v_1 - w_1 x p,   w = w_2 - R^T w_1                                        (1)
+  ///   p'' = R a_2 - (a_1 + al_1 x p + w_1 x (w_1 x p) + 2 w_1 x p')                        (2)
+  ///   al = al_2 - R^T al_1 + w x R^T w_1                                                   (3)
+  ///
+  /// where w_1 in (1) is that in the common body.
+  template <class State, class S>
+  static closing_motion<S> accelerated(const State& s, const closure_place& x, const ends_of_closure<S>& ends,
+                                       closing_motion<S> m) {
+    const auto& f = s.tree().body_tree;
+    const auto &at_a = f.frame(x.frame1.what, x.frame1.index), &at_b = f.frame(x.frame2.what, x.frame2.index);
+    const auto body_of = [&s](int slot) -> const auto& { return s.work.bodies[static_cast<std::size_t>(slot)]; };
+    const auto& [a, b, common] = ends;
+    const auto to_a = transpose(a.rotation);
+    const auto frame_motion = [&](const auto& at) {
+      const auto& body = body_of(at.slot);
+      const auto &p = at.at.position, &w = body.ang_velocity;
+      const auto back = transpose(at.at.rotation);
+      return std::array<vec3<S>, 3>{
+          back * w, back * (body.acceleration + cross(body.ang_acceleration, p) + cross(w, cross(w, p))),
+          back * body.ang_acceleration};
+    };
+    const auto [w1, a1, al1] = frame_motion(at_a);
+    const auto [w2, a2, al2] = frame_motion(at_b);
+    const vec3<S> turns =
+        common < 0 ? w1 : vec3<S>(w1 - to_a * body_of(common).ang_velocity);  // world: bases of their own
+    const auto to_b = transpose(m.rotation);
+    const vec3<S> rate = to_a * (b.velocity - a.velocity) - cross(turns, m.position);
+    const vec3<S> w1_in_b = to_b * w1;
+    m.velocity = to_b * rate, m.ang_velocity = w2 - w1_in_b;
+    m.acceleration = a2 - to_b * (a1 + cross(al1, m.position) + cross(w1, cross(w1, m.position)) + 2 * cross(w1, rate));
+    m.ang_acceleration = al2 - to_b * al1 + cross(m.ang_velocity, w1_in_b);
+    return m;
   }
-  /// The motion of a frame that stands at a pose, in axes in which bodies are not placed: rates are in its own.
-  template <class State, class P, class R>
-  static auto moved(const State& s, const runtime_frame& x, const P& position, const R& rotation) {
-    const auto& place = s.tree().body_tree.frame(x.what, x.index);
-    const auto& body = s.work.bodies[static_cast<std::size_t>(place.slot)];
-    const motion of_body{vec3<>{},          no_rotation{},     body.velocity,
-                         body.ang_velocity, body.acceleration, body.ang_acceleration};
-    const auto m = compose(of_body, at_rest(place.at.rotation, place.at.position));
-    return motion{position, rotation, m.velocity, m.ang_velocity, m.acceleration, m.ang_acceleration};
+  /// In the world, where bases move.
+  template <class State, class S>
+  static void into_world(const State& s, int base, tree::moving_place<S>& x) {
+    for_each_base(s, [&](const auto& m, std::size_t slot) {
+      if (static_cast<int>(slot) != base) return;
+      const mat3<vec3<S>> r = as<S>(matrix(m.rotation));
+      const vec3<S> v = as<S>(m.velocity), w = as<S>(m.ang_velocity);
+      x.velocity = r * (v + cross(w, x.position) + x.velocity);
+      x.position = as<S>(m.position) + r * x.position, x.rotation = r * x.rotation;
+    });
   }
 
-  std::vector<closing_motion<double>> motions_;  ///< of closures of frames
-  std::vector<simd_load> loads_;                 ///< on bodies of a way
+  std::vector<closing_motion<double>> motions_;  ///< of closures of frames, at rest
+  std::vector<ends_of_closure<double>> ends_;
+  std::vector<simd_load> loads_;  ///< on bodies of a way
   std::vector<double> forces_;
 };
 

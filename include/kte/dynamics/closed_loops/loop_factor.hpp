@@ -174,10 +174,10 @@ class loop_factor {
       for (Eigen::Index k = 0; k < b.cols(); ++k) mass_.half_solve(b.col(k).data());
       return;
     }
-    b.setZero();
+    if (e.places.blocks[i].closures.size() > 1) b.setZero();
     int first = 0;
     for (const int k : e.places.blocks[i].closures) {
-      e.half_solve(c, s, k, root_, [&](int column, int row, double entry) { b(column, first + row) += entry; });
+      e.half_solve(c, s, k, root_, [&](int column, int row, double entry) { b(column, first + row) = entry; });
       first += e.places.closures[static_cast<std::size_t>(k)].rows.count();
     }
   }

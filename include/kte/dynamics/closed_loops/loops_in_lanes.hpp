@@ -106,14 +106,12 @@ class loops_in_lanes {
   /// Residuals, accelerations and L^-T J^T of a closure of frames, its rows from `first` on.
   void close_frames(const runtime_closures& c, basic_runtime_state<S>& s, const closure_place& x, std::size_t first) {
     const auto& f = s.tree().body_tree;
-    const auto m = loop_equations::motion_between(s, x);
-    tree::take_velocities(f, s.work, x.way);
-    const auto moving = loop_equations::moving_between(s, x, m);
+    const closing_motion<S> m = loop_equations::moving_between(s, x);
     const int count = x.rows.count();
     S units[6][6];
     closing_motion<double> motions[lanes];
     double rows[lanes * all_rows_of_closing];
-    for (std::size_t lane = 0; lane < lanes; ++lane) motions[lane] = of_lane(moving, lane);
+    for (std::size_t lane = 0; lane < lanes; ++lane) motions[lane] = of_lane(m, lane);
     c.element(x.element).close_frames(motions, rows);
     for (std::size_t lane = 0; lane < lanes; ++lane) {
       const double *g = rows + lane * all_rows_of_closing, *accelerations = g + closing_stride,
