@@ -123,9 +123,8 @@ TEST_CASE("inverse dynamics of a static chain by actuated keys") {
   CHECK_THROWS_MATCHES(
       loop_motion(four_bar, q, actuated(crank, rocker)), bad_argument,
       Message("kte: this chain has mobility 1 here, so it is driven by as many coordinates, not by 2"));
-  CHECK_THROWS_MATCHES(
-      kte::inverse_dynamics(four_bar, q, v, Eigen::Vector3d(1, 0, 0), actuated(crank)), bad_argument,
-      Message("kte: these accelerations do not keep 'pin' closed: those of constrained_dynamics do"));
+  CHECK_THROWS_MATCHES(kte::inverse_dynamics(four_bar, q, v, Eigen::Vector3d(1, 0, 0), actuated(crank)), bad_argument,
+                       Message("kte: these accelerations do not keep 'pin' closed: those of constrained_dynamics do"));
   CHECK_THROWS_AS(assemble(four_bar, Eigen::Vector3d(0.1, 0.2, pi), held(crank, rocker)), cannot_assemble);
 }
 
