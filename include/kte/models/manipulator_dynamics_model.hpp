@@ -77,6 +77,9 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
   void settle(const state& x0, rate& d, state& x) const requires(closes) { loops::settle(*this, loops_, x0, d, x); }
   /// Takes out of a displacement from x0 what `settle` would.
   void tangential(const state& x0, rate& e) const requires(closes) { loops::tangential(*this, loops_, x0, e); }
+  /// Throws `bad_argument` where the step from x0 that has just been computed ends too near to a singular
+  /// configuration.
+  void check_end(const state& x0, const state&) const requires(closes) { loops::check_end(*this, loops_, x0); }
   /// x on the loops, wherever it is. Throws `bad_argument` that names a closure which does not close from there.
   state on_loops(const state& x) const requires(closes) {
     state on = x;
@@ -114,7 +117,8 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
   using jacobian_matrix = Eigen::Matrix<S, size::x_dot, size::x_dot>;
   /// False for chains with load-dependent friction and internal states, for which stiff methods use differences: the
   /// friction depends on accelerations, and so do these states.
-  static constexpr bool has_jacobian = !closes && (size::z == 0 || !(detail::load_dependent_friction<typename E::core_type> || ...));
+  static constexpr bool has_jacobian =
+      !closes && (size::z == 0 || !(detail::load_dependent_friction<typename E::core_type> || ...));
   jacobian_matrix jacobian(const S& t, const state& x) const requires(has_jacobian) {
     jacobian_matrix j;
     jacobian(t, x, j);

@@ -150,6 +150,9 @@ class manipulator_dynamics_model<runtime_chain, double, void> : public state_spa
   void tangential(const state& x0, rate& e) const;
   /// Chooses the independent rows of closures for the step from x0. Throws `bad_argument` where it is off the loops.
   void begin_step(const state& x0) const;
+  /// Throws `bad_argument` where the step from x0 that has just been computed ends too near to a singular
+  /// configuration.
+  void check_end(const state& x0, const state& next) const;
   /// x on the loops, wherever it is. Throws `bad_argument` that names a closure which does not close from there:
   /// `assemble` goes a longer way.
   state on_loops(const state& x) const;
@@ -231,8 +234,8 @@ KTE_FUNCTION auto manipulator_dynamics_model<runtime_chain>::computeStateRate(do
 KTE_FUNCTION const Eigen::VectorXd& manipulator_dynamics_model<runtime_chain>::accelerations_in_step() const {
   detail::check_regular_tree(chain(), s_), detail::check_positions(s_);
   const auto none = [](int) { return 0.0; };
-  return detail::constrained_accelerations(
-      chain(), s_, none, detail::rows_of_stage(detail::runtime_model_loops{*this, s_, loops_}));
+  return detail::constrained_accelerations(chain(), s_, none,
+                                           detail::rows_of_stage(detail::runtime_model_loops{*this, s_, loops_}));
 }
 KTE_FUNCTION bool manipulator_dynamics_model<runtime_chain>::jacobian(double t, const state& x,
                                                                       jacobian_matrix& j) const {
@@ -371,6 +374,9 @@ KTE_FUNCTION void manipulator_dynamics_model<runtime_chain>::tangential(const st
 }
 KTE_FUNCTION void manipulator_dynamics_model<runtime_chain>::begin_step(const state& x0) const {
   if (detail::has_loops(chain())) detail::check_step(detail::runtime_model_loops{*this, s_, loops_}, x0);
+}
+KTE_FUNCTION void manipulator_dynamics_model<runtime_chain>::check_end(const state& x0, const state&) const {
+  if (detail::has_loops(chain())) detail::check_step_end(detail::runtime_model_loops{*this, s_, loops_}, x0);
 }
 KTE_FUNCTION auto manipulator_dynamics_model<runtime_chain>::on_loops(const state& x) const -> state {
   state on = checked(x);

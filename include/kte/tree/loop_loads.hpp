@@ -8,6 +8,8 @@
 /// Loads on the bodies of a tree whose articulated inertias are known, and the accelerations that they make.
 namespace kte::tree {
 
+inline constexpr std::size_t most_axes = 6;  ///< of a joint
+
 /// The bodies that loads pass on their way to the bases, those further out first.
 struct load_way {
   std::vector<int> nodes;
@@ -46,8 +48,8 @@ KTE_INLINE void add_to(simd_wrench<S>& sum, const simd_wrench<S>& x) {
 ///   e = f + s.W,   W' = W - U D^-1 e          (1)
 ///
 /// put(axis, e); the sum of e_k D^-1 e_l over all axes is the acceleration of load k by load l (recursions/
-/// inverse_mass.hpp). `loads`: by place in `way`, of as many loads as go into a register; `force`: likewise, of the one
-/// axis of the joint there.
+/// inverse_mass.hpp). `loads`: by place in `way`, of as many loads as go into a register; `force`: likewise, of the
+/// axes of the joint there, `most_axes` each, or nothing.
 template <class P, class S, class Put>
 void send_to_bases(const body_tree<P>& f, const memory<P, S>& m, const load_way& way, simd_wrench<S>* loads,
                    const S* force, const Put& put) {
@@ -65,24 +67,29 @@ void send_to_bases(const body_tree<P>& f, const memory<P, S>& m, const load_way&
       add_to(load, loads[n]);
     else
       load = loads[n];
+    const joint_transform<S>& at = m.joint_transforms[i];
+    const S* const forces = force + (force ? most_axes * n : 0);
     simd<S> e;
-    if (m.is_free[i] && r.moves != joint::several) {
+    if (m.is_free[i] && !r.has_matrix()) {
       load.power_on(r, e);
-      if (force) e += force[n];
+      if (force) e += forces[0];
       put(r.first, e);
       leave(load, factors[0].gain, e);
     } else if (m.is_free[i]) {
-      simd<S>* const all[]{&load.force.x,  &load.force.y,  &load.force.z,
-                           &load.torque.x, &load.torque.y, &load.torque.z};
+      simd<S>* const all[]{&load.force.x, &load.force.y, &load.force.z, &load.torque.x, &load.torque.y, &load.torque.z};
       for (int k = r.axes; k-- > 0;) {
-        e = *all[r.axis[static_cast<std::size_t>(k)]];
+        if (r.moves == joint::varying)
+          load.power_on(at.axes[static_cast<std::size_t>(k)], e);
+        else
+          e = *all[r.axis[static_cast<std::size_t>(k)]];
+        if (force) e += forces[k];
         put(r.first + k, e);
         leave(load, factors[k].gain, e);
       }
     }
     at_hand = false;
     if (way.next[n] < 0) continue;
-    load.go_in(r, m.joint_transforms[i]);
+    load.go_in(r, at);
     at_hand = way.next[n] == static_cast<int>(n) + 1;
     if (!at_hand) add_to(loads[way.next[n]], load);
   }

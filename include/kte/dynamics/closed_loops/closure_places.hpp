@@ -16,7 +16,8 @@ struct closure_place {
   runtime_frame frame1, frame2;  ///< of a closure of frames
   std::vector<int> coordinates;  ///< of a closure of coordinates: slots, and rows of v
   std::vector<int> dofs;
-  tree::load_way way;  ///< of its forces, in trees
+  std::vector<int> axes;  ///< likewise: which axis of the joint there
+  tree::load_way way;     ///< of its forces, in trees
   /// By place in the way: of frame1, frame2 or of coordinates; -1 on a base.
   std::vector<int> enters;
   bool of_frames() const { return coordinates.empty(); }
@@ -128,9 +129,12 @@ class closure_places {
       for (const auto& frame : {x.frame1, x.frame2}) ends.push_back(f.frame(frame.what, frame.index).slot - f.bases);
     } else {
       for (const int row : x.dofs) {
-        std::size_t node = 0;
-        while (node < f.nodes.size() && f.row[static_cast<std::size_t>(f.nodes[node].first)] != row) ++node;
-        ends.push_back(node < f.nodes.size() ? static_cast<int>(node) : -1);
+        std::size_t axis = 0, node = 0;
+        while (axis < f.row.size() && f.row[axis] != row) ++axis;
+        while (node + 1 < f.nodes.size() && static_cast<std::size_t>(f.nodes[node + 1].first) <= axis) ++node;
+        const bool moves = axis < f.row.size();
+        ends.push_back(moves ? static_cast<int>(node) : -1);
+        x.axes.push_back(moves ? static_cast<int>(axis) - f.nodes[node].first : 0);
       }
     }
     auto& nodes = x.way.nodes;

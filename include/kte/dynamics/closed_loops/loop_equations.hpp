@@ -202,11 +202,12 @@ class loop_equations {
   void half_solve_coordinates(const Closures& c, State& s, const closure_place& x, const Eigen::VectorXd& root,
                               const Put& put) {
     coordinate_rows(c, s, x, [&](const auto&, const double* by) {
-      loads_.assign(x.way.nodes.size(), simd_load{}), forces_.assign(x.way.nodes.size(), 0);
+      loads_.assign(x.way.nodes.size(), simd_load{}), forces_.assign(tree::most_axes * x.way.nodes.size(), 0);
       for (std::size_t n = 0; n < x.dofs.size(); ++n) {
         const auto place = static_cast<std::size_t>(places.place_of_row[static_cast<std::size_t>(x.dofs[n])]);
         if (x.enters[n] >= 0) {
-          forces_[static_cast<std::size_t>(x.enters[n])] += by[n];
+          forces_[tree::most_axes * static_cast<std::size_t>(x.enters[n]) + static_cast<std::size_t>(x.axes[n])] +=
+              by[n];
           continue;
         }
         double sum = 0;

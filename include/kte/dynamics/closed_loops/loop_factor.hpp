@@ -53,9 +53,7 @@ class loop_factor {
     for (std::size_t i = 0; i < parts.size(); ++i) {
       const auto& b = e.places.blocks[i];
       put_half_solved(c, s, e, i, parts[i].matrix(static_cast<Eigen::Index>(b.places.size()), b.rows));
-      double most = 0;  // of what a row could be: less than its rounding is none
-      for (const int k : b.places) most = (std::max)(most, root_[k]);
-      parts[i].choose(least, 1e-13 * most * (std::min)(1.0, 1 / e.places.length));
+      parts[i].choose(least, 1e-13 * reach(e, i));  // less than the rounding of what it could be is none
     }
   }
   /// (2) and (3) of rows that `chosen` has. Returns false if they are dependent.
@@ -73,6 +71,8 @@ class loop_factor {
     }
     return true;
   }
+  /// The smallest pivot of block i, in parts of what one could be: near singular configurations it goes to zero.
+  double smallest_pivot(const loop_equations& e, std::size_t i) const { return parts[i].smallest / reach(e, i); }
   int rank() const {
     Eigen::Index n = 0;
     for (const auto& p : parts) n += p.rank();
@@ -158,6 +158,12 @@ class loop_factor {
     for (std::size_t k = 0; k < at.axis_of_place.size(); ++k)
       if (const int axis = at.axis_of_place[k]; axis >= 0)
         d[at.row_of_place[k]] = s.work.acceleration[static_cast<std::size_t>(axis)];
+  }
+  /// How large a row of B of block i could be.
+  double reach(const loop_equations& e, std::size_t i) const {
+    double most = 0;
+    for (const int k : e.places.blocks[i].places) most = (std::max)(most, root_[k]);
+    return most * (std::min)(1.0, 1 / e.places.length);
   }
   template <class Closures, class State>
   void factorize_mass(const Closures& c, State& s, const loop_equations& e) {

@@ -153,12 +153,12 @@ class loops_in_lanes {
       acceleration.set(lane, curvature);
       for (std::size_t n = 0; n < x.coordinates.size(); ++n) by[n].set(lane, gradient[n]);
     }
-    loads_.assign(x.way.nodes.size(), load{}), forces_.assign(x.way.nodes.size(), S(0));
+    loads_.assign(x.way.nodes.size(), load{}), forces_.assign(tree::most_axes * x.way.nodes.size(), S(0));
     for (std::size_t n = 0; n < x.dofs.size(); ++n) {
       acceleration += by[n] * s.work.forces[x.dofs[n]];
       const auto place = static_cast<std::size_t>(places_.place_of_row[static_cast<std::size_t>(x.dofs[n])]);
       if (x.enters[n] >= 0)
-        forces_[static_cast<std::size_t>(x.enters[n])] += by[n];
+        forces_[tree::most_axes * static_cast<std::size_t>(x.enters[n]) + static_cast<std::size_t>(x.axes[n])] += by[n];
       else
         all_.column(first)[places_.column_of_place[place]] += root_[place] * by[n];
     }

@@ -92,6 +92,20 @@ void check_step(const Loops& loops, const X& x0) {
           "kte: the loops are as near to a singular configuration as rounding, where the mechanism may go on "
           "in several ways: larger tolerances pass it in one step");
 }
+/// Raises `bad_argument` where a step from x0 ends much nearer to a singular configuration than it started: velocities
+/// at the end would have errors of eps over the pivot. A shorter step ends before the singular configuration, and the
+/// next one passes it.
+template <class Loops, class X>
+void check_step_end(const Loops& loops, const X& x0) {
+  constexpr double near = 1e-4, nearer = 1e-2;
+  const auto& start = step_from(loops, x0);
+  const auto& end = loops.workspace();
+  for (std::size_t i = 0; i < end.factor.parts.size(); ++i) {
+    const double pivot = end.factor.smallest_pivot(end.equations, i);
+    if (pivot < near && pivot < nearer * start.factor.smallest_pivot(start.equations, i)) [[unlikely]]
+      raise<bad_argument>("kte: the step ends too near to a singular configuration of the loops: a shorter step");
+  }
+}
 
 /// (1) and (2).
 template <class Loops, class X, class Rate>
@@ -120,7 +134,8 @@ void settle_on_loops(const Loops& loops, const X& x0, Rate& d, X& x) {
   double gap = evaluate(false), last = std::numeric_limits<double>::infinity();
   for (int i = 0; gap > 1e-16; ++i) {
     if (!(gap < 1e300) || i == 20)
-      raise<bad_argument>("kte: the loops do not close at the end of a step: " + gap_text(closures, e) + ": a shorter step");
+      raise<bad_argument>("kte: the loops do not close at the end of a step: " + gap_text(closures, e) +
+                          ": a shorter step");
     if (gap > last / 20) {  // the factor of the start is no longer good, or the rest is rounding
       if (gap <= on_loops_within && by == &factor) break;
       (void)evaluate(true);
@@ -132,7 +147,8 @@ void settle_on_loops(const Loops& loops, const X& x0, Rate& d, X& x) {
   }
   (void)evaluate(true);
   if (const double open = e.residual.cwiseAbs().maxCoeff(); !(open <= 1e-10)) [[unlikely]]
-    raise<bad_argument>("kte: the closures contradict each other: " + gap_text(closures, e) + " where others are closed");
+    raise<bad_argument>("kte: the closures contradict each other: " + gap_text(closures, e) +
+                        " where others are closed");
   factor.factorize(closures, s, e);
   if (!factor.keep(closures, s, e, step.factor, 1e-14)) factor.choose(closures, s, e, least_pivot);
   for (int i = 0; i < 2; ++i) move(n, factor.least_change(s, e, e.times(model.velocities_of(x))));

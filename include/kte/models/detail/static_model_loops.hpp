@@ -50,8 +50,8 @@ struct static_model_loops<static_chain<Gravity, E...>> {
       const configuration<double, wiring, const double*> at(q);
       at.check();
       std::copy_n(q, wiring::nq, kept.here.at.q.numbers.data());
-      kept.s.take(given{at, each<double, const double*>{v}, same<zero_t>{},
-                        model.bases_at(kept.time, v + wiring::dofs)});
+      kept.s.take(
+          given{at, each<double, const double*>{v}, same<zero_t>{}, model.bases_at(kept.time, v + wiring::dofs)});
       check_regular(model.chain(), kept.s);
     }
     template <class X>
@@ -70,6 +70,10 @@ struct static_model_loops<static_chain<Gravity, E...>> {
   template <class Model, class X>
   static void begin_step(const Model& m, memory& kept, const X& x0) {
     check_step(of(m, kept), x0);
+  }
+  template <class Model, class X>
+  static void check_end(const Model& m, memory& kept, const X& x0) {
+    check_step_end(of(m, kept), x0);
   }
   template <class Model, class X, class Rate>
   static void settle(const Model& m, memory& kept, const X& x0, Rate& d, X& x) {
@@ -97,7 +101,7 @@ struct static_model_loops<static_chain<Gravity, E...>> {
     auto& own = of(m, kept).state();
     for (int i = 0; i < wiring::count(kind::loop); ++i)
       s.template get<kind::loop>(i).force = own.template get<kind::loop>(i).force,
-                         s.template get<kind::loop>(i).torque = own.template get<kind::loop>(i).torque;
+                 s.template get<kind::loop>(i).torque = own.template get<kind::loop>(i).torque;
   }
 };
 
