@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/contract/closure_parameters.hpp>
 #include <kte/contract/force_derivatives.hpp>
 #include <kte/contract/varying_joint.hpp>
 #include <kte/runtime_chain/derivative_state.hpp>
@@ -106,13 +107,54 @@ class kte_map_adapter final : public kte_element {
                     [[maybe_unused]] double* rows) const override {
     if constexpr (closes_frames) detail::close_frames_by(core_, m, what, rows);
   }
+  void close_frames([[maybe_unused]] const detail::closing_motion<detail::derivative_number>& m,
+                    [[maybe_unused]] detail::closing what,
+                    [[maybe_unused]] detail::derivative_number* rows) const override {
+    if constexpr (closes_frames) detail::close_frames_by(core_, m, what, rows);
+  }
+  void close_frames([[maybe_unused]] std::span<const detail::closing_motion<double>> motions,
+                    [[maybe_unused]] double* rows) const override {
+    if constexpr (closes_frames)
+      for (const auto& m : motions)
+        for (const auto what : {detail::closing::residual, detail::closing::residual_ddot, detail::closing::wrenches}) {
+          detail::close_frames_by(core_, m, what, rows);
+          rows += (what == detail::closing::wrenches ? 6 : 1) * detail::closing_stride;
+        }
+  }
   bool is_upright([[maybe_unused]] const detail::closing_motion<double>& m) const override {
     return detail::is_upright_by(core_, m);
   }
   std::array<double, 2> close_coordinates([[maybe_unused]] const double* q, [[maybe_unused]] const double* v,
                                           [[maybe_unused]] double* gradient) const override {
-    if constexpr (detail::is_closure<Core> && !closes_frames)
+    if constexpr (closes_coordinates)
       return detail::close_coordinates_by(core_, q, v, gradient);
+    else
+      return {};
+  }
+  std::array<detail::derivative_number, 2> close_coordinates(
+      [[maybe_unused]] const detail::derivative_number* q, [[maybe_unused]] const detail::derivative_number* v,
+      [[maybe_unused]] detail::derivative_number* gradient) const override {
+    if constexpr (closes_coordinates)
+      return detail::close_coordinates_by(core_, q, v, gradient);
+    else
+      return {};
+  }
+  std::span<const std::string_view> closure_parameters() const override {
+    if constexpr (detail::derived_by_parameters<Core>)
+      return Core::parameter_names;
+    else
+      return {};
+  }
+  void frames_by_parameter([[maybe_unused]] int parameter, [[maybe_unused]] const detail::closing_motion<double>& m,
+                           [[maybe_unused]] detail::closing what, [[maybe_unused]] double* rows) const override {
+    if constexpr (closes_frames && detail::derived_by_parameters<Core>)
+      detail::close_frames_by(detail::rows_by_parameter<Core>{core_, parameter}, m, what, rows);
+  }
+  std::array<double, 2> coordinates_by_parameter([[maybe_unused]] int parameter, [[maybe_unused]] const double* q,
+                                                 [[maybe_unused]] const double* v,
+                                                 [[maybe_unused]] double* gradient) const override {
+    if constexpr (closes_coordinates && detail::derived_by_parameters<Core>)
+      return detail::close_coordinates_by(detail::value_by_parameter<Core>{{}, core_, parameter}, q, v, gradient);
     else
       return {};
   }
@@ -120,6 +162,7 @@ class kte_map_adapter final : public kte_element {
  private:
   using inputs = std::make_index_sequence<input_count<Core>>;
   static constexpr bool closes_frames = detail::is_closure<Core> && is_frame(Core::ports[0].what);
+  static constexpr bool closes_coordinates = detail::is_closure<Core> && !closes_frames;
 
   template <class State>
   auto on(State& s) const {

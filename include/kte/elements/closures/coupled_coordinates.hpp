@@ -21,6 +21,11 @@ struct coupled_coordinates : coordinate_closure<coupled_coordinates> {
   constexpr auto value(const Q& q1, const Q& q2) const {
     return factor1 * q1 + factor2 * q2 - constant;
   }
+  static constexpr std::array<std::string_view, 3> parameter_names{"factor1", "factor2", "constant"};
+  template <class Q>
+  constexpr Q by_parameter(int k, const Q& q1, const Q& q2) const {
+    return k == 0 ? q1 : k == 1 ? q2 : Q(-1);
+  }
   constexpr void check(const parameter_check& where) const {
     where.finite(factor1, "factor1 must be finite"), where.finite(factor2, "factor2 must be finite");
     where.finite(constant, "constant must be finite");
