@@ -68,6 +68,12 @@ inline constexpr bool is_load = false;
 template <class Core>
 requires requires { Core::is_load; }
 inline constexpr bool is_load<Core> = Core::is_load;
+/// Whether the internal states of an element follow from the position at the start of a motion: `switched` gives them.
+template <class Core>
+inline constexpr bool starts_in_place = false;
+template <class Core>
+requires requires { Core::starts_in_place; }
+inline constexpr bool starts_in_place<Core> = Core::starts_in_place;
 
 /// Whether it is a joint whose friction depends on what the joint carries: `friction(coordinate, wrench of the end)`,
 /// a load on the coordinate.

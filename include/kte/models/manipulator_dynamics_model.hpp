@@ -40,6 +40,16 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
 
   explicit manipulator_dynamics_model(const chain_type& c) : base(c) {}
 
+  using base::make_x;
+  /// The state x of q and v, with z = 0; of elements that start in place that of q.
+  template <indexable Q, indexable V>
+  state make_x(const Q& q, const V& v) const {
+    state x = base::make_x(q, v);
+    if constexpr ((detail::starts_in_place<typename E::core_type> || ...))
+      start_in_place(x, std::index_sequence_for<E...>{});
+    return x;
+  }
+
   /// x' of (1). Throws `bad_argument` for numbers that are not finite, `singular_mass_matrix`.
   rate computeStateRate(const S& t, const state& x) const {
     const S *q = x.data(), *v = q + size::q, *z = v + size::v;
@@ -227,6 +237,22 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
     const int done[]{add.template operator()<I>()...};
     (void)done;
     return all;
+  }
+  template <std::size_t... I>
+  void start_in_place(state& x, std::index_sequence<I...>) const {
+    auto s = make_state<S>(this->chain());
+    setJointStates(x, s), this->doMotion(s);
+    const auto start = [&]<std::size_t J>() {
+      using element_core = typename chain_type::template core_type<J>;
+      if constexpr (detail::starts_in_place<element_core>)
+        detail::stored_element<element_core, decltype(s), detail::by_index>{
+            this->template core<J>(), s, {wiring::table.slot.data() + wiring::first[J]}}
+            .switch_over(std::make_index_sequence<input_count<element_core>>{});
+      return 0;
+    };
+    const int done[]{start.template operator()<I>()...};
+    (void)done;
+    for (int i = 0; i < size::z; ++i) x[size::q + size::v + i] = s.template get<kind::internal>(i).z;
   }
   template <class State, std::size_t... I>
   S capacity_of(State& s, std::size_t element, std::index_sequence<I...>) const {
