@@ -74,6 +74,15 @@ auto cranks(const Follower& f) {
                revolute_joint_2D(q_rocker, base, rocker_frame).at(vec2<>{0.5, 0}), inertia_2D(rocker_frame, rocker_bar))
       .gravity(along_y(-9.81));
 }
+template <class F>
+std::string message_of(const F& f) {
+  try {
+    f();
+  } catch (const kte::error& e) {
+    return e.what();
+  }
+  return {};
+}
 const std::array guess{core::four_bar_coupler(bars).value(0.9) + 0.02, core::four_bar_rocker(bars).value(0.9) - 0.02};
 
 }  // namespace
@@ -88,8 +97,8 @@ TEST_CASE("implicit followers move a four-bar as those in closed form do") {
   for (const double q : {0.5, 0.9, 1.4}) {
     const std::array at{q}, v{2.1}, tau{0.1};
     const double expected = forward_dynamics(closed, at, v, tau)[0];
-    CHECK(forward_dynamics(implicit, at, v, tau)[0] == within(expected, 2e-14));
-    CHECK(forward_dynamics(at_run_time, s, at, v, tau)[0] == within(expected, 2e-14));
+    CHECK(forward_dynamics(implicit, at, v, tau)[0] == within(expected, 2e-13));
+    CHECK(forward_dynamics(at_run_time, s, at, v, tau)[0] == within(expected, 2e-13));
     const std::array a{-3.0};
     CHECK(inverse_dynamics(at_run_time, s, at, v, a)[0] == within(inverse_dynamics(closed, at, v, a)[0], 1e-14));
     const auto by_closed = inverse_dynamics_derivatives(closed, at, v, a),
@@ -163,7 +172,7 @@ TEST_CASE("a parallelogram stays one where its branches cross, and so does its o
 TEST_CASE("dead points, crossings and positions out of reach are refused by name") {
   const auto says = [](const runtime_chain& c, double q) {
     auto s = c.make_state();
-    return complaint([&] { (void)forward_dynamics(c, s, std::array{q}, std::array{1.0}, std::array{0.0}); });
+    return message_of([&] { (void)forward_dynamics(c, s, std::array{q}, std::array{1.0}, std::array{0.0}); });
   };
   // a slider leads its crank: at the end of its way the crank does not follow
   runtime_chain c;
@@ -175,15 +184,15 @@ TEST_CASE("dead points, crossings and positions out of reach are refused by name
     << inertia_2D("slider", point_mass(1.0)) << revolute_joint_2D("angle", "base", "crank")
     << inertia_2D("crank", crank_bar);
   CHECK(says(c, 0.5) == "");
-  const std::string dead = says(c, 1 - 1e-10), beyond = says(c, 1.1);
-  CHECK(dead.find("implicit_follower_gen (coordinates 'x'") != std::string::npos);
-  CHECK(dead.find("dead point at 0.9999999999") != std::string::npos);
+  const std::string dead = says(c, 1 - 1e-13), beyond = says(c, 1.1);
+  CHECK(dead.find("implicit_follower_gen (base1 'x', start1 'start', end 'angle')") != std::string::npos);
+  CHECK(dead.find("dead point at 0.9999999999999") != std::string::npos);
   CHECK(beyond.find("has no solution at 1.1") != std::string::npos);
   auto s = c.make_state();
   const auto at = [&](double x) {
     return forward_dynamics(c, s, std::array{x}, std::array{1.0}, std::array{0.0});
   };
-  CHECK_THROWS_AS(at(1 - 1e-10), dead_point);
+  CHECK_THROWS_AS(at(1 - 1e-13), dead_point);
   CHECK_THROWS_AS(at(1.1), bad_argument);
   // where branches cross, what started near neither is not sent along one of them
   const auto p = cranks(implicit_follower_gen(parallelogram, 0.95, q_crank, q_rocker, start1));
@@ -191,13 +200,13 @@ TEST_CASE("dead points, crossings and positions out of reach are refused by name
   auto x = model.make_x(std::array{0.9}, std::array{1.0});
   x[0] = 0.01, x[2] = 0.01 - 0.95;
   CHECK(model(0.0, x)[2] == within(1.0, 1e-10));
-  x[2] += 0.01;
+  x[2] -= 0.01;
   CHECK_THROWS_MATCHES(model(0.0, x), bad_argument, test::says("too close to each other to tell"));
 }
 
 TEST_CASE("an implicit follower cannot be saved, and its guess is checked") {
   const auto c = runtime_four_bar(implicit_follower_gen(four_bar, guess, "q", "c", "r", "start1", "start2"));
-  CHECK(complaint([&] { (void)record_of(c); }).find("implicit_follower") != std::string::npos);
+  CHECK(message_of([&] { (void)record_of(c); }).find("implicit_follower_gen (base1 'q'") != std::string::npos);
   CHECK(complaint([] {
           (void)implicit_follower_gen(parallelogram, std::numeric_limits<double>::quiet_NaN(), "q", "r", "start");
         }).find("guess must be finite") != std::string::npos);
