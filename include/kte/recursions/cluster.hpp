@@ -23,60 +23,61 @@ struct cluster_values {
   S *mass, *force;                 ///< D, u; then factors of D, and D^-1 u
 };
 
-/// s_k of the axes of a joint.
-template <body B, class S>
-KTE_INLINE auto numbered_axis(const B& b, [[maybe_unused]] int k) {
-  if constexpr (body_with_axes<B>) {
-    return b.template axis<0>();
-  } else {
-    S unit[6]{};
-    unit[k] = S(1);
-    return b.along_axes(unit);
-  }
-}
-template <body B>
-KTE_INLINE int count_of_axes(const B& b) {
-  if constexpr (body_with_axes<B>)
-    return B::axes;
-  else
-    return b.axis_count();
-}
-/// Adds a body to D, U, u, with its bias motion: `column` are its wrenches for each rate, of all bodies beyond it in the cluster, and then
-/// added to those of what it stands on, `to`. ratios(k): pairs of a number of y' and the rate of axis k by it.
-template <body B, class X, class M, class S, class Ratios>
-KTE_INLINE void add_to_cluster(const B& b, const X& x, const M& m, const Ratios& ratios,
-                               wrench<vec3<S>, vec3<S>>* column,
-                               wrench<vec3<S>, vec3<S>>* to, const cluster_values<S>& c) {
-  const int axes = count_of_axes(b);
-  wrench<vec3<S>, vec3<S>> own[6];
-  for (int k = 0; k < axes; ++k) {
-    const auto s = numbered_axis<B, S>(b, k);
-    assign(own[k], accelerating_wrench(x.inertia, s.linear, s.angular));
-  }
-  for (int k = 0; k < axes; ++k) {
-    const auto s = numbered_axis<B, S>(b, k);
+/// Adds a body to D, U, u, with its bias motion: `column` are its wrenches for each rate, of all bodies beyond it in the
+/// cluster, and then added to those of what it stands on, `to`. `ratios`: the rates of its axes by y', axis by axis.
+/// `n`: how many there are, or one by type.
+template <body B, class X, class M, class S, class N>
+KTE_INLINE void add_to_cluster(const B& b, const X& x, const M& m, const S* ratios, wrench<vec3<S>, vec3<S>>* column,
+                               wrench<vec3<S>, vec3<S>>* to, const cluster_values<S>& c, const N& n) {
+  const auto with_axis = [&](int k, const auto& s) KTE_INLINE_LAMBDA {
     const S bias = as<S>(power(s, x.bias));
-    ratios(k, [&](std::size_t d, const S& ratio) KTE_INLINE_LAMBDA {
+    for (std::size_t d = 0; d < n; ++d) {
+      const S& ratio = ratios[static_cast<std::size_t>(k) * n + d];
       c.force[d] -= ratio * bias;
-      for (std::size_t e = 0; e < c.n; ++e) {
+      for (std::size_t e = 0; e < n; ++e) {
         const S mass = ratio * as<S>(power(s, column[e]));
-        c.mass[d * c.n + e] += mass, c.mass[e * c.n + d] += mass;
+        c.mass[d * n + e] += mass, c.mass[e * n + d] += mass;
       }
-      for (int l = 0; l < axes; ++l) {
-        const S mass = ratio * as<S>(power(s, own[l]));
-        ratios(l, [&](std::size_t e, const S& factor) KTE_INLINE_LAMBDA { c.mass[d * c.n + e] += factor * mass; });
-      }
-    });
+    }
+  };
+  const auto between = [&](int k, int l, const S& mass) KTE_INLINE_LAMBDA {
+    for (std::size_t d = 0; d < n; ++d)
+      for (std::size_t e = 0; e < n; ++e)
+        c.mass[d * n + e] +=
+            ratios[static_cast<std::size_t>(k) * n + d] * ratios[static_cast<std::size_t>(l) * n + e] * mass;
+  };
+  const auto add = [&](int k, const auto& u) KTE_INLINE_LAMBDA {
+    for (std::size_t d = 0; d < n; ++d) {
+      const S& ratio = ratios[static_cast<std::size_t>(k) * n + d];
+      assign(column[d], column[d] + wrench{ratio * u.force, ratio * u.torque});
+    }
+  };
+  if constexpr (body_with_axes<B>) {
+    static_assert(B::axes == 1);
+    const auto s = b.template axis<0>();
+    with_axis(0, s);
+    const auto u = accelerating_wrench(x.inertia, s.linear, s.angular);
+    between(0, 0, as<S>(power(s, u)));
+    add(0, u);
+  } else {
+    const int axes = b.axis_count();
+    motion_vector<vec3<S>, vec3<S>> axis[6];
+    wrench<vec3<S>, vec3<S>> own[6];
+    for (int k = 0; k < axes; ++k) {
+      S unit[6]{};
+      unit[k] = S(1);
+      assign(axis[k], b.along_axes(unit));
+      assign(own[k], accelerating_wrench(x.inertia, axis[k].linear, axis[k].angular));
+      with_axis(k, axis[k]);
+    }
+    for (int k = 0; k < axes; ++k)
+      for (int l = 0; l < axes; ++l) between(k, l, as<S>(power(axis[k], own[l])));
+    for (int k = 0; k < axes; ++k) add(k, own[k]);
   }
-  for (int k = 0; k < axes; ++k)
-    ratios(k, [&](std::size_t d, const S& ratio) KTE_INLINE_LAMBDA {
-      column[d] = {column[d].force + ratio * own[k].force, column[d].torque + ratio * own[k].torque};
-    });
   const motion_vector a{b.in(m.centripetal) + m.linear, m.angular};
-  for (std::size_t d = 0; d < c.n; ++d) {
+  for (std::size_t d = 0; d < n; ++d) {
     c.force[d] -= as<S>(power(a, column[d]));
-    const auto w = pulled_back(b, column[d]);
-    to[d] = {as<S>(to[d].force + w.force), as<S>(to[d].torque + w.torque)};
+    assign(to[d], to[d] + pulled_back(b, column[d]));
   }
 }
 /// (2): what the base of a cluster carries, after sums over its bodies.

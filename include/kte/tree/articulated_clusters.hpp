@@ -22,6 +22,7 @@ struct cluster_memory {
   std::vector<dense_wrench<S>> columns;     ///< of body nodes, by `cluster_layout::columns`
   std::vector<dense_wrench<S>> load, gain;  ///< of degrees of freedom, by `cluster::column`
   std::vector<S> force, acceleration;       ///< the same
+  std::vector<S> rates;                     ///< of axes, by `cluster_layout::rates`
   std::vector<S> mass;                      ///< by `cluster::square`
 
   engine::cluster_values<S> of(const cluster& c) {
@@ -31,11 +32,20 @@ struct cluster_memory {
 };
 
 /// Clusters at the ratios of `x.j`: nothing but masses of coordinates, by row, and forces(row of a degree of freedom).
-template <class S, class Masses, class Forces>
-void open_clusters(const cluster_layout& layout, cluster_memory<S>& x, const Masses& own_mass, const Forces& forces) {
+template <class P, class S, class Masses, class Forces>
+void open_clusters(const body_tree<P>& f, const cluster_layout& layout, cluster_memory<S>& x, const Masses& own_mass,
+                   const Forces& forces) {
   x.columns.assign(layout.all_columns, {}), x.load.assign(layout.all_dofs, {}), x.gain.resize(layout.all_dofs);
   x.force.resize(layout.all_dofs), x.acceleration.resize(layout.all_dofs), x.mass.assign(layout.all_squares, S(0));
+  x.rates.assign(layout.all_rates, S(0));
   const auto place = [&layout](int dof) { return static_cast<std::size_t>(layout.place[static_cast<std::size_t>(dof)]); };
+  for (std::size_t i = 0; i < f.nodes.size(); ++i) {
+    if (layout.of_node[i] < 0) continue;
+    const std::size_t n = layout.at(static_cast<int>(i)).dofs.size();
+    for (int k = 0; k < f.nodes[i].axes; ++k)
+      for (const auto& [dof, ratio] : x.j.of(f.row[static_cast<std::size_t>(f.nodes[i].first + k)]))
+        x.rates[layout.rates[i] + static_cast<std::size_t>(k) * n + place(dof)] = ratio;
+  }
   for (const cluster& c : layout.clusters) {
     const auto values = x.of(c);
     for (std::size_t d = 0; d < values.n; ++d) values.force[d] = forces(c.dofs[d]);
@@ -51,6 +61,11 @@ void open_clusters(const cluster_layout& layout, cluster_memory<S>& x, const Mas
 template <class S>
 bool close_cluster(const engine::cluster_values<S>& c) {
   const auto n = static_cast<Eigen::Index>(c.n);
+  if (n == 1) [[likely]] {
+    const S inverse = S(1) / c.mass[0];
+    c.force[0] *= inverse, c.gain[0] = {inverse * c.load[0].force, inverse * c.load[0].torque};
+    return all(c.mass[0] > S(0));
+  }
   Eigen::Map<Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>> d(c.mass, n, n);
   if (!detail::factorise(d)) return false;
   for (std::size_t k = 0; k < c.n; ++k) c.gain[k] = c.load[k];
@@ -67,6 +82,31 @@ bool close_cluster(const engine::cluster_values<S>& c) {
   }
   return true;
 }
+
+/// Joints that are free to move, or in a cluster, without masses of their own on their coordinates.
+struct joint_that_may_be_in_cluster {
+  static constexpr bool always = false;
+  static constexpr zero_t mass{};
+  bool free;
+};
+/// The body nodes of a tree with clusters, where most joints are in one.
+template <class P, class S>
+class clustered_bodies : public articulated_bodies<P, S> {
+ public:
+  clustered_bodies(const body_tree<P>& f, const memory<P, S>& m, const cluster_layout& layout)
+      : articulated_bodies<P, S>(f, m), in_cluster_(layout.of_node.data()), free_(m.is_free.data()), mass_(m.own_mass.data()) {}
+  KTE_INLINE bool usual(int i) const {
+    return this->nodes_[i].moves == joint::revolute && (in_cluster_[i] >= 0 || (free_[i] && mass_[this->nodes_[i].first] == P(0)));
+  }
+  KTE_INLINE jointed_body<about_z, P, S, joint_that_may_be_in_cluster> body(int i) const {
+    return {this->nodes_[i], this->joint_transforms_[i], {free_[i] != 0}};
+  }
+
+ private:
+  const int* in_cluster_;
+  const char* free_;
+  const P* mass_;
+};
 
 /// Steps of the recursion for bodies of clusters; for others those of trees.
 template <class P, class S>
@@ -85,14 +125,8 @@ struct in_clusters {
       return layout.has(node) ? node : -1;
     }
   }
-  /// visit(number of a degree of freedom in the cluster, rate of axis k of a body by it)
-  auto ratios_of(int first) const {
-    return [this, first](int k, const auto& visit) KTE_INLINE_LAMBDA {
-      for (const auto& [dof, ratio] : x.j.of(f.row[static_cast<std::size_t>(first + k)]))
-        visit(static_cast<std::size_t>(layout.place[static_cast<std::size_t>(dof)]), ratio);
-    };
-  }
-  dense_wrench<S>* column(int node) const {
+  KTE_INLINE const S* ratios(int node) const { return x.rates.data() + layout.rates[static_cast<std::size_t>(node)]; }
+  KTE_INLINE dense_wrench<S>* column(int node) const {
     return x.columns.data() + layout.columns[static_cast<std::size_t>(node)];
   }
 };
@@ -110,12 +144,18 @@ struct cluster_elimination {
 
  private:
   template <class B, class X>
-  void add(const B& b, int node, const X& x) const {
+  KTE_INLINE void add(const B& b, int node, const X& x) const {
     const cluster& c = in.layout.at(node);
     const auto values = in.x.of(c);
     const int parent = b.r.parent;
     dense_wrench<S>* const to = parent == c.base ? values.load : in.column(parent - in.f.bases);
-    engine::add_to_cluster(b, x, biases[in.f.bases + node], in.ratios_of(b.first()), in.column(node), to, values);
+    const auto add_bodies = [&](const auto& n) KTE_INLINE_LAMBDA {
+      engine::add_to_cluster(b, x, biases[in.f.bases + node], in.ratios(node), in.column(node), to, values, n);
+    };
+    if (values.n == 1) [[likely]]
+      add_bodies(std::integral_constant<std::size_t, 1>{});
+    else
+      add_bodies(values.n);
     if (node == c.first_node && !close_cluster(values) && unmoved < 0) unmoved = b.first();
   }
 };
@@ -156,15 +196,15 @@ struct acceleration_in_cluster {
 
  private:
   template <class B, class A, class Moved>
-  void add(const B& b, int node, const A& base, Moved& moved) const {
+  KTE_INLINE void add(const B& b, int node, const A& base, Moved& moved) const {
     const cluster& c = in.layout.at(node);
     S* const y = in.x.acceleration.data() + c.column;
     if (node == c.first_node)
       for (std::size_t d = 0; d < c.dofs.size(); ++d) y[d] = engine::cluster_acceleration(base, in.x.of(c), d);
     S more[6]{};
-    const auto ratios = in.ratios_of(b.first());
-    for (int k = 0; k < engine::count_of_axes(b); ++k) {
-      ratios(k, [&](std::size_t d, const S& ratio) { more[k] += ratio * y[d]; });
+    const S* ratio = in.ratios(node);
+    for (int k = 0; k < b.r.axes; ++k) {
+      for (std::size_t d = 0; d < c.dofs.size(); ++d) more[k] += *ratio++ * y[d];
       of_child.change[b.first() + k] += more[k];
     }
     const auto [linear, angular] = b.along_axes(more);
@@ -173,11 +213,20 @@ struct acceleration_in_cluster {
   }
 };
 
+/// As `bias_motions`.
+template <class P, class S>
+auto bias_motions_of_clusters(const body_tree<P>& f, memory<P, S>& m, const cluster_layout& layout) {
+  for (std::size_t b = 0; b < static_cast<std::size_t>(f.bases); ++b)
+    m.biases[b].ang_velocity = m.bodies[b].ang_velocity;
+  const clustered_bodies<P, S> bodies(f, m, layout);
+  return engine::bias_motions<bias_motion<S>>(engine::looped<clustered_bodies<P, S>>{bodies}, m.biases.data(),
+                                              m.rate.data(), m.acceleration.data());
+}
 /// As `articulate`, with clusters that are open. Those without bodies are closed too.
 template <class P, class S, class Biases>
 int articulate_clusters(const body_tree<P>& f, memory<P, S>& m, const cluster_layout& layout, cluster_memory<S>& x,
                         const Biases& biases) {
-  const articulated_bodies<P, S> bodies(f, m);
+  const clustered_bodies<P, S> bodies(f, m, layout);
   int unmoved = -1;
   const auto force = [force = m.force.data()](const auto& b) KTE_INLINE_LAMBDA {
     return [of_joint = force + b.first()](int k) KTE_INLINE_LAMBDA { return of_joint[k]; };
@@ -188,7 +237,7 @@ int articulate_clusters(const body_tree<P>& f, memory<P, S>& m, const cluster_la
   using eliminate = engine::joint_elimination<S, force_type, int>;
   using to_parent = engine::articulated_to_parent<force_type>;
   const in_clusters<P, S> in{f, layout, x};
-  engine::looped<articulated_bodies<P, S>>{bodies}.template inward<false, articulated_body<S>, false>(
+  engine::looped<clustered_bodies<P, S>>{bodies}.template inward<false, articulated_body<S>, false>(
       m.articulated.data(), biases, engine::articulated_alone<std::remove_const_t<decltype(own)>>{own},
       cluster_elimination<P, S, eliminate>{in, m.biases.data(), eliminate{force, m.factors.data(), unmoved}, unmoved},
       cluster_to_parent<P, S, to_parent>{in, to_parent{force}});
@@ -199,8 +248,8 @@ template <class P, class S, class Biases>
 void accelerate_clusters(const body_tree<P>& f, memory<P, S>& m, const cluster_layout& layout, cluster_memory<S>& x,
                          const Biases& biases) {
   using hand = engine::body_motion<skip, vec3<S>, vec3<S>, vec3<S>>;
-  const articulated_bodies<P, S> bodies(f, m);
-  engine::looped<articulated_bodies<P, S>>{bodies}.template descend<hand>(
+  const clustered_bodies<P, S> bodies(f, m, layout);
+  engine::looped<clustered_bodies<P, S>>{bodies}.template descend<hand>(
       m.bodies.data(), biases,
       acceleration_in_cluster<P, S>{{f, layout, x}, {m.factors.data(), m.acceleration.data()}});
 }

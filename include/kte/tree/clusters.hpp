@@ -26,9 +26,10 @@ struct cluster_layout {
   std::vector<cluster> clusters;
   std::vector<int> of_node;          ///< body nodes: the cluster, or -1
   std::vector<std::size_t> columns;  ///< body nodes: the place of wrenches, one for each degree of freedom of the cluster
+  std::vector<std::size_t> rates;    ///< body nodes: the place of rates of its axes by these degrees of freedom
   std::vector<int> of_row;           ///< coordinates: the cluster, or -1
   std::vector<int> place;            ///< degrees of freedom: the number in the cluster
-  std::size_t all_columns = 0, all_dofs = 0, all_squares = 0;
+  std::size_t all_columns = 0, all_rates = 0, all_dofs = 0, all_squares = 0;
   /// Whether all coordinates that follow others are in clusters.
   bool complete = false;
 
@@ -103,7 +104,7 @@ cluster_layout clusters_of(const body_tree<P>& f, int coordinates, int dofs, std
       if (grown) at(linked, row_of(i)) = 1;
     }
   }
-  x.of_row.assign(count, -1), x.of_node.assign(f.nodes.size(), -1), x.columns.assign(f.nodes.size(), 0);
+  x.of_row.assign(count, -1), x.of_node.assign(f.nodes.size(), -1), x.columns.assign(f.nodes.size(), 0), x.rates = x.columns;
   x.place.assign(static_cast<std::size_t>(dofs), -1);
   std::vector<int> number(count, -1);  // of sets
   for (int r = 0; r < coordinates; ++r) {
@@ -128,8 +129,9 @@ cluster_layout clusters_of(const body_tree<P>& f, int coordinates, int dofs, std
     const int n = at(x.of_row, row_of(i));
     if (n < 0) continue;
     cluster& c = at(x.clusters, n);
-    at(x.of_node, i) = n, at(x.columns, i) = x.all_columns;
+    at(x.of_node, i) = n, at(x.columns, i) = x.all_columns, at(x.rates, i) = x.all_rates;
     x.all_columns += c.dofs.size();
+    x.all_rates += c.dofs.size() * static_cast<std::size_t>(at(f.nodes, i).axes);
     if (c.first_node < 0) c.first_node = i;
   }
   x.complete = true;

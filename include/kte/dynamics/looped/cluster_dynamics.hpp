@@ -105,12 +105,12 @@ void accelerate_clustered(const Elements& c, State& s, const Tau& tau) {
   move_and_derive_followers(c, s);
   place_bodies_by_coordinates(c, s);
   take_rates(s), take_bases(s);
-  const auto biases = tree::bias_motions(t.body_tree, w);
+  const auto biases = tree::bias_motions_of_clusters(t.body_tree, w, t.clusters);
   forces_by_rates(c, s);
   for (int i = 0; i < s.dofs(); ++i) w.forces[i] += tau(i);
   for (std::size_t k = 0; k < t.body_tree.row.size(); ++k)
     w.force[k] = t.body_tree.row[k] < s.dofs() ? w.forces[t.body_tree.row[k]] : S(0);
-  tree::open_clusters(t.clusters, w.clusters, t.own_mass, [&w](int row) { return w.forces[row]; });
+  tree::open_clusters(t.body_tree, t.clusters, w.clusters, t.own_mass, [&w](int row) { return w.forces[row]; });
   if (const int bad = tree::articulate_clusters(t.body_tree, w, t.clusters, w.clusters, biases); bad >= 0) [[unlikely]]
     diagnose_axis(c, s, bad);
   take_rates(s);  // also of coordinates that follow
