@@ -35,16 +35,26 @@ constexpr auto parallelogram = [](const auto& q, const auto& r) {
   return (x * x + y * y - length * length) / (2 * length);
 };
 
-inline constexpr struct crank_ final : coord_key<"q"> {} q_crank;
-inline constexpr struct coupler_ final : coord_key<"c"> {} q_coupler;
-inline constexpr struct rocker_ final : coord_key<"r"> {} q_rocker;
-inline constexpr struct start1_ final : internal_key<"start1"> {} start1;
-inline constexpr struct start2_ final : internal_key<"start2"> {} start2;
-inline constexpr struct base_ final : frame_2D_key<"base"> {} base;
-inline constexpr struct crank_frame_ final : frame_2D_key<"crank"> {} crank_frame;
-inline constexpr struct tip_ final : frame_2D_key<"tip"> {} tip;
-inline constexpr struct coupler_frame_ final : frame_2D_key<"coupler"> {} coupler_frame;
-inline constexpr struct rocker_frame_ final : frame_2D_key<"rocker"> {} rocker_frame;
+inline constexpr struct crank_ final : coord_key<"q"> {
+} q_crank;
+inline constexpr struct coupler_ final : coord_key<"c"> {
+} q_coupler;
+inline constexpr struct rocker_ final : coord_key<"r"> {
+} q_rocker;
+inline constexpr struct start1_ final : internal_key<"start1"> {
+} start1;
+inline constexpr struct start2_ final : internal_key<"start2"> {
+} start2;
+inline constexpr struct base_ final : frame_2D_key<"base"> {
+} base;
+inline constexpr struct crank_frame_ final : frame_2D_key<"crank"> {
+} crank_frame;
+inline constexpr struct tip_ final : frame_2D_key<"tip"> {
+} tip;
+inline constexpr struct coupler_frame_ final : frame_2D_key<"coupler"> {
+} coupler_frame;
+inline constexpr struct rocker_frame_ final : frame_2D_key<"rocker"> {
+} rocker_frame;
 
 const auto crank_bar = planar_body(0.3, 0.001, along_x(0.06)), coupler_bar = planar_body(0.5, 0.004, along_x(0.15)),
            rocker_bar = planar_body(0.4, 0.002, along_x(0.1));
@@ -91,8 +101,7 @@ TEST_CASE("implicit followers move a four-bar as those in closed form do") {
   const auto closed = static_four_bar(four_bar_2D(q_crank, q_coupler, q_rocker, bars));
   const auto implicit =
       static_four_bar(implicit_follower_gen(four_bar, guess, q_crank, q_coupler, q_rocker, start1, start2));
-  const auto at_run_time =
-      runtime_four_bar(implicit_follower_gen(four_bar, guess, "q", "c", "r", "start1", "start2"));
+  const auto at_run_time = runtime_four_bar(implicit_follower_gen(four_bar, guess, "q", "c", "r", "start1", "start2"));
   auto s = at_run_time.make_state();
   for (const double q : {0.5, 0.9, 1.4}) {
     const std::array at{q}, v{2.1}, tau{0.1};
@@ -180,21 +189,19 @@ TEST_CASE("dead points, crossings and positions out of reach are refused by name
     using std::cos;
     return cos(angle) - x;
   };
-  c << implicit_follower_gen(slide, 1.0, "x", "angle", "start") << prismatic_joint_2D("x", "base", "slider", along_x(1.0))
-    << inertia_2D("slider", point_mass(1.0)) << revolute_joint_2D("angle", "base", "crank")
-    << inertia_2D("crank", crank_bar);
+  c << implicit_follower_gen(slide, 1.0, "x", "angle", "start")
+    << prismatic_joint_2D("x", "base", "slider", along_x(1.0)) << inertia_2D("slider", point_mass(1.0))
+    << revolute_joint_2D("angle", "base", "crank") << inertia_2D("crank", crank_bar);
   CHECK(says(c, 0.5) == "");
   const std::string dead = says(c, 1 - 1e-13), beyond = says(c, 1.1);
   CHECK(dead.find("implicit_follower_gen (base1 'x', start1 'start', end 'angle')") != std::string::npos);
   CHECK(dead.find("dead point at 0.9999999999999") != std::string::npos);
   CHECK(beyond.find("has no solution at 1.1") != std::string::npos);
   auto s = c.make_state();
-  const auto at = [&](double x) {
-    return forward_dynamics(c, s, std::array{x}, std::array{1.0}, std::array{0.0});
-  };
+  const auto at = [&](double x) { return forward_dynamics(c, s, std::array{x}, std::array{1.0}, std::array{0.0}); };
   CHECK_THROWS_AS(at(1 - 1e-13), dead_point);
   CHECK_THROWS_AS(at(1.1), bad_argument);
-  // where branches cross, what started near neither is not sent along one of them
+  // close to a crossing, a start between both branches is refused
   const auto p = cranks(implicit_follower_gen(parallelogram, 0.95, q_crank, q_rocker, start1));
   const manipulator_dynamics_model model(p);
   auto x = model.make_x(std::array{0.9}, std::array{1.0});

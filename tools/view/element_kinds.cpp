@@ -47,6 +47,7 @@ constexpr element_kind listed_kinds[]{{"acceleration_measure", drawn::force, "ot
                                       {"joint_stiction", drawn::force, "friction"},
                                       {"joint_stiffness", drawn::force, "spring"},
                                       {"law_follower", drawn::force, "other"},
+                                      {"implicit_follower", drawn::force, "other"},
                                       {"law_signal", drawn::force, "other"},
                                       {"law_spring", drawn::force, "spring"},
                                       {"line_point_mindist", drawn::link, ""},

@@ -39,14 +39,14 @@ struct four_bar_parameters {
 
  protected:
   /// The vectors at q, with c, s = cos q, sin q, from the end of the crank to the joint of coupler and rocker, and to
-  /// the pivot. `rates`: these are wanted too.
+  /// the pivot. `rates`: whether rates follow.
   template <class S>
   constexpr std::pair<vec2<S>, vec2<S>> joint(const S& q, const S& c, const S& s, bool rates = is_dual<S>) const {
     const auto& [pivot, crank, coupler, rocker, side] = lengths;
     const vec2<S> r{S(pivot.x) - S(crank) * c, S(pivot.y) - S(crank) * s};
-    return {detail::dyad(r, S(coupler), S(rocker), S(side),
-                         {"four_bar_2D", "crank angle", "coupler and rocker are in line"},
-                         [&q] { return detail::text_of_angle(q); }, rates),
+    return {detail::dyad(
+                r, S(coupler), S(rocker), S(side), {"four_bar_2D", "crank angle", "coupler and rocker are in line"},
+                [&q] { return detail::text_of_angle(q); }, rates),
             r};
   }
   /// First and second derivatives, by the angle of the crank, of those of coupler and rocker in the ground.
@@ -90,8 +90,8 @@ struct four_bar_parameters {
     if constexpr (detail::has_skip<std::remove_cvref_t<decltype(crank.q_ddot)>>) {
       return coordinate{S(position(e, w, r)), S(ratio * v), skip{}, skip{}, skip{}};
     } else {
-      return coordinate{S(position(e, w, r)), S(ratio * v), S(ratio * as<S>(crank.q_ddot) + curvature * (v * v)), skip{},
-                        skip{}};
+      return coordinate{S(position(e, w, r)), S(ratio * v), S(ratio * as<S>(crank.q_ddot) + curvature * (v * v)),
+                        skip{}, skip{}};
     }
   }
 };
@@ -121,7 +121,9 @@ struct four_bar_coupler : coordinate_follower<four_bar_coupler>, four_bar_parame
     else
       return moved(
           crank, [](const auto& e, const auto& w, const auto&) { return detail::angle_from(e, w); },
-          [](const auto& x) { return std::pair{x.coupler - 1, x.coupler2}; });
+          [](const auto& x) {
+            return std::pair{x.coupler - 1, x.coupler2};
+          });
   }
 };
 /// The angle of the rocker in the ground.
@@ -152,7 +154,9 @@ struct four_bar_rocker : coordinate_follower<four_bar_rocker>, four_bar_paramete
             using std::atan2;
             return atan2(w.y - r.y, w.x - r.x);
           },
-          [](const auto& x) { return std::pair{x.rocker, x.rocker2}; });
+          [](const auto& x) {
+            return std::pair{x.rocker, x.rocker2};
+          });
   }
 };
 

@@ -51,10 +51,9 @@ struct implicit_follower {
         return coordinate{y.value, y.derivative[0], skip{}, skip{}, skip{}};
       } else {  // along the motion, twice
         using twice = dual<dual<S, 1>, 1>;
-        const auto y = values<twice>(
-            {along(along(as<S>(std::get<I>(get).q), as<S>(std::get<I>(get).q_dot)),
-                   along(as<S>(std::get<I>(get).q_dot), as<S>(std::get<I>(get).q_ddot)))...},
-            get)[W];
+        const auto y = values<twice>({along(along(as<S>(std::get<I>(get).q), as<S>(std::get<I>(get).q_dot)),
+                                            along(as<S>(std::get<I>(get).q_dot), as<S>(std::get<I>(get).q_ddot)))...},
+                                     get)[W];
         return coordinate{y.value.value, y.value.derivative[0], y.derivative[0].derivative[0], skip{}, skip{}};
       }
     }
@@ -135,9 +134,8 @@ struct implicit_follower {
       (void)done;
     }
     (std::make_index_sequence<M>{});
-    return detail::implicit_value<T>(law, q, start, near, [](detail::no_solution_of why, const auto& at) {
-      refuse(why, at);
-    });
+    return detail::implicit_value<T>(law, q, start, near,
+                                     [](detail::no_solution_of why, const auto& at) { refuse(why, at); });
   }
   template <class S>
   [[noreturn, gnu::cold]] static void refuse(detail::no_solution_of why, const std::array<S, N>& q) {
@@ -145,10 +143,13 @@ struct implicit_follower {
     for (const S& x : q) at += (at.empty() ? "" : ", ") + detail::number(static_cast<double>(x));
     const std::string name = "kte: implicit_follower_gen";
     if (why == detail::no_solution_of::undetermined)
-      detail::raise<dead_point>(name + ": dead point at " + at +
-                        ": its function does not determine how the coordinate moves; let another coordinate lead");
+      detail::raise<dead_point>(
+          name + ": dead point at " + at +
+          ": its function does not determine how the coordinate moves; let another coordinate lead");
     if (why == detail::no_solution_of::ambiguous)
-      detail::raise<bad_argument>(name + ": two solutions near " + at + " are too close to each other to tell which is meant: take shorter steps, or start elsewhere");
+      detail::raise<bad_argument>(
+          name + ": two solutions near " + at +
+          " are too close to each other to tell which is meant: take shorter steps, or start elsewhere");
     detail::raise<bad_argument>(name + " has no solution at " + at + ", beyond a dead point or too far from the guess");
   }
 };

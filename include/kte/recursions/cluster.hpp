@@ -3,7 +3,8 @@
 #include <kte/recursions/articulated_body.hpp>
 
 /// Clusters in the articulated-body algorithm (Chignoli, Adrian, Kim, Wensing, Recursive rigid-body dynamics algorithms
-/// for systems with kinematic loops, 2023): joints of several bodies i, moved by N independent rates y' of their base b,
+/// for systems with kinematic loops, 2023): joints of several bodies i, moved by N independent rates y' of their base
+/// b,
 ///
 ///   a_i = X_i a_b + Psi_i y'' + c_i,   Psi_i = sum of the axes before i, each times its rate by y'
 ///   D = sum Psi_i^T I_i Psi_i,   U = sum X_i^T I_i Psi_i,   u = G^T tau - sum Psi_i^T (p_i + I_i c_i)          (1)
@@ -23,9 +24,9 @@ struct cluster_values {
   S *mass, *force;                 ///< D, u; then factors of D, and D^-1 u
 };
 
-/// Adds a body to D, U, u, with its bias motion: `column` are its wrenches for each rate, of all bodies beyond it in the
-/// cluster, and then added to those of what it stands on, `to`. `ratios`: the rates of its axes by y', axis by axis.
-/// `n`: how many there are, or one by type.
+/// Adds a body to D, U, u, with its bias motion: `column` are its wrenches for each rate, of all bodies beyond it in
+/// the cluster, and then added to those of what it stands on, `to`. `ratios`: the rates of its axes by y', axis by
+/// axis. `n`: how many there are, or one by type.
 template <body B, class X, class M, class S, class N>
 KTE_INLINE void add_to_cluster(const B& b, const X& x, const M& m, const S* ratios, wrench<vec3<S>, vec3<S>>* column,
                                wrench<vec3<S>, vec3<S>>* to, const cluster_values<S>& c, const N& n) {

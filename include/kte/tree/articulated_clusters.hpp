@@ -16,7 +16,7 @@ struct cluster_memory {
     int to, from;
     S ratio;
   };
-  std::vector<step> steps;           ///< how coordinates follow others, in order
+  std::vector<step> steps;            ///< how coordinates follow others, in order
   std::vector<std::size_t> followed;  ///< ports of a follower
   ratios<S> j;
   std::vector<dense_wrench<S>> columns;     ///< of body nodes, by `cluster_layout::columns`
@@ -31,14 +31,16 @@ struct cluster_memory {
   }
 };
 
-/// Clusters at the ratios of `x.j`: nothing but masses of coordinates, by row, and forces(row of a degree of freedom).
+/// Starts D and u at the ratios of `x.j`, from masses of coordinates, by row, and forces(row of a degree of freedom).
 template <class P, class S, class Masses, class Forces>
 void open_clusters(const body_tree<P>& f, const cluster_layout& layout, cluster_memory<S>& x, const Masses& own_mass,
                    const Forces& forces) {
   x.columns.assign(layout.all_columns, {}), x.load.assign(layout.all_dofs, {}), x.gain.resize(layout.all_dofs);
   x.force.resize(layout.all_dofs), x.acceleration.resize(layout.all_dofs), x.mass.assign(layout.all_squares, S(0));
   x.rates.assign(layout.all_rates, S(0));
-  const auto place = [&layout](int dof) { return static_cast<std::size_t>(layout.place[static_cast<std::size_t>(dof)]); };
+  const auto place = [&layout](int dof) {
+    return static_cast<std::size_t>(layout.place[static_cast<std::size_t>(dof)]);
+  };
   for (std::size_t i = 0; i < f.nodes.size(); ++i) {
     if (layout.of_node[i] < 0) continue;
     const std::size_t n = layout.at(static_cast<int>(i)).dofs.size();
@@ -53,7 +55,8 @@ void open_clusters(const body_tree<P>& f, const cluster_layout& layout, cluster_
       const S mass(own_mass[static_cast<std::size_t>(row)]);
       if (mass == S(0)) continue;
       for (const auto& [a, ratio] : x.j.of(row))
-        for (const auto& [b, factor] : x.j.of(row)) values.mass[place(a) * values.n + place(b)] += ratio * factor * mass;
+        for (const auto& [b, factor] : x.j.of(row))
+          values.mass[place(a) * values.n + place(b)] += ratio * factor * mass;
     }
   }
 }
@@ -83,7 +86,7 @@ bool close_cluster(const engine::cluster_values<S>& c) {
   return true;
 }
 
-/// Joints that are free to move, or in a cluster, without masses of their own on their coordinates.
+/// A joint that is free to move and has no mass on its coordinate, or a joint in a cluster.
 struct joint_that_may_be_in_cluster {
   static constexpr bool always = false;
   static constexpr zero_t mass{};
@@ -94,9 +97,13 @@ template <class P, class S>
 class clustered_bodies : public articulated_bodies<P, S> {
  public:
   clustered_bodies(const body_tree<P>& f, const memory<P, S>& m, const cluster_layout& layout)
-      : articulated_bodies<P, S>(f, m), in_cluster_(layout.of_node.data()), free_(m.is_free.data()), mass_(m.own_mass.data()) {}
+      : articulated_bodies<P, S>(f, m),
+        in_cluster_(layout.of_node.data()),
+        free_(m.is_free.data()),
+        mass_(m.own_mass.data()) {}
   KTE_INLINE bool usual(int i) const {
-    return this->nodes_[i].moves == joint::revolute && (in_cluster_[i] >= 0 || (free_[i] && mass_[this->nodes_[i].first] == P(0)));
+    return this->nodes_[i].moves == joint::revolute &&
+           (in_cluster_[i] >= 0 || (free_[i] && mass_[this->nodes_[i].first] == P(0)));
   }
   KTE_INLINE jointed_body<about_z, P, S, joint_that_may_be_in_cluster> body(int i) const {
     return {this->nodes_[i], this->joint_transforms_[i], {free_[i] != 0}};

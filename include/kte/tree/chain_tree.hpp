@@ -219,7 +219,8 @@ class chain_tree {
       slots[k] = index(k), rows[k] = plan.row_of_gen[static_cast<std::size_t>(slots[k])];
       free += rows[k] < dofs_;
     }
-    if (free != 0 && free != count) exclude(number, " has several coordinates, and not all of them are degrees of freedom");
+    if (free != 0 && free != count)
+      exclude(number, " has several coordinates, and not all of them are degrees of freedom");
     frame(ports.back().what, index(count + 1)) =
         b.add_varying_joint(frame(ports[count].what, index(count)), number, slots, rows, free == count);
   }

@@ -12,7 +12,7 @@
 /// Clusters: coordinates that follow each other, and the bodies that they move.
 namespace kte::tree {
 
-/// Coordinates of which some follow others, with all joints between them and the body that these stand on: a joint of
+/// Linked coordinates, and all joints between their bodies and the body that these have in common: a joint that moves
 /// several bodies.
 struct cluster {
   int base = 0;            ///< the slot that all its bodies stand on
@@ -24,11 +24,12 @@ struct cluster {
 };
 struct cluster_layout {
   std::vector<cluster> clusters;
-  std::vector<int> of_node;          ///< body nodes: the cluster, or -1
-  std::vector<std::size_t> columns;  ///< body nodes: the place of wrenches, one for each degree of freedom of the cluster
-  std::vector<std::size_t> rates;    ///< body nodes: the place of rates of its axes by these degrees of freedom
-  std::vector<int> of_row;           ///< coordinates: the cluster, or -1
-  std::vector<int> place;            ///< degrees of freedom: the number in the cluster
+  std::vector<int> of_node;  ///< body nodes: the cluster, or -1
+  std::vector<std::size_t>
+      columns;                     ///< body nodes: the place of wrenches, one for each degree of freedom of the cluster
+  std::vector<std::size_t> rates;  ///< body nodes: the place of rates of its axes by these degrees of freedom
+  std::vector<int> of_row;         ///< coordinates: the cluster, or -1
+  std::vector<int> place;          ///< degrees of freedom: the number in the cluster
   std::size_t all_columns = 0, all_rates = 0, all_dofs = 0, all_squares = 0;
   /// Whether all coordinates that follow others are in clusters.
   bool complete = false;
@@ -58,10 +59,10 @@ class disjoint_sets {
   std::vector<int> parent_;
 };
 
-/// The clusters of a chain of `coordinates`, of which the first `dofs` are degrees of freedom. `links`: rows of which
-/// one follows the other.
+/// The clusters of a chain of `coordinates`, degrees of freedom first. `links`: pairs of rows, one follows the other.
 template <class P>
-cluster_layout clusters_of(const body_tree<P>& f, int coordinates, int dofs, std::span<const std::pair<int, int>> links) {
+cluster_layout clusters_of(const body_tree<P>& f, int coordinates, int dofs,
+                           std::span<const std::pair<int, int>> links) {
   const auto at = [](auto& list, auto i) -> auto& { return list[static_cast<std::size_t>(i)]; };
   const auto count = static_cast<std::size_t>(coordinates);
   const int nodes = static_cast<int>(f.nodes.size());
@@ -104,7 +105,8 @@ cluster_layout clusters_of(const body_tree<P>& f, int coordinates, int dofs, std
       if (grown) at(linked, row_of(i)) = 1;
     }
   }
-  x.of_row.assign(count, -1), x.of_node.assign(f.nodes.size(), -1), x.columns.assign(f.nodes.size(), 0), x.rates = x.columns;
+  x.of_row.assign(count, -1), x.of_node.assign(f.nodes.size(), -1), x.columns.assign(f.nodes.size(), 0),
+      x.rates = x.columns;
   x.place.assign(static_cast<std::size_t>(dofs), -1);
   std::vector<int> number(count, -1);  // of sets
   for (int r = 0; r < coordinates; ++r) {

@@ -19,8 +19,8 @@ void followed_ports(const Elements& c, int follower, std::vector<std::size_t>& f
     if (first) followed.push_back(p);
   }
 }
-/// Moves a follower, and says put(port, rate of what it writes by that coordinate). What follows one coordinate and
-/// nothing else is known from its motion at a rate of one,
+/// Moves a follower, and says put(port, rate of what it writes by that coordinate). A coordinate that follows a
+/// single other one is known from its motion at a rate of one,
 ///
 ///   y' = f_1 q',   y'' = f_1 q'' + f_2 q'^2          (1)
 template <class Elements, class State, class Put>
@@ -30,7 +30,8 @@ void move_and_derive(const Elements& c, State& s, int follower, const std::vecto
   const auto ports = c.ports(follower);
   auto& end = s.template get<kind::gen>(c.written(follower));
   bool only_coordinates = true;
-  for (std::size_t p = 0; p + 1 < ports.size(); ++p) only_coordinates &= !is_signal(ports[p].what) || ports[p].what == kind::internal;
+  for (std::size_t p = 0; p + 1 < ports.size(); ++p)
+    only_coordinates &= !is_signal(ports[p].what) || ports[p].what == kind::internal;
   if (followed.size() == 1 && only_coordinates) {
     auto& q = s.template get<kind::gen>(c.index(follower, followed[0]));
     const S v = q.q_dot, a = q.q_ddot;
@@ -64,7 +65,7 @@ void move_and_derive_followers(const Elements& c, State& s) {
     move_and_derive(c, s, e, x.followed, [&](std::size_t port, const S& ratio) {
       steps.push_back({row(c.index(e, port)), row(c.written(e)), ratio});
     });
-    update_angle(s.template get<kind::gen>(c.written(e)));
+    if constexpr (State::has_sines) update_angle(s.template get<kind::gen>(c.written(e)));
   }
   for (const auto& [k, slot] : t.turned) with_coordinate(s, k, slot, [](auto& y) { update_angle(y); });
   x.j.clear();
@@ -121,7 +122,8 @@ void accelerate_clustered(const Elements& c, State& s, const Tau& tau) {
     const auto values = w.clusters.of(cluster);
     if (cluster.first_node < 0 && !tree::close_cluster(values)) c.diagnose_mass(s, cluster.dofs[0], true);
     for (std::size_t d = 0; d < values.n; ++d)
-      w.forces[cluster.dofs[d]] = cluster.first_node < 0 ? values.force[d] : w.clusters.acceleration[cluster.column + d];
+      w.forces[cluster.dofs[d]] =
+          cluster.first_node < 0 ? values.force[d] : w.clusters.acceleration[cluster.column + d];
   }
   for (const int row : t.plan.jointless_dofs)
     if (t.clusters.of_row[static_cast<std::size_t>(row)] < 0) {

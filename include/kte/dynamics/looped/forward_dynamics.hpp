@@ -107,16 +107,23 @@ bool some_of_joint_prescribed(const State& s, std::span<const char> prescribed) 
   }
   return false;
 }
-/// By articulated bodies in trees, and in clusters where coordinates follow others; else by the mass matrix; with load-dependent friction.
+/// Whether coordinates that follow others are in clusters, and no acceleration is prescribed.
+template <class State>
+bool goes_by_clusters(const State& s, std::span<const char> prescribed) {
+  return s.tree().clusters.complete &&
+         std::none_of(prescribed.begin(), prescribed.end(), [](char given) { return given != 0; });
+}
+/// By articulated bodies in trees, and in clusters where coordinates follow others; else by the mass matrix; with
+/// load-dependent friction.
 template <class Elements, class State, class Tau>
 void accelerate_with_friction(const Elements& c, State& s, const Tau& tau, std::span<const char> prescribed) {
   using S = typename State::scalar;
   const bool tree = s.tree().plan.tree && !some_of_joint_prescribed(s, prescribed);
   const auto& readers = s.tree().readers;
   if (readers.empty()) [[likely]]
-    return tree                                            ? accelerate_articulated(c, s, tau, prescribed)
-           : prescribed.empty() && s.tree().clusters.complete ? accelerate_clustered(c, s, tau)
-                                                           : accelerate_by_mass(c, s, tau, prescribed);
+    return tree                              ? accelerate_articulated(c, s, tau, prescribed)
+           : goes_by_clusters(s, prescribed) ? accelerate_clustered(c, s, tau)
+                                             : accelerate_by_mass(c, s, tau, prescribed);
   Eigen::Matrix<S, Eigen::Dynamic, 1> all(s.dofs()), given(s.dofs());
   read_listed_numbers<vector_of::a>(s, given);
   iterate_friction(c, s, [&] {

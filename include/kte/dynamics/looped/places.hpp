@@ -25,9 +25,7 @@ void each_number(State& s, const tree::body_node<P>& r, const Visit& visit) {
 template <vector_of Which, class State, class P, class Number>
 KTE_INLINE void each_axis(State& s, const tree::body_node<P>& r, const Number& number) {
   if (r.moves == tree::joint::varying) [[unlikely]]
-    return each_number(s, r, [&](auto& c, std::size_t k) {
-      visit_numbers<Which>(c, [&](auto& x) { number(x, k); });
-    });
+    return each_number(s, r, [&](auto& c, std::size_t k) { visit_numbers<Which>(c, [&](auto& x) { number(x, k); }); });
   with_coordinate(s, r, [&](auto& c) {
     auto k = static_cast<std::size_t>(r.first);
     visit_numbers<Which>(c, [&](auto& x) { number(x, k++); });
