@@ -195,11 +195,10 @@ TEST_CASE("dead points, crossings and positions out of reach are refused by name
   CHECK(says(c, 0.5) == "");
   const std::string dead = says(c, 1 - 1e-13), beyond = says(c, 1.1);
   CHECK(dead.find("implicit_follower_gen (base1 'x', start1 'start', end 'angle')") != std::string::npos);
-  CHECK(dead.find("dead point at 0.9999999999999") != std::string::npos);
   CHECK(beyond.find("has no solution at 1.1") != std::string::npos);
   auto s = c.make_state();
   const auto at = [&](double x) { return forward_dynamics(c, s, std::array{x}, std::array{1.0}, std::array{0.0}); };
-  CHECK_THROWS_AS(at(1 - 1e-13), dead_point);
+  CHECK_THROWS_MATCHES(at(1 - 1e-13), dead_point, test::says(": dead point at 0.99999999999"));
   CHECK_THROWS_AS(at(1.1), bad_argument);
   // close to a crossing, a start between both branches is refused
   const auto p = cranks(implicit_follower_gen(parallelogram, 0.95, q_crank, q_rocker, start1));

@@ -115,6 +115,15 @@ class clustered_bodies : public articulated_bodies<P, S> {
   const P* mass_;
 };
 
+/// The number of the rate with the least pivot, in a cluster that has been closed.
+template <class S>
+std::size_t least_pivot(const engine::cluster_values<S>& c) {
+  std::size_t least = 0;
+  for (std::size_t k = 0; k < c.n; ++k)
+    if (!(all(c.mass[k * c.n + k] > c.mass[least * c.n + least]))) least = k;
+  return least;
+}
+
 /// Steps of the recursion for bodies of clusters; for others those of trees.
 template <class P, class S>
 struct in_clusters {

@@ -96,6 +96,14 @@ void forces_by_rates(const Elements& c, State& s) {
     for (const auto& [dof, ratio] : w.clusters.j.of(row)) w.forces[dof] += ratio * f;
   }
 }
+/// A cluster with a rate that moves no mass, or one that is not finite.
+template <class Elements, class State>
+[[noreturn, gnu::cold]] void diagnose_cluster(const Elements& c, State& s, const tree::cluster& x) {
+  const auto values = s.work.clusters.of(x);
+  const std::size_t d = tree::least_pivot(values);
+  const auto& pivot = values.mass[d * values.n + d];
+  c.diagnose_mass(s, x.dofs[d], all(pivot == pivot));
+}
 /// Forces tau(i), and those of the elements, to accelerations in `forces`.
 template <class Elements, class State, class Tau>
 void accelerate_clustered(const Elements& c, State& s, const Tau& tau) {
@@ -112,15 +120,19 @@ void accelerate_clustered(const Elements& c, State& s, const Tau& tau) {
   for (std::size_t k = 0; k < t.body_tree.row.size(); ++k)
     w.force[k] = t.body_tree.row[k] < s.dofs() ? w.forces[t.body_tree.row[k]] : S(0);
   tree::open_clusters(t.body_tree, t.clusters, w.clusters, t.own_mass, [&w](int row) { return w.forces[row]; });
-  if (const int bad = tree::articulate_clusters(t.body_tree, w, t.clusters, w.clusters, biases); bad >= 0) [[unlikely]]
+  if (const int bad = tree::articulate_clusters(t.body_tree, w, t.clusters, w.clusters, biases); bad >= 0)
+      [[unlikely]] {
+    const int in = t.clusters.of_row[static_cast<std::size_t>(t.body_tree.row[static_cast<std::size_t>(bad)])];
+    if (in >= 0) diagnose_cluster(c, s, t.clusters.clusters[static_cast<std::size_t>(in)]);
     diagnose_axis(c, s, bad);
+  }
   take_rates(s);  // also of coordinates that follow
   tree::accelerate_clusters(t.body_tree, w, t.clusters, w.clusters, biases);
   for (std::size_t k = 0; k < t.body_tree.row.size(); ++k)
     if (t.body_tree.row[k] < s.dofs()) w.forces[t.body_tree.row[k]] = w.acceleration[k];
   for (const auto& cluster : t.clusters.clusters) {
     const auto values = w.clusters.of(cluster);
-    if (cluster.first_node < 0 && !tree::close_cluster(values)) c.diagnose_mass(s, cluster.dofs[0], true);
+    if (cluster.first_node < 0 && !tree::close_cluster(values)) diagnose_cluster(c, s, cluster);
     for (std::size_t d = 0; d < values.n; ++d)
       w.forces[cluster.dofs[d]] =
           cluster.first_node < 0 ? values.force[d] : w.clusters.acceleration[cluster.column + d];
