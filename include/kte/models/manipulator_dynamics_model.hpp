@@ -57,12 +57,18 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
 
   explicit manipulator_dynamics_model(const chain_type& c) : base(c) {}
 
-  // ---- of chains with closures (integrators/motion_space.hpp)
   using base::make_x;
+  /// The state x of q and v, with z = 0; of elements that start in place that of q.
+  template <indexable Q, indexable V>
+  state make_x(const Q& q, const V& v) const {
+    return started(base::make_x(q, v));
+  }
+
+  // ---- of chains with closures (integrators/motion_space.hpp)
   /// The state x of q and v, which is put on the loops. Throws `bad_argument` where it is off them.
   template <indexable Q, indexable V>
   state make_x(const Q& q, const V& v) const requires(closes) {
-    return loops::checked(*this, base::make_x(q, v));
+    return loops::checked(*this, started(base::make_x(q, v)));
   }
   template <indexable Q, indexable V, indexable Z>
   state make_x(const Q& q, const V& v, const Z& z) const requires(closes) {
@@ -280,6 +286,27 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
     const int done[]{add.template operator()<I>()...};
     (void)done;
     return all;
+  }
+  state started(state x) const {
+    if constexpr ((starts_in_place<typename E::core_type> || ...))
+      start_in_place(x, std::index_sequence_for<E...>{});
+    return x;
+  }
+  template <std::size_t... I>
+  void start_in_place(state& x, std::index_sequence<I...>) const {
+    auto s = make_state<S>(this->chain());
+    setJointStates(x, s), this->doMotion(s);
+    const auto start = [&]<std::size_t J>() {
+      using element_core = typename chain_type::template core_type<J>;
+      if constexpr (starts_in_place<element_core>)
+        detail::stored_element<element_core, decltype(s), detail::by_index>{
+            this->template core<J>(), s, {wiring::table.slot.data() + wiring::first[J]}}
+            .switch_over(std::make_index_sequence<input_count<element_core>>{});
+      return 0;
+    };
+    const int done[]{start.template operator()<I>()...};
+    (void)done;
+    for (int i = 0; i < size::z; ++i) x[size::q + size::v + i] = s.template get<kind::internal>(i).z;
   }
   template <class State, std::size_t... I>
   S capacity_of(State& s, std::size_t element, std::index_sequence<I...>) const {

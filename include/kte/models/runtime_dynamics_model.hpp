@@ -78,7 +78,7 @@ class manipulator_dynamics_model<runtime_chain, double, void> : public state_spa
   }
 
   using base::make_x;
-  /// The state x of vectors q and v, with z = 0 or as given.
+  /// The state x of vectors q and v, with z = 0 (of elements that start in place that of q) or as given.
   state make_x(const Eigen::VectorXd& q, const Eigen::VectorXd& v) const;
   state make_x(const Eigen::VectorXd& q, const Eigen::VectorXd& v, const Eigen::VectorXd& z) const;
   using base::setInput;
@@ -259,7 +259,11 @@ KTE_FUNCTION auto manipulator_dynamics_model<runtime_chain>::jacobian(double t, 
 
 KTE_FUNCTION auto manipulator_dynamics_model<runtime_chain>::make_x(const Eigen::VectorXd& q,
                                                                     const Eigen::VectorXd& v) const -> state {
-  return detail::checked_on_loops(*this, base::make_x(q, v));
+  state x = base::make_x(q, v);
+  for (const int keeper : wiring().keepers)
+    if (wiring().elements[static_cast<std::size_t>(keeper)].starts_in_place)
+      switch_over(0, x, static_cast<std::size_t>(keeper));
+  return detail::checked_on_loops(*this, x);
 }
 KTE_FUNCTION auto manipulator_dynamics_model<runtime_chain>::make_x(const Eigen::VectorXd& q, const Eigen::VectorXd& v,
                                                                     const Eigen::VectorXd& z) const -> state {
