@@ -135,6 +135,7 @@ KTE_ELEMENT(coincident_frames<kind::frame_2D>);
 KTE_ELEMENT(coincident_frames<kind::frame_3D>);
 KTE_ELEMENT(coincident_points<kind::frame_2D>);
 KTE_ELEMENT(coincident_points<kind::frame_3D>);
+KTE_ELEMENT(coupled_by_polynomial);
 KTE_ELEMENT(coupled_coordinates);
 KTE_ELEMENT(cylindrical_3D);
 KTE_ELEMENT(distance<kind::frame_2D>);
