@@ -58,8 +58,8 @@ std::string between(const std::string& rest = "") {
 std::string last_type(const robot& r) { return record_of(r.chain).elements.back().type; }
 
 std::string arms(const std::string& equality, const std::string& rest = "", const std::string& sites = "") {
-  return mjcf("<body name='a'><joint name='qa' axis='0 1 0' ref='10'/>" + heavy +
-                  sites + "</body><body name='b' pos='1 0 0'><joint name='qb' axis='0 1 0'/>" + heavy +
+  return mjcf("<body name='a'><joint name='qa' axis='0 1 0' ref='10'/>" + heavy + sites +
+                  "</body><body name='b' pos='1 0 0'><joint name='qb' axis='0 1 0'/>" + heavy +
                   "<site name='tip' pos='0 0 1'/></body>" +
                   "<body name='c' pos='2 0 0'><joint name='qc' type='slide' axis='0 0 1'/>" + heavy + "</body>",
               "<equality>" + equality + "</equality>" + rest);
@@ -120,12 +120,14 @@ TEST_CASE("<connect> and <weld> of MJCF hold where the file puts the bodies") {
     CHECK(loops(r.chain, s, reference(r)).gap < 1e-15);
     CHECK(loops(r.chain, s, reference(r)).rows == (e.starts_with("<weld") ? 6 : 3));
   }
-  const auto by_sites = robot_of(arms("<connect name='k' site1='top' site2='tip'/>", "", "<site name='top' pos='1 0 1'/>"));
+  const auto by_sites =
+      robot_of(arms("<connect name='k' site1='top' site2='tip'/>", "", "<site name='top' pos='1 0 1'/>"));
   auto s = make_state(by_sites.chain);
   CHECK(loops(by_sites.chain, s, reference(by_sites)).gap < 1e-15);
   CHECK(by_sites.loops == std::vector<std::string>{"k"});
 
-  const auto soft = robot_of(arms("<connect name='k' body1='a' body2='b' anchor='0 0 1' solref='1 1' solimp='0 1 1'/>"));
+  const auto soft =
+      robot_of(arms("<connect name='k' body1='a' body2='b' anchor='0 0 1' solref='1 1' solimp='0 1 1'/>"));
   CHECK(texts(soft.warnings) == "connect 'k': its solref, solimp not read: the constraint is exact here, not soft\n");
   CHECK(robot_of(arms("<connect body1='a' body2='b' anchor='0 0 1' active='false'/>")).loops.empty());
   // a free body stands where the file puts it
@@ -181,7 +183,8 @@ TEST_CASE("<joint> of MJCF couples joints by polynomials, about the reference of
   const auto at = forward_kinematics(r.chain, s, Eigen::VectorXd(Eigen::Vector2d(ref, 0)), "tip");
   CHECK(at.position.x == within(1 + std::sin(0.5), 1e-15));
   // through a follower
-  r = robot_of(arms("<joint joint1='qa' joint2='qc' polycoef='0 3'/><joint joint1='qa' joint2='qb' polycoef='0 1 1'/>"));
+  r = robot_of(
+      arms("<joint joint1='qa' joint2='qc' polycoef='0 3'/><joint joint1='qa' joint2='qb' polycoef='0 1 1'/>"));
   CHECK((r.loops.size() == 1 && r.chain.dofs() == 2));
   CHECK(motion(r, 0.2, "qb").first == within(ref + 0.2 + 0.04, 1e-14));
 }
@@ -208,28 +211,34 @@ TEST_CASE("joints of SDF that close a loop become closures of their kind") {
   CHECK(closed_by("universal", "<axis><xyz>1 0 0</xyz></axis><axis2><xyz>0 1 0</xyz></axis2>") == "universal_3D");
 
   // what has forces stays a joint
-  const auto sprung = from_sdf(model(link_text("a") + link_text("b") + joint("j", "revolute", "world", "a") +
-                                     joint("k", "revolute", "a", "b") +
-                                     joint("l", "revolute", "world", "b", "<axis><dynamics><damping>1</damping></dynamics></axis>")));
+  const auto sprung = from_sdf(
+      model(link_text("a") + link_text("b") + joint("j", "revolute", "world", "a") + joint("k", "revolute", "a", "b") +
+            joint("l", "revolute", "world", "b", "<axis><dynamics><damping>1</damping></dynamics></axis>")));
   CHECK((sprung.closures.size() == 1 && sprung.closures[0].name == "k"));
-  CHECK_THROWS_MATCHES(from_sdf(model(link_text("a") + joint("j", "screw", "world", "a") + joint("k", "screw", "world", "a"))),
-                       bad_file, says("joint 'k': it closes a loop, which a joint of its type cannot"));
-  const auto all = from_sdf(
-      model(link_text("a") + joint("j", "revolute", "world", "a", "<axis><dynamics><friction>1</friction></dynamics></axis>") +
-            joint("k", "revolute", "world", "a",
-                  "<axis><limit><lower>0</lower><upper>1</upper></limit><dynamics><damping>1</damping></dynamics></axis>")));
-  CHECK(has(all.warnings, "joint 'k': it closes a loop: its damping, friction, spring and rotor inertia are left out", true));
+  CHECK_THROWS_MATCHES(
+      from_sdf(model(link_text("a") + joint("j", "screw", "world", "a") + joint("k", "screw", "world", "a"))), bad_file,
+      says("joint 'k': it closes a loop, which a joint of its type cannot"));
+  const auto all = from_sdf(model(
+      link_text("a") +
+      joint("j", "revolute", "world", "a", "<axis><dynamics><friction>1</friction></dynamics></axis>") +
+      joint("k", "revolute", "world", "a",
+            "<axis><limit><lower>0</lower><upper>1</upper></limit><dynamics><damping>1</damping></dynamics></axis>")));
+  CHECK(has(all.warnings, "joint 'k': it closes a loop: its damping, friction, spring and rotor inertia are left out",
+            true));
   CHECK(has(all.not_read, "joint 'k': it closes a loop: its limits are left out"));
 }
 
 TEST_CASE("check_robot tells the mobility of closed loops, and whether they can be closed") {
   const auto all = check_robot(load_robot(robot_file("four_bar.urdf")));
   REQUIRE(all.size() == 1);
-  CHECK(all[0].text == "closed loops: 5 rows of closures, rank 2, mobility 1; these rows follow from others: 'pin[2]', 'pin[4]', 'pin[5]'");
+  CHECK(all[0].text ==
+        "closed loops: 5 rows of closures, rank 2, mobility 1; these rows follow from others: 'pin[2]', 'pin[4]', "
+        "'pin[5]'");
   const auto texts_of = [](const robot_description& d) { return texts(check_robot(d)); };
-  CHECK(texts_of(two_arms(loop_text("distance", " length='1'" + between()))).find("rank 1, mobility 1") != std::string::npos);
-  CHECK(texts_of(two_arms(loop_text("distance", " length='9'" + between()))).find("the loops do not close: 'l' stays open by 4 m") !=
+  CHECK(texts_of(two_arms(loop_text("distance", " length='1'" + between()))).find("rank 1, mobility 1") !=
         std::string::npos);
+  CHECK(texts_of(two_arms(loop_text("distance", " length='9'" + between())))
+            .find("the loops do not close: 'l' stays open by 4 m") != std::string::npos);
   CHECK(texts_of(two_arms(loop_text("fixed", between()))).find("stays open") != std::string::npos);
 }
 
@@ -237,7 +246,9 @@ TEST_CASE("descriptions hold closures, and MJCF those that it can say") {
   const auto r = load_robot(robot_file("four_bar.sdf"));
   CHECK(record_of(to_robot(describe(r)).chain).elements.size() == record_of(r.chain).elements.size());
   CHECK_THROWS_MATCHES(to_mjcf(r), bad_argument, says("closure 'pin': it closes a loop, which MJCF cannot say"));
-  const auto weld = robot_of(arms("<weld name='w' body1='a' body2='b' relpose='1 0 0.5 1 0 0 0'/><joint name='p' joint1='qa' joint2='qb' polycoef='0 1 2'/>"));
+  const auto weld =
+      robot_of(arms("<weld name='w' body1='a' body2='b' relpose='1 0 0.5 1 0 0 0'/><joint name='p' joint1='qa' "
+                    "joint2='qb' polycoef='0 1 2'/>"));
   const auto text = to_mjcf(weld, {.lossy = true});
   const auto again = robot_of(text);
   CHECK(again.loops == weld.loops);

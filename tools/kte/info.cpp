@@ -230,7 +230,8 @@ void add_info(command_line& line) {
                        "positions of coordinates in q and v, inputs, and elements that are neither joints nor bodies."),
               o->in)
       .flag("--dot", o->dot, "prints the graph of its elements for Graphviz")
-      .flag("--json", o->json, "prints JSON, with the poses of frames at the neutral configuration, or where loops close")
+      .flag("--json", o->json,
+            "prints JSON, with the poses of frames at the neutral configuration, or where loops close")
       .runs([o] { return info(*o); });
 }
 

@@ -18,8 +18,8 @@ command& add_start(command& c, start_options& o);
 
 /// q and v at the start: those of the table, where it has no columns of the configuration of that name, and else of the
 /// neutral configuration at rest. Loops are closed from there, with a message if they were open: coordinates with a
-/// column of their own are held, if not all of them have one. Throws `cannot_assemble`, `unknown_name` for a configuration that the file does not have, `bad_file` for
-/// a table without a row or without columns of the mechanism.
+/// column of their own are held, if not all of them have one. Throws `cannot_assemble`, `unknown_name` for a
+/// configuration that the file does not have, `bad_file` for a table without a row or without columns of the mechanism.
 struct initial_state {
   Eigen::VectorXd q, v;
 

@@ -130,11 +130,11 @@ struct robot_closure {
   int line = 0;
   std::string file{};  ///< as of notes
   kind is = kind::points;
-  std::string link1, link2;     ///< of joints their names
-  robot_pose origin1, origin2;  ///< frames of the closure in the links
-  vec3<> axis{1, 0, 0};         ///< unit axis in axes of both frames; universal: of the first, plane: its normal
-  vec3<> axis2{0, 1, 0};        ///< universal: unit axis of the second frame
-  double length = 0;            ///< distance, m
+  std::string link1, link2;            ///< of joints their names
+  robot_pose origin1, origin2;         ///< frames of the closure in the links
+  vec3<> axis{1, 0, 0};                ///< unit axis in axes of both frames; universal: of the first, plane: its normal
+  vec3<> axis2{0, 1, 0};               ///< universal: unit axis of the second frame
+  double length = 0;                   ///< distance, m
   std::array<double, 5> polynomial{};  ///< of joints: q_1 = c_0 + c_1 q_2 + ... + c_4 q_2^4
 };
 

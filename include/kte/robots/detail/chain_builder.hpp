@@ -135,7 +135,8 @@ class chain_builder {
       if (o_.closures)
         out_.loops.push_back(loops.append(c));
       else
-        out_.warnings.push_back({c.line, "closure '" + c.name + "': its loop is open: robot_options::closures", c.file, true});
+        out_.warnings.push_back(
+            {c.line, "closure '" + c.name + "': its loop is open: robot_options::closures", c.file, true});
   }
 
   void append_moving(const robot_joint& j, const std::string& from, const std::string& to, const robot_pose& placement,

@@ -173,7 +173,8 @@ class chain_reader {
       c.polynomial = {number(e, "c0"), number(e, "c1"), number(e, "c2"), number(e, "c3"), number(e, "c4")};
       if (e.type == "coupled_coordinates") {
         if (number(e, "factor1") == 0) refuse(e, "its factor1 is 0: a polynomial of the second joint cannot say that");
-        c.polynomial = {number(e, "constant") / number(e, "factor1"), 0.0 - number(e, "factor2") / number(e, "factor1")};
+        c.polynomial = {number(e, "constant") / number(e, "factor1"),
+                        0.0 - number(e, "factor2") / number(e, "factor1")};
       }
     } else {
       c.link1 = to(e, "frame1"), c.link2 = to(e, "frame2"), c.length = number(e, "length");

@@ -101,10 +101,13 @@ class loop_cuts {
     for (const auto* k : {&j, &last}) {
       if (k->mimic) fail(*k, "it closes a loop, and cannot follow another joint");
       for (const auto& other : d_.joints)
-        if (other.mimic && other.mimic->joint == k->name) fail(other, "it follows '" + k->name + "', which closes a loop");
+        if (other.mimic && other.mimic->joint == k->name)
+          fail(other, "it follows '" + k->name + "', which closes a loop");
       if (k->dynamics != robot_joint_dynamics{})
-        d_.warnings.push_back({k->line, "joint '" + k->name + "': it closes a loop: its damping, friction, spring and " +
-                                            "rotor inertia are left out", k->file, true});
+        d_.warnings.push_back({k->line,
+                               "joint '" + k->name + "': it closes a loop: its damping, friction, spring and " +
+                                   "rotor inertia are left out",
+                               k->file, true});
       if (k->lower != -robot_joint::none || k->upper != robot_joint::none)
         d_.not_read.push_back({k->line, "joint '" + k->name + "': it closes a loop: its limits are left out", k->file});
       if (&j == &last) break;
@@ -112,7 +115,8 @@ class loop_cuts {
     return c;
   }
   [[noreturn]] void fail(const robot_joint& j, const std::string& why) const {
-    raise<bad_file>("kte: " + place_text(j.file.empty() ? d_.source : j.file, j.line) + "joint '" + j.name + "': " + why);
+    raise<bad_file>("kte: " + place_text(j.file.empty() ? d_.source : j.file, j.line) + "joint '" + j.name +
+                    "': " + why);
   }
 
   robot_description& d_;

@@ -17,7 +17,8 @@ namespace kte::detail {
 /// Links and joints of a file in MJCF. The world is a link; a body without joints is fixed to what it is in.
 class mjcf_bodies {
  public:
-  mjcf_bodies(robot_description& d, const robot_options& o, xml_parser parse) : d_(d), tree_(d, o, parse), equality_(d) {}
+  mjcf_bodies(robot_description& d, const robot_options& o, xml_parser parse)
+      : d_(d), tree_(d, o, parse), equality_(d) {}
 
   void read(const xml_node& file) {
     auto& top = tree_.top(file);

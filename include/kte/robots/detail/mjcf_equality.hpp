@@ -73,7 +73,8 @@ class mjcf_equality {
       c.origin1 = relative_pose(x).value_or(b_in_a);
     } else {
       const bool global = in.model->settings.in_world();
-      c.origin1.position = global ? (inverse_of(stands[a]) * robot_pose{x.vector("anchor")}).position : x.vector("anchor");
+      c.origin1.position =
+          global ? (inverse_of(stands[a]) * robot_pose{x.vector("anchor")}).position : x.vector("anchor");
       c.origin2.position = (inverse_of(b_in_a) * c.origin1).position;
     }
     d_.closures.push_back(std::move(c));
@@ -105,7 +106,8 @@ class mjcf_equality {
     }
     return false;
   }
-  /// q_1 - r_1 = c_0 + c_1 (q_2 - r_2) + ... + c_4 (q_2 - r_2)^4, with r the coordinates where the file puts the bodies.
+  /// q_1 - r_1 = c_0 + c_1 (q_2 - r_2) + ... + c_4 (q_2 - r_2)^4, with r the coordinates where the file puts the
+  /// bodies.
   void couple(const xml_item& x, const mjcf_scope& in) {
     x.only({}, {"name", "class", "active", "joint1", "joint2", "polycoef", "solref", "solimp"});
     if (!x.has("joint1")) x.fail("has no joint1");

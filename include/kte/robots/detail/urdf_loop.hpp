@@ -10,13 +10,13 @@ struct urdf_loop_type {
   robot_closure::kind is;
 };
 inline constexpr urdf_loop_type urdf_loop_types[]{
-    {"hinge", robot_closure::kind::hinge},           {"revolute", robot_closure::kind::hinge},
-    {"continuous", robot_closure::kind::hinge},      {"ball", robot_closure::kind::points},
-    {"spherical", robot_closure::kind::points},      {"fixed", robot_closure::kind::frames},
-    {"universal", robot_closure::kind::universal},   {"cylindrical", robot_closure::kind::cylindrical},
-    {"sliding", robot_closure::kind::sliding},       {"prismatic", robot_closure::kind::sliding},
-    {"line", robot_closure::kind::point_on_line},    {"plane", robot_closure::kind::point_on_plane},
-    {"distance", robot_closure::kind::distance},     {"joints", robot_closure::kind::joints}};
+    {"hinge", robot_closure::kind::hinge},         {"revolute", robot_closure::kind::hinge},
+    {"continuous", robot_closure::kind::hinge},    {"ball", robot_closure::kind::points},
+    {"spherical", robot_closure::kind::points},    {"fixed", robot_closure::kind::frames},
+    {"universal", robot_closure::kind::universal}, {"cylindrical", robot_closure::kind::cylindrical},
+    {"sliding", robot_closure::kind::sliding},     {"prismatic", robot_closure::kind::sliding},
+    {"line", robot_closure::kind::point_on_line},  {"plane", robot_closure::kind::point_on_plane},
+    {"distance", robot_closure::kind::distance},   {"joints", robot_closure::kind::joints}};
 
 /// <kte:loop>, an extension of URDF: a closure between frames of two links,
 ///
@@ -26,7 +26,8 @@ inline constexpr urdf_loop_type urdf_loop_types[]{
 ///     <axis xyz="0 0 1"/>
 ///   </kte:loop>
 ///
-/// or between two joints, <kte:loop name="gear" type="joints" polynomial="0 -2"> <joint1 joint="a"/> <joint2 joint="b"/>
+/// or between two joints, <kte:loop name="gear" type="joints" polynomial="0 -2"> <joint1 joint="a"/> <joint2
+/// joint="b"/>
 /// </kte:loop>: q_a = 0 - 2 q_b.
 inline robot_closure read_urdf_loop(const xml_item& x, const urdf_links& links) {
   using kind = robot_closure::kind;
