@@ -8,6 +8,8 @@
 #include <kte/integrators/midpoint.hpp>
 #include <kte/integrators/runge_kutta4.hpp>
 #include <kte/integrators/runge_kutta5.hpp>
+#include <kte/models/controlled.hpp>
+#include <kte/models/vector_form.hpp>
 
 #include "catch.hpp"
 #include "closed_loops/mechanisms.hpp"
@@ -186,6 +188,15 @@ TEST_CASE("states off the loops are refused, with the closure") {
                     Catch::Matchers::StartsWith("kte: the velocities do not keep the loops closed"));
   const vector near = m.on_loops((vector(6) << q + numbers({0, 0.01, 0.02}), v).finished());
   CHECK(open_by(c, s, m, near) < 1e-14);
+}
+
+TEST_CASE("multistep methods refuse models with loops, also under a law") {
+  const auto c = pendulum();
+  const model m(c);
+  CHECK_THROWS_AS(vector_form(std::cref(m)), bad_argument);
+  model driven(c);
+  auto law = controlled(driven, [&](double, const auto& x) { return (0 * driven.velocities_of(x)).eval(); });
+  CHECK_THROWS_AS(vector_form(std::ref(law)), bad_argument);
 }
 
 TEST_CASE("closures that contradict each other by much are refused, by little not") {

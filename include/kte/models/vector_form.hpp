@@ -1,5 +1,7 @@
 #pragma once
 
+#include <kte/detail/raise.hpp>
+#include <kte/errors.hpp>
 #include <kte/integrators/motion_space.hpp>
 #include <kte/models/state_space.hpp>
 
@@ -21,10 +23,7 @@ class vector_form {
   using state = typename model::state;
   using S = typename state::Scalar;
 
-  explicit vector_form(F f) : f_(std::move(f)) {
-    if constexpr (requires { detail::refuse_loops(detail::unwrapped(f_)); })
-      detail::refuse_loops(detail::unwrapped(f_), ": its states settle at the ends of steps of one-step methods alone");
-  }
+  explicit vector_form(F f) : f_(std::move(f)) { refuse_loops(detail::unwrapped(f_)); }
 
   const state& operator()(const S& t, const state& x) {
     auto& m = detail::unwrapped(f_);
@@ -51,6 +50,22 @@ class vector_form {
   }
 
  private:
+  /// Throws `bad_argument` for a model of a chain with loops, also under a law.
+  template <class M>
+  static void refuse_loops(const M& m) {
+    bool closed = false;
+    if constexpr (requires { m.chain().wiring().count(kind::loop); })
+      closed = m.chain().wiring().count(kind::loop) > 0;
+    else if constexpr (requires { std::remove_cvref_t<decltype(m.chain())>::wiring::count(kind::loop); })
+      closed = std::remove_cvref_t<decltype(m.chain())>::wiring::count(kind::loop) > 0;
+    else if constexpr (requires { m.model(); })
+      return refuse_loops(detail::unwrapped(m.model()));
+    if (closed)
+      detail::raise<bad_argument>(
+          "kte: multistep methods do not know closures of loops, whose states settle at the ends of steps: choose a "
+          "one-step method");
+  }
+
   F f_;
   state x_dot_ = state::Zero(state::RowsAtCompileTime == Eigen::Dynamic ? 0 : state::RowsAtCompileTime);
 };
