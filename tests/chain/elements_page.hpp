@@ -49,8 +49,9 @@ inline std::map<std::string, kte::element_record> records() {
     const auto cells = split(line, " | ");
     const std::string name = split(cells.at(0), "`").at(1), what = split(cells.at(2), ", ").at(0);
     for (const auto& dimension : split(cells.at(1), ", ")) {
-      auto& r = all[family + "_" + dimension];
-      r.type = family + "_" + dimension;
+      const std::string type = dimension == "-" ? family : family + "_" + dimension;
+      auto& r = all[type];
+      r.type = type;
       if (what == "port") {
         r.connections.push_back({name, "the " + name});
       } else {

@@ -5,6 +5,7 @@
 #include <kte/io/state_records.hpp>
 #include <kte/kte.hpp>
 #include <kte/loops.hpp>
+#include <kte/robots/header.hpp>
 
 #include "catch.hpp"
 #include "io/scratch.hpp"
@@ -89,4 +90,11 @@ TEST_CASE("states with loops go through records, and recorders have forces and r
   restore(record_of(s), other);
   CHECK(other.loop("rail").force.x == 3);
   CHECK(other.loop("rail").residual.x == 2 * std::sin(0.25));
+}
+
+TEST_CASE("headers of static chains refuse closures") {
+  runtime_chain c;
+  c << revolute_joint_2D("q", "base", "link") << coincident_points_2D("pin", "base", "link");
+  CHECK_THROWS_WITH(to_header(c, "loop"),
+                    test::contains_text("coincident_points_2D: static chains do not support closures"));
 }

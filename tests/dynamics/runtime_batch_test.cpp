@@ -118,5 +118,5 @@ TEST_CASE("batches of chains with their own laws are refused") {
   const states x(2);
   std::vector<double> tau(nv * 2);
   CHECK_THROWS_WITH(batch::inverse_dynamics<4>(c, x.q, x.v, x.a, tau),
-                    test::contains_text("spring_gen (anchor1 'slide', anchor2 'turn') acts by a law"));
+                    test::contains_text("spring_gen (anchor1 'slide', anchor2 'turn') has its own force law"));
 }

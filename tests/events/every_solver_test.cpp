@@ -150,7 +150,7 @@ void check_solution() {
   CHECK(gap < 1e-12);  // rounding of numbers up to 10
   CHECK_THROWS_WITH(x(0.8), contains_text("this solution goes from t = 0 to 0.69999999999999996, not to 0.8"));
   solver.restart(1, released);
-  CHECK_THROWS_WITH(solver.integrate(2, x), contains_text("goes on at t = 0.69999"));
+  CHECK_THROWS_WITH(solver.integrate(2, x), contains_text("continues at t = 0.69999"));
 }
 
 /// Steps begin as they are told, are not longer than that, and fail where they had to be shorter.

@@ -207,7 +207,8 @@ TEST_CASE("accelerations of tools, and joints that give them within limits") {
 TEST_CASE("arguments that are none are refused") {
   const three_rates q(0.3, 0.4, 0.7), v = three_rates::Zero();
   twist t = twist::Zero();
-  CHECK_THROWS_MATCHES(rates_towards(arm, q, v, t, 0.0), bad_argument, says("dt > 0"));
+  CHECK_THROWS_MATCHES(rates_towards(arm, q, v, t, 0.0), bad_argument,
+                       says("dt of a step must be finite and positive"));
   CHECK_THROWS_MATCHES(rates_towards(arm, q, v, Eigen::VectorXd::Zero(3), 0.1), bad_argument, says("twist has 3"));
   CHECK_THROWS_AS(rates_towards(arm, q, v, t, 0.1, {.damping = 0}), bad_argument);
   CHECK_THROWS_AS(rates_towards(arm, q, v, t, 0.1, {.damping = INFINITY}), bad_argument);

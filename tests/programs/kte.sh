@@ -77,7 +77,7 @@ sed 's/0 0 0.8/0 0 0.7/' "$data/robots/four_bar.urdf" >open.urdf
 gives 0 "open.urdf: the start is assembled: the closure 'pin' was open by 0.1" "$kte" simulate open.urdf --time 0.1
 sed 's/0 0 0.8/0 0 8/' "$data/robots/four_bar.urdf" >short.urdf
 gives 1 "kte: the loops do not close: 'pin' stays open by " "$kte" simulate short.urdf
-gives 1 'multistep methods do not know closures of loops' "$kte" simulate open.urdf --solver bdf
+gives 1 'which adams and bdf cannot do: use a one-step method' "$kte" simulate open.urdf --solver bdf
 gives 0 '' "$kte" convert "$data/robots/four_bar.sdf" four_bar.kte
 gives 0 '' "$kte" check four_bar.kte
 prints 'rank 2, mobility 1'
@@ -202,10 +202,10 @@ if [ -n "$(ls temporary)" ]; then wrong "kte plot leaves files: $(ls temporary)"
 # ik
 sed 's/"continuous"/"prismatic"/; s/axis xyz="0 1 0"/axis xyz="1 0 0"/' arm.urdf >slide.urdf
 printf 'x,y,z\n0.25,0,0\n' >poses.csv
-gives 0 "slide.urdf:3: link 'arm': no body" "$kte" ik slide.urdf --frame arm --poses poses.csv
+gives 0 "slide.urdf:3: link 'arm': the inertia is not physically realizable" "$kte" ik slide.urdf --frame arm --poses poses.csv
 prints 'pose,status,q_0,position_error,rotation_error'
 prints '0,reached,0.2'
-gives 0 "no body" "$kte" ik slide.urdf --frame arm --poses poses.csv --json
+gives 0 "not physically realizable" "$kte" ik slide.urdf --frame arm --poses poses.csv --json
 json ik
 prints '"status":"reached"'
 printf 'x,y,z\n0.25,1,0\n' >far.csv
@@ -296,7 +296,7 @@ prints "unknown field 'x_note' is left out"
 
 # Names of links and joints that tables do not take.
 sed 's/"arm"/"upper, arm"/; s/link="arm"/link="upper, arm"/; s/name="q"/name="shoulder \&quot;1\&quot;"/' arm.urdf >names.urdf
-gives 0 'no body' "$kte" simulate names.urdf --time 0.1 --record names.csv --frames
+gives 0 'not physically realizable' "$kte" simulate names.urdf --time 0.1 --record names.csv --frames
 head -1 names.csv >out
 prints 't,shoulder__1_,'
 prints 'upper__arm/position/x'

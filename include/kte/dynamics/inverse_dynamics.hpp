@@ -1,6 +1,11 @@
 #ifndef KTE_INVERSE_DYNAMICS_HPP
 #define KTE_INVERSE_DYNAMICS_HPP
 
+// Included first, so that static_assert messages appear near the top.
+// clang-format off
+#include <kte/kernels/joint_vector.hpp>
+// clang-format on
+
 #include <kte/contract/transmission.hpp>
 #include <kte/dynamics/looped/static_chains.hpp>
 #include <kte/dynamics/state_vectors.hpp>

@@ -240,6 +240,8 @@ class controlled {
 
   /// Whether the model has closed loops, whose states integrators project onto the constraints.
   static constexpr bool settles = detail::settles_states<model_type, model_state>;
+  /// Whether the chain of the model has closures of loops.
+  bool has_loops() const requires(settles) { return model().has_loops(); }
   /// To be called at the start of a step from x.
   void begin_step(const state& x) const requires(settles) { model().begin_step(own_part(x)); }
   /// Projects the state `out` = x (+) d onto the constraints.

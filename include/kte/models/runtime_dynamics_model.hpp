@@ -141,6 +141,8 @@ class manipulator_dynamics_model<runtime_chain, double, void> : public state_spa
   void rounding(const state& x, const rate& d, const state& out, rate& rest) const;
 
   // ---- of chains with loops (integrators/motion_space.hpp); of others these do nothing
+  /// Whether the chain has closures of loops.
+  bool has_loops() const { return detail::has_loops(chain()); }
   /// Puts x = x0 (+) d on the loops, in positions and velocities, by the least change in kinetic energy; d goes with
   /// it. Throws `bad_argument` that names the closure which does not close.
   void settle(const state& x0, rate& d, state& x) const;

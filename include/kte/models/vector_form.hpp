@@ -1,7 +1,5 @@
 #pragma once
 
-#include <kte/detail/raise.hpp>
-#include <kte/errors.hpp>
 #include <kte/integrators/motion_space.hpp>
 #include <kte/models/state_space.hpp>
 
@@ -14,7 +12,7 @@ namespace kte {
 ///   kte::adams solver(kte::vector_form(std::cref(model)), 0.0, model.make_x(q, v));
 ///
 /// Also for runtime chains, and where all coordinates are numbers. The length of a quaternion has no effect on the
-/// model; it drifts by the error of the integration.
+/// model; it drifts by the error of the integration. Throws `bad_argument` for a chain with closed loops.
 template <class F>
 class vector_form {
   using model = detail::unwrapped_type<F>;
@@ -23,7 +21,13 @@ class vector_form {
   using state = typename model::state;
   using S = typename state::Scalar;
 
-  explicit vector_form(F f) : f_(std::move(f)) { refuse_loops(detail::unwrapped(f_)); }
+  explicit vector_form(F f) : f_(std::move(f)) {
+    if constexpr (requires { detail::unwrapped(f_).has_loops(); })
+      if (detail::unwrapped(f_).has_loops())
+        throw bad_argument(
+            "kte: states of closed loops are corrected at the ends of steps, which adams and bdf cannot do: use a "
+            "one-step method");
+  }
 
   const state& operator()(const S& t, const state& x) {
     auto& m = detail::unwrapped(f_);
@@ -50,22 +54,6 @@ class vector_form {
   }
 
  private:
-  /// Throws `bad_argument` for a model of a chain with loops, also under a law.
-  template <class M>
-  static void refuse_loops(const M& m) {
-    bool closed = false;
-    if constexpr (requires { m.chain().wiring().count(kind::loop); })
-      closed = m.chain().wiring().count(kind::loop) > 0;
-    else if constexpr (requires { std::remove_cvref_t<decltype(m.chain())>::wiring::count(kind::loop); })
-      closed = std::remove_cvref_t<decltype(m.chain())>::wiring::count(kind::loop) > 0;
-    else if constexpr (requires { m.model(); })
-      return refuse_loops(detail::unwrapped(m.model()));
-    if (closed)
-      detail::raise<bad_argument>(
-          "kte: multistep methods do not know closures of loops, whose states settle at the ends of steps: choose a "
-          "one-step method");
-  }
-
   F f_;
   state x_dot_ = state::Zero(state::RowsAtCompileTime == Eigen::Dynamic ? 0 : state::RowsAtCompileTime);
 };

@@ -25,7 +25,6 @@ class header_writer {
 
   std::string text(const joint_limits<>* limits) const {
     std::string s = "#pragma once\n\n";
-    for (const auto& header : headers_) s += "#include <kte/elements/" + header + ".hpp>\n";
     if (limits) s += "#include <kte/models/joint_limits.hpp>\n";
     s += "#include <kte/static.hpp>\n\n// clang-format off\nnamespace robots {\n\nnamespace " + of_robot_ +
          "names {\n" + keys_ + "\nconstexpr auto assembled() {\n  return ::kte::chain(" + elements_ + ")" + gravity_ +
@@ -41,12 +40,14 @@ class header_writer {
     if (call == factory_calls().end())
       throw bad_argument("kte: no header can hold a " + std::string(e.type()) +
                          ": it is not an element of this library");
-    headers_.insert(call->second.header);
+    if (e.ports().back().what == kind::loop)
+      throw bad_argument("kte: no header can hold a " + std::string(e.type()) +
+                         ": static chains do not support closures of loops");
     std::string names;
     for (std::size_t p = 0; p < e.ports().size(); ++p)
       names.append(p == 0 ? "" : ", ").append(key(e.ports()[p].what, e.names()[p]));
     const auto record = e.record();
-    const auto [arguments, place] = argument_writer(record).write(call->second.arguments);
+    const auto [arguments, place] = argument_writer(record).write(call->second);
     elements_.append(elements_.empty() ? "" : after_body_ ? ",\n" : ",").append("\n      ::kte::");
     elements_.append(e.type()).append("(" + names + arguments + ")" + place);
     after_body_ = record.type.starts_with("inertia_");
@@ -79,7 +80,6 @@ class header_writer {
   std::string robot_, of_robot_, keys_, elements_, gravity_;
   bool after_body_ = false;
   identifier_list identifiers_;
-  std::set<std::string> headers_;
   std::map<std::pair<bool, std::string>, std::string> known_;  ///< of frames, and of what else has a name
 };
 
@@ -89,8 +89,8 @@ class header_writer {
 /// where its numbers are exact zeros, ones and quarter turns, and, if given, `robots::NAME_limits`. The header needs
 /// only this library. Equal chains give equal texts. The key of a name is the name with a trailing underscore,
 /// `elbow_`, so that it is neither a macro nor a keyword; characters other than letters and digits become underscores,
-/// and of two equal names the second gets a number. Throws `bad_argument` for a chain with functions of the program, or
-/// with elements that are not of this library.
+/// and of two equal names the second gets a number. Throws `bad_argument` for a chain with functions of the program,
+/// closures of loops, or elements that are not of this library.
 [[nodiscard]] inline std::string to_header(const runtime_chain& chain, const std::string& name) {
   return detail::header_writer(chain, name).text(nullptr);
 }

@@ -112,7 +112,7 @@ class acting {
     loads_.clear(), reactions_.clear();
     const auto& all = c.wiring().elements;
     for (std::size_t i = all.size(); i-- > 0;)
-      if (all[i].stiff)
+      if (all[i].rigid)
         all[i].element->doForce(state_);
       else
         measure(i, all[i]);

@@ -92,22 +92,6 @@ inline loop_memory_of_state& factorized_loops(const runtime_chain& c, runtime_st
   m.factor.choose(c, s, m.equations, least_pivot_at(m.equations.residual));
   return m;
 }
-/// The closure with the largest residual, and that, m or rad.
-struct loop_gap {
-  double size = 0;
-  const closure_place* closure = nullptr;
-  bool linear = false;
-};
-inline loop_gap widest_gap(const loop_equations& e) {
-  loop_gap widest{0, &e.places.closures.front(), true};
-  double most = -1;
-  for (const auto& x : e.places.closures)
-    for (int r = 0; r < x.rows.count(); ++r)
-      if (const double g = std::abs(e.residual[x.first + r]); !(g <= most))
-        most = g, widest = {g / e.places.scale(x, r), &x, r < x.rows.linear};
-  return widest;
-}
-
 KTE_FUNCTION loops_report loops_at_state(const runtime_chain& c, runtime_state& s) {
   loops_report r;
   r.mobility = s.dofs();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/dynamics/closed_loops/forward.hpp>
 #include <kte/dynamics/closed_loops/loop_factor.hpp>
 
 /// Accelerations and closure forces of a runtime chain with loops, in the working memory of a state.
@@ -68,5 +69,13 @@ const Eigen::VectorXd& constrained_accelerations(const runtime_chain& c, runtime
   write_numbers<vector_of::a>(s, a, "a");
   return s.work.forces;
 }
+
+inline const bool loops_are_known = [] {
+  accelerations_on_loops = [](const runtime_chain& c, runtime_state& s) -> const Eigen::VectorXd& {
+    const std::vector<double> applied = s.work.kept;
+    return constrained_accelerations(c, s, [&applied](int i) { return applied[static_cast<std::size_t>(i)]; });
+  };
+  return true;
+}();
 
 }  // namespace kte::detail

@@ -97,8 +97,8 @@ class driven_bodies : public typed_bodies<S, Chain, Axes> {
 
   template <std::size_t I>
   KTE_INLINE constexpr auto body() const {
-    using end = typename base::template end<I>;
-    const auto& x = this->motion_.template get<end::what, end::slot>();
+    using frame = typename base::template end<I>;
+    const auto& x = this->motion_.template get<frame::what, frame::slot>();
     return [&]<int... K>(std::integer_sequence<int, K...>) KTE_INLINE_LAMBDA {
       return base::template body_with<I>(mass<I>(), [&]() KTE_INLINE_LAMBDA {
         return joint_drive{

@@ -28,12 +28,13 @@ class moving_bodies : public typed_bodies<S, Pass, Axes> {
   using base::base;
   template <std::size_t I>
   KTE_INLINE constexpr auto body() const {
-    using end = typename base::template end<I>;
-    using parent = decltype(this->motion_.template get<end::what, base::template base_slot<I>>());
-    using load = decltype(this->motion_.template load<end::what, end::slot>());
+    using frame = typename base::template end<I>;
+    using parent_type = decltype(this->motion_.template get<frame::what, base::template base_slot<I>>());
+    using load_type = decltype(this->motion_.template load<frame::what, frame::slot>());
     return base::template body_with<I>(zero, [this]() KTE_INLINE_LAMBDA {
-      return body_in_motion<parent, load>{this->motion_.template get<end::what, base::template base_slot<I>>(),
-                                          engine::fresh(this->motion_.template load<end::what, end::slot>())};
+      return body_in_motion<parent_type, load_type>{
+          this->motion_.template get<frame::what, base::template base_slot<I>>(),
+          engine::fresh(this->motion_.template load<frame::what, frame::slot>())};
     });
   }
   template <class Frame, std::size_t N>

@@ -36,8 +36,8 @@ class momentum_columns : columns<S, Chain, Given, Rows> {
  private:
   template <std::size_t I, class B, class C>
   KTE_INLINE constexpr void put(const B& b, const C& inertia) {
-    using end = typename bodies_type::template end<I>;
-    const auto& x = motion_.template get<end::what, end::slot>();
+    using frame = typename bodies_type::template end<I>;
+    const auto& x = motion_.template get<frame::what, frame::slot>();
     for_each_number<B::axes>([&]<int N>() KTE_INLINE_LAMBDA {
       const auto s = b.template axis<N>();
       const auto w = accelerating_wrench(inertia, s.linear, s.angular);

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <kte/contract/closure.hpp>
 #include <kte/elements/closures/rotation_rows.hpp>
 
 namespace kte {
@@ -12,6 +11,7 @@ struct axis_closure {
   vec3<> axis;
   detail::normals across;
 
+  axis_closure() = default;
   constexpr explicit axis_closure(const vec3<>& u) : axis(u), across(detail::normals_of(u)) {}
   constexpr void check(const parameter_check& where) const { where.unit(axis, "axis must have length 1"); }
   /// Whether the axes of a closed loop do not point against each other.
@@ -22,34 +22,21 @@ struct axis_closure {
   template <class Self, class Visit>
   static constexpr void parameters(Self& self, Visit&& visit) {
     visit("axis", self.axis);
+    if constexpr (!std::is_const_v<Self>) self.across = detail::normals_of(self.axis);
   }
 };
 
 /// A hinge about the axis u, equal in axes of both frames, with t_1, t_2 normal to it:
 ///
 ///   g = (p, u . R t_1, u . R t_2)          (1)
-struct hinge_3D : axis_closure, closure<hinge_3D> {
+struct hinge_3D : axis_closure, detail::rotation_closure<hinge_3D> {
   static constexpr std::string_view type = "hinge_3D";
   static constexpr auto ports = detail::closure_ports<kind::frame_3D>;
   static constexpr closure_rows rows{3, 2};
   using axis_closure::axis_closure;
 
-  template <class M>
-  constexpr auto residual(const M& m) const {
-    return of(m, m.position, detail::cosine{});
-  }
-  template <class M>
-  constexpr auto residual_dot(const M& m) const {
-    return of(m, m.rotation * m.velocity, detail::cosine_dot{});
-  }
-  template <class M>
-  constexpr auto residual_ddot(const M& m) const {
-    return of(m, m.rotation * m.acceleration, detail::cosine_ddot{});
-  }
-
- private:
   template <class M, class P, class Row>
-  constexpr auto of(const M& m, const P& p, const Row& c) const {
+  constexpr auto rows_at(const M& m, const P& p, const Row& c) const {
     return make_rows(p.x, p.y, p.z, c(m, axis, across.first), c(m, axis, across.second));
   }
 };
@@ -57,28 +44,14 @@ struct hinge_3D : axis_closure, closure<hinge_3D> {
 /// A cylindrical joint that turns about and slides along the axis u:
 ///
 ///   g = (t_1 . p, t_2 . p, u . R t_1, u . R t_2)          (2)
-struct cylindrical_3D : axis_closure, closure<cylindrical_3D> {
+struct cylindrical_3D : axis_closure, detail::rotation_closure<cylindrical_3D> {
   static constexpr std::string_view type = "cylindrical_3D";
   static constexpr auto ports = detail::closure_ports<kind::frame_3D>;
   static constexpr closure_rows rows{2, 2};
   using axis_closure::axis_closure;
 
-  template <class M>
-  constexpr auto residual(const M& m) const {
-    return of(m, m.position, detail::cosine{});
-  }
-  template <class M>
-  constexpr auto residual_dot(const M& m) const {
-    return of(m, m.rotation * m.velocity, detail::cosine_dot{});
-  }
-  template <class M>
-  constexpr auto residual_ddot(const M& m) const {
-    return of(m, m.rotation * m.acceleration, detail::cosine_ddot{});
-  }
-
- private:
   template <class M, class P, class Row>
-  constexpr auto of(const M& m, const P& p, const Row& c) const {
+  constexpr auto rows_at(const M& m, const P& p, const Row& c) const {
     return make_rows(dot(across.first, p), dot(across.second, p), c(m, axis, across.first), c(m, axis, across.second));
   }
 };
@@ -89,61 +62,45 @@ struct cylindrical_3D : axis_closure, closure<cylindrical_3D> {
 ///
 /// In the plane one normal and one angle.
 template <kind Dim>
-struct sliding : axis_closure, closure<sliding<Dim>> {
+struct sliding : axis_closure, detail::rotation_closure<sliding<Dim>> {
   static constexpr type_name type{"sliding", Dim};
   static constexpr auto ports = detail::closure_ports<Dim>;
   static constexpr closure_rows rows{Dim == kind::frame_2D ? 1 : 2, Dim == kind::frame_2D ? 1 : 3};
   using axis_closure::axis_closure;
 
-  template <class M>
-  constexpr auto residual(const M& m) const {
-    return of(m.position, detail::half_axial(m, detail::cosine{}));
-  }
-  template <class M>
-  constexpr auto residual_dot(const M& m) const {
-    return of(m.rotation * m.velocity, detail::half_axial(m, detail::cosine_dot{}));
-  }
-  template <class M>
-  constexpr auto residual_ddot(const M& m) const {
-    return of(m.rotation * m.acceleration, detail::half_axial(m, detail::cosine_ddot{}));
+  template <class M, class P, class Row>
+  constexpr auto rows_at(const M& m, const P& p, const Row& row) const {
+    const auto h = detail::half_axial(m, row);
+    if constexpr (Dim == kind::frame_2D)
+      return make_rows(axis.x * p.y - axis.y * p.x, h.z);
+    else
+      return make_rows(dot(across.first, p), dot(across.second, p), h.x, h.y, h.z);
   }
   template <class M>
   constexpr bool upright(const M& m) const {
     return m.rotation.x.x + m.rotation.y.y + m.rotation.z.z > 0;
   }
-
- private:
-  template <class P, class H>
-  constexpr auto of(const P& p, const H& h) const {
-    if constexpr (Dim == kind::frame_2D)
-      return make_rows(axis.x * p.y - axis.y * p.x, h.z);
-    else
-      return make_rows(dot(across.first, p), dot(across.second, p), h.x, h.y, h.z);
+  constexpr void check(const parameter_check& where) const {
+    axis_closure::check(where);
+    if constexpr (Dim == kind::frame_2D) where.require(axis.z == 0, "axis must be in the plane", axis.z);
   }
 };
 
 /// A universal joint: two axes, u of A and t of B, stay normal to each other about one point:
 ///
 ///   g = (p, u . R t)          (4)
-struct universal_3D : closure<universal_3D> {
+struct universal_3D : detail::rotation_closure<universal_3D> {
   static constexpr std::string_view type = "universal_3D";
   static constexpr auto ports = detail::closure_ports<kind::frame_3D>;
   static constexpr closure_rows rows{3, 1};
 
   vec3<> axis1, axis2;
 
+  universal_3D() = default;
   constexpr universal_3D(const vec3<>& u, const vec3<>& t) : axis1(u), axis2(t) {}
-  template <class M>
-  constexpr auto residual(const M& m) const {
-    return of(m.position, detail::cosine{}(m, axis1, axis2));
-  }
-  template <class M>
-  constexpr auto residual_dot(const M& m) const {
-    return of(m.rotation * m.velocity, detail::cosine_dot{}(m, axis1, axis2));
-  }
-  template <class M>
-  constexpr auto residual_ddot(const M& m) const {
-    return of(m.rotation * m.acceleration, detail::cosine_ddot{}(m, axis1, axis2));
+  template <class M, class P, class Row>
+  constexpr auto rows_at(const M& m, const P& p, const Row& row) const {
+    return make_rows(p.x, p.y, p.z, row(m, axis1, axis2));
   }
   constexpr void check(const parameter_check& where) const {
     where.unit(axis1, "axis1 must have length 1"), where.unit(axis2, "axis2 must have length 1");
@@ -151,12 +108,6 @@ struct universal_3D : closure<universal_3D> {
   template <class Self, class Visit>
   static constexpr void parameters(Self& self, Visit&& visit) {
     visit("axis1", self.axis1), visit("axis2", self.axis2);
-  }
-
- private:
-  template <class P, class C>
-  static constexpr auto of(const P& p, const C& c) {
-    return make_rows(p.x, p.y, p.z, c);
   }
 };
 
@@ -196,27 +147,5 @@ KTE_CALL(cylindrical_3D, "(loop, frame1, frame2, axis)")
 KTE_CALL(sliding_2D, "(loop, frame1, frame2, axis)")
 KTE_CALL(sliding_3D, "(loop, frame1, frame2, axis)")
 KTE_CALL(universal_3D, "(loop, frame1, frame2, axis1, axis2)")
-
-namespace detail {
-/// How model files make them.
-struct axis_closures_family {
-  template <class Add>
-  static void add_to(const Add& add) {
-    add("hinge_3D",
-        [](const auto& x) { return hinge_3D(x.name("loop"), x.name("frame1"), x.name("frame2"), x.vector("axis")); });
-    add("cylindrical_3D", [](const auto& x) {
-      return cylindrical_3D(x.name("loop"), x.name("frame1"), x.name("frame2"), x.vector("axis"));
-    });
-    add("sliding_2D", [](const auto& x) {
-      return sliding_2D(x.name("loop"), x.name("frame1"), x.name("frame2"), x.planar_vector("axis"));
-    });
-    add("sliding_3D",
-        [](const auto& x) { return sliding_3D(x.name("loop"), x.name("frame1"), x.name("frame2"), x.vector("axis")); });
-    add("universal_3D", [](const auto& x) {
-      return universal_3D(x.name("loop"), x.name("frame1"), x.name("frame2"), x.vector("axis1"), x.vector("axis2"));
-    });
-  }
-};
-}  // namespace detail
 
 }  // namespace kte

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <kte/contract/closure.hpp>
 #include <kte/elements/closures/rotation_rows.hpp>
 
 namespace kte {
@@ -13,22 +12,18 @@ namespace core {
 ///
 /// h is zero at half a turn too: `assemble` rejects it.
 template <kind Dim>
-struct coincident_frames : closure<coincident_frames<Dim>> {
+struct coincident_frames : detail::rotation_closure<coincident_frames<Dim>> {
   static constexpr type_name type{"coincident_frames", Dim};
   static constexpr auto ports = detail::closure_ports<Dim>;
   static constexpr closure_rows rows{Dim == kind::frame_2D ? 2 : 3, Dim == kind::frame_2D ? 1 : 3};
 
-  template <class M>
-  constexpr auto residual(const M& m) const {
-    return of(m.position, detail::half_axial(m, detail::cosine{}));
-  }
-  template <class M>
-  constexpr auto residual_dot(const M& m) const {
-    return of(m.rotation * m.velocity, detail::half_axial(m, detail::cosine_dot{}));
-  }
-  template <class M>
-  constexpr auto residual_ddot(const M& m) const {
-    return of(m.rotation * m.acceleration, detail::half_axial(m, detail::cosine_ddot{}));
+  template <class M, class P, class Row>
+  static constexpr auto rows_at(const M& m, const P& p, const Row& row) {
+    const auto h = detail::half_axial(m, row);
+    if constexpr (Dim == kind::frame_2D)
+      return make_rows(p.x, p.y, h.z);
+    else
+      return make_rows(p.x, p.y, p.z, h.x, h.y, h.z);
   }
   /// Whether the rotation of a closed loop is not half a turn off.
   template <class M>
@@ -38,15 +33,6 @@ struct coincident_frames : closure<coincident_frames<Dim>> {
   constexpr void check(const parameter_check&) const {}
   template <class Self, class Visit>
   static constexpr void parameters(Self&, Visit&&) {}
-
- private:
-  template <class P, class H>
-  static constexpr auto of(const P& p, const H& h) {
-    if constexpr (Dim == kind::frame_2D)
-      return make_rows(p.x, p.y, h.z);
-    else
-      return make_rows(p.x, p.y, p.z, h.x, h.y, h.z);
-  }
 };
 
 }  // namespace core
@@ -64,18 +50,5 @@ constexpr auto coincident_frames_3D(const L& loop, const A& frame1, const B& fra
 
 KTE_CALL(coincident_frames_2D, "(loop, frame1, frame2)")
 KTE_CALL(coincident_frames_3D, "(loop, frame1, frame2)")
-
-namespace detail {
-/// How model files make them.
-struct coincident_frames_family {
-  template <class Add>
-  static void add_to(const Add& add) {
-    add("coincident_frames_2D",
-        [](const auto& x) { return coincident_frames_2D(x.name("loop"), x.name("frame1"), x.name("frame2")); });
-    add("coincident_frames_3D",
-        [](const auto& x) { return coincident_frames_3D(x.name("loop"), x.name("frame1"), x.name("frame2")); });
-  }
-};
-}  // namespace detail
 
 }  // namespace kte

@@ -15,6 +15,7 @@ struct coupled_coordinates : coordinate_closure<coupled_coordinates> {
 
   double factor1, factor2, constant;
 
+  coupled_coordinates() = default;
   constexpr coupled_coordinates(double c1, double c2, double c0) : factor1(c1), factor2(c2), constant(c0) {}
   template <class Q>
   constexpr auto value(const Q& q1, const Q& q2) const {
@@ -40,6 +41,7 @@ struct coupled_by_polynomial : coordinate_closure<coupled_by_polynomial> {
 
   double c0, c1, c2, c3, c4;
 
+  coupled_by_polynomial() = default;
   constexpr coupled_by_polynomial(double a0, double a1, double a2, double a3, double a4)
       : c0(a0), c1(a1), c2(a2), c3(a3), c4(a4) {}
   template <class Q>
@@ -115,22 +117,5 @@ constexpr auto coupled_by(const L& loop, const Q1& q1, const Q2& q2, const Q3& q
 
 KTE_CALL(coupled_coordinates, "(loop, q1, q2, factor1, factor2[, constant])")
 KTE_CALL(coupled_by_polynomial, "(loop, q1, q2, c0, c1[, c2, c3, c4])")
-
-namespace detail {
-/// How model files make them.
-struct coupled_coordinates_family {
-  template <class Add>
-  static void add_to(const Add& add) {
-    add("coupled_coordinates", [](const auto& x) {
-      return coupled_coordinates(x.name("loop"), x.name("coordinate1"), x.name("coordinate2"), x.number("factor1"),
-                                 x.number("factor2"), x.number("constant"));
-    });
-    add("coupled_by_polynomial", [](const auto& x) {
-      return coupled_by_polynomial(x.name("loop"), x.name("coordinate1"), x.name("coordinate2"), x.number("c0"),
-                                   x.number("c1"), x.number("c2"), x.number("c3"), x.number("c4"));
-    });
-  }
-};
-}  // namespace detail
 
 }  // namespace kte

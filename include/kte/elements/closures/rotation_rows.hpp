@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/contract/closure.hpp>
 #include <kte/frames/motion.hpp>
 #include <kte/math/principal_moments.hpp>
 
@@ -55,5 +56,26 @@ constexpr normals normals_of(const vec3<>& n) {
   const vec3<> first = constexpr_sqrt(1 / squared) * u;
   return {first, cross(n, first)};
 }
+
+/// A closure whose core has rows_at(m, p, row): its rows for the position p, where row(m, u, t) is u . R t; for their
+/// rates and accelerations p_dot and p_ddot, where row(m, u, t) is the derivative of that.
+template <class Core>
+struct rotation_closure : closure<Core> {
+  template <class M>
+  constexpr auto residual(const M& m) const {
+    return core().rows_at(m, m.position, cosine{});
+  }
+  template <class M>
+  constexpr auto residual_dot(const M& m) const {
+    return core().rows_at(m, m.rotation * m.velocity, cosine_dot{});
+  }
+  template <class M>
+  constexpr auto residual_ddot(const M& m) const {
+    return core().rows_at(m, m.rotation * m.acceleration, cosine_ddot{});
+  }
+
+ private:
+  constexpr const Core& core() const { return static_cast<const Core&>(*this); }
+};
 
 }  // namespace kte::detail

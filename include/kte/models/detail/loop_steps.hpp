@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kte/dynamics/closed_loops/constrained_dynamics.hpp>
+#include <kte/dynamics/closed_loops/loop_dynamics.hpp>
 #include <kte/dynamics/configuration_space.hpp>
 #include <kte/dynamics/state_vectors.hpp>
 
