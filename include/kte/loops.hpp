@@ -4,5 +4,6 @@
 /// forces of closures, velocities on the loops, inverse dynamics by actuated coordinates.
 #include <kte/dynamics/closed_loops/actuated_forces.hpp>
 #include <kte/dynamics/closed_loops/assemble.hpp>
+#include <kte/dynamics/closed_loops/assemblies.hpp>
 #include <kte/dynamics/closed_loops/constrained_dynamics.hpp>
 #include <kte/elements/closures.hpp>

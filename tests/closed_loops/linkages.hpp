@@ -140,4 +140,83 @@ inline vector cut_governor_q() {
   return numbers({0, 0.5, 0.05, 0, 1, c, 0, s, 0, -0.05, 0, 1, 0, -s, 0, c});
 }
 
+/// A Stewart platform: six legs of a universal joint and a slide with a spring of 2e4 N/m, from a base of radius 1 m to
+/// a platform of radius 0.5 m and 20 kg. The first leg carries the platform by a ball, five are closed by points.
+inline runtime_chain stewart() {
+  runtime_chain c;
+  c.gravity(along_z(-9.81));
+  const auto on_circle = [](double radius, double degrees) {
+    return vec3<>{radius * std::cos(degrees * pi / 180), radius * std::sin(degrees * pi / 180), 0};
+  };
+  const double base[]{-10, 10, 110, 130, 230, 250}, top[]{-50, 50, 70, 170, 190, 290};
+  const rigid_body<> rod{1.0, vec3<>{0, 0, -0.4}, sym3<>{0.05, 0, 0, 0.05, 0, 1e-3}};
+  for (int i = 0; i < 6; ++i) {
+    const auto s = std::to_string(i);
+    c << revolute_joint_3D("x" + s, "base", "u" + s, axis::x).at(on_circle(1.0, base[i]))
+      << revolute_joint_3D("y" + s, "u" + s, "v" + s, axis::y) << prismatic_joint_3D("l" + s, "v" + s, "e" + s, axis::z)
+      << inertia_3D("e" + s, rod) << joint_stiffness_gen("l" + s, 2e4, 1.2);
+  }
+  c << spherical_joint_3D("ball", "e0", "joint")
+    << rigid_link_3D("joint", "platform", vec3<>{} - on_circle(0.5, top[0]))
+    << inertia_3D("platform", rigid_body<>{20, vec3<>{0, 0, 0.1}, sym3<>{1, 0, 0, 1, 0, 2}});
+  for (int i = 1; i < 6; ++i) {
+    const auto s = std::to_string(i);
+    c << rigid_link_3D("platform", "p" + s, on_circle(0.5, top[i]))
+      << coincident_points_3D("leg" + s, "e" + s, "p" + s);
+  }
+  return c;
+}
+/// A guess of its configuration: legs upright, and 1.1 m long.
+inline vector stewart_guess(const runtime_chain& c) {
+  vector q = neutral_configuration(c);
+  for (const auto& e : layout(c))
+    if (e.name[0] == 'l') q[e.q] = 1.1;
+  return q;
+}
+
+/// A Delta robot: three arms of 0.3 m on hinges, and two massless rods of 0.8 m from each to a platform of 1 kg.
+inline runtime_chain delta() {
+  runtime_chain c;
+  c.gravity(along_z(-9.81)) << free_joint_3D("free", "base", "platform")
+                            << inertia_3D("platform", rigid_body<>{1, vec3<>{}, sym3<>{1e-3, 0, 0, 1e-3, 0, 2e-3}});
+  for (int i = 0; i < 3; ++i) {
+    const auto s = std::to_string(i);
+    const auto turn = as<double>(matrix(rotation_about(axis::z, 2 * pi / 3 * i)));
+    c << rigid_link_3D("base", "side" + s, turn * vec3<>{0.2, 0, 0}, turn)
+      << revolute_joint_3D("q" + s, "side" + s, "arm" + s, axis::y)
+      << inertia_3D("arm" + s, rigid_body<>{0.5, vec3<>{0.15, 0, 0}, sym3<>{1e-3, 0, 0, 5e-3, 0, 5e-3}})
+      << rigid_link_3D("platform", "rim" + s, turn * vec3<>{0.05, 0, 0}, turn);
+    for (const double side : {-0.06, 0.06}) {
+      const auto n = s + (side < 0 ? "l" : "r");
+      c << rigid_link_3D("arm" + s, "elbow" + n, vec3<>{0.3, side, 0})
+        << rigid_link_3D("rim" + s, "wrist" + n, vec3<>{0, side, 0})
+        << distance_3D("rod" + n, "elbow" + n, "wrist" + n, 0.8);
+    }
+  }
+  return c;
+}
+/// A guess of its configuration: arms level, the platform 0.6 m below.
+inline vector delta_guess() { return numbers({0, 0, -0.6, 1, 0, 0, 0, 0.1, -0.1, 0.2}); }
+
+/// An ankle: a foot on a universal joint, moved by two motors on the shank, each with a crank and a massless rod to the
+/// heel.
+inline runtime_chain ankle() {
+  runtime_chain c;
+  c.gravity(along_z(-9.81)) << revolute_joint_3D("pitch", "shank", "cross", axis::y)
+                            << revolute_joint_3D("roll", "cross", "foot", axis::x)
+                            << inertia_3D("foot",
+                                          rigid_body<>{1.2, vec3<>{0.04, 0, -0.05}, sym3<>{2e-3, 0, 0, 6e-3, 0, 6e-3}});
+  for (const double side : {-1.0, 1.0}) {
+    const std::string n = side < 0 ? "r" : "l";
+    const double height = side < 0 ? 0.16 : 0.26;
+    c << revolute_joint_3D("motor_" + n, "shank", "crank_" + n, axis::y).at(vec3<>{0, 0.04 * side, height})
+      << inertia_3D("crank_" + n, rigid_body<>{0.1, vec3<>{-0.02, 0, 0}, sym3<>{1e-5, 0, 0, 3e-5, 0, 3e-5}})
+      << inertia_gen("motor_" + n, 5e-3) << joint_stiffness_gen("motor_" + n, 2.0, 0.0)
+      << rigid_link_3D("crank_" + n, "pin_" + n, along_x(-0.05))
+      << rigid_link_3D("foot", "heel_" + n, vec3<>{-0.05, 0.04 * side, 0})
+      << distance_3D("rod_" + n, "pin_" + n, "heel_" + n, height);
+  }
+  return c;
+}
+
 }  // namespace kte::test::loops
