@@ -62,10 +62,26 @@ TEST_CASE("all assemblies of a four-bar, and of two") {
   CHECK(((all[0] - q).cwiseAbs().maxCoeff() < 1e-13 || (all[1] - q).cwiseAbs().maxCoeff() < 1e-13));
   CHECK(all == assemblies(c, s, 40, q, held("q0")));
 
-  const auto two = four_bars(2);
+  // two in a row: the rocker of the first is the crank of the second
+  runtime_chain two;
+  const auto add = [&two](const std::string& n, double x, double y, double rocker) {
+    two << revolute_joint_2D("r" + n, "base", "R" + n).at(vec2<>{x, y}) << inertia_2D("R" + n, bar)
+        << rigid_link_2D("R" + n, "tip" + n, along_x(rocker));
+  };
+  const auto couple = [&two](const std::string& from, const std::string& to, double coupler) {
+    two << revolute_joint_2D("c" + to, "tip" + from, "C" + to) << inertia_2D("C" + to, bar)
+        << rigid_link_2D("C" + to, "end" + to, along_x(coupler))
+        << coincident_points_2D("pin" + to, "end" + to, "tip" + to);
+  };
+  add("0", 0, 0, 0.4), add("1", 1, 0, 0.8), add("2", 1.9, 0.1, 0.7);
+  couple("0", "1", 1.1), couple("1", "2", 0.9);
   auto t = two.make_state();
-  CHECK(assemblies(two, t, 60, four_bar_q(2, 0.4), held("q0")).size() == 4);
-  CHECK(good(two, assemblies(two, t, 60, four_bar_q(2, 0.4), held("q0"))));
+  const auto four = assemblies(two, t, 60, numbers({1.1, 0, 0, 0, 0}), held("r0"));
+  CHECK((four.size() == 4 && good(two, four)));
+  // where two assemblies meet they are one
+  const auto folded = four_bars(2);
+  auto f = folded.make_state();
+  CHECK(assemblies(folded, f, 60, four_bar_q(2, 0.4), held("q0")).size() == 3);
 }
 
 TEST_CASE("all assemblies of a five-bar with both cranks held") {

@@ -111,12 +111,13 @@ class assembly_list {
   }
   bool same(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const {
     Eigen::VectorXd d = difference(chain_, a, b);
-    for (const auto& f : state_.freedoms())
-      if (is_angle(f) && std::abs(std::remainder(d[f.v], turn)) < 1e-5) {
-        Eigen::VectorXd turned = b;
-        turned[f.q] = a[f.q];
-        if (closed(turned)) d[f.v] = 0;
-      }
+    for (const auto& f : state_.freedoms()) {
+      const double turns = is_angle(f) ? std::round(d[f.v] / turn) * turn : 0;
+      if (turns == 0) continue;
+      Eigen::VectorXd turned = b;
+      turned[f.q] -= turns;
+      if (closed(turned)) d[f.v] -= turns;
+    }
     return d.cwiseQuotient(unit_).cwiseAbs().maxCoeff() <
            1e-5;  // where two meet they are known to the root of rounding
   }
