@@ -1,0 +1,13 @@
+"""Multibody dynamics: mechanisms of joints, links, bodies, springs, motors; robots from URDF, MJCF and SDF.
+
+    import kte
+
+    pendulum = kte.Chain(gravity=[0, -9.81, 0])
+    pendulum << kte.revolute_joint_2D("q", "base", "joint")
+    pendulum << kte.rigid_link_2D("joint", "tip", [0.5, 0]) << kte.inertia_2D("tip", mass=1)
+    kte.forward_dynamics(pendulum, q=[0.0], v=[0.0], tau=[0.0])
+
+Units are SI. The documentation is docs/python.md; conventions of axes and signs are in docs/conventions.md.
+"""
+from ._kte import *  # noqa: F401,F403
+from .elements import *  # noqa: F401,F403
