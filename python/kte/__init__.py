@@ -9,5 +9,11 @@
 
 Units are SI. The documentation is docs/python.md; conventions of axes and signs are in docs/conventions.md.
 """
-from ._kte import *  # noqa: F401,F403
-from .elements import *  # noqa: F401,F403
+from ._element import Element, Rotation
+from ._kte import *
+from ._kte import __version__
+from ._results import *
+from .elements import *
+from .errors import *
+from .page import Page, view
+from .simulation import Event, simulate

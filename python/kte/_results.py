@@ -156,3 +156,14 @@ class Frame(NamedTuple):
     ang_acceleration: Array
     force: Array
     torque: Array
+
+
+class EventOccurrence(NamedTuple):
+    """An event that has happened: name, time, s, and the state after and before its reset."""
+
+    name: str
+    time: float
+    q: Array
+    v: Array
+    q_before: Array
+    v_before: Array

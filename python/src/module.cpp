@@ -18,4 +18,6 @@ PYBIND11_MODULE(_kte, m) {
   kte_python::bind_files(m);
   kte_python::bind_robots(m);
   kte_python::bind_inverse_kinematics(m);
+  kte_python::bind_simulation(m);
+  kte_python::bind_view(m);
 }
