@@ -9,11 +9,13 @@
 
 Units are SI. The documentation is docs/python.md; conventions of axes and signs are in docs/conventions.md.
 """
-from ._element import Element, Rotation
+from ._element import Element as Element
 from ._kte import *
-from ._kte import __version__
+from ._kte import __version__ as __version__
 from ._results import *
 from .elements import *
 from .errors import *
-from .page import Page, view
-from .simulation import Event, simulate
+from .page import Page as Page
+from .page import view as view
+from .simulation import Event as Event
+from .simulation import simulate as simulate

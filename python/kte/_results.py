@@ -5,6 +5,28 @@ from typing import Any, Dict, List, NamedTuple
 
 import numpy as np
 
+__all__ = [
+    "Array",
+    "Coordinate",
+    "Pose",
+    "LinearAngular",
+    "Wrench",
+    "Energy",
+    "MassCentre",
+    "BodyInertia",
+    "InverseDynamicsDerivatives",
+    "ForwardDynamicsDerivatives",
+    "HybridDynamics",
+    "ConstrainedDynamics",
+    "Loops",
+    "Note",
+    "Motor",
+    "Limits",
+    "InverseKinematics",
+    "Frame",
+    "EventOccurrence",
+]
+
 Array = np.ndarray[Any, np.dtype[np.float64]]
 
 

@@ -1,6 +1,22 @@
 """The exceptions of kte: the classes of the C++ library, with the same sentences (docs/errors.md)."""
 from __future__ import annotations
 
+__all__ = [
+    "Error",
+    "BadParameter",
+    "BadWiring",
+    "UnknownName",
+    "BadArgument",
+    "SingularMassMatrix",
+    "NoSolution",
+    "DeadPoint",
+    "CannotAssemble",
+    "BadFile",
+    "Unreachable",
+    "IntegrationFailure",
+    "RobotWarning",
+]
+
 
 class Error(Exception):
     """The base of all errors of this library."""

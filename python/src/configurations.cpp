@@ -51,17 +51,17 @@ void bind_configurations(py::module_& m) {
         std::mt19937_64 engine(seed);
         const auto limit = [&c](const char* name, py::handle x) {
           auto all = vector_from(name, x, -1);
-          if (all.size() == 1) all = Eigen::VectorXd::Constant(c.dofs(), all[0]).eval();
-          if (all.size() != c.dofs())
+          if (all.size() == 1) all = Eigen::VectorXd::Constant(c.nq(), all[0]).eval();
+          if (all.size() != c.nq())
             throw kte::bad_argument(std::string("kte: ") + name + " has shape (" + std::to_string(all.size()) +
-                                    ",), expected (" + std::to_string(c.dofs()) + ",) or a number");
+                                    ",), expected (" + std::to_string(c.nq()) + ",) or a number");
           return all;
         };
         return to_array(kte::random_configuration(c, engine, limit("lower", lower), limit("upper", upper)));
       },
       R"(random_configuration(chain, lower, upper, seed)
 
-A configuration with numbers uniform between limits, which are arrays over v or numbers, and arbitrary rotations. Equal
+A configuration with numbers uniform between limits, which are arrays over q or numbers, and arbitrary rotations. Equal
 seeds give equal configurations.)",
       "chain"_a, "lower"_a, "upper"_a, "seed"_a);
 }

@@ -179,8 +179,8 @@ The Jacobian of a frame, (6, nv), linear rows first: the velocity of the frame i
                              });
                            }));
       },
-      "bias_acceleration(chain, q, v, frame, axes=\"own\", *, threads=None, errors=\"raise\")\n\nThe acceleration of a "
-      "frame for a = 0, dJ/dt v: `.linear`, m/s^2, `.angular`, rad/s^2.",
+      "bias_acceleration(chain, q, v, frame, axes=\"own\", *, threads=None, errors=\"raise\")\n\ndJ/dt v, which in \"world\" "
+      "axes is the acceleration of the frame for a = 0: `.linear`, m/s^2, `.angular`, rad/s^2.",
       "chain"_a, "q"_a, "v"_a, "frame"_a, "axes"_a = "own", py::kw_only(), "threads"_a = none, "errors"_a = "raise");
   m.def(
       "external_forces",

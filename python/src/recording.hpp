@@ -46,4 +46,7 @@ struct recording_object {
   }
 };
 
+/// Counts of a solver: a dict.
+py::dict statistics_of(const kte::step_statistics& s);
+
 }  // namespace kte_python

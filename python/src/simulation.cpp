@@ -10,6 +10,13 @@
 
 namespace kte_python {
 
+py::dict statistics_of(const kte::step_statistics& s) {
+  py::dict all;
+  all["steps"] = s.steps, all["rejected"] = s.rejected, all["evaluations"] = s.evaluations;
+  all["jacobians"] = s.jacobians, all["factorizations"] = s.factorizations;
+  return all;
+}
+
 namespace {
 
 constexpr auto check_interval = std::chrono::milliseconds(50);
@@ -259,13 +266,6 @@ py::object simulation::advance(double end, py::handle every, py::handle at) {
 }
 
 namespace {
-
-py::dict statistics_of(const kte::step_statistics& s) {
-  py::dict all;
-  all["steps"] = s.steps, all["rejected"] = s.rejected, all["evaluations"] = s.evaluations;
-  all["jacobians"] = s.jacobians, all["factorizations"] = s.factorizations;
-  return all;
-}
 
 std::unique_ptr<simulation> make_simulation(py::object chain, py::handle q, py::handle v, double t,
                                             const std::string& solver, double tolerance, py::handle absolute,

@@ -45,8 +45,7 @@ py::dict columns_of(const recording_object& r, py::handle names) {
 
 py::list events_of(const recording_object& r) {
   py::list all;
-  const auto part = [&r](const Eigen::VectorXd& x, std::size_t first, std::size_t count) {
-    (void)r;
+  const auto part = [](const Eigen::VectorXd& x, std::size_t first, std::size_t count) {
     return to_array(Eigen::VectorXd(x.segment(static_cast<Eigen::Index>(first), static_cast<Eigen::Index>(count))));
   };
   for (const auto& e : r.events)
@@ -109,6 +108,9 @@ void bind_view(py::module_& m) {
           "Why the integration ended: 'end_time', 'terminal' (an event) or 'zeno' (infinitely many events).")
       .def_property_readonly(
           "stopped_by", [](const recording_object& r) { return r.stopped_by; }, "The event that ended it.")
+      .def_property_readonly(
+          "statistics", [](const recording_object& r) { return statistics_of(r.statistics); },
+          "Counts of steps, rejected steps, evaluations, Jacobians and factorizations, since the start: a dict.")
       .def_property_readonly(
           "chain", [](const recording_object& r) { return std::make_unique<chain_object>(r.chain); },
           "The chain, with inputs for the forces of `control`.")

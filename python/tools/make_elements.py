@@ -18,8 +18,14 @@ CONVERTERS = {
     "matrix": ("matrix", "ArrayLike"),
     "symmetric matrix": ("symmetric", "ArrayLike"),
 }
-# A point mass, as in C++: without its place and its inertia.
-POINT_MASS = {("inertia", "com"): "(0, 0, 0)", ("inertia", "inertia"): "0"}
+# What C++ leaves out in other ways: `point_mass(m)`, a bushing without coupling.
+NO_MATRIX = "((0, 0, 0), (0, 0, 0), (0, 0, 0))"
+LEFT_OUT = {
+    ("inertia", "com"): "(0, 0, 0)",
+    ("inertia", "inertia"): "0",
+    ("bushing", "stiffness_coupling"): NO_MATRIX,
+    ("bushing", "damping_coupling"): NO_MATRIX,
+}
 # Defaults that are the value of another parameter.
 SAME_AS = {"mu": "friction"}
 
@@ -31,8 +37,8 @@ class Row:
         self.default = self._default()
 
     def _default(self):
-        if (self.family, self.name) in POINT_MASS:
-            return POINT_MASS[self.family, self.name]
+        if (self.family, self.name) in LEFT_OUT:
+            return LEFT_OUT[self.family, self.name]
         found = re.search(r"optional(?:, default ([^:;(]+(?:::[a-z]+`)?))?", self.text)
         if not found:
             return None
@@ -47,8 +53,8 @@ class Row:
             return "None"
         if value in ("infinity", "-infinity"):
             return value.replace("infinity", "inf")
-        if self.what in ("vector", "matrix") and value == "0":
-            return {"vector": "(0, 0, 0)", "matrix": "((0, 0, 0), (0, 0, 0), (0, 0, 0))"}[self.what]
+        if self.what == "vector" and value == "0":
+            return "(0, 0, 0)"
         float(value)
         return value
 
