@@ -2,7 +2,6 @@
 
 #include <pybind11/stl.h>
 
-#include <kte/elements/registry.hpp>
 #include <kte/io/model_inputs.hpp>
 
 #include "call.hpp"
@@ -21,40 +20,17 @@ namespace {
 
 constexpr auto check_interval = std::chrono::milliseconds(50);
 
-bool has_signal(const kte::runtime_chain& c, const std::string& name) {
-  for (const auto& names : c.wiring().names)
-    if (std::find(names.begin(), names.end(), name) != names.end()) return true;
-  return false;
-}
-std::string new_signal(const kte::runtime_chain& c, std::string name) {
-  while (has_signal(c, name)) name += '\'';
-  return name;
-}
-
-/// The frame that a rotation or pose moves; empty if there is none.
-std::string end_of(const kte::model_record& m, const std::string& coordinate) {
-  for (const auto& e : m.elements) {
-    std::string end;
-    bool moves = false;
-    for (const auto& c : e.connections) {
-      if (c.role == "coordinate" && c.name == coordinate) moves = true;
-      if (c.role == "end") end = c.name;
-    }
-    if (moves && !end.empty()) return end;
-  }
-  return {};
-}
-
 }  // namespace
 
 simulation::simulation(py::object drawn, kte::runtime_chain c, py::object control, const py::dict& inputs,
                        const py::list& events, bool of_time_alone)
     : drawn_(std::move(drawn)),
-      forces_(control.is_none() ? std::vector<force_on>() : with_forces(c)),
-      plant_(c, [this](double t, const plant::state& x, Eigen::VectorXd& u) { law(t, x, u); }, of_time_alone) {
-  auto& m = plant_.model();
-  u_ = m.input();
-  for (auto& f : forces_) f.u = place_of(f.input);
+      has_forces_(!control.is_none()),
+      forces_(has_forces_ ? coordinate_forces(c) : coordinate_forces()),
+      plant_(
+          c, [this](double t, const plant::state& x, Eigen::VectorXd& u) { law(t, x, u); },
+          of_time_alone && forces_.of_tau_alone()) {
+  u_ = plant_.model().input();
   tau_ = Eigen::VectorXd::Zero(c.dofs());
   set_control(std::move(control));
   set_inputs(inputs);
@@ -95,50 +71,9 @@ void simulation::start(const Eigen::VectorXd& q, const Eigen::VectorXd& v, doubl
                             "step " + solvers_of_fixed_step);
 }
 
-/// Adds a force on each number of v, as inputs.
-std::vector<simulation::force_on> simulation::with_forces(kte::runtime_chain& c) {
-  static const auto registry = kte::element_registry::standard();
-  const auto record = kte::record_of(c);
-  std::vector<force_on> all;
-  for (const auto& e : kte::layout(c)) {
-    const auto input = new_signal(c, "tau/" + e.name);
-    if (e.nv == 1) {
-      c.append(registry.make({"driving_actuator_gen", 1, {{"coordinate", e.name}, {"input", input}}, {}}));
-      all.push_back({input, e.v, 1, 0});
-      continue;
-    }
-    const auto end = end_of(record, e.name);
-    if (end.empty()) throw kte::bad_argument("kte: control: no joint moves a frame by '" + e.name + "'");
-    const bool planar = c.wiring().frame(end).first == kte::kind::frame_2D;
-    const auto torque = new_signal(c, input + "/torque");
-    c.append(registry.make({planar ? "driving_actuator_2D" : "driving_actuator_3D",
-                            1,
-                            {{"frame", end}, {"force", input}, {"torque", torque}},
-                            {}}));
-    if (e.what == kte::kind::rotation_3D) {
-      all.push_back({torque, e.v, 3, 0});
-    } else if (e.what == kte::kind::pose_2D) {
-      all.push_back({input, e.v, 2, 0});
-      all.push_back({torque, e.v + 2, 1, planar ? 0 : 2});
-    } else {
-      all.push_back({input, e.v, 3, 0});
-      all.push_back({torque, e.v + 3, 3, 0});
-    }
-  }
-  return all;
-}
-
-Eigen::Index simulation::place_of(const std::string& name) const {
-  Eigen::Index place = -1;
-  kte::detail::for_each_input(plant_.model(), [&](std::string_view known, int u, int) {
-    if (known == name) place = u;
-  });
-  return place;
-}
-
 void simulation::set_control(py::object control) {
   if (control.is_none()) return;
-  if (forces_.empty() && plant_.model().dofs() > 0)
+  if (!has_forces_)
     throw kte::bad_argument("kte: a simulation that was made without control cannot have one later: give it zeros");
   if (py::hasattr(control, "__call__")) {
     control_ = std::move(control);
@@ -190,7 +125,7 @@ void simulation::law(double t, const plant::state& x, Eigen::VectorXd& u) {
     for (const auto& l : laws_) u_.segment(l.u, l.count) = vector_from(l.name.c_str(), l.function(t, q, v), l.count);
   }
   u = u_;
-  for (const auto& f : forces_) u.segment(f.u + f.offset, f.count) = tau_.segment(f.v, f.count);
+  if (has_forces_) forces_.put(tau_, x, u);
 }
 double simulation::value(std::size_t event, double t, const plant::state& x) {
   const py::gil_scoped_acquire with;

@@ -4,6 +4,7 @@
 
 #include <chrono>
 
+#include "coordinate_forces.hpp"
 #include "recording.hpp"
 #include "solvers.hpp"
 
@@ -35,13 +36,6 @@ class simulation : public callbacks {
   void reset(std::size_t event, double t, plant::state& x) override;
 
  private:
-  /// Numbers of tau that are an input of the chain, or numbers of it from `offset` on.
-  struct force_on {
-    std::string input;
-    Eigen::Index v;
-    int count, offset;
-    Eigen::Index u = 0;
-  };
   struct input_law {
     std::string name;
     Eigen::Index u;
@@ -55,13 +49,12 @@ class simulation : public callbacks {
     bool terminal, one_sided;
   };
 
-  static std::vector<force_on> with_forces(kte::runtime_chain& c);
-  Eigen::Index place_of(const std::string& input) const;
   void law(double t, const plant::state& x, Eigen::VectorXd& u);
   std::vector<double> times_from(double end, py::handle every, py::handle at) const;
 
   py::object drawn_, recording_ = py::none(), control_ = py::none();
-  std::vector<force_on> forces_;
+  bool has_forces_;
+  coordinate_forces forces_;
   plant plant_;
   Eigen::VectorXd u_, tau_;
   std::vector<input_law> laws_;
