@@ -15,6 +15,7 @@ from ._kte import __version__ as __version__
 from ._results import *
 from .elements import *
 from .errors import *
+from .joint_series import *
 from .page import Page as Page
 from .page import view as view
 from .simulation import Event as Event

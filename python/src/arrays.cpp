@@ -72,8 +72,7 @@ const double* numbers::contiguous(Py_ssize_t states, std::vector<double>& memory
 
 Eigen::VectorXd vector_from(const char* name, py::handle x, Py_ssize_t n) {
   const py::array a = as_doubles(name, x);
-  if (a.ndim() == 0 && (n == 1 || n < 0))
-    return Eigen::VectorXd::Constant(1, number_at(a.data()));
+  if (a.ndim() == 0 && (n == 1 || n < 0)) return Eigen::VectorXd::Constant(1, number_at(a.data()));
   if (a.ndim() != 1 || (n >= 0 && a.shape(0) != n)) refuse(name, a, n < 0 ? "(n,)" : "(" + std::to_string(n) + ",)");
   Eigen::VectorXd v(a.shape(0));
   for (Py_ssize_t i = 0; i < v.size(); ++i) v[i] = number_at(a.data(i));

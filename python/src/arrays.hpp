@@ -1,10 +1,10 @@
 #pragma once
 
+#include <Eigen/Core>
+
+#include <cstring>
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
-
-#include <Eigen/Core>
-#include <cstring>
 #include <string>
 #include <vector>
 

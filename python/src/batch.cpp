@@ -1,6 +1,7 @@
 #include "batch.hpp"
 
 #include <kte/dynamics/batch.hpp>
+
 #include <span>
 
 #include "chain.hpp"

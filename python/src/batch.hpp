@@ -1,7 +1,8 @@
 #pragma once
 
-#include <cstddef>
 #include <kte/runtime_chain/runtime_chain.hpp>
+
+#include <cstddef>
 #include <vector>
 
 /// Many states in packs (kte/dynamics/batch.hpp), of arrays with the numbers of states side by side.

@@ -2,6 +2,7 @@
 
 #include <kte/dynamics/detail/batch.hpp>
 #include <kte/dynamics/executors.hpp>
+
 #include <thread>
 
 namespace kte_python {
@@ -94,8 +95,7 @@ py::object call(const chain_object& object, std::initializer_list<argument> argu
   const auto& c = object.chain();
   std::vector<numbers> in;
   in.reserve(arguments.size());
-  for (const auto& a : arguments)
-    in.emplace_back(a.name, a.value, a.what == argument_of::q ? c.nq() : c.dofs());
+  for (const auto& a : arguments) in.emplace_back(a.name, a.value, a.what == argument_of::q ? c.nq() : c.dofs());
   lease work(object);
   for (std::size_t i = 0; i < in.size(); ++i)
     work->x[i].resize(std::data(arguments)[i].what == argument_of::q ? c.nq() : c.dofs());

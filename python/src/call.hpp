@@ -3,7 +3,6 @@
 #include <functional>
 #include <initializer_list>
 
-
 #include "arrays.hpp"
 #include "chain.hpp"
 
@@ -22,7 +21,7 @@ using shape = std::vector<Py_ssize_t>;
 
 /// Options of all calls with arrays of states.
 struct call_options {
-  py::handle inputs{};  ///< a dict, None or nothing
+  py::handle inputs{};   ///< a dict, None or nothing
   py::handle threads{};  ///< a number, None or nothing
   bool nan_for_errors = false;
 };
@@ -30,8 +29,9 @@ struct call_options {
 /// One state: writes results, by rows, to out[0], out[1], ...
 using state_function = const std::function<void(const kte::runtime_chain&, workspace&, double* const* out)>&;
 /// Several states in packs, of arrays with the numbers of states side by side.
-using pack_function = const std::function<void(const kte::runtime_chain&, std::size_t states,
-                                               const std::vector<const double*>& in, double* out, std::size_t threads)>&;
+using pack_function =
+    const std::function<void(const kte::runtime_chain&, std::size_t states, const std::vector<const double*>& in,
+                             double* out, std::size_t threads)>&;
 
 /// Computes a function of states. Arguments of shape (states, n) are computed in threads without the GIL; arguments of
 /// shape (n,) are then the same for all states. `cost` is the time of a state in units of inverse dynamics. Errors of

@@ -1,12 +1,12 @@
 #include "chain.hpp"
 
-#include <pybind11/stl.h>
-
 #include <kte/elements/registry.hpp>
 #include <kte/io/binary_file.hpp>
 #include <kte/io/model_reader.hpp>
 #include <kte/runtime_chain/check_chain.hpp>
 #include <kte/runtime_chain/layout.hpp>
+
+#include <pybind11/stl.h>
 #include <sstream>
 
 #include "arrays.hpp"
@@ -163,8 +163,8 @@ py::list layout_of(const kte::runtime_chain& c) {
   const py::object entry = py::module_::import("kte._results").attr("Coordinate");
   py::list all;
   for (const auto& e : kte::layout(c))
-    all.append(entry(e.name, std::string(to_string(e.what)), py::slice(e.q, e.q + e.nq, 1),
-                     py::slice(e.v, e.v + e.nv, 1)));
+    all.append(
+        entry(e.name, std::string(to_string(e.what)), py::slice(e.q, e.q + e.nq, 1), py::slice(e.v, e.v + e.nv, 1)));
   return all;
 }
 
@@ -237,7 +237,9 @@ takes that of the first part that has one. Threads may share a chain.)");
           "Names of the coordinates that are degrees of freedom, in the order of q and v.")
       .def_property_readonly(
           "frames",
-          [](const chain_object& c) { return names_of(c.chain(), {kte::kind::frame_2D, kte::kind::frame_3D}); },
+          [](const chain_object& c) {
+            return names_of(c.chain(), {kte::kind::frame_2D, kte::kind::frame_3D});
+          },
           "Names of all frames.")
       .def_property_readonly(
           "inputs", [](const chain_object& c) { return inputs_of(c.chain()); },

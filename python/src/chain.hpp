@@ -1,10 +1,10 @@
 #pragma once
 
-#include <pybind11/pybind11.h>
+#include <kte/runtime_chain/runtime_chain.hpp>
 
 #include <array>
-#include <kte/runtime_chain/runtime_chain.hpp>
 #include <memory>
+#include <pybind11/pybind11.h>
 #include <vector>
 
 namespace kte_python {

@@ -1,5 +1,6 @@
 #include <kte/dynamics/configuration_space.hpp>
 #include <kte/dynamics/configurations.hpp>
+
 #include <random>
 
 #include "arrays.hpp"

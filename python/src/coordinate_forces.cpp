@@ -4,6 +4,7 @@
 #include <kte/runtime_chain/layout.hpp>
 
 #include <Eigen/Geometry>
+
 #include <algorithm>
 
 namespace kte_python {

@@ -1,13 +1,14 @@
 #pragma once
 
 #include <kte/runtime_chain/runtime_chain.hpp>
+
 #include <string>
 #include <vector>
 
 namespace kte_python {
 
-/// Forces tau on all degrees of freedom of a chain, as inputs that it gets: of a number by a `driving_actuator_gen`, of a
-/// rotation or pose by a wrench on the end of its joint, and the opposite one on its base if that moves.
+/// Forces tau on all degrees of freedom of a chain, as inputs that it gets: of a number by a `driving_actuator_gen`, of
+/// a rotation or pose by a wrench on the end of its joint, and the opposite one on its base if that moves.
 class coordinate_forces {
  public:
   coordinate_forces() = default;
@@ -28,7 +29,7 @@ class coordinate_forces {
     Eigen::Index q = 0, v = 0;
     Eigen::Index u = -1;  ///< of a number
     bool planar = false;
-    wrench_input end, base;  ///< in axes of these frames; base.force < 0: there is none
+    wrench_input end, base;                                  ///< in axes of these frames; base.force < 0: there is none
     Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();  ///< the placement of the joint in its base
     Eigen::Vector3d position = Eigen::Vector3d::Zero();
   };

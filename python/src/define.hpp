@@ -21,9 +21,7 @@ inline call_options options_of(py::handle inputs, py::handle threads, const std:
 }
 
 namespace detail {
-inline py::object finished(const definition& d, py::object made) {
-  return d.tuple ? result(d.tuple, made) : made;
-}
+inline py::object finished(const definition& d, py::object made) { return d.tuple ? result(d.tuple, made) : made; }
 }  // namespace detail
 
 /// f(chain, workspace, out) writes the results for a state.
@@ -40,8 +38,8 @@ void define(py::module_& m, const definition& d, F f) {
         [d, body, q_of](py::handle chain, py::handle q, py::handle inputs, py::handle threads,
                         const std::string& errors) {
           const auto& c = chain_of(chain);
-          return detail::finished(d, call(c, {q_of(q)}, d.results(c.chain().dofs()), d.cost,
-                                          options_of(inputs, threads, errors), body));
+          return detail::finished(
+              d, call(c, {q_of(q)}, d.results(c.chain().dofs()), d.cost, options_of(inputs, threads, errors), body));
         },
         d.doc, "chain"_a, "q"_a, py::kw_only(), "inputs"_a = none, "threads"_a = none, "errors"_a = "raise");
   else if constexpr (Arguments == 2)

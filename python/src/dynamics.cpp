@@ -78,22 +78,24 @@ void bind_dynamics(py::module_& m) {
       "mass_matrix(chain, q, *, threads=None, errors=\"raise\")\n\nThe mass matrix M, (nv, nv), or (states, nv, nv); "
       "kg m^2, kg m, kg.",
       "chain"_a, "q"_a, py::kw_only(), "threads"_a = none, "errors"_a = "raise");
-  define<1>(m,
-            {"mass_matrix_inverse",
-             "mass_matrix_inverse(chain, q, *, inputs=None, threads=None, errors=\"raise\")\n\nM^-1, without forming M, "
-             "(nv, nv) or (states, nv, nv).",
-             a_matrix, 2.5},
-            [](const runtime_chain& k, workspace& w, double* const* out) {
-              write(kte::mass_matrix_inverse(k, w.state, w.x[0]), out[0]);
-            });
-  define<1>(m,
-            {"gravity_forces",
-             "gravity_forces(chain, q, *, inputs=None, threads=None, errors=\"raise\")\n\nThe gravity terms g of inverse "
-             "dynamics, of bodies only, N and Nm.",
-             a_vector, 1},
-            [](const runtime_chain& k, workspace& w, double* const* out) {
-              write_vector(kte::gravity_forces(k, w.state, w.x[0]), out[0]);
-            });
+  define<1>(
+      m,
+      {"mass_matrix_inverse",
+       "mass_matrix_inverse(chain, q, *, inputs=None, threads=None, errors=\"raise\")\n\nM^-1, without forming M, "
+       "(nv, nv) or (states, nv, nv).",
+       a_matrix, 2.5},
+      [](const runtime_chain& k, workspace& w, double* const* out) {
+        write(kte::mass_matrix_inverse(k, w.state, w.x[0]), out[0]);
+      });
+  define<1>(
+      m,
+      {"gravity_forces",
+       "gravity_forces(chain, q, *, inputs=None, threads=None, errors=\"raise\")\n\nThe gravity terms g of inverse "
+       "dynamics, of bodies only, N and Nm.",
+       a_vector, 1},
+      [](const runtime_chain& k, workspace& w, double* const* out) {
+        write_vector(kte::gravity_forces(k, w.state, w.x[0]), out[0]);
+      });
   define<1>(m,
             {"static_forces",
              "static_forces(chain, q, *, inputs=None, threads=None, errors=\"raise\")\n\nThe forces tau that hold the "
@@ -102,22 +104,24 @@ void bind_dynamics(py::module_& m) {
             [](const runtime_chain& k, workspace& w, double* const* out) {
               write_vector(kte::static_forces(k, w.state, w.x[0]), out[0]);
             });
-  define<2>(m,
-            {"nonlinear_effects",
-             "nonlinear_effects(chain, q, v, *, inputs=None, threads=None, errors=\"raise\")\n\nThe bias forces g + C v - "
-             "Q: inverse dynamics for a = 0, N and Nm.",
-             a_vector, 1},
-            [](const runtime_chain& k, workspace& w, double* const* out) {
-              write_vector(kte::nonlinear_effects(k, w.state, w.x[0], w.x[1]), out[0]);
-            });
-  define<2>(m,
-            {"coriolis_forces",
-             "coriolis_forces(chain, q, v, *, inputs=None, threads=None, errors=\"raise\")\n\nC v, of bodies only, N and "
-             "Nm.",
-             a_vector, 1},
-            [](const runtime_chain& k, workspace& w, double* const* out) {
-              write_vector(kte::coriolis_forces(k, w.state, w.x[0], w.x[1]), out[0]);
-            });
+  define<2>(
+      m,
+      {"nonlinear_effects",
+       "nonlinear_effects(chain, q, v, *, inputs=None, threads=None, errors=\"raise\")\n\nThe bias forces g + C v - "
+       "Q: inverse dynamics for a = 0, N and Nm.",
+       a_vector, 1},
+      [](const runtime_chain& k, workspace& w, double* const* out) {
+        write_vector(kte::nonlinear_effects(k, w.state, w.x[0], w.x[1]), out[0]);
+      });
+  define<2>(
+      m,
+      {"coriolis_forces",
+       "coriolis_forces(chain, q, v, *, inputs=None, threads=None, errors=\"raise\")\n\nC v, of bodies only, N and "
+       "Nm.",
+       a_vector, 1},
+      [](const runtime_chain& k, workspace& w, double* const* out) {
+        write_vector(kte::coriolis_forces(k, w.state, w.x[0], w.x[1]), out[0]);
+      });
 }
 
 }  // namespace kte_python

@@ -1,7 +1,7 @@
-#include <pybind11/pybind11.h>
-
 #include <kte/errors.hpp>
 #include <kte/manipulators/nearest.hpp>
+
+#include <pybind11/pybind11.h>
 
 #include "parts.hpp"
 

@@ -1,7 +1,7 @@
-#include <pybind11/stl/filesystem.h>
-
 #include <kte/elements/registry.hpp>
 #include <kte/io/model_file.hpp>
+
+#include <pybind11/stl/filesystem.h>
 
 #include "chain.hpp"
 #include "parts.hpp"

@@ -94,16 +94,16 @@ the base. Without a frame, a dict of the poses of all frames. Frames in the plan
       "relative_pose(chain, q, frame, reference, *, threads=None, errors=\"raise\")\n\nThe pose of a frame in another: "
       "`.position`, `.rotation`.",
       "chain"_a, "q"_a, "frame"_a, "reference"_a, py::kw_only(), "threads"_a = none, "errors"_a = "raise");
-  define_of_frame<2>(
-      m,
-      {"frame_velocity",
-       "frame_velocity(chain, q, v, frame, *, threads=None, errors=\"raise\")\n\n`.linear`, m/s, and `.angular` velocity, "
-       "rad/s, of a frame, in its axes.",
-       two_xyz, 0.5, "LinearAngular"},
-      [](const runtime_chain& k, workspace& w, const std::string& frame, double* const* out) {
-        const auto x = kte::frame_velocity(k, w.state, w.x[0], w.x[1], frame);
-        write_xyz(x.linear, out[0]), write_xyz(x.angular, out[1]);
-      });
+  define_of_frame<2>(m,
+                     {"frame_velocity",
+                      "frame_velocity(chain, q, v, frame, *, threads=None, errors=\"raise\")\n\n`.linear`, m/s, and "
+                      "`.angular` velocity, "
+                      "rad/s, of a frame, in its axes.",
+                      two_xyz, 0.5, "LinearAngular"},
+                     [](const runtime_chain& k, workspace& w, const std::string& frame, double* const* out) {
+                       const auto x = kte::frame_velocity(k, w.state, w.x[0], w.x[1], frame);
+                       write_xyz(x.linear, out[0]), write_xyz(x.angular, out[1]);
+                     });
   define_of_frame<3>(
       m,
       {"frame_acceleration",
@@ -161,7 +161,8 @@ The Jacobian of a frame, (6, nv), linear rows first: the velocity of the frame i
                       write(kte::relative_jacobian(k, w.state, w.x[0], frame, reference), out[0]);
                     });
       },
-      "relative_jacobian(chain, q, frame, reference, *, threads=None, errors=\"raise\")\n\nThe Jacobian, (6, nv), of the "
+      "relative_jacobian(chain, q, frame, reference, *, threads=None, errors=\"raise\")\n\nThe Jacobian, (6, nv), of "
+      "the "
       "motion of a frame in another, in axes of the frame.",
       "chain"_a, "q"_a, "frame"_a, "reference"_a, py::kw_only(), "threads"_a = none, "errors"_a = "raise");
   m.def(
@@ -169,17 +170,18 @@ The Jacobian of a frame, (6, nv), linear rows first: the velocity of the frame i
       [](py::handle chain, py::handle q, py::handle v, const std::string& frame, const std::string& axes,
          py::handle threads, const std::string& errors) {
         const auto in = axes_from(axes);
-        return result("LinearAngular",
-                      call(chain_of(chain), {{"q", argument_of::q, q}, {"v", argument_of::v, v}}, two_xyz(0), 1,
-                           options_of({}, threads, errors),
-                           [&](const runtime_chain& k, workspace& w, double* const* out) {
-                             with_axes(in, [&](const auto& a) {
-                               const auto x = kte::bias_acceleration(k, w.state, w.x[0], w.x[1], frame, a);
-                               write_xyz(x.linear, out[0]), write_xyz(x.angular, out[1]);
-                             });
-                           }));
+        return result("LinearAngular", call(chain_of(chain), {{"q", argument_of::q, q}, {"v", argument_of::v, v}},
+                                            two_xyz(0), 1, options_of({}, threads, errors),
+                                            [&](const runtime_chain& k, workspace& w, double* const* out) {
+                                              with_axes(in, [&](const auto& a) {
+                                                const auto x =
+                                                    kte::bias_acceleration(k, w.state, w.x[0], w.x[1], frame, a);
+                                                write_xyz(x.linear, out[0]), write_xyz(x.angular, out[1]);
+                                              });
+                                            }));
       },
-      "bias_acceleration(chain, q, v, frame, axes=\"own\", *, threads=None, errors=\"raise\")\n\ndJ/dt v, which in \"world\" "
+      "bias_acceleration(chain, q, v, frame, axes=\"own\", *, threads=None, errors=\"raise\")\n\ndJ/dt v, which in "
+      "\"world\" "
       "axes is the acceleration of the frame for a = 0: `.linear`, m/s^2, `.angular`, rad/s^2.",
       "chain"_a, "q"_a, "v"_a, "frame"_a, "axes"_a = "own", py::kw_only(), "threads"_a = none, "errors"_a = "raise");
   m.def(
@@ -213,16 +215,16 @@ The Jacobian of a frame, (6, nv), linear rows first: the velocity of the frame i
 The generalized forces Q = sum J^T (F, T) of wrenches on frames, at their origins in their axes: a dict from frames to
 3 numbers, F, or 6, F and T; N and Nm. Add them to `tau` of forward dynamics, take them off that of inverse dynamics.)",
       "chain"_a, "q"_a, "wrenches"_a, py::kw_only(), "threads"_a = none, "errors"_a = "raise");
-  define_of_frame<3>(
-      m,
-      {"joint_reaction",
-       "joint_reaction(chain, q, v, a, frame, *, threads=None, errors=\"raise\")\n\n`.force`, N, and `.torque`, Nm, that "
-       "the joint or link which moves this frame applies to it, in its axes.",
-       two_xyz, 2, "Wrench"},
-      [](const runtime_chain& k, workspace& w, const std::string& frame, double* const* out) {
-        const auto x = kte::joint_reaction(k, w.state, w.x[0], w.x[1], w.x[2], frame);
-        write_xyz(x.force, out[0]), write_xyz(x.torque, out[1]);
-      });
+  define_of_frame<3>(m,
+                     {"joint_reaction",
+                      "joint_reaction(chain, q, v, a, frame, *, threads=None, errors=\"raise\")\n\n`.force`, N, and "
+                      "`.torque`, Nm, that "
+                      "the joint or link which moves this frame applies to it, in its axes.",
+                      two_xyz, 2, "Wrench"},
+                     [](const runtime_chain& k, workspace& w, const std::string& frame, double* const* out) {
+                       const auto x = kte::joint_reaction(k, w.state, w.x[0], w.x[1], w.x[2], frame);
+                       write_xyz(x.force, out[0]), write_xyz(x.torque, out[1]);
+                     });
 }
 
 }  // namespace kte_python

@@ -1,9 +1,9 @@
-#include <pybind11/stl.h>
-
 #include <kte/dynamics/configuration_space.hpp>
 #include <kte/manipulators/nearest.hpp>
 #include <kte/manipulators/numerical_inverse_kinematics.hpp>
 #include <kte/manipulators/runtime_manipulator.hpp>
+
+#include <pybind11/stl.h>
 
 #include "call.hpp"
 #include "parts.hpp"
@@ -37,8 +37,7 @@ kte::vec3<> position_from(py::handle x) {
   return {p[0], p[1], p[2]};
 }
 kte::mat3<kte::vec3<>> rotation_from(py::handle x) {
-  const py::object matrix =
-      py::hasattr(x, "as_matrix") ? x.attr("as_matrix")() : py::reinterpret_borrow<py::object>(x);
+  const py::object matrix = py::hasattr(x, "as_matrix") ? x.attr("as_matrix")() : py::reinterpret_borrow<py::object>(x);
   const auto r = matrix_from("rotation", matrix, 3, 3);
   return {{r(0, 0), r(0, 1), r(0, 2)}, {r(1, 0), r(1, 1), r(1, 2)}, {r(2, 0), r(2, 1), r(2, 2)}};
 }
@@ -76,7 +75,9 @@ answer nearest_to(const arm_type& arm, const std::string& frame, const kte::vec3
     }
   }
   const kte::numerical_ik_options how{.numeric = numeric};
-  const auto put = [](const auto& r) { return answer{Eigen::VectorXd(r.q), text_of(r.status), r.position, r.rotation}; };
+  const auto put = [](const auto& r) {
+    return answer{Eigen::VectorXd(r.q), text_of(r.status), r.position, r.rotation};
+  };
   if (rotation)
     return put(kte::numerical_inverse_kinematics(arm, kte::reach(frame, kte::pose{*rotation, position}), q, how));
   return put(kte::numerical_inverse_kinematics(arm, kte::reach_position(frame, position), q, how));
@@ -97,8 +98,8 @@ void bind_inverse_kinematics(py::module_& m) {
         kte::mat3<kte::vec3<>> r{};
         const bool turned = !rotation.is_none();
         if (turned) r = rotation_from(rotation);
-        Eigen::VectorXd q = start.is_none() ? Eigen::VectorXd(kte::neutral_configuration(c))
-                                            : vector_from("start", start, c.nq());
+        Eigen::VectorXd q =
+            start.is_none() ? Eigen::VectorXd(kte::neutral_configuration(c)) : vector_from("start", start, c.nq());
         const auto found = [&] {
           const py::gil_scoped_release without;
           return nearest_to(manipulator, frame, p, turned ? &r : nullptr, q, numeric);

@@ -1,6 +1,6 @@
-#include <pybind11/stl.h>
-
 #include <kte/loops.hpp>
+
+#include <pybind11/stl.h>
 
 #include "define.hpp"
 #include "parts.hpp"
@@ -30,8 +30,8 @@ void bind_loops(py::module_& m) {
         const auto& c = chain_of(chain);
         const auto q = vector_from("guess", guess, c.chain().nq());
         const kte::held_coordinates names{names_from(held)};
-        return to_array(compute(
-            c, [&](const auto& k, auto& s) -> Eigen::VectorXd { return kte::assemble(k, s, q, names); }));
+        return to_array(
+            compute(c, [&](const auto& k, auto& s) -> Eigen::VectorXd { return kte::assemble(k, s, q, names); }));
       },
       R"(assemble(chain, guess, held=())
 
@@ -74,8 +74,8 @@ their rows, the `.mobility`, and the `.dependent` rows, which follow from others
         const auto& c = chain_of(chain);
         const auto positions = vector_from("q", q, c.chain().nq());
         const auto r = compute(c, [&](const auto& k, auto& s) { return kte::loops(k, s, positions); });
-        return result("Loops",
-                      py::make_tuple(r.rows, r.rank, r.mobility, r.pivot_ratio, r.gap, r.widest, r.dependent, r.blocks));
+        return result(
+            "Loops", py::make_tuple(r.rows, r.rank, r.mobility, r.pivot_ratio, r.gap, r.widest, r.dependent, r.blocks));
       },
       R"(loops(chain, q)
 
@@ -87,8 +87,8 @@ m or rad, and the closure `.widest` that has it, `.dependent` rows, and `.blocks
       [](py::handle chain, py::handle q) {
         const auto& c = chain_of(chain);
         const auto positions = vector_from("q", q, c.chain().nq());
-        return to_array(compute(
-            c, [&](const auto& k, auto& s) -> Eigen::MatrixXd { return kte::loop_jacobian(k, s, positions); }));
+        return to_array(
+            compute(c, [&](const auto& k, auto& s) -> Eigen::MatrixXd { return kte::loop_jacobian(k, s, positions); }));
       },
       "loop_jacobian(chain, q)\n\nThe Jacobian of all closures, (rows, nv): the rates of their residuals are J v.",
       "chain"_a, "q"_a);
@@ -98,9 +98,8 @@ m or rad, and the closure `.widest` that has it, `.dependent` rows, and `.blocks
         const auto& c = chain_of(chain);
         const auto positions = vector_from("q", q, c.chain().nq());
         const kte::actuated_coordinates names{names_from(actuated)};
-        return to_array(compute(c, [&](const auto& k, auto& s) -> Eigen::MatrixXd {
-          return kte::loop_motion(k, s, positions, names);
-        }));
+        return to_array(compute(
+            c, [&](const auto& k, auto& s) -> Eigen::MatrixXd { return kte::loop_motion(k, s, positions, names); }));
       },
       R"(loop_motion(chain, q, actuated)
 

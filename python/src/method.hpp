@@ -14,12 +14,11 @@ class method : public any_solver {
 
   report advance(double end, const event_lists& events, const sampling& at, const observer& observe) override {
     report r;
-    const auto all =
-        kte::events(events.plain, events.acting,
-                    kte::detail::event_under_law(p_, std::get<0>(kte::element_events(p_.model()).list)))
-            .report_to([&r](const kte::event_occurrence<plant::state>& e) { r.events.push_back(e); });
-    const auto ended = at.every_step ? solver_.integrate(end, all, observe)
-                                     : solver_.integrate(end, all, kte::at(at.times), observe);
+    const auto all = kte::events(events.plain, events.acting,
+                                 kte::detail::event_under_law(p_, std::get<0>(kte::element_events(p_.model()).list)))
+                         .report_to([&r](const kte::event_occurrence<plant::state>& e) { r.events.push_back(e); });
+    const auto ended =
+        at.every_step ? solver_.integrate(end, all, observe) : solver_.integrate(end, all, kte::at(at.times), observe);
     r.count = ended.count, r.reason = ended.reason;
     r.stopped_by = ended.stopped_by, r.stopped_by_name = ended.stopped_by_name;
     return r;

@@ -19,21 +19,22 @@ std::vector<shape> body(Py_ssize_t) { return {{}, {3}, {3, 3}}; }
 }  // namespace
 
 void bind_momentum(py::module_& m) {
-  define<1>(m,
-            {"potential_energy",
-             "potential_energy(chain, q, *, inputs=None, threads=None, errors=\"raise\")\n\nPotential energy of gravity "
-             "and springs, J; that of gravity is zero with the centre of mass at the origin of the base.",
+  define<1>(
+      m,
+      {"potential_energy",
+       "potential_energy(chain, q, *, inputs=None, threads=None, errors=\"raise\")\n\nPotential energy of gravity "
+       "and springs, J; that of gravity is zero with the centre of mass at the origin of the base.",
+       a_number, 1},
+      [](const runtime_chain& k, workspace& w, double* const* out) {
+        *out[0] = kte::potential_energy(k, w.state, w.x[0]);
+      });
+  define<2>(m,
+            {"kinetic_energy",
+             "kinetic_energy(chain, q, v, *, inputs=None, threads=None, errors=\"raise\")\n\nKinetic energy, J.",
              a_number, 1},
             [](const runtime_chain& k, workspace& w, double* const* out) {
-              *out[0] = kte::potential_energy(k, w.state, w.x[0]);
+              *out[0] = kte::kinetic_energy(k, w.state, w.x[0], w.x[1]);
             });
-  define<2>(
-      m,
-      {"kinetic_energy",
-       "kinetic_energy(chain, q, v, *, inputs=None, threads=None, errors=\"raise\")\n\nKinetic energy, J.", a_number, 1},
-      [](const runtime_chain& k, workspace& w, double* const* out) {
-        *out[0] = kte::kinetic_energy(k, w.state, w.x[0], w.x[1]);
-      });
   define<2>(m,
             {"energy",
              "energy(chain, q, v, *, inputs=None, threads=None, errors=\"raise\")\n\n`.kinetic` and `.potential` "
@@ -76,15 +77,16 @@ void bind_momentum(py::module_& m) {
             [](const runtime_chain& k, workspace& w, double* const* out) {
               write(kte::centre_of_mass_jacobian(k, w.state, w.x[0]), out[0]);
             });
-  define<2>(m,
-            {"centroidal_momentum",
-             "centroidal_momentum(chain, q, v, *, inputs=None, threads=None, errors=\"raise\")\n\n`.linear`, kg m/s, and "
-             "`.angular` momentum about the centre of mass, kg m^2/s, in axes of the base.",
-             two_xyz, 1, "LinearAngular"},
-            [](const runtime_chain& k, workspace& w, double* const* out) {
-              const auto h = kte::centroidal_momentum(k, w.state, w.x[0], w.x[1]);
-              write_xyz(h.linear, out[0]), write_xyz(h.angular, out[1]);
-            });
+  define<2>(
+      m,
+      {"centroidal_momentum",
+       "centroidal_momentum(chain, q, v, *, inputs=None, threads=None, errors=\"raise\")\n\n`.linear`, kg m/s, and "
+       "`.angular` momentum about the centre of mass, kg m^2/s, in axes of the base.",
+       two_xyz, 1, "LinearAngular"},
+      [](const runtime_chain& k, workspace& w, double* const* out) {
+        const auto h = kte::centroidal_momentum(k, w.state, w.x[0], w.x[1]);
+        write_xyz(h.linear, out[0]), write_xyz(h.angular, out[1]);
+      });
   define<3>(m,
             {"centroidal_momentum_rate",
              "centroidal_momentum_rate(chain, q, v, a, *, inputs=None, threads=None, errors=\"raise\")\n\nThe time "
@@ -94,14 +96,15 @@ void bind_momentum(py::module_& m) {
               const auto h = kte::centroidal_momentum_rate(k, w.state, w.x[0], w.x[1], w.x[2]);
               write_xyz(h.linear, out[0]), write_xyz(h.angular, out[1]);
             });
-  define<1>(m,
-            {"centroidal_momentum_matrix",
-             "centroidal_momentum_matrix(chain, q, *, inputs=None, threads=None, errors=\"raise\")\n\nA, (6, nv), linear "
-             "rows first: centroidal_momentum = A v.",
-             six_by_n, 2},
-            [](const runtime_chain& k, workspace& w, double* const* out) {
-              write(kte::centroidal_momentum_matrix(k, w.state, w.x[0]), out[0]);
-            });
+  define<1>(
+      m,
+      {"centroidal_momentum_matrix",
+       "centroidal_momentum_matrix(chain, q, *, inputs=None, threads=None, errors=\"raise\")\n\nA, (6, nv), linear "
+       "rows first: centroidal_momentum = A v.",
+       six_by_n, 2},
+      [](const runtime_chain& k, workspace& w, double* const* out) {
+        write(kte::centroidal_momentum_matrix(k, w.state, w.x[0]), out[0]);
+      });
   define_of_frame<1>(
       m,
       {"subtree_inertia",

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <pybind11/pybind11.h>
-
 #include <kte/models/runtime_dynamics_model.hpp>
+
 #include <memory>
+#include <pybind11/pybind11.h>
 #include <string>
 #include <vector>
 

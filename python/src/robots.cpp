@@ -1,13 +1,13 @@
 #include "robots.hpp"
 
-#include <pybind11/stl.h>
-#include <pybind11/stl/filesystem.h>
-
 #include <kte/robots/check_robot.hpp>
 #include <kte/robots/load_robot.hpp>
 #include <kte/robots/mjcf_writer.hpp>
 #include <kte/robots/motors.hpp>
 #include <kte/robots/urdf_writer.hpp>
+
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
 
 #include "call.hpp"
 #include "parts.hpp"
@@ -42,8 +42,8 @@ py::object limits_of(const kte::joint_limits<>& l) {
   const auto list = [](const std::vector<double>& x) {
     return to_array(Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(x.data(), static_cast<Eigen::Index>(x.size()))));
   };
-  return result("Limits", py::make_tuple(list(l.lower), list(l.upper), list(l.rate), list(l.acceleration),
-                                         list(l.jerk), list(l.effort)));
+  return result("Limits", py::make_tuple(list(l.lower), list(l.upper), list(l.rate), list(l.acceleration), list(l.jerk),
+                                         list(l.effort)));
 }
 
 kte::robot_options options_from(py::handle gravity, const std::string& root, bool floating_base, bool fold_fixed,
@@ -115,8 +115,8 @@ void bind_robots(py::module_& m) {
           [](const robot_object& r) {
             py::dict all;
             for (const auto& c : r.robot.configurations)
-              all[py::str(c.name)] = to_array(
-                  Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(c.q.data(), static_cast<Eigen::Index>(c.q.size()))));
+              all[py::str(c.name)] = to_array(Eigen::VectorXd(
+                  Eigen::Map<const Eigen::VectorXd>(c.q.data(), static_cast<Eigen::Index>(c.q.size()))));
             return all;
           },
           "Named configurations, such as MJCF keyframes: a dict of q.")
@@ -215,13 +215,15 @@ N/m or Nm/rad, they are servos, whose commands are positions. `stop_*`: stops at
   };
   writer(
       "to_urdf",
-      "to_urdf(robot, *, lossy=False)\n\nA robot or chain as a text in URDF. What cannot be written is refused, or with "
+      "to_urdf(robot, *, lossy=False)\n\nA robot or chain as a text in URDF. What cannot be written is refused, or "
+      "with "
       "`lossy` a RobotWarning.",
       [](const kte::robot& r, const auto& o) { return kte::to_urdf(r, o); },
       [](const kte::runtime_chain& c, const auto& o) { return kte::to_urdf(c, "robot", o); });
   writer(
       "to_mjcf",
-      "to_mjcf(robot, *, lossy=False)\n\nA robot or chain as a text in MJCF. What cannot be written is refused, or with "
+      "to_mjcf(robot, *, lossy=False)\n\nA robot or chain as a text in MJCF. What cannot be written is refused, or "
+      "with "
       "`lossy` a RobotWarning.",
       [](const kte::robot& r, const auto& o) { return kte::to_mjcf(r, o); },
       [](const kte::runtime_chain& c, const auto& o) { return kte::to_mjcf(c, "robot", o); });

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <pybind11/pybind11.h>
-
 #include <kte/robots/robot.hpp>
+
+#include <pybind11/pybind11.h>
 
 namespace kte_python {
 

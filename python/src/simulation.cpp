@@ -1,8 +1,8 @@
 #include "simulation.hpp"
 
-#include <pybind11/stl.h>
-
 #include <kte/io/model_inputs.hpp>
+
+#include <pybind11/stl.h>
 
 #include "call.hpp"
 #include "parts.hpp"
@@ -50,8 +50,8 @@ simulation::simulation(py::object drawn, kte::runtime_chain c, py::object contro
     auto& e = events_[i];
     if (e.name.empty()) e.name = "event " + std::to_string(i);
     if (e.reset.is_none()) {
-      lists_.plain.emplace_back(event_value{this, i}, e.direction, e.terminal, e.one_sided,
-                                kte::detail::no_handler{}, kte::detail::no_handler{}, e.name);
+      lists_.plain.emplace_back(event_value{this, i}, e.direction, e.terminal, e.one_sided, kte::detail::no_handler{},
+                                kte::detail::no_handler{}, e.name);
     } else {
       lists_.acting.emplace_back(event_value{this, i}, e.direction, e.terminal, e.one_sided, event_reset{this, i},
                                  kte::detail::no_handler{}, e.name);
@@ -67,8 +67,10 @@ void simulation::start(const Eigen::VectorXd& q, const Eigen::VectorXd& v, doubl
   if (!solver_) solver_ = make_stiff_solver(plant_, x, t, o);
   if (!solver_) solver_ = make_fixed_step_solver(plant_, x, t, o);
   if (!solver_)
-    throw kte::bad_argument("kte: there is no solver '" + o.name + "', but " + solvers_with_tolerances + "; of a fixed "
-                            "step " + solvers_of_fixed_step);
+    throw kte::bad_argument("kte: there is no solver '" + o.name + "', but " + solvers_with_tolerances +
+                            "; of a fixed "
+                            "step " +
+                            solvers_of_fixed_step);
 }
 
 void simulation::set_control(py::object control) {

@@ -1,8 +1,7 @@
 #pragma once
 
-#include <pybind11/pybind11.h>
-
 #include <chrono>
+#include <pybind11/pybind11.h>
 
 #include "coordinate_forces.hpp"
 #include "recording.hpp"
@@ -14,8 +13,8 @@ namespace kte_python {
 class simulation : public callbacks {
  public:
   /// `drawn` is what the program simulates.
-  simulation(py::object drawn, kte::runtime_chain c, py::object control, const py::dict& inputs,
-             const py::list& events, bool of_time_alone);
+  simulation(py::object drawn, kte::runtime_chain c, py::object control, const py::dict& inputs, const py::list& events,
+             bool of_time_alone);
   simulation(const simulation&) = delete;
   simulation& operator=(const simulation&) = delete;
 

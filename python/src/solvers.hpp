@@ -5,6 +5,7 @@
 #include <kte/integrators/tolerances.hpp>
 #include <kte/models/modes.hpp>
 #include <kte/models/vector_form.hpp>
+
 #include <memory>
 #include <span>
 

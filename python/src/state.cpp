@@ -1,6 +1,6 @@
-#include <pybind11/stl.h>
-
 #include <kte/dynamics/state_vectors.hpp>
+
+#include <pybind11/stl.h>
 
 #include "call.hpp"
 #include "parts.hpp"
@@ -37,10 +37,9 @@ py::object frame_of(const state_object& x, const std::string& name) {
   const auto& f = x.s.get<kte::kind::frame_2D>(index);
   Eigen::Matrix3d rotation;
   rotation << f.rotation.cos, -f.rotation.sin, 0, f.rotation.sin, f.rotation.cos, 0, 0, 0, 1;
-  return result("Frame",
-                py::make_tuple(planar(f.position), to_array(Eigen::MatrixXd(rotation)), planar(f.velocity),
-                               about_z(f.ang_velocity), planar(f.acceleration), about_z(f.ang_acceleration),
-                               planar(f.force), about_z(f.torque)));
+  return result("Frame", py::make_tuple(planar(f.position), to_array(Eigen::MatrixXd(rotation)), planar(f.velocity),
+                                        about_z(f.ang_velocity), planar(f.acceleration), about_z(f.ang_acceleration),
+                                        planar(f.force), about_z(f.torque)));
 }
 
 }  // namespace

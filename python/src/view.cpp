@@ -1,8 +1,8 @@
-#include <pybind11/stl.h>
-#include <pybind11/stl/filesystem.h>
-
 #include <kte/io/recording.hpp>
 #include <kte/view.hpp>
+
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
 
 #include "call.hpp"
 #include "parts.hpp"
@@ -25,7 +25,8 @@ std::size_t nv(const recording_object& r) { return static_cast<std::size_t>(r.ch
 
 /// The columns of a table of quantities, t first.
 py::dict columns_of(const recording_object& r, py::handle names) {
-  const kte::detail::recording what(kte::detail::slots_of(r.chain), names.is_none() ? std::vector<std::string>() : names_from(names));
+  const kte::detail::recording what(kte::detail::slots_of(r.chain),
+                                    names.is_none() ? std::vector<std::string>() : names_from(names));
   const std::size_t columns = what.columns.size() - 1;
   std::vector<double> numbers(r.rows() * columns);
   {
@@ -49,9 +50,9 @@ py::list events_of(const recording_object& r) {
     return to_array(Eigen::VectorXd(x.segment(static_cast<Eigen::Index>(first), static_cast<Eigen::Index>(count))));
   };
   for (const auto& e : r.events)
-    all.append(result("EventOccurrence",
-                      py::make_tuple(e.name, e.time, part(e.after, 0, nq(r)), part(e.after, nq(r), nv(r)),
-                                     part(e.before, 0, nq(r)), part(e.before, nq(r), nv(r)))));
+    all.append(
+        result("EventOccurrence", py::make_tuple(e.name, e.time, part(e.after, 0, nq(r)), part(e.after, nq(r), nv(r)),
+                                                 part(e.before, 0, nq(r)), part(e.before, nq(r), nv(r)))));
   return all;
 }
 
@@ -86,7 +87,8 @@ void write_page(py::handle x, const std::filesystem::path& path, const std::stri
 
 void bind_view(py::module_& m) {
   using namespace py::literals;
-  py::class_<recording_object>(m, "Recording", R"(A motion: times, states and inputs. Other quantities are computed when asked for:
+  py::class_<recording_object>(m, "Recording",
+                               R"(A motion: times, states and inputs. Other quantities are computed when asked for:
 
     rec["tip/position/x"]               one column, or several: rec[["q", "q/f"]]
     rec.to_pandas(["tip/velocity"])     a table with the column t)")

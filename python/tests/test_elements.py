@@ -85,3 +85,18 @@ def test_inertias_may_be_given_in_several_ways():
 def test_wrong_parameters_say_what_is_expected(make, sentence):
     with pytest.raises((kte.BadParameter, TypeError), match=sentence):
         make()
+
+
+def test_joints_of_two_coordinates_are_two_joints():
+    place = dict(position=[0.1, 0, 0])
+    leg = kte.Chain(
+        kte.universal_joint_3D("pitch", "yaw", "base", "shaft", [1, 0, 0], [0, 1, 0], **place),
+        kte.cylindrical_joint_3D("roll", "stroke", "shaft", "rod", [0, 0, 1]),
+        kte.hooke_joint_3D("flexion", "inversion", "rod", "foot", [0, 1, 0], [1, 0, 0], [0, 0, -0.02]),
+        kte.fixed_joint_3D("foot", "sole", [0, 0, -0.1]),
+    )
+    assert leg.coordinates == ["pitch", "yaw", "roll", "stroke", "flexion", "inversion"]
+    pose = kte.forward_kinematics(leg, [0, 0, 0, 0.3, 0, 0], "sole")
+    np.testing.assert_allclose(pose.position, [0.1, 0, 0.3 - 0.02 - 0.1], atol=1e-15)
+    with pytest.raises(kte.BadParameter, match="must not be parallel"):
+        kte.universal_joint_3D("a", "b", "c", "d", [1, 0, 0], [1, 0, 0])
