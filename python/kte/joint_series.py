@@ -14,8 +14,8 @@ __all__ = ["cylindrical_joint_3D", "universal_joint_3D", "hooke_joint_3D", "fixe
 
 
 def _check_axes(axis1: ArrayLike, axis2: ArrayLike) -> None:
-    if not np.linalg.norm(np.cross(axis1, axis2)) > 1e-6:
-        raise BadParameter(f"kte: the axes of a universal joint must not be parallel, got {axis1} and {axis2}")
+    if not np.linalg.norm(np.cross(np.asarray(axis1, float), np.asarray(axis2, float))) > 1e-6:
+        raise BadParameter(f"kte: the axes of a universal joint must not be parallel, got {axis1!r} and {axis2!r}")
 
 
 def cylindrical_joint_3D(

@@ -28,7 +28,7 @@ py::array as_doubles(const char* name, py::handle x) {
   return doubles;
 }
 
-/// Of an array that need not be aligned.
+/// A number at an address that need not be aligned.
 double number_at(const void* x) {
   double number;
   std::memcpy(&number, x, sizeof number);

@@ -27,7 +27,7 @@ class numbers {
     const char* from = data_ + state * state_stride_;
     for (Py_ssize_t i = 0; i < n_; ++i) std::memcpy(&x[i], from + i * stride_, sizeof(double));  // may not be aligned
   }
-  /// All numbers side by side, of so many states, for which a single one is repeated.
+  /// The numbers of n states side by side; a single state is repeated.
   const double* contiguous(Py_ssize_t states, std::vector<double>& memory) const;
   const char* name() const { return name_; }
 

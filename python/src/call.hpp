@@ -8,7 +8,7 @@
 
 namespace kte_python {
 
-/// Of what numbers an argument is.
+/// The vector that an argument is.
 enum class argument_of { q, v };
 /// An argument of a call: its name and what was passed.
 struct argument {

@@ -66,7 +66,7 @@ void define(py::module_& m, const definition& d, F f) {
         "errors"_a = "raise");
 }
 
-/// The same with the name of a frame as last argument: f(chain, workspace, frame, out).
+/// A function of q, (q, v) or (q, v, a) and the name of a frame: f(chain, workspace, frame, out).
 template <int Arguments, class F>
 void define_of_frame(py::module_& m, const definition& d, F f) {
   using namespace py::literals;

@@ -59,7 +59,7 @@ Forward dynamics and its derivatives: `.a`, and the matrices `.by_q`, `.by_v`, `
       [](py::handle chain) { return to_array(kte::inertial_parameters(chain_of(chain).chain())); },
       R"(inertial_parameters(chain)
 
-The inertial parameters pi of all bodies, in the order of the chain. Of a body in space they are m, m c_x, m c_y, m c_z,
+The inertial parameters pi of all bodies, in the order of the chain. Those of a body in space are m, m c_x, m c_y, m c_z,
 I_xx, I_xy, I_yy, I_xz, I_yz, I_zz about the origin of its frame; in the plane m, m c_x, m c_y, I_zz; kg, kg m, kg m^2.)",
       "chain"_a);
   m.def(

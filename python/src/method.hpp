@@ -39,7 +39,7 @@ std::unique_ptr<any_solver> solver_of(plant& p, const plant::state& x, double t,
   using solver = Method<std::reference_wrapper<plant>, plant::state>;
   return std::make_unique<method<solver>>(p, [&] { return solver(std::ref(p), t, x, how); });
 }
-/// The same of multistep methods, which move states as vectors.
+/// A multistep method, which moves states as vectors.
 template <template <class, class> class Method, class How>
 std::unique_ptr<any_solver> vector_solver_of(plant& p, const plant::state& x, double t, const How& how) {
   using form = kte::vector_form<std::reference_wrapper<plant>>;

@@ -133,7 +133,7 @@ void bind_robots(py::module_& m) {
           "Why the robot moves differently from that of the file, and what is odd about the file: `Note`s.")
       .def_property_readonly(
           "not_read", [](const robot_object& r) { return notes_of(r.robot.not_read); },
-          "What was not read and does not change the motion: `Note`s.")
+          "Contents of the file that were not read and do not change the motion: `Note`s.")
       .def(
           "check",
           [](const robot_object& r) {

@@ -49,7 +49,7 @@ void bind_state(py::module_& m) {
   py::class_<state_object>(m, "State", R"(State(chain, q=None, v=None, a=None, *, inputs=None)
 
 All coordinates, frames and signals of a chain, for the passes: `do_motion` computes the motion of frames, `do_force` the
-forces from the tips to the bases. It is of the chain as it was when the state was made.)")
+forces from the tips to the bases. The state keeps the chain of the moment when it was made.)")
       .def(py::init([](py::handle chain, py::handle q, py::handle v, py::handle a, py::handle inputs) {
              const auto& c = chain_of(chain);
              auto s = std::make_unique<state_object>(state_object{py::cast(c), c.chain().make_state()});
