@@ -70,7 +70,8 @@ std::unique_ptr<robot_object> as_object(kte::robot r) {
 
 std::string repr_of(const robot_object& r) {
   const auto& c = chain_of(r.chain).chain();
-  std::string s = "<kte.Robot '" + r.robot.name + "': " + std::to_string(c.dofs()) + " degrees of freedom";
+  std::string s = "<kte.Robot '" + r.robot.name + "': " + std::to_string(c.dofs()) +
+                  (c.dofs() == 1 ? " degree of freedom" : " degrees of freedom");
   if (!r.robot.motors.empty()) s += ", " + std::to_string(r.robot.motors.size()) + " motors";
   if (!r.robot.file.empty()) s += ", from " + r.robot.file;
   return s + ">";

@@ -25,7 +25,7 @@ def test_robots_have_chains_limits_and_notes():
     assert arm.name == "arm" and arm.joints == ["shoulder"] and arm.chain.frames[:2] == ["ground", "arm"]
     assert arm.limits.lower == [-2] and arm.limits.upper == [2] and arm.limits.rate == [3] and arm.limits.effort == [50]
     assert "transmission 'drive'" in arm.not_read[0].text and arm.not_read[0].line == 13
-    assert repr(arm).startswith("<kte.Robot 'arm': 1 degrees of freedom")
+    assert repr(arm).startswith("<kte.Robot 'arm': 1 degree of freedom")
     assert "physically realizable" in " ".join(arm.check())
 
 
