@@ -121,6 +121,6 @@ constexpr auto coupled_by(const L& loop, const Q1& q1, const Q2& q2, const Q3& q
 }
 
 KTE_CALL(coupled_coordinates, "(loop, coordinate1, coordinate2, factor1, factor2[, constant])")
-KTE_CALL(coupled_by_polynomial, "(loop, q1, q2, c0, c1[, c2, c3, c4])")
+KTE_CALL(coupled_by_polynomial, "(loop, coordinate1, coordinate2, c0, c1[, c2, c3, c4])")
 
 }  // namespace kte
