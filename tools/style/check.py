@@ -3,7 +3,7 @@
 
   phrases       odd phrases in documentation, comments and messages (phrases.txt beside this file has better ones)
   words         private words, in names too
-  long lines    prose over 140 columns, without the targets of links
+  long lines    comments over 140 columns; sentences of documentation over 140, without code and the targets of links
   undocumented  public names without a doc comment
   format        files that clang-format would change; only with --format, which takes 6 s
 
@@ -97,13 +97,14 @@ def places(root, files, lists):
     for file in files:
         content = open(os.path.join(root, file), encoding='utf-8').read()
         lines = content.split('\n')
-        prose = list((prose_of_markdown if file.endswith('.md') else prose_of_code)(content))
+        markdown = file.endswith('.md')
+        prose = list((prose_of_markdown if markdown else prose_of_code)(content))
         text, offsets, numbers = joined(prose)
         for match, better in matches(text, lists['phrases']):
             line = numbers[max(bisect.bisect_right(offsets, match.start() + 1) - 1, 0)]
             found['phrases'].append((file, line, f'"{match[0].strip(" .;:,")}": {better}'))
-        for number, _, measured in prose:
-            columns = len(re.sub(r'\]\([^)]*\)', ']', lines[number - 1]) if file.endswith('.md') else lines[number - 1])
+        for number, sentence, measured in prose:
+            columns = len(re.sub(r'\]\([^)]*\)', ']', sentence) if markdown else lines[number - 1])
             if measured and columns > COLUMNS:
                 found['long lines'].append((file, number, f'{columns} columns'))
         if not re.search(FORMER, file):
