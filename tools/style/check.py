@@ -3,7 +3,7 @@
 
   phrases       odd phrases in documentation, comments and messages (phrases.txt beside this file has better ones)
   words         private words, in names too
-  long lines    comments over 140 columns; sentences of documentation over 140, without code and the targets of links
+  long lines    prose over 140 columns; in Markdown without code and the targets of links
   undocumented  public names without a doc comment
   format        files that clang-format would change; only with --format, which takes 6 s
 

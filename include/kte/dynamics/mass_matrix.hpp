@@ -17,8 +17,8 @@ namespace kte {
 ///   mass_matrix(c, s, q)    of a runtime chain, in the state s; the first call allocates memory
 ///   mass_matrix(c, s)       of both, at the positions of a state
 ///
-/// Arguments and errors as for `inverse_dynamics`. Throws `bad_argument` also for a chain with an element that has more
-/// than the data of a body node.
+/// Arguments and errors are those of `inverse_dynamics`. Throws `bad_argument` also for chains that trees of body nodes
+/// do not describe (docs/algorithms.md, "What is refused").
 template <class Gravity, class... E, indexable Q>
 [[nodiscard]] auto mass_matrix(const static_chain<Gravity, E...>& c, const Q& q) {
   using chain_type = static_chain<Gravity, E...>;
@@ -40,7 +40,7 @@ template <class Gravity, class... E, class S>
 
 #endif
 
-// ---- of runtime chains (kte/dynamics/runtime_parts.hpp)
+// ---- runtime chains (kte/dynamics/runtime_parts.hpp)
 
 #if defined(KTE_RUNTIME_CHAINS) && !defined(KTE_MASS_MATRIX_OF_RUNTIME_CHAINS)
 #define KTE_MASS_MATRIX_OF_RUNTIME_CHAINS
