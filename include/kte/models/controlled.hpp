@@ -11,11 +11,11 @@
 namespace kte {
 
 namespace detail {
-/// For laws without their own states.
+/// The placeholder for laws without their own states.
 struct no_rates {};
 template <class>
 inline constexpr bool never = false;
-/// What law_rates of N states gave.
+/// Checks that law_rates of N states has returned N numbers.
 template <int N, class Rates>
 void check_law_rates(const Rates& c_dot) {
   static_assert(holds<Rates, N>, "kte: the rates of a law have another number of entries than the law has states");
@@ -50,21 +50,21 @@ inline constexpr int size_of_column = [] {
 ///   kte::controlled arm(model, [&](double t, const auto& x) { return torques(t, x); });
 ///   kte::dormand_prince45 solver(std::ref(arm), 0.0, arm.make_x(q, v));
 ///
-/// x is the state of the model. In (2) the law has states c, such as the integral of a PID controller. They begin at
-/// c0, an std::array or Eigen vector of fixed size, and the state that integrators see is (x, c), c the last of its
-/// internal states:
+/// x is the state of the model. In (2) the law has states c, such as the integral of a PID controller. They start at
+/// c0, a std::array or Eigen vector of fixed size. Integrators then see the state (x, c), with c as the last internal
+/// states:
 ///
 ///   kte::controlled arm(model, torques, errors, std::array{0.0});
 ///
-/// The law returns as many numbers as there are inputs, its rates as many as there are states c, as anything with
-/// operator[]; otherwise an evaluation throws `bad_argument`.
+/// The law returns one number per input, and its rates one number per state c, as anything with operator[]; otherwise
+/// an evaluation throws `bad_argument`.
 ///
-/// `element_events(arm)` are the events of its elements under the law, `settled(arm, t, x)` the modes of its friction.
+/// `element_events(arm)` are the events of the elements under the law; `settled(arm, t, x)` sets the modes of friction.
 ///
-/// The model is copied; `std::ref(model)` shares it, so that its inputs are seen there. The law sets all inputs at
-/// every evaluation; inputs cannot be set in other ways. The states are those of the model, also where there are
-/// rotations: `displace`, `pull_back`, `magnitudes`, `rounding` are as of the model. Stiff methods compute its Jacobian
-/// by differences.
+/// The model is copied; `std::ref(model)` shares it, so that its inputs can be read there. The law sets all inputs at
+/// every evaluation; inputs cannot be set in other ways. States are those of the model, also with rotations:
+/// `displace`, `pull_back`, `magnitudes`, `rounding` are those of the model. Stiff methods compute its Jacobian by
+/// differences.
 template <class Model, class Law, class Rates = detail::no_rates, int N = 0>
 class controlled {
   using shared = std::remove_reference_t<decltype(detail::unwrapped(std::declval<Model&>()))>;
@@ -95,14 +95,14 @@ class controlled {
   const model_type& model() const { return detail::unwrapped(model_); }
   /// The chain of the model.
   decltype(auto) chain() const { return model().chain(); }
-  /// The law; `law_rates`: the rates of its states.
+  /// The control law.
   Law& law() { return law_; }
   Rates& law_rates() { return law_rates_; }
 
   decltype(auto) operator()(const S& t, const state& x) {
     return follow(t, x, [&](const model_state& own) -> decltype(auto) { return model()(t, own); });
   }
-  /// x' under the law. Throws as the model, and `bad_argument` if the law returns a wrong number of inputs.
+  /// x' under the law. Throws what the model throws, and `bad_argument` if the law returns a wrong number of inputs.
   decltype(auto) computeStateRate(const S& t, const state& x) {
     return follow(t, x, [&](const model_state& own) -> decltype(auto) { return model().computeStateRate(t, own); });
   }
@@ -128,8 +128,8 @@ class controlled {
     }
   }
 
-  /// Evaluates the law and sets the inputs of the model. Throws `bad_argument` for an x of wrong size, as all functions
-  /// of x do.
+  /// Evaluates the law and sets the inputs of the model. Throws `bad_argument` for an x of wrong size, like all
+  /// functions of x.
   void set_inputs(const S& t, const state& x) {
     check_state(x);
     if constexpr (N == 0) {
@@ -157,18 +157,18 @@ class controlled {
   void forces_at(const V&) const = delete;
 
   // ---- states: (q, v, z, c)
-  /// How many numbers (x, c) has.
+  /// The size of (x, c).
   int state_size() const { return model().state_size() + N; }
-  /// How many numbers (x', c') has.
+  /// The size of (x', c').
   int rates() const { return model().rates() + N; }
-  /// How many numbers v has.
+  /// The size of v.
   int velocity_count() const { return model().velocity_count(); }
-  /// How many internal states there are, with those of the law.
+  /// The number of internal states, including those of the law.
   int internals() const { return model().internals() + N; }
-  /// The coordinates of the model, with their places in q and v.
+  /// The coordinates of the model, with their positions in q and v.
   auto freedoms() const { return model().freedoms(); }
 
-  /// The state of the model at q and v, with z = 0 or as given, and of the law at its start.
+  /// The state at q and v, with z = 0 or as given, and with the law at its initial state.
   template <class... QVZ>
   state make_x(const QVZ&... qvz) const {
     return with_law(model().make_x(qvz...), start_);
@@ -200,18 +200,18 @@ class controlled {
   }
   /// The states c of the law.
   auto law_states_of(const state& x) const { return check_state(x), x.template tail<N>(); }
-  /// (x, c) of a state of the chain, with c at its start.
+  /// The state x of a state of the chain, with c at its start.
   template <class ChainState>
   state getJointStates(const ChainState& s) const {
     return with_law(model().getJointStates(s), start_);
   }
-  /// Puts x into a state of the chain.
+  /// Stores x in a state of the chain.
   template <class ChainState>
   void setJointStates(const state& x, ChainState& s) const {
     model().setJointStates(own_part(x), s);
   }
 
-  // ---- motion on the group, as the model's
+  // ---- motion on the group, by the model
   static constexpr bool on_group = moves_on_group<model_type, model_state>;  ///< whether there are rotations
   void displace(const state& x, const rate& d, state& out) const requires(on_group) {
     out.resize(x.size());
@@ -242,7 +242,7 @@ class controlled {
   static constexpr bool settles = detail::settles_states<model_type, model_state>;
   /// Whether the chain of the model has closures of loops.
   bool has_loops() const requires(settles) { return model().has_loops(); }
-  /// To be called at the start of a step from x.
+  /// Called at the start of a step from x.
   void begin_step(const state& x) const requires(settles) { model().begin_step(own_part(x)); }
   /// Projects the state `out` = x (+) d onto the constraints.
   void settle(const state& x, rate& d, state& out) const requires(settles) {
@@ -259,7 +259,7 @@ class controlled {
   }
 
  private:
-  /// How many numbers q, v and z of the model have.
+  /// The sizes of q, v and z of the model.
   template <int Part>
   static constexpr int size_of = [] {
     using m = const model_type&;
@@ -302,7 +302,7 @@ class controlled {
   [[no_unique_address]] Rates law_rates_{};
   law_state start_;
   rate rate_ = blank<rate>();
-  // To work in.
+  // Working memory.
   mutable model_state part_ = blank<model_state>(), moved_ = part_;
   mutable model_rate rate_part_ = blank<model_rate>(), changed_ = rate_part_;
 };

@@ -5,8 +5,8 @@
 
 namespace kte {
 
-/// A chain as a model for controllers that compute forces from motions. It derives from the chain, so that it can be an
-/// element of larger chains and all algorithms apply.
+/// A chain as a model for controllers that compute forces from motions. It derives from the chain, so that all
+/// algorithms accept it and it can be an element of larger chains.
 ///
 ///   kte::inverse_dynamics_model arm(chain);
 ///   auto tau = arm.computeForces(q, v, a);

@@ -53,19 +53,19 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
     if constexpr (size::z > 0) detail::internal_rates(this->chain(), at, v, bases, &r[2 * size::v]);
     return r;
   }
-  /// x' of (1), for integrators. If it throws, they try a shorter step, or report the time and the cause.
+  /// x' of (1), for integrators. If it throws, integrators try a shorter step, or report the time and the cause.
   rate operator()(const S& t, const state& x) const { return computeStateRate(t, x); }
   /// x' of a vector of dynamic size, which is checked first; `state_at` and `computeOutput` likewise.
   template <class X>
   requires(X::SizeAtCompileTime == Eigen::Dynamic) rate operator()(const S& t, const Eigen::MatrixBase<X>& x) const {
     return computeStateRate(t, this->checked(x.derived()));
   }
-  /// The derivatives of x' by displacements from x, which have as many numbers as x'
-  /// (models/detail/rate_derivatives.hpp): for states of numbers, J_ij = d x'_i / d x_j. Exact to rounding; inputs are
-  /// as set. Stiff methods use it.
+  /// The Jacobian of x': derivatives by displacements from x, square of the size of x'
+  /// (models/detail/rate_derivatives.hpp); without rotations J_ij = d x'_i / d x_j. Exact to rounding; inputs are as
+  /// set. Stiff methods use it.
   using jacobian_matrix = Eigen::Matrix<S, size::x_dot, size::x_dot>;
-  /// False for chains with load-dependent friction and internal states, for which stiff methods use differences: the
-  /// friction depends on accelerations, and so do these states.
+  /// False for chains with both load-dependent friction and internal states, because the friction depends on
+  /// accelerations, and so do these states. Stiff methods then use differences.
   static constexpr bool has_jacobian = size::z == 0 || !(detail::load_dependent_friction<typename E::core_type> || ...);
   jacobian_matrix jacobian(const S& t, const state& x) const requires(has_jacobian) {
     jacobian_matrix j;
@@ -73,7 +73,7 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
     return j;
   }
   void jacobian(const S& t, const state& x, jacobian_matrix& j) const requires(has_jacobian) { derive(t, x, j); }
-  /// (J B): `jacobian` and the derivatives of x' by inputs. Without a `jacobian`, all are computed by dual numbers.
+  /// (J B): `jacobian`, and the derivatives B of x' by inputs. Without `jacobian`, both are computed by dual numbers.
   auto jacobian_with_inputs(const S& t, const state& x) const {
     Eigen::Matrix<S, size::x_dot, size::x_dot + size::u> j;
     if constexpr (has_jacobian) {
@@ -83,7 +83,7 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
     }
     return j;
   }
-  /// The generalized forces M a at x, N and Nm: those of gravity, elements and inputs, less Coriolis and centrifugal
+  /// The generalized forces M a at x, N and Nm: those of gravity, elements and inputs, minus Coriolis and centrifugal
   /// forces.
   joint_vector<S, size::v> forces_at(const state& x, const S& t = S(0)) const {
     const S *q = x.data(), *v = q + size::q;
@@ -118,7 +118,7 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
   }
 
   using base::input;
-  /// The value of an input: `model.input(motor) = 2.0`; for an input of three numbers a vector of Eigen.
+  /// The value of an input: `model.input(motor) = 2.0`. An input of three numbers is an Eigen vector.
   template <key_type Key>
   decltype(auto) input(const Key&) {
     constexpr int slot = wiring::template find<Key>();
@@ -188,7 +188,7 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
   }
   /// Whether the output is a function of `with_output`, not (q, v).
   static constexpr bool has_output() { return !std::is_void_v<Output>; }
-  /// The system in another scalar: in dual numbers its rates and outputs have derivatives.
+  /// The system in another scalar, such as dual numbers, with which rates and outputs have derivatives.
   template <class T>
   auto in_scalar() const {
     const auto made = [this] {
@@ -253,7 +253,7 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
     if constexpr (J::ColsAtCompileTime > 2 * size::v)
       detail::derive_signals(this->chain(), t, x, this->u_, of_accelerations, j);
   }
-  /// As in models/detail/rate_derivatives.hpp, all of it by dual numbers.
+  /// All derivatives of models/detail/rate_derivatives.hpp by dual numbers.
   template <class J>
   void derive_by_duals(const S& t, const state& x, J& j) const {
     using number = dual<S, 4>;
@@ -271,7 +271,7 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
     }
     for (const detail::freedom& f : this->freedoms()) detail::add_variation_of_pull_back<S>(f, at_x, j);
   }
-  /// At rest, with the signals of the chain.
+  /// Bases at rest, with the signals of the chain.
   auto bases_at(const S& t, const S* z) const {
     return detail::with_signals<wiring>(detail::base_under_gravity(this->chain()), t, this->u_.data(), z);
   }

@@ -7,13 +7,13 @@
 namespace kte {
 
 /// A chain with its tools, the frames of interest: their poses, Jacobians and motions. It derives from the chain, so
-/// that it can be an element of larger chains and all algorithms apply.
+/// that all algorithms accept it and it can be an element of larger chains.
 ///
 ///   kte::manipulator_kinematics_model arm(chain, tool);
 ///   auto [R, p] = arm.getDependentPoses(q)[0];
 ///
-/// Jacobians and motions are in world axes, linear before angular, the frames stacked, as `jacobian(c, q, frame,
-/// in_world_axes)`.
+/// Jacobians and motions are in world axes, linear rows before angular ones, one frame after the other, like
+/// `jacobian(c, q, frame, in_world_axes)`.
 template <class Chain, key_type... Frames>
 class manipulator_kinematics_model : public Chain {
   static_assert(sizeof...(Frames) > 0, "kte: a kinematics model needs a frame that depends on the joints");
@@ -78,7 +78,7 @@ class manipulator_kinematics_model : public Chain {
   constexpr const Chain& chain() const { return *this; }
 
  private:
-  /// Throws `bad_argument` that names the argument at fault, unless these numbers are finite.
+  /// Throws `bad_argument`, naming the argument at fault, unless these numbers are finite.
   template <class X, class Q, class V>
   static void check(const X& x, std::size_t count, const char* what, const Q& q, const V& v) {
     using S = value_of<Q>;

@@ -37,7 +37,7 @@ class inverse_dynamics_model<runtime_chain> : public unchanging_chain {
   }
 
  private:
-  mutable runtime_state s_;  // to work in
+  mutable runtime_state s_;  // working memory
 };
 inverse_dynamics_model(const runtime_chain&)->inverse_dynamics_model<runtime_chain>;
 
@@ -90,7 +90,7 @@ class manipulator_kinematics_model<runtime_chain> : public unchanging_chain {
 
  private:
   std::vector<std::string> frames_;
-  mutable runtime_state s_;  // to work in
+  mutable runtime_state s_;  // working memory
 };
 manipulator_kinematics_model(const runtime_chain&, std::vector<std::string>)
     ->manipulator_kinematics_model<runtime_chain>;

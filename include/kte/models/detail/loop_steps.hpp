@@ -4,19 +4,20 @@
 #include <kte/dynamics/configuration_space.hpp>
 #include <kte/dynamics/state_vectors.hpp>
 
-/// Steps of a model whose chain has loops. With J_S, R of the rows that are chosen at the state x0 where a step starts,
-/// and N = M^-1 J_S^T R^-1 (dynamics/closed_loops/loop_factor.hpp):
+/// Steps of a model whose chain has loops. J_S, R are those of the independent rows chosen at the state x0 where a step
+/// starts, and N = M^-1 J_S^T R^-1 (dynamics/closed_loops/loop_factor.hpp):
 ///
 ///   q(d) = q0 (+) (d_q + N mu),   g_S(q) = 0           (1)
 ///   v(d) = v0 + d_v + N nu,       J_S(q) v = 0         (2)
 ///   e <- e - N R^-T J_S e         of error estimates    (3)
 ///
-/// (Eich, Convergence results for a coordinate projection method, SIAM J. Numer. Anal. 30, 1993: projection keeps the
-/// order, by (3).) Rows are chosen where the state is on the loops: those that depend on others there do not, away from
-/// them.
+/// The projection keeps the order of the method, by (3) (Eich, Convergence results for a coordinate projection method,
+/// SIAM J. Numer. Anal. 30, 1993). Rows are chosen on the loops, because rows that are dependent there are independent
+/// away from them.
 namespace kte::detail {
 
-/// A state is on the loops where residuals are below this, in parts of the length of the chain; off them above.
+/// A state is on the loops if residuals are below the first bound, and off the loops above the second, relative to the
+/// size of the chain.
 inline constexpr double on_loops_within = 1e-12, off_loops_above = 1e-8;
 
 struct loop_step {
@@ -24,10 +25,10 @@ struct loop_step {
   loop_equations equations;  ///< at x0
   loop_factor factor;
   double gap = 0;      ///< the largest residual
-  double sliding = 0;  ///< the largest rate of one, in parts of what rates of coordinates could make
+  double sliding = 0;  ///< the largest residual rate, relative to the largest that the rates of coordinates could cause
 };
 
-/// What is kept of the step from x0, or that.
+/// The stored data of the step from x0, computed if necessary.
 template <class Model>
 loop_step& step_from(const Model& model, runtime_state& s, own_memory& kept, const Eigen::VectorXd& x0) {
   auto& step = kept.template get<loop_step>([&] { return loop_step{{}, loop_equations(model.chain(), s), {}}; });
@@ -52,10 +53,10 @@ inline std::string gap_text(const runtime_chain& c, const loop_equations& e) {
   return "'" + closure_places::name_of(c, *widest.closure) + "' is open by " + number(widest.size) +
          (widest.linear ? " m" : " rad");
 }
-/// Loops that are closed to rounding tell branches apart while pivots are above its root.
+/// With loops closed to rounding, branches can be distinguished if pivots are above the square root of rounding.
 inline constexpr double least_pivot_of_branch = 1e-7;
-/// Throws `bad_argument` where a step starts off the loops, or so near to a singular configuration that branches cannot
-/// be told apart.
+/// Throws `bad_argument` if a step starts off the loops, or so close to a singular configuration that branches cannot
+/// be distinguished.
 inline void check_step(const runtime_chain& c, const runtime_state&, loop_step& step) {
   if (step.gap > off_loops_above) [[unlikely]]
     throw bad_argument("kte: the state is off the loops: " + gap_text(c, step.equations) +
@@ -96,7 +97,7 @@ void settle_on_loops(const Model& model, runtime_state& s, loop_step& step, Eige
   for (int i = 0; gap > 1e-16; ++i) {
     if (!(gap < 1e300) || i == 20)
       throw bad_argument("kte: the loops do not close at the end of a step: " + gap_text(c, e) + ": a shorter step");
-    if (gap > last / 20) {  // the factor of the start is no longer good, or the rest is rounding
+    if (gap > last / 20) {  // the factor of the step start is no longer good enough, or the rest is rounding
       if (gap <= on_loops_within && by == &factor) break;
       (void)evaluate(true);
       if (factor.keep(c, s, e, step.factor, 1e-14)) by = &factor;
@@ -110,7 +111,7 @@ void settle_on_loops(const Model& model, runtime_state& s, loop_step& step, Eige
   if (!factor.keep(c, s, e, step.factor, 1e-14)) factor.choose(c, s, e, least_pivot);
   for (int i = 0; i < 2; ++i) move(n, factor.least_change(e, e.times(model.velocities_of(x))));
 }
-/// (3) of positions and velocities.
+/// (3), for positions and velocities.
 inline void make_tangential(const loop_step& step, Eigen::VectorXd& e) {
   const auto n = static_cast<Eigen::Index>(step.equations.places.row_of_place.size());
   for (const Eigen::Index first : {Eigen::Index(0), n}) {
@@ -118,7 +119,7 @@ inline void make_tangential(const loop_step& step, Eigen::VectorXd& e) {
     e.segment(first, n) -= step.factor.least_change(step.equations, step.equations.times(part));
   }
 }
-/// Accelerations under no forces from outside, at a stage of a step: by the rows of its start, unless the state is on
+/// Accelerations without external forces, at a stage of a step: by the rows chosen at its start, unless the state is on
 /// the loops.
 inline const Eigen::VectorXd& accelerations_in_step(const runtime_chain& c, runtime_state& s, own_memory& kept) {
   check_regular_tree(c, s), check_positions(s);
@@ -130,7 +131,7 @@ inline const Eigen::VectorXd& accelerations_in_step(const runtime_chain& c, runt
   return constrained_accelerations(c, s, none, step && step->x0.size() > 0 ? &step->factor : nullptr);
 }
 
-/// x, put on the loops to rounding. Throws `bad_argument` where it is off them.
+/// x, projected onto the loops to rounding. Throws `bad_argument` if x is off the loops.
 template <class Model>
 Eigen::VectorXd checked_on_loops(const Model& model, const Eigen::VectorXd& x) {
   if (!has_loops(model.chain())) return x;
