@@ -49,7 +49,7 @@ twist random_twist(Random& random, double size) {
 }
 }  // namespace
 
-TEST_CASE("without limits in the way, rates give the wanted twist as well as least squares") {
+TEST_CASE("without limits in the way, rates give the desired twist as well as least squares") {
   const three_rates q(0.3, 0.4, 0.7), none = three_rates::Zero(), v(0.1, -0.2, 0.15);
   const manipulator free_arm(three, tip);
   const twist wanted = arm.getJacobianMatrix(q) * v;
@@ -107,7 +107,7 @@ TEST_CASE("started outside its limits an arm comes back, and says so") {
   CHECK(q[2] <= 2);
 }
 
-TEST_CASE("what the tools leave is done as wanted") {
+TEST_CASE("what the tools leave follows the desired rates") {
   const manipulator free_arm(three, tip);
   const three_rates q(0.3, 0.4, 0.7), none = three_rates::Zero(), posture(0, 0.5, 0);
   // Of a tool that is to stand still nothing is left here: three joints. Along y alone two of them do not matter.
@@ -223,5 +223,5 @@ TEST_CASE("arguments that are none are refused") {
   CHECK_THROWS_AS(rates_towards(arm, three_rates(0, std::nan(""), 0), v, twist::Zero(), 0.1), bad_argument);
   CHECK_THROWS_AS(accelerations_towards(arm, q, v, t, 0.1), bad_argument);
   CHECK_THROWS_MATCHES(accelerations_towards(arm, q, v, Eigen::VectorXd::Zero(3), 0.1), bad_argument,
-                       says("wanted has 3"));
+                       says("desired has 3"));
 }

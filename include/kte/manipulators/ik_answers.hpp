@@ -15,15 +15,16 @@ struct ik_answer {
   unsigned branch = 0;  ///< bits: 1 shoulder, 2 elbow, 4 wrist; higher ones if there are more solutions
   scalar position{};    ///< error of the tool's position by forward kinematics, m
   scalar rotation{};
-  truth<scalar> exact{};  ///< whether these are within the tolerance; else it is a least-squares solution
+  truth<scalar> exact{};  ///< whether both errors are within the tolerance; otherwise q is a least-squares solution
   truth<scalar> within_limits{};
-  /// Bit i: coordinate i of v is arbitrary here (singular), and equal to that of the seed, or 0. For packs one per
+  /// Bit i: coordinate i of v is arbitrary (singular configuration), and equal to that of the seed, or 0. For packs one
+  /// value per lane.
   /// element.
   detail::for_each_lane<scalar, unsigned> free{};
 };
 
-/// All solutions of inverse kinematics, in a fixed order of branches: a range with `begin`, `end`, `size` and `empty`,
-/// of at most `most` solutions.
+/// All solutions of inverse kinematics, in a fixed order of branches: a range with `begin`, `end`, `size` and `empty`.
+/// `most` is the largest number of solutions.
 template <class Q>
 class ik_answers {
  public:
@@ -51,7 +52,7 @@ struct ik_tolerance {
   double position = 1e-9, rotation = 1e-9;
 };
 
-/// The axes of this arm have no closed form of inverse kinematics; what() has the deviation.
+/// The axes of this arm have no closed-form inverse kinematics; what() states the deviation.
 struct no_closed_form : error {
   using error::error;
 };

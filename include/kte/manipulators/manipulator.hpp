@@ -61,10 +61,10 @@ class manipulator<Chain, detail::tool_keys<Tools...>> : public manipulator_kinem
   constexpr arm_family family() const { return structure_.family; }
   /// The structure of the arm on which its closed form depends.
   constexpr const detail::arm_structure& structure() const { return structure_; }
-  /// A copy of the arm whose axes count as parallel within `tolerance`, rad, and as intersecting within that fraction
-  /// of its reach, instead of 1e-9: for calibrated arms, and for files with 1.5708 for a quarter turn. The closed forms
-  /// of six and seven axes are then start values of Newton's method, whose solutions are exact, except near singular
-  /// postures.
+  /// A copy of the arm in which axes count as parallel within `tolerance`, rad, and as intersecting within this
+  /// fraction of the reach, instead of 1e-9. Use it for calibrated arms, and for files with 1.5708 for a quarter turn.
+  /// For six and seven axes, the closed forms are then start values of Newton's method, whose solutions are exact,
+  /// except near singular postures.
   constexpr manipulator with_axes_within(double tolerance) const {
     auto arm = *this;
     arm.structure_ = detail::structure_of(structure_.original, detail::checked_tolerance(tolerance));
@@ -82,7 +82,7 @@ class manipulator<Chain, detail::tool_keys<Tools...>> : public manipulator_kinem
       check_limits(c, limits);
       return limits;
     } else {
-      return {};  // one mistake, one error
+      return {};  // avoids follow-up errors
     }
   }
 

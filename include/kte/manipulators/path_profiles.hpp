@@ -23,7 +23,7 @@ struct path_limits {
 };
 
 namespace detail {
-/// Throws `bad_argument` for limits that are none, or 0.
+/// Throws `bad_argument` for limits that are NaN, negative or 0.
 template <class S>
 void check_path_limits(const path_limits<S>& limits) {
   const auto check = [](const S& x, const char* which) {
@@ -46,8 +46,8 @@ const S& checked_time(const S& t) {
 ///   t_a = min(u/a, sqrt(1/a)),   T = t_a + 1/(a t_a)                                             (1)
 ///   s = a t^2/2,  a t_a (t - t_a/2),  1 - a (T - t)^2/2
 ///
-/// It is at rest before its start and after its end. Throws `bad_argument` for limits that are not positive, without a
-/// limit of acceleration, for a duration that is not finite, and for a time that is NaN.
+/// At rest before the start and after the end. Throws `bad_argument` for limits that are not positive, without a limit
+/// of acceleration, for a duration that is not finite, and for a time that is NaN.
 template <class S = double>
 class trapezoidal_profile {
  public:
@@ -77,8 +77,8 @@ class trapezoidal_profile {
 ///
 ///   s = 10 x^3 - 15 x^4 + 6 x^5,   max s' = 15/8/T,  max s'' = 10/sqrt(3)/T^2,  max s''' = 60/T^3      (2)
 ///
-/// in the shortest time within limits, or a longer one; at rest before and after. Throws `bad_argument` for limits that
-/// are not positive, without a duration, and for a time that is NaN.
+/// in the shortest time within limits, or longer; at rest before and after. Throws `bad_argument` for limits that are
+/// not positive, without a duration, and for a time that is NaN.
 template <class S = double>
 class quintic_profile {
  public:
