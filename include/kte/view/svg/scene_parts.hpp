@@ -7,7 +7,7 @@
 
 namespace kte::detail::svg {
 
-/// Throws `bad_argument` for frames without a place, and parts on frames that are not there.
+/// Throws `bad_argument` for frames without a pose, and for parts on frames that do not exist.
 inline void check_parts(const scene& s) {
   const int count = static_cast<int>(s.frames.size());
   for (int i = 0; i < count; ++i) {

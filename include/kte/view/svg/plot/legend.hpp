@@ -15,10 +15,10 @@ inline void set_style(svg_writer& out, const line_style& s, bool dashed) {
   out.set("stroke-dasharray", lengths).set("stroke-linecap", "butt");
 }
 
-/// Names with the lines that they stand for, in rows of equal columns.
+/// Names of curves with line samples, in rows of equal columns.
 class legend {
  public:
-  static constexpr double sample = 6, gap = 1;  ///< of lines, mm
+  static constexpr double sample = 6, gap = 1;  ///< of line samples, mm
 
   legend(const std::vector<std::string>& names, double width, double font_size) : font_size_(font_size) {
     for (const auto& n : names) {
