@@ -87,7 +87,7 @@ class archive {
     }
   }
 
-  // ---- what is under a name; throws `unknown_name`, `bad_argument` where it is something else
+  // ---- the content of a root; throws `unknown_name`, and `bad_argument` if it is something else
   /// The record of a chain or a model.
   const model_record& model(std::string_view name) const { return get<model_record>(name, "a chain"); }
   /// The runtime chain of a root, with elements of this library, or of a registry. Throws `unknown_name`, `bad_file`.
@@ -106,13 +106,13 @@ class archive {
   }
   /// The names of the tools of a model.
   const std::vector<std::string>& tools(std::string_view name) const { return model(name).tools; }
-  /// The limits of a root for the coordinates of the chain c; infinite where the file has none.
+  /// The limits of a root for the coordinates of the chain c; infinite if the file has none.
   template <class Chain>
   auto limits(std::string_view name, const Chain& c) const {
     return limits_of(c, model(name));
   }
-  /// The `mass_matrix_calc` of a root, for a chain from this archive, for whose states it works (include
-  /// kte/reak/mass_matrix_calc.hpp). Throws `bad_argument` for another chain.
+  /// The `mass_matrix_calc` of a root, for a chain from this archive (include kte/reak/mass_matrix_calc.hpp). It works
+  /// on states of this chain. Throws `bad_argument` for another chain.
   template <class Calculator = mass_matrix_calc<runtime_chain>>
   Calculator calculator(std::string_view name, const runtime_chain& c) const {
     const auto& r = get<calculator_record>(name, "a calculator of the mass matrix");
@@ -122,7 +122,7 @@ class archive {
     if (!r.of_all) return Calculator(c, r.inertias, r.coordinates);
     return Calculator(c) << all_inertias << all_coordinates;
   }
-  /// A coordinate, frame, input or internal state with its values, `thing<kte::gen_coord<>>("joint_coord")`; values
+  /// A coordinate, frame, input or internal state with its values, `thing<kte::gen_coord<>>("joint_coord")`. Values
   /// that the file does not have are zero, or the identity rotation.
   template <class T>
   T thing(std::string_view name) const {
@@ -200,8 +200,8 @@ class archive {
   archive_record record_;
 };
 
-/// Reads a file by its ending: .xml, .json or .kte. One of a chain alone (`save_model`) is an archive with the root
-/// "model". Throws `bad_file`.
+/// Reads a file by its extension: .xml, .json or .kte. A file with a single chain (`save_model`) is an archive with the
+/// root "model". Throws `bad_file`.
 [[nodiscard]] inline archive load_archive(const std::filesystem::path& path, const read_options& options = {}) {
   return archive(detail::read_archive(path, options));
 }

@@ -13,7 +13,7 @@ namespace kte::detail {
 /// A binary model file (io/binary_layout.hpp). Counts are checked against the size of the file before they are used.
 class binary_scanner final : public field_scanner {
  public:
-  /// `file` is what messages call it; the bytes must outlive this.
+  /// `file` is the name of the file in messages; the bytes must outlive this object.
   binary_scanner(std::string_view bytes, std::string file)
       : bytes_(bytes), file_(std::make_shared<const std::string>(std::move(file))) {}
 
@@ -93,7 +93,7 @@ class binary_scanner final : public field_scanner {
       if ((byte & 0x80) == 0) return n;
     }
   }
-  /// n parts of some bytes each.
+  /// n parts of `each` bytes.
   std::string_view take(std::uint64_t n, std::size_t each) {
     if (n > (bytes_.size() - i_) / each) cut_off();
     const auto part = bytes_.substr(i_, static_cast<std::size_t>(n) * each);

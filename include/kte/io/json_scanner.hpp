@@ -8,7 +8,7 @@
 
 namespace kte::detail {
 
-/// JSON: groups are objects, lists are arrays. (The parsers that cereal brings take duplicates, and tell no places.)
+/// Reads JSON: groups are objects, lists are arrays. (The parsers of cereal accept duplicates and report no positions.)
 class json_scanner final : public field_scanner {
  public:
   explicit json_scanner(source_text& source) : source_(source), text_(source.text()) {}
@@ -58,7 +58,7 @@ class json_scanner final : public field_scanner {
     if (i_ == text_.size()) source_.fail_at_end();
     source_.fail(at_, why);
   }
-  /// 0 behind the end: no text has that.
+  /// 0 at the end; no text contains it.
   char current() const { return i_ < text_.size() ? text_[i_] : '\0'; }
   void start() {
     while (is_blank(current())) ++i_;
@@ -159,7 +159,7 @@ class json_scanner final : public field_scanner {
   source_text& source_;
   std::string_view text_;
   std::size_t i_ = 0, at_ = 0;
-  bool first_ = false;  ///< whether nothing has been read of the innermost group or list
+  bool first_ = false;  ///< whether nothing of the innermost group or list has been read
 };
 
 }  // namespace kte::detail

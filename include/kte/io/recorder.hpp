@@ -71,7 +71,7 @@ class recorder {
   recorder(const Chain& chain, const detail::recording& r)
       : layout_(layout_of(chain)), cells_(r.cells), numbers_(r.columns.size() - 1), out_(r.columns) {}
 
-  /// Tells runtime chains apart.
+  /// Identifies a runtime chain.
   static std::shared_ptr<const char> layout_of(const Chain& chain) {
     if constexpr (is_static) {
       return nullptr;

@@ -9,9 +9,9 @@
 
 namespace kte::detail {
 
-/// XML in the form that cereal writes: all within <cereal>; fields are tags, items of lists are <value0>, <value1> ...
-/// or just <value>. Comments may stand between fields and around values. There are no attributes but size="dynamic" on
-/// a list, and xml:space on a value; DOCTYPE is refused, as it could change what the rest means.
+/// XML in the form that cereal writes: all within <cereal>; fields are tags, list items are <value0>, <value1> ... or
+/// <value>. Comments may stand between fields and around values. The only attributes are size="dynamic" on lists and
+/// xml:space on values. DOCTYPE is refused, because it could change the meaning of the rest.
 class xml_scanner final : public field_scanner {
  public:
   explicit xml_scanner(source_text& source) : source_(source), in_(source) {}
@@ -79,7 +79,7 @@ class xml_scanner final : public field_scanner {
     if (const auto code = take_attribute("encoding").value_or("utf-8"); code != "utf-8" && code != "UTF-8")
       in_.fail_at(at_, "the encoding must be UTF-8");
   }
-  /// The next tag that starts, within the innermost open one; false where that ends.
+  /// The next start tag within the innermost open tag; false at its end.
   bool next_tag(std::string& tag) {
     if (closed_) return false;
     in_.skip_between();
@@ -139,7 +139,7 @@ class xml_scanner final : public field_scanner {
     for (const auto& a : attributes_)
       in_.fail_at(a.at, "'" + what + "' has no attribute '" + std::string(a.name) + "'");
   }
-  /// Up to the end of the innermost open tag; `at_` is then where the text begins.
+  /// Skips to the end of the innermost open tag; `at_` becomes the beginning of its text.
   void read_value(const std::string& tag, std::string& out) {
     bool begun = false, interrupted = false;
     while (!in_.here("</")) {
@@ -170,7 +170,7 @@ class xml_scanner final : public field_scanner {
   source_text& source_;
   xml_cursor in_;
   std::size_t at_ = 0;
-  bool closed_ = false;  ///< whether the tag read last was <so/>
+  bool closed_ = false;  ///< whether the last tag was <so/>
   std::vector<std::string> open_;
   std::vector<attribute> attributes_;
 };

@@ -4,18 +4,18 @@
 
 #include <span>
 
-/// From plain data into a static chain type.
+/// Converts plain data to a static chain type.
 namespace kte {
 
 namespace detail {
 
-/// Where a value comes from, for messages.
+/// The origin of a value, for messages.
 struct record_place {
   std::string text;
   [[noreturn]] void fail(const std::string& why) const { throw bad_file("kte: " + text + ": " + why); }
 };
 
-/// Puts numbers into a parameter, whose typed constants must be just those numbers.
+/// Stores numbers in a parameter. Its typed constants must equal the corresponding numbers.
 class number_reader {
  public:
   number_reader(std::span<const double> values, const record_place& place) : values_(values), place_(place) {}
@@ -67,7 +67,7 @@ class number_reader {
   void operator()(unit_quaternion<S>& q) {
     q = as<S>(to_quaternion(dense_matrix()));
   }
-  /// All numbers must have been taken.
+  /// Throws unless all numbers have been used.
   void finish() const {
     if (!values_.empty()) place_.fail("holds " + std::to_string(values_.size()) + " numbers too many");
   }
@@ -126,8 +126,8 @@ void assign(element<Core, Keys...>& e, const element_record& r, std::size_t numb
 
 }  // namespace detail
 
-/// A static chain of the type of `like` with the numbers of a record. Elements, connections and typed constants must be
-/// those of the type; throws `bad_file` that says which is not, or `bad_parameter`.
+/// A static chain of the type of `like` with the numbers of a record. Elements, connections and typed constants must
+/// equal those of the type. Throws `bad_file`, which says what differs, or `bad_parameter`.
 template <class Gravity, class... E>
 [[nodiscard]] static_chain<Gravity, E...> from_record(const static_chain<Gravity, E...>& like, const model_record& r) {
   auto elements = like.elements();

@@ -40,7 +40,7 @@ class own_memory {
 }  // namespace detail
 
 /// The state of a runtime chain: every coordinate, frame and input by name, and the working memory of the algorithms.
-/// It is a value; a state that was moved from is that of a chain without elements.
+/// It is a value; a moved-from state is that of an empty chain.
 ///
 ///   s.frame_2D("joint").position,  s.coordinate("q").q_ddot,  s.input("motor") = 2.0
 ///
@@ -116,7 +116,7 @@ class basic_runtime_state {
   pose_coord_3D<S>& pose_3D(const name_or_handle& name) { return at<kind::pose_3D>(*this, name); }
   const pose_coord_3D<S>& pose_3D(const name_or_handle& name) const { return at<kind::pose_3D>(*this, name); }
 
-  /// Generalized coordinate number i of those that are degrees of freedom. Throws `bad_argument` for an i out of range.
+  /// Generalized coordinate number i among the degrees of freedom. Throws `bad_argument` for an i out of range.
   gen_coord<S>& coordinate(int i) { return get<kind::gen>(free_coordinate(i)); }
   const gen_coord<S>& coordinate(int i) const { return get<kind::gen>(free_coordinate(i)); }
   /// The number of degrees of freedom.

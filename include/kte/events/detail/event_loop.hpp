@@ -183,14 +183,15 @@ class event_loop {
     e.on_reset(t, x_);
     check_state(e, k, t, "reset");
   }
-  /// The state after an event.
+  /// Checks the state after an event.
   template <class E>
   void check_state(const E& e, std::size_t k, const S& t, const char* maker) const {
     for (Eigen::Index i = 0; i < x_.size(); ++i)
       if (!is_finite(S(x_[i]))) [[unlikely]]
         watch::refuse(e, k, t, maker, " makes the state not finite", failure_reason::not_finite, i);
   }
-  /// The next step is not much longer than the time between the last two actions: so ever faster ones are resolved.
+  /// Limits the next step to a small multiple of the time between the last two actions, so that accelerating sequences
+  /// are resolved.
   void go_on_after(const S& t) {
     const S since = watch::distance(t, last_action_);
     if (since > S(0)) pace_ = since;
@@ -199,7 +200,7 @@ class event_loop {
     go_for(is_near ? t_end_ : t < t_end_ ? S(t + 4 * pace_) : S(t - 4 * pace_));
   }
 
-  /// Where a reset did not send g back, there is rest, from the start of the step on.
+  /// If a reset did not send g back, the state counts as at rest, from the start of the step on.
   bool one_is_stuck(return_path& back) {
     bool any = false;
     watch_.for_each([&](auto&, status& s, std::size_t) { any = any || s.stuck; });
