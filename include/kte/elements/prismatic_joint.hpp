@@ -62,7 +62,8 @@ struct prismatic_joint_family {
       const auto along = [&](const auto& n) {
         return prismatic_joint_3D(x.name("coordinate"), x.name("base"), x.name("end"), n);
       };
-      if (x.is_placed()) return x.placed(along(x.vector("axis")));  // of numbers it is as exact, and of one type
+      if (x.is_placed())
+        return x.placed(along(x.vector("axis")));  // for numbers this is as exact, and needs only one type
       return x.with_axis("axis", [&](const auto& n) { return x.adapt(along(n)); });
     });
   }

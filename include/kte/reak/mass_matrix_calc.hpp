@@ -17,18 +17,18 @@ class mass_matrix_calc<runtime_chain> {
  public:
   /// It owns a copy of the chain, and accepts the states of the chain.
   explicit mass_matrix_calc(runtime_chain c) : chain_(std::move(c)) { (void)chain_.wiring(); }
-  /// Fed with names, of inertias and of coordinates.
+  /// With the names of inertias and of coordinates.
   mass_matrix_calc(runtime_chain c, const std::vector<std::string>& on, const std::vector<std::string>& by)
       : mass_matrix_calc(std::move(c)) {
     for (const auto& n : on) *this << inertia_on(n);
     for (const auto& n : by) *this << moved_by(n);
   }
 
-  /// Throws `unknown_name`; `bad_argument` where there is no mass, or it has been fed already.
+  /// Throws `unknown_name`; `bad_argument` if there is no mass, or it was inserted before.
   mass_matrix_calc& operator<<(const inertia_on<>& x) {
     rollback feeding(*this);
     bool found = false;
-    for (const bool frame : {false, true}) {  // both may have the name
+    for (const bool frame : {false, true}) {  // both may have this name
       const kind k = chain_.wiring().kind_of(x.name, frame);
       if (is_frame(k) != frame) continue;
       const int index = chain_.wiring().find(x.name, k);
@@ -45,7 +45,7 @@ class mass_matrix_calc<runtime_chain> {
     inertias_.push_back(x.name);
     return feeding.kept();
   }
-  /// Throws `unknown_name`; `bad_argument` for what is no degree of freedom, or has been fed already.
+  /// Throws `unknown_name`; `bad_argument` for a name that is not a degree of freedom, or was inserted before.
   mass_matrix_calc& operator<<(const moved_by<>& x) {
     const kind k = chain_.wiring().kind_of(x.name, false);
     const int index = chain_.wiring().find(x.name, k);
@@ -78,11 +78,11 @@ class mass_matrix_calc<runtime_chain> {
   }
 
   const runtime_chain& chain() const { return chain_; }
-  // What it was fed with, in that order: names of what has inertia, and of coordinates.
+  // The inserted names, in order: inertias, and coordinates.
   const std::vector<std::string>& inertias() const { return inertias_; }
   const std::vector<std::string>& coordinates() const { return moved_by_; }
 
-  /// Where the columns stand in v.
+  /// The indices of the columns in v.
   std::vector<int> columns() const {
     std::vector<int> all;
     for (const auto& f : coordinates_)
@@ -135,7 +135,7 @@ class mass_matrix_calc<runtime_chain> {
     int index;
     Eigen::MatrixXd masses;
   };
-  /// What a feeding that throws has added is taken out again.
+  /// Removes what an insertion has added if it throws.
   class rollback {
    public:
     explicit rollback(mass_matrix_calc& of)
@@ -167,7 +167,7 @@ class mass_matrix_calc<runtime_chain> {
     throw bad_argument("kte: mass_matrix_calc: " + describe_element(*chain_.wiring().elements[e].element) +
                        " has a distributed mass");
   }
-  /// Whether it has a mass.
+  /// Adds an element; returns whether it has a mass.
   bool add_body(std::size_t e) {
     const auto& at = chain_.wiring().elements[e];
     if (at.rigid) return false;
@@ -186,7 +186,7 @@ class mass_matrix_calc<runtime_chain> {
   }
   void check(const runtime_state& s) const { detail::check_regular(chain_, s); }
 
-  /// At positions, and rates, that are good.
+  /// T, dT/dt and M_c at positions, and rates, that have been checked.
   twist_shaping_result<> shaped(runtime_state& s, bool rates) const {
     using namespace detail;
     const auto of = columns();

@@ -8,8 +8,8 @@
 
 #include <array>
 
-/// Motion Jacobians as values: how the rates of one coordinate move a frame or another coordinate, and how that
-/// changes.
+/// Motion Jacobians as values: the derivative of the motion of a frame or coordinate by the rates of one coordinate,
+/// with its time derivative.
 namespace kte {
 
 /// The motion of a frame or coordinate per unit of one rate: `velocity` and `ang_velocity`, or `q_dot`, in axes of the
@@ -37,7 +37,7 @@ struct partial_motion<kind::frame_3D, S> {
 };
 
 namespace detail {
-/// As the kernel sees them: frames in the plane as in space, with typed zeros for what lies out of it.
+/// The form for kernels: planar frames as spatial frames, with typed zeros out of the plane.
 template <class U, class W>
 struct spatial_partial {
   U velocity;
@@ -56,7 +56,7 @@ constexpr const auto& spatial(const partial_motion<kind::frame_3D, S>& x) {
 }
 constexpr int rows_of_moved(kind k) { return k == kind::gen ? 1 : k == kind::frame_2D ? 3 : 6; }
 
-/// Numbers into rows i, i + 1 ... of a column.
+/// Writes numbers to rows i, i + 1 ... of a column.
 template <class Column, class S>
 void put_numbers(Column& c, int& i, const S& x) {
   c[i++] = x;

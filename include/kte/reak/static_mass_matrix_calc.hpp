@@ -8,7 +8,7 @@
 namespace kte {
 
 namespace detail {
-/// Elements, or degrees of freedom, of a chain by the order of their kinds.
+/// Elements, or degrees of freedom, of a chain in the order of their kinds.
 template <class Wiring>
 struct bodies_by_kind {
   static constexpr int order(std::size_t e) { return order_of(Wiring::what(e, 0)); }
@@ -28,7 +28,7 @@ constexpr auto inserted(std::index_sequence<Fed...>) {
   return [&]<std::size_t... I>(std::index_sequence<I...>) { return std::index_sequence<all[I]...>{}; }
   (std::make_index_sequence<sizeof...(Fed) + 1>{});
 }
-/// Those of 0, 1 ... N - 1 that Wanted::of<I> is true for, in the same order behind those that have been fed.
+/// Appends those of 0, 1 ... N - 1 for which Wanted::of<I> is true, in order, to those that have been inserted.
 template <class By, class Wanted, std::size_t N, std::size_t I = 0, class Fed>
 constexpr auto inserted_all(Fed fed) {
   if constexpr (I == N)
@@ -121,7 +121,7 @@ class mass_matrix_calc<static_chain<Gravity, E...>, std::index_sequence<Body...>
     return with(bodies{}, detail::inserted_all<by_coordinate, any_freedom, wiring::freedoms>(coordinates{}));
   }
 
-  /// Where the columns stand in v.
+  /// The indices of the columns in v.
   static constexpr std::array<int, std::size_t{size}> columns() {
     std::array<int, std::size_t{size}> all{};
     std::size_t i = 0;
@@ -164,7 +164,7 @@ class mass_matrix_calc<static_chain<Gravity, E...>, std::index_sequence<Body...>
   constexpr auto with(B, C) const {
     return kte::mass_matrix_calc<chain_type, B, C>(chain_);
   }
-  /// T in any scalar, of dual numbers too.
+  /// T in any scalar, including dual numbers.
   template <class Q>
   auto shaped(const Q& q) const {
     shaping_matrix<value_of<Q>> t;

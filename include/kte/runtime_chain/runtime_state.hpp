@@ -139,8 +139,8 @@ class basic_runtime_state {
     detail::check_coordinate(i, static_cast<int>(free_coordinates_.size()));
     return free_coordinates_[static_cast<std::size_t>(i)];
   }
-  /// The wiring of a chain without elements, for states that were moved from: made with the first state, as there may
-  /// be no memory later.
+  /// The wiring of an empty chain, for moved-from states. It is made with the first state, because memory may be
+  /// exhausted later.
   static const std::shared_ptr<const tree_type>& no_tree() {
     static const auto none = std::make_shared<const tree_type>(detail::tree_of<parameter>(topology()));
     return none;
@@ -161,10 +161,11 @@ class basic_runtime_state {
   detail::loop_memory<parameter, S> work;
   detail::own_memory with_derivatives;
   detail::own_memory loops;
-  std::vector<S> before;  ///< q, v, a that a call has replaced, until it is known that it refuses nothing
+  std::vector<S> before;  ///< q, v, a that a call has replaced, until the call can no longer fail
 };
 
-// Not in the class, where they would be inline: of those that are, g++ also compiles what is `extern`.
+// Defined outside the class. Members defined in the class would be inline, and g++ also compiles inline members that
+// are `extern`.
 template <class S>
 basic_runtime_state<S>::basic_runtime_state(shared_topology t)
     : topology_(std::move(t)),
