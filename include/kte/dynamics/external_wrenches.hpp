@@ -25,7 +25,8 @@ struct any_vector {
   constexpr any_vector() = default;
   constexpr any_vector(double x, double y, double z) : numbers{x, y, z} {}
   template <class X, class Y, class Z>
-  constexpr any_vector(const vec3<X, Y, Z>& v) : numbers(as<double>(v)) {}
+  constexpr any_vector(const vec3<X, Y, Z>& v)  // NOLINT(google-explicit-constructor)
+      : numbers(as<double>(v)) {}
 };
 }  // namespace detail
 
@@ -36,7 +37,8 @@ struct external_wrench {
   vec3<> force{};   ///< N
   vec3<> torque{};  ///< Nm
 
-  external_wrench(const name_or_handle& on, const detail::any_vector& f = {}, const detail::any_vector& t = {})
+  external_wrench(const name_or_handle& on,  // NOLINT(google-explicit-constructor)
+                  const detail::any_vector& f = {}, const detail::any_vector& t = {})
       : frame(on), force(f.numbers), torque(t.numbers) {}
 };
 /// An external wrench on a frame of a static chain, made by `wrench_on(tool, force, torque)`.

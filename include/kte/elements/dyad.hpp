@@ -13,8 +13,7 @@ struct dyad_lengths {
   double bar1;         ///< from the first crank to the other bar, m, along x of the bar
   double bar2;         ///< from the second crank to the other bar, m, along x of the bar
   double crank2;       ///< from pivot to bar, m, along x of the crank
-  double side =
-      1;  ///< 1: the bars meet to the left of the line between the crank ends, from first to second; -1: to the right
+  double side = 1;     ///< 1: the bars meet to the left of the line from the first crank end to the second; -1: right
 };
 
 namespace core {

@@ -25,7 +25,7 @@ struct unrolled {
   struct tree_place {
     static constexpr std::size_t number = I;
     const unrolled& driver;
-    KTE_INLINE constexpr operator bool() const { return Ends; }
+    KTE_INLINE constexpr operator bool() const { return Ends; }  // NOLINT(google-explicit-constructor)
     /// value = step(body, value) of each body from the parent to the base.
     template <class Value, class Step>
     KTE_INLINE constexpr void ancestors(const Value& value, const Step& step) const {

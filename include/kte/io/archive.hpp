@@ -68,10 +68,10 @@ class archive {
   }
   /// Adds a chain with its tools and the limits of its coordinates.
   template <class Chain, class Numbers>
-  archive& add(const std::string& name, const Chain& c, std::vector<std::string> tools,
+  archive& add(const std::string& name, const Chain& c, const std::vector<std::string>& tools,
                const joint_limits<Numbers>& limits) {
     auto m = detail::record_of_model(c);
-    m.tools = std::move(tools), m.limits = limit_records(c, limits);
+    m.tools = tools, m.limits = limit_records(c, limits);
     return put(name, std::move(m));
   }
   /// Adds a coordinate, frame, input or internal state with its values, and the name that it has in chains, a text or a

@@ -51,7 +51,7 @@ class dot_graph {
   /// Frames and other names are separate.
   std::string node(kind k, const std::string& name) {
     const auto [known, fresh] = nodes_.emplace(std::pair(is_frame(k), name), nodes_.size());
-    const std::string id = "n" + std::to_string(known->second);
+    std::string id = "n" + std::to_string(known->second);
     const char* shape = is_frame(k) ? "ellipse" : is_coordinate(k) ? "circle" : "diamond";
     if (fresh) line(id + " [shape=" + shape + ", label=" + dot_text(name) + "]");
     return id;

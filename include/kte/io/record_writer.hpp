@@ -140,6 +140,7 @@ class record_writer {
   /// Numbers that are exact in double are written as doubles.
   void numbers(const std::string& in, const std::vector<long double>& x) {
     std::vector<double> d;
+    d.reserve(x.size());
     for (const long double v : x) d.push_back(static_cast<double>(v));
     if (std::equal(d.begin(), d.end(), x.begin(), [](double a, long double b) { return a == b || std::isnan(b); }))
       out_.numbers(in, d);

@@ -33,7 +33,7 @@ class table_writer {
   table_writer(const std::filesystem::path& path, const std::vector<std::string>& names, table_format format);
   table_writer(const table_writer&) = delete;
   table_writer& operator=(const table_writer&) = delete;
-  ~table_writer();
+  ~table_writer();  // NOLINT(bugprone-exception-escape): the variant always has a value
 
   /// Writes a row of numbers and vectors of numbers. Throws `bad_argument` unless there is one number per column.
   template <class... T>
@@ -86,7 +86,7 @@ KTE_FUNCTION table_writer::table_writer(const std::filesystem::path& path, const
   buffer_.reserve(2 * capacity);
   std::visit([&](auto& m) { m.head(names, buffer_); }, medium_);
 }
-KTE_FUNCTION table_writer::~table_writer() { finish(); }
+KTE_FUNCTION table_writer::~table_writer() { finish(); }  // NOLINT(bugprone-exception-escape)
 
 KTE_FUNCTION void table_writer::add(std::span<const double> numbers) {
   check_open();

@@ -96,7 +96,7 @@ KTE_INLINE constexpr S sum_by_four(std::size_t n, const Term& term) {
     S more[16]{};
     for (const std::size_t whole = n - n % 16; i < whole; i += 16)
       for (std::size_t k = 0; k < 16; ++k) more[k] += term(i + k);
-    for (std::size_t k = 0; k < 16; ++k) a += more[k];
+    for (const S& x : more) a += x;
   }
   for (const std::size_t whole = n - n % 4; i < whole; i += 4)
     a += term(i), b += term(i + 1), c += term(i + 2), d += term(i + 3);

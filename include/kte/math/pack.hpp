@@ -81,13 +81,15 @@ class pack {
   /// Copies register by register. As a block of bytes, g++ copies a vector of packs in parts of registers, and later
   /// loads of whole registers stall.
   KTE_INLINE pack(const pack& x) { copy(x, registers{}); }
-  KTE_INLINE pack& operator=(const pack& x) {
+  KTE_INLINE pack& operator=(const pack& x) {  // NOLINT(bugprone-unhandled-self-assignment)
     copy(x, registers{});
     return *this;
   }
   /// One number in all elements.
   template <class U>
-  requires std::is_arithmetic_v<U> KTE_INLINE explicit(false) pack(U x) { fill(static_cast<T>(x), registers{}); }
+  requires std::is_arithmetic_v<U> KTE_INLINE explicit(false) pack(U x) {  // NOLINT(google-explicit-constructor)
+    fill(static_cast<T>(x), registers{});
+  }
 
   /// Loads N contiguous numbers; no alignment is needed.
   KTE_INLINE static pack load(const T* p) { return load(p, registers{}); }

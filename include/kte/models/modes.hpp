@@ -79,7 +79,7 @@ bool mend_mode(const Model& model, const T& t, X& x, const lock_place& h) {
   const auto beyond = [&](const auto& needed) { return abs(S(needed[h.row])) > capacity_of_row(model, t, x, h); };
   const S z = x[h.mode];
   if (z == S(mode::held)) {
-    const auto needed = model.needed_forces(t, x);
+    const auto needed = model.needed_forces(t, x);  // NOLINT(performance-unnecessary-copy-initialization): overwritten
     if (!beyond(needed)) return false;
     let_go(model, x, h, needed);
     return true;
@@ -111,7 +111,7 @@ template <class Model, class T, class X>
 void switch_mode(const Model& model, const T& t, X& x, const lock_place& h) {
   using S = typename X::Scalar;
   if (x[h.mode] == S(mode::held)) {
-    const auto needed = model.needed_forces(t, x);
+    const auto& needed = model.needed_forces(t, x);
     let_go(model, x, h, needed);
   } else {
     x[h.rate] = S(0);

@@ -69,7 +69,7 @@ class manipulator_kinematics_model<runtime_chain> : public unchanging_chain {
   template <indexable Q, indexable V>
   Eigen::VectorXd getDependentVelocities(const Q& q, const V& v) const {
     detail::take(*this, s_, q, v);
-    const Eigen::VectorXd all = getJacobianMatrix(q) * velocities(s_);
+    Eigen::VectorXd all = getJacobianMatrix(q) * velocities(s_);
     detail::check_result(all, static_cast<std::size_t>(all.size()), [this] { detail::diagnose("a velocity", s_); });
     return all;
   }

@@ -111,7 +111,7 @@ class mass_matrix_calc<runtime_chain> {
                          detail::diagnose_state{"a mass matrix", s});
     return m;
   }
-  // At q, or q and v, which are stored in the state.
+  // At q, or at q and v, which are stored in the state.
   template <indexable Q>
   Eigen::MatrixXd mass_matrix(runtime_state& s, const Q& q) const {
     check(s);

@@ -19,7 +19,7 @@ class own_memory {
  public:
   own_memory() = default;
   own_memory(const own_memory&) {}
-  own_memory& operator=(const own_memory&) {
+  own_memory& operator=(const own_memory&) {  // NOLINT(bugprone-unhandled-self-assignment)
     made_.reset();
     return *this;
   }

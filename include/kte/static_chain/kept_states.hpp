@@ -94,7 +94,7 @@ class kept_states<true> {
     loan(const loan&) = delete;
     loan& operator=(const loan&) = delete;
     ~loan() { const std::unique_ptr<State> another(from_.spare.exchange(state_.release())); }
-    operator State&() { return *state_; }
+    operator State&() { return *state_; }  // NOLINT(google-explicit-constructor)
 
    private:
     node_of<State>& from_;

@@ -21,8 +21,8 @@ class hull_builder {
   /// Faces with indices of the points; throws `bad_argument` where all points are in a plane.
   std::vector<std::array<std::uint32_t, 3>> build() {
     begin();
-    for (std::size_t next = 0; next < pending_.size(); ++next) {
-      const auto f = pending_[next];
+    for (std::size_t next = 0; next < pending_.size();) {  // take_in appends to it
+      const auto f = pending_[next++];
       if (!facets_[f].gone && !facets_[f].seen_by.empty()) take_in(farthest(f), f);
     }
     std::vector<std::array<std::uint32_t, 3>> faces;

@@ -18,7 +18,7 @@ inline std::string short_number(double x) {
 
 /// The word of an attribute, which must be one of these; the first of them if there is none.
 inline std::string keyword(const xml_item& x, const char* attribute, std::initializer_list<std::string_view> words) {
-  const auto word = x.text_or(attribute, std::string(*words.begin()).c_str());
+  auto word = x.text_or(attribute, std::string(*words.begin()).c_str());
   std::string all;
   for (const auto w : words) {
     if (w == word) return word;

@@ -24,7 +24,7 @@ class sdf_search {
       std::error_code none;
       if (std::filesystem::is_regular_file(at, none)) return at;
       if (std::filesystem::is_directory(at, none))
-        if (const auto file = model_in(at); !file.empty()) return file;
+        if (auto file = model_in(at); !file.empty()) return file;
     }
     x.fail("'" + excerpt(uri) + "' is not found, neither in the folders around '" + folder.string() +
            "' nor in those of robot_options::search_path");

@@ -39,7 +39,7 @@ inline vec3<> child_vector(const xml_item& x, const char* of, const vec3<>& othe
 inline std::string child_text(const xml_item& x, const char* of) {
   const auto c = first_child(x, of);
   if (!c) x.fail(std::string("has no <") + of + ">");
-  const auto t = trimmed_content(*c);
+  auto t = trimmed_content(*c);
   if (t.empty()) c->fail("is empty");
   return t;
 }

@@ -30,8 +30,8 @@ class tidy_tree {
     double least = 0;
     for (const double x : all.left) least = (std::min)(least, x);
     for (const auto r : roots) nodes_[r].x -= least;
-    for (std::size_t i = 0; i < nodes_.size(); ++i)  // positions were relative to parents so far
-      for (const auto c : nodes_[i].children) nodes_[c].x += nodes_[i].x, nodes_[c].layer = nodes_[i].layer + 1;
+    for (const auto& n : nodes_)  // positions were relative to parents so far
+      for (const auto c : n.children) nodes_[c].x += n.x, nodes_[c].layer = n.layer + 1;
   }
   const std::vector<node>& nodes() const { return nodes_; }
 
