@@ -56,7 +56,7 @@ class adams : public integrator<adams<F, X>, F, X> {
   }
 
   /// The order k of the predictor of the next step.
-  int order() const { return order_; }
+  [[nodiscard]] int order() const { return order_; }
 
  private:
   const tolerances<S>& checked(const tolerances<S>& tol) const {

@@ -60,7 +60,7 @@ class bdf : public bdf_step<bdf<F, X>, F, X> {
   }
 
   /// The order of the last step.
-  int order() const { return order_of_last_; }
+  [[nodiscard]] int order() const { return order_of_last_; }
 
  private:
   void start(const S& t_end) {

@@ -49,11 +49,11 @@ class integrator : public moving_state<F, X> {
   using typename base::S;
 
   /// The present time, s.
-  const S& time() const { return time_; }
+  [[nodiscard]] const S& time() const { return time_; }
   /// The state at `time()`; after a failure the last valid one.
-  const X& state() const { return x_; }
+  [[nodiscard]] const X& state() const { return x_; }
   /// Counts of steps and evaluations so far.
-  const step_statistics& statistics() const { return statistics_; }
+  [[nodiscard]] const step_statistics& statistics() const { return statistics_; }
   /// The right-hand side.
   using base::function;
 
@@ -104,7 +104,7 @@ class integrator : public moving_state<F, X> {
   void step(const S& t_end);
 
   /// The state at a time of the last step; exact at its ends. Throws `bad_argument` for other times.
-  X interpolate(const S& t) const {
+  [[nodiscard]] X interpolate(const S& t) const {
     X x = x_;
     interpolate(t, x);
     return x;
@@ -115,13 +115,13 @@ class integrator : public moving_state<F, X> {
 
   // ---- the last step, for `solution`
   /// The time at the start of the last step, s.
-  const S& previous_time() const { return previous_time_; }
+  [[nodiscard]] const S& previous_time() const { return previous_time_; }
   /// The state at the start of the last step.
-  const X& previous_state() const { return previous_; }
+  [[nodiscard]] const X& previous_state() const { return previous_; }
   /// The degree in time of the dense output of the last step.
-  int dense_degree() const { return static_cast<const Method&>(*this).degree(); }
+  [[nodiscard]] int dense_degree() const { return static_cast<const Method&>(*this).degree(); }
   /// The displacement from the start of the last step to the fraction 0 <= theta <= 1 of it.
-  rate displacement_to(const S& theta) const;
+  [[nodiscard]] rate displacement_to(const S& theta) const;
 
   /// Continues from another time and state. The length of the next step is computed again from the slopes. Throws
   /// `bad_argument` unless t and x are finite.

@@ -48,10 +48,10 @@ class solution {
         d_(solver.displacement_to(S(0))) {}
 
   /// The first time, s.
-  const S& begin() const { return begin_; }
+  [[nodiscard]] const S& begin() const { return begin_; }
   /// The last time, s.
-  const S& end() const { return end_; }
-  std::size_t steps() const { return pieces_.size(); }
+  [[nodiscard]] const S& end() const { return end_; }
+  [[nodiscard]] std::size_t steps() const { return pieces_.size(); }
 
   /// The state at a time, s; at a reset the state after it. Throws `bad_argument` for a time out of range.
   X operator()(const S& t) const {

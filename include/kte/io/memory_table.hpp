@@ -38,9 +38,9 @@ class memory_table {
   void close() {}
 
   /// The table.
-  const table& contents() const { return table_; }
+  [[nodiscard]] const table& contents() const { return table_; }
   /// The column of a name. Throws `unknown_name`.
-  const std::vector<double>& operator[](std::string_view name) const { return table_[name]; }
+  [[nodiscard]] const std::vector<double>& operator[](std::string_view name) const { return table_[name]; }
 
  private:
   detail::table_row row_;

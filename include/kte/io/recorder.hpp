@@ -61,7 +61,7 @@ class recorder {
   /// Writes the remaining rows and closes the file.
   void close() { out_.close(); }
   /// The recorded table, for a recorder in memory.
-  const table& contents() const { return out_.contents(); }
+  [[nodiscard]] const table& contents() const { return out_.contents(); }
 
  private:
   static constexpr bool is_static = requires { typename Chain::wiring; };

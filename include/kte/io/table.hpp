@@ -17,9 +17,9 @@ struct table {
   std::vector<std::vector<double>> columns;  ///< columns[j][i]: column j of row i
 
   /// The number of rows.
-  std::size_t rows() const { return columns.empty() ? 0 : columns.front().size(); }
+  [[nodiscard]] std::size_t rows() const { return columns.empty() ? 0 : columns.front().size(); }
   /// The column of a name. Throws `unknown_name`.
-  const std::vector<double>& operator[](std::string_view name) const {
+  [[nodiscard]] const std::vector<double>& operator[](std::string_view name) const {
     const auto n = std::find(names.begin(), names.end(), name);
     if (n == names.end()) detail::raise<unknown_name>("kte: the table has no column '" + std::string(name) + "'");
     return columns[static_cast<std::size_t>(n - names.begin())];

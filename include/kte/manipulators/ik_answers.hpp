@@ -30,11 +30,11 @@ class ik_answers {
  public:
   static constexpr std::size_t most = detail::raw_answers<double>::most;
 
-  const ik_answer<Q>* begin() const { return all_.data(); }
-  const ik_answer<Q>* end() const { return all_.data() + size_; }
-  std::size_t size() const { return size_; }
-  bool empty() const { return size_ == 0; }
-  const ik_answer<Q>& operator[](std::size_t i) const { return all_[i]; }
+  [[nodiscard]] const ik_answer<Q>* begin() const { return all_.data(); }
+  [[nodiscard]] const ik_answer<Q>* end() const { return all_.data() + size_; }
+  [[nodiscard]] std::size_t size() const { return size_; }
+  [[nodiscard]] bool empty() const { return size_ == 0; }
+  [[nodiscard]] const ik_answer<Q>& operator[](std::size_t i) const { return all_[i]; }
   /// Adds a solution at q.
   ik_answer<Q>& add(const Q& q) {
     all_[size_].q = q;

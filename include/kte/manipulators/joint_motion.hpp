@@ -29,7 +29,7 @@ class joint_motion {
   joint_motion(const Arm& arm, const joint_vector<double, nq>& from, const joint_vector<double, n>& d, const Profile& p)
       : arm_(arm), from_(from), d_(d), profile_(p) {}
   /// The duration, s.
-  double duration() const { return profile_.duration(); }
+  [[nodiscard]] double duration() const { return profile_.duration(); }
   /// The point of the motion at time t, s; at rest before its start and after its end.
   motion_point<double, nq, n> operator()(double t) const {
     const auto [s, s_dot, s_ddot] = profile_(t);

@@ -55,17 +55,17 @@ class manipulator<Chain, detail::tool_keys<Tools...>> : public manipulator_kinem
   }
 
   /// The limits; infinite if none were given.
-  constexpr const limits_type& limits() const { return limits_; }
+  [[nodiscard]] constexpr const limits_type& limits() const { return limits_; }
   /// The family of its closed-form inverse kinematics, found from the axes of the joints that move the first tool; at
   /// compile time for a `constexpr` arm.
-  constexpr arm_family family() const { return structure_.family; }
+  [[nodiscard]] constexpr arm_family family() const { return structure_.family; }
   /// The structure of the arm on which its closed form depends.
-  constexpr const detail::arm_structure& structure() const { return structure_; }
+  [[nodiscard]] constexpr const detail::arm_structure& structure() const { return structure_; }
   /// A copy of the arm in which axes count as parallel within `tolerance`, rad, and as intersecting within this
   /// fraction of the reach, instead of 1e-9. Use it for calibrated arms, and for files with 1.5708 for a quarter turn.
   /// For six and seven axes, the closed forms are then start values of Newton's method, whose solutions are exact,
   /// except near singular postures.
-  constexpr manipulator with_axes_within(double tolerance) const {
+  [[nodiscard]] constexpr manipulator with_axes_within(double tolerance) const {
     auto arm = *this;
     arm.structure_ = detail::structure_of(structure_.original, detail::checked_tolerance(tolerance));
     return arm;

@@ -61,7 +61,7 @@ class trapezoidal_profile {
     if (!(duration_ < most))
       detail::raise<bad_argument>("kte: a trapezoidal motion takes infinitely long: a limit is too small");
   }
-  S duration() const { return duration_; }
+  [[nodiscard]] S duration() const { return duration_; }
   path_point<S> operator()(const S& time) const {
     const S t = (std::min)((std::max)(detail::checked_time(time), S(0)), duration_), left = duration_ - t;
     if (t < ramp_) return {a_ * t * t / S(2), a_ * t, a_};
@@ -95,7 +95,7 @@ class quintic_profile {
     if (!(duration_ > S(0)) || !(duration_ < std::numeric_limits<S>::infinity()))
       detail::raise<bad_argument>("kte: a quintic motion needs a duration, or limits that give a finite one");
   }
-  S duration() const { return duration_; }
+  [[nodiscard]] S duration() const { return duration_; }
   path_point<S> operator()(const S& time) const {
     const S T = duration_, x = (std::min)((std::max)(S(detail::checked_time(time) / T), S(0)), S(1)), y = S(1) - x;
     return {x * x * x * (S(10) - x * (S(15) - S(6) * x)), S(30) * x * x * y * y / T, S(60) * x * y * (y - x) / (T * T)};

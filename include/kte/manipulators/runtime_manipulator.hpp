@@ -32,10 +32,10 @@ class manipulator<runtime_chain, void> : public manipulator_kinematics_model<run
   manipulator(const runtime_chain& c, const Text& name_of_tool, const joint_limits<>& limits)
       : manipulator(c, std::vector<std::string>{name_of_tool}, limits) {}
 
-  const joint_limits<>& limits() const { return limits_; }
-  arm_family family() const { return structure_.family; }
-  const detail::arm_structure& structure() const { return structure_; }
-  manipulator with_axes_within(double tolerance) const;
+  [[nodiscard]] const joint_limits<>& limits() const { return limits_; }
+  [[nodiscard]] arm_family family() const { return structure_.family; }
+  [[nodiscard]] const detail::arm_structure& structure() const { return structure_; }
+  [[nodiscard]] manipulator with_axes_within(double tolerance) const;
 
  private:
   joint_limits<> limits_;

@@ -35,7 +35,7 @@ class straight_line {
     return x;
   }
   /// The difference (d, w) of the poses, m, rad, in axes of the world: the twist at s' = 1.
-  const Eigen::Matrix<S, 6, 1>& way() const { return way_; }
+  [[nodiscard]] const Eigen::Matrix<S, 6, 1>& way() const { return way_; }
 
  private:
   unit_quaternion<S> rotation_;

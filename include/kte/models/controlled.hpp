@@ -92,7 +92,7 @@ class controlled {
         rate_(rate::Zero(rates())) {}
 
   shared& model() { return detail::unwrapped(model_); }
-  const model_type& model() const { return detail::unwrapped(model_); }
+  [[nodiscard]] const model_type& model() const { return detail::unwrapped(model_); }
   /// The chain of the model.
   decltype(auto) chain() const { return model().chain(); }
   /// The control law.
@@ -118,7 +118,7 @@ class controlled {
   }
   /// A copy of the model with another output, under the same law.
   template <class F>
-  auto with_output(const F& f) const {
+  [[nodiscard]] auto with_output(const F& f) const {
     auto m = model().with_output(f);
     using other = controlled<decltype(m), Law, Rates, N>;
     if constexpr (N == 0) {
@@ -140,7 +140,7 @@ class controlled {
     }
   }
   /// The inputs of the last evaluation of the law.
-  const auto& input() const { return model().input(); }
+  [[nodiscard]] const auto& input() const { return model().input(); }
   template <class T>
   void input(const T&) const {
     static_assert(detail::never<T>,
@@ -158,40 +158,42 @@ class controlled {
 
   // ---- states: (q, v, z, c)
   /// The size of (x, c).
-  int state_size() const { return model().state_size() + N; }
+  [[nodiscard]] int state_size() const { return model().state_size() + N; }
   /// The size of (x', c').
-  int rates() const { return model().rates() + N; }
+  [[nodiscard]] int rates() const { return model().rates() + N; }
   /// The size of v.
-  int velocity_count() const { return model().velocity_count(); }
+  [[nodiscard]] int velocity_count() const { return model().velocity_count(); }
   /// The number of internal states, including those of the law.
-  int internals() const { return model().internals() + N; }
+  [[nodiscard]] int internals() const { return model().internals() + N; }
   /// The coordinates of the model, with their positions in q and v.
-  auto freedoms() const { return model().freedoms(); }
+  [[nodiscard]] auto freedoms() const { return model().freedoms(); }
 
   /// The state at q and v, with z = 0 or as given, and with the law at its initial state.
   template <class... QVZ>
-  state make_x(const QVZ&... qvz) const {
+  [[nodiscard]] state make_x(const QVZ&... qvz) const {
     return with_law(model().make_x(qvz...), start_);
   }
   /// A state x of the model and a state c of the law as one state.
-  state with_law(const model_state& x, const law_state& c) const {
+  [[nodiscard]] state with_law(const model_state& x, const law_state& c) const {
     state both(x.size() + N);
     both.head(x.size()) = x;
     both.template tail<N>() = c;
     return both;
   }
   /// The positions q of a state.
-  auto positions_of(const state& x) const { return check_state(x), x.head(Eigen::fix<size_of<0>>(at_velocities(x))); }
+  [[nodiscard]] auto positions_of(const state& x) const {
+    return check_state(x), x.head(Eigen::fix<size_of<0>>(at_velocities(x)));
+  }
   /// The velocities v of a state.
-  auto velocities_of(const state& x) const {
+  [[nodiscard]] auto velocities_of(const state& x) const {
     return check_state(x), x.segment(at_velocities(x), Eigen::fix<size_of<1>>(velocity_count()));
   }
   /// The internal states: z of the model, and c.
-  auto internals_of(const state& x) const {
+  [[nodiscard]] auto internals_of(const state& x) const {
     return check_state(x), x.tail(Eigen::fix<longer(size_of<2>)>(internals()));
   }
   /// The part (q, v, z) of the model; valid until the next call.
-  const model_state& own_part(const state& x) const {
+  [[nodiscard]] const model_state& own_part(const state& x) const {
     if constexpr (N == 0) {
       return x;
     } else {
@@ -199,10 +201,10 @@ class controlled {
     }
   }
   /// The states c of the law.
-  auto law_states_of(const state& x) const { return check_state(x), x.template tail<N>(); }
+  [[nodiscard]] auto law_states_of(const state& x) const { return check_state(x), x.template tail<N>(); }
   /// The state x of a state of the chain, with c at its start.
   template <class ChainState>
-  state getJointStates(const ChainState& s) const {
+  [[nodiscard]] state getJointStates(const ChainState& s) const {
     return with_law(model().getJointStates(s), start_);
   }
   /// Stores x in a state of the chain.
@@ -241,7 +243,7 @@ class controlled {
   /// Whether the model has closed loops, whose states integrators project onto the constraints.
   static constexpr bool settles = detail::settles_states<model_type, model_state>;
   /// Whether the chain of the model has closures of loops.
-  bool has_loops() const requires(settles) { return model().has_loops(); }
+  [[nodiscard]] bool has_loops() const requires(settles) { return model().has_loops(); }
   /// Called at the start of a step from x.
   void begin_step(const state& x) const requires(settles) { model().begin_step(own_part(x)); }
   /// Projects the state `out` = x (+) d onto the constraints.

@@ -41,7 +41,7 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
   explicit manipulator_dynamics_model(const chain_type& c) : base(c) {}
 
   /// x' of (1). Throws `bad_argument` for numbers that are not finite, `singular_mass_matrix`.
-  rate computeStateRate(const S& t, const state& x) const {
+  [[nodiscard]] rate computeStateRate(const S& t, const state& x) const {
     const S *q = x.data(), *v = q + size::q, *z = v + size::v;
     const detail::configuration<S, wiring, const S*> at(q);
     const auto bases = bases_at(t, z);
@@ -67,14 +67,14 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
   /// False for chains with both load-dependent friction and internal states, because the friction depends on
   /// accelerations, and so do these states. Stiff methods then use differences.
   static constexpr bool has_jacobian = size::z == 0 || !(detail::load_dependent_friction<typename E::core_type> || ...);
-  jacobian_matrix jacobian(const S& t, const state& x) const requires(has_jacobian) {
+  [[nodiscard]] jacobian_matrix jacobian(const S& t, const state& x) const requires(has_jacobian) {
     jacobian_matrix j;
     jacobian(t, x, j);
     return j;
   }
   void jacobian(const S& t, const state& x, jacobian_matrix& j) const requires(has_jacobian) { derive(t, x, j); }
   /// (J B): `jacobian`, and the derivatives B of x' by inputs. Without `jacobian`, both are computed by dual numbers.
-  auto jacobian_with_inputs(const S& t, const state& x) const {
+  [[nodiscard]] auto jacobian_with_inputs(const S& t, const state& x) const {
     Eigen::Matrix<S, size::x_dot, size::x_dot + size::u> j;
     if constexpr (has_jacobian) {
       derive(t, x, j);
@@ -85,7 +85,7 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
   }
   /// The generalized forces M a at x, N and Nm: those of gravity, elements and inputs, minus Coriolis and centrifugal
   /// forces.
-  joint_vector<S, size::v> forces_at(const state& x, const S& t = S(0)) const {
+  [[nodiscard]] joint_vector<S, size::v> forces_at(const state& x, const S& t = S(0)) const {
     const S *q = x.data(), *v = q + size::q;
     const detail::configuration<S, wiring, const S*> at(q);
     const auto bases = bases_at(t, v + size::v);
@@ -98,7 +98,7 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
   /// The elements that may lock a coordinate, with their coordinates and modes.
   static constexpr auto locks() { return locks_of(std::index_sequence_for<E...>{}); }
   /// The holding forces that keep the present accelerations, N and Nm.
-  joint_vector<S, size::v> needed_forces(const S& t, const state& x) const {
+  [[nodiscard]] joint_vector<S, size::v> needed_forces(const S& t, const state& x) const {
     const S *q = x.data(), *v = q + size::q;
     const rate r = computeStateRate(t, x);
     const detail::configuration<S, wiring, const S*> at(q);
@@ -108,7 +108,7 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
                                          detail::given{at, numbers{v}, numbers{r.data() + size::v}, bases}, minus_one);
   }
   /// The largest holding force of an element, N or Nm.
-  S capacity(const S& t, const state& x, std::size_t element) const {
+  [[nodiscard]] S capacity(const S& t, const state& x, std::size_t element) const {
     auto s = make_state<S>(this->chain());
     if constexpr ((detail::locks_by_load<typename E::core_type> || ...))
       s = state_at(t, x);
@@ -134,7 +134,7 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
   }
 
   /// The state x of a state of the chain.
-  state getJointStates(const chain_state<S, wiring>& s) const {
+  [[nodiscard]] state getJointStates(const chain_state<S, wiring>& s) const {
     state x = this->make_x(positions(s), velocities(s));
     for (int i = 0; i < size::z; ++i) x[size::q + size::v + i] = s.template get<kind::internal>(i).z;
     return x;
@@ -160,7 +160,7 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
     }
   }
   /// A state of the chain at x, with all its frames, accelerations and forces.
-  auto state_at(const S& t, const state& x) const {
+  [[nodiscard]] auto state_at(const S& t, const state& x) const {
     auto s = make_state<S>(this->chain());
     setJointStates(t, x, s);
     const rate r = computeStateRate(t, x);
@@ -175,7 +175,7 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
   }
 
   /// The output y: (q, v), or the function of `with_output`.
-  auto computeOutput(const S& t, const state& x) const {
+  [[nodiscard]] auto computeOutput(const S& t, const state& x) const {
     if constexpr (std::is_void_v<Output>) {
       return x.template head<size::q + size::v>().eval();
     } else {
@@ -190,7 +190,7 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
   static constexpr bool has_output() { return !std::is_void_v<Output>; }
   /// The system in another scalar, such as dual numbers, with which rates and outputs have derivatives.
   template <class T>
-  auto in_scalar() const {
+  [[nodiscard]] auto in_scalar() const {
     const auto made = [this] {
       using other = manipulator_dynamics_model<chain_type, T, Output>;
       if constexpr (std::is_void_v<Output>) {
@@ -205,7 +205,7 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
   }
   /// The system with another output: `model.with_output([](const auto& s) { return s[tip].position.x; })`.
   template <class F>
-  auto with_output(const F& f) const {
+  [[nodiscard]] auto with_output(const F& f) const {
     manipulator_dynamics_model<chain_type, S, F> m(this->chain(), f);
     m.setInput(this->u_);
     return m;

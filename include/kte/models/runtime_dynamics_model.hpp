@@ -70,7 +70,7 @@ class manipulator_dynamics_model<runtime_chain, double, void> : public state_spa
   /// (J B): `jacobian` and the derivatives of x' by inputs, also with internal states. Throws `bad_argument` for a
   /// joint that only passes support.
   template <std::same_as<double> T>
-  jacobian_matrix jacobian_with_inputs(const T& t, const state& x) const {
+  [[nodiscard]] jacobian_matrix jacobian_with_inputs(const T& t, const state& x) const {
     setJointStates(t, x, s_);
     jacobian_matrix j;
     detail::derive_rates_by_inputs(chain(), s_, j);
@@ -79,8 +79,8 @@ class manipulator_dynamics_model<runtime_chain, double, void> : public state_spa
 
   using base::make_x;
   /// The state x of vectors q and v, with z = 0 or as given.
-  state make_x(const Eigen::VectorXd& q, const Eigen::VectorXd& v) const;
-  state make_x(const Eigen::VectorXd& q, const Eigen::VectorXd& v, const Eigen::VectorXd& z) const;
+  [[nodiscard]] state make_x(const Eigen::VectorXd& q, const Eigen::VectorXd& v) const;
+  [[nodiscard]] state make_x(const Eigen::VectorXd& q, const Eigen::VectorXd& v, const Eigen::VectorXd& z) const;
   using base::setInput;
   /// Sets all inputs u. Throws `bad_argument` for a wrong number of inputs, and for numbers that are not finite.
   void setInput(const Eigen::VectorXd& u);
@@ -94,7 +94,7 @@ class manipulator_dynamics_model<runtime_chain, double, void> : public state_spa
   }
 
   /// The state x of a state of the chain.
-  state getJointStates(const runtime_state& s) const;
+  [[nodiscard]] state getJointStates(const runtime_state& s) const;
   /// Stores the time, x and the inputs in a state of the chain. Frames are updated by the next doMotion.
   void setJointStates(double t, const state& x, runtime_state& s) const;
   /// Stores x and the inputs in a state of the chain; the time is unchanged.
@@ -102,10 +102,10 @@ class manipulator_dynamics_model<runtime_chain, double, void> : public state_spa
   /// The state of the chain at x, with all its frames, accelerations and forces; valid until the next call.
   const runtime_state& state_at(double t, const state& x) const { return own_state_at(t, x); }
 
-  Eigen::VectorXd computeOutput(double t, const state& x) const;
+  [[nodiscard]] Eigen::VectorXd computeOutput(double t, const state& x) const;
   /// The function that goes through zero where the law of element number `which` of the chain changes; 1 if it does
   /// not. For events: `element_events(model)`.
-  double switching(double t, const state& x, std::size_t which) const;
+  [[nodiscard]] double switching(double t, const state& x, std::size_t which) const;
   /// Updates the mode of the element after its law has changed.
   void switch_over(double t, state& x, std::size_t which) const;
   /// Makes the mode of the element consistent with the state, for the start of an integration. Returns whether it has
@@ -114,17 +114,17 @@ class manipulator_dynamics_model<runtime_chain, double, void> : public state_spa
 
   /// The generalized forces M a at x, N and Nm: those of gravity, elements and inputs, minus Coriolis and centrifugal
   /// forces.
-  Eigen::VectorXd forces_at(const state& x, double t = 0) const;
+  [[nodiscard]] Eigen::VectorXd forces_at(const state& x, double t = 0) const;
 
   // ---- elements that may lock a coordinate: models/modes.hpp
-  const std::vector<detail::lock_place>& locks() const { return locks_; }
+  [[nodiscard]] const std::vector<detail::lock_place>& locks() const { return locks_; }
   const Eigen::VectorXd& needed_forces(double t, const state& x) const;
-  double capacity(double t, const state& x, std::size_t element) const;
+  [[nodiscard]] double capacity(double t, const state& x, std::size_t element) const;
 
   /// Whether the output is a function of `with_output`, not (q, v).
-  bool has_output() const { return static_cast<bool>(output_); }
+  [[nodiscard]] bool has_output() const { return static_cast<bool>(output_); }
   /// The system with another output, a function of a state of the chain.
-  manipulator_dynamics_model with_output(output_function f) const {
+  [[nodiscard]] manipulator_dynamics_model with_output(output_function f) const {
     auto m = *this;
     m.output_ = std::move(f);
     return m;
@@ -142,7 +142,7 @@ class manipulator_dynamics_model<runtime_chain, double, void> : public state_spa
 
   // ---- chains with loops (integrators/motion_space.hpp); no effect for other chains
   /// Whether the chain has closures of loops.
-  bool has_loops() const { return detail::has_loops(chain()); }
+  [[nodiscard]] bool has_loops() const { return detail::has_loops(chain()); }
   /// Projects the positions and velocities of x = x0 (+) d onto the loops, by the least change in kinetic energy, and
   /// updates d. Throws `bad_argument`, naming the closure that does not close.
   void settle(const state& x0, rate& d, state& x) const;
@@ -152,7 +152,7 @@ class manipulator_dynamics_model<runtime_chain, double, void> : public state_spa
   void begin_step(const state& x0) const;
   /// Projects any x onto the loops. Throws `bad_argument`, naming a closure that does not close from there; `assemble`
   /// can close loops from farther away.
-  state on_loops(const state& x) const;
+  [[nodiscard]] state on_loops(const state& x) const;
 
  private:
   int place_of_input(std::string_view name, kind k) const;

@@ -51,25 +51,25 @@ class state_space : public Chain {
 
   explicit state_space(const Chain& c) : Chain(c), u_(input_vector::Zero(size::nu(c))) {}
 
-  const Chain& chain() const { return *this; }
+  [[nodiscard]] const Chain& chain() const { return *this; }
   /// The number of internal states z.
-  int internals() const { return size::count(chain(), kind::internal); }
+  [[nodiscard]] int internals() const { return size::count(chain(), kind::internal); }
   /// The coordinates, with their positions in q and v.
-  std::span<const detail::freedom> freedoms() const { return size::freedoms(chain()); }
+  [[nodiscard]] std::span<const detail::freedom> freedoms() const { return size::freedoms(chain()); }
   /// The size of v and a.
-  int velocity_count() const { return size::nv(chain()); }
+  [[nodiscard]] int velocity_count() const { return size::nv(chain()); }
   /// The size of x.
-  int state_size() const { return numbers_q() + velocity_count() + internals(); }
+  [[nodiscard]] int state_size() const { return numbers_q() + velocity_count() + internals(); }
   /// The size of x'.
-  int rates() const { return 2 * velocity_count() + internals(); }
+  [[nodiscard]] int rates() const { return 2 * velocity_count() + internals(); }
 
   /// The state x of q and v, with z = 0 or as given. Throws `bad_argument` for wrong sizes.
   template <indexable Q, indexable V>
-  state make_x(const Q& q, const V& v) const {
+  [[nodiscard]] state make_x(const Q& q, const V& v) const {
     return make_x(q, v, Eigen::Matrix<S, size::z, 1>::Zero(internals()).eval());
   }
   template <indexable Q, indexable V, indexable Z>
-  state make_x(const Q& q, const V& v, const Z& z) const {
+  [[nodiscard]] state make_x(const Q& q, const V& v, const Z& z) const {
     const Eigen::Index at_v = numbers_q(), at_z = at_v + velocity_count(), end = at_z + internals();
     if constexpr (size::q != Eigen::Dynamic) {
       detail::check_configuration<Chain>(q), check_size<size::v>(v, "v");
@@ -86,17 +86,17 @@ class state_space : public Chain {
   }
   /// The positions q of x, as a view. Throws `bad_argument` for an x of wrong size.
   template <class X>
-  auto positions_of(const Eigen::MatrixBase<X>& x) const {
+  [[nodiscard]] auto positions_of(const Eigen::MatrixBase<X>& x) const {
     return checked(x.derived()).head(Eigen::fix<size::q>(numbers_q()));
   }
   /// The velocities v of x, as a view.
   template <class X>
-  auto velocities_of(const Eigen::MatrixBase<X>& x) const {
+  [[nodiscard]] auto velocities_of(const Eigen::MatrixBase<X>& x) const {
     return checked(x.derived()).segment(numbers_q(), Eigen::fix<size::v>(velocity_count()));
   }
   /// The internal states z of x, as a view.
   template <class X>
-  auto internals_of(const Eigen::MatrixBase<X>& x) const {
+  [[nodiscard]] auto internals_of(const Eigen::MatrixBase<X>& x) const {
     return checked(x.derived()).tail(Eigen::fix<size::z>(internals()));
   }
 
@@ -108,7 +108,7 @@ class state_space : public Chain {
     for (Eigen::Index i = 0; i < u_.size(); ++i) u_[i] = S(u[static_cast<std::size_t>(i)]);
   }
   /// The inputs u.
-  const input_vector& input() const { return u_; }
+  [[nodiscard]] const input_vector& input() const { return u_; }
 
   // ---- motion on the group, for chains with rotations
   /// out = x (+) d (integrators/motion_space.hpp).

@@ -77,13 +77,13 @@ class mass_matrix_calc<runtime_chain> {
     return feeding.kept();
   }
 
-  const runtime_chain& chain() const { return chain_; }
+  [[nodiscard]] const runtime_chain& chain() const { return chain_; }
   // The inserted names, in order: inertias, and coordinates.
-  const std::vector<std::string>& inertias() const { return inertias_; }
-  const std::vector<std::string>& coordinates() const { return moved_by_; }
+  [[nodiscard]] const std::vector<std::string>& inertias() const { return inertias_; }
+  [[nodiscard]] const std::vector<std::string>& coordinates() const { return moved_by_; }
 
   /// The indices of the columns in v.
-  std::vector<int> columns() const {
+  [[nodiscard]] std::vector<int> columns() const {
     std::vector<int> all;
     for (const auto& f : coordinates_)
       for (int k = 0; k < nv_of(f.what); ++k) all.push_back(f.v + k);
@@ -91,19 +91,19 @@ class mass_matrix_calc<runtime_chain> {
   }
 
   /// T, dT/dt and M_c at the positions and rates of a state.
-  twist_shaping_result<> twist_shaping(runtime_state& s) const {
+  [[nodiscard]] twist_shaping_result<> twist_shaping(runtime_state& s) const {
     check(s);
     detail::check_state_velocities(s);
     return shaped(s, true);
   }
   /// M at the positions of a state.
-  Eigen::MatrixXd mass_matrix(runtime_state& s) const {
+  [[nodiscard]] Eigen::MatrixXd mass_matrix(runtime_state& s) const {
     check(s);
     detail::check_positions(s);
     return product(shaped(s, false), s);
   }
   /// M and dM/dt at its positions and rates.
-  mass_matrix_with_rate<> mass_matrix_and_rate(runtime_state& s) const {
+  [[nodiscard]] mass_matrix_with_rate<> mass_matrix_and_rate(runtime_state& s) const {
     const auto t = twist_shaping(s);
     const Eigen::MatrixXd half = t.rate.transpose() * t.masses * t.value;
     mass_matrix_with_rate<> m{product(t, s), half + half.transpose()};  // (1)
@@ -113,17 +113,17 @@ class mass_matrix_calc<runtime_chain> {
   }
   // At q, or at q and v, which are stored in the state.
   template <indexable Q>
-  Eigen::MatrixXd mass_matrix(runtime_state& s, const Q& q) const {
+  [[nodiscard]] Eigen::MatrixXd mass_matrix(runtime_state& s, const Q& q) const {
     check(s);
     return detail::take(chain_, s, q).call([&] { return mass_matrix(s); });
   }
   template <indexable Q, indexable V>
-  mass_matrix_with_rate<> mass_matrix_and_rate(runtime_state& s, const Q& q, const V& v) const {
+  [[nodiscard]] mass_matrix_with_rate<> mass_matrix_and_rate(runtime_state& s, const Q& q, const V& v) const {
     check(s);
     return detail::take(chain_, s, q, v).call([&] { return mass_matrix_and_rate(s); });
   }
   template <indexable Q, indexable V>
-  twist_shaping_result<> twist_shaping(runtime_state& s, const Q& q, const V& v) const {
+  [[nodiscard]] twist_shaping_result<> twist_shaping(runtime_state& s, const Q& q, const V& v) const {
     check(s);
     return detail::take(chain_, s, q, v).call([&] { return twist_shaping(s); });
   }

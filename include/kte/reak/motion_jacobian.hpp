@@ -86,7 +86,7 @@ requires(is_coordinate(Joint) && !is_signal(Moved)) struct motion_jacobian {
   std::array<partial_motion<Moved, S>, std::size_t{columns}> column{};
 
   /// The Jacobian as a matrix.
-  matrix_type matrix() const {
+  [[nodiscard]] matrix_type matrix() const {
     return filled([](const auto& x, const auto& put) {
       if constexpr (Moved == kind::gen)
         put(x.q_dot);
@@ -95,7 +95,7 @@ requires(is_coordinate(Joint) && !is_signal(Moved)) struct motion_jacobian {
     });
   }
   /// The time derivative of `matrix()`.
-  matrix_type rate() const {
+  [[nodiscard]] matrix_type rate() const {
     return filled([](const auto& x, const auto& put) {
       if constexpr (Moved == kind::gen)
         put(x.q_dot_rate);
@@ -110,7 +110,7 @@ requires(is_coordinate(Joint) && !is_signal(Moved)) struct motion_jacobian {
   ///   u' = R^T (u + w x p),   w' = R^T w                                              (1)
   ///   du'/dt = R^T (du/dt + dw/dt x p) + w' x v - w_X x u',   dw'/dt = R^T dw/dt - w_X x w'          (2)
   template <class M>
-  motion_jacobian at(const M& m) const requires(Moved != kind::gen) {
+  [[nodiscard]] motion_jacobian at(const M& m) const requires(Moved != kind::gen) {
     motion_jacobian there;
     for (std::size_t k = 0; k < column.size(); ++k) {
       const auto x = detail::spatial(column[k]);

@@ -136,7 +136,7 @@ class mass_matrix_calc<static_chain<Gravity, E...>, std::index_sequence<Body...>
 
   /// T, dT/dt and M_c.
   template <indexable Q, indexable V>
-  auto twist_shaping(const Q& q, const V& v) const {
+  [[nodiscard]] auto twist_shaping(const Q& q, const V& v) const {
     using namespace detail;
     using S = value_of<Q>;
     check_configuration<chain_type>(q), check_velocities<chain_type>(v);
@@ -147,12 +147,12 @@ class mass_matrix_calc<static_chain<Gravity, E...>, std::index_sequence<Body...>
     return t;
   }
   template <indexable Q>
-  auto mass_matrix(const Q& q) const {
+  [[nodiscard]] auto mass_matrix(const Q& q) const {
     return product(shaped(q), masses<value_of<Q>>());
   }
   /// M and dM/dt.
   template <indexable Q, indexable V>
-  auto mass_matrix_and_rate(const Q& q, const V& v) const {
+  [[nodiscard]] auto mass_matrix_and_rate(const Q& q, const V& v) const {
     using matrix = matrix_type<value_of<Q>>;
     const auto t = twist_shaping(q, v);
     const matrix half = t.rate.transpose() * t.masses * t.value;

@@ -101,16 +101,16 @@ class runtime_chain : public kte_map {
   vec3<> gravity() const override { return gravity_; }
 
   /// A handle of a frame, in the plane or in space, for calls that take a name. Throws `unknown_name`.
-  handle frame(std::string_view name) const { return handle_of(name, is_frame, "frame"); }
+  [[nodiscard]] handle frame(std::string_view name) const { return handle_of(name, is_frame, "frame"); }
   /// A handle of a coordinate of any kind. Throws `unknown_name`.
-  handle coordinate(std::string_view name) const { return handle_of(name, is_coordinate, "coordinate"); }
+  [[nodiscard]] handle coordinate(std::string_view name) const { return handle_of(name, is_coordinate, "coordinate"); }
   /// A handle of an input. Throws `unknown_name`.
-  handle input(std::string_view name) const {
+  [[nodiscard]] handle input(std::string_view name) const {
     return handle_of(
         name, [](kind k) { return k == kind::input; }, "input");
   }
   /// A handle of an internal state. Throws `unknown_name`.
-  handle internal(std::string_view name) const {
+  [[nodiscard]] handle internal(std::string_view name) const {
     return handle_of(
         name, [](kind k) { return k == kind::internal; }, "internal state");
   }
@@ -119,7 +119,7 @@ class runtime_chain : public kte_map {
   /// `bad_wiring` if an element acts on a coordinate by which nothing moves, `bad_argument` if S is not double and
   /// there are elements other than joints, links and bodies.
   template <class S = double>
-  basic_runtime_state<S> make_state() const;
+  [[nodiscard]] basic_runtime_state<S> make_state() const;
 
   void doMotion(runtime_state& s) const override {
     check(s);
@@ -140,7 +140,7 @@ class runtime_chain : public kte_map {
     std::vector<double> numbers;
   };
   /// The signals that elements write, in their order, computed by the last doMotion.
-  std::vector<output> outputs(const runtime_state& s) const;
+  [[nodiscard]] std::vector<output> outputs(const runtime_state& s) const;
 
   std::unique_ptr<kte_map> clone() const override { return std::make_unique<runtime_chain>(*this); }
   void for_each_element(const std::function<void(const kte_element&)>& visit) const override {
@@ -158,15 +158,15 @@ class runtime_chain : public kte_map {
   }
 
   /// The wiring of the chain. Throws `bad_argument` if the chain is part of another one.
-  const topology& wiring() const {
+  [[nodiscard]] const topology& wiring() const {
     if (use_ != use::whole) [[unlikely]]
       throw bad_argument("kte: this chain is part of another one: use the wiring and states of that one");
     return *topology_;
   }
   /// The number of degrees of freedom.
-  int dofs() const { return wiring().nv; }
+  [[nodiscard]] int dofs() const { return wiring().nv; }
   /// The number of entries in a configuration q.
-  int nq() const { return wiring().nq; }
+  [[nodiscard]] int nq() const { return wiring().nq; }
   /// Throws `bad_argument` unless the state was made for this chain as it is now.
   template <class S>
   void check(const basic_runtime_state<S>& s) const {

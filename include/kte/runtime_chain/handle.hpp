@@ -10,9 +10,9 @@ namespace kte {
 class handle {
  public:
   /// The kind of the item: a coordinate, a frame, an input, ...
-  kind what() const { return what_; }
+  [[nodiscard]] kind what() const { return what_; }
   /// Its index among items of its kind.
-  int index() const { return index_; }
+  [[nodiscard]] int index() const { return index_; }
 
  private:
   friend class runtime_chain;

@@ -77,7 +77,7 @@ class static_chain {
   /// The signals that elements write (measures, controls), in order, computed by the last doMotion. A vector signal
   /// contributes three numbers.
   template <class State>
-  constexpr auto outputs(const State& s) const {
+  [[nodiscard]] constexpr auto outputs(const State& s) const {
     check<State>();
     constexpr std::size_t n = (output_numbers<typename E::core_type> + ... + 0);
     std::array<typename State::scalar, n> y{};
@@ -104,19 +104,19 @@ class static_chain {
   /// A copy of the chain with gravity, m/s^2, in the axes of the base: `.gravity(along_z(-9.81))`. Gravity acts as the
   /// opposite acceleration of the base. Throws `bad_parameter` if it is not finite.
   template <class X, class Y, class Z>
-  constexpr auto gravity(const vec3<X, Y, Z>& g) const {
+  [[nodiscard]] constexpr auto gravity(const vec3<X, Y, Z>& g) const {
     detail::check_gravity(g);
     return static_chain<vec3<X, Y, Z>, E...>(elements_, g);
   }
   /// A copy of the chain with gravity, m/s^2: `.gravity({0, 0, -9.81})`.
-  constexpr auto gravity(const vec3<>& g) const { return gravity<double, double, double>(g); }
+  [[nodiscard]] constexpr auto gravity(const vec3<>& g) const { return gravity<double, double, double>(g); }
   template <class Number>
-  constexpr const static_chain& gravity(const Number&) const {
+  [[nodiscard]] constexpr const static_chain& gravity(const Number&) const {
     static_assert(detail::fit<Number>,
                   "kte: gravity is a vector in the axes of the base, m/s^2: .gravity(kte::along_z(-9.81))");
     return *this;
   }
-  constexpr const Gravity& gravity() const { return gravity_; }
+  [[nodiscard]] constexpr const Gravity& gravity() const { return gravity_; }
 
   /// All elements, in order.
   constexpr const boost::hana::tuple<E...>& elements() const { return elements_; }

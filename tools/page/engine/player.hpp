@@ -37,7 +37,7 @@ class player {
   /// Pulls a frame, or where it has no name none. Throws `unknown_name`, `bad_argument`.
   void pull(const page_pull& by) {
     check(by);
-    if (!by.frame.empty()) shown_.chain().frame(by.frame);
+    if (!by.frame.empty()) (void)shown_.chain().frame(by.frame);
     const bool same = by.frame == pull_.frame;
     pull_ = by;
     if (!same) rebuild();
