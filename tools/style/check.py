@@ -49,13 +49,13 @@ def rules(path):
 
 
 def prose_of_markdown(text):
-    """(line number, prose, whether its length counts): no code; tables may be as wide as they are."""
+    """(line number, prose, whether its length counts): no code and placeholders; tables may be as wide as they are."""
     code = False
     for number, line in enumerate(text.split('\n'), 1):
         if line.startswith('```'):
             code = not code
         elif not code and not line.startswith('<!--'):
-            yield number, re.sub(r'`[^`]*`', '``', line), not line.startswith('|')
+            yield number, re.sub(r'`[^`]*`|@[^@]*@', '``', line), not line.startswith('|')
 
 
 def prose_of_code(text):
