@@ -31,8 +31,8 @@ class sdf_frames {
 
   std::string canonical;  ///< the frame that the outermost model moves with
 
-  void add(const std::string& name, frame f) {
-    const auto [it, fresh] = frames_.try_emplace(name, std::move(f));
+  void add(const std::string& name, const frame& f) {
+    const auto [it, fresh] = frames_.try_emplace(name, f);
     if (!fresh) f.from.fail("there is another frame of this name");
   }
   bool has(const std::string& name) const { return frames_.contains(name); }

@@ -26,8 +26,7 @@ class sdf_tree {
     const auto in = [&](const std::string& link) { return still.contains(link) || (world && link == "world"); };
     std::erase_if(d_.joints, [&](const robot_joint& j) { return in(j.parent) && in(j.child); });
     std::string anchor = world ? "world" : "";
-    for (std::size_t i = 0; i < d_.links.size(); ++i) {
-      const auto& l = d_.links[i];
+    for (const auto& l : d_.links) {
       if (!still.contains(l.name)) continue;
       if (anchor.empty())
         anchor = l.name;
