@@ -31,6 +31,7 @@ struct element_numbers {
   bool measures_accelerations = false;
   bool load_dependent_friction = false;  ///< of a joint: whether its friction depends on what it carries
   bool locks_coordinate = false;
+  bool varying_axes = false;      ///< of a joint: contract/varying_joint.hpp
   bool distributed_mass = false;  ///< whether it has a mass between several ports
   rigid_numbers<P> rigid{};
   rigid_body<P, vec3<P>, sym3<P>> body{};
@@ -56,6 +57,14 @@ constexpr auto plain_coordinate(bool tried) {
     const vec3<> p = tried && K == kind::pose_3D ? tried_position : vec3<>{};
     return motion{p, r, vec3<>{}, vec3<>{}, vec3<>{}, vec3<>{}};
   }
+}
+/// The same of all coordinates of a joint.
+template <class Core>
+constexpr auto plain_coordinates(bool tried) {
+  if constexpr (coordinates_of<Core> == 1)
+    return plain_coordinate<coordinate_kind<Core>>(tried);
+  else
+    return tuple_of_coordinates<Core>([tried]<std::size_t>() { return plain_coordinate<kind::gen>(tried); });
 }
 template <class P, class M>
 pose<mat3<vec3<P>>, vec3<P>> plain_pose(const M& m) {
@@ -93,7 +102,7 @@ element_numbers<P> as_numbers(const element_numbers<double>& n) {
   x.is = n.is, x.plain_loads = n.plain_loads, x.power_dual = n.power_dual,
   x.measures_accelerations = n.measures_accelerations;
   x.load_dependent_friction = n.load_dependent_friction, x.distributed_mass = n.distributed_mass;
-  x.locks_coordinate = n.locks_coordinate;
+  x.locks_coordinate = n.locks_coordinate, x.varying_axes = n.varying_axes;
   x.rigid.at_zero = placed(n.rigid.at_zero), x.rigid.tried = placed(n.rigid.tried);
   for (std::size_t k = 0; k < n.rigid.linear.size(); ++k)
     x.rigid.linear[k] = as<P>(n.rigid.linear[k]), x.rigid.angular[k] = as<P>(n.rigid.angular[k]);
@@ -113,7 +122,8 @@ element_numbers<P> numbers_of(const Core& core) {
   } else if constexpr (is_transmission<Core>) {
     n.is = part::rigid;
     n.plain_loads = loads_by_relative<Core>;
-    n.rigid = rigid_numbers_of<P>(core);
+    n.varying_axes = varying_axes<Core>;
+    if constexpr (!varying_axes<Core>) n.rigid = rigid_numbers_of<P>(core);
   } else if constexpr (last.how == access::base) {
     n.is = part::base;
   } else if constexpr (last.how == access::out) {

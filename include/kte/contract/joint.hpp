@@ -8,14 +8,11 @@
 /// What the composite-rigid-body algorithm asks of elements, in static and runtime chains.
 namespace kte::detail {
 
-/// How many coordinates a transmission has. Its last two ports are the base and the end.
-template <class Core>
-inline constexpr std::size_t coordinates_of = port_count<Core> > 2;
-/// The kind of a joint's coordinate, and its number of degrees of freedom; none for a link.
+/// The kind of a joint's coordinate or coordinates, and its number of degrees of freedom; none for a link.
 template <class Core>
 inline constexpr kind coordinate_kind = Core::ports[0].what;
 template <class Core>
-inline constexpr int joint_dofs = nv_of(coordinate_kind<Core>);
+inline constexpr int joint_dofs = coordinates_of<Core> > 1 ? int{coordinates_of<Core>} : nv_of(coordinate_kind<Core>);
 /// A core with a mass, on its first port.
 template <class Core, class S>
 inline constexpr bool has_mass = requires(const Core& c) {
@@ -38,10 +35,34 @@ KTE_INLINE constexpr void for_each_number(const F& f) {
   all_of_them(std::make_integer_sequence<int, N>{});
 }
 
+/// The motion of a joint at its coordinate, or at a tuple of its coordinates.
+template <class Core, class C>
+KTE_INLINE constexpr auto relative_at(const Core& core, const C& c) {
+  return core.relative(c);
+}
+template <class Core, class... C>
+constexpr auto relative_at(const Core& core, const std::tuple<C...>& c) {
+  return std::apply([&core](const auto&... x) { return core.relative(x...); }, c);
+}
+/// Coordinates without rates.
+template <class... C>
+constexpr auto position_only(const std::tuple<C...>& c) {
+  return std::apply([](const auto&... x) { return std::tuple{position_only(x)...}; }, c);
+}
 /// Axis n of a joint at coordinate c: the motion that its unit rate makes.
 template <int N, class Core, class C>
 KTE_INLINE constexpr auto axis_of(const Core& core, const C& c) {
   return core.relative(unit_rate<coordinate_kind<Core>, N>(c));
+}
+template <int N, class Core, class... C>
+constexpr auto axis_of(const Core& core, const std::tuple<C...>& c) {
+  return axis_among<std::size_t{N}>(core, c, std::make_index_sequence<sizeof...(C)>{});
+}
+/// f<K>() for each coordinate K of a joint, as a tuple.
+template <class Core, class F>
+constexpr auto tuple_of_coordinates(const F& f) {
+  return [&f]<std::size_t... K>(std::index_sequence<K...>) { return std::tuple{f.template operator()<K>()...}; }
+  (std::make_index_sequence<coordinates_of<Core>>{});
 }
 
 }  // namespace kte::detail

@@ -13,14 +13,22 @@ template <class Joint, class Rotation, class Position>
 struct placed_joint : Joint, transmission<placed_joint<Joint, Rotation, Position>> {  // with whatever else a joint has
   using transmission<placed_joint>::doMotion, transmission<placed_joint>::doForce;
 
-  Position position;
-  Rotation rotation;
+  static constexpr std::array<std::string_view, 2> optional_parameters{"position", "rotation"};
 
+  Position position{};
+  Rotation rotation{};
+
+  /// Not placed elsewhere: rotations of numbers are the identity.
+  constexpr placed_joint() {
+    if constexpr (requires { rotation.cos; }) rotation.cos = 1;
+    if constexpr (requires { rotation.x.x; }) rotation.x.x = rotation.y.y = rotation.z.z = 1;
+  }
   constexpr placed_joint(const Joint& x, const Position& r, const Rotation& R) : Joint(x), position(r), rotation(R) {}
+  constexpr explicit placed_joint(const Joint& x) : placed_joint() { static_cast<Joint&>(*this) = x; }
 
-  template <class C>
-  KTE_INLINE constexpr auto relative(const C& c) const {
-    const auto x = Joint::relative(c);
+  template <class... C>
+  KTE_INLINE constexpr auto relative(const C&... c) const {
+    const auto x = Joint::relative(c...);
     return motion{position + rotation * x.position,
                   rotation * x.rotation,
                   x.velocity,
@@ -40,6 +48,13 @@ struct placed_joint : Joint, transmission<placed_joint<Joint, Rotation, Position
     visit("rotation", self.rotation);
   }
 };
+
+/// A joint in the plane with a placement of plain numbers.
+template <class Joint>
+using placed_2D = placed_joint<Joint, rotation_2D<>, vec3<double, double, zero_t>>;
+/// A joint in space with a placement of plain numbers.
+template <class Joint>
+using placed_3D = placed_joint<Joint, mat3<vec3<>>, vec3<>>;
 
 }  // namespace core
 

@@ -4,7 +4,9 @@
 #include <kte/detail/numbered.hpp>
 #include <kte/frames/motion.hpp>
 
+#include <tuple>
 #include <type_traits>
+#include <utility>
 
 namespace kte {
 
@@ -77,6 +79,26 @@ KTE_INLINE constexpr auto load_on(const F& f) {
                   vec3{f.template operator()<3>(), f.template operator()<4>(), f.template operator()<5>()}};
   }
 }
+/// How many coordinates a transmission has. They are its first ports, the base and the end are its last two.
+template <class Core>
+inline constexpr std::size_t coordinates_of = [] {
+  std::size_t n = 0;
+  while (is_coordinate(Core::ports[n].what)) ++n;
+  return n;
+}();
+/// The motion that the unit rate of coordinate N of a joint makes, the others at rest.
+template <std::size_t N, class Core, class Coordinates, std::size_t... K>
+KTE_INLINE constexpr auto axis_among(const Core& core, const Coordinates& c, std::index_sequence<K...>) {
+  const auto at = [&c]<std::size_t I>() KTE_INLINE_LAMBDA {
+    const auto& x = std::get<I>(c);
+    if constexpr (I == N) {
+      return unit_rate<kind::gen, 0>(x);
+    } else {
+      return coordinate{x.q, zero, zero, x.cos, x.sin};
+    }
+  };
+  return core.relative(at.template operator()<K>()...);
+}
 /// Number N of such a load.
 template <kind K, int N, class L>
 KTE_INLINE constexpr auto number_of(const L& load) {
@@ -100,7 +122,9 @@ KTE_INLINE constexpr auto number_of(const L& load) {
 /// (where a core says `static constexpr bool load_dependent_friction = true`, f has also its `friction(coordinate,
 /// wrench)`) so that f is the force of virtual power on the coordinate, in any chain. So do the articulated inertia and
 /// the accelerations (dynamics/), and what else the algorithms need. A coordinate is a number (`coordinate`), or a
-/// rotation or pose (`motion`, with several f); s must be the same in every position, in the axes of the end.
+/// rotation or pose (`motion`, with several f); s must be the same in every position, in the axes of the end. A core
+/// with other axes says `static constexpr bool varying_axes = true`. A joint of several coordinates, which are numbers,
+/// has them all before the base: `relative(coordinate1, coordinate2)`, with an f for each.
 template <class Core>
 struct transmission {
   /// A link.
@@ -132,16 +156,27 @@ struct transmission {
     }
   }
 
-  /// A joint that may be held (contract/coordinate_lock.hpp): its mode stands between coordinate and base.
-  template <class C, class Mode, class Base>
-  KTE_INLINE constexpr auto doMotion(const C& c, const Mode&, const Base& base) const {
-    return compose(base, core().relative(c));  // (2)
+  /// A joint that may be held (contract/coordinate_lock.hpp): its mode stands between coordinate and base. Or one of
+  /// several coordinates, which stand before the base.
+  template <class C, class Second, class Third, class... Others>
+  KTE_INLINE constexpr auto doMotion(const C& c, const Second& second, const Third& third,
+                                     const Others&... others) const {
+    if constexpr (detail::coordinates_of<Core> == 1) {
+      return compose(third, core().relative(c));  // (2)
+    } else {
+      return moved(std::tie(c, second, third, others...), coordinates_in<>{});
+    }
   }
-  template <class C, class Mode, class Base, class Wrench>
-  KTE_INLINE constexpr auto doForce(const C& c, const Mode& mode, const Base&, const Wrench& end) const {
-    return make_loads(
-        detail::power(core().relative(detail::unit_rate<kind::gen, 0>(c)), end) + core().friction(c, mode, end),
-        transmit(core().relative(detail::position_only(c)), end));
+  template <class C, class Second, class Third, class Fourth, class... Others>
+  KTE_INLINE constexpr auto doForce(const C& c, const Second& second, const Third& third, const Fourth& fourth,
+                                    const Others&... others) const {
+    if constexpr (detail::coordinates_of<Core> == 1) {
+      return make_loads(
+          detail::power(core().relative(detail::unit_rate<kind::gen, 0>(c)), fourth) + core().friction(c, second, fourth),
+          transmit(core().relative(detail::position_only(c)), fourth));
+    } else {
+      return loaded(std::tie(c, second, third, fourth, others...), coordinates_in<>{});
+    }
   }
 
   // Hidden by passes of the core.
@@ -150,6 +185,19 @@ struct transmission {
 
  private:
   KTE_INLINE constexpr const Core& core() const { return static_cast<const Core&>(*this); }
+  template <class C = Core>
+  using coordinates_in = std::make_index_sequence<detail::coordinates_of<C>>;
+  /// Of several coordinates: (2), then (4) and (3). `things`: of the ports, with the wrench of the end as the last.
+  template <class Things, std::size_t... K>
+  KTE_INLINE constexpr auto moved(const Things& things, std::index_sequence<K...>) const {
+    return compose(std::get<sizeof...(K)>(things), core().relative(std::get<K>(things)...));
+  }
+  template <class Things, std::size_t... K>
+  KTE_INLINE constexpr auto loaded(const Things& things, std::index_sequence<K...> all) const {
+    const auto& end = std::get<sizeof...(K) + 1>(things);
+    return make_loads(detail::power(detail::axis_among<K>(core(), things, all), end)...,
+                      transmit(core().relative(detail::position_only(std::get<K>(things))...), end));
+  }
 };
 
 namespace detail {
@@ -173,6 +221,12 @@ template <class Core>
 constexpr auto rotation_of(const Core& core) {
   if constexpr (port_count<Core> == 2) {
     return core.relative().rotation;
+  } else if constexpr (coordinates_of<Core> > 1) {
+    constexpr coordinate<double, double, double, double, double> c{};
+    return [&core, &c]<std::size_t... K>(std::index_sequence<K...>) {
+      return core.relative((void(K), c)...).rotation;
+    }
+    (std::make_index_sequence<coordinates_of<Core>>{});
   } else if constexpr (Core::ports[0].what == kind::gen) {
     return core.relative(coordinate<double, double, double, double, double>{}).rotation;
   } else if constexpr (Core::ports[0].what == kind::pose_2D) {

@@ -41,6 +41,10 @@ KTE_INLINE constexpr auto element_pose(const Chain& c, const Given& g) {
   const auto m = [&]() KTE_INLINE_LAMBDA {
     if constexpr (coordinates_of<core_t> == 0)
       return c.template core<I>().relative();
+    else if constexpr (coordinates_of<core_t> > 1)
+      return relative_at(c.template core<I>(), tuple_of_coordinates<core_t>([&]<std::size_t K>() {
+                           return position_only(motion_of<types, kind::gen, Chain::wiring::slot(I, K)>(c, g));
+                         }));
     else
       return c.template core<I>().relative(
           position_only(motion_of<types, coordinate_kind<core_t>, Chain::wiring::slot(I, 0)>(c, g)));

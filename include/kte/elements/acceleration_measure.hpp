@@ -38,17 +38,4 @@ template <class F, class Y>
 KTE_CALL(acceleration_measure_2D, "(frame, output)")
 KTE_CALL(acceleration_measure_3D, "(frame, output)")
 
-namespace detail {
-/// How model files make them.
-struct acceleration_measure_family {
-  template <class Add>
-  static void add_to(const Add& add) {
-    add("acceleration_measure_2D",
-        [](const auto& x) { return acceleration_measure_2D(x.name("frame"), x.name("output")); });
-    add("acceleration_measure_3D",
-        [](const auto& x) { return acceleration_measure_3D(x.name("frame"), x.name("output")); });
-  }
-};
-}  // namespace detail
-
 }  // namespace kte

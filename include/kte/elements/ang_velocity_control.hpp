@@ -99,21 +99,4 @@ template <class W, class AL, class Q0, class Q1, class Q2, class Q3, class B, cl
 KTE_CALL(ang_velocity_control_3D, "(ang_velocity, ang_acceleration, e, x, y, z, base, end)")
 KTE_CALL(ang_velocity_control_2D, "(ang_velocity, ang_acceleration, angle, base, end)")
 
-namespace detail {
-/// How model files make them.
-struct ang_velocity_control_family {
-  template <class Add>
-  static void add_to(const Add& add) {
-    add("ang_velocity_control_2D", [](const auto& x) {
-      return ang_velocity_control_2D(x.name("ang_velocity"), x.name("ang_acceleration"), x.name("angle"),
-                                     x.name("base"), x.name("end"));
-    });
-    add("ang_velocity_control_3D", [](const auto& x) {
-      return ang_velocity_control_3D(x.name("ang_velocity"), x.name("ang_acceleration"), x.name("e"), x.name("x"),
-                                     x.name("y"), x.name("z"), x.name("base"), x.name("end"));
-    });
-  }
-};
-}  // namespace detail
-
 }  // namespace kte

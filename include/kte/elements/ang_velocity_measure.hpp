@@ -47,17 +47,4 @@ template <class F, class Y>
 KTE_CALL(ang_velocity_measure_2D, "(frame, output)")
 KTE_CALL(ang_velocity_measure_3D, "(frame, output)")
 
-namespace detail {
-/// How model files make them.
-struct ang_velocity_measure_family {
-  template <class Add>
-  static void add_to(const Add& add) {
-    add("ang_velocity_measure_2D",
-        [](const auto& x) { return ang_velocity_measure_2D(x.name("frame"), x.name("output")); });
-    add("ang_velocity_measure_3D",
-        [](const auto& x) { return ang_velocity_measure_3D(x.name("frame"), x.name("output")); });
-  }
-};
-}  // namespace detail
-
 }  // namespace kte

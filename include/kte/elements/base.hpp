@@ -40,16 +40,4 @@ KTE_CALL(base_gen, "(coordinate)")
 KTE_CALL(base_2D, "(frame)")
 KTE_CALL(base_3D, "(frame)")
 
-namespace detail {
-/// How model files make them.
-struct base_family {
-  template <class Add>
-  static void add_to(const Add& add) {
-    add("base_gen", [](const auto& x) { return base_gen(x.name("base")); });
-    add("base_2D", [](const auto& x) { return base_2D(x.name("base")); });
-    add("base_3D", [](const auto& x) { return base_3D(x.name("base")); });
-  }
-};
-}  // namespace detail
-
 }  // namespace kte

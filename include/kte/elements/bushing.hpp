@@ -65,6 +65,8 @@ struct bushing_3D {
   static constexpr type_name type{"bushing", kind::frame_3D};
   static constexpr std::array<port, 2> ports{
       {{kind::frame_3D, access::on, "anchor1"}, {kind::frame_3D, access::on, "anchor2"}}};
+  static constexpr const char* arguments =
+      "{stiffness, angular_stiffness, stiffness_coupling}, {damping, angular_damping, damping_coupling}, rest_position";
   static constexpr bool reads_positions = true;
 
   bushing_matrix stiffness;
@@ -127,25 +129,5 @@ template <class F1, class F2, class X = double, class Y = X, class Z = Y>
 }
 
 KTE_CALL(bushing_3D, "(anchor1, anchor2, stiffness[, damping[, rest_position]]); both are a kte::bushing_matrix")
-
-namespace detail {
-/// How model files make them.
-struct bushing_family {
-  template <class Add>
-  static void add_to(const Add& add) {
-    add(
-        "bushing_3D",
-        [](const auto& x) {
-          return bushing_3D(
-              x.name("anchor1"), x.name("anchor2"),
-              {x.symmetric("stiffness"), x.symmetric("angular_stiffness"), x.matrix("stiffness_coupling")},
-              {x.symmetric("damping"), x.symmetric("angular_damping"), x.matrix("damping_coupling")},
-              x.vector("rest_position"));
-        },
-        "{stiffness, angular_stiffness, stiffness_coupling}, {damping, angular_damping, damping_coupling}, "
-        "rest_position");
-  }
-};
-}  // namespace detail
 
 }  // namespace kte

@@ -104,21 +104,4 @@ KTE_CALL(constant_force_3D, "(frame, force[, torque]); both are vectors, such as
 KTE_CALL(follower_force_2D, "(frame, force[, torque]); a force is a vector, such as kte::along_y(-2.0)")
 KTE_CALL(follower_force_3D, "(frame, force[, torque]); both are vectors, such as kte::along_z(-2.0)")
 
-namespace detail {
-/// How model files make them.
-struct constant_force_family {
-  template <class Add>
-  static void add_to(const Add& add) {
-    add("constant_force_2D",
-        [](const auto& x) { return constant_force_2D(x.name("frame"), x.planar_vector("force"), x.number("torque")); });
-    add("constant_force_3D",
-        [](const auto& x) { return constant_force_3D(x.name("frame"), x.vector("force"), x.vector("torque")); });
-    add("follower_force_2D",
-        [](const auto& x) { return follower_force_2D(x.name("frame"), x.planar_vector("force"), x.number("torque")); });
-    add("follower_force_3D",
-        [](const auto& x) { return follower_force_3D(x.name("frame"), x.vector("force"), x.vector("torque")); });
-  }
-};
-}  // namespace detail
-
 }  // namespace kte

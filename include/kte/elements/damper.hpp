@@ -80,19 +80,4 @@ KTE_CALL(damper_gen, "(anchor1, anchor2, damping)")
 KTE_CALL(damper_2D, "(anchor1, anchor2, damping)")
 KTE_CALL(damper_3D, "(anchor1, anchor2, damping)")
 
-namespace detail {
-/// How model files make them.
-struct damper_family {
-  template <class Add>
-  static void add_to(const Add& add) {
-    add("damper_gen",
-        [](const auto& x) { return damper_gen(x.name("anchor1"), x.name("anchor2"), x.number("damping")); });
-    add("damper_2D",
-        [](const auto& x) { return damper_2D(x.name("anchor1"), x.name("anchor2"), x.number("damping")); });
-    add("damper_3D",
-        [](const auto& x) { return damper_3D(x.name("anchor1"), x.name("anchor2"), x.number("damping")); });
-  }
-};
-}  // namespace detail
-
 }  // namespace kte

@@ -27,6 +27,7 @@ struct dc_motor_gen {
   static constexpr std::array<port, 3> ports{{{kind::gen, access::on, "coordinate"},
                                               {kind::input, access::in, "voltage"},
                                               {kind::internal, access::keep, "current"}}};
+  static constexpr const char* arguments = "{resistance, inductance, torque_constant, ratio}";
 
   dc_motor_parameters p;
 
@@ -63,22 +64,5 @@ template <class Q, class U, class I>
 }
 
 KTE_CALL(dc_motor_gen, "(coordinate, voltage, current, parameters)")
-
-namespace detail {
-/// How model files make them.
-struct dc_motor_family {
-  template <class Add>
-  static void add_to(const Add& add) {
-    add(
-        "dc_motor_gen",
-        [](const auto& x) {
-          return dc_motor_gen(
-              x.name("coordinate"), x.name("voltage"), x.name("current"),
-              {x.number("resistance"), x.number("inductance"), x.number("torque_constant"), x.number("ratio")});
-        },
-        "{resistance, inductance, torque_constant, ratio}");
-  }
-};
-}  // namespace detail
 
 }  // namespace kte

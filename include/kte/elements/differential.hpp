@@ -50,16 +50,4 @@ template <class B1, class B2, class E, entry Ratio1, entry Ratio2>
 
 KTE_CALL(differential_gen, "(base1, base2, end, ratio1, ratio2)")
 
-namespace detail {
-/// How model files make them.
-struct differential_family {
-  template <class Add>
-  static void add_to(const Add& add) {
-    add("differential_gen", [](const auto& x) {
-      return differential_gen(x.name("base1"), x.name("base2"), x.name("end"), x.number("ratio1"), x.number("ratio2"));
-    });
-  }
-};
-}  // namespace detail
-
 }  // namespace kte

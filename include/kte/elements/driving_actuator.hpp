@@ -72,19 +72,4 @@ KTE_CALL(driving_actuator_gen, "(coordinate, input)")
 KTE_CALL(driving_actuator_2D, "(frame, force, torque)")
 KTE_CALL(driving_actuator_3D, "(frame, force, torque)")
 
-namespace detail {
-/// How model files make them.
-struct driving_actuator_family {
-  template <class Add>
-  static void add_to(const Add& add) {
-    add("driving_actuator_gen",
-        [](const auto& x) { return driving_actuator_gen(x.name("coordinate"), x.name("input")); });
-    add("driving_actuator_2D",
-        [](const auto& x) { return driving_actuator_2D(x.name("frame"), x.name("force"), x.name("torque")); });
-    add("driving_actuator_3D",
-        [](const auto& x) { return driving_actuator_3D(x.name("frame"), x.name("force"), x.name("torque")); });
-  }
-};
-}  // namespace detail
-
 }  // namespace kte

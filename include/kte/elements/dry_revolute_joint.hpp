@@ -24,6 +24,7 @@ struct dry_revolute_joint : revolute_joint<Dim, Axis>, transmission<dry_revolute
   double friction_radius;  ///< mu r, m
   double smoothing;        ///< v, rad/s
 
+  dry_revolute_joint() = default;
   constexpr dry_revolute_joint(const Axis& n, double radius, double v)
       : joint(n), friction_radius(radius), smoothing(v) {}
 
@@ -84,30 +85,5 @@ template <class Q, class B, class E, class X, class Y, class Z>
 
 KTE_CALL(dry_revolute_joint_2D, "(coordinate, base, end, friction_radius[, smoothing])")
 KTE_CALL(dry_revolute_joint_3D, "(coordinate, base, end, axis, friction_radius[, smoothing])")
-
-namespace detail {
-/// How model files make them.
-struct dry_revolute_joint_family {
-  template <class Add>
-  static void add_to(const Add& add) {
-    add(
-        "dry_revolute_joint_2D",
-        [](const auto& x) {
-          if (x.vector("axis") != as<double>(axis::z)) x.fail("has an axis other than z");
-          return x.placed(dry_revolute_joint_2D(x.name("coordinate"), x.name("base"), x.name("end"),
-                                                x.number("friction_radius"), x.number("smoothing")));
-        },
-        "friction_radius, smoothing");
-    add("dry_revolute_joint_3D", [](const auto& x) {
-      const auto about = [&](const auto& n) {
-        return dry_revolute_joint_3D(x.name("coordinate"), x.name("base"), x.name("end"), n,
-                                     x.number("friction_radius"), x.number("smoothing"));
-      };
-      if (x.is_placed()) return x.placed(about(x.vector("axis")));
-      return x.with_axis("axis", [&](const auto& n) { return x.adapt(about(n)); });
-    });
-  }
-};
-}  // namespace detail
 
 }  // namespace kte

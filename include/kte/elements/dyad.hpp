@@ -64,7 +64,9 @@ struct dyad_bar1 : coordinate_follower<dyad_bar1>, dyad_parameters {
   static constexpr type_name type{"dyad_bar1", kind::frame_2D};
   static constexpr std::array<port, 3> ports{
       {{kind::gen, access::in, "crank1"}, {kind::gen, access::in, "crank2"}, {kind::gen, access::out, "bar"}}};
+  static constexpr const char* arguments = "{{pivot_x, pivot_y}, crank1, bar1, bar2, crank2, side}";
 
+  dyad_bar1() = default;
   constexpr explicit dyad_bar1(const dyad_lengths& l) : dyad_parameters{l} {}
 
   template <class S>
@@ -78,7 +80,9 @@ struct dyad_bar2 : coordinate_follower<dyad_bar2>, dyad_parameters {
   static constexpr type_name type{"dyad_bar2", kind::frame_2D};
   static constexpr std::array<port, 3> ports{
       {{kind::gen, access::in, "crank1"}, {kind::gen, access::in, "crank2"}, {kind::gen, access::out, "bar"}}};
+  static constexpr const char* arguments = "{{pivot_x, pivot_y}, crank1, bar1, bar2, crank2, side}";
 
+  dyad_bar2() = default;
   constexpr explicit dyad_bar2(const dyad_lengths& l) : dyad_parameters{l} {}
 
   template <class S>
@@ -114,28 +118,5 @@ template <class Q1, class Q2, class B1, class B2>
 }
 
 KTE_CALL(dyad_2D, "(crank1, crank2, bar1, bar2, lengths); lengths are {.pivot = {0.3, 0.0}, .crank1 = 0.1, ...}")
-
-namespace detail {
-/// How model files make them.
-struct dyad_family {
-  template <class Add>
-  static void add_to(const Add& add) {
-    const auto lengths = [](const auto& x) {
-      return dyad_lengths{{x.number("pivot_x"), x.number("pivot_y")},
-                          x.number("crank1"),
-                          x.number("bar1"),
-                          x.number("bar2"),
-                          x.number("crank2"),
-                          x.number("side")};
-    };
-    add(
-        "dyad_bar1_2D", [lengths](const auto& x) { return x.connected(core::dyad_bar1(lengths(x))); },
-        "{{pivot_x, pivot_y}, crank1, bar1, bar2, crank2, side}");
-    add(
-        "dyad_bar2_2D", [lengths](const auto& x) { return x.connected(core::dyad_bar2(lengths(x))); },
-        "{{pivot_x, pivot_y}, crank1, bar1, bar2, crank2, side}");
-  }
-};
-}  // namespace detail
 
 }  // namespace kte

@@ -42,17 +42,4 @@ template <class F, class U, class T>
 KTE_CALL(external_force_2D, "(frame, force, torque)")
 KTE_CALL(external_force_3D, "(frame, force, torque)")
 
-namespace detail {
-/// How model files make them.
-struct external_force_family {
-  template <class Add>
-  static void add_to(const Add& add) {
-    add("external_force_2D",
-        [](const auto& x) { return external_force_2D(x.name("frame"), x.name("force"), x.name("torque")); });
-    add("external_force_3D",
-        [](const auto& x) { return external_force_3D(x.name("frame"), x.name("force"), x.name("torque")); });
-  }
-};
-}  // namespace detail
-
 }  // namespace kte

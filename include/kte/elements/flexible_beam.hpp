@@ -42,7 +42,11 @@ template <kind Dim>
 struct flexible_beam {
   static constexpr type_name type{"flexible_beam", Dim};
   static constexpr std::array<port, 2> ports{{{Dim, access::on, "anchor1"}, {Dim, access::on, "anchor2"}}};
+  static constexpr const char* arguments = Dim == kind::frame_2D
+                                               ? "rest_length, {EA, EI, GA}, rest_turn"
+                                               : "rest_length, {EA, EI_y, EI_z, GJ, GA_y, GA_z}, rest_turn";
   static constexpr bool reads_positions = true;
+  static constexpr std::array<std::string_view, 1> optional_parameters{"rest_turn"};
   using section_type = std::conditional_t<Dim == kind::frame_2D, planar_beam_section, beam_section>;
 
   using turn_type = std::conditional_t<Dim == kind::frame_2D, double, vec3<>>;
@@ -207,31 +211,5 @@ KTE_CALL(flexible_beam_2D,
 KTE_CALL(flexible_beam_3D,
          "(anchor1, anchor2, rest_length, section[, rest_turn]); a section is {.EA = .., .EI_y = .., .EI_z = .., .GJ = "
          "..}")
-
-namespace detail {
-/// How model files make them.
-struct flexible_beam_family {
-  template <class Add>
-  static void add_to(const Add& add) {
-    add(
-        "flexible_beam_2D",
-        [](const auto& x) {
-          return flexible_beam_2D(x.name("anchor1"), x.name("anchor2"), x.number("rest_length"),
-                                  {x.number("EA"), x.number("EI"), x.number("GA")},
-                                  x.has("rest_turn") ? x.number("rest_turn") : 0);
-        },
-        "rest_length, {EA, EI, GA}, rest_turn");
-    add(
-        "flexible_beam_3D",
-        [](const auto& x) {
-          return flexible_beam_3D(
-              x.name("anchor1"), x.name("anchor2"), x.number("rest_length"),
-              {x.number("EA"), x.number("EI_y"), x.number("EI_z"), x.number("GJ"), x.number("GA_y"), x.number("GA_z")},
-              x.has("rest_turn") ? x.vector("rest_turn") : vec3<>{});
-        },
-        "rest_length, {EA, EI_y, EI_z, GJ, GA_y, GA_z}, rest_turn");
-  }
-};
-}  // namespace detail
 
 }  // namespace kte

@@ -64,19 +64,4 @@ template <class F, entry Quadratic, entry Linear = zero_t, class X = zero_t, cla
 KTE_CALL(fluid_drag_2D, "(frame, quadratic[, linear[, flow]]); a flow is a vector, such as kte::along_x(3.0)")
 KTE_CALL(fluid_drag_3D, "(frame, quadratic[, linear[, flow]]); a flow is a vector, such as kte::along_x(3.0)")
 
-namespace detail {
-/// How model files make them.
-struct fluid_drag_family {
-  template <class Add>
-  static void add_to(const Add& add) {
-    add("fluid_drag_2D", [](const auto& x) {
-      return fluid_drag_2D(x.name("frame"), x.number("quadratic"), x.number("linear"), x.planar_vector("flow"));
-    });
-    add("fluid_drag_3D", [](const auto& x) {
-      return fluid_drag_3D(x.name("frame"), x.number("quadratic"), x.number("linear"), x.vector("flow"));
-    });
-  }
-};
-}  // namespace detail
-
 }  // namespace kte

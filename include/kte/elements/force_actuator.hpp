@@ -60,19 +60,4 @@ KTE_CALL(force_actuator_gen, "(anchor1, anchor2, input)")
 KTE_CALL(force_actuator_2D, "(anchor1, anchor2, input)")
 KTE_CALL(force_actuator_3D, "(anchor1, anchor2, input)")
 
-namespace detail {
-/// How model files make them.
-struct force_actuator_family {
-  template <class Add>
-  static void add_to(const Add& add) {
-    add("force_actuator_gen",
-        [](const auto& x) { return force_actuator_gen(x.name("anchor1"), x.name("anchor2"), x.name("input")); });
-    add("force_actuator_2D",
-        [](const auto& x) { return force_actuator_2D(x.name("anchor1"), x.name("anchor2"), x.name("input")); });
-    add("force_actuator_3D",
-        [](const auto& x) { return force_actuator_3D(x.name("anchor1"), x.name("anchor2"), x.name("input")); });
-  }
-};
-}  // namespace detail
-
 }  // namespace kte

@@ -55,7 +55,9 @@ struct four_bar_parameters {
 struct four_bar_coupler : coordinate_follower<four_bar_coupler>, four_bar_parameters {
   static constexpr type_name type{"four_bar_coupler", kind::frame_2D};
   static constexpr std::array<port, 2> ports{{{kind::gen, access::in, "crank"}, {kind::gen, access::out, "coupler"}}};
+  static constexpr const char* arguments = "{{pivot_x, pivot_y}, crank, coupler, rocker, side}";
 
+  four_bar_coupler() = default;
   constexpr explicit four_bar_coupler(const four_bar_lengths& l) : four_bar_parameters{l} {}
 
   template <class S>
@@ -71,7 +73,9 @@ struct four_bar_coupler : coordinate_follower<four_bar_coupler>, four_bar_parame
 struct four_bar_rocker : coordinate_follower<four_bar_rocker>, four_bar_parameters {
   static constexpr type_name type{"four_bar_rocker", kind::frame_2D};
   static constexpr std::array<port, 2> ports{{{kind::gen, access::in, "crank"}, {kind::gen, access::out, "rocker"}}};
+  static constexpr const char* arguments = "{{pivot_x, pivot_y}, crank, coupler, rocker, side}";
 
+  four_bar_rocker() = default;
   constexpr explicit four_bar_rocker(const four_bar_lengths& l) : four_bar_parameters{l} {}
 
   template <class S>
@@ -107,27 +111,5 @@ template <class Q, class C, class R>
 }
 
 KTE_CALL(four_bar_2D, "(crank, coupler, rocker, lengths); lengths are {.pivot = {0.3, 0.0}, .crank = 0.1, ...}")
-
-namespace detail {
-/// How model files make them.
-struct four_bar_family {
-  template <class Add>
-  static void add_to(const Add& add) {
-    const auto lengths = [](const auto& x) {
-      return four_bar_lengths{{x.number("pivot_x"), x.number("pivot_y")},
-                              x.number("crank"),
-                              x.number("coupler"),
-                              x.number("rocker"),
-                              x.number("side")};
-    };
-    add(
-        "four_bar_coupler_2D", [lengths](const auto& x) { return x.connected(core::four_bar_coupler(lengths(x))); },
-        "{{pivot_x, pivot_y}, crank, coupler, rocker, side}");
-    add(
-        "four_bar_rocker_2D", [lengths](const auto& x) { return x.connected(core::four_bar_rocker(lengths(x))); },
-        "{{pivot_x, pivot_y}, crank, coupler, rocker, side}");
-  }
-};
-}  // namespace detail
 
 }  // namespace kte

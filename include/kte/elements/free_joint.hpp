@@ -47,17 +47,4 @@ template <class X, class B, class E>
 KTE_CALL(free_joint_2D, "(coordinate, base, end)")
 KTE_CALL(free_joint_3D, "(coordinate, base, end)")
 
-namespace detail {
-/// How model files make them.
-struct free_joint_family {
-  template <class Add>
-  static void add_to(const Add& add) {
-    add("free_joint_2D",
-        [](const auto& x) { return x.placed(free_joint_2D(x.name("coordinate"), x.name("base"), x.name("end"))); });
-    add("free_joint_3D",
-        [](const auto& x) { return x.placed(free_joint_3D(x.name("coordinate"), x.name("base"), x.name("end"))); });
-  }
-};
-}  // namespace detail
-
 }  // namespace kte

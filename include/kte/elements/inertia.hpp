@@ -17,10 +17,12 @@ template <kind Dim, class Mass, class Com, class Inertia>
 struct inertia {
   static constexpr type_name type{"inertia", Dim};
   static constexpr std::array<port, 1> ports{{{Dim, access::in, "frame"}}};
+  static constexpr const char* arguments = "body";
 
   rigid_body<Mass, Com, Inertia> body;
   decltype(to_composite(rigid_body<Mass, Com, Inertia>{})) at_origin;  ///< the inertia about the origin of the frame
 
+  inertia() = default;
   constexpr explicit inertia(const rigid_body<Mass, Com, Inertia>& b) : body(b), at_origin(composite_of(b)) {}
 
   template <class Frame>
@@ -147,19 +149,5 @@ template <class Q, variable M>
 KTE_CALL(inertia_gen, "(coordinate, mass)")
 KTE_CALL(inertia_2D, "(frame, body); a body is kte::point_mass(1.0) or kte::planar_body(2.0, 0.1)")
 KTE_CALL(inertia_3D, "(frame, body); a body is kte::point_mass(1.0) or kte::rigid_body{mass, com, inertia}")
-
-namespace detail {
-/// How model files make them.
-struct inertia_family {
-  template <class Add>
-  static void add_to(const Add& add) {
-    add("inertia_gen", [](const auto& x) { return inertia_gen(x.name("coordinate"), x.number("mass")); });
-    add(
-        "inertia_2D", [](const auto& x) { return inertia_2D(x.name("frame"), x.planar_body()); }, "body");
-    add(
-        "inertia_3D", [](const auto& x) { return inertia_3D(x.name("frame"), x.body()); }, "body");
-  }
-};
-}  // namespace detail
 
 }  // namespace kte

@@ -201,24 +201,4 @@ template <class F1, class F2, variable M, class Inertia = decltype(diagonal(zero
 KTE_CALL(inertial_beam_2D, "(anchor1, anchor2, mass[, inertia])")
 KTE_CALL(inertial_beam_3D, "(anchor1, anchor2, mass[, inertia])")
 
-namespace detail {
-/// How model files make them.
-struct inertial_beam_family {
-  template <class Add>
-  static void add_to(const Add& add) {
-    add(
-        "inertial_beam_2D",
-        [](const auto& x) {
-          const auto i = x.symmetric("inertia");
-          if (i.xx != 0 || i.xy != 0 || i.xz != 0 || i.yy != 0 || i.yz != 0) x.fail("has inertia out of the plane");
-          return inertial_beam_2D(x.name("anchor1"), x.name("anchor2"), x.number("mass"), i.zz);
-        },
-        "mass, inertia.zz");
-    add("inertial_beam_3D", [](const auto& x) {
-      return inertial_beam_3D(x.name("anchor1"), x.name("anchor2"), x.number("mass"), x.symmetric("inertia"));
-    });
-  }
-};
-}  // namespace detail
-
 }  // namespace kte

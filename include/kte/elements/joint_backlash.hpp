@@ -75,17 +75,4 @@ template <class Q1, class Q2, entry S>
 
 KTE_CALL(joint_backlash_gen, "(anchor1, anchor2, gap, stiffness, damping)")
 
-namespace detail {
-/// How model files make them.
-struct joint_backlash_family {
-  template <class Add>
-  static void add_to(const Add& add) {
-    add("joint_backlash_gen", [](const auto& x) {
-      return joint_backlash_gen(x.name("anchor1"), x.name("anchor2"), x.number("gap"), x.number("stiffness"),
-                                x.number("damping"));
-    });
-  }
-};
-}  // namespace detail
-
 }  // namespace kte

@@ -102,17 +102,4 @@ template <class Q1, class Q2, class Z, entry S>
 
 KTE_CALL(joint_backlash_mode_gen, "(anchor1, anchor2, mode, gap, stiffness, damping)")
 
-namespace detail {
-/// How model files make them.
-struct joint_backlash_mode_family {
-  template <class Add>
-  static void add_to(const Add& add) {
-    add("joint_backlash_mode_gen", [](const auto& x) {
-      return joint_backlash_mode_gen(x.name("anchor1"), x.name("anchor2"), x.name("mode"), x.number("gap"),
-                                     x.number("stiffness"), x.number("damping"));
-    });
-  }
-};
-}  // namespace detail
-
 }  // namespace kte

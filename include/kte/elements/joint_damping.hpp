@@ -31,15 +31,4 @@ template <class Q, entry Damping>
 
 KTE_CALL(joint_damping_gen, "(coordinate, damping)")
 
-namespace detail {
-/// How model files make them.
-struct joint_damping_family {
-  template <class Add>
-  static void add_to(const Add& add) {
-    add("joint_damping_gen",
-        [](const auto& x) { return joint_damping_gen(x.name("coordinate"), x.number("damping")); });
-  }
-};
-}  // namespace detail
-
 }  // namespace kte

@@ -33,6 +33,7 @@ namespace core {
 /// 47 (2002).
 struct joint_elasto_plastic_gen : bristle_friction<joint_elasto_plastic_gen, elasto_plastic_parameters> {
   static constexpr type_name type{"joint_elasto_plastic", kind::gen};
+  static constexpr const char* arguments = "{sigma0, sigma1, sigma2, coulomb, stiction, stribeck_velocity, breakaway}";
   using bristle_friction::bristle_friction;
 
   constexpr void check(const parameter_check& where) const {
@@ -77,23 +78,5 @@ template <class Q, class Z>
 }
 
 KTE_CALL(joint_elasto_plastic_gen, "(coordinate, bristles, parameters)")
-
-namespace detail {
-/// How model files make them.
-struct joint_elasto_plastic_family {
-  template <class Add>
-  static void add_to(const Add& add) {
-    add(
-        "joint_elasto_plastic_gen",
-        [](const auto& x) {
-          return joint_elasto_plastic_gen(
-              x.name("coordinate"), x.name("bristles"),
-              {x.number("sigma0"), x.number("sigma1"), x.number("sigma2"), x.number("coulomb"), x.number("stiction"),
-               x.number("stribeck_velocity"), x.number("breakaway")});
-        },
-        "{sigma0, sigma1, sigma2, coulomb, stiction, stribeck_velocity, breakaway}");
-  }
-};
-}  // namespace detail
 
 }  // namespace kte

@@ -28,6 +28,7 @@ namespace core {
 struct joint_friction_gen {
   static constexpr type_name type{"joint_friction", kind::gen};
   static constexpr std::array<port, 1> ports{{{kind::gen, access::on, "coordinate"}}};
+  static constexpr const char* arguments = "{viscous, coulomb, stiction, stribeck_velocity, smoothing_velocity}";
 
   friction_parameters p;
 
@@ -84,22 +85,5 @@ template <class Q>
 }
 
 KTE_CALL(joint_friction_gen, "(coordinate, parameters)")
-
-namespace detail {
-/// How model files make them.
-struct joint_friction_family {
-  template <class Add>
-  static void add_to(const Add& add) {
-    add(
-        "joint_friction_gen",
-        [](const auto& x) {
-          return joint_friction_gen(x.name("coordinate"),
-                                    {x.number("viscous"), x.number("coulomb"), x.number("stiction"),
-                                     x.number("stribeck_velocity"), x.number("smoothing_velocity")});
-        },
-        "{viscous, coulomb, stiction, stribeck_velocity, smoothing_velocity}");
-  }
-};
-}  // namespace detail
 
 }  // namespace kte

@@ -24,6 +24,7 @@ namespace core {
 struct joint_limit_gen {
   static constexpr type_name type{"joint_limit", kind::gen};
   static constexpr std::array<port, 1> ports{{{kind::gen, access::on, "coordinate"}}};
+  static constexpr const char* arguments = "{lower, upper, stiffness, damping}";
 
   joint_stops p;
 
@@ -83,21 +84,5 @@ template <class Q>
 }
 
 KTE_CALL(joint_limit_gen, "(coordinate, limits); limits are {.lower = -1.0, .upper = 1.0, .stiffness = 1e4}")
-
-namespace detail {
-/// How model files make them.
-struct joint_limit_family {
-  template <class Add>
-  static void add_to(const Add& add) {
-    add(
-        "joint_limit_gen",
-        [](const auto& x) {
-          return joint_limit_gen(x.name("coordinate"),
-                                 {x.number("lower"), x.number("upper"), x.number("stiffness"), x.number("damping")});
-        },
-        "{lower, upper, stiffness, damping}");
-  }
-};
-}  // namespace detail
 
 }  // namespace kte

@@ -28,6 +28,7 @@ struct bristle_friction {
 
   Parameters p;
 
+  bristle_friction() = default;
   constexpr explicit bristle_friction(const Parameters& x) : p(x) {}
 
   template <class C, class Z>
@@ -74,6 +75,7 @@ struct bristle_friction {
 /// Automatic Control 40 (1995), (1) to (4).
 struct joint_lugre_gen : bristle_friction<joint_lugre_gen, lugre_parameters> {
   static constexpr type_name type{"joint_lugre", kind::gen};
+  static constexpr const char* arguments = "{sigma0, sigma1, sigma2, coulomb, stiction, stribeck_velocity}";
   using bristle_friction::bristle_friction;
 
   template <class V, class Z>
@@ -97,22 +99,5 @@ template <class Q, class Z>
 }
 
 KTE_CALL(joint_lugre_gen, "(coordinate, bristles, parameters)")
-
-namespace detail {
-/// How model files make them.
-struct joint_lugre_family {
-  template <class Add>
-  static void add_to(const Add& add) {
-    add(
-        "joint_lugre_gen",
-        [](const auto& x) {
-          return joint_lugre_gen(x.name("coordinate"), x.name("bristles"),
-                                 {x.number("sigma0"), x.number("sigma1"), x.number("sigma2"), x.number("coulomb"),
-                                  x.number("stiction"), x.number("stribeck_velocity")});
-        },
-        "{sigma0, sigma1, sigma2, coulomb, stiction, stribeck_velocity}");
-  }
-};
-}  // namespace detail
 
 }  // namespace kte

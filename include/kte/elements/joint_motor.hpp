@@ -32,6 +32,8 @@ struct joint_motor_gen {
   static constexpr type_name type{"joint_motor", kind::gen};
   static constexpr std::array<port, 2> ports{
       {{kind::gen, access::on, "coordinate"}, {kind::input, access::in, "command"}}};
+  static constexpr const char* arguments =
+      "{gain, offset, stiffness, damping, lower, upper, lower_command, upper_command}";
 
   motor_law p;
 
@@ -89,23 +91,5 @@ template <class Q, class U>
 }
 
 KTE_CALL(joint_motor_gen, "(coordinate, command[, law]); a law is {.lower = -40, .upper = 40}")
-
-namespace detail {
-/// How model files make them.
-struct joint_motor_family {
-  template <class Add>
-  static void add_to(const Add& add) {
-    add(
-        "joint_motor_gen",
-        [](const auto& x) {
-          return joint_motor_gen(
-              x.name("coordinate"), x.name("command"),
-              {x.number("gain"), x.number("offset"), x.number("stiffness"), x.number("damping"), x.number("lower"),
-               x.number("upper"), x.number("lower_command"), x.number("upper_command")});
-        },
-        "{gain, offset, stiffness, damping, lower, upper, lower_command, upper_command}");
-  }
-};
-}  // namespace detail
 
 }  // namespace kte

@@ -26,9 +26,11 @@ struct joint_stiction_gen : coordinate_lock {
   static constexpr type_name type{"joint_stiction", kind::gen};
   static constexpr std::array<port, 2> ports{
       {{kind::gen, access::on, "coordinate"}, {kind::internal, access::keep, "mode"}}};
+  static constexpr const char* arguments = "{coulomb, stiction, stribeck_velocity, viscous}";
 
   stiction_parameters p;
 
+  joint_stiction_gen() = default;
   constexpr explicit joint_stiction_gen(const stiction_parameters& x) : p(x) {}
 
   template <class C, class Z>
@@ -103,23 +105,5 @@ template <class Q, class Z, class U>
 
 KTE_CALL(joint_stiction_gen, "(coordinate, mode, {coulomb, stiction[, stribeck_velocity, viscous]})")
 KTE_CALL(brake_gen, "(coordinate, mode, force)")
-
-namespace detail {
-/// How model files make them.
-struct joint_stiction_family {
-  template <class Add>
-  static void add_to(const Add& add) {
-    add(
-        "joint_stiction_gen",
-        [](const auto& x) {
-          return joint_stiction_gen(
-              x.name("coordinate"), x.name("mode"),
-              {x.number("coulomb"), x.number("stiction"), x.number("stribeck_velocity"), x.number("viscous")});
-        },
-        "{coulomb, stiction, stribeck_velocity, viscous}");
-    add("brake_gen", [](const auto& x) { return brake_gen(x.name("coordinate"), x.name("mode"), x.name("force")); });
-  }
-};
-}  // namespace detail
 
 }  // namespace kte

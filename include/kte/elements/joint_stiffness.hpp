@@ -50,16 +50,4 @@ template <class Q, entry Stiffness, entry Rest = zero_t>
 
 KTE_CALL(joint_stiffness_gen, "(coordinate, stiffness[, rest])")
 
-namespace detail {
-/// How model files make them.
-struct joint_stiffness_family {
-  template <class Add>
-  static void add_to(const Add& add) {
-    add("joint_stiffness_gen", [](const auto& x) {
-      return joint_stiffness_gen(x.name("coordinate"), x.number("stiffness"), x.number("rest"));
-    });
-  }
-};
-}  // namespace detail
-
 }  // namespace kte

@@ -71,20 +71,4 @@ template <class B, class E, class X, class Y, class Z, class OX, class OY, class
 KTE_CALL(line_point_mindist_2D, "(base, end, tangent, origin)")
 KTE_CALL(line_point_mindist_3D, "(base, end, tangent, origin)")
 
-namespace detail {
-/// How model files make them.
-struct line_point_mindist_family {
-  template <class Add>
-  static void add_to(const Add& add) {
-    add("line_point_mindist_2D", [](const auto& x) {
-      return line_point_mindist_2D(x.name("base"), x.name("end"), x.planar_vector("tangent"),
-                                   x.planar_vector("origin"));
-    });
-    add("line_point_mindist_3D", [](const auto& x) {
-      return line_point_mindist_3D(x.name("base"), x.name("end"), x.vector("tangent"), x.vector("origin"));
-    });
-  }
-};
-}  // namespace detail
-
 }  // namespace kte

@@ -46,15 +46,4 @@ template <class B, class E, entry Ratio, entry Offset = zero_t>
 
 KTE_CALL(mimic_gen, "(base, end, ratio[, offset])")
 
-namespace detail {
-/// How model files make them.
-struct mimic_family {
-  template <class Add>
-  static void add_to(const Add& add) {
-    add("mimic_gen",
-        [](const auto& x) { return mimic_gen(x.name("base"), x.name("end"), x.number("ratio"), x.number("offset")); });
-  }
-};
-}  // namespace detail
-
 }  // namespace kte

@@ -33,6 +33,7 @@ struct pid_control_gen {
                                               {kind::input, access::in, "wanted"},
                                               {kind::internal, access::keep, "integral"},
                                               {kind::input, access::out, "output"}}};
+  static constexpr const char* arguments = "{proportional, integral, derivative, limit, tracking}";
 
   pid_gains p;
 
@@ -83,22 +84,5 @@ template <class Q, class R, class Z, class Y>
 }
 
 KTE_CALL(pid_control_gen, "(coordinate, wanted, integral, output, gains)")
-
-namespace detail {
-/// How model files make them.
-struct pid_control_family {
-  template <class Add>
-  static void add_to(const Add& add) {
-    add(
-        "pid_control_gen",
-        [](const auto& x) {
-          return pid_control_gen(x.name("coordinate"), x.name("wanted"), x.name("integral"), x.name("output"),
-                                 {x.number("proportional"), x.number("integral"), x.number("derivative"),
-                                  x.number("limit"), x.number("tracking")});
-        },
-        "{proportional, integral, derivative, limit, tracking}");
-  }
-};
-}  // namespace detail
 
 }  // namespace kte

@@ -43,15 +43,4 @@ template <class X, class B, class E>
 
 KTE_CALL(planar_joint_3D, "(coordinate, base, end)")
 
-namespace detail {
-/// How model files make them.
-struct planar_joint_family {
-  template <class Add>
-  static void add_to(const Add& add) {
-    add("planar_joint_3D",
-        [](const auto& x) { return x.placed(planar_joint_3D(x.name("coordinate"), x.name("base"), x.name("end"))); });
-  }
-};
-}  // namespace detail
-
 }  // namespace kte

@@ -65,16 +65,4 @@ template <class B, class E, class X, class Y, class Z, class OX, class OY, class
 
 KTE_CALL(plane_point_mindist_3D, "(base, end, normal, origin)")
 
-namespace detail {
-/// How model files make them.
-struct plane_point_mindist_family {
-  template <class Add>
-  static void add_to(const Add& add) {
-    add("plane_point_mindist_3D", [](const auto& x) {
-      return plane_point_mindist_3D(x.name("base"), x.name("end"), x.vector("normal"), x.vector("origin"));
-    });
-  }
-};
-}  // namespace detail
-
 }  // namespace kte

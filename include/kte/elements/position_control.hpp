@@ -85,24 +85,4 @@ KTE_CALL(position_control_gen, "(position, velocity, acceleration, coordinate)")
 KTE_CALL(position_control_2D, "(position, velocity, acceleration, base, end)")
 KTE_CALL(position_control_3D, "(position, velocity, acceleration, base, end)")
 
-namespace detail {
-/// How model files make them.
-struct position_control_family {
-  template <class Add>
-  static void add_to(const Add& add) {
-    add("position_control_gen", [](const auto& x) {
-      return position_control_gen(x.name("position"), x.name("velocity"), x.name("acceleration"), x.name("coordinate"));
-    });
-    add("position_control_2D", [](const auto& x) {
-      return position_control_2D(x.name("position"), x.name("velocity"), x.name("acceleration"), x.name("base"),
-                                 x.name("end"));
-    });
-    add("position_control_3D", [](const auto& x) {
-      return position_control_3D(x.name("position"), x.name("velocity"), x.name("acceleration"), x.name("base"),
-                                 x.name("end"));
-    });
-  }
-};
-}  // namespace detail
-
 }  // namespace kte

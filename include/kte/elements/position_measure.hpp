@@ -52,17 +52,4 @@ KTE_CALL(position_measure_gen, "(coordinate, output)")
 KTE_CALL(position_measure_2D, "(frame, output)")
 KTE_CALL(position_measure_3D, "(frame, output)")
 
-namespace detail {
-/// How model files make them.
-struct position_measure_family {
-  template <class Add>
-  static void add_to(const Add& add) {
-    add("position_measure_gen",
-        [](const auto& x) { return position_measure_gen(x.name("coordinate"), x.name("output")); });
-    add("position_measure_2D", [](const auto& x) { return position_measure_2D(x.name("frame"), x.name("output")); });
-    add("position_measure_3D", [](const auto& x) { return position_measure_3D(x.name("frame"), x.name("output")); });
-  }
-};
-}  // namespace detail
-
 }  // namespace kte

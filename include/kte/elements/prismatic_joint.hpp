@@ -17,6 +17,7 @@ struct prismatic_joint : transmission<prismatic_joint<Dim, Axis>> {
 
   Axis axis;
 
+  prismatic_joint() = default;
   constexpr explicit prismatic_joint(const Axis& n) : axis(n) {}
 
   template <class C>
@@ -49,25 +50,5 @@ template <class Q, class B, class E, class X, class Y, class Z>
 
 KTE_CALL(prismatic_joint_2D, "(coordinate, base, end, axis); an axis is a vector, such as kte::axis::x")
 KTE_CALL(prismatic_joint_3D, "(coordinate, base, end, axis); an axis is a vector, such as kte::axis::x")
-
-namespace detail {
-/// How model files make them.
-struct prismatic_joint_family {
-  template <class Add>
-  static void add_to(const Add& add) {
-    add("prismatic_joint_2D", [](const auto& x) {
-      return x.placed(prismatic_joint_2D(x.name("coordinate"), x.name("base"), x.name("end"), x.planar_vector("axis")));
-    });
-    add("prismatic_joint_3D", [](const auto& x) {
-      const auto along = [&](const auto& n) {
-        return prismatic_joint_3D(x.name("coordinate"), x.name("base"), x.name("end"), n);
-      };
-      if (x.is_placed())
-        return x.placed(along(x.vector("axis")));  // for numbers this is as exact, and needs only one type
-      return x.with_axis("axis", [&](const auto& n) { return x.adapt(along(n)); });
-    });
-  }
-};
-}  // namespace detail
 
 }  // namespace kte

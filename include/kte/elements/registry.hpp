@@ -1,5 +1,7 @@
 #pragma once
 
+#include <kte/contract/number_reader.hpp>
+#include <kte/contract/parameter_info.hpp>
 #include <kte/detail/compiled.hpp>
 #include <kte/runtime_chain/kte_map_adapter.hpp>
 #include <kte/runtime_chain/runtime_chain.hpp>
@@ -43,6 +45,20 @@ auto placed(const element_record& r, const std::string& which, const Make& make)
 }
 }  // namespace detail
 
+namespace detail {
+/// A joint as files place it.
+template <class Joint>
+using placed_in_files =
+    std::conditional_t<Joint::ports.back().what == kind::frame_2D, core::placed_2D<Joint>, core::placed_3D<Joint>>;
+/// Of a core that is a joint, the placed one; else the core.
+template <class Core>
+struct with_placement : std::type_identity<Core> {};
+template <class Core>
+requires(is_transmission<Core> && (port_count<Core> > 2) && !is_placed_joint<Core>) struct with_placement<Core>
+    : std::type_identity<placed_in_files<Core>> {
+};
+}  // namespace detail
+
 /// Reads names and parameters of an element record by role and name. Throws `bad_file` if one is missing or has the
 /// wrong size.
 class record_reader {
@@ -74,13 +90,6 @@ class record_reader {
     const auto& v = values(parameter, 3);
     return {v[0], v[1], v[2]};
   }
-  /// A parameter of two numbers x, y.
-  vec2<> planar_vector(std::string_view parameter) const {
-    check_finite(parameter);
-    const auto v = vector(parameter);
-    if (v.z != 0) fail("has a '" + std::string(parameter) + "' out of the plane");
-    return {v.x, v.y};
-  }
   /// A parameter of nine numbers, a matrix by rows.
   mat3<vec3<>> matrix(std::string_view parameter) const {
     const auto& v = values(parameter, 9);
@@ -93,61 +102,41 @@ class record_reader {
     const auto& v = values(parameter, 6);
     return {v[0], v[1], v[2], v[3], v[4], v[5]};
   }
-  /// A parameter that is a rotation about z.
-  rotation_2D<> planar_rotation(std::string_view parameter) const {
-    check_finite(parameter);
-    const auto m = rotation(parameter);
-    const rotation_2D<> r{m.x.x, m.y.x};
-    if (m != as<double>(kte::matrix(r))) fail("has a '" + std::string(parameter) + "' out of the plane");
-    return r;
-  }
-  /// The rigid body of the parameters mass, com and inertia.
-  rigid_body<> body() const { return {number("mass"), vector("com"), symmetric("inertia"), flag("as_published")}; }
-  /// The rigid body in the plane of the parameters; entries out of the plane must be zero.
-  auto planar_body() const {
-    check_finite("com"), check_finite("inertia");
-    const auto b = body();
-    const auto& i = b.inertia;
-    if (b.com.z != 0 || i.xx != 0 || i.xy != 0 || i.xz != 0 || i.yy != 0 || i.yz != 0)
-      fail("has inertia out of the plane");
-    auto planar = kte::planar_body(b.mass, i.zz, vec3{b.com.x, b.com.y, zero});
-    planar.published = b.published;
-    return planar;
-  }
   /// Connects a core to the names that the record has for the roles of its ports.
   template <class Core>
   auto connected(const Core& core) const {
     return [&]<std::size_t... P>(std::index_sequence<P...>) { return connect(core, name(Core::ports[P].role)...); }
     (std::make_index_sequence<port_count<Core>>{});
   }
-  /// Calls f with a typed axis if the axis equals one, else with numbers, so that a joint read from a file has the type
-  /// that was written.
-  template <class F>
-  auto with_axis(std::string_view parameter, const F& f) const {
-    const auto v = vector(parameter);
-    if (v == as<double>(axis::x)) return f(axis::x);
-    if (v == as<double>(axis::y)) return f(axis::y);
-    if (v == as<double>(axis::z)) return f(axis::z);
-    return f(v);
-  }
   /// An element as a part of a runtime chain: the result of functions that make elements of several types.
   template <class Core>
   static std::unique_ptr<kte_map> adapt(named_element<Core> e) {
     return std::make_unique<kte_map_adapter<Core>>(std::move(e));
   }
-  /// Whether the record has a placement of the joint in its base.
-  bool is_placed() const { return has("position") || has("rotation"); }
-  /// The joint with the placement of its record, if any, as a part of a runtime chain.
+  /// Sets the parameters of a core to those of the record.
+  template <class Core>
+  void read(Core& core) const {
+    const auto all = parameter_infos<Core>();
+    const detail::record_place place{record_.type};
+    auto p = all.begin();
+    Core::parameters(core, [&](const char*, auto& value) {
+      if (const auto numbers = numbers_of(*p++); !numbers.empty()) detail::number_reader(numbers, place)(value);
+    });
+  }
+  /// An element of a core type, as a part of a runtime chain.
+  template <class Core>
+  std::unique_ptr<kte_map> make() const {
+    Core core{};
+    read(core);
+    return adapt(connected(core));
+  }
+  /// A joint with the placement of its record, if any, as a part of a runtime chain.
   template <class Core>
   std::unique_ptr<kte_map> placed(const named_element<Core>& joint) const {
-    if (!is_placed()) return adapt(joint);
-    const bool has_position = has("position"), has_rotation = has("rotation");
-    if constexpr (Core::ports.back().what == kind::frame_2D)
-      return adapt(joint.at(has_position ? planar_vector("position") : vec2<>{},
-                            has_rotation ? planar_rotation("rotation") : rotation_2D<>{1, 0}));
-    else
-      return adapt(joint.at(has_position ? vector("position") : vec3<>{},
-                            has_rotation ? rotation("rotation") : as<double>(kte::matrix(no_rotation{}))));
+    if (!has("position") && !has("rotation")) return adapt(joint);
+    detail::placed_in_files<Core> core(joint.core);
+    read(core);
+    return adapt(connected(core));
   }
   /// Throws `bad_file` with the place and type of the element and the reason.
   [[noreturn]] void fail(const std::string& why) const { fail(why, record_.place); }
@@ -161,13 +150,8 @@ class record_reader {
       if (p.name == parameter) return p;
     fail("has no parameter '" + std::string(parameter) + "'");
   }
-  /// Before what no number is not, as in the plane.
-  void check_finite(std::string_view parameter) const {
-    for (const double x : parameter_of(parameter).values)
-      if (!std::isfinite(x))
-        throw bad_parameter("kte: " + record_.type + ": " + std::string(parameter) + " must be finite, got " +
-                            detail::number(x));
-  }
+  /// The numbers of a parameter, checked; nothing if it is left out.
+  std::span<const double> numbers_of(const parameter_info& p) const;
   const std::vector<double>& values(std::string_view parameter, std::size_t count) const {
     const auto& p = parameter_of(parameter);
     if (p.values.size() != count)
@@ -178,26 +162,32 @@ class record_reader {
   const element_record& record_;
 };
 
-/// Makes elements from records by the name of their type. A program adds its own by
+/// Makes elements from records by the name of their type. A program adds its own cores by
 ///
-///   registry.add("my_element", [](const record_reader& r) { return my_element(r.name("frame"), r.number("c")); });
+///   registry.add<my_core<kte::kind::frame_2D>, my_core<kte::kind::frame_3D>>();
 class element_registry {
  public:
   using factory = std::function<std::unique_ptr<kte_map>(const record_reader&)>;
 
-  /// Throws `bad_argument` if the type is known.
+  /// Adds core types; joints also with a placement. Roles of connections and names of parameters are those of `ports`
+  /// and `parameters`. Of several cores with one type name, a record becomes the first that it fits: they differ in
+  /// numbers that their types fix, and in optional parameters. Throws `bad_argument` if the name is known.
+  template <class... Core>
+  requires(sizeof...(Core) > 0) void add() {
+    std::vector<std::string_view> added;
+    (put_core<Core>(added), ...);
+    (put_placed<Core>(added), ...);
+  }
+  /// Adds a type whose elements a function makes from a `record_reader`. Throws `bad_argument` if the type is known.
   template <class Make>
   void add(std::string_view type, Make make) {
-    if constexpr (std::is_empty_v<Make> && std::is_default_constructible_v<Make>)  // of one type for all such
-      put(
-          type, +[](const record_reader& r) { return adapt(Make{}(r)); });
-    else
-      put(type, [make](const record_reader& r) { return adapt(make(r)); });
+    known_core& k = put(type);
+    k.by_function = [make](const record_reader& r) { return adapt(make(r)); };
   }
   /// The names of all types, in alphabetical order.
   std::vector<std::string> types() const {
     std::vector<std::string> all;
-    for (const auto& f : factories_) all.push_back(f.first);
+    for (const auto& f : known_) all.push_back(f.first);
     return all;
   }
   /// Throws `bad_file` for an unknown type, a wrong version, missing names or parameters; `bad_parameter` for bad ones.
@@ -210,10 +200,28 @@ class element_registry {
   static element_registry standard();
 
  private:
+  struct known_core {
+    std::vector<parameter_info> (*parameters)() = nullptr;
+    std::unique_ptr<kte_map> (*make)(const record_reader&) = nullptr;
+    factory by_function{};  ///< instead of both
+    bool fits(const element_record& r) const;
+  };
   friend runtime_chain to_chain(const model_record& m, const element_registry& registry);
-  void put(std::string_view type, factory make) {
-    const bool fresh = factories_.emplace(type, std::move(make)).second;
-    if (!fresh) throw bad_argument("kte: the registry has a '" + std::string(type) + "' already");
+  /// A new type, or one more core of a type that is among those `added` just now.
+  known_core& put(std::string_view type, std::vector<std::string_view>* added = nullptr);
+  template <class Core>
+  static std::unique_ptr<kte_map> make_core(const record_reader& r) {
+    return r.make<Core>();
+  }
+  template <class Core>
+  void put_core(std::vector<std::string_view>& added) {
+    known_core& k = put(Core::type, &added);
+    k.parameters = parameter_infos<Core>, k.make = make_core<Core>;
+  }
+  template <class Core>
+  void put_placed(std::vector<std::string_view>& added) {
+    using placed = typename detail::with_placement<Core>::type;
+    if constexpr (!std::is_same_v<placed, Core>) put_core<placed>(added);
   }
   std::unique_ptr<kte_map> make_unplaced(const element_record& r) const;
   template <class Core>
@@ -221,7 +229,7 @@ class element_registry {
     return record_reader::adapt(std::move(e));
   }
   static std::unique_ptr<kte_map> adapt(std::unique_ptr<kte_map> e) { return e; }
-  std::map<std::string, factory, std::less<>> factories_;
+  std::map<std::string, std::vector<known_core>, std::less<>> known_;
 };
 
 /// A runtime chain from a record. Throws `bad_file`, `bad_parameter` or `bad_wiring`, each naming the element.
@@ -245,13 +253,53 @@ KTE_FUNCTION void check_complete(const element_record& made, const element_recor
       throw detail::bad_record(c.place, r.type + " has no connection '" + c.role + "'");
 }
 }  // namespace detail
+KTE_FUNCTION std::span<const double> record_reader::numbers_of(const parameter_info& p) const {
+  const std::string name(p.name);
+  if (!has(name)) {
+    if (!p.optional) fail("has no parameter '" + name + "'");
+    return {};
+  }
+  if (p.count < 0) return numbers(name);
+  const std::span<const double> given = values(name, static_cast<std::size_t>(p.count));
+  if (!p.has_fixed()) return given;
+  if (p.what == "flag") return flag(name) ? given : std::span<const double>{};
+  for (const double x : given)
+    if (!std::isfinite(x))
+      throw bad_parameter("kte: " + record_.type + ": " + name + " must be finite, got " + detail::number(x));
+  const bool turned = p.what == "rotation" && (given[0] != given[4] || given[1] != -given[3]);
+  if (p.fits(given) && !turned) return given;
+  if (p.what != "vector" || !p.is_fixed()) fail("has a '" + name + "' out of the plane");
+  std::string axis;
+  for (const signed char n : std::span(p.numbers).first(3)) axis += (axis.empty() ? "" : ", ") + std::to_string(n);
+  fail("has a '" + name + "' other than (" + axis + ")");
+}
+KTE_FUNCTION bool element_registry::known_core::fits(const element_record& r) const {
+  if (!parameters) return true;
+  const auto all = parameters();
+  return std::all_of(r.parameters.begin(), r.parameters.end(), [&](const parameter_record& p) {
+    const auto own = std::find_if(all.begin(), all.end(), [&](const parameter_info& i) { return i.name == p.name; });
+    return own != all.end() && own->fits(p.values);
+  });
+}
+KTE_FUNCTION element_registry::known_core& element_registry::put(std::string_view type,
+                                                                 std::vector<std::string_view>* added) {
+  auto& known = known_[std::string(type)];
+  if (!known.empty() && (!added || std::find(added->begin(), added->end(), type) == added->end()))
+    throw bad_argument("kte: the registry has a '" + std::string(type) + "' already");
+  if (added) added->push_back(type);
+  return known.emplace_back();
+}
 KTE_FUNCTION std::unique_ptr<kte_map> element_registry::make_unplaced(const element_record& r) const {
-  const auto f = factories_.find(r.type);
-  if (f == factories_.end()) throw detail::bad_record(r.place, "there is no element type '" + r.type + "'");
+  const auto f = known_.find(r.type);
+  if (f == known_.end()) throw detail::bad_record(r.place, "there is no element type '" + r.type + "'");
   if (r.version != 1)
     throw detail::bad_record(r.place,
                              r.type + " has version " + std::to_string(r.version) + ", this library reads version 1");
-  auto e = f->second(record_reader(r));
+  const auto& cores = f->second;
+  auto core = std::find_if(cores.begin(), cores.end(), [&](const known_core& c) { return c.fits(r); });
+  if (core == cores.end()) --core;  // which says what does not fit
+  const record_reader reader(r);
+  auto e = core->by_function ? core->by_function(reader) : core->make(reader);
   if (const auto* single = dynamic_cast<const kte_element*>(e.get())) detail::check_complete(single->record(), r);
   return e;
 }
@@ -271,8 +319,10 @@ KTE_FUNCTION runtime_chain to_chain(const model_record& m, const element_registr
 template <class>
 element_registry element_registry::standard() {
   element_registry r;
-  const auto add = [&r](const char* type, const auto& make, const char* = "") { r.add(type, make); };
-  [&]<class... Family>(detail::families<Family...>) { (Family::add_to(add), ...); }(detail::all_families{});
+  [&]<class... Core>(detail::core_list<void, Core...>) {
+    std::vector<std::string_view> added;
+    (r.put_core<Core>(added), ...);
+  }(detail::all_cores{});
   return r;
 }
 #  undef KTE_ALL_ELEMENTS

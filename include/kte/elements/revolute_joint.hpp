@@ -17,6 +17,7 @@ struct revolute_joint : transmission<revolute_joint<Dim, Axis>> {
 
   Axis axis;
 
+  revolute_joint() = default;
   constexpr explicit revolute_joint(const Axis& n) : axis(n) {}
 
   template <class C>
@@ -59,26 +60,5 @@ template <class Q, class B, class E, class X = zero_t, class Y = zero_t, class Z
 
 KTE_CALL(revolute_joint_2D, "(coordinate, base, end)")
 KTE_CALL(revolute_joint_3D, "(coordinate, base, end[, axis]); an axis is a vector, such as kte::axis::x")
-
-namespace detail {
-/// How model files make them.
-struct revolute_joint_family {
-  template <class Add>
-  static void add_to(const Add& add) {
-    add(
-        "revolute_joint_2D",
-        [](const auto& x) {
-          if (x.vector("axis") != as<double>(axis::z)) x.fail("has an axis other than z");
-          return x.placed(revolute_joint_2D(x.name("coordinate"), x.name("base"), x.name("end")));
-        },
-        "");
-    add("revolute_joint_3D", [](const auto& x) {
-      return x.with_axis("axis", [&](const auto& n) {
-        return x.placed(revolute_joint_3D(x.name("coordinate"), x.name("base"), x.name("end"), n));
-      });
-    });
-  }
-};
-}  // namespace detail
 
 }  // namespace kte

@@ -17,6 +17,7 @@ struct rigid_link : transmission<rigid_link<Dim, Rotation, Position>> {
   Position position;
   Rotation rotation;
 
+  rigid_link() = default;
   constexpr rigid_link(const Position& r, const Rotation& R) : position(r), rotation(R) {}
 
   KTE_INLINE constexpr auto relative() const { return at_rest(rotation, position); }  // (1)
@@ -82,29 +83,5 @@ template <class B, class E, entry Offset>
 KTE_CALL(rigid_link_gen, "(base, end, offset)")
 KTE_CALL(rigid_link_2D, "(base, end, position[, rotation]); a position is a vector, such as kte::along_x(0.5)")
 KTE_CALL(rigid_link_3D, "(base, end, position[, rotation]); a position is a vector, such as kte::along_z(0.5)")
-
-namespace detail {
-/// How model files make them.
-struct rigid_link_family {
-  template <class Add>
-  static void add_to(const Add& add) {
-    add("rigid_link_gen",
-        [](const auto& x) { return rigid_link_gen(x.name("base"), x.name("end"), x.number("offset")); });
-    add(
-        "rigid_link_2D",
-        [](const auto& x) {
-          return rigid_link_2D(x.name("base"), x.name("end"), x.planar_vector("position"),
-                               x.planar_rotation("rotation"));
-        },
-        "position, rotation");
-    add(
-        "rigid_link_3D",
-        [](const auto& x) {
-          return rigid_link_3D(x.name("base"), x.name("end"), x.vector("position"), x.rotation("rotation"));
-        },
-        "position, rotation");
-  }
-};
-}  // namespace detail
 
 }  // namespace kte

@@ -99,21 +99,4 @@ template <class U, class W, class AL, class B, class E>
 KTE_CALL(rotation_control_2D, "(angle, ang_velocity, ang_acceleration, base, end)")
 KTE_CALL(rotation_control_3D, "(rotation, ang_velocity, ang_acceleration, base, end)")
 
-namespace detail {
-/// How model files make them.
-struct rotation_control_family {
-  template <class Add>
-  static void add_to(const Add& add) {
-    add("rotation_control_2D", [](const auto& x) {
-      return rotation_control_2D(x.name("angle"), x.name("ang_velocity"), x.name("ang_acceleration"), x.name("base"),
-                                 x.name("end"));
-    });
-    add("rotation_control_3D", [](const auto& x) {
-      return rotation_control_3D(x.name("rotation"), x.name("ang_velocity"), x.name("ang_acceleration"), x.name("base"),
-                                 x.name("end"));
-    });
-  }
-};
-}  // namespace detail
-
 }  // namespace kte

@@ -48,15 +48,4 @@ template <class F, class Y>
 KTE_CALL(rotation_measure_2D, "(frame, output)")
 KTE_CALL(rotation_measure_3D, "(frame, output)")
 
-namespace detail {
-/// How model files make them.
-struct rotation_measure_family {
-  template <class Add>
-  static void add_to(const Add& add) {
-    add("rotation_measure_2D", [](const auto& x) { return rotation_measure_2D(x.name("frame"), x.name("output")); });
-    add("rotation_measure_3D", [](const auto& x) { return rotation_measure_3D(x.name("frame"), x.name("output")); });
-  }
-};
-}  // namespace detail
-
 }  // namespace kte

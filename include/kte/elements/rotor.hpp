@@ -68,16 +68,4 @@ template <class Q, class F, class X, class Y, class Z, entry Ratio, entry Inerti
 
 KTE_CALL(rotor_3D, "(coordinate, frame, axis, ratio, inertia)")
 
-namespace detail {
-/// How model files make them.
-struct rotor_family {
-  template <class Add>
-  static void add_to(const Add& add) {
-    add("rotor_3D", [](const auto& x) {
-      return rotor_3D(x.name("coordinate"), x.name("frame"), x.vector("axis"), x.number("ratio"), x.number("inertia"));
-    });
-  }
-};
-}  // namespace detail
-
 }  // namespace kte

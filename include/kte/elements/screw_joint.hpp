@@ -19,6 +19,7 @@ struct screw_joint : transmission<screw_joint<Axis, Pitch>> {
   Axis axis;
   Pitch pitch;  // m/rad
 
+  screw_joint() = default;
   constexpr screw_joint(const Axis& n, const Pitch& h) : axis(n), pitch(h) {}
 
   template <class C>
@@ -49,21 +50,5 @@ template <class Q, class B, class E, class X, class Y, class Z, entry Pitch>
 }
 
 KTE_CALL(screw_joint_3D, "(coordinate, base, end, axis, pitch); an axis is a vector, such as kte::axis::x")
-
-namespace detail {
-/// How model files make them.
-struct screw_joint_family {
-  template <class Add>
-  static void add_to(const Add& add) {
-    add("screw_joint_3D", [](const auto& x) {
-      const auto about = [&](const auto& n) {
-        return screw_joint_3D(x.name("coordinate"), x.name("base"), x.name("end"), n, x.number("pitch"));
-      };
-      if (x.is_placed()) return x.placed(about(x.vector("axis")));
-      return x.with_axis("axis", [&](const auto& n) { return x.adapt(about(n)); });
-    });
-  }
-};
-}  // namespace detail
 
 }  // namespace kte

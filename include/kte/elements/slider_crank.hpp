@@ -55,7 +55,9 @@ struct slider_crank_parameters {
 struct slider_crank_slider : coordinate_follower<slider_crank_slider>, slider_crank_parameters {
   static constexpr type_name type{"slider_crank_slider", kind::frame_2D};
   static constexpr std::array<port, 2> ports{{{kind::gen, access::in, "crank"}, {kind::gen, access::out, "slider"}}};
+  static constexpr const char* arguments = "{crank, rod, offset, side}";
 
+  slider_crank_slider() = default;
   constexpr explicit slider_crank_slider(const slider_crank_lengths& l) : slider_crank_parameters{l} {}
 
   template <class S>
@@ -69,7 +71,9 @@ struct slider_crank_slider : coordinate_follower<slider_crank_slider>, slider_cr
 struct slider_crank_rod : coordinate_follower<slider_crank_rod>, slider_crank_parameters {
   static constexpr type_name type{"slider_crank_rod", kind::frame_2D};
   static constexpr std::array<port, 2> ports{{{kind::gen, access::in, "crank"}, {kind::gen, access::out, "rod"}}};
+  static constexpr const char* arguments = "{crank, rod, offset, side}";
 
+  slider_crank_rod() = default;
   constexpr explicit slider_crank_rod(const slider_crank_lengths& l) : slider_crank_parameters{l} {}
 
   template <class S>
@@ -105,24 +109,5 @@ template <class Q, class R, class X>
 }
 
 KTE_CALL(slider_crank_2D, "(crank, rod, slider, lengths); lengths are {.crank = 0.1, .rod = 0.3}")
-
-namespace detail {
-/// How model files make them.
-struct slider_crank_family {
-  template <class Add>
-  static void add_to(const Add& add) {
-    const auto lengths = [](const auto& x) {
-      return slider_crank_lengths{x.number("crank"), x.number("rod"), x.number("offset"), x.number("side")};
-    };
-    add(
-        "slider_crank_rod_2D", [lengths](const auto& x) { return x.connected(core::slider_crank_rod(lengths(x))); },
-        "{crank, rod, offset, side}");
-    add(
-        "slider_crank_slider_2D",
-        [lengths](const auto& x) { return x.connected(core::slider_crank_slider(lengths(x))); },
-        "{crank, rod, offset, side}");
-  }
-};
-}  // namespace detail
 
 }  // namespace kte

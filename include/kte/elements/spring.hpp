@@ -246,25 +246,4 @@ KTE_CALL(spring_gen, "(anchor1, anchor2, rest_length, stiffness[, saturation])")
 KTE_CALL(spring_2D, "(anchor1, anchor2, rest_length, stiffness[, saturation])")
 KTE_CALL(spring_3D, "(anchor1, anchor2, rest_length, stiffness[, saturation])")
 
-namespace detail {
-/// How model files make them.
-struct spring_family {
-  template <class Add>
-  static void add_to(const Add& add) {
-    add("spring_gen", [](const auto& x) {
-      return spring_gen(x.name("anchor1"), x.name("anchor2"), x.number("rest_length"), x.number("stiffness"),
-                        x.number("saturation"));
-    });
-    add("spring_2D", [](const auto& x) {
-      return spring_2D(x.name("anchor1"), x.name("anchor2"), x.number("rest_length"), x.number("stiffness"),
-                       x.number("saturation"));
-    });
-    add("spring_3D", [](const auto& x) {
-      return spring_3D(x.name("anchor1"), x.name("anchor2"), x.number("rest_length"), x.number("stiffness"),
-                       x.number("saturation"));
-    });
-  }
-};
-}  // namespace detail
-
 }  // namespace kte

@@ -41,6 +41,9 @@ struct sticking_joint : Joint, transmission<sticking_joint<Joint>>, coordinate_l
   }();
   static constexpr std::array<port, 4> ports{
       {Joint::ports[0], {kind::internal, access::keep, "mode"}, Joint::ports[1], Joint::ports[2]}};
+  static constexpr const char* arguments = !turns                  ? "axis, {friction, static_friction, span}"
+                                           : dim == kind::frame_2D ? "radius, {friction, static_friction}"
+                                                                   : "axis, radius, {friction, static_friction, span}";
   static constexpr bool load_dependent_friction = true;
   using transmission<sticking_joint>::doMotion, transmission<sticking_joint>::doForce;
   using Joint::axis;
@@ -48,6 +51,7 @@ struct sticking_joint : Joint, transmission<sticking_joint<Joint>>, coordinate_l
   double radius;  ///< r, m
   dry_friction_parameters p;
 
+  sticking_joint() = default;
   constexpr sticking_joint(const Joint& joint, double r, const dry_friction_parameters& x)
       : Joint(joint), radius(r), p(x) {}
 
@@ -138,47 +142,5 @@ KTE_CALL(sticking_revolute_joint_2D, "(coordinate, mode, base, end, radius, {fri
 KTE_CALL(sticking_revolute_joint_3D, "(coordinate, mode, base, end, axis, radius, {friction[, static_friction, span]})")
 KTE_CALL(sticking_prismatic_joint_2D, "(coordinate, mode, base, end, axis, {friction[, static_friction, span]})")
 KTE_CALL(sticking_prismatic_joint_3D, "(coordinate, mode, base, end, axis, {friction[, static_friction, span]})")
-
-namespace detail {
-/// How model files make them.
-struct sticking_joint_family {
-  template <class Add>
-  static void add_to(const Add& add) {
-    add(
-        "sticking_revolute_joint_2D",
-        [](const auto& x) {
-          if (x.vector("axis") != as<double>(axis::z)) x.fail("has an axis other than z");
-          return x.placed(sticking_revolute_joint_2D(
-              x.name("coordinate"), x.name("mode"), x.name("base"), x.name("end"), x.number("radius"),
-              {.friction = x.number("friction"), .static_friction = x.number("static_friction")}));
-        },
-        "radius, {friction, static_friction}");
-    add(
-        "sticking_revolute_joint_3D",
-        [](const auto& x) {
-          return x.placed(sticking_revolute_joint_3D(
-              x.name("coordinate"), x.name("mode"), x.name("base"), x.name("end"), x.vector("axis"), x.number("radius"),
-              {x.number("friction"), x.number("static_friction"), x.number("span")}));
-        },
-        "axis, radius, {friction, static_friction, span}");
-    add(
-        "sticking_prismatic_joint_2D",
-        [](const auto& x) {
-          return x.placed(sticking_prismatic_joint_2D(
-              x.name("coordinate"), x.name("mode"), x.name("base"), x.name("end"), x.planar_vector("axis"),
-              {x.number("friction"), x.number("static_friction"), x.number("span")}));
-        },
-        "axis, {friction, static_friction, span}");
-    add(
-        "sticking_prismatic_joint_3D",
-        [](const auto& x) {
-          return x.placed(sticking_prismatic_joint_3D(
-              x.name("coordinate"), x.name("mode"), x.name("base"), x.name("end"), x.vector("axis"),
-              {x.number("friction"), x.number("static_friction"), x.number("span")}));
-        },
-        "axis, {friction, static_friction, span}");
-  }
-};
-}  // namespace detail
 
 }  // namespace kte

@@ -66,31 +66,4 @@ KTE_CALL(table_spring_gen, "(anchor1, anchor2, lengths, forces); both are a std:
 KTE_CALL(table_spring_2D, "(anchor1, anchor2, lengths, forces); both are a std::vector or a std::array, of one length")
 KTE_CALL(table_spring_3D, "(anchor1, anchor2, lengths, forces); both are a std::vector or a std::array, of one length")
 
-namespace detail {
-/// How model files make them.
-struct table_spring_family {
-  template <class Add>
-  static void add_to(const Add& add) {
-    add(
-        "table_spring_gen",
-        [](const auto& x) {
-          return table_spring_gen(x.name("anchor1"), x.name("anchor2"), x.numbers("lengths"), x.numbers("forces"));
-        },
-        "[lengths], [forces]");
-    add(
-        "table_spring_2D",
-        [](const auto& x) {
-          return table_spring_2D(x.name("anchor1"), x.name("anchor2"), x.numbers("lengths"), x.numbers("forces"));
-        },
-        "[lengths], [forces]");
-    add(
-        "table_spring_3D",
-        [](const auto& x) {
-          return table_spring_3D(x.name("anchor1"), x.name("anchor2"), x.numbers("lengths"), x.numbers("forces"));
-        },
-        "[lengths], [forces]");
-  }
-};
-}  // namespace detail
-
 }  // namespace kte

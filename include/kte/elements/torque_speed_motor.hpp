@@ -21,6 +21,7 @@ struct torque_speed_motor_gen {
   static constexpr type_name type{"torque_speed_motor", kind::gen};
   static constexpr std::array<port, 2> ports{
       {{kind::gen, access::on, "coordinate"}, {kind::input, access::in, "command"}}};
+  static constexpr const char* arguments = "{max_torque, max_speed}";
 
   torque_speed_line line;
 
@@ -77,21 +78,5 @@ template <class Q, class U>
 }
 
 KTE_CALL(torque_speed_motor_gen, "(coordinate, command, line); a line is {.max_torque = 40, .max_speed = 6}")
-
-namespace detail {
-/// How model files make them.
-struct torque_speed_motor_family {
-  template <class Add>
-  static void add_to(const Add& add) {
-    add(
-        "torque_speed_motor_gen",
-        [](const auto& x) {
-          return torque_speed_motor_gen(x.name("coordinate"), x.name("command"),
-                                        {x.number("max_torque"), x.number("max_speed")});
-        },
-        "{max_torque, max_speed}");
-  }
-};
-}  // namespace detail
 
 }  // namespace kte

@@ -42,17 +42,4 @@ template <class F1, class F2, entry Damping>
 KTE_CALL(torsion_damper_2D, "(anchor1, anchor2, damping)")
 KTE_CALL(torsion_damper_3D, "(anchor1, anchor2, damping)")
 
-namespace detail {
-/// How model files make them.
-struct torsion_damper_family {
-  template <class Add>
-  static void add_to(const Add& add) {
-    add("torsion_damper_2D",
-        [](const auto& x) { return torsion_damper_2D(x.name("anchor1"), x.name("anchor2"), x.number("damping")); });
-    add("torsion_damper_3D",
-        [](const auto& x) { return torsion_damper_3D(x.name("anchor1"), x.name("anchor2"), x.number("damping")); });
-  }
-};
-}  // namespace detail
-
 }  // namespace kte

@@ -104,24 +104,4 @@ template <class F1, class F2, entry Stiffness, entry Saturation = zero_t, class 
 KTE_CALL(torsion_spring_2D, "(anchor1, anchor2, stiffness[, saturation[, rest_angle]])")
 KTE_CALL(torsion_spring_3D, "(anchor1, anchor2, stiffness[, saturation[, rest_rotation]])")
 
-namespace detail {
-/// How model files make them.
-struct torsion_spring_family {
-  template <class Add>
-  static void add_to(const Add& add) {
-    add("torsion_spring_2D", [](const auto& x) {
-      return torsion_spring_2D(x.name("anchor1"), x.name("anchor2"), x.number("stiffness"), x.number("saturation"),
-                               x.number("rest_angle"));
-    });
-    add("torsion_spring_3D", [](const auto& x) {
-      const auto make = [&x](const auto& rest) {
-        return x.adapt(torsion_spring_3D(x.name("anchor1"), x.name("anchor2"), x.number("stiffness"),
-                                         x.number("saturation"), rest));
-      };
-      return x.has("rest_rotation") ? make(x.rotation("rest_rotation")) : make(no_rotation{});
-    });
-  }
-};
-}  // namespace detail
-
 }  // namespace kte

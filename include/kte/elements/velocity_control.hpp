@@ -115,24 +115,4 @@ KTE_CALL(velocity_control_2D, "(velocity, acceleration, x, y, base, end)")
 KTE_CALL(velocity_control_3D, "(velocity, acceleration, x, y, z, base, end)")
 KTE_CALL(velocity_control_gen, "(velocity, acceleration, position, coordinate)")
 
-namespace detail {
-/// How model files make them.
-struct velocity_control_family {
-  template <class Add>
-  static void add_to(const Add& add) {
-    add("velocity_control_gen", [](const auto& x) {
-      return velocity_control_gen(x.name("velocity"), x.name("acceleration"), x.name("position"), x.name("coordinate"));
-    });
-    add("velocity_control_2D", [](const auto& x) {
-      return velocity_control_2D(x.name("velocity"), x.name("acceleration"), x.name("x"), x.name("y"), x.name("base"),
-                                 x.name("end"));
-    });
-    add("velocity_control_3D", [](const auto& x) {
-      return velocity_control_3D(x.name("velocity"), x.name("acceleration"), x.name("x"), x.name("y"), x.name("z"),
-                                 x.name("base"), x.name("end"));
-    });
-  }
-};
-}  // namespace detail
-
 }  // namespace kte

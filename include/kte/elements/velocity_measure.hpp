@@ -53,17 +53,4 @@ KTE_CALL(velocity_measure_gen, "(coordinate, output)")
 KTE_CALL(velocity_measure_2D, "(frame, output)")
 KTE_CALL(velocity_measure_3D, "(frame, output)")
 
-namespace detail {
-/// How model files make them.
-struct velocity_measure_family {
-  template <class Add>
-  static void add_to(const Add& add) {
-    add("velocity_measure_gen",
-        [](const auto& x) { return velocity_measure_gen(x.name("coordinate"), x.name("output")); });
-    add("velocity_measure_2D", [](const auto& x) { return velocity_measure_2D(x.name("frame"), x.name("output")); });
-    add("velocity_measure_3D", [](const auto& x) { return velocity_measure_3D(x.name("frame"), x.name("output")); });
-  }
-};
-}  // namespace detail
-
 }  // namespace kte

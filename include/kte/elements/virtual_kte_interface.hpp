@@ -68,19 +68,4 @@ KTE_CALL(virtual_kte_interface_gen, "(base, end)")
 KTE_CALL(virtual_kte_interface_2D, "(base, end)")
 KTE_CALL(virtual_kte_interface_3D, "(base, end)")
 
-namespace detail {
-/// How model files make them.
-struct virtual_kte_interface_family {
-  template <class Add>
-  static void add_to(const Add& add) {
-    add("virtual_kte_interface_gen",
-        [](const auto& x) { return virtual_kte_interface_gen(x.name("base"), x.name("end")); });
-    add("virtual_kte_interface_2D",
-        [](const auto& x) { return virtual_kte_interface_2D(x.name("base"), x.name("end")); });
-    add("virtual_kte_interface_3D",
-        [](const auto& x) { return virtual_kte_interface_3D(x.name("base"), x.name("end")); });
-  }
-};
-}  // namespace detail
-
 }  // namespace kte

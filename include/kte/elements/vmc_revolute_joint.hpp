@@ -25,6 +25,7 @@ struct vmc_revolute_joint : dry_revolute_joint<Dim, Axis>, transmission<vmc_revo
 
   double stiction_radius;  ///< mu_s r, m
 
+  vmc_revolute_joint() = default;
   constexpr vmc_revolute_joint(const Axis& n, double sliding, double resting, double v)
       : dry(n, sliding, v), stiction_radius(resting) {}
 
@@ -78,28 +79,5 @@ template <class Q, class B, class E, class X, class Y, class Z>
 
 KTE_CALL(vmc_revolute_joint_2D, "(coordinate, base, end, friction_radius, stiction_radius[, smoothing])")
 KTE_CALL(vmc_revolute_joint_3D, "(coordinate, base, end, axis, friction_radius, stiction_radius[, smoothing])")
-
-namespace detail {
-/// How model files make them.
-struct vmc_revolute_joint_family {
-  template <class Add>
-  static void add_to(const Add& add) {
-    add(
-        "vmc_revolute_joint_2D",
-        [](const auto& x) {
-          if (x.vector("axis") != as<double>(axis::z)) x.fail("has an axis other than z");
-          return x.placed(vmc_revolute_joint_2D(x.name("coordinate"), x.name("base"), x.name("end"),
-                                                x.number("friction_radius"), x.number("stiction_radius"),
-                                                x.number("smoothing")));
-        },
-        "friction_radius, stiction_radius, smoothing");
-    add("vmc_revolute_joint_3D", [](const auto& x) {
-      return x.placed(vmc_revolute_joint_3D(x.name("coordinate"), x.name("base"), x.name("end"), x.vector("axis"),
-                                            x.number("friction_radius"), x.number("stiction_radius"),
-                                            x.number("smoothing")));
-    });
-  }
-};
-}  // namespace detail
 
 }  // namespace kte

@@ -40,6 +40,7 @@ KTE_INLINE constexpr auto power(const motion_vector<V, W>& s, const wrench<F, T>
 ///   along_axes(x)         S x, a motion vector in axes of the body; x[0] ... belong to the axes of the joint
 ///   powers_along(w, put)  put(k, s_k^T w) for each axis k of the joint
 ///   in(u), out(u)         R^T u, R u
+///   bias(rate)            dS/dt q_dot, dS/dt in axes of the body; left out where axes are constant in it
 ///   position()            of its origin from that of its parent, in axes of the parent, m
 /// What is fixed to it has
 ///   inertia()             a rigid_body
@@ -83,6 +84,15 @@ KTE_INLINE constexpr void each_power(const B& b, const W& w, const Put& put) {
 template <body_with_axes B, class W, class Put>
 KTE_INLINE constexpr void each_power(const B& b, const W& w, const Put& put) {
   each_power<0, B::axes>(b, w, put);
+}
+/// dS/dt q_dot
+template <body B, class S>
+KTE_INLINE constexpr auto bias_along_axes(const B& b, const S* rate) {
+  if constexpr (requires { b.bias(rate); }) {
+    return b.bias(rate);
+  } else {
+    return motion_vector{zero3{}, zero3{}};
+  }
 }
 /// The wrench at the origin of a body seen from its parent: f = R f, n = R n + p x f.
 template <body B, class W>

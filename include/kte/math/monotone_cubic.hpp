@@ -20,6 +20,7 @@ namespace kte {
 template <class List = std::vector<double>>
 class monotone_cubic {
  public:
+  monotone_cubic() = default;
   /// A curve through the points (x_i, y_i), at least two, x increasing. It does not check them: see `is_sound`.
   constexpr monotone_cubic(const List& of_x, const List& of_y) : x(of_x), y(of_y), slope_(of_x), area_(of_x) {
     prepare();

@@ -47,9 +47,8 @@ struct axis_factors {
   S rate, inverse;
 };
 
-/// (1)  c = w x (w x p) seen from the parent, 2 (R^T w) x v_J + w_J x v_J, (R^T w) x w_J; and of joints that are not
-/// free
-///      S q_ddot besides
+/// (1)  c = w x (w x p) seen from the parent; 2 (R^T w) x v_J + w_J x v_J, (R^T w) x w_J, each with dS/dt q_dot, and of
+///      joints that are not free with S q_ddot
 template <body B, class M, class S>
 KTE_INLINE constexpr auto bias_motion_of(const B& b, const M& parent, const S* rate, const S* change) {
   const auto& w = parent.ang_velocity;
@@ -60,7 +59,8 @@ KTE_INLINE constexpr auto bias_motion_of(const B& b, const M& parent, const S* r
     return bias_motion{w_in + w_j, cross(w, cross(w, b.position())), linear, cross(w_in, w_j)};
   } else {
     vec3<S> a, al;
-    assign(a, linear), assign(al, cross(w_in, w_j));
+    const auto [a_s, al_s] = bias_along_axes(b, rate);
+    assign(a, linear + a_s), assign(al, cross(w_in, w_j) + al_s);
     if (!b.free()) {
       const auto [a_j, al_j] = b.along_axes(change);
       a = as<S>(a + a_j), al = as<S>(al + al_j);
@@ -225,7 +225,8 @@ KTE_INLINE constexpr auto eliminated(const B& b, const X& x, const Force& force,
 }
 
 /// The same of a joint of several unit axes that are known by number, all of them, on I^A as a matrix of 6 x 6. Where
-/// nothing goes to the parent (`ends`), an axis needs no more than the rows of those before it.
+/// nothing goes to the parent (`ends`), an axis needs no more than the rows of those before it. Axes that are numbers are
+/// eliminated as they are.
 template <body B, class X, class Force, class S>
 auto eliminated_by_number(const B& b, const X& x, const Force& force, axis_factors<S>* factors, bool ends,
                           int& unmoved) {
@@ -237,7 +238,26 @@ auto eliminated_by_number(const B& b, const X& x, const Force& force, axis_facto
   const auto& [f, t] = x.bias;
   S p[6]{as<S>(f.x), as<S>(f.y), as<S>(f.z), as<S>(t.x), as<S>(t.y), as<S>(t.z)};
   const S least = S(16) * std::numeric_limits<S>::epsilon(), linear = trace(a), angular = trace(j);
-  for (int k = b.axis_count(); k-- > 0;) {
+  if (!b.has_unit_axes()) {
+    for (int k = b.axis_count(); k-- > 0;) {
+      const auto& [v, w] = b.axis(k);
+      const S s[6]{v.x, v.y, v.z, w.x, w.y, w.z}, tau = as<S>(force(k));
+      S u[6], gain[6], d = b.mass(k), rate = tau;
+      for (int r = 0; r < 6; ++r) {
+        u[r] = S(0);
+        for (int c = 0; c < 6; ++c) u[r] += m[r][c] * s[c];
+        d += s[r] * u[r], rate -= s[r] * p[r];
+      }
+      note(unmoved, b.first() + k, all(d > least * (dot(v, v) * linear + dot(w, w) * angular)), d);
+      const S inverse = S(1) / d;
+      rate *= inverse;
+      for (int r = 0; r < 6; ++r) gain[r] = inverse * u[r], p[r] += rate * u[r];
+      for (int r = 0; r < 6; ++r)
+        for (int c = 0; c < 6; ++c) m[r][c] -= u[r] * gain[c];
+      factors[k] = {{{gain[0], gain[1], gain[2]}, {gain[3], gain[4], gain[5]}}, rate, inverse};
+    }
+  }
+  for (int k = b.has_unit_axes() ? b.axis_count() : 0; k-- > 0;) {
     const int n = b.axis_number(k);
     const S d = m[n][n], tau = as<S>(force(k));
     note(unmoved, b.first() + k, all(d > least * (n < 3 ? linear : angular)), d);
@@ -276,9 +296,15 @@ KTE_INLINE constexpr auto accelerated(const B& b, const axis_factors<S>* factors
     return accelerated<K + 1>(b, factors, without<n>(a) + x * s, change);
   }
 }
-/// The same of axes that are known by number.
+/// The same of axes that are known by number, or are numbers.
 template <class S, body B>
 void accelerate_by_number(const B& b, const axis_factors<S>* factors, motion_vector<vec3<S>, vec3<S>>& a, S* change) {
+  for (int k = 0; !b.has_unit_axes() && k < b.axis_count(); ++k) {
+    const auto& s = b.axis(k);
+    change[k] = factors[k].rate - power(a, factors[k].gain);
+    a = {a.linear + change[k] * s.linear, a.angular + change[k] * s.angular};
+  }
+  if (!b.has_unit_axes()) return;
   S* const all[]{&a.linear.x, &a.linear.y, &a.linear.z, &a.angular.x, &a.angular.y, &a.angular.z};
   for (int k = 0; k < b.axis_count(); ++k) {
     S& along = *all[b.axis_number(k)];

@@ -22,14 +22,14 @@ body_motion(V, W, A, AL) -> body_motion<V, W, A, AL>;
 /// The motion of a body from that of its parent, v, w, a, al, with v_J, w_J = S q_dot:
 ///
 ///   v_i  = R^T (v + w x p) + v_J                                                             (1)
-///   w_i  = R^T w + w_J,   al_i = R^T al + (R^T w) x w_J + S q_ddot                            (2)
-///   a_i  = R^T (a + al x p + w x (w x p)) + 2 (R^T w) x v_J + w_J x v_J + S q_ddot            (3)
+///   w_i  = R^T w + w_J,   al_i = R^T al + (R^T w) x w_J + S q_ddot + dS/dt q_dot                            (2)
+///   a_i  = R^T (a + al x p + w x (w x p)) + 2 (R^T w) x v_J + w_J x v_J + S q_ddot + dS/dt q_dot            (3)
 template <body B, class M, class S>
 KTE_INLINE constexpr auto moved(const B& b, const M& parent, const S* rate, const S* change) {
   const auto& [v, w, a, al] = parent;
   const auto& p = b.position();
   const auto [v_j, w_j] = b.along_axes(rate);
-  const auto [a_j, al_j] = b.along_axes(change);
+  const auto [a_j, al_j] = b.along_axes(change) + bias_along_axes(b, rate);
   const auto w_in = b.in(w);
   return body_motion{b.in(plus_cross(v, w, p)) + v_j, w_in + w_j,
                      b.in(plus_cross(plus_cross(a, al, p), w, cross(w, p))) +

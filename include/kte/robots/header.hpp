@@ -25,7 +25,6 @@ class header_writer {
 
   std::string text(const joint_limits<>* limits) const {
     std::string s = "#pragma once\n\n";
-    for (const auto& header : headers_) s += "#include <kte/elements/" + header + ".hpp>\n";
     if (limits) s += "#include <kte/models/joint_limits.hpp>\n";
     s += "#include <kte/static.hpp>\n\n// clang-format off\nnamespace robots {\n\nnamespace " + of_robot_ +
          "names {\n" + keys_ + "\nconstexpr auto assembled() {\n  return ::kte::chain(" + elements_ + ")" + gravity_ +
@@ -44,12 +43,11 @@ class header_writer {
     if (e.ports().back().what == kind::loop)
       throw bad_argument("kte: no header can hold a " + std::string(e.type()) +
                          ": static chains do not support closures of loops");
-    headers_.insert(call->second.header);
     std::string names;
     for (std::size_t p = 0; p < e.ports().size(); ++p)
       names.append(p == 0 ? "" : ", ").append(key(e.ports()[p].what, e.names()[p]));
     const auto record = e.record();
-    const auto [arguments, place] = argument_writer(record).write(call->second.arguments);
+    const auto [arguments, place] = argument_writer(record).write(call->second);
     elements_.append(elements_.empty() ? "" : after_body_ ? ",\n" : ",").append("\n      ::kte::");
     elements_.append(e.type()).append("(" + names + arguments + ")" + place);
     after_body_ = record.type.starts_with("inertia_");
@@ -82,7 +80,6 @@ class header_writer {
   std::string robot_, of_robot_, keys_, elements_, gravity_;
   bool after_body_ = false;
   identifier_list identifiers_;
-  std::set<std::string> headers_;
   std::map<std::pair<bool, std::string>, std::string> known_;  ///< of frames, and of what else has a name
 };
 

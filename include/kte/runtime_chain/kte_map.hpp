@@ -4,6 +4,7 @@
 #include <kte/contract/element_numbers.hpp>
 #include <kte/contract/port.hpp>
 #include <kte/contract/record.hpp>
+#include <kte/contract/joint_axis.hpp>
 #include <kte/math/dual_number.hpp>
 
 #include <functional>
@@ -82,6 +83,12 @@ class kte_element : public kte_map {
 
   /// The data of the element for the loops over body nodes (tree/body_node.hpp).
   virtual detail::element_numbers<double> numbers() const = 0;
+  /// For a joint with varying axes: the pose of its end in its base at coordinates q, and its axes with their derivatives
+  /// (contract/varying_joint.hpp).
+  virtual pose<mat3<vec3<>>, vec3<>> place_joint(const double* /*q*/, detail::joint_axis<double>* /*axes*/,
+                                                 bool /*second*/) const {
+    return {};
+  }
   /// For a distributed mass: adds its loads due to accelerations alone.
   virtual void mass_loads(runtime_state&) const = 0;
   /// For a distributed mass: its first moment m c in axes of the base, kg m, after doMotion.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kte/contract/force_derivatives.hpp>
+#include <kte/contract/varying_joint.hpp>
 #include <kte/runtime_chain/derivative_state.hpp>
 #include <kte/runtime_chain/kte_map.hpp>
 #include <kte/runtime_chain/out_of_line_pass.hpp>
@@ -60,6 +61,14 @@ class kte_map_adapter final : public kte_element {
   }
 
   detail::element_numbers<double> numbers() const override { return detail::numbers_of<double>(core_); }
+  pose<mat3<vec3<>>, vec3<>> place_joint([[maybe_unused]] const double* q,
+                                         [[maybe_unused]] detail::joint_axis<double>* axes,
+                                         [[maybe_unused]] bool second) const override {
+    if constexpr (detail::is_transmission<Core> && detail::varying_axes<Core>)
+      return detail::place_varying_joint(core_, q, axes, second);
+    else
+      return {};
+  }
   void mass_loads(runtime_state& s) const override { on(s).mass_force(inputs{}); }
   bool holds(runtime_state& s) const override { return on(s).holds(inputs{}); }
   double capacity(runtime_state& s) const override { return as<double>(on(s).capacity(inputs{})); }

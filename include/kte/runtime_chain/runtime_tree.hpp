@@ -48,6 +48,8 @@ void check_scalar(const topology& t, const runtime_tree<P>& tree) {
   };
   for (std::size_t e = 0; e < t.elements.size(); ++e)
     if (t.elements[e].closes) refuse(static_cast<int>(e), " closes a loop");
+  for (const int i : tree.body_tree.varying)
+    refuse(tree.body_tree.nodes[static_cast<std::size_t>(i)].element, " has axes that depend on its coordinates");
   if (tree.irregular) refuse(tree.irregular.element, tree.irregular.why);
   for (const auto* list : {&tree.followers, &tree.readers, &tree.on_coordinates, &tree.on_frames})
     for (const int e : *list) refuse(e, " has its own force law");

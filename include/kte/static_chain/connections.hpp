@@ -82,7 +82,7 @@ struct shapes_of {
   /// Whether no part of the chain requires the loops over body nodes.
   static constexpr bool common = [] {
     const bool rare[]{(follows_freely<Core> || detail::distributed_mass<Core> || load_dependent_friction<Core> ||
-                       locks_coordinate<Core>)...,
+                       locks_coordinate<Core> || varying_axes<Core>)...,
                       false};
     for (std::size_t e = 0; e < sizeof...(Core); ++e)
       if (rare[e] || acts_freely[e]) return false;

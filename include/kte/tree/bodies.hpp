@@ -91,27 +91,40 @@ struct jointed_body {
     return x;
   }
 };
-/// The same of a joint of several unit axes, which are known by number.
+/// The same of a joint of several unit axes, which are known by number, or of axes that are numbers.
 template <class P, class S>
 struct several_axes_body {
   using scalar = S;
   const body_node<P>& r;
   const joint_transform<S>& at;
   bool is_free = true;
+  const P* masses = nullptr;  ///< on its coordinates, if they are numbers
 
   static constexpr bool always_free = false;
   KTE_INLINE bool free() const { return is_free; }
   KTE_INLINE int first() const { return r.first; }
   KTE_INLINE int axis_count() const { return r.axes; }
+  KTE_INLINE bool has_unit_axes() const { return r.moves == joint::several; }
   KTE_INLINE int axis_number(int k) const { return r.axis[static_cast<std::size_t>(k)]; }
+  KTE_INLINE const world_axis<S>& axis(int k) const { return at.axes[static_cast<std::size_t>(k)]; }
+  KTE_INLINE S mass(int k) const { return masses == nullptr ? S(0) : S(masses[k]); }
   KTE_INLINE auto along_axes(const S* x) const {
     engine::motion_vector<vec3<S>, vec3<S>> sum{};
-    tree::along_axes(r, x, sum.linear, sum.angular);
+    tree::along_axes(r, at, x, sum.linear, sum.angular);
+    return sum;
+  }
+  /// dS/dt q_dot
+  auto bias(const S* rate) const {
+    engine::motion_vector<vec3<S>, vec3<S>> sum{};
+    for (int k = 0; k < r.axes && !has_unit_axes(); ++k) {
+      const world_axis<S> s = rate_of_axis(r, at, k, rate);
+      sum = {sum.linear + rate[k] * s.linear, sum.angular + rate[k] * s.angular};
+    }
     return sum;
   }
   template <class Put>
   KTE_INLINE void powers_along(const dense_wrench<S>& w, const Put& put) const {
-    tree::powers_along(r, w, r.axes, put);
+    tree::powers_along(r, at, w, r.axes, put);
   }
   KTE_INLINE const vec3<S>& position() const { return at.position; }
   KTE_INLINE const auto& inertia() const { return r.body; }
@@ -120,6 +133,10 @@ struct several_axes_body {
     const std::array<vec3<S>, 3> unit{vec3<S>{a.x.x, a.y.x, a.z.x}, vec3<S>{a.x.y, a.y.y, a.z.y},
                                       vec3<S>{a.x.z, a.y.z, a.z.z}};
     for (int k = 0; k < r.axes; ++k) {
+      if (!has_unit_axes()) {
+        axes[k] = {a * axis(k).linear, a * axis(k).angular};
+        continue;
+      }
       const auto n = static_cast<std::size_t>(axis_number(k));
       axes[k] = n < 3 ? world_axis<S>{unit[n], {}} : world_axis<S>{{}, unit[n - 3]};
     }
@@ -161,7 +178,7 @@ class tree_bodies {
   KTE_INLINE void with_body(int i, const F& f) const {
     const body_node<P>& r = nodes_[i];
     const joint_transform<S>& at = joint_transforms_[i];
-    if (r.moves == joint::several)
+    if (r.has_matrix())
       f(several_axes_body<P, S>{r, at});
     else
       f(jointed_body<along_and_about_z, P, S>{r, at});
@@ -178,7 +195,7 @@ template <class P, class S>
 class one_axis_bodies : public tree_bodies<P, S> {
  public:
   using tree_bodies<P, S>::tree_bodies;
-  KTE_INLINE bool usual(int i) const { return this->nodes_[i].moves != joint::several; }
+  KTE_INLINE bool usual(int i) const { return !this->nodes_[i].has_matrix(); }
   KTE_INLINE jointed_body<along_and_about_z, P, S> body(int i) const {
     return {this->nodes_[i], this->joint_transforms_[i]};
   }
@@ -202,8 +219,8 @@ class articulated_bodies : public tree_bodies<P, S> {
     const body_node<P>& r = this->nodes_[i];
     const joint_transform<S>& at = this->joint_transforms_[i];
     const bool free = free_[i] != 0;
-    if (r.moves == joint::several)
-      f(several_axes_body<P, S>{r, at, free});
+    if (r.has_matrix())
+      f(several_axes_body<P, S>{r, at, free, r.moves == joint::varying ? mass_ + r.first : nullptr});
     else if (r.moves == joint::prismatic && free && mass_[r.first] == P(0))
       f(jointed_body<along_z, P, S>{r, at});
     else

@@ -20,7 +20,8 @@ enum class joint : unsigned char {
   revolute,   ///< turns about z by q
   prismatic,  ///< slides along z by q
   screw,      ///< both, by `turns` q and `slides` q
-  several     ///< several unit axes of the body at once: a rotation or a pose
+  several,    ///< several unit axes of the body at once: a rotation or a pose
+  varying     ///< along axes that depend on its coordinates, which are numbers (contract/varying_joint.hpp)
 };
 
 /// A joint and the body behind it. The placement of the joint stands in the body it is on (its parent) at `position`,
@@ -45,7 +46,12 @@ struct body_node {
   int parent = 0;           ///< slot: bases come first, then body nodes
   int first = 0, last = 0;  ///< its own axes, and those of all bodies beyond it, which stand in a row
   kind what = kind::gen;    ///< its coordinate: thing `slot` of that kind
-  int slot = 0;
+  int slot = 0;             ///< of several coordinates the first
+  int element = -1;         ///< of `varying`: the number of the joint among the elements of the chain
+  /// Whether its coordinate is one number.
+  bool is_number() const { return what == kind::gen && axes == 1; }
+  /// Whether its joint transform is a rotation matrix.
+  bool has_matrix() const { return moves >= joint::several; }
   rigid_body<P, vec3<P>, sym3<P>> body{};   ///< what moves as Newton and Euler say, about its centre of mass
   composite<P, vec3<P>, sym3<P>> weight{};  ///< all masses, about the origin
 };
@@ -64,10 +70,12 @@ struct body_tree {
   int bases = 0;
   std::vector<body_node<P>> nodes;
   std::vector<int> row;
+  std::vector<int> coordinate;  ///< of the axes of `varying` joints: the generalized coordinate
   std::vector<int> inward;  ///< body nodes, those that stand on one before it, and brothers in order
   std::vector<composite<P, vec3<P>, sym3<P>>> base_weight;  ///< of what is fixed to bases
   std::array<std::vector<frame_place<P>>, 2> frames;        ///< in the plane, in space; by index
   bool in_order = true;                                     ///< row[k] is k
+  std::vector<int> varying;                                 ///< body nodes with `varying` joints
   std::size_t slots() const { return static_cast<std::size_t>(bases) + nodes.size(); }
   std::size_t axes() const { return row.size(); }
   const frame_place<P>& frame(kind k, int i) const {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 /// Body nodes of a chain, from the numbers of its joints, links and bodies.
 namespace kte::tree {
@@ -36,6 +37,18 @@ struct body_tree_builder {
     placements_.push_back(compose(base.at, compose(x.at_zero, body)));
     result.nodes.push_back(r);
     return {number_of(result.nodes.size() - 1), inverse(body)};
+  }
+  /// A joint with varying axes, whose coordinates of kind `gen` have these slots and rows.
+  place_type add_varying_joint(const place_type& base, int element, std::span<const int> slots,
+                               std::span<const int> rows, bool is_free) {
+    body_node<P> r;
+    r.slot = slots[0], r.first = rows[0], r.axes = static_cast<int>(slots.size()), r.is_free = is_free;
+    r.parent = base.slot, r.element = element, r.moves = joint::varying;
+    placements_.push_back(base.at);
+    result.nodes.push_back(r);
+    varying_.resize(result.nodes.size());
+    varying_.back() = {{slots.begin(), slots.end()}, {rows.begin(), rows.end()}};
+    return {number_of(result.nodes.size() - 1), nowhere()};
   }
   /// Whether the joint added last moves as (1) or (2) of contract/rigid_numbers.hpp says.
   bool moves_by_axes(const detail::rigid_numbers<P>& x, const place_type& end) const {
@@ -202,7 +215,15 @@ struct body_tree_builder {
       const int row = r.first;
       r.first = static_cast<int>(result.row.size());
       r.last = r.first + r.axes;
-      for (int k = 0; k < r.axes; ++k) result.row.push_back(row + k);
+      if (r.moves == joint::varying) {
+        const auto& [slots, rows] = varying_[static_cast<std::size_t>(i)];
+        result.coordinate.resize(result.row.size());
+        result.coordinate.insert(result.coordinate.end(), slots.begin(), slots.end());
+        result.row.insert(result.row.end(), rows.begin(), rows.end());
+        result.varying.push_back(static_cast<int>(nodes.size()));
+      } else {
+        for (int k = 0; k < r.axes; ++k) result.row.push_back(row + k);
+      }
       nodes.push_back(r);
       placements.push_back(placements_[static_cast<std::size_t>(i)]);
     }
@@ -253,7 +274,7 @@ struct body_tree_builder {
       if (const int p = r.parent - result.bases; p >= 0) {
         body_node<P>& on = result.nodes[static_cast<std::size_t>(p)];
         turn<P>& turned = about_z_[static_cast<std::size_t>(p)];
-        if (on.moves != joint::several && !has_child[static_cast<std::size_t>(p)]) {
+        if (!on.has_matrix() && !has_child[static_cast<std::size_t>(p)]) {
           turned = r.before;
           on.after = on.after * turned;
           turn_back(turned, on);
@@ -269,6 +290,10 @@ struct body_tree_builder {
     }
   }
 
+  struct varying_coordinates {
+    std::vector<int> slots, rows;
+  };
+  std::vector<varying_coordinates> varying_;  ///< of body nodes with such joints; empty for others
   std::vector<pose_type> placements_;
   std::vector<int> position_;
   std::vector<turn<P>> about_z_;

@@ -121,10 +121,14 @@ class chain_tree {
           at(1) = builder::link(at(0), n.rigid);
           break;
         }
+        if (n.varying_axes) {
+          add_varying_joint(number, ports, index, b);
+          break;
+        }
         const int row = plan.joint_row[static_cast<std::size_t>(number)];
         at(last) = b.add_joint(at(last - 1), n.rigid, ports[0].what, index(0), row, row < dofs_);
         if (!b.moves_by_axes(n.rigid, at(last)))
-          exclude(number, " does not move along axes that are constant in its end, as joints must");
+          exclude(number, " moves along axes that are not constant in its end: its core needs `varying_axes = true`");
         if (n.load_dependent_friction) {
           readers.push_back(number);
           turned.emplace_back(ports[0].what, index(0));
@@ -186,6 +190,20 @@ class chain_tree {
           on_coordinates.push_back(number);
       }
     }
+  }
+  /// A joint whose axes depend on its coordinates, which come before the base and the end.
+  template <class Index>
+  void add_varying_joint(int number, std::span<const port> ports, const Index& index, builder& b) {
+    const std::size_t count = ports.size() - 2;
+    std::vector<int> slots(count), rows(count);
+    std::size_t free = 0;
+    for (std::size_t k = 0; k < count; ++k) {
+      slots[k] = index(k), rows[k] = plan.row_of_gen[static_cast<std::size_t>(slots[k])];
+      free += rows[k] < dofs_;
+    }
+    if (free != 0 && free != count) exclude(number, " has several coordinates, and not all of them are degrees of freedom");
+    frame(ports.back().what, index(count + 1)) =
+        b.add_varying_joint(frame(ports[count].what, index(count)), number, slots, rows, free == count);
   }
   void add_lock(int number, int coordinate) {
     locks.push_back(number);

@@ -44,6 +44,10 @@ struct simd_wrench {
     power = torque.z;
     if (r.moves != joint::revolute) power = r.slides * force.z + r.turns * power;
   }
+  KTE_INLINE void power_on(const world_axis<S>& s, simd<S>& power) const {
+    power = s.linear.x * force.x + s.linear.y * force.y + s.linear.z * force.z;
+    power += s.angular.x * torque.x + s.angular.y * torque.y + s.angular.z * torque.z;
+  }
   /// To axes and origin of the parent.
   template <class P>
   KTE_INLINE void go_in(const body_node<P>& r, const joint_transform<S>& at) {
@@ -106,14 +110,18 @@ class wrench_rows {
   /// The powers of wrenches from `first` up to `last` on the unit rate of axis a of a joint, as numbers of a row: of
   /// this one, or of `to`.
   template <class P>
-  const S* powers_on(const body_node<P>& r, int a, int first, int last, S* to) const {
+  const S* powers_on(const body_node<P>& r, const joint_transform<S>& at, int a, int first, int last, S* to) const {
     if (r.moves == joint::several) return component(r.axis[static_cast<std::size_t>(a)]);
     if (r.moves == joint::revolute) return component(5);
     for_each_simd<S>(first, last, [&](int k) KTE_INLINE_LAMBDA {
       simd_wrench<S> w;
       get_simd(k, w);
       simd<S> along;
-      w.power_on(r, along), store<S>(along, to + k);
+      if (r.moves == joint::varying) [[unlikely]]
+        w.power_on(at.axes[static_cast<std::size_t>(a)], along);
+      else
+        w.power_on(r, along);
+      store<S>(along, to + k);
     });
     return to;
   }

@@ -28,7 +28,8 @@ void carry_bodies(const body_tree<P>& f, memory<P, S>& m) {
 
 /// The wrench that accelerates what a body carries along axis k of its joint, in axes of the body.
 template <class P, class S>
-KTE_INLINE dense_wrench<S> accelerating(const body_node<P>& r, int k, const dense_composite<S>& c) {
+KTE_INLINE dense_wrench<S> accelerating(const body_node<P>& r, const joint_transform<S>& at, int k,
+                                        const dense_composite<S>& c) {
   const S& mass = c.mass;
   const vec3<S>& h = c.moment;
   const sym3<S>& i = c.inertia;
@@ -49,6 +50,10 @@ KTE_INLINE dense_wrench<S> accelerating(const body_node<P>& r, int k, const dens
     }
   };
   if (r.moves == joint::revolute) return along(5);
+  if (r.moves == joint::varying) {
+    const world_axis<S>& s = at.axes[static_cast<std::size_t>(k)];
+    return {mass * s.linear + cross(s.angular, h), i * s.angular + cross(h, s.linear)};
+  }
   if (r.moves != joint::screw) return along(r.axis[static_cast<std::size_t>(k)]);
   const dense_wrench<S> turn = along(5), slide = along(2);
   return {r.turns * turn.force + r.slides * slide.force, r.turns * turn.torque + r.slides * slide.torque};
@@ -69,8 +74,8 @@ void masses(const body_tree<P>& f, const memory<P, S>& m, wrench_rows<S>& w, axi
     const dense_composite<S>& carried = m.carried[static_cast<std::size_t>(f.bases) + i];
     const joint_transform<S>& at = m.joint_transforms[i];
     const bool on_base = r.parent < f.bases;
-    if (r.moves != joint::several) {
-      const dense_wrench<S> own = accelerating(r, 0, carried);
+    if (!r.has_matrix()) {
+      const dense_wrench<S> own = accelerating(r, at, 0, carried);
       S* const to = rows[r.first];
       w.change(r.first, r.last, [&](simd_wrench<S>& x, int k) KTE_INLINE_LAMBDA {
         if (k <= r.first) x.put(simd_lane<S>(r.first - k), own);
@@ -81,10 +86,10 @@ void masses(const body_tree<P>& f, const memory<P, S>& m, wrench_rows<S>& w, axi
       });
       continue;
     }
-    for (int k = r.first; k < r.first + r.axes; ++k) w.set(k, accelerating(r, k - r.first, carried));
+    for (int k = r.first; k < r.first + r.axes; ++k) w.set(k, accelerating(r, at, k - r.first, carried));
     for (int j = r.first; j < r.first + r.axes; ++j)
-      std::copy(w.component(r.axis[static_cast<std::size_t>(j - r.first)]) + j,
-                w.component(r.axis[static_cast<std::size_t>(j - r.first)]) + r.last, rows[j] + j);
+      if (const S* const power = w.powers_on(r, at, j - r.first, j, r.last, rows[j]); power != rows[j])
+        std::copy(power + j, power + r.last, rows[j] + j);
     if (!on_base) w.change(r.first, r.last, [&](simd_wrench<S>& x, int) KTE_INLINE_LAMBDA { x.go_in(r, at); });
   }
 }

@@ -35,11 +35,6 @@ KTE_INLINE coriolis_body<S> coriolis_of(const dense_composite<S>& own, const vec
   return {own, mass * v + cross(w, h), gyroscopic(vec3<S>(S(1) / S(2) * w), i) - cross_twice(h, v)};
 }
 
-template <class S>
-KTE_INLINE S power_on(const world_axis<S>& s, const dense_wrench<S>& w) {
-  return dot(s.linear, w.force) + dot(s.angular, w.torque);
-}
-
 /// With I^c and B^c of all that is beyond axis k, for k and all axes j before it,
 ///
 ///   C_jk = s_j . (I^c ds_k/dt + B^c s_k),   C_kj = ds_j/dt . (I^c s_k) + s_j . (B^c^T s_k)          (3)
@@ -116,7 +111,13 @@ void coriolis_of_tree(const body_tree<P>& f, memory<P, S>& m, const Put& put) {
     for (std::size_t k = first; k < end; ++k)
       v = v + m.rate[k] * m.axes[k].linear, w = w + m.rate[k] * m.axes[k].angular;
     m.bodies[slot].velocity = v, m.bodies[slot].ang_velocity = w;
-    for (std::size_t k = first; k < end; ++k) changes[k] = change_of(m.axes[k], v, w);
+    for (std::size_t k = first; k < end; ++k) {
+      changes[k] = change_of(m.axes[k], v, w);
+      if (r.moves != joint::varying) [[likely]]
+        continue;
+      const world_axis<S> own = rate_of_axis(r, m.joint_transforms[i], static_cast<int>(k - first), &m.rate[first]);
+      changes[k] = {changes[k].linear + place.rotation * own.linear, changes[k].angular + place.rotation * own.angular};
+    }
     all[i] = coriolis_of<S>({S(r.weight.mass), place.rotation * as<S>(r.weight.moment),
                              as<S>(congruence(place.rotation, as<S>(r.weight.inertia)))},
                             v, w);

@@ -15,6 +15,7 @@ template <class D>
 struct dual_joint_transform {
   vec3<D> turn{}, step{};
   vec3<D> turned{};  ///< in the world
+  joint_transform<D> in_duals{};  ///< of `varying` joints: axes and their derivatives
 };
 /// Derivatives of motions and wrenches are those that their body sees, in axes that move with it: a joint changes
 /// nothing beyond it but what comes from before it.
@@ -108,12 +109,20 @@ struct dual_body {
   vec3<D> out(const vec3<D>& u) const { return product(rotation, vec3<D>(u + dual_cross(transform.turn, u))); }
   engine::motion_vector<vec3<D>, vec3<D>> along_axes(const D* x) const {
     engine::motion_vector<vec3<D>, vec3<D>> sum{};
-    tree::along_axes(r, x, sum.linear, sum.angular);
+    tree::along_axes(r, transform.in_duals, x, sum.linear, sum.angular);
+    return sum;
+  }
+  engine::motion_vector<vec3<D>, vec3<D>> bias(const D* rate) const {
+    engine::motion_vector<vec3<D>, vec3<D>> sum{};
+    for (int k = 0; k < r.axes && r.moves == joint::varying; ++k) {
+      const world_axis<D> s = rate_of_axis(r, transform.in_duals, k, rate);
+      sum = {sum.linear + rate[k] * s.linear, sum.angular + rate[k] * s.angular};
+    }
     return sum;
   }
   template <class Put>
   void powers_along(const dense_wrench<D>& w, const Put& put) const {
-    tree::powers_along(r, w, r.axes, put);
+    tree::powers_along(r, transform.in_duals, w, r.axes, put);
   }
 };
 template <class P, class S, class D>
@@ -134,6 +143,21 @@ struct dual_bodies {
   rigid_node<P> rigid(int i) const { return {at(i), f.bases + i}; }
 };
 
+/// The axes of a `varying` joint and their derivatives by coordinates, from those of one more order.
+template <class P, class S, class D>
+void axes_in_duals(const body_node<P>& r, const joint_transform<S>& at, const D* shift,
+                   std::vector<world_axis<D>>& axes) {
+  const auto n = static_cast<std::size_t>(r.axes), count = n + n * n;
+  axes.resize(count);
+  for (std::size_t k = 0; k < count; ++k) {
+    const world_axis<S>& s = at.axes[k];
+    axes[k] = {constants<D>(s.linear), constants<D>(s.angular)};
+    for (std::size_t j = 0; j < n; ++j) {
+      const world_axis<S>& by = at.axes[n + n * k + j];
+      axes[k] = {axes[k].linear + shift[j] * by.linear, axes[k].angular + shift[j] * by.angular};
+    }
+  }
+}
 /// Bodies to where derivatives of `shift` move them, after `place_in_world` in plain numbers, and with bases in place.
 template <class P, class S, class D>
 void place_bodies_in_duals(const body_tree<P>& f, const memory<P, S>& m, dual_memory<D>& d) {
@@ -143,7 +167,10 @@ void place_bodies_in_duals(const body_tree<P>& f, const memory<P, S>& m, dual_me
     dual_joint_transform<D>& transform = d.joint_transforms[slot];
     vec3<D> slide{};
     transform.turn = {};
-    along_axes(r, &d.shift[static_cast<std::size_t>(r.first)], slide, transform.turn);
+    const D* const shift = &d.shift[static_cast<std::size_t>(r.first)];
+    along_axes(r, m.joint_transforms[i], shift, slide, transform.turn);
+    if (r.moves == joint::varying) [[unlikely]]
+      axes_in_duals(r, m.joint_transforms[i], shift, transform.in_duals.axes);
     transform.step = constants<D>(m.joint_transforms[i].position) +
                      product(rotation_in_parent(placed{r, m.joint_transforms[i]}), slide);
     const vec3<D>& turned = d.joint_transforms[parent].turned;

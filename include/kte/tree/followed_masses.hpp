@@ -57,11 +57,12 @@ void followed_masses(const body_tree<P>& f, const memory<P, S>& at, int dofs, fo
       for (int k = first; k < end; ++k) add(dof[k], w.get(k));
     }
     const int own = last;
+    const joint_transform<S>& transform = at.joint_transforms[static_cast<std::size_t>(i)];
     for (int a = 0; a < r.axes; ++a)
-      w.set(own + a, accelerating(r, a, at.carried[static_cast<std::size_t>(f.bases + i)]));
+      w.set(own + a, accelerating(r, transform, a, at.carried[static_cast<std::size_t>(f.bases + i)]));
     const auto ratios_of = [&](int a) { return x.j.of(f.row[static_cast<std::size_t>(r.first + a)]); };
     for (int a = 0; a < r.axes; ++a) {
-      const S* const power = w.powers_on(r, a, first, own + r.axes, y.rows[0]);
+      const S* const power = w.powers_on(r, transform, a, first, own + r.axes, y.rows[0]);
       for (const auto& [c, ratio] : ratios_of(a))  // (1)
         for (int k = first; k < own; ++k) {
           const S mass = ratio * power[k];
@@ -79,7 +80,6 @@ void followed_masses(const body_tree<P>& f, const memory<P, S>& at, int dofs, fo
       const dense_wrench<S> load = w.get(own + a);
       for (const auto& [d, ratio] : ratios_of(a)) add(d, {ratio * load.force, ratio * load.torque});
     }
-    const joint_transform<S>& transform = at.joint_transforms[static_cast<std::size_t>(i)];
     w.change_from(first, last, [&](simd_wrench<S>& load, int) KTE_INLINE_LAMBDA { load.go_in(r, transform); });
     int& of_parent = x.first[static_cast<std::size_t>(r.parent - f.bases)];
     if (of_parent < 0) of_parent = first;

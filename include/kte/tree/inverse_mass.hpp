@@ -39,7 +39,7 @@ void inverse_masses(const body_tree<P>& f, const memory<P, S>& m, mass_memory<S>
     const joint_transform<S>& at = m.joint_transforms[i];
     const axis_factors<S>* const factors = &m.factors[static_cast<std::size_t>(r.first)];
     const bool on_base = r.parent < f.bases, is_free = m.is_free[i] != 0;
-    if (r.moves != joint::several && is_free) {
+    if (!r.has_matrix() && is_free) {
       const dense_wrench<S> gain = factors[0].gain;
       S* const left = x.left[0];
       w.change(r.first, r.last, [&](simd_wrench<S>& load, int k) KTE_INLINE_LAMBDA {  // (1)
@@ -55,12 +55,12 @@ void inverse_masses(const body_tree<P>& f, const memory<P, S>& m, mass_memory<S>
     } else {
       for (int k = r.first; k < r.first + r.axes; ++k) w.set(k, dense_wrench<S>{});
       for (int l = r.first + r.axes; is_free && l-- > r.first;) {
-        const S* const component = w.component(r.axis[static_cast<std::size_t>(l - r.first)]);
         S* const left = x.left[l - r.first];
-        for_each_simd_to<S>(r.last, l, [&](int k) KTE_INLINE_LAMBDA {
-          simd<S> e;
-          tree::load<S>(e, component + k), store<S>(e, left + k);
-        });
+        if (const S* const power = w.powers_on(r, at, l - r.first, l, r.last, left); power != left)
+          for_each_simd_to<S>(r.last, l, [&](int k) KTE_INLINE_LAMBDA {
+            simd<S> e;
+            tree::load<S>(e, power + k), store<S>(e, left + k);
+          });
         left[l] = S(1);
         w.change(l, r.last, [&](simd_wrench<S>& load, int k) KTE_INLINE_LAMBDA {
           simd<S> e;
@@ -116,19 +116,20 @@ S inverse_mass_of_axis(const body_tree<P>& f, const memory<P, S>& m, std::size_t
   S sum(0);
   for (bool own = true;; own = false) {
     const body_node<P>& r = f.nodes[i];
+    const joint_transform<S>& at = m.joint_transforms[i];
     for (int l = own ? k : r.axes - 1; m.is_free[i] && l >= 0; --l) {
       const axis_factors<S>& factor = m.factors[static_cast<std::size_t>(r.first + l)];
       S e(0);
       if (r.moves == joint::several)
         e = component(load.force, load.torque, r.axis[static_cast<std::size_t>(l)]);
       else
-        powers_along(r, load, 1, [&e](int, const S& power) { e = power; });
+        powers_along(r, at, load, l + 1, [&e](int, const S& power) { e = power; });  // the last one
       if (own && l == k) e = S(1);
       sum += factor.inverse * e * e;  // (2)
       load = {load.force - e * factor.gain.force, load.torque - e * factor.gain.torque};
     }
     if (r.parent < f.bases) return sum;
-    load = placed{r, m.joint_transforms[i]}.out(load);
+    load = placed{r, at}.out(load);
     i = static_cast<std::size_t>(r.parent - f.bases);
   }
 }

@@ -23,13 +23,20 @@ int pose_in_base(const body_tree<P>& f, const memory<P, S>& m, const frame_place
   return slot;
 }
 
+/// (1) of an axis that is given in axes of the body.
+template <class S, class Put>
+void column_of_axis(int k, const world_axis<S>& s, const mat3<direction<S>>& units, const direction<S>& p,
+                    const Put& put) {
+  const direction<S> angular = combined(units, s.angular);
+  put(k, direction<S>(combined(units, s.linear) + crossed<S>(angular, p)), angular);
+}
 /// put(k, velocity of a point, angular velocity) at the unit rate of each axis of a joint: with the point at p from the
 /// origin of the body, and the axis s along or about a unit vector of the body,
 ///
 ///   put(k, s_v + s_w x p, s_w)          (1)
 template <class P, class S, class Put>
-KTE_INLINE void columns_of_joint(const body_node<P>& r, const mat3<direction<S>>& units, const direction<S>& p,
-                                 const Put& put) {
+KTE_INLINE void columns_of_joint(const body_node<P>& r, const joint_transform<S>& at, const mat3<direction<S>>& units,
+                                 const direction<S>& p, const Put& put) {
   const direction<S>& z = units.z;
   switch (r.moves) {
     case joint::revolute:
@@ -50,14 +57,18 @@ KTE_INLINE void columns_of_joint(const body_node<P>& r, const mat3<direction<S>>
         else
           put(r.first + k, crossed<S>(all[n - 3], p), all[n - 3]);
       }
+      break;
     }
+    case joint::varying:
+      for (int k = 0; k < r.axes; ++k)
+        column_of_axis<S>(r.first + k, at.axes[static_cast<std::size_t>(k)], units, p, put);
   }
 }
-/// The columns of the Jacobian of a frame in its own axes, from the frame to its base or `top` (Siciliano et al.,
-/// Robotics, 2009, section 3.1.3): put(k, v, w) as (1). Returns as `pose_in_base`.
-template <class P, class S, class N, class Put>
-int jacobian_columns(const body_tree<P>& f, const memory<P, S>& m, const frame_place<N>& frame, dense_pose<S>& x,
-                     const Put& put, int top = -1) {
+/// The joints from a frame to its base or `top`: visit(body node, its joint transform, the unit vectors of its body, its
+/// origin to that of the frame), in axes of the frame. Returns as `pose_in_base`.
+template <class P, class S, class N, class Visit>
+KTE_INLINE int each_joint_inward(const body_tree<P>& f, const memory<P, S>& m, const frame_place<N>& frame,
+                                 dense_pose<S>& x, const Visit& visit, int top = -1) {
   mat3<direction<S>> units = directions_of<S>(as<S>(frame.at.rotation));
   direction<S> p = combined(units, as<S>(frame.at.position));
   int slot = frame.slot;
@@ -65,12 +76,23 @@ int jacobian_columns(const body_tree<P>& f, const memory<P, S>& m, const frame_p
     const auto i = static_cast<std::size_t>(slot - f.bases);
     const body_node<P>& r = f.nodes[i];
     const placed at{r, m.joint_transforms[i]};
-    columns_of_joint<P, S>(r, units, p, put);
+    visit(r, m.joint_transforms[i], units, p);
     units = at.units_out(units), p = p + combined(units, at.at.position);
     slot = r.parent;
   }
   x.rotation = components<S>(units), x.position = x.rotation * components<S>(p);
   return slot;
+}
+/// The columns of the Jacobian of a frame in its own axes, from the frame to its base or `top` (Siciliano et al.,
+/// Robotics, 2009, section 3.1.3): put(k, v, w) as (1). Returns as `pose_in_base`.
+template <class P, class S, class N, class Put>
+int jacobian_columns(const body_tree<P>& f, const memory<P, S>& m, const frame_place<N>& frame, dense_pose<S>& x,
+                     const Put& put, int top = -1) {
+  return each_joint_inward(
+      f, m, frame, x,
+      [&put](const body_node<P>& r, const joint_transform<S>& at, const mat3<direction<S>>& units,
+             const direction<S>& p) KTE_INLINE_LAMBDA { columns_of_joint<P, S>(r, at, units, p, put); },
+      top);
 }
 /// The same in world axes: the columns of all joints on the way of a frame, from the frame to its base. Bodies outward,
 /// columns back. `base`: the axes of the base.
@@ -93,7 +115,7 @@ void jacobian_columns_in_world(const body_tree<P>& f, memory<P, S>& m, const fra
   direction<S> p = combined(units, as<S>(frame.at.position));
   for (std::size_t n = 0; n < way.size(); ++n) {
     const seen_body<S>& x = seen[n];
-    columns_of_joint<P, S>(nodes[way[n]], x.units, p, put);
+    columns_of_joint<P, S>(nodes[way[n]], joint_transforms[way[n]], x.units, p, put);
     p = p + x.step;
   }
 }

@@ -2,32 +2,38 @@
 
 #include <kte/tree/jacobian.hpp>
 
-#include <limits>
-
 namespace kte::tree {
 
 /// The columns u, w of the Jacobian of a frame in its own axes with their time derivatives, from the frame to its base:
-/// put(k, u, w, du/dt, dw/dt). Axes are constant in the body behind their joint, so a column changes only as the frame
+/// put(k, u, w, du/dt, dw/dt). Where axes are constant in the body behind their joint a column changes only as the frame
 /// moves relative to that body, by V, W in axes of the frame (Featherstone 2008, section 2.10):
 ///
 ///   du/dt = u x W + w x V,   dw/dt = w x W          (1)
 ///   V, W = sum u_i q_i', w_i q_i'  of the joints between the two          (2)
 ///
+/// Of axes that vary the column of their own change is added.
 /// `moves`: V, W relative to the base. Needs `rate`. Returns as `pose_in_base`.
 template <class P, class S, class Put>
 int jacobian_rate_columns(const body_tree<P>& f, const memory<P, S>& m, const frame_place<P>& frame, dense_pose<S>& x,
                           world_axis<S>& moves, const Put& put) {
   world_axis<S> beyond{}, with_own{};
-  int last = (std::numeric_limits<int>::max)();
-  const int base = jacobian_columns(f, m, frame, x, [&](int k, const auto& linear, const auto& angular) {
-    const vec3<S> u = components<S>(linear), w = components<S>(angular);
-    if (k < last) beyond = with_own;  // the next joint inward, not the next axis of one
-    last = k;
-    put(k, u, w, vec3<S>(cross(u, beyond.angular) + cross(w, beyond.linear)),
-        vec3<S>(cross(w, beyond.angular)));  // (1)
-    const S& rate = m.rate[static_cast<std::size_t>(k)];
-    with_own = {with_own.linear + rate * u, with_own.angular + rate * w};  // (2)
-  });
+  const auto visit = [&](const body_node<P>& r, const joint_transform<S>& at, const auto& units, const auto& p) {
+    columns_of_joint<P, S>(r, at, units, p, [&](int k, const auto& linear, const auto& angular) {
+      const vec3<S> u = components<S>(linear), w = components<S>(angular);
+      world_axis<S> own{};
+      if (r.moves == joint::varying) [[unlikely]]
+        column_of_axis<S>(k, rate_of_axis(r, at, k - r.first, &m.rate[static_cast<std::size_t>(r.first)]), units, p,
+                          [&own](int, const auto& du, const auto& dw) {
+                            own = {components<S>(du), components<S>(dw)};
+                          });
+      put(k, u, w, vec3<S>(cross(u, beyond.angular) + cross(w, beyond.linear) + own.linear),
+          vec3<S>(cross(w, beyond.angular) + own.angular));  // (1)
+      const S& rate = m.rate[static_cast<std::size_t>(k)];
+      with_own = {with_own.linear + rate * u, with_own.angular + rate * w};  // (2)
+    });
+    beyond = with_own;
+  };
+  const int base = each_joint_inward(f, m, frame, x, visit);
   moves = with_own;
   return base;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/contract/joint_axis.hpp>
 #include <kte/frames/articulated.hpp>
 #include <kte/frames/motion.hpp>
 #include <kte/recursions/articulated_body.hpp>
@@ -22,24 +23,24 @@ using dense_pose = pose<mat3<vec3<S>>, vec3<S>>;
 template <class S>
 using dense_composite = composite<S, vec3<S>, sym3<S>>;
 
+/// An axis of a joint in world axes, at the origin of its body: the motion that its unit rate makes.
+template <class S>
+using world_axis = detail::joint_axis<S>;
+
 /// Where a body stands in its parent: the angle of the joint with `after` of its placement, the origin in axes of the
-/// parent, and of `several` the rotation besides.
+/// parent, and of `several` and `varying` the rotation besides.
 template <class S>
 struct joint_transform {
   turn<S> angle;
   vec3<S> position{};
   mat3<vec3<S>> rotation{};
+  std::vector<world_axis<S>> axes{};  ///< of `varying`, in axes of the body, with derivatives (`count_of_axes`)
 };
 
 /// Velocities and classical accelerations of a body at its origin, in its axes.
 template <class S>
 using body_motion = engine::body_motion<vec3<S>, vec3<S>, vec3<S>, vec3<S>>;
 
-/// An axis of a joint in world axes, at the origin of its body: the motion that its unit rate makes.
-template <class S>
-struct world_axis {
-  vec3<S> linear, angular;
-};
 template <class S>
 using world_place = engine::world_placement<mat3<vec3<S>>, vec3<S>, vec3<S>>;
 /// Unit vectors of a body, as rows, and its origin from that of its parent, in axes of the world.

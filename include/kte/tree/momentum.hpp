@@ -30,7 +30,7 @@ void momenta(const body_tree<P>& f, const memory<P, S>& m, const vec3<S>& about,
     const world_place<S>& x = m.world[bases + i];
     const vec3<S> arm = x.position - about;
     for (int k = 0; k < r.axes; ++k) {
-      const dense_wrench<S> own = accelerating(r, k, m.carried[bases + i]);
+      const dense_wrench<S> own = accelerating(r, m.joint_transforms[i], k, m.carried[bases + i]);
       const vec3<S> p = x.rotation * own.force;
       put(r.first + k, dense_wrench<S>{p, x.rotation * own.torque + cross(arm, p)});
     }

@@ -30,21 +30,21 @@ struct placed {
   /// To axes of the parent: vectors of numbers, or of lanes of them.
   template <class L>
   KTE_INLINE vec3<L> out(vec3<L> u) const {
-    if (r.moves == joint::several) [[unlikely]]
+    if (r.has_matrix()) [[unlikely]]
       u = rotated(at.rotation, u);
     return out_placement(u);
   }
   /// To axes of the body.
   KTE_INLINE vec3<S> in(const vec3<S>& u) const {
     const vec3<S> x = in_placement(u);
-    if (r.moves == joint::several) [[unlikely]]
+    if (r.has_matrix()) [[unlikely]]
       return rotated_back(at.rotation, x);
     return x;
   }
   /// R A: from the unit vectors of the body, as rows, to those of the parent; and back.
   template <class Row>
   KTE_INLINE mat3<Row> units_out(mat3<Row> a) const {
-    if (r.moves == joint::several) [[unlikely]]
+    if (r.has_matrix()) [[unlikely]]
       a = turned(a, at.rotation);
     a = rows_out_x(r.tilt, rows_out_z(at.angle, a));
     return r.turned ? rows_out_z(r.before, a) : a;
@@ -53,7 +53,7 @@ struct placed {
   KTE_INLINE mat3<Row> units_in(mat3<Row> a) const {
     if (r.turned) a = rows_out_z(r.before.back(), a);
     a = rows_out_z(at.angle.back(), rows_out_x(r.tilt.back(), a));
-    if (r.moves == joint::several) [[unlikely]]
+    if (r.has_matrix()) [[unlikely]]
       a = turned(a, transpose(at.rotation));
     return a;
   }
@@ -102,9 +102,25 @@ KTE_INLINE S& component(vec3<S>& linear, vec3<S>& angular, int n) {
   return *components[n];
 }
 
-/// What the rates of a joint, or their changes, make: x[0] .. of its axes, in axes of the body.
+/// The power of a wrench on an axis.
+template <class S>
+KTE_INLINE S power_on(const world_axis<S>& s, const dense_wrench<S>& w) {
+  return dot(s.linear, w.force) + dot(s.angular, w.torque);
+}
+/// dS/dt of axis k of a `varying` joint at these rates, in axes of the body.
 template <class P, class S>
-KTE_INLINE void along_axes(const body_node<P>& r, const S* x, vec3<S>& linear, vec3<S>& angular) {
+world_axis<S> rate_of_axis(const body_node<P>& r, const joint_transform<S>& at, int k, const S* rate) {
+  world_axis<S> sum{};
+  for (int j = 0; j < r.axes; ++j) {
+    const world_axis<S>& by = at.axes[static_cast<std::size_t>(r.axes + r.axes * k + j)];
+    sum = {sum.linear + rate[j] * by.linear, sum.angular + rate[j] * by.angular};
+  }
+  return sum;
+}
+/// What the rates of a joint, or their changes, make: x[0] .. of its axes, in axes of the body.
+template <class P, class S, class T>
+KTE_INLINE void along_axes(const body_node<P>& r, const joint_transform<S>& at, const T* x, vec3<T>& linear,
+                           vec3<T>& angular) {
   switch (r.moves) {
     case joint::revolute:
       angular.z += x[0];
@@ -120,11 +136,18 @@ KTE_INLINE void along_axes(const body_node<P>& r, const S* x, vec3<S>& linear, v
         linear = linear + vec3{x[0], x[1], x[2]}, angular = angular + vec3{x[3], x[4], x[5]};
       else
         for (int k = 0; k < r.axes; ++k) component(linear, angular, r.axis[static_cast<std::size_t>(k)]) += x[k];
+      break;
+    case joint::varying:
+      for (int k = 0; k < r.axes; ++k) {
+        const world_axis<S>& s = at.axes[static_cast<std::size_t>(k)];
+        linear = linear + x[k] * s.linear, angular = angular + x[k] * s.angular;
+      }
   }
 }
 /// put(k, the power of a wrench on the unit rate of axis k of a joint) for its first `count` axes.
 template <class P, class S, class Put>
-KTE_INLINE void powers_along(const body_node<P>& r, const dense_wrench<S>& w, int count, const Put& put) {
+KTE_INLINE void powers_along(const body_node<P>& r, const joint_transform<S>& at, const dense_wrench<S>& w, int count,
+                             const Put& put) {
   switch (r.moves) {
     case joint::revolute:
       put(0, w.torque.z);
@@ -138,7 +161,10 @@ KTE_INLINE void powers_along(const body_node<P>& r, const dense_wrench<S>& w, in
     case joint::several: {
       const std::array<S, 6> parts{w.force.x, w.force.y, w.force.z, w.torque.x, w.torque.y, w.torque.z};
       for (int k = 0; k < count; ++k) put(k, parts[r.axis[static_cast<std::size_t>(k)]]);
+      break;
     }
+    case joint::varying:
+      for (int k = 0; k < count; ++k) put(k, power_on(at.axes[static_cast<std::size_t>(k)], w));
   }
 }
 

@@ -64,8 +64,11 @@ constexpr plan<List> arrange(const Chain& c) {
       p.tree &= last.how != access::out || last.what != kind::gen ||
                 depends.at(kind::gen, c.index(e, ports.size() - 1)) == level::given;
     } else if (ports.size() > 2) {
-      p.joint_row[e] = row_of[static_cast<std::size_t>(ports[0].what)][static_cast<std::size_t>(c.index(e, 0))];
-      ++joints[static_cast<std::size_t>(p.joint_row[e])];
+      for (std::size_t k = 0; is_coordinate(ports[k].what); ++k) {
+        const int row = row_of[static_cast<std::size_t>(ports[k].what)][static_cast<std::size_t>(c.index(e, k))];
+        if (k == 0) p.joint_row[e] = row;
+        ++joints[static_cast<std::size_t>(row)];
+      }
     }
   }
   for (std::size_t f = 0; f < c.freedoms(); ++f) {

@@ -5,6 +5,7 @@
 #include <kte/elements/rigid_link.hpp>
 #include <kte/runtime_chain/runtime_chain.hpp>
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <tuple>
@@ -74,6 +75,10 @@ class chain_reduction {
     if (!any) {
       to.append(e.element->clone());
     } else if (e.rigid) {
+      const auto coordinates = std::size_t(std::count_if(e.ports.begin(), e.ports.end(), [](const port& p) { return is_coordinate(p.what); }));
+      for (std::size_t p = 0; p < coordinates; ++p)
+        if (at(locked_, e.ports[p].what, e.index[p]) == free)
+          throw bad_argument("kte: " + describe_element(*e.element) + " has several coordinates: lock all of them or none");
       add_link(e, to);
     } else if (follows && all) {
       at(locked_, kind::gen, e.index[last]) = as_locked;
@@ -153,27 +158,18 @@ struct static_reduction {
     if constexpr (!locked) {
       return e;
     } else {
-      constexpr kind k = coordinate_kind<Core>;
-      constexpr int slot = wiring::template find<first_of<Keys...>>();
-      const auto m = e.core.relative(position_only(motion_of<types, k, slot>(chain, given)));
-      return link<Core::ports.back().what>(m, static_cast<const std::tuple<Keys...>*>(nullptr));
+      constexpr std::size_t n = coordinates_of<Core>;
+      static_assert(rule<Core, void, (0 + ... + reads_key<Locked, Core, Keys...>) == n>,
+                    "kte: this joint has several coordinates: lock all of them or none");
+      using keys = std::tuple<Keys...>;
+      const auto m = relative_at(e.core, tuple_of_coordinates<Core>([this]<std::size_t K>() {
+                                   using key = std::tuple_element_t<K, keys>;
+                                   return position_only(
+                                       motion_of<types, key::what, wiring::template find<key>()>(chain, given));
+                                 }));
+      return connect(link_at<Core::ports.back().what>(m), std::tuple_element_t<sizeof...(Keys) - 2, keys>{},
+                     std::tuple_element_t<sizeof...(Keys) - 1, keys>{});
     }
-  }
-
- private:
-  template <class First, class...>
-  struct first {
-    using type = First;
-  };
-  template <class... Keys>
-  using first_of = typename first<Keys...>::type;
-  template <kind Dim, class M, class Q, class B, class E>
-  static constexpr auto link(const M& m, const std::tuple<Q, B, E>*) {
-    return connect(link_at<Dim>(m), B{}, E{});
-  }
-  template <kind Dim, class M, class Q, class Mode, class B, class E>
-  static constexpr auto link(const M& m, const std::tuple<Q, Mode, B, E>*) {
-    return connect(link_at<Dim>(m), B{}, E{});
   }
 };
 

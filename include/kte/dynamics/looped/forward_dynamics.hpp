@@ -126,11 +126,24 @@ void accelerate_by_mass(const Elements& c, State& s, const Tau& tau, std::span<c
     if (prescribed[static_cast<std::size_t>(i)]) a[i] = given[i];
   solve_partly_known(s.work.mass, a, prescribed, fail);
 }
+/// Whether accelerations of some coordinates of a joint are prescribed, but not of all.
+template <class State>
+bool some_of_joint_prescribed(const State& s, std::span<const char> prescribed) {
+  const auto& f = s.tree().body_tree;
+  if (prescribed.empty()) return false;
+  for (const int i : f.varying) {
+    const auto& r = f.nodes[static_cast<std::size_t>(i)];
+    const auto is = [&](int k) { return r.is_free && prescribed[static_cast<std::size_t>(f.row[std::size_t(k)])]; };
+    for (int k = r.first + 1; k < r.first + r.axes; ++k)
+      if (is(k) != is(r.first)) return true;
+  }
+  return false;
+}
 /// By articulated bodies in trees, else by the mass matrix; with load-dependent friction.
 template <class Elements, class State, class Tau>
 void accelerate_with_friction(const Elements& c, State& s, const Tau& tau, std::span<const char> prescribed) {
   using S = typename State::scalar;
-  const bool tree = s.tree().plan.tree;
+  const bool tree = s.tree().plan.tree && !some_of_joint_prescribed(s, prescribed);
   const auto& readers = s.tree().readers;
   if (readers.empty()) [[likely]]
     return tree ? accelerate_articulated(c, s, tau, prescribed) : accelerate_by_mass(c, s, tau, prescribed);

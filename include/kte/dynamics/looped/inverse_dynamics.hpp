@@ -12,6 +12,7 @@
 ///   derive(e, s)                    derivatives of its forces (contract/force_derivatives.hpp)
 ///   mass_loads(e, s)                loads of a mass between several ports, for accelerations alone
 ///   holds(e, s)                     whether it holds its coordinate
+///   place_joint(e, q, axes, second) the pose and axes of a joint with varying axes (contract/varying_joint.hpp)
 ///   friction(e, s, wrench)          of a joint that carries a wrench at its end
 ///   diagnose_mass(s, row, finite)      throws: a mass of coordinate `row` that cannot be used
 ///   diagnose_friction(s, row)          throws: friction of coordinate `row` that jams
@@ -72,7 +73,7 @@ void forces_of_moved_bodies(State& s) {
     for (std::size_t k = 0; k < w.force.size(); ++k) w.force[k] += w.own_mass[k] * w.acceleration[k];
   for (const auto& r : t.body_tree.nodes) {
     const auto k = static_cast<std::size_t>(r.first);
-    if (r.what == kind::gen) [[likely]]
+    if (r.is_number()) [[likely]]
       s.template get<kind::gen>(r.slot).f = -w.force[k];
     else
       each_axis<vector_of::f>(s, r, [&w](auto& f, std::size_t i) { f = -w.force[i]; });

@@ -14,9 +14,20 @@ template <class State, class P, class Visit>
 KTE_INLINE void with_coordinate(State& s, const tree::body_node<P>& r, const Visit& visit) {
   with_coordinate(s, r.what, r.slot, visit);
 }
+/// visit(coordinate, its axis) of a joint whose coordinates are numbers.
+template <class State, class P, class Visit>
+void each_number(State& s, const tree::body_node<P>& r, const Visit& visit) {
+  const auto& slots = s.tree().body_tree.coordinate;
+  for (auto k = static_cast<std::size_t>(r.first); k < static_cast<std::size_t>(r.first + r.axes); ++k)
+    visit(s.template get<kind::gen>(slots[k]), k);
+}
 /// The numbers that come with the axes of a body node.
 template <vector_of Which, class State, class P, class Number>
 KTE_INLINE void each_axis(State& s, const tree::body_node<P>& r, const Number& number) {
+  if (r.moves == tree::joint::varying) [[unlikely]]
+    return each_number(s, r, [&](auto& c, std::size_t k) {
+      visit_numbers<Which>(c, [&](auto& x) { number(x, k); });
+    });
   with_coordinate(s, r, [&](auto& c) {
     auto k = static_cast<std::size_t>(r.first);
     visit_numbers<Which>(c, [&](auto& x) { number(x, k++); });
@@ -88,11 +99,23 @@ void place_turning(State& s, std::span<const int> joints) {
           place(i, tree::turn<S>{cosine, sine});
         });
 }
+/// Puts a joint with varying axes where its coordinates are; on request with second derivatives of axes.
+template <class Elements, class State, class P, class S>
+[[gnu::noinline]] void place_varying(const Elements& c, State& s, const tree::body_node<P>& r,
+                                     tree::joint_transform<S>& at, bool second = false) {
+  std::array<S, 6> q{};
+  each_number(s, r, [&](const auto& x, std::size_t k) { q[k - static_cast<std::size_t>(r.first)] = x.q; });
+  at.axes.resize((std::max)(at.axes.size(), count_of_axes(r.axes, second)));
+  const tree::dense_pose<S> x = c.place_joint(r.element, q.data(), at.axes.data(), second);
+  at.position = tree::slid(r, x.position), at.rotation = x.rotation;
+}
 /// The same of one that does not turn, or about several axes.
-template <class State, class P, class S>
-void place_other(State& s, const tree::body_node<P>& r, tree::joint_transform<S>& at) {
+template <class Elements, class State, class P, class S>
+void place_other(const Elements& c, State& s, const tree::body_node<P>& r, tree::joint_transform<S>& at) {
   if (r.moves == tree::joint::several)
     place_several(s, r, at);
+  else if (r.moves == tree::joint::varying)
+    place_varying(c, s, r, at);
   else
     tree::place_on_z(r, s.template get<kind::gen>(r.slot).q, tree::turn<S>{}, at);
 }
@@ -108,7 +131,7 @@ void place_bodies(const Elements& c, State& s) {
   place_turning(s, s.tree().angles);
   if (s.tree().angles.size() == nodes.size()) return;
   for (std::size_t n = 0; n < nodes.size(); ++n)
-    if (!is_turning(nodes[n])) place_other(s, nodes[n], s.work.joint_transforms[n]);
+    if (!is_turning(nodes[n])) place_other(c, s, nodes[n], s.work.joint_transforms[n]);
 }
 
 /// The same of a slot and all that it stands on: its way to the base, which is returned. Followers: of all.
@@ -125,7 +148,7 @@ std::span<const int> place_ancestors(const Elements& c, State& s, int slot) {
     if (is_turning(r)) [[likely]]
       w.turning[count++] = n;
     else
-      place_other(s, r, w.joint_transforms[static_cast<std::size_t>(n)]);
+      place_other(c, s, r, w.joint_transforms[static_cast<std::size_t>(n)]);
     slot = r.parent;
   }
   place_turning(s, {w.turning.data(), count});
@@ -136,7 +159,7 @@ template <class State>
 void take_rates(State& s) {
   for (const auto& r : s.tree().body_tree.nodes) {
     const auto k = static_cast<std::size_t>(r.first);
-    if (r.what == kind::gen) [[likely]] {
+    if (r.is_number()) [[likely]] {
       const auto& c = s.template get<kind::gen>(r.slot);
       s.work.rate[k] = c.q_dot, s.work.acceleration[k] = c.q_ddot;
     } else {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kte/contract/force_derivatives.hpp>
+#include <kte/contract/varying_joint.hpp>
 #include <kte/dynamics/looped/derivatives.hpp>
 #include <kte/dynamics/looped/mass_matrix_inverse.hpp>
 #include <kte/dynamics/looped/static_state.hpp>
@@ -102,6 +103,15 @@ struct static_elements {
         h = passes_of(core, s, wiring::table.slot.data() + wiring::first[J]).holds(inputs_of<core_of<Chain, J>>{});
       });
     return h;
+  }
+  template <class S>
+  tree::dense_pose<S> place_joint(int e, const S* q, joint_axis<S>* axes, bool second) const {
+    tree::dense_pose<S> at{};
+    if constexpr (!Chain::common)
+      with_core(e, [&]<std::size_t J>(const auto& core) {
+        if constexpr (varying_axes<core_of<Chain, J>>) at = place_varying_joint(core, q, axes, second);
+      });
+    return at;
   }
   template <class State, class Wrench>
   auto friction(int e, State& s, const Wrench& end) const {

@@ -31,7 +31,7 @@ auto parameters_in(const Core& core) {
   } else if constexpr (coordinates_of<Core> == 0) {
     return in_pose(core.relative());
   } else {
-    return in_pose(core.relative(position_only(plain_coordinate<coordinate_kind<Core>>(true))));
+    return in_pose(relative_at(core, position_only(plain_coordinates<Core>(true))));
   }
 }
 template <class S, class Chain>

@@ -82,7 +82,7 @@ void for_each_momentum(basic_runtime_state<S>& s, const vec3<S>& about, const F&
 template <class S>
 void rest_given_coordinates(basic_runtime_state<S>& s) {
   for (const auto& r : s.tree().body_tree.nodes)
-    if (r.what == kind::gen && !r.is_free && s.made_for()->writers[0][static_cast<std::size_t>(r.slot)] < 0)
+    if (r.is_number() && !r.is_free && s.made_for()->writers[0][static_cast<std::size_t>(r.slot)] < 0)
       s.work.rate[static_cast<std::size_t>(r.first)] = s.work.acceleration[static_cast<std::size_t>(r.first)] = S(0);
 }
 /// Calls visit(motion, slot) for bases that elements move by signals. Other bases are set to rest.

@@ -10,7 +10,7 @@ namespace kte::detail {
 template <class S>
 bool is_known_by_elements(const runtime_chain& c, const basic_runtime_state<S>& s) {
   const auto& t = s.tree();
-  return t.on_frames.empty() && t.followers.empty() && t.late.empty() && t.readers.empty() &&
+  return t.body_tree.varying.empty() && t.on_frames.empty() && t.followers.empty() && t.late.empty() && t.readers.empty() &&
          c.wiring().has_derivatives;
 }
 template <class S>

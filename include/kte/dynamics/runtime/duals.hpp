@@ -57,8 +57,10 @@ void take_shifts(basic_derivative_state<D>& d, const directions& moving) {
   const auto& f = d.tree().body_tree;
   for (const auto& r : f.nodes) {
     const auto first = static_cast<std::size_t>(r.first);
-    if (r.what == kind::gen)
+    if (r.is_number())
       w.shift[first] = {0.0, d.template get<kind::gen>(r.slot).q.derivative};
+    else if (r.moves == tree::joint::varying)
+      each_number(d, r, [&w](const auto& c, std::size_t k) { w.shift[k] = {0.0, c.q.derivative}; });
     else
       for (auto k = first; k < first + static_cast<std::size_t>(r.axes); ++k) {
         w.shift[k] = D(0);
@@ -120,6 +122,9 @@ void derive_forces_by_duals(const runtime_chain& c, basic_runtime_state<S>& s) {
   auto& d = state_with_derivatives(c, s);
   take_given(s, d);
   place_in_world(s);
+  for (const int i : s.tree().body_tree.varying)
+    place_varying(runtime_elements{c}, s, s.tree().body_tree.nodes[static_cast<std::size_t>(i)],
+                  s.work.joint_transforms[static_cast<std::size_t>(i)], true);
   tree::place_bases_in_duals(s.tree().body_tree, s.work, d.work);
   derive_by_duals(
       s.freedoms(), std::span(d.q), std::span(d.v), std::span(d.a), load_dependent,

@@ -27,6 +27,9 @@ struct runtime_elements {
   double friction(int e, runtime_state& s, const tree::dense_wrench<double>& end) const {
     return element(e).friction(s, end);
   }
+  tree::dense_pose<double> place_joint(int e, const double* q, joint_axis<double>* axes, bool second) const {
+    return element(e).place_joint(q, axes, second);
+  }
   void move(int e, derivative_state& s) const { element(e).derive_motion(s); }
   void push(int e, derivative_state& s) const { element(e).derive_force(s); }
   derivative_number friction(int e, derivative_state& s, const tree::dense_wrench<derivative_number>& end) const {
@@ -35,6 +38,10 @@ struct runtime_elements {
   // States of other scalars belong to chains whose elements need no further calls.
   template <class State>
   void move(int, State&) const {}
+  template <class S>
+  tree::dense_pose<S> place_joint(int, const S*, joint_axis<S>*, bool) const {
+    return {};
+  }
   template <class State>
   void push(int, State&) const {}
   template <class State>

@@ -29,7 +29,7 @@ template <class Chain>
 struct axes_of_joints {
   using wiring = typename Chain::wiring;
   template <std::size_t I>
-  static constexpr int axes = coordinates_of<core_of<Chain, I>> == 1 ? joint_dofs<core_of<Chain, I>> : 0;
+  static constexpr int axes = coordinates_of<core_of<Chain, I>> > 0 ? joint_dofs<core_of<Chain, I>> : 0;
   template <kind K, int Slot>
   static constexpr int row_of_coordinate =
       wiring::template is_free<K, Slot> ? wiring::template at<K, Slot>.v : wiring::dofs + Slot - wiring::gen_dofs;
@@ -84,7 +84,7 @@ struct typed_body {
     if constexpr (std::is_same_v<C, engine::nothing>) {
       return core.relative();
     } else {
-      return core.relative(coordinate());
+      return relative_at(core, coordinate());
     }
   }
   // Of recursions that ask for these (recursions/force_variations.hpp).
@@ -105,7 +105,7 @@ struct typed_body {
     if constexpr (std::is_same_v<C, engine::nothing>) {
       return core.relative();
     } else {
-      return core.relative(position_only(coordinate()));
+      return relative_at(core, position_only(coordinate()));
     }
   }
 };
@@ -195,6 +195,9 @@ class typed_bodies {
     }();
     constexpr int axes = Axes::template axes<I>;
     const auto& core = motion_.chain().template core<I>();
+    static_assert(rule<core_t<I>, void, coordinates_of<core_t<I>> < 2 || consecutive_rows<I>()>,
+                  "kte: the coordinates of this joint of several are not consecutive degrees of freedom, as this "
+                  "algorithm needs: name them first in this joint, or use a runtime chain");
     if constexpr (coordinates_of<core_t<I>> == 0) {
       return typed_body<S, core_t<I>, engine::nothing, axes, M, More>{core, {}, row, mass, more()};
     } else if constexpr (coordinate_kind<core_t<I>> == kind::gen) {
@@ -217,6 +220,16 @@ class typed_bodies {
   }
 
   const Motion& motion_;
+
+ private:
+  template <std::size_t I>
+  static constexpr bool consecutive_rows() {
+    const auto& rows = static_plan<typename Motion::chain_type>.row_of_gen;
+    for (std::size_t k = 1; k < coordinates_of<core_t<I>>; ++k)
+      if (rows[std::size_t(wiring::slot(I, k))] != rows[std::size_t(wiring::slot(I, 0))] + static_cast<int>(k))
+        return false;
+    return true;
+  }
 };
 
 }  // namespace kte::detail

@@ -26,14 +26,14 @@ class columns {
   KTE_INLINE columns(const Chain& c, const Given& g, matrix_type& m) : chain_(c), given_(g), matrix_(m) { m.setZero(); }
 
   template <std::size_t I>
-  static constexpr bool moves_by_coordinate = coordinates_of<core_t<I>> == 1;
+  static constexpr bool moves_by_coordinate = coordinates_of<core_t<I>> > 0;
   /// A joint or link in its present position.
   template <std::size_t I>
   KTE_INLINE constexpr auto pose_of_element() const {
     static_assert(is_transmission<core_t<I>>,
                   "kte: this algorithm needs elements that move frames to be a kte::transmission");
     if constexpr (moves_by_coordinate<I>) {
-      const auto m = chain_.template core<I>().relative(position_only(coordinate_of<I>()));
+      const auto m = relative_at(chain_.template core<I>(), position_only(coordinate_of<I>()));
       return pose{m.rotation, m.position};
     } else {
       const auto m = chain_.template core<I>().relative();
@@ -64,7 +64,10 @@ class columns {
   /// the chain rule; joints that share a coordinate add up.
   template <std::size_t I, int N, class L, class A>
   KTE_INLINE void put(const L& linear, const A& angular) {
-    put_on<coordinate_kind<core_t<I>>, wiring::slot(I, 0), N>(linear, angular);
+    if constexpr (coordinates_of<core_t<I>> > 1)
+      put_on<kind::gen, wiring::slot(I, N), 0>(linear, angular);
+    else
+      put_on<coordinate_kind<core_t<I>>, wiring::slot(I, 0), N>(linear, angular);
   }
 
  private:
@@ -74,7 +77,12 @@ class columns {
   }
   template <std::size_t I>
   KTE_INLINE constexpr auto coordinate_of() const {
-    return coordinate<coordinate_kind<core_t<I>>, wiring::slot(I, 0)>();
+    if constexpr (coordinates_of<core_t<I>> > 1) {
+      return tuple_of_coordinates<core_t<I>>(
+          [this]<std::size_t K>() { return this->template coordinate<kind::gen, wiring::slot(I, K)>(); });
+    } else {
+      return coordinate<coordinate_kind<core_t<I>>, wiring::slot(I, 0)>();
+    }
   }
   template <kind K, int Slot, int N, class L, class A>
   KTE_INLINE void put_on(const L& linear, const A& angular) {

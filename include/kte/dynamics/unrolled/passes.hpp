@@ -44,10 +44,15 @@ class unrolled_motion<Chain, Given, std::index_sequence<E...>>
     }
   }
 
-  /// The coordinate of joint I.
+  /// The coordinate of joint I; of several a tuple.
   template <std::size_t I>
   KTE_INLINE constexpr decltype(auto) joint_coordinate() const {
-    return get<coordinate_kind<typename types::template core<I>>, wiring::slot(I, 0)>();
+    using core = typename types::template core<I>;
+    if constexpr (coordinates_of<core> > 1) {
+      return tuple_of_coordinates<core>([this]<std::size_t K>() { return get<kind::gen, wiring::slot(I, K)>(); });
+    } else {
+      return get<coordinate_kind<core>, wiring::slot(I, 0)>();
+    }
   }
   /// Joint or link I in its present position, without rates.
   template <std::size_t I>
@@ -55,7 +60,7 @@ class unrolled_motion<Chain, Given, std::index_sequence<E...>>
     if constexpr (coordinates_of<typename types::template core<I>> == 0) {
       return chain_.template core<I>().relative();
     } else {
-      return chain_.template core<I>().relative(position_only(joint_coordinate<I>()));
+      return relative_at(chain_.template core<I>(), position_only(joint_coordinate<I>()));
     }
   }
   /// Axis N of joint I, in axes of its end.

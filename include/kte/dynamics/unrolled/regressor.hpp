@@ -37,9 +37,10 @@ KTE_INLINE constexpr void for_each_element(const F& f) {
 }
 
 /// Of a joint or link: the element whose end is its base, or -1; its axes, of which the first is number `first` of all,
-/// and the row of its coordinate.
+/// and the rows of its coordinates.
 struct tree_step {
-  int below = -1, axes = 0, row = -1;
+  int below = -1, axes = 0;
+  std::array<int, 6> row{};
   std::size_t first = 0;
 };
 template <class Chain>
@@ -53,8 +54,12 @@ inline constexpr auto tree_steps = [] {
     const auto ports = c.ports(e);
     const std::size_t base = ports.size() - 2;
     x.below = c.writer(ports[base].what, c.index(e, base));
-    x.row = static_plan<Chain>.joint_row[e];
-    x.axes = base == 0 ? 0 : nv_of(ports[0].what);
+    if (base > 0 && ports[0].what != kind::gen) {
+      x.axes = nv_of(ports[0].what);
+      for (int k = 0; k < x.axes; ++k) x.row[static_cast<std::size_t>(k)] = static_plan<Chain>.joint_row[e] + k;
+    }
+    for (std::size_t k = 0; ports[k].what == kind::gen; ++k)
+      x.row[k] = static_plan<Chain>.row_of_gen[static_cast<std::size_t>(c.index(e, k))], ++x.axes;
     steps[e + 1].first += static_cast<std::size_t>(x.axes);
   }
   return steps;
@@ -137,7 +142,7 @@ class unrolled_regressor {
         const auto& s = axes_[at.first + static_cast<std::size_t>(k)];
         const vec3<S> v = t * (s.linear + cross(s.angular, way)), u = t * s.angular;
         const auto all = tree::power_by_parameters(x, v, u);
-        for (int i = 0; i < Count; ++i) y_(at.row + k, first + i) += tree::parameter_at(all, i, Count);
+        for (int i = 0; i < Count; ++i) y_(at.row[static_cast<std::size_t>(k)], first + i) += tree::parameter_at(all, i, Count);
       }
       way = step_[static_cast<std::size_t>(element)] + way;
     }

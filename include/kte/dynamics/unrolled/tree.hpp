@@ -16,7 +16,7 @@ inline constexpr bool is_tree_of_joints = static_plan<Chain>.tree;
 template <class Chain, std::size_t I, class Core = typename Chain::template core_type<I>>
 inline constexpr bool is_free_joint = [] {
   if constexpr (is_transmission<Core>) {
-    return coordinates_of<Core> == 1 &&
+    return coordinates_of<Core> > 0 &&
            Chain::wiring::template is_free<coordinate_kind<Core>, Chain::wiring::slot(I, 0)>;
   } else {
     return false;

@@ -11,6 +11,7 @@ struct axis_closure {
   vec3<> axis;
   detail::normals across;
 
+  axis_closure() = default;
   constexpr explicit axis_closure(const vec3<>& u) : axis(u), across(detail::normals_of(u)) {}
   constexpr void check(const parameter_check& where) const { where.unit(axis, "axis must have length 1"); }
   /// Whether the axes of a closed loop do not point against each other.
@@ -21,6 +22,7 @@ struct axis_closure {
   template <class Self, class Visit>
   static constexpr void parameters(Self& self, Visit&& visit) {
     visit("axis", self.axis);
+    if constexpr (!std::is_const_v<Self>) self.across = detail::normals_of(self.axis);
   }
 };
 
@@ -78,6 +80,10 @@ struct sliding : axis_closure, detail::rotation_closure<sliding<Dim>> {
   constexpr bool upright(const M& m) const {
     return m.rotation.x.x + m.rotation.y.y + m.rotation.z.z > 0;
   }
+  constexpr void check(const parameter_check& where) const {
+    axis_closure::check(where);
+    if constexpr (Dim == kind::frame_2D) where.require(axis.z == 0, "axis must be in the plane", axis.z);
+  }
 };
 
 /// A universal joint: two axes, u of A and t of B, stay normal to each other about one point:
@@ -90,6 +96,7 @@ struct universal_3D : detail::rotation_closure<universal_3D> {
 
   vec3<> axis1, axis2;
 
+  universal_3D() = default;
   constexpr universal_3D(const vec3<>& u, const vec3<>& t) : axis1(u), axis2(t) {}
   template <class M, class P, class Row>
   constexpr auto rows_at(const M& m, const P& p, const Row& row) const {
@@ -140,27 +147,5 @@ KTE_CALL(cylindrical_3D, "(loop, frame1, frame2, axis)")
 KTE_CALL(sliding_2D, "(loop, frame1, frame2, axis)")
 KTE_CALL(sliding_3D, "(loop, frame1, frame2, axis)")
 KTE_CALL(universal_3D, "(loop, frame1, frame2, axis1, axis2)")
-
-namespace detail {
-/// How model files make them.
-struct axis_closures_family {
-  template <class Add>
-  static void add_to(const Add& add) {
-    add("hinge_3D",
-        [](const auto& x) { return hinge_3D(x.name("loop"), x.name("frame1"), x.name("frame2"), x.vector("axis")); });
-    add("cylindrical_3D", [](const auto& x) {
-      return cylindrical_3D(x.name("loop"), x.name("frame1"), x.name("frame2"), x.vector("axis"));
-    });
-    add("sliding_2D", [](const auto& x) {
-      return sliding_2D(x.name("loop"), x.name("frame1"), x.name("frame2"), x.planar_vector("axis"));
-    });
-    add("sliding_3D",
-        [](const auto& x) { return sliding_3D(x.name("loop"), x.name("frame1"), x.name("frame2"), x.vector("axis")); });
-    add("universal_3D", [](const auto& x) {
-      return universal_3D(x.name("loop"), x.name("frame1"), x.name("frame2"), x.vector("axis1"), x.vector("axis2"));
-    });
-  }
-};
-}  // namespace detail
 
 }  // namespace kte

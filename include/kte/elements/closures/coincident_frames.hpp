@@ -51,17 +51,4 @@ constexpr auto coincident_frames_3D(const L& loop, const A& frame1, const B& fra
 KTE_CALL(coincident_frames_2D, "(loop, frame1, frame2)")
 KTE_CALL(coincident_frames_3D, "(loop, frame1, frame2)")
 
-namespace detail {
-/// How model files make them.
-struct coincident_frames_family {
-  template <class Add>
-  static void add_to(const Add& add) {
-    add("coincident_frames_2D",
-        [](const auto& x) { return coincident_frames_2D(x.name("loop"), x.name("frame1"), x.name("frame2")); });
-    add("coincident_frames_3D",
-        [](const auto& x) { return coincident_frames_3D(x.name("loop"), x.name("frame1"), x.name("frame2")); });
-  }
-};
-}  // namespace detail
-
 }  // namespace kte

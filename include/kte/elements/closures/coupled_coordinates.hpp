@@ -15,6 +15,7 @@ struct coupled_coordinates : coordinate_closure<coupled_coordinates> {
 
   double factor1, factor2, constant;
 
+  coupled_coordinates() = default;
   constexpr coupled_coordinates(double c1, double c2, double c0) : factor1(c1), factor2(c2), constant(c0) {}
   template <class Q>
   constexpr auto value(const Q& q1, const Q& q2) const {
@@ -83,18 +84,5 @@ constexpr auto coupled_by(const L& loop, const Q1& q1, const Q2& q2, const Q3& q
 }
 
 KTE_CALL(coupled_coordinates, "(loop, q1, q2, factor1, factor2[, constant])")
-
-namespace detail {
-/// How model files make them.
-struct coupled_coordinates_family {
-  template <class Add>
-  static void add_to(const Add& add) {
-    add("coupled_coordinates", [](const auto& x) {
-      return coupled_coordinates(x.name("loop"), x.name("coordinate1"), x.name("coordinate2"), x.number("factor1"),
-                                 x.number("factor2"), x.number("constant"));
-    });
-  }
-};
-}  // namespace detail
 
 }  // namespace kte

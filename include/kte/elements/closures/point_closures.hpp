@@ -19,6 +19,7 @@ struct point_on_line : closure<point_on_line<Dim>> {
   vec3<> axis;
   detail::normals across;
 
+  point_on_line() = default;
   constexpr explicit point_on_line(const vec3<>& u) : axis(u), across(detail::normals_of(u)) {}
   template <class M>
   constexpr auto residual(const M& m) const {
@@ -32,10 +33,14 @@ struct point_on_line : closure<point_on_line<Dim>> {
   constexpr auto residual_ddot(const M& m) const {
     return of(m.rotation * m.acceleration);
   }
-  constexpr void check(const parameter_check& where) const { where.unit(axis, "axis must have length 1"); }
+  constexpr void check(const parameter_check& where) const {
+    where.unit(axis, "axis must have length 1");
+    if constexpr (Dim == kind::frame_2D) where.require(axis.z == 0, "axis must be in the plane", axis.z);
+  }
   template <class Self, class Visit>
   static constexpr void parameters(Self& self, Visit&& visit) {
     visit("axis", self.axis);
+    if constexpr (!std::is_const_v<Self>) self.across = detail::normals_of(self.axis);
   }
 
  private:
@@ -58,6 +63,7 @@ struct point_on_plane_3D : closure<point_on_plane_3D> {
 
   vec3<> normal;
 
+  point_on_plane_3D() = default;
   constexpr explicit point_on_plane_3D(const vec3<>& n) : normal(n) {}
   template <class M>
   constexpr auto residual(const M& m) const {
@@ -91,6 +97,7 @@ struct distance : closure<distance<Dim>> {
 
   double length;
 
+  distance() = default;
   constexpr explicit distance(double l) : length(l) {}
   template <class M>
   constexpr auto residual(const M& m) const {
@@ -148,29 +155,5 @@ KTE_CALL(point_on_line_3D, "(loop, frame1, frame2, axis)")
 KTE_CALL(point_on_plane_3D, "(loop, frame1, frame2, normal)")
 KTE_CALL(distance_2D, "(loop, frame1, frame2, length)")
 KTE_CALL(distance_3D, "(loop, frame1, frame2, length)")
-
-namespace detail {
-/// How model files make them.
-struct point_closures_family {
-  template <class Add>
-  static void add_to(const Add& add) {
-    add("point_on_line_2D", [](const auto& x) {
-      return point_on_line_2D(x.name("loop"), x.name("frame1"), x.name("frame2"), x.planar_vector("axis"));
-    });
-    add("point_on_line_3D", [](const auto& x) {
-      return point_on_line_3D(x.name("loop"), x.name("frame1"), x.name("frame2"), x.vector("axis"));
-    });
-    add("point_on_plane_3D", [](const auto& x) {
-      return point_on_plane_3D(x.name("loop"), x.name("frame1"), x.name("frame2"), x.vector("normal"));
-    });
-    add("distance_2D", [](const auto& x) {
-      return distance_2D(x.name("loop"), x.name("frame1"), x.name("frame2"), x.number("length"));
-    });
-    add("distance_3D", [](const auto& x) {
-      return distance_3D(x.name("loop"), x.name("frame1"), x.name("frame2"), x.number("length"));
-    });
-  }
-};
-}  // namespace detail
 
 }  // namespace kte

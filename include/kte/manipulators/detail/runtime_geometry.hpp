@@ -37,6 +37,8 @@ KTE_FUNCTION arm_geometry geometry_of(const runtime_chain& c, runtime_state& s, 
     const bool is_free = r.is_free && (r.what == kind::pose_2D || r.what == kind::pose_3D);
     if (is_free && slot == place.slot && r.parent < body_tree.bases)
       arm.moves = r.what == kind::pose_2D ? arm_geometry::freely::in_plane : arm_geometry::freely::in_space;
+    else if (r.moves == tree::joint::varying)
+      arm.refused = "has a joint with axes that depend on its coordinates";
     else if (r.axes != 1)
       arm.refused = "has a joint of several degrees of freedom";
     else if (!r.is_free)

@@ -29,6 +29,8 @@ constexpr const char* refused_by_type() {
     return "has an element that is neither joint nor link between base and tool";
   } else if constexpr (coordinates_of<core_t> == 0 || floats<I, Chain>()) {
     return nullptr;
+  } else if constexpr (varying_axes<core_t>) {
+    return "has a joint with axes that depend on its coordinates";
   } else if constexpr (core_t::ports[0].what != kind::gen) {
     return "has a joint of several degrees of freedom";
   } else {

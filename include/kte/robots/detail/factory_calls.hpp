@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/contract/parameter_info.hpp>
 #include <kte/elements/compiled_elements.hpp>
 #include <kte/robots/detail/cpp_numbers.hpp>
 
@@ -8,26 +9,24 @@
 
 namespace kte::detail {
 
-/// How the factory of an element is called: what its ports are connected to, then its parameters in the order of files,
-/// but where its family says something else (`add_to`, third argument), with names of parameters where their values
-/// come: {a, b} is a struct of numbers, [a] a list, body a rigid body, a.zz the last number of a symmetric matrix.
+/// How the factory of an element is called: with what its ports are connected to, then with its parameters in the order
+/// of files, or as `arguments` of the core tells, with names of parameters where their values come: {a, b} is a struct
+/// of numbers, body a rigid body.
 struct factory_call {
-  std::string header;  ///< "dyad": <kte/elements/dyad.hpp>
-  const char* arguments;
+  const char* arguments = nullptr;
+  std::vector<parameter_info> parameters;
 };
 
-/// Those of this library, by the type of the element, as its families have them.
+/// Those of this library, by the type of the element.
 inline const std::map<std::string, factory_call, std::less<>>& factory_calls() {
   static const auto all = [] {
     std::map<std::string, factory_call, std::less<>> calls;
-    // The place of the call is that of the family.
-    const auto add = [&calls](const char* type, const auto&, const char* arguments = nullptr,
-                              const char* family = __builtin_FILE()) {
-      const std::string path(family);
-      const auto name = path.find_last_of("/\\") + 1;
-      calls.emplace(type, factory_call{path.substr(name, path.rfind('.') - name), arguments});
+    const auto add = [&calls]<class Core>(const Core*) {
+      auto& call = calls[std::string(std::string_view(Core::type))];  // the last has numbers where others have types
+      call.parameters = parameter_infos<Core>();
+      if constexpr (requires { Core::arguments; }) call.arguments = Core::arguments;
     };
-    [&]<class... Family>(families<Family...>) { (Family::add_to(add), ...); }(all_families{});
+    [&]<class... Core>(core_list<void, Core...>) { (add(static_cast<const Core*>(nullptr)), ...); }(all_cores{});
     return calls;
   }();
   return all;
@@ -40,8 +39,8 @@ class argument_writer {
 
   /// ", ::kte::along_z(0.36), ::kte::quarter_turn_x", what is left out being left out; then ".at(...)" of joints.
   /// Throws `bad_argument` where the element has parameters that no argument takes.
-  std::pair<std::string, std::string> write(const char* arguments) {
-    std::string all = arguments ? by_pattern(arguments) : in_order();
+  std::pair<std::string, std::string> write(const factory_call& call) {
+    std::string all = call.arguments ? by_pattern(call.arguments) : in_order(call.parameters);
     constexpr std::string_view none = ", ::kte::no_rotation{}";
     if (all.ends_with(none)) all.resize(all.size() - none.size());
     const auto* const position = take("position");
@@ -52,8 +51,12 @@ class argument_writer {
       const std::string turn = rotation ? value(*rotation, 0) : "::kte::no_rotation{}";
       place += (turn == "::kte::no_rotation{}" ? "" : ", " + turn) + ")";
     }
+    const auto is_fixed = [&call](const parameter_record& p) {
+      return std::any_of(call.parameters.begin(), call.parameters.end(),
+                         [&](const parameter_info& i) { return i.name == p.name && i.is_fixed(); });
+    };
     for (const auto& p : e_.parameters)
-      if (!taken_.contains(p.name) && p.name != "axis")
+      if (!taken_.contains(p.name) && !is_fixed(p))
         throw bad_argument("kte: no header can hold the parameter '" + p.name + "' of " + e_.type);
     return {all, place};
   }
@@ -69,10 +72,17 @@ class argument_writer {
     if (!p) throw bad_argument("kte: " + e_.type + " has no parameter '" + std::string(name) + "'");
     return *p;
   }
-  std::string in_order() {
+  std::string in_order(const std::vector<parameter_info>& parameters) {
     std::string all;
-    for (const auto& p : e_.parameters)
-      if (p.name != "position" && p.name != "rotation") taken_.insert(p.name), all += ", " + value(p, 0);
+    for (const auto& i : parameters) {
+      if (i.optional && (i.name == "position" || i.name == "rotation")) continue;
+      const auto* const p = take(i.name);
+      if (!p || i.is_fixed()) continue;
+      const bool last_only = i.what == "symmetric matrix" && i.has_fixed();  // of a body in the plane
+      all += ", " + (i.count < 0 ? "::std::array" + cpp_list(p->values, cpp_number)
+                     : last_only ? cpp_entry(p->values.at(5))
+                                 : value(*p, 0));
+    }
     return all;
   }
   std::string by_pattern(std::string_view pattern) {
@@ -80,19 +90,13 @@ class argument_writer {
     int depth = 0;
     for (std::size_t i = 0; i < pattern.size();) {
       const char c = pattern[i];
-      const std::size_t end = (std::min)(pattern.find_first_of("{}[], ", i), pattern.size());
+      const std::size_t end = (std::min)(pattern.find_first_of("{}, ", i), pattern.size());
       if (end > i) {
         all += token(pattern.substr(i, end - i), depth), i = end;
         continue;
       }
       depth += (c == '{') - (c == '}');
-      if (c == '[') {
-        const std::size_t close = pattern.find(']', i);
-        all += "::std::array" + cpp_list(required(pattern.substr(i + 1, close - i - 1)).values, cpp_number);
-        i = close + 1;
-      } else {
-        all += c, ++i;
-      }
+      all += c, ++i;
     }
     return all.empty() ? all : ", " + all;
   }
@@ -102,7 +106,6 @@ class argument_writer {
       return cpp_body(required("mass").values.at(0), required("com").values, required("inertia").values, in_plane_) +
              (published ? ".as_published()" : "");
     }
-    if (name.ends_with(".zz")) return cpp_entry(required(name.substr(0, name.size() - 3)).values.at(5));
     return value(required(name), depth);
   }
   /// Within braces plain numbers, elsewhere typed constants where they are exact.
