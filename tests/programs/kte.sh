@@ -159,7 +159,7 @@ gives 0 'kte: wrote swing.svg' "$kte" plot swing.csv q energy/total
 if ! grep -q '<svg' swing.svg; then wrong 'no SVG'; fi
 gives 0 'kte: wrote other.svg' "$kte" plot swing.npy -o other.svg
 gives 1 "swing.csv: cannot plot 'nothing', which is no column" "$kte" plot swing.csv nothing
-gives 2 "'swing.pdf' is no name of a picture: these end in .svg or .png" "$kte" plot swing.csv q -o swing.pdf
+gives 2 "'swing.pdf' is not the name of a picture: these end in .svg or .png" "$kte" plot swing.csv q -o swing.pdf
 gives 0 'kte: wrote units.svg' "$kte" plot swing.csv q q/v --of pendulum.json -o units.svg
 for text in 'q (rad)' 'q/v (rad/s)'; do
   if ! grep -qF "$text" units.svg; then wrong "the axis has no unit: $text"; fi

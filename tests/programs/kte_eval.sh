@@ -184,12 +184,12 @@ XDG_CACHE_HOME=$folder/xdg static 0 'compiling'
 if [ ! -d xdg/kte ] || [ "$(stat -c %a xdg)" != 700 ]; then wrong 'XDG_CACHE_HOME is not used, or not private'; fi
 rm -f log
 for HOME in '' relative; do
-  static 1 'neither is an absolute path'
-  XDG_CACHE_HOME=relative static 1 'neither is an absolute path'
+  static 1 'set one of them to an absolute path'
+  XDG_CACHE_HOME=relative static 1 'set one of them to an absolute path'
 done
 HOME=$folder/states.csv static 1 "cannot make '$folder/states.csv/.cache': Not a directory"
 unset HOME
-static 1 'neither is an absolute path'
+static 1 'set one of them to an absolute path'
 compiled 0
 if [ -e relative ]; then wrong 'a relative HOME is used'; fi
 

@@ -19,7 +19,7 @@ struct options {
   bool json = false, strict = false;
 };
 
-/// What was found: texts with places, what of the file was not read, and what moves.
+/// The findings: texts with positions, unread parts of the file, and moving parts.
 struct findings {
   std::string format;
   std::vector<kte::robot_note> odd, not_read;

@@ -22,7 +22,7 @@ struct info_options {
 struct limits_of_one {
   double lower, upper, rate, effort;
 };
-/// Of a coordinate of one number.
+/// The limits of a coordinate with one number.
 limits_of_one limits(const mechanism& m, const structure::coordinate& c) {
   const auto v = static_cast<std::size_t>(c.v);
   const auto& l = m.robot.limits;

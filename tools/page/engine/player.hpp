@@ -6,7 +6,7 @@
 
 namespace kte::page {
 
-/// A mechanism and its simulation, with what whoever looks at it does to it.
+/// A mechanism and its simulation, with the actions of the viewer.
 class player {
  public:
   explicit player(std::string_view json) : shown_(json) {}
@@ -66,7 +66,7 @@ class player {
     at_rest_->at(0, m.make_x(q, Eigen::VectorXd::Zero(m.dofs()).eval()));
     return *at_rest_;
   }
-  /// Of the simulation as it is now, with the pull and the damping.
+  /// The loads at the present state of the simulation, with the pull and the damping.
   const acting& loads_now() {
     const auto& s = running();
     if (!simulated_) simulated_.emplace(shown_.acting_in(shown_.modelled(with_pull_and_damping())));

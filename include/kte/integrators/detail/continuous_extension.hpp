@@ -33,7 +33,7 @@ class continuous_extension<Tableau, Rate> {
 
   /// Discards the stages, for a new step.
   void forget() { made_ = false; }
-  /// (1) and (2) for the step h from t, if not yet computed. k: all stages, of which those of the step are known.
+  /// (1) and (2) for the step h from t, if not yet computed. k: all stages; those of the step are given.
   /// slope(t, d, k): the rate k of the displacement d from the start of the step. Returns whether the result is finite.
   template <class Slopes, class Slope>
   bool make(const S& t, const S& h, Slopes& k, const Slope& slope) {
