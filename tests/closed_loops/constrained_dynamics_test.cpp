@@ -11,7 +11,7 @@ namespace {
 
 double largest_difference(const vector& a, const vector& b) { return (a - b).cwiseAbs().maxCoeff(); }
 
-/// A tree in space on a floating base, with closures of all kinds between its branches. The same without closures.
+/// A tree in space on a floating base, with closures of all kinds between its branches, and the tree without closures.
 struct tangle {
   runtime_chain closed, open;
   explicit tangle(bool follows = false) {
@@ -184,7 +184,7 @@ TEST_CASE("a closure is the limit of a stiff spring") {
   const vector q = four_bar_q(1, 0.7), v = four_bar_v(1, 1.1), none = vector::Zero(3);
   const auto r = constrained_dynamics(closed, s, q, v, none);
   const auto& force = r.loop("pin0").force;
-  // With the ends apart by force / k, of which the spring gives the force.
+  // The spring gives the force if its ends are force / k apart.
   const Eigen::MatrixXd j = loop_jacobian(closed, s, q);
   double last = 0;
   for (const double k : {1e6, 1e7}) {

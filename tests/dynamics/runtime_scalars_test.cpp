@@ -21,7 +21,7 @@
 #include "digits50.hpp"
 #include "random.hpp"
 
-// Runtime chains in other scalars than double: the same loops over body nodes, each against 50 digits.
+// Runtime chains in scalars other than double: loops over body nodes, each against 50 digits.
 
 using namespace kte;
 using kte::test::digits50;

@@ -110,7 +110,7 @@ TEST_CASE("started outside its limits an arm comes back, and says so") {
 TEST_CASE("what the tools leave follows the desired rates") {
   const manipulator free_arm(three, tip);
   const three_rates q(0.3, 0.4, 0.7), none = three_rates::Zero(), posture(0, 0.5, 0);
-  // Of a tool that is to stand still nothing is left here: three joints. Along y alone two of them do not matter.
+  // A tool that must stand still uses all three joints. Along y alone two of them do not matter.
   CHECK(rates_towards(free_arm, q, none, twist::Zero(), 0.01, {}, posture).v.norm() < 1e-4);
   const auto c = [] {
     runtime_chain all;
@@ -174,7 +174,7 @@ TEST_CASE("accelerations of tools, and joints that give them within limits") {
   CHECK(free_step.linear < 1e-8);
   CHECK(free_step.status == rate_status::free);
   CHECK((accelerations_towards(runtime, q, v, wanted, 1e-3, {.damping = 1e-12}).a - a).norm() < 1e-8);
-  // Nothing wanted of a tool at the first joint's axis: the other two do as they are told.
+  // A tool on the first joint's axis with no desired motion: the other two joints follow their desired rates.
   const manipulator shoulder(three, upper);
   const three_rates aim(0, 4, -5);
   CHECK((accelerations_towards(shoulder, q, v, twist::Zero(), 1e-3, {}, aim).a - aim).norm() < 1e-9);

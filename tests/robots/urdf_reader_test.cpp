@@ -121,7 +121,7 @@ bool has(const std::vector<robot_note>& notes, const std::string& text, bool mov
 }
 }  // namespace
 
-TEST_CASE("what URDFs leave out or say twice is read as it is meant, and said") {
+TEST_CASE("omissions and duplicates in URDFs are read as intended, and reported") {
   const auto d = from_urdf(urdf(R"(<material name='red'><color rgba='1 0 0 1'/></material>
     <material name='red'><color rgba='0 1 0 1'/></material>
     <material name='red'><color rgba='1 0 0 1'/><texture filename='t.png'/></material>

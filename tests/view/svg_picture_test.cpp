@@ -28,7 +28,7 @@ std::vector<double> numbers_in(const std::string& text) {
   }
   return all;
 }
-/// Of the path "Mx yldx dy" of a line.
+/// The numbers of the path "Mx yldx dy" of a line.
 struct straight {
   double x, y, dx, dy;
   explicit straight(const std::string& d) {

@@ -125,7 +125,7 @@ TEST_CASE("NaN is a gap, and a point between gaps is a dot") {
   CHECK(curve->all("circle").size() == 1);
 }
 
-TEST_CASE("what an axis has no place for is counted in the picture") {
+TEST_CASE("numbers that an axis cannot show are counted in the picture") {
   CHECK(has(texts(plot(two_columns({1, inf, -inf, 2}))), "2 infinite numbers not shown"));
   CHECK(has(texts(plot(two_columns({1, -1, 0, 10, inf}), {}, {.log_y = true})),
             "2 not positive numbers not shown, 1 infinite number not shown"));

@@ -13,7 +13,7 @@ using test::read_svg;
 
 namespace {
 
-/// A random tree of so many joints, with a motor each, a spring from the first to the last body, and a loop.
+/// A random tree with this number of joints, with a motor each, a spring from the first to the last body, and a loop.
 scene random_tree(int joints, unsigned seed) {
   std::mt19937 random(seed);
   scene s;
