@@ -48,7 +48,7 @@ template <class Gravity, class... E, indexable Q, key_type... Locked>
     };
     return (each(std::type_identity<Locked>{}) && ...);
   }();
-  static_assert(known, "kte: this chain has no degree of freedom of this name, which could be locked");
+  static_assert(known, "kte: this chain has no degree of freedom of this name to lock");
   static_assert(clean || !known,
                 "kte: an element other than its joint acts on a coordinate to be locked: leave it out, or use a "
                 "runtime chain");

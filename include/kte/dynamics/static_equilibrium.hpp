@@ -101,7 +101,7 @@ namespace detail {
 template <indexable Q>
 Eigen::VectorXd start_of_statics(const runtime_chain& c, const runtime_state& s, const Q& q0) {
   check_regular(c, s);
-  if (s.dofs() == 0) raise<bad_argument>("kte: this chain has no degree of freedom, which equilibria are about");
+  if (s.dofs() == 0) raise<bad_argument>("kte: equilibria need a chain with degrees of freedom");
   check_positions(s, q0);
   Eigen::VectorXd q(s.nq());
   for (Eigen::Index i = 0; i < q.size(); ++i) q[i] = static_cast<double>(q0[static_cast<std::size_t>(i)]);

@@ -66,7 +66,7 @@ inline constexpr bool holds = count_of<T> < 0 || count_of<T> == N;
 template <int N, indexable T>
 constexpr void check_size(const T& x, const char* name, const char* what = "degrees of freedom") {
   static_assert(detail::holds<T, N>,
-                "kte: an argument (v, a, tau) has another number of entries than the chain has degrees of freedom");
+                "kte: the size of an argument (v, a, tau) differs from the number of degrees of freedom of the chain");
   check_size(std::size_t{N}, x, name, what);
 }
 
@@ -78,7 +78,7 @@ constexpr void check_configuration(int nq, int dofs, const Q& q) {
 }
 template <class Chain, indexable Q>
 constexpr void check_configuration(const Q& q) {
-  static_assert(holds<Q, Chain::nq>, "kte: q has another number of entries than a configuration of the chain has");
+  static_assert(holds<Q, Chain::nq>, "kte: the size of q differs from that of a configuration of the chain");
   check_configuration(Chain::nq, Chain::dofs, q);
 }
 

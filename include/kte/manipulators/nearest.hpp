@@ -153,8 +153,8 @@ template <class Chain, class Tools, class Rotation, class Position, class Q>
     const double m = double_of(best.answer.position), rad = double_of(best.answer.rotation);
     const bool limits = best.is == best.beyond_limits;
     raise<unreachable>(limits ? "kte: this pose is reached beyond the limits of joints only"
-                              : "kte: this pose cannot be reached; the nearest found misses it by " + number(m) +
-                                    " m and " + number(rad) + " rad",
+                              : "kte: this pose cannot be reached; the nearest posture found has an error of " +
+                                    number(m) + " m and " + number(rad) + " rad",
                        limits ? unreachable_reason::limits : unreachable_reason::distance, std::move(q), m, rad);
   }
   return best.answer;

@@ -33,8 +33,9 @@ template <class Chain, key_type... Tools>
     const manipulator<Chain, detail::tool_keys<Tools...>>& like, const model_record& m) {
   const auto wanted = like.tools();
   if (!std::equal(wanted.begin(), wanted.end(), m.tools.begin(), m.tools.end()))
-    detail::raise<bad_file>("kte: the file has other tools than the static manipulator, whose first is '" +
-                            std::string(wanted[0]) + "'");
+    detail::raise<bad_file>(
+        "kte: the tools of the file differ from those of the static manipulator, whose first tool is '" +
+        std::string(wanted[0]) + "'");
   const auto c = from_record(like.chain(), m);
   return {c, Tools{}..., limits_of(c, m)};
 }

@@ -18,7 +18,7 @@ inline constexpr bool never = false;
 /// Checks that law_rates of N states has returned N numbers.
 template <int N, class Rates>
 void check_law_rates(const Rates& c_dot) {
-  static_assert(holds<Rates, N>, "kte: the rates of a law have another number of entries than the law has states");
+  static_assert(holds<Rates, N>, "kte: the number of rates of a law differs from the number of its states");
   if constexpr (requires { c_dot.size(); })
     if (std::cmp_not_equal(c_dot.size(), N)) [[unlikely]]
       raise<bad_argument>("kte: the rates of a law are " + std::to_string(c_dot.size()) + " numbers, the law has " +

@@ -175,13 +175,13 @@ class mass_matrix_calc<runtime_chain> {
     const auto n = at.element->numbers();
     if (!n.has_mass && n.is != detail::part::body && n.is != detail::part::weight) return false;
     if (std::any_of(bodies_.begin(), bodies_.end(), [e](const body& b) { return b.element == e; }))
-      throw bad_argument("kte: mass_matrix_calc: a mass is fed twice");
+      throw bad_argument("kte: mass_matrix_calc: a mass is added twice");
     detail::insert_by_kind(bodies_, body{e, at.ports[0].what, at.index[0], detail::mass_block(n, at.ports[0].what)});
     return true;
   }
   void add_coordinate(const detail::freedom& f) {
     if (std::any_of(coordinates_.begin(), coordinates_.end(), [&f](const auto& x) { return x.v == f.v; }))
-      throw bad_argument("kte: mass_matrix_calc: a coordinate is fed twice");
+      throw bad_argument("kte: mass_matrix_calc: a coordinate is added twice");
     detail::insert_by_kind(coordinates_, f);
   }
   void check(const runtime_state& s) const { detail::check_regular(chain_, s); }

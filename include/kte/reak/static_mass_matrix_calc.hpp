@@ -19,7 +19,7 @@ struct coordinates_by_kind {
 };
 template <class By, std::size_t New, std::size_t... Fed>
 constexpr auto inserted(std::index_sequence<Fed...>) {
-  static_assert(((Fed != New) && ...), "kte: mass_matrix_calc: this mass or coordinate is fed twice");
+  static_assert(((Fed != New) && ...), "kte: mass_matrix_calc: this mass or coordinate is added twice");
   constexpr auto all = [] {
     std::array<std::size_t, sizeof...(Fed) + 1> a{Fed..., New};
     for (std::size_t i = sizeof...(Fed); i > 0 && By::order(a[i - 1]) > By::order(a[i]); --i) std::swap(a[i - 1], a[i]);

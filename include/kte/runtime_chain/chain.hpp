@@ -73,7 +73,7 @@ class runtime_chain : public kte_map {
   runtime_chain& operator<<(detail::refused) { return *this; }
   template <class T>
   requires(!std::is_class_v<T>) runtime_chain& operator<<(const T&) {
-    static_assert(detail::fit<T>, "kte: a chain is made of elements and of chains, and this is neither");
+    static_assert(detail::fit<T>, "kte: a chain consists of elements and chains; this argument is neither");
     return *this;
   }
   /// Appends an element, a static chain or a chain. The elements of a runtime chain are moved out of it; calls through
@@ -279,7 +279,7 @@ KTE_FUNCTION runtime_chain::parts runtime_chain::copies() const {
   all.reserve(elements_.size());
   for (const auto& e : elements_) {
     all.push_back(e->clone());
-    if (!all.back()) throw bad_argument("kte: clone() of a part of this chain gave a null pointer");
+    if (!all.back()) throw bad_argument("kte: clone() of a part of this chain returned a null pointer");
   }
   return all;
 }

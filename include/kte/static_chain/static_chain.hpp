@@ -199,7 +199,7 @@ constexpr auto as_elements(const element<Core, Keys...>& e) {
 template <class E>
 struct check_part {
   static constexpr bool passed = requires(const E& e) { as_elements(e); };
-  static_assert(passed, "kte: a static chain is made of elements and of static chains, and this is neither");
+  static_assert(passed, "kte: a static chain consists of elements and static chains; this argument is neither");
 };
 template <>
 struct check_part<refused> {

@@ -136,7 +136,8 @@ template <class Arm>
 void check_arm_angle(const Arm& arm) {
   check_closed_form(arm);
   if (arm.family() != arm_family::srs)
-    raise<bad_argument>("kte: this arm has no arm angle: of its axes, not the first and the last three meet");
+    raise<bad_argument>(
+        "kte: this arm has no arm angle: its first three axes and its last three axes must each meet in a point");
 }
 template <class Arm>
 limits_by_joint limits_of_joints(const Arm& arm) {

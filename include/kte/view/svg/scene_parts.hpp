@@ -16,7 +16,7 @@ inline void check_parts(const scene& s) {
       raise<bad_argument>("kte: the frame '" + f.name + "' of a scene has a track or a parent that is not there");
   }
   const auto check = [count](int frame) {
-    if (frame < 0 || frame >= count) raise<bad_argument>("kte: a part of a scene is on a frame that is not there");
+    if (frame < 0 || frame >= count) raise<bad_argument>("kte: a part of a scene is on a frame that does not exist");
   };
   for (const auto& l : s.links) check(l.from), check(l.to);
   for (const auto& j : s.joints) check(j.before), check(j.after);
