@@ -31,7 +31,7 @@ const inverse_dynamics_result<S, Eigen::Dynamic>& forces_derived(const runtime_c
   check_result(r.tau, static_cast<std::size_t>(s.dofs()), [&s] { diagnose("a force", s); });
   return r;
 }
-/// Derivatives of forward dynamics, after forward dynamics: (1) of detail/static_derivatives.hpp.
+/// Derivatives of forward dynamics, after forward dynamics: (1) of dynamics/unrolled/derivatives.hpp.
 template <class S>
 const forward_dynamics_result<S, Eigen::Dynamic>& accelerations_derived(const runtime_chain& c,
                                                                         basic_runtime_state<S>& s) {

@@ -7,7 +7,7 @@
 
 #include <limits>
 
-/// Newton's method on tau(q, p) = 0 of detail/static_problem.hpp.
+/// Newton's method on tau(q, p) = 0 of statics/problem.hpp.
 namespace kte::detail {
 
 /// Scales of the numbers of a step: 1 for rotations; for lengths the size of the box around all frames at the present
