@@ -6,7 +6,7 @@
 
 namespace kte::detail {
 
-/// A robot in the format that its root says.
+/// Reads a robot in the format given by the root element.
 robot_description read_any(const xml_node& root, const std::string& name, const robot_options& options,
                            xml_parser parse);
 

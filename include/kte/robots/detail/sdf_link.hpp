@@ -6,12 +6,12 @@
 
 namespace kte::detail {
 
-/// Links of a model in SDF.
+/// Reads the links of a model in SDF.
 class sdf_links {
  public:
   sdf_links(const robot_options& o, const sdf_frames& f, sdf_leftovers& l) : options_(o), frames_(f), leftovers_(l) {}
 
-  /// A link of this full name. A static link needs no body.
+  /// Reads the link of this full name. A static link needs no body.
   robot_link read(const xml_item& x, const sdf_scope& scope, const std::string& name, bool stands, bool windy) {
     x.only({"inertial", "visual", "collision", "pose", "gravity", "velocity_decay", "kinematic", "enable_wind",
             "plugin", "drake:deformable_properties"},
@@ -56,7 +56,7 @@ class sdf_links {
     }
     return moved_body(in_link(*i, scope, l.name), b);
   }
-  /// The inertia of the collision shapes by their densities. A given mass scales it.
+  /// The rigid body of the collision shapes by their densities, scaled to the mass if one is given.
   rigid_body<> solids(const xml_item& x, const xml_item& inertial, const robot_link& l) const {
     const auto shapes = x.children("collision");
     if (shapes.empty()) inertial.fail("its inertia is that of its collisions, but the link has none");

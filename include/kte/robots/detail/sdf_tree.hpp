@@ -8,18 +8,18 @@
 
 namespace kte::detail {
 
-/// Makes one tree of the links and joints of a model: what stands still is fixed, joints are turned round where the
-/// tree needs it, and parts that no joint connects move freely.
+/// Makes one tree of the links and joints of a model: static parts are fixed, joints are reversed where the tree needs
+/// it, and parts without a joint between them move freely.
 class sdf_tree {
  public:
   using placer = std::function<robot_pose(const std::string&, const std::string&)>;
 
-  /// `place(a, b)` is where b stands in a.
+  /// `place(a, b)` returns the pose of b in a.
   sdf_tree(robot_description& d, placer place) : d_(d), place_(std::move(place)) {
     for (const auto& j : d.joints) joints_.insert(j.name);
   }
 
-  /// Links that stand still, in the world if that is a link.
+  /// Fixes static links, to the world if that is a link.
   void fix(const std::set<std::string>& still) {
     if (still.empty()) return;
     const bool world = std::any_of(d_.links.begin(), d_.links.end(), [](const auto& l) { return l.name == "world"; });
@@ -35,7 +35,7 @@ class sdf_tree {
     }
   }
 
-  /// The root. `first` is the link whose part is the base, where no link is called world.
+  /// Joins the parts and sets the root. `first` is the link whose part is the base if no link is the world.
   std::string join(const std::string& first) {
     std::vector<part> parts = find_parts();
     for (auto& p : parts) direct(p, first);
@@ -63,7 +63,7 @@ class sdf_tree {
   struct part {
     std::vector<std::string> links;
     std::vector<std::size_t> joints;
-    std::string root{};  ///< empty where there are loops
+    std::string root{};  ///< empty if the part has loops
   };
 
   robot_joint between(kind is, const std::string& parent, const robot_link& child, const char* ending) {
@@ -74,7 +74,7 @@ class sdf_tree {
     return j;
   }
 
-  /// Links that joints connect.
+  /// The sets of links that joints connect.
   std::vector<part> find_parts() const {
     std::map<std::string, std::size_t, std::less<>> index;
     for (const auto& l : d_.links) index.emplace(l.name, index.size());
@@ -97,8 +97,8 @@ class sdf_tree {
     return all;
   }
 
-  /// Chooses the root of a part: the link without a joint above it, of several the first or that of the base. Joints
-  /// that point to it are turned round. Parts with loops stay, and are refused by robot_tree.
+  /// Chooses the root of a part: the link without a joint above it; among several the first, or that of the base.
+  /// Joints that point to it are reversed. Parts with loops stay unchanged; `robot_tree` rejects them.
   void direct(part& p, const std::string& first) {
     if (p.joints.size() >= p.links.size()) return;
     std::map<std::string, std::vector<std::size_t>> at;
@@ -122,8 +122,8 @@ class sdf_tree {
       }
     }
   }
-  /// X_child = origin J(q) child_pose, so that the parent stands in the child at child_pose^-1 J(q)^-1 origin^-1, and
-  /// J(q)^-1 is J(q) about the opposite axis.
+  /// Reverses a joint: X_child = origin J(q) child_pose, so that the pose of the parent in the child is child_pose^-1
+  /// J(q)^-1 origin^-1, where J(q)^-1 is J(q) about the opposite axis.
   void turn(robot_joint& j) {
     const auto origin = inverse_of(j.child_pose);
     j.child_pose = inverse_of(j.origin), j.origin = origin, j.axis = {0.0 - j.axis.x, 0.0 - j.axis.y, 0.0 - j.axis.z};

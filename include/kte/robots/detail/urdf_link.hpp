@@ -6,7 +6,7 @@
 
 namespace kte::detail {
 
-/// Links of a URDF.
+/// Reads the links of a URDF.
 class urdf_links {
  public:
   urdf_links(robot_description& d, const robot_options& o) : d_(d), options_(o) {}
@@ -17,7 +17,7 @@ class urdf_links {
     x->only({}, {"xyz", "rpy"});
     return pose(*x);
   }
-  /// What the attributes xyz and rpy say.
+  /// The pose of the attributes xyz and rpy.
   robot_pose pose(const xml_item& x) const {
     const vec3<> rpy = x.vector_or("rpy", {});
     for (const double angle : {rpy.x, rpy.y, rpy.z}) note_near_quarter(x, angle, options_);
@@ -46,7 +46,7 @@ class urdf_links {
       for (const auto& g : x.children(name)) g.moves_differently("not read, as URDF has no such element");
     d_.links.push_back(std::move(l));
   }
-  /// Colours of the materials that have a name.
+  /// Collects the colours of named materials.
   void colour() {
     for (auto& l : d_.links)
       for (auto* shapes : {&l.visuals, &l.collisions})
@@ -119,7 +119,7 @@ class urdf_links {
 
   robot_description& d_;
   const robot_options& options_;
-  std::map<std::string, std::vector<double>, std::less<>> colours_;  ///< by names of materials
+  std::map<std::string, std::vector<double>, std::less<>> colours_;  ///< by material
 };
 
 }  // namespace kte::detail

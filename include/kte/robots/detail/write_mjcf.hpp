@@ -83,7 +83,7 @@ class mjcf_writer {
     out_.close();
   }
 
-  /// Whether readers of this library give a frame after this number of joints of a body this name.
+  /// Whether the reader of this library gives a frame this name when it reads a body with this number of joints.
   static bool comes_back(std::string_view frame, const std::string& body, int joints) {
     if (frame.ends_with(".joint")) frame.remove_suffix(6);
     return frame == body || frame == body + "." + std::to_string(joints);
@@ -102,7 +102,7 @@ class mjcf_writer {
                          title(d_.links[i]) + ": its mass is written into link '" + l.name + "', which it is fixed to");
     }
     if (!own && !too_light) {
-      if (geoms_.has_mesh(b.link)) write(mjcf_weight(rigid_body<>{0, {}, {}}));  // no mass of the mesh
+      if (geoms_.has_mesh(b.link)) write(mjcf_weight(rigid_body<>{0, {}, {}}));  // so that the mesh has no mass
       return;
     }
     mjcf_weight w(own.value_or(rigid_body<>{0, {}, {}}));
@@ -120,7 +120,8 @@ class mjcf_writer {
     if (too_light && !w.moves()) raise(b, w);
     write(w);
   }
-  /// What MuJoCo takes for a body of no mass is the same robot where that is little beside what its joints move anyway.
+  /// Raises the mass and moments of a body to the least that MuJoCo accepts. This counts as a change of the motion
+  /// unless they are small beside the masses or rotor inertias that its joints move.
   void raise(const mjcf_body& b, mjcf_weight& w) {
     const auto& l = d_.links[b.link];
     const auto [mass, moments] = plan_.carried(b.link);
@@ -143,7 +144,7 @@ class mjcf_writer {
     out_.attribute("diaginertia", std::vector<double>(w.moments.begin(), w.moments.end())), out_.close();
   }
 
-  /// MuJoCo's are soft.
+  /// Writes followers as equality constraints, which are soft in MuJoCo.
   void followers() {
     bool any = false;
     for (const auto& j : d_.joints) {
@@ -186,7 +187,7 @@ class mjcf_writer {
     }
     if (any) out_.close();
   }
-  /// The difference of a law from that of <motor>.
+  /// Writes the attributes in which a law differs from that of <motor>.
   void motor(const motor_law& law) {
     if (law.gain != 1) out_.attribute("gainprm", law.gain);
     if (law.offset != 0 || law.stiffness != 0 || law.damping != 0) {

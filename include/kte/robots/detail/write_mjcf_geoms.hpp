@@ -18,8 +18,8 @@ inline void write_mjcf_place(xml_writer& out, const robot_pose& p) {
   out.attribute("quat", std::vector<double>{q.w, q.x, q.y, q.z});
 }
 
-/// Shapes as geoms that weigh nothing. One that is seen and collides is one geom, of group 0; of those that are only
-/// seen the group is 2, of those that only collide 3.
+/// Writes shapes as massless geoms. A shape that is both visual and collision becomes one geom of group 0; visual
+/// shapes have group 2, collision shapes group 3.
 class mjcf_geoms {
  public:
   mjcf_geoms(const robot_description& d, const robot_writing& o, unwritten& left_out)

@@ -10,7 +10,7 @@ namespace kte::detail {
 
 inline std::string mjcf_title(const robot_joint& j) { return "joint '" + j.name + "'"; }
 
-/// Joints of bodies of MJCF.
+/// Writes the joints of bodies of MJCF.
 class mjcf_joints {
  public:
   mjcf_joints(const robot_description& d, const robot_writing& o, unwritten& left_out, const mjcf_plan& plan,
@@ -19,7 +19,7 @@ class mjcf_joints {
     for (const auto& j : d.joints) names_.insert(j.name);
   }
 
-  /// `behind` is where the body stands in what the joint moves.
+  /// `behind`: the pose of the body in the frame that the joint moves.
   void write(const robot_joint& j, const robot_pose& behind) {
     if (j.is == kind::floating) return free_joint(j);
     if (j.is == kind::planar) return planar_joint(j, behind);
