@@ -50,7 +50,7 @@ inline std::string cpp_vector(std::span<const double> v) {
       return std::string("::kte::along_") + "xyz"[i] + "(" + cpp_number(v[i]) + ")";
   return "::kte::vec3" + cpp_list(v, cpp_entry);
 }
-/// The entries xx xy xz yy yz zz as numbers, never as typed ones: inertias are measured.
+/// The entries xx xy xz yy yz zz; zeros are typed, but never ones: inertias are measured.
 inline std::string cpp_symmetric(std::span<const double> v) {
   const auto entry = [](double x) { return x == 0 ? std::string("::kte::zero") : cpp_number(x); };
   if (v[1] == 0 && v[2] == 0 && v[4] == 0)
