@@ -11,7 +11,7 @@ namespace {
 
 double largest_difference(const vector& a, const vector& b) { return (a - b).cwiseAbs().maxCoeff(); }
 
-/// A tree in space on a floating base, with closures of all kinds between its branches, and the tree without closures.
+/// A tree in space on a floating base, with closures of all kinds between its branches. The same without closures.
 struct tangle {
   runtime_chain closed, open;
   explicit tangle(bool follows = false) {

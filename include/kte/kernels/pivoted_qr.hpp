@@ -16,8 +16,8 @@ class pivoted_qr {
   Eigen::MatrixXd q, r;
   double largest = 0, smallest = 0;  ///< of the diagonal of R
 
-  /// Selects the column with the largest remaining norm in each step. Columns whose norm is below `least` times the
-  /// first, or below `zero`, count as dependent.
+  /// Each time takes the column with most beside those taken. Columns with less than `least` times the first, or with
+  /// less than `zero`, count as dependent.
   void choose(Eigen::MatrixXd& b, double least, double zero = 0) {
     chosen.resize(static_cast<std::size_t>(b.cols()));
     for (std::size_t i = 0; i < chosen.size(); ++i) chosen[i] = static_cast<int>(i);
@@ -38,7 +38,8 @@ class pivoted_qr {
     chosen.resize(static_cast<std::size_t>(k));
     finish(b, k);
   }
-  /// Factorizes all columns in the given order; `columns` are their numbers. Returns false if they are dependent.
+  /// The factorization of all columns, in their order; `columns` are their numbers. Returns false if they are
+  /// dependent.
   bool take(Eigen::MatrixXd& b, const std::vector<int>& columns, double least) {
     chosen = columns;
     largest = smallest = 0;
@@ -49,7 +50,7 @@ class pivoted_qr {
   }
 
  private:
-  /// Reflects column k onto axis k; stores the vector of the reflection from the diagonal on.
+  /// Reflects column k onto axis k; keeps the vector of the reflection from the diagonal on.
   void reflect(Eigen::MatrixXd& b, Eigen::Index k, double norm) {
     const Eigen::Index rest = b.rows() - k;
     if (k == 0) diagonal_.resize(b.cols()), largest = norm;

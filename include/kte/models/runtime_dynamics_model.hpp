@@ -79,8 +79,8 @@ class manipulator_dynamics_model<runtime_chain, double, void> : public state_spa
 
   using base::make_x;
   /// The state x of vectors q and v, with z = 0 or as given.
-  [[nodiscard]] state make_x(const Eigen::VectorXd& q, const Eigen::VectorXd& v) const;
-  [[nodiscard]] state make_x(const Eigen::VectorXd& q, const Eigen::VectorXd& v, const Eigen::VectorXd& z) const;
+  state make_x(const Eigen::VectorXd& q, const Eigen::VectorXd& v) const;
+  state make_x(const Eigen::VectorXd& q, const Eigen::VectorXd& v, const Eigen::VectorXd& z) const;
   using base::setInput;
   /// Sets all inputs u. Throws `bad_argument` for a wrong number of inputs, and for numbers that are not finite.
   void setInput(const Eigen::VectorXd& u);

@@ -117,7 +117,7 @@ class kte_element : public kte_map {
   /// The residual (order 0) of a closure of frames, or a derivative of it, for the motion of its second frame in its
   /// first.
   virtual void close_frames(const detail::closing_motion<double>&, int /*order*/, double* /*rows*/) const {}
-  /// Whether a closed loop of rotations is at the true solution, not half a turn away.
+  /// Whether a closed loop is not at the false solution of a rotation, half a turn off.
   virtual bool is_upright(const detail::closing_motion<double>&) const { return true; }
   /// The residual of a closure of coordinates at q with rates v, its derivatives by the coordinates, and its second
   /// derivative without accelerations.

@@ -37,7 +37,7 @@ runtime_tree<P> tree_of(const topology& t) {
             }
           }};
 }
-/// Throws `bad_argument` if S is a scalar that does not support forces or dependent coordinates.
+/// Throws `bad_argument` if S is a scalar in which forces, or coordinates that follow others, are not known.
 template <class S, class P>
 void check_scalar(const topology& t, const runtime_tree<P>& tree) {
   if (std::is_same_v<S, double>) return;

@@ -78,7 +78,7 @@ void put_coordinates(basic_derivative_state<D>& d) {
     put<vector_of::q>(x, at, d.q), put<vector_of::v>(x, at, d.v), put<vector_of::a>(x, at, d.a);
   });
 }
-/// Inverse dynamics at q, v, a of the state with derivatives, whose bases are set. Writes the generalized forces to its
+/// Inverse dynamics at q, v, a of the state with derivatives, with bases in place: what must be applied, into its
 /// `forces`.
 template <class Elements, std::same_as<double> S, class D>
 void inverse_dynamics_in_duals(const Elements& elements, const basic_runtime_state<S>& s, basic_derivative_state<D>& d,

@@ -111,7 +111,7 @@ void settle_on_loops(const Model& model, runtime_state& s, loop_step& step, Eige
   if (!factor.keep(c, s, e, step.factor, 1e-14)) factor.choose(c, s, e, least_pivot);
   for (int i = 0; i < 2; ++i) move(n, factor.least_change(e, e.times(model.velocities_of(x))));
 }
-/// (3), for positions and velocities.
+/// (3) of positions and velocities.
 inline void make_tangential(const loop_step& step, Eigen::VectorXd& e) {
   const auto n = static_cast<Eigen::Index>(step.equations.places.row_of_place.size());
   for (const Eigen::Index first : {Eigen::Index(0), n}) {

@@ -214,7 +214,7 @@ class mjcf_bodies {
     }
   }
 
-  /// Reads the actuators of a model and of the models that it attaches, and notes the contents that are not read.
+  /// Actuators, and what is not read, of a model and of those that it attaches.
   void sections(const xml_item& root, const mjcf_scope& in) {
     for (const auto& x : root.children()) {
       const auto n = x.name();
@@ -242,7 +242,7 @@ class mjcf_bodies {
   mjcf_unread unread_;
   mjcf_meshes meshes_;
   mjcf_materials materials_;
-  std::vector<std::size_t> bodies_;  ///< the links of bodies in the file
+  std::vector<std::size_t> bodies_;  ///< the links that are bodies of the file
   std::unordered_set<std::string> taken_, joints_;
   int depth_ = 0;
 };

@@ -44,7 +44,7 @@ inline void find_condition(const robot& r, std::vector<robot_note>& found) {
                             " at a random configuration, so that forward dynamics loses as many digits"});
 }
 
-/// Whether a joint moves any mass.
+/// Whether anything that a joint moves has a mass.
 inline bool moves_mass(const robot_description& d, const robot_tree& tree, std::size_t which) {
   std::vector<char> moved(d.links.size(), 0);
   for (const auto& s : tree.steps()) {

@@ -12,7 +12,7 @@
 
 namespace kte::detail {
 
-/// The tree of links and joints: checked, and in the order of a chain.
+/// The tree that links and joints make: checked, and in the order in which a chain takes it.
 class robot_tree {
  public:
   struct step {

@@ -8,8 +8,8 @@
 
 namespace kte::detail {
 
-/// Makes one tree of the links and joints of a model: static parts are fixed, joints are reversed where the tree needs
-/// it, and parts without a joint between them move freely.
+/// Makes one tree of the links and joints of a model: what stands still is fixed, joints are turned round where the
+/// tree needs it, and parts that no joint connects move freely.
 class sdf_tree {
  public:
   using placer = std::function<robot_pose(const std::string&, const std::string&)>;
@@ -63,7 +63,7 @@ class sdf_tree {
   struct part {
     std::vector<std::string> links;
     std::vector<std::size_t> joints;
-    std::string root{};  ///< empty if the part has loops
+    std::string root{};  ///< empty where there are loops
   };
 
   robot_joint between(kind is, const std::string& parent, const robot_link& child, const char* ending) {
@@ -97,8 +97,8 @@ class sdf_tree {
     return all;
   }
 
-  /// Chooses the root of a part: the link without a joint above it; among several the first, or that of the base.
-  /// Joints that point to it are reversed. Parts with loops stay unchanged; `robot_tree` rejects them.
+  /// Chooses the root of a part: the link without a joint above it, of several the first or that of the base. Joints
+  /// that point to it are turned round. Parts with loops stay, and are refused by robot_tree.
   void direct(part& p, const std::string& first) {
     if (p.joints.size() >= p.links.size()) return;
     std::map<std::string, std::vector<std::size_t>> at;

@@ -144,7 +144,7 @@ class mjcf_writer {
     out_.attribute("diaginertia", std::vector<double>(w.moments.begin(), w.moments.end())), out_.close();
   }
 
-  /// Writes followers as equality constraints, which are soft in MuJoCo.
+  /// MuJoCo's are soft.
   void followers() {
     bool any = false;
     for (const auto& j : d_.joints) {
