@@ -150,7 +150,7 @@ class chain_reader {
       refuse(e, "it is not a link, joint or body, or damping or friction of a joint");
     }
   }
-  /// Reads the springs and dampers of a spherical or floating joint, torque and then force; false for other elements.
+  /// Whether it is a spring or damper of a ball, or the damping of a free body: a torque, and then a force.
   bool free_turning(const element_record& e) {
     const bool drag = e.type == "fluid_drag_3D", spring = e.type == "torsion_spring_3D";
     if (!drag && !spring && e.type != "torsion_damper_3D") return false;

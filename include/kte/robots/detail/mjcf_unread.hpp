@@ -43,7 +43,7 @@ class mjcf_unread {
       x.not_read("not read");
     }
   }
-  /// Notes the attributes of meshes that do not affect their shape, and assets other than meshes and models.
+  /// Attributes of meshes that have no part in their shape, and what is no mesh and no model.
   void assets(const xml_item& x, const mjcf_classes& classes) {
     for (const auto& c : x.children()) {
       if (c.name() == "mesh")
