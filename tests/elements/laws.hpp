@@ -132,12 +132,12 @@ struct sloped {
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN(),
                  infinity = std::numeric_limits<double>::infinity();
 
-/// The text of the bad_parameter that f throws, "" if it throws none.
+/// The text of the error that f throws, "" if it throws none.
 template <class F>
 std::string complaint(const F& f) {
   try {
     f();
-  } catch (const bad_parameter& e) {
+  } catch (const error& e) {
     return e.what();
   }
   return "";

@@ -66,6 +66,7 @@ constexpr element_kind listed_kinds[]{{"acceleration_measure", drawn::force, "ot
                                       {"rotation_measure", drawn::force, "other"},
                                       {"rotor", drawn::force, "motor"},
                                       {"screw_joint", drawn::joint, "screw"},
+                                      {"variable_pitch_screw_joint", drawn::joint, "screw"},
                                       {"slider_crank_rod", drawn::force, "loop"},
                                       {"slider_crank_slider", drawn::force, "loop"},
                                       {"sliding", drawn::force, "loop"},

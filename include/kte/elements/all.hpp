@@ -214,6 +214,9 @@ KTE_ELEMENT(torsion_spring<kind::frame_2D, double, double, double>)
 KTE_ELEMENT(torsion_spring<kind::frame_3D, double, double, no_rotation>)
 KTE_ELEMENT(torsion_spring<kind::frame_3D, double, double, mat3<vec3<>>>)
 #include <kte/elements/universal_joint.hpp>
+#include <kte/elements/variable_pitch_screw_joint.hpp>
+KTE_ELEMENT(variable_pitch_screw_joint<vec3<>, double, double>)
+KTE_ELEMENT(placed_3D<core::variable_pitch_screw_joint<vec3<>, double, double>>)
 #include <kte/elements/velocity_control.hpp>
 KTE_ELEMENT(velocity_control_gen)
 KTE_ELEMENT(velocity_control_2D)

@@ -23,6 +23,7 @@ struct variable_pitch_screw_joint : transmission<variable_pitch_screw_joint<Axis
   Pitch pitch;          // h, m/rad
   Change pitch_change;  // k, m/rad^2
 
+  variable_pitch_screw_joint() = default;
   constexpr variable_pitch_screw_joint(const Axis& n, const Pitch& h, const Change& k)
       : axis(n), pitch(h), pitch_change(k) {}
 
@@ -65,22 +66,5 @@ template <class Q, class B, class E, class X, class Y, class Z, entry Pitch, ent
 
 KTE_CALL(variable_pitch_screw_joint_3D,
          "(coordinate, base, end, axis, pitch, pitch_change); an axis is a vector, such as kte::axis::x")
-
-namespace detail {
-/// How model files make them.
-struct variable_pitch_screw_joint_family {
-  template <class Add>
-  static void add_to(const Add& add) {
-    add("variable_pitch_screw_joint_3D", [](const auto& x) {
-      const auto about = [&](const auto& n) {
-        return variable_pitch_screw_joint_3D(x.name("coordinate"), x.name("base"), x.name("end"), n, x.number("pitch"),
-                                             x.number("pitch_change"));
-      };
-      if (x.is_placed()) return x.placed(about(x.vector("axis")));
-      return x.with_axis("axis", [&](const auto& n) { return x.adapt(about(n)); });
-    });
-  }
-};
-}  // namespace detail
 
 }  // namespace kte
