@@ -55,7 +55,7 @@ class mjcf_meshes {
     const auto fitted =
         guarded(geom, [&] { return fit_mesh(mesh, kind, g.shape.is, in.model->settings.fits_boxes()); });
     if (in.model->settings.fits_boxes())
-      geom.warn("fitaabb: it stands where its mesh is; MuJoCo 2.2.2 puts it elsewhere");
+      geom.warn("fitaabb: it is placed at its mesh; MuJoCo 2.2.2 places it elsewhere");
     const double k = geom.number_or("fitscale", 1);
     g.half = k * fitted.half, g.shape.origin = in.model->settings.place(geom) * fitted.pose;
   }
@@ -113,11 +113,11 @@ class mjcf_meshes {
     if (!a.has("vertex"))
       a.fail("it has no file and no vertex: the mass of what a plugin or a builtin makes is not read");
     const auto v = a.list("vertex");
-    if (v.size() % 3 != 0) a.fail("vertex must have three numbers a vertex, got " + std::to_string(v.size()));
+    if (v.size() % 3 != 0) a.fail("vertex must have three numbers per vertex, got " + std::to_string(v.size()));
     for (std::size_t i = 0; i < v.size(); i += 3) mesh.vertices.push_back({v[i], v[i + 1], v[i + 2]});
     if (!a.has("face")) return mesh;
     const auto f = a.list("face");
-    if (f.size() % 3 != 0) a.fail("face must have three numbers a face, got " + std::to_string(f.size()));
+    if (f.size() % 3 != 0) a.fail("face must have three numbers per face, got " + std::to_string(f.size()));
     for (std::size_t i = 0; i < f.size(); i += 3) {
       auto& face = mesh.faces.emplace_back();
       for (std::size_t k = 0; k < 3; ++k) {

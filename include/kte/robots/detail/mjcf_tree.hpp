@@ -67,7 +67,7 @@ class mjcf_tree {
       else if (c.name() == "attach")
         attach(c, in, all);
       else if (c.name() == "composite" || c.name() == "flexcomp")
-        c.fail("is not read: what it makes is flexible");
+        c.fail("is not read: flexible bodies are not modelled");
       else
         all.push_back({c, in});
       if (++count_ > most_elements) c.fail("the robot has more than " + std::to_string(most_elements) + " elements");

@@ -38,7 +38,7 @@ class mjcf_unread {
       for (const auto& c : x.children()) tendon(classes.resolved(c, ""));
     } else if (x.name() == "deformable") {
       for (const auto& c : x.children())
-        c.name() == "skin" ? c.not_read("not read") : c.moves_differently("what is flexible is not modelled");
+        c.name() == "skin" ? c.not_read("not read") : c.moves_differently("flexible bodies are not modelled");
     } else {
       x.not_read("not read");
     }
@@ -76,7 +76,7 @@ class mjcf_unread {
     if (site_) {
       std::string all;
       for (const auto& look : looks_) all += (all.empty() ? "" : ", ") + look;
-      site_->not_read("what sites look like is not read: " + all);
+      site_->not_read("the appearance of sites is not read: " + all);
     }
     if (contact_)
       contact_->moves_differently("contact is not modelled: friction, solref and others of " +

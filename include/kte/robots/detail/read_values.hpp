@@ -31,7 +31,7 @@ inline std::string keyword(const xml_item& x, const char* attribute, std::initia
 inline std::optional<xml_item> first_child(const xml_item& x, const char* of) {
   const auto all = x.children(of);
   if (all.empty()) return {};
-  if (all.size() > 1) all[1].warn("comes a second time; the first is taken");
+  if (all.size() > 1) all[1].warn("occurs twice; the first is used");
   return all[0];
 }
 

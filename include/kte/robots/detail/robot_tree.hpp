@@ -63,8 +63,7 @@ KTE_FUNCTION void robot_tree::name_all() {
     if (l.name.empty()) fail(l.line, "a link has no name");
     const auto [first, fresh] = links_.emplace(l.name, i);
     if (!fresh)
-      fail(l.line,
-           "link '" + l.name + "' comes a second time, after line " + std::to_string(d_.links[first->second].line));
+      fail(l.line, "link '" + l.name + "' is already defined in line " + std::to_string(d_.links[first->second].line));
   }
   if (d_.links.empty()) fail(0, "the robot has no links");
   parent_joint_.assign(d_.links.size(), nowhere);
@@ -73,7 +72,7 @@ KTE_FUNCTION void robot_tree::name_all() {
     const auto refuse = [&](const std::string& why) { fail(j.line, "joint '" + j.name + "': " + why); };
     if (j.name.empty()) fail(j.line, "a joint has no name");
     const auto [first, fresh] = joints_.emplace(j.name, i);
-    if (!fresh) refuse("it comes a second time, after line " + std::to_string(d_.joints[first->second].line));
+    if (!fresh) refuse("it is already defined in line " + std::to_string(d_.joints[first->second].line));
     for (const auto* end : {&j.parent, &j.child})
       if (!links_.contains(*end))
         refuse(std::string("its ") + (end == &j.parent ? "parent" : "child") + " '" + *end + "' is not a link");
@@ -128,7 +127,7 @@ KTE_FUNCTION void robot_tree::check_mimics() const {
   std::vector<std::size_t> seen(d_.joints.size(), nowhere);  // by joint: the joint through which it was reached
   for (std::size_t i = 0; i < d_.joints.size(); ++i)
     for (std::size_t k = i; k != nowhere; k = masters[k]) {
-      if (seen[k] == i) refuse(d_.joints[i], "it mimics joints that, in the end, mimic each other");
+      if (seen[k] == i) refuse(d_.joints[i], "it mimics joints that mimic each other");
       if (seen[k] != nowhere) break;
       seen[k] = i;
     }

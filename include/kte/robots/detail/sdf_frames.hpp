@@ -61,7 +61,7 @@ class sdf_frames {
       if (it == frames_.end() || it->second.attached_to == at)
         asks.fail("the frame '" + excerpt(name) + "' is not attached to a link");
       if (it->second.attached_to.empty()) return at;
-      if (steps > frames_.size()) it->second.from.fail("it is attached to itself, in the end");
+      if (steps > frames_.size()) it->second.from.fail("it is attached to itself, directly or through other frames");
       at = it->second.attached_to == outermost ? canonical : it->second.attached_to;
     }
   }
@@ -76,7 +76,8 @@ class sdf_frames {
     for (std::string at = name; at != outermost;) {
       const auto it = frames_.find(at);
       if (it == frames_.end()) asks.fail("there is no frame '" + excerpt(at) + "'");
-      if (all.size() > frames_.size()) it->second.from.fail("its pose is relative to itself, in the end");
+      if (all.size() > frames_.size())
+        it->second.from.fail("its pose is relative to itself, directly or through other frames");
       all.push_back(&*it), at = it->second.relative_to;
     }
     return all;

@@ -29,7 +29,7 @@ class sdf_includes {
     const auto path = search_.find(first_child(x, "uri").value(), uri, folder);
     const auto whole = whole_path(path);
     if (std::find(open_.begin(), open_.end(), whole) != open_.end())
-      x.fail("'" + excerpt(uri) + "' includes itself, in the end");
+      x.fail("'" + excerpt(uri) + "' includes itself, directly or through other files");
     if (open_.size() > deepest) x.fail("files that include each other go deeper than " + std::to_string(deepest));
     if (++count_ > most) x.fail("more than " + std::to_string(most) + " files are included");
     auto file = parse_(path);

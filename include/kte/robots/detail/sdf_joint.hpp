@@ -92,7 +92,7 @@ class sdf_joints {
   }
   void direction(const xml_item& x, const placement& at, robot_joint& j) const {
     const auto n = first_child(x, "xyz");
-    if (!n || (trimmed_content(*n).empty())) x.warn("has no <xyz>: it is 0 0 1, as SDF says then");
+    if (!n || (trimmed_content(*n).empty())) x.warn("has no <xyz>: it is 0 0 1, the default of SDF");
     j.axis = {0, 0, 1};
     if (!n) return;
     if (!trimmed_content(*n).empty()) j.axis = unit_axis(*n, n->three(n->list_of(n->content(), "xyz"), "xyz"));
@@ -113,7 +113,7 @@ class sdf_joints {
   static double pitch(const xml_item& x) {
     if (filled_child(x, "screw_thread_pitch")) return child_number(x, "screw_thread_pitch", 1) / (2 * std::numbers::pi);
     if (!filled_child(x, "thread_pitch")) {
-      x.warn("has no <screw_thread_pitch>: it is 1 m for a turn, as SDF says then");
+      x.warn("has no <screw_thread_pitch>: it is 1 m per turn, the default of SDF");
       return 1 / (2 * std::numbers::pi);
     }
     const double turns = child_number(x, "thread_pitch", 1);

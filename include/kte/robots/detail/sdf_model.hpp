@@ -144,7 +144,7 @@ class sdf_model {
       if (has_link(link))
         d_.frames.push_back({p.name, p.x.line(), link, frames_.relative(p.x, link, p.name)});
       else
-        p.x.not_read("it stands in the world, not in the robot");
+        p.x.not_read("it is attached to the world, not to the robot");
     }
   }
 

@@ -131,7 +131,7 @@ class sdf_tree {
     d_.warnings.push_back(
         {j.line,
          "joint '" + j.name + "': its child '" + j.parent +
-             "' hangs on another joint: parent and child are exchanged, and its coordinate keeps its sign",
+             "' is already moved by another joint: parent and child are exchanged, and its coordinate keeps its sign",
          j.file});
   }
 

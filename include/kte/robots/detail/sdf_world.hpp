@@ -16,7 +16,7 @@ inline bool read_sdf_world(robot_description& d, const xml_item& w, const std::s
         ours |= name == model || name.starts_with(model + "::");
       }
     if (ours)
-      j.moves_differently("joints of the world are not read: the robot is not connected with what is around it");
+      j.moves_differently("joints of the world are not read: the robot is not connected to its surroundings");
     else
       j.not_read("not read");
   }

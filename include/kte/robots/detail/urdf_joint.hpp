@@ -73,14 +73,14 @@ class urdf_joints {
       if (bounded && (l->has("lower") || l->has("upper") || j.is != kind::screw)) {
         j.lower = l->has("lower") ? l->limit("lower") : 0, j.upper = l->has("upper") ? l->limit("upper") : 0;
       } else if (!bounded && (l->has("lower") || l->has("upper"))) {
-        l->not_read("lower and upper mean nothing to a continuous joint");
+        l->not_read("a continuous joint has no lower and upper limits");
       }
       if (j.lower > j.upper) {
         l->warn("lower " + number(j.lower) + " is above upper " + number(j.upper) + "; they are exchanged");
         std::swap(j.lower, j.upper);
       }
     }
-    if (l && !one && j.is != kind::fixed) l->not_read("not read: limits are of joints with one coordinate");
+    if (l && !one && j.is != kind::fixed) l->not_read("not read: only joints with one coordinate have limits");
     j.soft_lower = j.lower, j.soft_upper = j.upper;
     if (const auto s = x.child("safety_controller")) {
       s->only({}, {"soft_lower_limit", "soft_upper_limit"});
@@ -116,7 +116,7 @@ class urdf_joints {
   }
   static void mimic(const xml_item& m, robot_joint& j, bool universal) {
     m.only({}, {"joint", "multiplier", "offset"});
-    if (j.is == kind::fixed) return m.not_read("a fixed joint follows no other");
+    if (j.is == kind::fixed) return m.not_read("a fixed joint cannot follow another");
     if (!has_one_coordinate(j) || universal)
       m.fail("only revolute, continuous, prismatic and screw joints can follow another");
     j.mimic = {m.text("joint"), m.number_or("multiplier", 1), m.number_or("offset", 0)};

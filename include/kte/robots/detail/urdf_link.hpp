@@ -32,7 +32,7 @@ class urdf_links {
     if (!fresh && c && known->second.empty())
       known->second = c->list("rgba");
     else if (!fresh && c && known->second != c->list("rgba"))
-      x.not_read("there is another material of this name; the first is taken");
+      x.not_read("there is another material of this name; the first is used");
   }
 
   void read(const xml_item& x) {
@@ -84,7 +84,7 @@ class urdf_links {
     else
       x.not_read("has no <geometry>");
     const auto materials = x.children("material");
-    for (std::size_t i = 1; i < materials.size(); ++i) materials[i].not_read("comes a second time; the first is taken");
+    for (std::size_t i = 1; i < materials.size(); ++i) materials[i].not_read("occurs twice; the first is used");
     if (materials.empty()) return s;
     const auto& m = materials[0];
     s.material = m.text_or("name", "");
@@ -113,7 +113,7 @@ class urdf_links {
     if (!mesh.has("scale")) return {1, 1, 1};
     const auto x = mesh.list("scale");
     if (x.size() != 1) return mesh.three(x, "scale");
-    mesh.warn("scale is one number; it is taken for all three directions");
+    mesh.warn("scale is one number; it is used for all three directions");
     return {x[0], x[0], x[0]};
   }
 

@@ -97,7 +97,7 @@ class urdf_robot {
       ratio = drake->number("value");
     else if (const auto own = x.child("mechanicalReduction"))
       ratio = own->one(own->list_of(own->content(), "mechanicalReduction"), "mechanicalReduction");
-    if (ratio == 0) x.fail("a gear of ratio 0 moves nothing");
+    if (ratio == 0) x.fail("a gear ratio must not be 0");
     return ratio;
   }
   /// Notes that commands of position or velocity need gains, which URDF does not have.

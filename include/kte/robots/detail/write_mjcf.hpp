@@ -112,9 +112,9 @@ class mjcf_writer {
       std::snprintf(why, sizeof why, "the moments are not physically realizable: one is wrong by %.3g kg m^2",
                     w.fault());
       if (plan_.rest(l.name))
-        left_out_.list(l.line, title(l) + ": " + why + ": it is at rest, and has the nearest that a body can have");
+        left_out_.list(l.line, title(l) + ": " + why + ": it is at rest, and gets the nearest realizable moments");
       else
-        left_out_.change(l.line, title(l), why, "it has the nearest that a body can have");
+        left_out_.change(l.line, title(l), why, "it gets the nearest realizable moments");
       w.mend();
     }
     if (too_light && !w.moves()) raise(b, w);
@@ -132,7 +132,7 @@ class mjcf_writer {
     const std::string why =
         "it moves with a mass of " + number(w.mass) + " kg, and moments down to " + number(w.least()) + " kg m^2";
     if (same)
-      left_out_.list(l.line, title(l) + ": " + why + ", which are raised to 1e-15 each, the least that MuJoCo takes");
+      left_out_.list(l.line, title(l) + ": " + why + ", which are raised to 1e-15 each, the least that MuJoCo accepts");
     else
       left_out_.change(l.line, title(l), why, "they are raised to 1e-15 each");
     w.raise_to_least();
@@ -178,7 +178,7 @@ class mjcf_writer {
       any = true;
       out_.open(a.law == motor_law{} ? "motor" : "general");
       if (!a.name.empty() && !names.insert(a.name).second)
-        left_out_.list(a.line, title + ": its name comes a second time, and is left out");
+        left_out_.list(a.line, title + ": its name occurs twice, and is omitted");
       else if (!a.name.empty())
         out_.attribute("name", std::string_view(a.name));
       out_.attribute("joint", std::string_view(a.joint)), out_.attribute("gear", a.gear);

@@ -113,7 +113,7 @@ class xml_item {
   /// The child of a name; throws if there are several.
   std::optional<xml_item> child(const char* of) const {
     const auto all = children(of);
-    if (all.size() > 1) all[1].fail("comes a second time");
+    if (all.size() > 1) all[1].fail("occurs twice");
     if (all.empty()) return {};
     return all[0];
   }
