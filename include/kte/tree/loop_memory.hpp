@@ -7,7 +7,7 @@
 
 namespace kte::detail {
 
-/// Working memory of the loops over body nodes, so that they allocate nothing but by the first call that needs it.
+/// Working memory of the loops over body nodes. Only the first call that needs a part of it allocates.
 template <class P, class S>
 struct loop_memory : tree::memory<P, S> {
   using vector = Eigen::Matrix<S, Eigen::Dynamic, 1>;
@@ -25,17 +25,17 @@ struct loop_memory : tree::memory<P, S> {
       this->own_mass[k] = t.own_mass[static_cast<std::size_t>(t.body_tree.row[k])];
     tree::set_free(t.body_tree, *this, [&t](std::size_t i) { return t.body_tree.nodes[i].is_free; });
   }
-  vector forces;                 ///< what is given back: forces or accelerations
-  std::vector<S> kept;           ///< rates and accelerations that are put aside
+  vector forces;                 ///< results: forces or accelerations
+  std::vector<S> kept;           ///< rates and accelerations that are saved
   std::vector<char> prescribed;  ///< by row: whether its acceleration is given
   bool some_prescribed = false;
-  std::vector<char> wanted;  ///< by element: whether what is asked for depends on it
-  std::vector<S> friction;   ///< of `chain_tree::readers`
-  /// As large as M or larger: made by the first call that gives them.
+  std::vector<char> wanted;  ///< by element: whether the result depends on it
+  std::vector<S> friction;   ///< by element of `chain_tree::readers`
+  /// Of the size of M or larger; allocated by the first call that returns them.
   matrix mass, inverse;
   tree::mass_memory<S> masses;
   tree::followed_memory<S> followed;
-  std::vector<int> rows;  ///< of a column of derivatives that are anything
+  std::vector<int> rows;  ///< rows of nonzero entries in a column of derivatives
   tree::variation_memory<S> variations;
   inverse_dynamics_result<S, Eigen::Dynamic> of_forces;
   forward_dynamics_result<S, Eigen::Dynamic> of_accelerations;
