@@ -65,7 +65,7 @@ inline vector four_bar_q(int n, double phi) { return four_bar_numbers(n, pi / 2 
 inline vector four_bar_v(int n, double rate) { return four_bar_numbers(n, -rate); }
 inline double four_bar_constant(int n) { return 9.81 * ((n + 1) / 2.0 + n) / ((n + 1) / 3.0 + n); }
 
-/// Four-bars in space, about z, with hinges of five rows, three of which follow from others.
+/// Four-bars in space, about z, closed by hinges of five rows; three rows of each are redundant.
 inline runtime_chain four_bars_in_space(int n) {
   runtime_chain c;
   c.gravity(along_y(-9.81));

@@ -38,7 +38,7 @@ struct coordinate_lock {
   }
 
  protected:
-  /// The scalar of arithmetic with the arguments, some of which may be typed constants.
+  /// The scalar of arithmetic with the arguments; some may be typed constants.
   template <class... X>
   using number = std::remove_cvref_t<decltype((detail::as_number(std::declval<X>()) + ...))>;
   /// The direction of sliding, 1 or -1; for the initial mode that of the rate. Defined for invalid modes too.

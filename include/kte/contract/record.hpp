@@ -62,21 +62,21 @@ struct model_record {
 
 namespace detail {
 
-/// Whether an element holds functions of its program: its core then says `static constexpr bool holds_code = true`.
+/// Whether an element contains functions of the program: its core declares `static constexpr bool holds_code = true`.
 template <class Core>
 inline constexpr bool holds_code = false;
 template <class Core>
 requires requires { Core::holds_code; }
 inline constexpr bool holds_code<Core> = Core::holds_code;
 
-// Not inlined: there is a record_of for each type of element.
+// Not inlined, because there is one record_of for each type of element.
 [[gnu::noinline]] inline void append_all(std::vector<double>& v, std::initializer_list<double> numbers) {
   v.insert(v.end(), numbers);
 }
 [[gnu::noinline]] inline void add_connection(element_record& r, std::string_view role, std::string_view name) {
   r.connections.push_back({std::string(role), std::string(name)});
 }
-/// A parameter without numbers, for them.
+/// Adds a parameter without numbers and returns its list.
 [[gnu::noinline]] inline std::vector<double>& add_parameter(element_record& r, const char* name) {
   r.parameters.push_back({name, {}});
   return r.parameters.back().values;

@@ -35,7 +35,7 @@ using number_in = std::remove_cvref_t<decltype(*std::declval<X&>().data())>;
 template <class T, int W, int Registers>
 using pack_of = pack<T, W == 0 ? Registers * kte::detail::widest_pack<T> : W>;
 
-/// Numbers per state: degrees of freedom, and positions, of which there may be more.
+/// Numbers per state: nv degrees of freedom and nq positions, nq >= nv.
 template <class Chain>
 inline constexpr std::size_t nv = std::size_t{Chain::dofs};
 template <class Chain>
@@ -126,7 +126,8 @@ void forward_dynamics(const Chain& chain, const Q& q, const V& v, const Tau& tau
   detail::finish(job, executor);
 }
 
-/// Mass matrices M of q, all n^2 numbers of each, in any storage order as they are symmetric; see `kte::mass_matrix`.
+/// Mass matrices M of q, all n^2 numbers of each, in either storage order, because they are symmetric; see
+/// `kte::mass_matrix`.
 template <int W = 0, class Chain, class Q, class M, class Executor = in_this_thread,
           class P = detail::pack_of<detail::number_in<Q>, W, 1>>
 void mass_matrix(const Chain& chain, const Q& q, M&& m, Executor&& executor = {}) {

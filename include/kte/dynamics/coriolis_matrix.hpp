@@ -30,7 +30,8 @@ auto coriolis_of_coordinates(const Elements& c, State& s) {
     coriolis(row, column) += c_jk, mass(row, column) += m_jk;
   });
   for (int i = 0; i < n; ++i) mass(i, i) += S(t.own_mass[static_cast<std::size_t>(i)]);
-  // Projects C from all coordinates to the degrees of freedom, by the ratios E of dependent coordinates:  E^T (C E + M
+  // Projects C from all coordinates to the degrees of freedom, by the ratios E of dependent coordinates: E^T (C E + M
+  // dE/dt)
   // dE/dt)
   pull_back_followers_with_rates(c, s, [&](int to, int from, const S& ratio, const S& rate) {
     coriolis.col(to) += ratio * coriolis.col(from) + rate * mass.col(from);

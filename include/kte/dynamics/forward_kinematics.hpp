@@ -71,7 +71,7 @@ KTE_INLINE auto pose_at(const Chain& c, const Positions& at, const Base& base) {
     diagnose_signals<typename Chain::wiring>("where a frame stands", base);
     diagnose<typename Chain::wiring>("where a frame stands", at.q, same<zero_t>{}, same<zero_t>{}, "a");
   };
-  if constexpr (Chain::wiring::table.signals == 0) {  // a turn by what was checked is one
+  if constexpr (Chain::wiring::table.signals == 0) {  // a rotation that was checked stays one
     if constexpr (Key::what == kind::frame_2D) {
       const S numbers[]{p.position.x, p.position.y};
       check_result(numbers, 2, why);

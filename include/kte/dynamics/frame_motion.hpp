@@ -36,7 +36,7 @@ class frame_poses {
 };
 
 namespace detail {
-/// Rejects velocities or accelerations of the wrong size, and those that are not finite.
+/// Rejects velocities or accelerations of the wrong size, and non-finite ones.
 template <class Chain, class V>
 KTE_INLINE void check_rates(const V& v, const char* name, const char* what) {
   check_size<Chain::dofs>(v, name);

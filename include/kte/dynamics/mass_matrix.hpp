@@ -8,7 +8,7 @@ namespace kte {
 
 /// The mass matrix by the composite-rigid-body algorithm (CRBA; Walker and Orin 1982; Featherstone 2008, section 6.2):
 ///
-///   M_ij = s_i . (I^c_j s_j)   for i upstream of j,  0 where neither is upstream of the other           (1)
+///   M_ij = s_i . (I^c_j s_j)   for i upstream of j,  0 for joints on different branches                 (1)
 ///
 /// with the axis s of a joint and the composite inertia I^c of its subtree. dofs x dofs, symmetric, both triangles
 /// filled; kg m^2, kg m, kg.

@@ -115,7 +115,7 @@ namespace detail {
 /// As `centre_of_mass_jacobian`, for positions that have been checked.
 template <class S>
 runtime_matrix<S> centre_of_mass_jacobian_of(const runtime_chain& c, basic_runtime_state<S>& s) {
-  if (s.tree().plan.coordinates > s.dofs()) {  // some follow others
+  if (s.tree().plan.coordinates > s.dofs()) {  // for dependent coordinates
     const auto map = centroidal_momentum_matrix_of(c, s);
     return map.topRows(3) / tree::weight_in_world(s.tree().body_tree, s.work).mass;
   }

@@ -112,7 +112,7 @@ Eigen::VectorXd start_of_statics(const runtime_chain& c, const runtime_state& s,
 /// A static equilibrium: q with static_forces(q) = 0 under the inputs of the state and the wrenches of `options`.
 /// Newton's method from q0, with rotations updated by `integrate`. Afterwards the state is at q.
 ///
-/// Loads are applied in increments, as large as Newton's method converges, so that the solution is the one that
+/// Loads are applied in increments, as large as Newton's method converges, so that the solution is the state that
 /// continuous loading reaches from q0. With the load factor x from 0 to 1 these loads are multiplied by x:
 ///
 ///   gravity, as accelerations of bases;  `constant_force`, `follower_force`;  `driving_actuator`, `external_force` by

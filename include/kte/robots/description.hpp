@@ -17,7 +17,7 @@ struct robot_note {
   int line = 0;
   std::string text;
   std::string file{};           ///< the included file that it is in; empty for the robot's own
-  bool changes_motion = false;  ///< whether the robot in the file moves differently from the one that was read
+  bool changes_motion = false;  ///< whether the robot in the file moves differently from the robot that was read
 };
 
 /// A pose in the axes of the parent: `position`, m, and `rotation`.

@@ -28,7 +28,8 @@ struct body_tree_builder {
   static place_type link(const place_type& base, const detail::rigid_numbers<P>& x) {
     return {base.slot, compose(base.at, x.at_zero)};
   }
-  /// `row`: row of its first axis. Body nodes are numbered as they are added; `finish` puts the bases before them.
+  /// `row`: row of its first axis. Body nodes are numbered in the order of the calls; `finish` puts the bases before
+  /// them.
   place_type add_joint(const place_type& base, const detail::rigid_numbers<P>& x, kind what, int slot, int row,
                        bool is_free) {
     body_node<P> r;

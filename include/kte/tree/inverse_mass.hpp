@@ -15,8 +15,8 @@ struct mass_memory {
   axis_rows<S> left;  ///< e_lk for the axes l of one body
 };
 
-/// The inverse of the mass matrix from articulated inertias. A unit force on axis k leaves e_lk on axis l of its own
-/// body and of all bodies before it. With W the load that passes inward, initially zero,
+/// The inverse of the mass matrix from articulated inertias. A unit force on axis k leaves e_lk on axis l of its body
+/// and of all bodies before it. With W the load that passes inward, initially zero,
 ///
 ///   e_kk = 1,   e_lk = s_l . W,   W -= gain_l e_lk          (1)
 ///   M^-1 = E^T D^-1 E                                       (2)

@@ -7,12 +7,11 @@
 
 #include <span>
 
-/// Forward dynamics as loops over body nodes, in the working memory of a state, which has its coordinates and bases and
-/// is found good. For all `Elements` and states of dynamics/looped/inverse_dynamics.hpp.
+/// Forward dynamics as loops over body nodes, in the working memory of a state whose coordinates and bases are set and
+/// checked. For all `Elements` and states of dynamics/looped/inverse_dynamics.hpp.
 namespace kte::detail {
 
-/// The forces that elements put on coordinates and frames for the rates alone: onto coordinates, and into `loads` of
-/// bodies.
+/// The forces of elements that depend on rates only, on coordinates and in `loads` of bodies.
 template <class Elements, class State>
 void push_by_rates(const Elements& c, State& s) {
   using S = typename State::scalar;
@@ -37,7 +36,7 @@ void push_by_rates(const Elements& c, State& s) {
   }
   for (auto e = t.on_coordinates.rbegin(); e != t.on_coordinates.rend(); ++e) c.push(*e, s);
 }
-/// Which accelerations are given, by row; none where nothing is said. Joints of others are free to move.
+/// Sets the rows whose accelerations are given; an empty span means none. Other joints are free to move.
 template <class State>
 void prescribe(State& s, std::span<const char> prescribed) {
   const auto& f = s.tree().body_tree;
@@ -51,14 +50,14 @@ void prescribe(State& s, std::span<const char> prescribed) {
     return r.is_free && !w.prescribed[static_cast<std::size_t>(f.row[static_cast<std::size_t>(r.first)])];
   });
 }
-/// Where an axis has nothing to move, or more than a number can say.
+/// Throws for an axis without inertia, or with an inertia that is not finite.
 template <class Elements, class State>
 [[noreturn, gnu::cold]] void diagnose_axis(const Elements& c, const State& s, int axis) {
   const auto& inverse = s.work.factors[static_cast<std::size_t>(axis)].inverse;
   c.diagnose_mass(s, s.tree().body_tree.row[static_cast<std::size_t>(axis)],
                   all(inverse == inverse) && !all(inverse == typename State::scalar(0)));
 }
-/// Masses of coordinates that move no joint.
+/// Checks the masses on coordinates that move no joint.
 template <class Elements, class State>
 void check_jointless_masses(const Elements& c, const State& s) {
   for (const int row : s.tree().plan.jointless_dofs)
@@ -66,8 +65,8 @@ void check_jointless_masses(const Elements& c, const State& s) {
         [[unlikely]]
       c.diagnose_mass(s, row, true);
 }
-/// Forces tau(i), and those of the elements, to accelerations in `forces`, by articulated bodies (ABA): in trees.
-/// Accelerations of rows that are `prescribed` are those of the state.
+/// Accelerations from the forces tau(i) and those of the elements, written to `forces`, by ABA; for trees. Rows that
+/// are `prescribed` keep the accelerations of the state.
 template <class Elements, class State, class Tau>
 void accelerate_articulated(const Elements& c, State& s, const Tau& tau, std::span<const char> prescribed) {
   using S = typename State::scalar;
@@ -88,7 +87,7 @@ void accelerate_articulated(const Elements& c, State& s, const Tau& tau, std::sp
     w.force[k] = t.body_tree.row[k] < s.dofs() ? w.forces[t.body_tree.row[k]] : S(0);
   if (const int bad = tree::articulate(t.body_tree, w, biases); bad >= 0) [[unlikely]]
     diagnose_axis(c, s, bad);
-  if (!t.on_frames.empty() || !t.late.empty()) take_rates(s);  // accelerations of what is not free to move
+  if (!t.on_frames.empty() || !t.late.empty()) take_rates(s);  // accelerations of prescribed joints
   tree::accelerate(t.body_tree, w, biases);
   for (std::size_t k = 0; k < t.body_tree.row.size(); ++k)
     if (t.body_tree.row[k] < s.dofs()) w.forces[t.body_tree.row[k]] = w.acceleration[k];
@@ -105,7 +104,7 @@ void accelerate_articulated(const Elements& c, State& s, const Tau& tau, std::sp
   }
 }
 
-/// Forward dynamics of any chain by factorization of its mass matrix.
+/// Forward dynamics of any chain, by factorization of its mass matrix.
 template <class Elements, class State, class Tau>
 void accelerate_by_mass(const Elements& c, State& s, const Tau& tau, std::span<const char> prescribed) {
   using S = typename State::scalar;
@@ -126,7 +125,7 @@ void accelerate_by_mass(const Elements& c, State& s, const Tau& tau, std::span<c
     if (prescribed[static_cast<std::size_t>(i)]) a[i] = given[i];
   solve_partly_known(s.work.mass, a, prescribed, fail);
 }
-/// Whether accelerations of some coordinates of a joint are prescribed, but not of all.
+/// Whether the accelerations of some but not all coordinates of a joint are prescribed.
 template <class State>
 bool some_of_joint_prescribed(const State& s, std::span<const char> prescribed) {
   const auto& f = s.tree().body_tree;
@@ -139,7 +138,7 @@ bool some_of_joint_prescribed(const State& s, std::span<const char> prescribed) 
   }
   return false;
 }
-/// By articulated bodies in trees, else by the mass matrix; with load-dependent friction.
+/// Forward dynamics with load-dependent friction: by ABA for trees, otherwise by the mass matrix.
 template <class Elements, class State, class Tau>
 void accelerate_with_friction(const Elements& c, State& s, const Tau& tau, std::span<const char> prescribed) {
   using S = typename State::scalar;
@@ -152,7 +151,7 @@ void accelerate_with_friction(const Elements& c, State& s, const Tau& tau, std::
   iterate_friction(c, s, [&] {
     for_each_listed_freedom(s, [&](auto& x, const freedom& at) { put<vector_of::a>(x, at, given); });
     for (int i = 0; i < s.dofs(); ++i) all[i] = tau(i);
-    for (std::size_t k = 0; tree && k < readers.size(); ++k)  // of others M needs it on all coordinates, at once
+    for (std::size_t k = 0; tree && k < readers.size(); ++k)  // with M, friction is needed on all coordinates together
       if (const int row = s.tree().plan.joint_row[static_cast<std::size_t>(readers[k])]; row < s.dofs())
         all[row] += s.work.friction[k];
     const auto applied = [&all](int i) { return all[i]; };
@@ -161,13 +160,13 @@ void accelerate_with_friction(const Elements& c, State& s, const Tau& tau, std::
   });
 }
 
-/// visit(element, row of the coordinate that it holds).
+/// Calls visit(element, row of the coordinate that it holds).
 template <class Elements, class State, class Visit>
 void for_each_held(const Elements& c, State& s, const Visit& visit) {
   for (const int e : s.tree().locks)
     if (c.holds(e, s)) visit(e, s.tree().plan.row_of_gen[static_cast<std::size_t>(c.index(e, 0))]);
 }
-/// Forward dynamics with locked coordinates, which have no acceleration.
+/// Forward dynamics with locked coordinates, whose accelerations are zero.
 template <class Elements, class State, class Tau>
 void accelerate_by_tree(const Elements& c, State& s, const Tau& tau, std::span<const char> prescribed) {
   std::vector<char> rows;

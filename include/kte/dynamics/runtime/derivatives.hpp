@@ -10,8 +10,8 @@ namespace kte::detail {
 template <class S>
 bool is_known_by_elements(const runtime_chain& c, const basic_runtime_state<S>& s) {
   const auto& t = s.tree();
-  return t.body_tree.varying.empty() && t.on_frames.empty() && t.followers.empty() && t.late.empty() && t.readers.empty() &&
-         c.wiring().has_derivatives;
+  return t.body_tree.varying.empty() && t.on_frames.empty() && t.followers.empty() && t.late.empty() &&
+         t.readers.empty() && c.wiring().has_derivatives;
 }
 template <class S>
 const inverse_dynamics_result<S, Eigen::Dynamic>& forces_derived(const runtime_chain& c, basic_runtime_state<S>& s,
@@ -24,7 +24,7 @@ const inverse_dynamics_result<S, Eigen::Dynamic>& forces_derived(const runtime_c
       derive_forces(runtime_elements{c}, s);
     else
       derive_forces_by_duals(c, s);
-  } else {  // joints, links and bodies alone
+  } else {  // joints, links and bodies only
     derive_forces(runtime_elements{c}, s);
   }
   r.tau = s.work.forces;

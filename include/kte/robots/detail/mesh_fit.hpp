@@ -12,7 +12,7 @@ struct fitted_geom {
 };
 
 /// Fits a sphere, capsule, cylinder, ellipsoid or box to a mesh, as MuJoCo does. The axes are the principal axes of the
-/// mesh, the one of the largest moment of inertia first, so that z is along the longest side. The shape follows from
+/// mesh, first the axis of the largest moment of inertia, so that z is along the longest side. The shape follows from
 /// the box of equal inertia at the centre of mass, with half edges a, b, c (mesh_body.hpp (4)):
 ///   box, ellipsoid  a, b, c
 ///   cylinder        radius (a + b)/2, half length c

@@ -81,7 +81,7 @@ class mjcf_settings {
       c.fail("eulerseq must be three of x, y, z, X, Y, Z, got '" + excerpt(sequence_) + "'");
     if (c.has("coordinate")) in_world_ = keyword(c, "coordinate", {"local", "global"}) == "global";
     if (c.text_or("alignfree", "false") == "true")
-      c.warn("alignfree is not read: coordinates of free bodies are those of their own axes");
+      c.warn("alignfree is not read: coordinates of free bodies are in the axes of the body");
     if (c.has("inertiafromgeom")) from_geoms_ = keyword(c, "inertiafromgeom", {"auto", "true", "false"});
     truth("autolimits", auto_limits_), truth("strippath", strip_path_), truth("balanceinertia", masses_.balance);
     truth("exactmeshinertia", exact_meshes_), truth("fitaabb", fit_boxes_);

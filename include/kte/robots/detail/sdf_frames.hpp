@@ -7,7 +7,7 @@
 namespace kte::detail {
 
 /// The scope of names: outside of a nested model, the names of its links, joints and frames begin with the names of the
-/// enclosing models, "leg::foot". A merged model has a frame but no scope of its own.
+/// enclosing models, "leg::foot". A merged model has a frame but no scope.
 struct sdf_scope {
   std::string prefix, model = "__model__";  ///< "leg::", and the frame of the model
 
