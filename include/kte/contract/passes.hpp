@@ -20,14 +20,14 @@ inline constexpr std::size_t load_index = [] {
   return i;
 }();
 
-/// The number of internal states of an element.
+/// How many internal states an element keeps.
 template <class Core>
 inline constexpr std::size_t kept_count = [] {
   std::size_t n = 0;
   for (const auto& p : Core::ports) n += p.how == access::keep && p.what == kind::internal;
   return n;
 }();
-/// The port of internal state N; the number of ports if there is none.
+/// The port of number N of them; beyond the last if there is none.
 template <class Core, std::size_t N = 0>
 inline constexpr std::size_t kept_port = [] {
   std::size_t p = 0, n = 0;

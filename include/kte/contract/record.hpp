@@ -62,14 +62,14 @@ struct model_record {
 
 namespace detail {
 
-/// Whether an element contains functions of the program: its core declares `static constexpr bool holds_code = true`.
+/// Whether an element holds functions of its program: its core then says `static constexpr bool holds_code = true`.
 template <class Core>
 inline constexpr bool holds_code = false;
 template <class Core>
 requires requires { Core::holds_code; }
 inline constexpr bool holds_code<Core> = Core::holds_code;
 
-// Not inlined, because there is one record_of for each type of element.
+// Not inlined: there is a record_of for each type of element.
 [[gnu::noinline]] inline void append_all(std::vector<double>& v, std::initializer_list<double> numbers) {
   v.insert(v.end(), numbers);
 }

@@ -35,7 +35,7 @@ struct loop_memory : tree::memory<P, S> {
   matrix mass, inverse;
   tree::mass_memory<S> masses;
   tree::followed_memory<S> followed;
-  std::vector<int> rows;  ///< rows of nonzero entries in a column of derivatives
+  std::vector<int> rows;  ///< of a column of derivatives that are anything
   tree::variation_memory<S> variations;
   inverse_dynamics_result<S, Eigen::Dynamic> of_forces;
   forward_dynamics_result<S, Eigen::Dynamic> of_accelerations;

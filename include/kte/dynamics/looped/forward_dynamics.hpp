@@ -11,7 +11,8 @@
 /// checked. For all `Elements` and states of dynamics/looped/inverse_dynamics.hpp.
 namespace kte::detail {
 
-/// The forces of elements that depend on rates only, on coordinates and in `loads` of bodies.
+/// The forces that elements put on coordinates and frames for the rates alone: onto coordinates, and into `loads` of
+/// bodies.
 template <class Elements, class State>
 void push_by_rates(const Elements& c, State& s) {
   using S = typename State::scalar;
@@ -36,7 +37,7 @@ void push_by_rates(const Elements& c, State& s) {
   }
   for (auto e = t.on_coordinates.rbegin(); e != t.on_coordinates.rend(); ++e) c.push(*e, s);
 }
-/// Sets the rows whose accelerations are given; an empty span means none. Other joints are free to move.
+/// Which accelerations are given, by row; none where nothing is said. Joints of others are free to move.
 template <class State>
 void prescribe(State& s, std::span<const char> prescribed) {
   const auto& f = s.tree().body_tree;
@@ -50,7 +51,7 @@ void prescribe(State& s, std::span<const char> prescribed) {
     return r.is_free && !w.prescribed[static_cast<std::size_t>(f.row[static_cast<std::size_t>(r.first)])];
   });
 }
-/// Throws for an axis without inertia, or with an inertia that is not finite.
+/// Where an axis has nothing to move, or more than a number can say.
 template <class Elements, class State>
 [[noreturn, gnu::cold]] void diagnose_axis(const Elements& c, const State& s, int axis) {
   const auto& inverse = s.work.factors[static_cast<std::size_t>(axis)].inverse;
@@ -138,7 +139,7 @@ bool some_of_joint_prescribed(const State& s, std::span<const char> prescribed) 
   }
   return false;
 }
-/// Forward dynamics with load-dependent friction: by ABA for trees, otherwise by the mass matrix.
+/// By articulated bodies in trees, else by the mass matrix; with load-dependent friction.
 template <class Elements, class State, class Tau>
 void accelerate_with_friction(const Elements& c, State& s, const Tau& tau, std::span<const char> prescribed) {
   using S = typename State::scalar;

@@ -121,7 +121,7 @@ template <class P>
 bool is_turning(const tree::body_node<P>& r) {
   return r.moves == tree::joint::revolute || r.moves == tree::joint::screw;
 }
-/// Places all bodies at the coordinates of the state.
+/// Bodies to where the coordinates of the state are.
 template <class Elements, class State>
 void place_bodies(const Elements& c, State& s) {
   bring_up_to_date(c, s);

@@ -28,7 +28,7 @@ struct loop_step {
   double sliding = 0;  ///< the largest residual rate, relative to the largest that the rates of coordinates could cause
 };
 
-/// The stored data of the step from x0, computed if necessary.
+/// What is kept of the step from x0, or that.
 template <class Model>
 loop_step& step_from(const Model& model, runtime_state& s, own_memory& kept, const Eigen::VectorXd& x0) {
   auto& step = kept.template get<loop_step>([&] { return loop_step{{}, loop_equations(model.chain(), s), {}}; });
@@ -55,8 +55,8 @@ inline std::string gap_text(const runtime_chain& c, const loop_equations& e) {
 }
 /// With loops closed to rounding, branches can be distinguished if pivots are above the square root of rounding.
 inline constexpr double least_pivot_of_branch = 1e-7;
-/// Throws `bad_argument` if a step starts off the loops, or so close to a singular configuration that branches cannot
-/// be distinguished.
+/// Throws `bad_argument` where a step starts off the loops, or so near to a singular configuration that branches cannot
+/// be told apart.
 inline void check_step(const runtime_chain& c, const runtime_state&, loop_step& step) {
   if (step.gap > off_loops_above) [[unlikely]]
     throw bad_argument("kte: the state is off the loops: " + gap_text(c, step.equations) +
@@ -97,7 +97,7 @@ void settle_on_loops(const Model& model, runtime_state& s, loop_step& step, Eige
   for (int i = 0; gap > 1e-16; ++i) {
     if (!(gap < 1e300) || i == 20)
       throw bad_argument("kte: the loops do not close at the end of a step: " + gap_text(c, e) + ": a shorter step");
-    if (gap > last / 20) {  // the factor of the step start is no longer good enough, or the rest is rounding
+    if (gap > last / 20) {  // the factor of the start is no longer good, or the rest is rounding
       if (gap <= on_loops_within && by == &factor) break;
       (void)evaluate(true);
       if (factor.keep(c, s, e, step.factor, 1e-14)) by = &factor;
@@ -119,7 +119,7 @@ inline void make_tangential(const loop_step& step, Eigen::VectorXd& e) {
     e.segment(first, n) -= step.factor.least_change(step.equations, step.equations.times(part));
   }
 }
-/// Accelerations without external forces, at a stage of a step: by the rows chosen at its start, unless the state is on
+/// Accelerations under no forces from outside, at a stage of a step: by the rows of its start, unless the state is on
 /// the loops.
 inline const Eigen::VectorXd& accelerations_in_step(const runtime_chain& c, runtime_state& s, own_memory& kept) {
   check_regular_tree(c, s), check_positions(s);
@@ -131,7 +131,7 @@ inline const Eigen::VectorXd& accelerations_in_step(const runtime_chain& c, runt
   return constrained_accelerations(c, s, none, step && step->x0.size() > 0 ? &step->factor : nullptr);
 }
 
-/// x, projected onto the loops to rounding. Throws `bad_argument` if x is off the loops.
+/// x, put on the loops to rounding. Throws `bad_argument` where it is off them.
 template <class Model>
 Eigen::VectorXd checked_on_loops(const Model& model, const Eigen::VectorXd& x) {
   if (!has_loops(model.chain())) return x;
