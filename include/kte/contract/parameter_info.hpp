@@ -12,7 +12,7 @@
 
 namespace kte {
 
-/// A parameter of an element core in files and documentation.
+/// A parameter of an element core in files and documentation, by its `name`.
 struct parameter_info {
   static constexpr signed char any = -128;  ///< a number that is not fixed by the type of the parameter
 

@@ -58,7 +58,7 @@ template <class Elements, class State>
   c.diagnose_mass(s, s.tree().body_tree.row[static_cast<std::size_t>(axis)],
                   all(inverse == inverse) && !all(inverse == typename State::scalar(0)));
 }
-/// Checks the masses on coordinates that move no joint.
+/// Masses of coordinates that move no joint.
 template <class Elements, class State>
 void check_jointless_masses(const Elements& c, const State& s) {
   for (const int row : s.tree().plan.jointless_dofs)
