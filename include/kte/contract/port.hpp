@@ -83,8 +83,8 @@ inline constexpr bool load_dependent_friction<Core> = former::reads_reaction<Cor
 /// Whether it is a joint whose axes depend on its coordinates, in axes of the end: its core then says so by `static
 /// constexpr bool varying_axes = true`. Joints of several coordinates are taken for such.
 template <class Core>
-inline constexpr bool varying_axes = Core::ports.size() > 3 && Core::ports[0].what == kind::gen&& Core::ports[1].what
-                                                                   == kind::gen&& is_frame(Core::ports.back().what);
+inline constexpr bool varying_axes = Core::ports.size() > 3 && Core::ports[0].what == kind::gen &&
+                                     Core::ports[1].what == kind::gen && is_frame(Core::ports.back().what);
 template <class Core>
 requires requires { Core::varying_axes; }
 inline constexpr bool varying_axes<Core> = Core::varying_axes;

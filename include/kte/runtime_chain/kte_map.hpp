@@ -2,9 +2,9 @@
 
 #include <kte/contract/closure.hpp>
 #include <kte/contract/element_numbers.hpp>
+#include <kte/contract/joint_axis.hpp>
 #include <kte/contract/port.hpp>
 #include <kte/contract/record.hpp>
-#include <kte/contract/joint_axis.hpp>
 #include <kte/math/dual_number.hpp>
 
 #include <functional>
@@ -83,8 +83,8 @@ class kte_element : public kte_map {
 
   /// The data of the element for the loops over body nodes (tree/body_node.hpp).
   virtual detail::element_numbers<double> numbers() const = 0;
-  /// For a joint with varying axes: the pose of its end in its base at coordinates q, and its axes with their derivatives
-  /// (contract/varying_joint.hpp).
+  /// For a joint with varying axes: the pose of its end in its base at coordinates q, and its axes with their
+  /// derivatives (contract/varying_joint.hpp).
   virtual pose<mat3<vec3<>>, vec3<>> place_joint(const double* /*q*/, detail::joint_axis<double>* /*axes*/,
                                                  bool /*second*/) const {
     return {};
