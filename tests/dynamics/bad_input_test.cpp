@@ -161,7 +161,7 @@ TEST_CASE("the argument at fault is named") {
   const std::array one{0.1};
   const std::string
       mass = "kte: a mass is not finite: ",
-      far = "what 'hip' moves is too heavy, or too far away, or infinitely fast (a loop on its dead centre)";
+      far = "the bodies moved by 'hip' are too heavy, too far away, or infinitely fast (a loop at its dead centre)";
   CHECK_THROWS_WITH(mass_matrix(arm, one), mass + far);
   CHECK_THROWS_WITH(mass_matrix(long_arm, l, one), contains_text(mass));
   CHECK_THROWS_MATCHES(forward_dynamics(arm, one, one, one), bad_argument, test::says(mass + far));

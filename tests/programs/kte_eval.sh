@@ -133,7 +133,7 @@ for works in 'true' 'echo half a table' 'exit 0' 'exit 5' 'kill -9 $$'; do
   rm -rf "$kept"
   got=0
   "$kte" eval arm.urdf states.csv --static >out 2>errors || got=$?
-  if [ "$got" -ne 1 ] || ! grep -q 'has not done its work: it ended' errors; then wrong "'$works' is taken for a table"; fi
+  if [ "$got" -ne 1 ] || ! grep -q 'failed: it ended' errors; then wrong "'$works' is taken for a table"; fi
 done
 rm -rf "$kept"
 works='printf ! >&3; echo kte: it fails >&2; exit 1'

@@ -165,7 +165,7 @@ int ik(const options& o) {
   const pose_table poses(o.poses);
   const solver s(o, m);
   if (o.all && (!s.has_formulas() || !poses.has_rotation()))
-    throw kte::bad_argument("kte: --all is of arms with closed formulas, and of poses with a rotation");
+    throw kte::bad_argument("kte: --all needs an arm with closed-form solutions and poses with a rotation");
   Eigen::VectorXd q = initial_state(o.start, m, m.chain()).q;
   std::vector<answer> all;
   std::size_t missed = 0;

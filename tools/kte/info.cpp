@@ -194,7 +194,7 @@ std::string json_of(const mechanism& m, const structure& s) {
 }
 
 int info(const info_options& o) {
-  if (o.json && o.dot) throw usage_error("--json and --dot are one too many");
+  if (o.json && o.dot) throw usage_error("--json and --dot exclude each other");
   const auto m = read_and_warn(o.in);
   if (o.dot) {
     kte::detail::write_standard_output(kte::to_dot(m.chain()));

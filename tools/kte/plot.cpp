@@ -37,7 +37,7 @@ kte::unit_map units_of(const std::string& file) {
 }
 
 int plot(plot_options& o) {
-  if (o.each && o.one) throw usage_error("--each and --one are one too many");
+  if (o.each && o.one) throw usage_error("--each and --one exclude each other");
   if (o.each || o.one) o.plot.share = o.each ? kte::panels::each : kte::panels::together;
   if (o.from) o.plot.from = *o.from;
   if (o.to) o.plot.to = *o.to;

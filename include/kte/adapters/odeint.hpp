@@ -38,7 +38,7 @@ class odeint_system {
   template <class X, class S>
   void operator()(const X& x, X& x_dot, const S& t) {
     static_assert(!moves_on_group<detail::unwrapped_type<std::remove_reference_t<F>>, X>,
-                  "kte: odeint adds states: for states with rotations take an integrator of kte");
+                  "kte: odeint adds states: for states with rotations use an integrator of kte");
     x_dot = f_(t, x);
   }
 

@@ -53,7 +53,7 @@ template <class Gravity, class... E, indexable Q, key_type B, key_type A>
   at.check();
   const given g{at, same<skip>{}, same<skip>{}, base_with_pose};
   static_assert(moved_by_joints<chain_type, A> && moved_by_joints<chain_type, B>,
-                "kte: this algorithm takes frames that joints and links move, and no frames that follow others");
+                "kte: this algorithm supports only frames that joints and links move, not frames that follow others");
   using a = branch_of<chain_type, A>;
   using b = branch_of<chain_type, B>;
   using pass = local_relative_jacobian<S, chain_type, std::remove_const_t<decltype(g)>, a, b>;

@@ -24,7 +24,7 @@ class binary_scanner final : public field_scanner {
     open_group("the model");
   }
   void close_document() override {
-    if (i_ != bytes_.size()) fail_at(i_, "something follows the end of the model");
+    if (i_ != bytes_.size()) fail_at(i_, "unexpected content after the end of the model");
   }
   void open_group(const std::string& what) override { open(binary_tag::group, what, "a group"); }
   void open_list(const std::string& what) override { open(binary_tag::list, what, "a list"); }

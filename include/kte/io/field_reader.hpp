@@ -132,7 +132,7 @@ class field_reader {
       for (const auto& n : some) known.append(known.empty() ? "" : ", ").append(n);
     const std::string why = "unknown field '" + excerpt(name) + "'";
     if (!name.starts_with("x_")) fail(why + "; " + what + " has " + known);
-    if (!options_.warn) fail(why + ", which may be left out: with a read_options::warn that is told so");
+    if (!options_.warn) fail(why + ", which may be omitted if read_options::warn is set");
     const std::string begin = "kte: " + to_string(place()) + (part_.empty() ? "" : part_ + ": ");
     if (std::vector<double> none; !in_.take_numbers(none)) in_.numbers(name);
     options_.warn(begin + why + " is left out");

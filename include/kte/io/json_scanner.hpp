@@ -18,17 +18,17 @@ class json_scanner final : public field_scanner {
   void open_document() override { open('{', "a model must be an object {...}"); }
   void close_document() override {
     start();
-    if (i_ != text_.size()) source_.fail(i_, "something follows the end of the model");
+    if (i_ != text_.size()) source_.fail(i_, "unexpected content after the end of the model");
   }
   void open_group(const std::string& what) override { open('{', "'" + what + "' must be an object {...}"); }
   void open_list(const std::string& what) override { open('[', "'" + what + "' must be a list [...]"); }
   bool next_field(std::string& name) override {
     if (!next('}')) return false;
-    if (current() != '"') fail("a name in quotes is due here");
+    if (current() != '"') fail("expected a name in quotes");
     name = quoted();
     const auto colon = text_.find_first_not_of(" \t\r\n", i_);
     i_ = (std::min)(colon, text_.size());
-    if (current() != ':') source_.fail(i_, "':' is due here");
+    if (current() != ':') source_.fail(i_, "expected ':'");
     ++i_;
     return true;
   }
@@ -78,10 +78,10 @@ class json_scanner final : public field_scanner {
       return false;
     }
     if (first) return true;
-    if (current() != ',') fail(std::string("',' or '") + bracket + "' is due here");
+    if (current() != ',') fail(std::string("expected ',' or '") + bracket + "'");
     ++i_;
     start();
-    if (current() == bracket) fail("something is due behind the comma");
+    if (current() == bracket) fail("expected a value after the comma");
     return true;
   }
   std::string quoted() {
@@ -124,7 +124,7 @@ class json_scanner final : public field_scanner {
     for (int n = 0; n < 4; ++n) {
       const auto digit = std::string_view("0123456789abcdefABCDEF").find(text_.substr(++i_, 1));
       if (i_ >= text_.size()) source_.fail_at_end();
-      if (digit == std::string_view::npos) source_.fail(from, "\\u is due four hexadecimal digits");
+      if (digit == std::string_view::npos) source_.fail(from, "\\u needs four hexadecimal digits");
       c = 16 * c + static_cast<char32_t>(digit < 16 ? digit : digit - 6);
     }
     return c;

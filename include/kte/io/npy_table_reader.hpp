@@ -78,8 +78,8 @@ inline table read_npy_table(const std::filesystem::path& path, std::string_view 
   npy_header header(in.part(length, "the header"));
   const std::size_t width = 8 * header.names.size();
   if (header.rows > in.size() / width)
-    in.bad(std::to_string(header.rows) + " rows of " + std::to_string(width) + " bytes are said to follow, but only " +
-           std::to_string(in.size()) + " bytes do");
+    in.bad(std::to_string(header.rows) + " rows of " + std::to_string(width) + " bytes are announced, but only " +
+           std::to_string(in.size()) + " bytes follow");
   table t;
   t.names = std::move(header.names);
   t.columns.resize(t.names.size());

@@ -28,7 +28,7 @@ class xml_cursor {
 
   void skip(std::size_t n) { i_ += n; }
   void expect(char c) {
-    if (peek() != c) fail(std::string("'") + c + "' is due here");
+    if (peek() != c) fail(std::string("expected '") + c + "'");
     ++i_;
   }
   /// Returns the text before the token.
@@ -72,7 +72,7 @@ class xml_cursor {
   }
   std::string_view name() {
     const auto n = tag_name_length(text_.substr(i_)), from = i_;
-    if (n == 0) fail("a name is due here");
+    if (n == 0) fail("expected a name");
     skip(n);
     return text_.substr(from, n);
   }

@@ -26,7 +26,7 @@ class xml_scanner final : public field_scanner {
   }
   void close_document() override {
     in_.skip_between();
-    if (!in_.at_end()) in_.fail("something follows the end of the model");
+    if (!in_.at_end()) in_.fail("unexpected content after the end of the model");
   }
   void open_group(const std::string& what) override { check_attributes(what); }
   void open_list(const std::string& what) override {
@@ -43,7 +43,7 @@ class xml_scanner final : public field_scanner {
     std::string name;
     if (!next_field(name)) return false;
     if (const auto due = "value" + std::to_string(number); name != "value" && name != due)
-      in_.fail_at(at_, "<" + due + "> or <value> is due, not <" + excerpt(name) + ">");
+      in_.fail_at(at_, "expected <" + due + "> or <value>, got <" + excerpt(name) + ">");
     return true;
   }
 
@@ -85,9 +85,9 @@ class xml_scanner final : public field_scanner {
     in_.skip_between();
     at_ = in_.offset();
     if (in_.here("</")) return false;
-    if (in_.peek() != '<') in_.fail("a tag is due here, not text");
+    if (in_.peek() != '<') in_.fail("expected a tag, got text");
     if (in_.here("<!DOCTYPE")) in_.fail("a model file has no DOCTYPE");
-    if (in_.here("<!")) in_.fail("a tag is due here");
+    if (in_.here("<!")) in_.fail("expected a tag");
     in_.skip(1);
     tag = in_.name();
     open_.push_back(tag);
@@ -103,7 +103,7 @@ class xml_scanner final : public field_scanner {
     if (!std::exchange(closed_, false)) {
       const std::size_t from = in_.offset();
       in_.skip(2);
-      if (in_.name() != open_.back()) in_.fail_at(from, "</" + open_.back() + "> is due here");
+      if (in_.name() != open_.back()) in_.fail_at(from, "expected </" + open_.back() + ">");
       in_.blanks();
       in_.expect('>');
     }
@@ -118,7 +118,7 @@ class xml_scanner final : public field_scanner {
     in_.expect('=');
     in_.blanks();
     const char quote = in_.peek();
-    if (quote != '"' && quote != '\'') in_.fail("a quote is due here");
+    if (quote != '"' && quote != '\'') in_.fail("expected a quote");
     in_.skip(1);
     const auto value = in_.skip_past({&quote, 1});
     for (const auto& a : attributes_)

@@ -35,8 +35,8 @@ struct linkage_words {
   const std::string here = std::string(w.leads) + " " + angle, name = std::string("kte: ") + w.name;
   if (beyond) raise<bad_argument>(name + " cannot be closed at " + here + ", beyond a dead point");
   raise<dead_point>(name + ": dead point at " + here + ", where " + w.in_line +
-                    ": no motion follows from here; let another coordinate lead, or use mimic_gen where angles are "
-                    "the same");
+                    ": the motion from here is undetermined; let another coordinate lead, or use mimic_gen if the "
+                    "angles are equal");
 }
 
 /// Bars transmit forces at an angle whose squared sine is k / full. k has a rounding error of about eps full, so

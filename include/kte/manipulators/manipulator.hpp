@@ -76,7 +76,7 @@ class manipulator<Chain, detail::tool_keys<Tools...>> : public manipulator_kinem
   static constexpr limits_type checked(const Chain& c, const joint_limits<Numbers>& limits) {
     constexpr bool sized = std::is_same_v<joint_limits<Numbers>, limits_type>;
     static_assert(sized,
-                  "kte: limits of a static chain are those of as many numbers as it has degrees of freedom: begin with "
+                  "kte: the limits of a static chain need one number for each degree of freedom: begin with "
                   "kte::unlimited(chain)");
     if constexpr (sized) {
       check_limits(c, limits);

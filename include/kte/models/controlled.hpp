@@ -37,7 +37,7 @@ template <class V>
 inline constexpr int size_of_column = [] {
   constexpr int n = std::remove_cvref_t<V>::RowsAtCompileTime;
   static_assert(n != Eigen::Dynamic,
-                "kte: the states of a law begin at an std::array, or at an Eigen vector of fixed size");
+                "kte: the initial states of a law are an std::array or an Eigen vector of fixed size");
   return n;
 }();
 }  // namespace detail

@@ -91,7 +91,7 @@ inline int run_static(const evaluated_robot& r, const options& o) {
   }
   const auto end =
       run_child(program, {o.states.string(), o.ops, o.derivatives ? "1" : "0"}, STDOUT_FILENO, true, file.get());
-  if (!end.confirmed) throw kte::bad_file("kte: " + program + " has not done its work: it ended " + end.how);
+  if (!end.confirmed) throw kte::bad_file("kte: " + program + " failed: it ended " + end.how);
   return end.code;
 }
 

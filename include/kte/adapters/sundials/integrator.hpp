@@ -37,7 +37,7 @@ class integrator : public kte::integrator<Method, F, X> {
   friend base;
   static_assert(std::is_same_v<typename X::Scalar, double> && std::is_same_v<realtype, double>,
                 "kte: SUNDIALS computes in double here: the state must be a vector of double");
-  static_assert(!base::on_group, "kte: SUNDIALS adds states: for states with rotations take an integrator of kte");
+  static_assert(!base::on_group, "kte: SUNDIALS adds states: for states with rotations use an integrator of kte");
 
  public:
   using typename base::S;

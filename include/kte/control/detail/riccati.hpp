@@ -109,7 +109,7 @@ struct riccati_problem {
   [[noreturn]] void fail(const Stays& stays, const std::string& why) const {
     const double root = std::sqrt(std::numeric_limits<double>::epsilon());
     refuse_unreached(stays, root * (A.norm() + G.norm()));
-    raise<no_solution>(name + why + ", as where a mode that neither grows nor decays does not count in Q");
+    raise<no_solution>(name + why + ", for example because Q does not weight a mode that neither grows nor decays");
   }
 
  private:

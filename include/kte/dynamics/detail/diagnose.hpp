@@ -143,17 +143,17 @@ std::string_view name_of_row(const Layout& layout, int i) {
 }
 /// Diagnoses a coordinate whose mass overflows, though no argument is too large.
 [[noreturn, gnu::cold]] inline void raise_non_finite_mass(std::string_view coordinate) {
-  raise<bad_argument>(
-      std::string("kte: a mass is not finite: what '")
-          .append(coordinate)
-          .append("' moves is too heavy, or too far away, or infinitely fast (a loop on its dead centre)"));
+  raise<bad_argument>(std::string("kte: a mass is not finite: the bodies moved by '")
+                          .append(coordinate)
+                          .append("' are too heavy, too far away, or infinitely fast (a loop at its dead centre)"));
 }
 /// Diagnoses a coordinate whose load-dependent friction has no consistent accelerations.
 [[noreturn, gnu::cold]] inline void raise_jammed(std::string_view coordinate) {
-  raise<no_solution>(std::string("kte: load-dependent friction jams at '")
-                         .append(coordinate)
-                         .append("': no accelerations go with it, or several, or so nearly none that half their digits "
-                                 "are lost; a smaller coefficient of friction, or a bearing of less radius, has some"));
+  raise<no_solution>(
+      std::string("kte: load-dependent friction jams at '")
+          .append(coordinate)
+          .append("': the accelerations have no solution, or several, or lose half their digits; use a smaller "
+                  "coefficient of friction or bearing radius"));
 }
 /// The reason if nothing else is known: the arguments are too large.
 struct too_large {

@@ -77,7 +77,7 @@ template <class S>
 void refuse_following(const runtime_chain& c, const basic_runtime_state<S>& s, const runtime_frame& x) {
   if (s.tree().body_tree.frame(x.what, x.index).slot >= 0) [[likely]]
     return;
-  throw bad_argument("kte: this algorithm takes frames that joints and links move, and '" +
+  throw bad_argument("kte: this algorithm supports only frames that joints and links move, and '" +
                      c.wiring().names[static_cast<std::size_t>(x.what)][static_cast<std::size_t>(x.index)] +
                      "' follows others");
 }

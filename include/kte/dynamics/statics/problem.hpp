@@ -132,7 +132,7 @@ class static_problem {
         k == kind::gen && given && state_.tree().plan.row_of_gen[static_cast<std::size_t>(i)] >= state_.dofs();
     if (!is_input && !is_coordinate)
       throw bad_argument("kte: '" + std::string(name) +
-                         "' is no parameter: that is an input from outside, or a coordinate that is given (base_gen)");
+                         "' is not a parameter: parameters are external inputs and declared coordinates (base_gen)");
     parameter_ = {k, i};
   }
   loaded_elements elements(double p) const { return {{chain_}, by_load() ? p : 1.0}; }

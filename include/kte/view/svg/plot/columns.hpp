@@ -65,7 +65,7 @@ class plot_columns {
   std::size_t place(const std::string& name) const {
     const auto j = find(name);
     if (j == table_.names.size())
-      raise<unknown_name>("kte: cannot plot '" + name + "', which is no column" +
+      raise<unknown_name>("kte: cannot plot '" + name + "': there is no such column" +
                           (nearest_name(name, table_.names) < table_.names.size()
                                ? did_you_mean(name, table_.names)
                                : ": " + list_of_names(table_.names)));
