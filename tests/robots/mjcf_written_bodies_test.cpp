@@ -118,7 +118,7 @@ TEST_CASE("what MJCF cannot say is refused by name, or listed") {
           "joint 'hinge': the limit of its rate, 1, is left out",
           "joint 'hinge': the limit of its effort, 1, is left out",
           "link 'hub': it moves with a mass of 0 kg, and moments down to 0 kg m^2, which are raised to 1e-15 each, the "
-          "least that MuJoCo takes",
+          "least that MuJoCo accepts",
           "joint 'left': MuJoCo does not accept an empty range: its upper limit is the next number above 0.25",
           "joint 'left': the limit of its rate, 1, is left out",
           "joint 'left': the limit of its effort, 0, is left out",
