@@ -20,7 +20,7 @@ KTE_INLINE void articulated_accelerations(const Chain& c, const Given& g, const 
     a = accelerations_by_tree<S>(c, g, tau);
   }
 }
-/// Accelerations by ABA for trees of joints, otherwise by factorization of the mass matrix.
+/// By articulated bodies where the chain is a tree of joints, otherwise by the factorised mass matrix.
 template <class S, class Chain, class At, class V, class Base>
 KTE_INLINE auto accelerations_under(const Chain& c, const At& at, const V& v, const Base& base,
                                     const joint_vector<S, Chain::dofs>& tau) {

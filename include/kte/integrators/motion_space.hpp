@@ -51,10 +51,9 @@ inline constexpr bool changes_when_called<std::reference_wrapper<const F>, S, X>
 ///
 /// If states must also stay on a manifold, such as the closed loops of a mechanism, f has in addition
 ///
-///   f.begin_step(x)          a step begins at x: chooses the constraints that its stages and its end use
-///   f.settle(x, d, out)      projects out = x (+) d, the end of a step or a state within it, onto the manifold, and
-///                            updates d
-///   f.tangential(x, e)       removes from an error estimate e the part that `settle` removes from a displacement
+///   f.begin_step(x)          a step begins at x: chooses what stages and the end of the step go by
+///   f.settle(x, d, out)      out = x (+) d, the end of a step or a state within it, is put on the manifold; d goes
+///   with it f.tangential(x, e)       what `settle` takes away of a displacement is taken out of an error estimate e
 ///
 /// They throw `bad_argument` if this is not possible; a shorter step may succeed.
 template <class F, class X>

@@ -150,9 +150,9 @@ class manipulator_dynamics_model<runtime_chain, double, void> : public state_spa
   void tangential(const state& x0, rate& e) const;
   /// Chooses the independent rows of closures for the step from x0. Throws `bad_argument` if x0 is off the loops.
   void begin_step(const state& x0) const;
-  /// Projects any x onto the loops. Throws `bad_argument`, naming a closure that does not close from there; `assemble`
-  /// can close loops from farther away.
-  [[nodiscard]] state on_loops(const state& x) const;
+  /// x on the loops, wherever it is. Throws `bad_argument` that names a closure which does not close from there:
+  /// `assemble` goes a longer way.
+  state on_loops(const state& x) const;
 
  private:
   int place_of_input(std::string_view name, kind k) const;
