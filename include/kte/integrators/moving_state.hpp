@@ -94,7 +94,7 @@ class moving_state {
       settled_ = true;
     }
   }
-  /// Called at the beginning of a step.
+  /// A step begins.
   void begin_at_state() const {
     if constexpr (settles) ask([&] { system().begin_step(x_); });
   }
