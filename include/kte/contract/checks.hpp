@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/contract/element_core.hpp>
 #include <kte/contract/wiring_rules.hpp>
 #include <kte/detail/call.hpp>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kte/contract/checks.hpp>
+#include <kte/contract/core_checks.hpp>
 #include <kte/contract/parameter_check.hpp>
 
 #include <array>
@@ -105,8 +105,12 @@ constexpr auto connect(const Core& core, const Names&... names) {
   static_assert(
       (key_type<Names> && ...) || (text_type<Names> && ...),
       "kte: an element is connected either by keys (static chain) or by texts (runtime chain), not by a mixture");
-  static_assert(sizeof...(Names) == port_count<Core>, "kte: an element is connected by a name for each of its ports");
-  if constexpr (sizeof...(Names) != port_count<Core> || !detail::check_core<Core>::passed) {
+  if constexpr (!detail::check_functions<Core>::passed) {
+    return detail::refused{};
+  } else if constexpr (sizeof...(Names) != port_count<Core>) {
+    static_assert(sizeof...(Names) == port_count<Core>, "kte: an element is connected by a name for each of its ports");
+    return detail::refused{};
+  } else if constexpr (!detail::check_core<Core>::passed) {
     return detail::refused{};
   } else if constexpr ((key_type<Names> && ...)) {
     constexpr std::size_t bad = detail::first_misfit(Core::ports, {Names::what...});

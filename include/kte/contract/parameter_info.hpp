@@ -16,7 +16,7 @@ namespace kte {
 struct parameter_info {
   static constexpr signed char any = -128;  ///< a number that is not fixed by the type of the parameter
 
-  std::string_view name;
+  std::string_view name;  ///< as in files
   std::string_view what;  ///< "number", "vector", "rotation", "matrix", "symmetric matrix", "list" or "flag"
   bool optional = false;  ///< whether files may omit it
   int count = 0;          ///< number of values in files; -1: a list of any length

@@ -79,13 +79,6 @@ KTE_INLINE constexpr auto load_on(const F& f) {
                   vec3{f.template operator()<3>(), f.template operator()<4>(), f.template operator()<5>()}};
   }
 }
-/// How many coordinates a transmission has. They are its first ports, the base and the end are its last two.
-template <class Core>
-inline constexpr std::size_t coordinates_of = [] {
-  std::size_t n = 0;
-  while (is_coordinate(Core::ports[n].what)) ++n;
-  return n;
-}();
 /// The motion that the unit rate of coordinate N of a joint makes, the others at rest.
 template <std::size_t N, class Core, class Coordinates, std::size_t... K>
 KTE_INLINE constexpr auto axis_among(const Core& core, const Coordinates& c, std::index_sequence<K...>) {
@@ -147,7 +140,7 @@ struct transmission {
     const auto f = [&]<int N>()
                        KTE_INLINE_LAMBDA { return detail::power(core().relative(detail::unit_rate<k, N>(c)), end); };
     // Each in one expression: with a local in between g++ takes a tenth more instructions for inverse dynamics.
-    if constexpr (detail::load_dependent_friction<Core>) {
+    if constexpr (load_dependent_friction<Core>) {
       return make_loads(detail::load_on<k>(f) + core().friction(c, end),
                         transmit(core().relative(detail::position_only(c)), end));
     } else {

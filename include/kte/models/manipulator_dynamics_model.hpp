@@ -66,7 +66,7 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
   using jacobian_matrix = Eigen::Matrix<S, size::x_dot, size::x_dot>;
   /// False for chains with load-dependent friction and internal states, for which stiff methods use differences: the
   /// friction depends on accelerations, and so do these states.
-  static constexpr bool has_jacobian = size::z == 0 || !(detail::load_dependent_friction<typename E::core_type> || ...);
+  static constexpr bool has_jacobian = size::z == 0 || !(load_dependent_friction<typename E::core_type> || ...);
   jacobian_matrix jacobian(const S& t, const state& x) const requires(has_jacobian) {
     jacobian_matrix j;
     jacobian(t, x, j);
@@ -94,7 +94,7 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
   }
 
   /// The number of elements that may lock a coordinate (models/modes.hpp).
-  static constexpr std::size_t lock_count = (std::size_t{detail::locks_coordinate<typename E::core_type>} + ... + 0);
+  static constexpr std::size_t lock_count = (std::size_t{locks_coordinate<typename E::core_type>} + ... + 0);
   /// The elements that may lock a coordinate, with their coordinates and modes.
   static constexpr auto locks() { return locks_of(std::index_sequence_for<E...>{}); }
   /// The holding forces that keep the present accelerations, N and Nm.
@@ -218,7 +218,7 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
     std::size_t n = 0;
     const auto add = [&]<std::size_t J>() {
       using core = typename chain_type::template core_type<J>;
-      if constexpr (detail::locks_coordinate<core>) {
+      if constexpr (locks_coordinate<core>) {
         constexpr int row = wiring::freedom_of(kind::gen, wiring::slot(J, 0)).v;
         all[n++] = {J, row, size::q + row, size::q + size::v + wiring::slot(J, detail::kept_port<core>)};
       }

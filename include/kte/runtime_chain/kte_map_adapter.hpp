@@ -18,7 +18,7 @@ class kte_map_adapter final : public kte_element {
   explicit kte_map_adapter(named_element<Core> e) : core_(e.core), names_(std::move(e.names)) {}
 
   void doMotion(runtime_state& s) const override {
-    if constexpr (requires { Core::may_have_no_value; }) {
+    if constexpr (may_have_no_value<Core>) {
       try {
         on(s).motion(inputs{});
       } catch (const bad_argument& e) {
@@ -39,8 +39,8 @@ class kte_map_adapter final : public kte_element {
     t.connect(this, Core::type, Core::ports, names_);
     auto& c = t.elements.back();
     std::copy(c.index.begin(), c.index.end(), index_.begin());
-    c.rigid = detail::is_transmission<Core>, c.distributed_mass = detail::distributed_mass<Core>;
-    c.load = detail::is_load<Core>, c.closes = detail::is_closure<Core>;
+    c.rigid = detail::is_transmission<Core>, c.distributed_mass = distributed_mass<Core>;
+    c.load = is_load<Core>, c.closes = detail::is_closure<Core>;
     const bool on_frames =
         std::any_of(Core::ports.begin(), Core::ports.end(), [](const port& p) { return is_frame(p.what); });
     t.has_derivatives &= on_frames || detail::has_derivatives<Core>;
@@ -50,21 +50,21 @@ class kte_map_adapter final : public kte_element {
   std::string_view type() const override { return Core::type; }
   std::span<const port> ports() const override { return Core::ports; }
   std::span<const std::string> names() const override { return names_; }
-  bool holds_code() const override { return detail::holds_code<Core>; }
+  bool holds_code() const override { return kte::holds_code<Core>; }
 
   double kinetic_energy(runtime_state& s) const override { return as<double>(on(s).kinetic_energy(inputs{})); }
   double potential_energy(runtime_state& s) const override { return as<double>(on(s).potential_energy(inputs{})); }
   double switching(runtime_state& s) const override { return as<double>(on(s).switching(inputs{})); }
   bool switches() const override {
     using number = decltype(on(std::declval<runtime_state&>()).switching(inputs{}));
-    return !typed_constant<number> || detail::locks_coordinate<Core>;
+    return !typed_constant<number> || locks_coordinate<Core>;
   }
 
   detail::element_numbers<double> numbers() const override { return detail::numbers_of<double>(core_); }
   pose<mat3<vec3<>>, vec3<>> place_joint([[maybe_unused]] const double* q,
                                          [[maybe_unused]] detail::joint_axis<double>* axes,
                                          [[maybe_unused]] bool second) const override {
-    if constexpr (detail::is_transmission<Core> && detail::varying_axes<Core>)
+    if constexpr (detail::is_transmission<Core> && varying_axes<Core>)
       return detail::place_varying_joint(core_, q, axes, second);
     else
       return {};
@@ -90,7 +90,7 @@ class kte_map_adapter final : public kte_element {
       [[maybe_unused]] detail::derivative_state& s,
       [[maybe_unused]] const wrench<vec3<detail::derivative_number>, vec3<detail::derivative_number>>& end)
       const override {
-    if constexpr (detail::load_dependent_friction<Core>)
+    if constexpr (load_dependent_friction<Core>)
       return detail::out_of_line_pass<Core, detail::derivative_state>(core_, s, index_.data()).friction(end);
     else
       return {};

@@ -60,8 +60,7 @@ KTE_INLINE void columns_of_joint(const body_node<P>& r, const joint_transform<S>
       break;
     }
     case joint::varying:
-      for (int k = 0; k < r.axes; ++k)
-        column_of_axis<S>(r.first + k, at.axes[static_cast<std::size_t>(k)], units, p, put);
+      for (int k = 0; k < r.axes; ++k) column_of_axis<S>(r.first + k, at.axis(k), units, p, put);
   }
 }
 /// Visits the joints from a frame to its base or `top`: visit(body node, its joint transform, the unit vectors of its

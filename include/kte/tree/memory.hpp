@@ -26,14 +26,24 @@ using dense_composite = composite<S, vec3<S>, sym3<S>>;
 template <class S>
 using world_axis = detail::joint_axis<S>;
 
+/// The data of rare joints: a rotation matrix; for `varying` also the axes, in the axes of the body, with derivatives
+/// (`count_of_axes`).
+template <class S>
+struct matrix_joint {
+  mat3<vec3<S>> rotation{};
+  std::vector<world_axis<S>> axes{};
+};
 /// The pose of a body in its parent: the angle of the joint including `after` of its placement, the origin in the axes
-/// of the parent, and for `several` and `varying` also the rotation.
+/// of the parent, and for `several` and `varying` one `matrix_joint`. It is stored separately, so that the numbers of
+/// other joints fit into one cache line.
 template <class S>
 struct joint_transform {
   turn<S> angle;
   vec3<S> position{};
-  mat3<vec3<S>> rotation{};
-  std::vector<world_axis<S>> axes{};  ///< for `varying`: in the axes of the body, with derivatives (`count_of_axes`)
+  std::vector<matrix_joint<S>> more{};
+
+  const mat3<vec3<S>>& rotation() const { return more.front().rotation; }
+  const world_axis<S>& axis(int k) const { return more.front().axes[static_cast<std::size_t>(k)]; }
 };
 
 /// Velocities and classical accelerations of a body at its origin, in its axes.
@@ -103,6 +113,7 @@ struct memory {
       const body_node<P>& r = f.nodes[i];
       joint_transforms[i].angle = {S(r.after.cos), S(r.after.sin)};
       joint_transforms[i].position = as<S>(r.position);
+      if (r.has_matrix()) joint_transforms[i].more.resize(1);
     }
   }
 };

@@ -83,6 +83,6 @@ constexpr auto coupled_by(const L& loop, const Q1& q1, const Q2& q2, const Q3& q
   return connect(core::coupled_by<Law, 4>(law), q1, q2, q3, q4, loop);
 }
 
-KTE_CALL(coupled_coordinates, "(loop, q1, q2, factor1, factor2[, constant])")
+KTE_CALL(coupled_coordinates, "(loop, coordinate1, coordinate2, factor1, factor2[, constant])")
 
 }  // namespace kte
