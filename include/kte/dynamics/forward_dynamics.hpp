@@ -26,7 +26,9 @@ KTE_INLINE auto accelerations_under(const Chain& c, const At& at, const V& v, co
                                     const joint_vector<S, Chain::dofs>& tau) {
   at.check(), base.check();
   joint_vector<S, Chain::dofs> a;
-  if constexpr (is_tree_of_joints<Chain> || !Chain::common) {
+  if constexpr (has_closures<Chain>) {
+    a = static_loops<Chain>::template accelerations<S>(c, given{at, v, same<zero_t>{}, base}, tau);
+  } else if constexpr (is_tree_of_joints<Chain> || !Chain::common) {
     using given_type = given<At, V, same<zero_t>, Base, true>;
     if constexpr (is_unrolled<Chain, S>)
       static_assert(sizeof(typename articulated_chain<S, Chain, given_type>::need) > 0);
