@@ -159,7 +159,7 @@ done
 gives 0 'kte: wrote both.html' "$kte" view pendulum.json swing.csv swing.npy --output both.html --title Both
 gives 0 'kte: wrote pendulum.html' "$kte" view pendulum.json --start start.csv
 if ! grep -q '"q":\[0.1\]' pendulum.html; then wrong 'the page does not begin at --start'; fi
-gives 2 '--start and --configuration are of pages without a recording' "$kte" view pendulum.json swing.csv --start start.csv
+gives 2 '--start and --configuration are for pages without a recording' "$kte" view pendulum.json swing.csv --start start.csv
 gives 2 '--recording-size is between 0 and 1024, not -1' "$kte" view pendulum.json swing.csv --recording-size -1
 gives 0 '' "$kte" simulate pendulum.json --time 10 --every 0.001 --record long.csv
 gives 0 'wrote long.html' "$kte" view pendulum.json long.csv -o long.html --recording-size 0.1
@@ -175,8 +175,8 @@ if ! grep -qxF "$PWD/-a; touch called.html" browser/xdg-open.log; then wrong 'xd
 gives 0 'kte: wrote swing.svg' "$kte" plot swing.csv q energy/total
 if ! grep -q '<svg' swing.svg; then wrong 'no SVG'; fi
 gives 0 'kte: wrote other.svg' "$kte" plot swing.npy -o other.svg
-gives 1 "swing.csv: cannot plot 'nothing', which is no column" "$kte" plot swing.csv nothing
-gives 2 "'swing.pdf' is no name of a picture: these end in .svg or .png" "$kte" plot swing.csv q -o swing.pdf
+gives 1 "swing.csv: cannot plot 'nothing': there is no such column" "$kte" plot swing.csv nothing
+gives 2 "'swing.pdf' is not the name of a picture: these end in .svg or .png" "$kte" plot swing.csv q -o swing.pdf
 gives 0 'kte: wrote units.svg' "$kte" plot swing.csv q q/v --of pendulum.json -o units.svg
 for text in 'q (rad)' 'q/v (rad/s)'; do
   if ! grep -qF "$text" units.svg; then wrong "the axis has no unit: $text"; fi

@@ -20,7 +20,7 @@ struct options {
   bool json = false, strict = false;
 };
 
-/// What was found: texts with places, what of the file was not read, and what moves.
+/// The findings: texts with positions, unread parts of the file, and moving parts.
 struct findings {
   std::string format;
   std::vector<kte::robot_note> odd, not_read;
@@ -58,7 +58,7 @@ findings look_at(const options& o) {
     for (const auto& b : f.parts->bodies)
       if (m.model && b.as_published)
         add_once(f.odd,
-                 {0, "body of '" + b.frame + "': its inertia is taken as published, though no body may have it"});
+                 {0, "body of '" + b.frame + "': its inertia is not physically realizable, and taken as published"});
     for (const auto& text : odd_numbers(m, *f.parts)) add_once(f.odd, {0, text});
   } catch (const broken_mechanism& e) {
     f.format = e.format, f.not_read = e.description.not_read;

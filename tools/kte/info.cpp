@@ -24,7 +24,7 @@ struct info_options {
 struct limits_of_one {
   double lower, upper, rate, effort;
 };
-/// Of a coordinate of one number.
+/// The limits of a coordinate with one number.
 limits_of_one limits(const mechanism& m, const structure::coordinate& c) {
   const auto v = static_cast<std::size_t>(c.v);
   const auto& l = m.robot.limits;
@@ -210,7 +210,7 @@ Eigen::VectorXd shown_configuration(const mechanism& m) {
 }
 
 int info(const info_options& o) {
-  if (o.json && o.dot) throw usage_error("--json and --dot are one too many");
+  if (o.json && o.dot) throw usage_error("--json and --dot exclude each other");
   const auto m = read_and_warn(o.in);
   if (o.dot) {
     kte::detail::write_standard_output(kte::to_dot(m.chain()));

@@ -54,7 +54,7 @@ struct motor_options {
 
 /// The type of `strict`, which converts to options with `strict`.
 struct strict_reading {
-  operator robot_options() const {
+  operator robot_options() const {  // NOLINT(google-explicit-constructor)
     robot_options o;
     o.strict = true;
     return o;

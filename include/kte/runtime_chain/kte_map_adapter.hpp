@@ -12,7 +12,7 @@
 
 namespace kte {
 
-/// An element of a runtime chain: the core of a static chain, connected by texts.
+/// An element of a runtime chain: an element core, connected by texts.
 template <class Core>
 class kte_map_adapter final : public kte_element {
  public:
@@ -42,6 +42,7 @@ class kte_map_adapter final : public kte_element {
     std::copy(c.index.begin(), c.index.end(), index_.begin());
     c.rigid = detail::is_transmission<Core>, c.distributed_mass = distributed_mass<Core>;
     c.load = is_load<Core>, c.closes = detail::is_closure<Core>;
+    c.starts_in_place = starts_in_place<Core>;
     const bool on_frames =
         std::any_of(Core::ports.begin(), Core::ports.end(), [](const port& p) { return is_frame(p.what); });
     t.has_derivatives &= on_frames || detail::has_derivatives<Core>;

@@ -15,7 +15,7 @@ class plant {
   /// Puts the inputs at t and x into u.
   using law = std::function<void(double t, const state& x, Eigen::VectorXd& u)>;
 
-  /// A law of the time alone leaves the derivatives of f by x as they are.
+  /// A law of the time alone does not change the derivatives of f by x.
   plant(const kte::runtime_chain& c, law l, bool of_time_alone)
       : model_(c), u_(model_.input()), law_(std::move(l)), of_time_alone_(of_time_alone) {}
 

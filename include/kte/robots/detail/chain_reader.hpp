@@ -8,7 +8,7 @@
 
 namespace kte::detail {
 
-/// Reads links and joints out of a chain, from the records of its elements.
+/// Reads the links and joints of a chain from the records of its elements.
 class chain_reader {
  public:
   chain_reader(const runtime_chain& c, const std::string& name) : record_(record_of(c)) {
@@ -63,7 +63,7 @@ class chain_reader {
     return d_.links[known->second];
   }
 
-  /// Whether it is a link, a joint or a body.
+  /// Reads a link, a joint or a body; false for other elements.
   bool frame(const element_record& e) {
     static const std::map<std::string, kind, std::less<>> joints{
         {"rigid_link_3D", kind::fixed},          {"revolute_joint_3D", kind::revolute},
@@ -101,7 +101,7 @@ class chain_reader {
     if (it == joints_.end()) refuse(e, "its coordinate '" + coordinate + "' does not belong to a joint");
     return d_.joints[it->second];
   }
-  /// Of springs and dampers from a coordinate at rest.
+  /// The joint of a spring or damper between a coordinate and its rest value.
   robot_joint& joint_from_rest(const element_record& e) {
     if (!rest_.contains(to(e, "anchor1"))) refuse(e, "its anchor1 is not at rest: links and joints cannot say that");
     return joint(e, to(e, "anchor2"));
@@ -208,7 +208,7 @@ class chain_reader {
     if (r.size() != 9) return robot_pose{}.rotation;
     return {{r[0], r[1], r[2]}, {r[3], r[4], r[5]}, {r[6], r[7], r[8]}};
   }
-  /// Whether it is a force at the centre of mass of a link against its weight.
+  /// Reads a force that compensates the weight of a link at its centre of mass; false for other elements.
   bool compensation(const element_record& e) {
     if (e.type != "constant_force_3D" || vector(e, "torque") != vec3<>{}) return false;
     const auto at = to(e, "frame");
@@ -222,14 +222,14 @@ class chain_reader {
     }
     return false;
   }
-  /// Whether a frame is that of the centre of mass of a link.
+  /// Whether a frame is at the centre of mass of a link.
   bool stands_at(const std::string& frame, const robot_link& l) const {
     if (frame == l.name) return l.inertial->com == vec3<>{};
     for (const auto& j : d_.joints)
       if (j.is == kind::fixed && j.parent == l.name && j.child == frame) return j.origin.position == l.inertial->com;
     return false;
   }
-  /// Fixed joints have no coordinate to be named after.
+  /// Names the fixed joints, which have no coordinate to give them a name.
   void name_fixed() {
     for (auto& j : d_.joints) {
       if (j.is != kind::fixed) continue;

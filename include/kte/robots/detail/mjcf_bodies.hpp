@@ -14,7 +14,7 @@
 
 namespace kte::detail {
 
-/// Links and joints of a file in MJCF. The world is a link; a body without joints is fixed to what it is in.
+/// Reads the links and joints of a file in MJCF. The world is a link; a body without joints is fixed to its parent.
 class mjcf_bodies {
  public:
   mjcf_bodies(robot_description& d, const robot_options& o, xml_parser parse)
@@ -53,13 +53,13 @@ class mjcf_bodies {
  private:
   using kind = robot_joint::kind;
 
-  /// The link that is read: whether it is fixed to the world, and whether geoms make its mass.
+  /// The current link: whether it is fixed to the world, and whether geoms determine its mass.
   struct here {
     std::size_t link;
     bool fixed, weighs;
   };
 
-  /// Elements without a name in the file get an unused one.
+  /// Collects the names in the file, so that elements without a name get unused ones.
   void collect_names(const xml_node& n) {
     for (const auto& [key, value] : n.attributes)
       if (key == "name" && (n.name == "body" || n.name == "joint" || n.name == "freejoint")) taken_.insert(value);
@@ -70,7 +70,7 @@ class mjcf_bodies {
     return name;
   }
 
-  /// Sites, geoms and bodies of a body, or of the world.
+  /// Reads the sites, geoms and bodies of a body or of the world.
   void contents(const std::vector<mjcf_child>& all, const here& at) {
     for (const auto& c : all) {
       if (c.x.name() == "geom") geom(c, at);
@@ -149,7 +149,7 @@ class mjcf_bodies {
     if (g.collides) l.collisions.push_back(g.shape);
   }
 
-  /// A geom with a mesh, which is read where its mass or sizes matter.
+  /// Describes a geom with a mesh, whose file is read where its mass or its sizes are needed.
   std::optional<rigid_body<>> mesh(const xml_item& x, const mjcf_scope& in, mjcf_geom& g, bool weighs, bool fixed) {
     meshes_.describe(x, *in.model, g.shape);
     const bool fitted = g.shape.is != robot_shape::form::mesh;
@@ -173,7 +173,7 @@ class mjcf_bodies {
     const auto place = x.has("fromto") ? read_geom(x, c.in).shape.origin : settings.place(x);
     d_.frames.push_back({c.in.named(x.text("name")), x.line(), d_.links[link].name, c.in.place * place});
   }
-  /// Sites may have names of bodies, frames may not.
+  /// Names the frames of sites; sites may have the names of bodies, frames may not.
   void name_frames() {
     std::unordered_set<std::string> names;
     for (const auto& l : d_.links) names.insert(l.name);
@@ -187,7 +187,7 @@ class mjcf_bodies {
     }
   }
 
-  /// Joints of one body act one after another: links in between, without mass.
+  /// Reads the joints of one body, which act one after another, with massless links between them.
   void joints(const std::vector<mjcf_child>& all, const xml_item& x, robot_pose place, const std::string& parent,
               const std::string& own) {
     if (all.empty()) {

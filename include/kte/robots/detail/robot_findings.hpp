@@ -13,10 +13,10 @@
 
 namespace kte::detail {
 
-/// The worst condition of M at random configurations, with its rows and columns divided by the roots of its diagonal,
-/// so that units do not matter: M_ij / sqrt(M_ii M_jj). Infinite where a coordinate moves no mass.
+/// The largest condition number of M at random configurations, where rows and columns are divided by the square roots
+/// of the diagonal so that units do not matter: M_ij / sqrt(M_ii M_jj). Infinite where a coordinate moves no mass.
 inline double worst_condition(const runtime_chain& c) {
-  // No packs: in those of AVX-512 g++ 12 takes its own headers' registers for uninitialised.
+  // Scalars, not packs: with packs of AVX-512, g++ 12 warns of uninitialised registers in its own headers.
   using matrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
   auto s = c.make_state();
   std::mt19937 engine(1);

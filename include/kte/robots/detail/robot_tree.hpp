@@ -18,14 +18,14 @@ class robot_tree {
  public:
   struct step {
     std::size_t joint;
-    bool reversed;  ///< from child to parent, as a root was chosen below it
+    bool reversed;  ///< traversed from child to parent, because of the chosen root
   };
 
-  /// Throws `bad_file` where links and joints make no tree; `bad_argument` for a root that is no link.
+  /// Throws `bad_file` if links and joints form no tree, `bad_argument` if the chosen root is no link.
   robot_tree(const robot_description& d, const std::string& chosen_root);
 
   std::size_t root() const { return root_; }
-  /// Every joint once, behind that which moves its base: in the file's order where that is possible.
+  /// Every joint once, after the joint that moves its base; in the order of the file where possible.
   const std::vector<step>& steps() const { return steps_; }
   std::size_t link(const std::string& name) const { return links_.at(name); }
   bool has_link(const std::string& name) const { return links_.contains(name); }
@@ -46,7 +46,7 @@ class robot_tree {
 
   const robot_description& d_;
   index links_, joints_;
-  std::vector<std::size_t> parent_joint_;  ///< of each link
+  std::vector<std::size_t> parent_joint_;  ///< by link
   std::size_t root_ = nowhere;
   std::vector<step> steps_;
 };
@@ -66,8 +66,7 @@ KTE_FUNCTION void robot_tree::name_all() {
     if (l.name.empty()) fail(l.line, "a link has no name");
     const auto [first, fresh] = links_.emplace(l.name, i);
     if (!fresh)
-      fail(l.line,
-           "link '" + l.name + "' comes a second time, after line " + std::to_string(d_.links[first->second].line));
+      fail(l.line, "link '" + l.name + "' is already defined in line " + std::to_string(d_.links[first->second].line));
   }
   if (d_.links.empty()) fail(0, "the robot has no links");
   parent_joint_.assign(d_.links.size(), nowhere);
@@ -76,7 +75,7 @@ KTE_FUNCTION void robot_tree::name_all() {
     const auto refuse = [&](const std::string& why) { fail(j.line, "joint '" + j.name + "': " + why); };
     if (j.name.empty()) fail(j.line, "a joint has no name");
     const auto [first, fresh] = joints_.emplace(j.name, i);
-    if (!fresh) refuse("it comes a second time, after line " + std::to_string(d_.joints[first->second].line));
+    if (!fresh) refuse("it is already defined in line " + std::to_string(d_.joints[first->second].line));
     for (const auto* end : {&j.parent, &j.child})
       if (!links_.contains(*end))
         refuse(std::string("its ") + (end == &j.parent ? "parent" : "child") + " '" + *end + "' is not a link");
@@ -97,7 +96,7 @@ KTE_FUNCTION void robot_tree::find_root() {
                                  "' (line " + std::to_string(d_.links[root_].line) + "): no joint has it as child");
     root_ = i;
   }
-  // each link has at most one joint above it: what does not hang on the root is on a cycle, or hangs on one
+  // each link has at most one joint above it: a link that the root does not carry is on a cycle or carried by one
   std::vector<char> known(d_.links.size(), 0);
   if (root_ != nowhere) known[root_] = 1;
   for (std::size_t i = 0; i < d_.links.size(); ++i) {
@@ -128,10 +127,10 @@ KTE_FUNCTION void robot_tree::check_mimics() const {
     if (!has_one_coordinate(master)) refuse(j, "it mimics joint '" + master.name + "', which has no single coordinate");
     masters[i] = it->second;
   }
-  std::vector<std::size_t> seen(d_.joints.size(), nowhere);  // by the way from which joint
+  std::vector<std::size_t> seen(d_.joints.size(), nowhere);  // by joint: the joint through which it was reached
   for (std::size_t i = 0; i < d_.joints.size(); ++i)
     for (std::size_t k = i; k != nowhere; k = masters[k]) {
-      if (seen[k] == i) refuse(d_.joints[i], "it mimics joints that, in the end, mimic each other");
+      if (seen[k] == i) refuse(d_.joints[i], "it mimics joints that mimic each other");
       if (seen[k] != nowhere) break;
       seen[k] = i;
     }
@@ -164,7 +163,7 @@ KTE_FUNCTION void robot_tree::order(const std::string& chosen_root) {
       raise<bad_argument>("kte: the robot '" + d_.name + "' has no link '" + chosen_root + "' to be its root");
     root_ = it->second;
   }
-  std::vector<std::vector<std::size_t>> at(d_.links.size());  // the joints of each link, to either side
+  std::vector<std::vector<std::size_t>> at(d_.links.size());  // by link: its joints in either direction
   for (std::size_t i = 0; i < d_.joints.size(); ++i)
     for (const auto* end : {&d_.joints[i].parent, &d_.joints[i].child}) at[links_.at(*end)].push_back(i);
   std::priority_queue<std::size_t, std::vector<std::size_t>, std::greater<>> ready;

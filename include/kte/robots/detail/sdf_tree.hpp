@@ -15,20 +15,19 @@ class sdf_tree {
  public:
   using placer = std::function<robot_pose(const std::string&, const std::string&)>;
 
-  /// `place(a, b)` is where b stands in a.
+  /// `place(a, b)` returns the pose of b in a.
   sdf_tree(robot_description& d, placer place) : d_(d), place_(std::move(place)) {
     for (const auto& j : d.joints) joints_.insert(j.name);
   }
 
-  /// Links that stand still, in the world if that is a link.
+  /// Fixes static links, to the world if that is a link.
   void fix(const std::set<std::string>& still) {
     if (still.empty()) return;
     const bool world = std::any_of(d_.links.begin(), d_.links.end(), [](const auto& l) { return l.name == "world"; });
     const auto in = [&](const std::string& link) { return still.contains(link) || (world && link == "world"); };
     std::erase_if(d_.joints, [&](const robot_joint& j) { return in(j.parent) && in(j.child); });
     std::string anchor = world ? "world" : "";
-    for (std::size_t i = 0; i < d_.links.size(); ++i) {
-      const auto& l = d_.links[i];
+    for (const auto& l : d_.links) {
       if (!still.contains(l.name)) continue;
       if (anchor.empty())
         anchor = l.name;
@@ -37,7 +36,7 @@ class sdf_tree {
     }
   }
 
-  /// The root. `first` is the link whose part is the base, where no link is called world.
+  /// Joins the parts and sets the root. `first` is the link whose part is the base if no link is the world.
   std::string join(const std::string& first) {
     loop_cuts(d_).cut();
     std::vector<part> parts = find_parts();
@@ -77,7 +76,7 @@ class sdf_tree {
     return j;
   }
 
-  /// Links that joints connect.
+  /// The sets of links that joints connect.
   std::vector<part> find_parts() const {
     std::map<std::string, std::size_t, std::less<>> index;
     for (const auto& l : d_.links) index.emplace(l.name, index.size());
@@ -124,8 +123,8 @@ class sdf_tree {
       }
     }
   }
-  /// X_child = origin J(q) child_pose, so that the parent stands in the child at child_pose^-1 J(q)^-1 origin^-1, and
-  /// J(q)^-1 is J(q) about the opposite axis.
+  /// Reverses a joint: X_child = origin J(q) child_pose, so that the pose of the parent in the child is child_pose^-1
+  /// J(q)^-1 origin^-1, where J(q)^-1 is J(q) about the opposite axis.
   void turn(robot_joint& j) {
     const auto origin = inverse_of(j.child_pose);
     j.child_pose = inverse_of(j.origin), j.origin = origin, j.axis = {0.0 - j.axis.x, 0.0 - j.axis.y, 0.0 - j.axis.z};
@@ -133,7 +132,7 @@ class sdf_tree {
     d_.warnings.push_back(
         {j.line,
          "joint '" + j.name + "': its child '" + j.parent +
-             "' hangs on another joint: parent and child are exchanged, and its coordinate keeps its sign",
+             "' is already moved by another joint: parent and child are exchanged, and its coordinate keeps its sign",
          j.file});
   }
 

@@ -85,7 +85,7 @@ class mjcf_writer {
     out_.close();
   }
 
-  /// Whether readers of this library give a frame after this number of joints of a body this name.
+  /// Whether the reader of this library gives a frame this name when it reads a body with this number of joints.
   static bool comes_back(std::string_view frame, const std::string& body, int joints) {
     if (frame.ends_with(".joint")) frame.remove_suffix(6);
     return frame == body || frame == body + "." + std::to_string(joints);
@@ -104,7 +104,7 @@ class mjcf_writer {
                          title(d_.links[i]) + ": its mass is written into link '" + l.name + "', which it is fixed to");
     }
     if (!own && !too_light) {
-      if (geoms_.has_mesh(b.link)) write(mjcf_weight(rigid_body<>{0, {}, {}}));  // no mass of the mesh
+      if (geoms_.has_mesh(b.link)) write(mjcf_weight(rigid_body<>{0, {}, {}}));  // so that the mesh has no mass
       return;
     }
     mjcf_weight w(own.value_or(rigid_body<>{0, {}, {}}));
@@ -114,15 +114,16 @@ class mjcf_writer {
       std::snprintf(why, sizeof why, "the moments are not physically realizable: one is wrong by %.3g kg m^2",
                     w.fault());
       if (plan_.rest(l.name))
-        left_out_.list(l.line, title(l) + ": " + why + ": it is at rest, and has the nearest that a body can have");
+        left_out_.list(l.line, title(l) + ": " + why + ": it is at rest, and gets the nearest realizable moments");
       else
-        left_out_.change(l.line, title(l), why, "it has the nearest that a body can have");
+        left_out_.change(l.line, title(l), why, "it gets the nearest realizable moments");
       w.mend();
     }
     if (too_light && !w.moves()) raise(b, w);
     write(w);
   }
-  /// What MuJoCo takes for a body of no mass is the same robot where that is little beside what its joints move anyway.
+  /// Raises the mass and moments of a body to the least that MuJoCo accepts. This counts as a change of the motion
+  /// unless they are small beside the masses or rotor inertias that its joints move.
   void raise(const mjcf_body& b, mjcf_weight& w) {
     const auto& l = d_.links[b.link];
     const auto [mass, moments] = plan_.carried(b.link);
@@ -133,7 +134,7 @@ class mjcf_writer {
     const std::string why =
         "it moves with a mass of " + number(w.mass) + " kg, and moments down to " + number(w.least()) + " kg m^2";
     if (same)
-      left_out_.list(l.line, title(l) + ": " + why + ", which are raised to 1e-15 each, the least that MuJoCo takes");
+      left_out_.list(l.line, title(l) + ": " + why + ", which are raised to 1e-15 each, the least that MuJoCo accepts");
     else
       left_out_.change(l.line, title(l), why, "they are raised to 1e-15 each");
     w.raise_to_least();
@@ -209,7 +210,7 @@ class mjcf_writer {
       any = true;
       out_.open(a.law == motor_law{} ? "motor" : "general");
       if (!a.name.empty() && !names.insert(a.name).second)
-        left_out_.list(a.line, title + ": its name comes a second time, and is left out");
+        left_out_.list(a.line, title + ": its name occurs twice, and is omitted");
       else if (!a.name.empty())
         out_.attribute("name", std::string_view(a.name));
       out_.attribute("joint", std::string_view(a.joint)), out_.attribute("gear", a.gear);
@@ -218,7 +219,7 @@ class mjcf_writer {
     }
     if (any) out_.close();
   }
-  /// The difference of a law from that of <motor>.
+  /// Writes the attributes in which a law differs from that of <motor>.
   void motor(const motor_law& law) {
     if (law.gain != 1) out_.attribute("gainprm", law.gain);
     if (law.offset != 0 || law.stiffness != 0 || law.damping != 0) {

@@ -33,7 +33,7 @@ class urdf_writer {
  private:
   using kind = robot_joint::kind;
 
-  /// The actuators whose command is the force of their joint.
+  /// Writes an actuator as a transmission; its command must be the force of its joint.
   void actuator(const robot_actuator& a) {
     const auto is = [&](const auto& j) { return j.name == a.joint && has_one_coordinate(j); };
     if (!a.not_modelled.empty() || a.law != motor_law{.gain = 1 / a.gear} ||
