@@ -79,7 +79,7 @@ void send_to_bases(const body_tree<P>& f, const memory<P, S>& m, const load_way&
       simd<S>* const all[]{&load.force.x, &load.force.y, &load.force.z, &load.torque.x, &load.torque.y, &load.torque.z};
       for (int k = r.axes; k-- > 0;) {
         if (r.moves == joint::varying)
-          load.power_on(at.axes[static_cast<std::size_t>(k)], e);
+          load.power_on(at.axis(k), e);
         else
           e = *all[r.axis[static_cast<std::size_t>(k)]];
         if (force) e += forces[k];

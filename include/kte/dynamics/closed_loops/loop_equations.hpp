@@ -146,20 +146,28 @@ class loop_equations {
   }
   /// The motion of frame2 in frame1, at rest.
   template <class State>
-  static closing_motion<double> motion_between(const State& s, const closure_place& x) {
-    ends_of_closure at;
+  static auto motion_between(const State& s, const closure_place& x) {
+    ends_of_closure<typename State::scalar> at;
     find_places(s, x, at);
     return between(at);
+  }
+  /// The motion of frame2 in frame1, of bodies that move.
+  template <class State>
+  static auto moving_between(const State& s, const closure_place& x) {
+    ends_of_closure<typename State::scalar> at;
+    find_places(s, x, at);
+    return accelerated(s, x, at, between(at));
   }
 
  private:
   /// The frames of a closure in the body that both stand on, or in the world; its slot, or -1.
+  template <class S>
   struct ends_of_closure {
-    tree::moving_place<double> first, second;
+    tree::moving_place<S> first, second;
     int common = -1;
   };
-  template <class State>
-  static void find_places(const State& s, const closure_place& x, ends_of_closure& at) {
+  template <class State, class S>
+  static void find_places(const State& s, const closure_place& x, ends_of_closure<S>& at) {
     const auto& f = s.tree().body_tree;
     const auto &a = f.frame(x.frame1.what, x.frame1.index), &b = f.frame(x.frame2.what, x.frame2.index);
     at.common = tree::common_slot(f, a.slot, b.slot);
@@ -167,7 +175,8 @@ class loop_equations {
     const int base_b = tree::place_and_velocity(f, s.work, b, at.common, at.second);
     if (at.common < 0) into_world(s, base_a, at.first), into_world(s, base_b, at.second);
   }
-  static closing_motion<double> between(const ends_of_closure& at) {
+  template <class S>
+  static closing_motion<S> between(const ends_of_closure<S>& at) {
     const auto to_a = transpose(at.first.rotation);
     return {to_a * (at.second.position - at.first.position), to_a * at.second.rotation, {}, {}, {}, {}};
   }
@@ -286,9 +295,9 @@ class loop_equations {
   ///   al = al_2 - R^T al_1 + w x R^T w_1                                                   (3)
   ///
   /// where w_1 in (1) is that in the common body.
-  template <class State>
-  static closing_motion<double> accelerated(const State& s, const closure_place& x, const ends_of_closure& ends,
-                                            closing_motion<double> m) {
+  template <class State, class S>
+  static closing_motion<S> accelerated(const State& s, const closure_place& x, const ends_of_closure<S>& ends,
+                                       closing_motion<S> m) {
     const auto& f = s.tree().body_tree;
     const auto &at_a = f.frame(x.frame1.what, x.frame1.index), &at_b = f.frame(x.frame2.what, x.frame2.index);
     const auto body_of = [&s](int slot) -> const auto& { return s.work.bodies[static_cast<std::size_t>(slot)]; };
@@ -298,35 +307,36 @@ class loop_equations {
       const auto& body = body_of(at.slot);
       const auto &p = at.at.position, &w = body.ang_velocity;
       const auto back = transpose(at.at.rotation);
-      return std::array<vec3<>, 3>{back * w,
-                                   back * (body.acceleration + cross(body.ang_acceleration, p) + cross(w, cross(w, p))),
-                                   back * body.ang_acceleration};
+      return std::array<vec3<S>, 3>{
+          back * w, back * (body.acceleration + cross(body.ang_acceleration, p) + cross(w, cross(w, p))),
+          back * body.ang_acceleration};
     };
     const auto [w1, a1, al1] = frame_motion(at_a);
     const auto [w2, a2, al2] = frame_motion(at_b);
-    const vec3<> turns = common < 0 ? w1 : w1 - to_a * body_of(common).ang_velocity;  // world: bases of their own
+    const vec3<S> turns =
+        common < 0 ? w1 : vec3<S>(w1 - to_a * body_of(common).ang_velocity);  // world: bases of their own
     const auto to_b = transpose(m.rotation);
-    const vec3<> rate = to_a * (b.velocity - a.velocity) - cross(turns, m.position);
-    const vec3<> w1_in_b = to_b * w1;
+    const vec3<S> rate = to_a * (b.velocity - a.velocity) - cross(turns, m.position);
+    const vec3<S> w1_in_b = to_b * w1;
     m.velocity = to_b * rate, m.ang_velocity = w2 - w1_in_b;
     m.acceleration = a2 - to_b * (a1 + cross(al1, m.position) + cross(w1, cross(w1, m.position)) + 2 * cross(w1, rate));
     m.ang_acceleration = al2 - to_b * al1 + cross(m.ang_velocity, w1_in_b);
     return m;
   }
   /// In the world, where bases move.
-  template <class State>
-  static void into_world(const State& s, int base, tree::moving_place<double>& x) {
+  template <class State, class S>
+  static void into_world(const State& s, int base, tree::moving_place<S>& x) {
     for_each_base(s, [&](const auto& m, std::size_t slot) {
       if (static_cast<int>(slot) != base) return;
-      const mat3<vec3<>> r = as<double>(matrix(m.rotation));
-      const vec3<> v = as<double>(m.velocity), w = as<double>(m.ang_velocity);
+      const mat3<vec3<S>> r = as<S>(matrix(m.rotation));
+      const vec3<S> v = as<S>(m.velocity), w = as<S>(m.ang_velocity);
       x.velocity = r * (v + cross(w, x.position) + x.velocity);
-      x.position = as<double>(m.position) + r * x.position, x.rotation = r * x.rotation;
+      x.position = as<S>(m.position) + r * x.position, x.rotation = r * x.rotation;
     });
   }
 
   std::vector<closing_motion<double>> motions_;  ///< of closures of frames, at rest
-  std::vector<ends_of_closure> ends_;
+  std::vector<ends_of_closure<double>> ends_;
   std::vector<simd_load> loads_;  ///< on bodies of a way
   std::vector<double> forces_;
 };
