@@ -2,32 +2,34 @@
 
 #include <kte/contract/element_numbers.hpp>
 #include <kte/tree/build.hpp>
+#include <kte/tree/clusters.hpp>
 #include <kte/tree/plan.hpp>
 
 #include <algorithm>
 
-/// What the loops over body nodes need of a chain, worked out from its wiring and the numbers of its elements.
+/// The data that the loops over body nodes need of a chain, computed from its wiring and the numbers of its elements.
 namespace kte::detail {
 
-/// P: its numbers. Plan: of `arrange`, or a reference to one.
+/// P: the type of its numbers. Plan: the result of `arrange`, or a reference to one.
 template <class P, class Plan>
 class chain_tree {
  public:
   Plan plan;
   tree::body_tree<P> body_tree;
-  std::vector<int> slot_of_base;  ///< of plan.bases
+  std::vector<int> slot_of_base;  ///< by base of plan.bases
   struct rotor {
     int coordinate;
     P mass;
   };
-  std::vector<rotor> rotors;  ///< masses on generalized coordinates, and nothing more
-  std::vector<P> own_mass;    ///< of all elements on coordinates, by row
+  std::vector<rotor> rotors;  ///< masses on generalized coordinates
+  std::vector<P> own_mass;    ///< by row: the sum of all masses on coordinates
   bool has_own_mass = false;
-  bool only_bodies = false;  ///< a tree of degrees of freedom with nothing but bodies on it
-  std::vector<int> angles;   ///< body nodes of which sine and cosine are wanted
-  /// Elements that write coordinates, signals and frames before bodies can be placed; signals and frames after that:
-  /// those on which forces depend, in order.
+  bool only_bodies = false;  ///< whether the chain is a tree of degrees of freedom with bodies only
+  std::vector<int> angles;   ///< body nodes whose sine and cosine are used
+  /// Elements that write coordinates, signals and frames before bodies are placed (`followers`), and those that write
+  /// signals and frames, on which forces depend, after it (`late`), in order.
   std::vector<int> followers, late;
+  tree::cluster_layout clusters;              ///< of coordinates that follow others; none in trees
   std::vector<int> on_coordinates;            ///< elements that act on coordinates alone, in order
   std::vector<int> on_frames;                 ///< elements that act on frames and are no rigid bodies; `late` movers
   std::vector<int> weights;                   ///< those of them that have a mass
@@ -39,14 +41,14 @@ class chain_tree {
   std::vector<std::pair<kind, int>> turned;   ///< coordinates whose sines or matrices are read, but by joints
   /// An element that is more than body nodes say, and why.
   struct exception {
-    int element = -1;  ///< none
+    int element = -1;  ///< -1: there is no such element
     const char* why = "";
     explicit operator bool() const { return element >= 0; }
   };
-  exception irregular;      ///< the first in its motion or its loads: passes alone know such chains
-  exception moves_unknown;  ///< the first in its motion
+  exception irregular;      ///< the first with an irregular motion or load: only passes support such chains
+  exception moves_unknown;  ///< the first with an irregular motion
 
-  /// `c` as for `arrange`; each_element(f): f(e, its `element_numbers<P>`) for all, in order.
+  /// `c`: as for `arrange`. each_element(f) calls f(e, its `element_numbers<P>`) for all elements in order.
   template <class Connections, class Each>
   chain_tree(const Connections& c, Plan p, const Each& each_element)
       : plan(std::forward<Plan>(p)),
@@ -69,6 +71,7 @@ class chain_tree {
       const auto m = body_tree.nodes[i].moves;
       if (m == tree::joint::revolute || m == tree::joint::screw) angles.push_back(static_cast<int>(i));
     }
+    if (!plan.tree && distributed.empty()) find_clusters(c);
     for (const P& m : own_mass) has_own_mass |= m != P(0);
     only_bodies = !irregular && plan.tree && plan.coordinates == dofs_ && plan.jointless_dofs.empty() &&
                   on_coordinates.empty() && on_frames.empty() && followers.empty() && late.empty() && readers.empty();
@@ -83,6 +86,21 @@ class chain_tree {
   }
 
  private:
+  template <class Connections>
+  void find_clusters(const Connections& c) {
+    std::vector<std::pair<int, int>> links;
+    const auto row = [this](int i) { return plan.row_of_gen[static_cast<std::size_t>(i)]; };
+    for (const int f : followers) {
+      const auto e = static_cast<std::size_t>(f);
+      const auto ports = c.ports(e);
+      const std::size_t last = ports.size() - 1;
+      if (ports[last].what != kind::gen) continue;
+      for (std::size_t p = 0; p < last; ++p)
+        if (ports[p].what == kind::gen) links.emplace_back(row(c.index(e, p)), row(c.index(e, last)));
+    }
+    clusters = tree::clusters_of(body_tree, plan.coordinates, dofs_, links);
+  }
+
   template <class T>
   using growing = std::vector<T>;
   using builder = tree::body_tree_builder<P>;
@@ -90,7 +108,7 @@ class chain_tree {
 
   place& frame(kind k, int i) { return frames_[k == kind::frame_2D ? 0 : 1][static_cast<std::size_t>(i)]; }
 
-  /// Whether a frame is written by an element that is no joint or link, from others.
+  /// Whether a frame is written from other frames by an element that is not a joint or link.
   bool is_late(kind k, int i) const {
     return std::find(written.begin(), written.end(), std::pair{k, i}) != written.end();
   }
@@ -191,7 +209,7 @@ class chain_tree {
       }
     }
   }
-  /// A joint whose axes depend on its coordinates, which come before the base and the end.
+  /// Adds a joint whose axes depend on its coordinates; these precede the base and the end among the ports.
   template <class Index>
   void add_varying_joint(int number, std::span<const port> ports, const Index& index, builder& b) {
     const std::size_t count = ports.size() - 2;
@@ -201,7 +219,8 @@ class chain_tree {
       slots[k] = index(k), rows[k] = plan.row_of_gen[static_cast<std::size_t>(slots[k])];
       free += rows[k] < dofs_;
     }
-    if (free != 0 && free != count) exclude(number, " has several coordinates, and not all of them are degrees of freedom");
+    if (free != 0 && free != count)
+      exclude(number, " has several coordinates, and not all of them are degrees of freedom");
     frame(ports.back().what, index(count + 1)) =
         b.add_varying_joint(frame(ports[count].what, index(count)), number, slots, rows, free == count);
   }
@@ -227,8 +246,8 @@ class chain_tree {
     if (!moves_unknown) moves_unknown = {number, why};
   }
 
-  std::array<std::vector<place>, 2> frames_;  ///< until they are in the tree
-  dependencies<growing> depends_;             ///< the same
+  std::array<std::vector<place>, 2> frames_;  ///< until the tree is built
+  dependencies<growing> depends_;             ///< until the tree is built
   int dofs_;
 };
 

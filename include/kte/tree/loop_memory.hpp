@@ -1,13 +1,13 @@
 #pragma once
 
 #include <kte/kernels/derivatives.hpp>
-#include <kte/tree/articulated.hpp>
+#include <kte/tree/articulated_clusters.hpp>
 #include <kte/tree/followed_masses.hpp>
 #include <kte/tree/variations.hpp>
 
 namespace kte::detail {
 
-/// Working memory of the loops over body nodes, so that they allocate nothing but by the first call that needs it.
+/// Working memory of the loops over body nodes. Only the first call that needs a part of it allocates.
 template <class P, class S>
 struct loop_memory : tree::memory<P, S> {
   using vector = Eigen::Matrix<S, Eigen::Dynamic, 1>;
@@ -23,18 +23,21 @@ struct loop_memory : tree::memory<P, S> {
         friction(t.readers.size()) {
     for (std::size_t k = 0; k < this->own_mass.size(); ++k)
       this->own_mass[k] = t.own_mass[static_cast<std::size_t>(t.body_tree.row[k])];
-    tree::set_free(t.body_tree, *this, [&t](std::size_t i) { return t.body_tree.nodes[i].is_free; });
+    tree::set_free(t.body_tree, *this, [&t](std::size_t i) {
+      return t.body_tree.nodes[i].is_free && !t.clusters.has(static_cast<int>(i));
+    });
   }
-  vector forces;                 ///< what is given back: forces or accelerations
-  std::vector<S> kept;           ///< rates and accelerations that are put aside
+  vector forces;                 ///< results: forces or accelerations
+  std::vector<S> kept;           ///< rates and accelerations that are saved
   std::vector<char> prescribed;  ///< by row: whether its acceleration is given
   bool some_prescribed = false;
-  std::vector<char> wanted;  ///< by element: whether what is asked for depends on it
-  std::vector<S> friction;   ///< of `chain_tree::readers`
-  /// As large as M or larger: made by the first call that gives them.
+  std::vector<char> wanted;  ///< by element: whether the result depends on it
+  std::vector<S> friction;   ///< by element of `chain_tree::readers`
+  /// Of the size of M or larger; allocated by the first call that returns them.
   matrix mass, inverse;
   tree::mass_memory<S> masses;
   tree::followed_memory<S> followed;
+  tree::cluster_memory<S> clusters;
   std::vector<int> rows;  ///< of a column of derivatives that are anything
   tree::variation_memory<S> variations;
   inverse_dynamics_result<S, Eigen::Dynamic> of_forces;
