@@ -288,8 +288,7 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
     return all;
   }
   state started(state x) const {
-    if constexpr ((starts_in_place<typename E::core_type> || ...))
-      start_in_place(x, std::index_sequence_for<E...>{});
+    if constexpr ((starts_in_place<typename E::core_type> || ...)) start_in_place(x, std::index_sequence_for<E...>{});
     return x;
   }
   template <std::size_t... I>
