@@ -49,9 +49,7 @@ constexpr auto drag_3D(const Frame& frame, double damping) {
 /// The elements of the library and these, for files.
 kte::element_registry registry() {
   auto r = kte::element_registry::standard();
-  using in = const kte::record_reader&;
-  r.add("drag_2D", [](in x) { return drag_2D(x.name("frame"), x.number("damping")); });
-  r.add("drag_3D", [](in x) { return drag_3D(x.name("frame"), x.number("damping")); });
+  r.add<drag_core<kte::kind::frame_2D>, drag_core<kte::kind::frame_3D>>();
   return r;
 }
 

@@ -18,7 +18,7 @@ struct scalar_among {
 };
 template <class First, class... Rest>
 struct scalar_among<First, Rest...>
-    : std::conditional_t<variable<First>, std::type_identity<First>, scalar_among<Rest...>> {};
+    : std::conditional_t<kte::variable<First>, std::type_identity<First>, scalar_among<Rest...>> {};
 }  // namespace detail
 
 /// A coordinate that is a function of others. A core that derives from it has this function,

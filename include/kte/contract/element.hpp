@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kte/contract/checks.hpp>
+#include <kte/contract/core_checks.hpp>
 #include <kte/contract/parameter_check.hpp>
 
 #include <array>
@@ -106,19 +106,18 @@ constexpr auto connect(const Core& core, const Names&... names) {
   static_assert(
       (key_type<Names> && ...) || (text_type<Names> && ...),
       "kte: an element is connected either by keys (static chain) or by texts (runtime chain), not by a mixture");
-  static_assert(sizeof...(Names) == port_count<Core>, "kte: an element is connected by a name for each of its ports");
-  if constexpr (sizeof...(Names) != port_count<Core> || !detail::check_core<Core>::passed) {
+  if constexpr (!detail::check_functions<Core>::passed) {
+    return detail::refused{};
+  } else if constexpr (sizeof...(Names) != port_count<Core>) {
+    static_assert(sizeof...(Names) == port_count<Core>, "kte: an element is connected by a name for each of its ports");
+    return detail::refused{};
+  } else if constexpr (!detail::check_core<Core>::passed) {
     return detail::refused{};
   } else if constexpr ((key_type<Names> && ...)) {
     constexpr std::size_t bad = detail::first_misfit(Core::ports, {Names::what...});
     if constexpr (bad < sizeof...(Names)) {
       using key = std::tuple_element_t<bad, std::tuple<Names...>>;
       static_assert(sizeof(detail::check_kind<Core, key, Core::ports[bad].what>) > 0);
-      return detail::refused{};
-    } else if constexpr (detail::is_closure<Core>) {
-      static_assert(!detail::is_closure<Core>,
-                    "kte: closures of loops are for runtime chains: runtime_chain << chain << coincident_points_2D("
-                    "\"pin\", \"tip1\", \"tip2\"), of a static chain and texts");
       return detail::refused{};
     } else {
       const std::array<std::string_view, sizeof...(Names)> texts{Names::name...};

@@ -29,7 +29,7 @@ class number_reader {
   void operator()(bool& x) {
     if (!(x = next() == 1)) place_.fail("must be 1 where it is given");
   }
-  template <variable T>
+  template <kte::variable T>
   void operator()(T& x) {
     x = T(next());
   }

@@ -16,7 +16,7 @@ namespace kte {
 struct parameter_info {
   static constexpr signed char any = -128;  ///< a number that the type of the parameter does not fix
 
-  std::string_view name;
+  std::string_view name;  ///< as in files
   std::string_view what;  ///< "number", "vector", "rotation", "matrix", "symmetric matrix", "list" or "flag"
   bool optional = false;  ///< whether files may leave it out
   int count = 0;          ///< how many numbers it has in files; -1: a list of any length

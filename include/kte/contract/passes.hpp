@@ -1,7 +1,6 @@
 #pragma once
 
-#include <kte/contract/checks.hpp>
-#include <kte/contract/port.hpp>
+#include <kte/contract/core_checks.hpp>
 #include <kte/contract/thing.hpp>
 #include <kte/detail/numbered.hpp>
 #include <kte/frames/motion.hpp>
@@ -20,13 +19,6 @@ inline constexpr std::size_t load_index = [] {
   return i;
 }();
 
-/// How many internal states an element keeps.
-template <class Core>
-inline constexpr std::size_t kept_count = [] {
-  std::size_t n = 0;
-  for (const auto& p : Core::ports) n += p.how == access::keep && p.what == kind::internal;
-  return n;
-}();
 /// The port of number N of them; beyond the last if there is none.
 template <class Core, std::size_t N = 0>
 inline constexpr std::size_t kept_port = [] {
@@ -144,8 +136,10 @@ struct stored_element {
       return;
     } else if constexpr (has_output) {
       spread<P...>(core.doForce(input<P>()..., load<ports - 1>()));
-    } else {
+    } else if constexpr (has_force<Core, decltype(input<P>())...>) {
       spread<P...>(core.doForce(input<P>()...));
+    } else {
+      (void)check_load_count<Core, load_count<decltype(core.doForce(input<P>()...))>>{};
     }
   }
   /// Whether it holds its coordinate, and by how large a force it could; of a joint after doForce, where that depends
@@ -171,7 +165,7 @@ struct stored_element {
   /// What it keeps after its law has changed; nothing where it has no `switched`.
   template <std::size_t... P>
   KTE_INLINE constexpr void switch_over(std::index_sequence<P...>) const {
-    if constexpr (requires { core.switched(input<P>()...); })
+    if constexpr (has_switched<Core, decltype(input<P>())...>)
       write_kept(core.switched(input<P>()...), std::make_index_sequence<kept_count<Core>>{});
   }
   /// The loads of a distributed mass, for accelerations alone.
@@ -193,7 +187,7 @@ struct stored_element {
   /// Energies, where the element has one; J.
   template <std::size_t... P>
   KTE_INLINE constexpr auto kinetic_energy(std::index_sequence<P...>) const {
-    if constexpr (requires { core.kinetic_energy(input<P>()...); }) {
+    if constexpr (has_kinetic_energy<Core, decltype(input<P>())...>) {
       return core.kinetic_energy(input<P>()...);
     } else {
       return zero;
@@ -201,7 +195,7 @@ struct stored_element {
   }
   template <std::size_t... P>
   KTE_INLINE constexpr auto potential_energy(std::index_sequence<P...>) const {
-    if constexpr (requires { core.potential_energy(input<P>()...); }) {
+    if constexpr (has_potential_energy<Core, decltype(input<P>())...>) {
       return core.potential_energy(input<P>()...);
     } else {
       return zero;
@@ -210,7 +204,7 @@ struct stored_element {
   /// The first moment m c of a distributed mass in axes of the base, kg m.
   template <std::size_t... P>
   KTE_INLINE constexpr auto first_moment(std::index_sequence<P...>) const {
-    if constexpr (requires { core.first_moment(input<P>()...); }) {
+    if constexpr (has_first_moment<Core, decltype(input<P>())...>) {
       return core.first_moment(input<P>()...);
     } else {
       return zero3{};
@@ -219,7 +213,7 @@ struct stored_element {
   /// The function that goes through zero where the law of the element changes; 1 if it never does.
   template <std::size_t... P>
   KTE_INLINE constexpr auto switching(std::index_sequence<P...>) const {
-    if constexpr (requires { core.switching(input<P>()...); }) {
+    if constexpr (has_switching<Core, decltype(input<P>())...>) {
       return core.switching(input<P>()...);
     } else {
       return one;

@@ -19,7 +19,7 @@ struct placed_joint : Joint, transmission<placed_joint<Joint, Rotation, Position
   Rotation rotation{};
 
   /// Not placed elsewhere: rotations of numbers are the identity.
-  constexpr placed_joint() {
+  constexpr placed_joint() : Joint() {
     if constexpr (requires { rotation.cos; }) rotation.cos = 1;
     if constexpr (requires { rotation.x.x; }) rotation.x.x = rotation.y.y = rotation.z.z = 1;
   }

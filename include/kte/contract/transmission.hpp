@@ -79,13 +79,6 @@ KTE_INLINE constexpr auto load_on(const F& f) {
                   vec3{f.template operator()<3>(), f.template operator()<4>(), f.template operator()<5>()}};
   }
 }
-/// How many coordinates a transmission has. They are its first ports, the base and the end are its last two.
-template <class Core>
-inline constexpr std::size_t coordinates_of = [] {
-  std::size_t n = 0;
-  while (is_coordinate(Core::ports[n].what)) ++n;
-  return n;
-}();
 /// The motion that the unit rate of coordinate N of a joint makes, the others at rest.
 template <std::size_t N, class Core, class Coordinates, std::size_t... K>
 KTE_INLINE constexpr auto axis_among(const Core& core, const Coordinates& c, std::index_sequence<K...>) {
@@ -147,7 +140,7 @@ struct transmission {
     const auto f = [&]<int N>()
                        KTE_INLINE_LAMBDA { return detail::power(core().relative(detail::unit_rate<k, N>(c)), end); };
     // Each in one expression: with a local in between g++ takes a tenth more instructions for inverse dynamics.
-    if constexpr (detail::load_dependent_friction<Core>) {
+    if constexpr (load_dependent_friction<Core>) {
       return make_loads(detail::load_on<k>(f) + core().friction(c, end),
                         transmit(core().relative(detail::position_only(c)), end));
     } else {
@@ -171,9 +164,9 @@ struct transmission {
   KTE_INLINE constexpr auto doForce(const C& c, const Second& second, const Third& third, const Fourth& fourth,
                                     const Others&... others) const {
     if constexpr (detail::coordinates_of<Core> == 1) {
-      return make_loads(
-          detail::power(core().relative(detail::unit_rate<kind::gen, 0>(c)), fourth) + core().friction(c, second, fourth),
-          transmit(core().relative(detail::position_only(c)), fourth));
+      return make_loads(detail::power(core().relative(detail::unit_rate<kind::gen, 0>(c)), fourth) +
+                            core().friction(c, second, fourth),
+                        transmit(core().relative(detail::position_only(c)), fourth));
     } else {
       return loaded(std::tie(c, second, third, fourth, others...), coordinates_in<>{});
     }
@@ -223,9 +216,7 @@ constexpr auto rotation_of(const Core& core) {
     return core.relative().rotation;
   } else if constexpr (coordinates_of<Core> > 1) {
     constexpr coordinate<double, double, double, double, double> c{};
-    return [&core, &c]<std::size_t... K>(std::index_sequence<K...>) {
-      return core.relative((void(K), c)...).rotation;
-    }
+    return [&core, &c ]<std::size_t... K>(std::index_sequence<K...>) { return core.relative((void(K), c)...).rotation; }
     (std::make_index_sequence<coordinates_of<Core>>{});
   } else if constexpr (Core::ports[0].what == kind::gen) {
     return core.relative(coordinate<double, double, double, double, double>{}).rotation;

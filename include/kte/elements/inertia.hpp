@@ -18,6 +18,7 @@ struct inertia {
   static constexpr type_name type{"inertia", Dim};
   static constexpr std::array<port, 1> ports{{{Dim, access::in, "frame"}}};
   static constexpr const char* arguments = "body";
+  static constexpr bool is_rigid_body = true;
 
   rigid_body<Mass, Com, Inertia> body;
   decltype(to_composite(rigid_body<Mass, Com, Inertia>{})) at_origin;  ///< the inertia about the origin of the frame
@@ -91,6 +92,7 @@ template <class Mass>
 struct inertia_gen {
   static constexpr type_name type{"inertia", kind::gen};
   static constexpr std::array<port, 1> ports{{{kind::gen, access::in, "coordinate"}}};
+  static constexpr bool is_rigid_body = true;
 
   Mass m;
 
@@ -118,13 +120,6 @@ struct inertia_gen {
 };
 
 }  // namespace core
-
-namespace detail {
-template <kind Dim, class M, class C, class I>
-inline constexpr bool is_rigid_body<core::inertia<Dim, M, C, I>> = true;
-template <class M>
-inline constexpr bool is_rigid_body<core::inertia_gen<M>> = true;
-}  // namespace detail
 
 /// A rigid body in the plane, fixed to `frame`: `point_mass(1.0)`, `planar_body(2.0, 0.1)`.
 template <class F, class M, class C, class I>

@@ -48,7 +48,7 @@ struct sticking_joint : Joint, transmission<sticking_joint<Joint>>, coordinate_l
   using transmission<sticking_joint>::doMotion, transmission<sticking_joint>::doForce;
   using Joint::axis;
 
-  double radius;  ///< r, m
+  double radius = 1;  ///< r, m; 1 of a guide
   dry_friction_parameters p;
 
   sticking_joint() = default;

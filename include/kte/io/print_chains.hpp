@@ -50,7 +50,7 @@ template <class Core, class... Keys>
 std::ostream& operator<<(std::ostream& out, const element<Core, Keys...>& e) {
   const std::string_view names[]{Keys::name...};
   out << describe_element(Core::type, Core::ports, names);
-  if constexpr (detail::holds_code<Core>) return out << ": a function of the program";
+  if constexpr (holds_code<Core>) return out << ": a function of the program";
   const char* before = ": ";
   Core::parameters(e.core, [&](const char* name, const auto& value) {
     using type = std::remove_cvref_t<decltype(value)>;

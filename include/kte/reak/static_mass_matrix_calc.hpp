@@ -53,7 +53,7 @@ class mass_matrix_calc<static_chain<Gravity, E...>, std::index_sequence<Body...>
 
   template <std::size_t I>
   static constexpr bool massive = [] {
-    static_assert(!detail::distributed_mass<core<I>>, "kte: mass_matrix_calc: this element has a distributed mass");
+    static_assert(!distributed_mass<core<I>>, "kte: mass_matrix_calc: this element has a distributed mass");
     return detail::has_mass<core<I>, double>;
   }();
   struct any_mass {
@@ -72,7 +72,7 @@ class mass_matrix_calc<static_chain<Gravity, E...>, std::index_sequence<Body...>
   struct mass_on {
     template <std::size_t I>
     static constexpr bool of = [] {
-      if constexpr (std::is_same_v<key<I>, Key> || (detail::distributed_mass<core<I>> && is_connected_to<I, Key>))
+      if constexpr (std::is_same_v<key<I>, Key> || (distributed_mass<core<I>> && is_connected_to<I, Key>))
         return massive<I>;
       else
         return false;

@@ -22,7 +22,7 @@ struct connections_of {
   };
   static constexpr std::size_t size = sizeof...(Core);
   std::array<element, size> all{
-      {{std::span<const port>(Core::ports), is_transmission<Core>, detail::distributed_mass<Core>}...}};
+      {{std::span<const port>(Core::ports), is_transmission<Core>, kte::distributed_mass<Core>}...}};
 
   constexpr std::size_t elements() const { return size; }
   constexpr std::span<const port> ports(std::size_t e) const { return all[e].ports; }
@@ -74,15 +74,15 @@ struct shapes_of {
   }();
   /// Whether some force reads positions, rotations or velocities of frames.
   static constexpr bool reads_positions = [] {
-    const bool reads[]{detail::reads_positions<Core>..., false}, freely[]{writes_freely<Core>..., false};
+    const bool reads[]{kte::reads_positions<Core>..., false}, freely[]{writes_freely<Core>..., false};
     for (std::size_t e = 0; e < sizeof...(Core); ++e)
       if (freely[e] ? acts_freely[e] : reads[e]) return true;
     return false;
   }();
   /// Whether there is nothing in the chain that only the loops over body nodes know.
   static constexpr bool common = [] {
-    const bool rare[]{(follows_freely<Core> || detail::distributed_mass<Core> || load_dependent_friction<Core> ||
-                       locks_coordinate<Core> || varying_axes<Core>)...,
+    const bool rare[]{(follows_freely<Core> || kte::distributed_mass<Core> || kte::load_dependent_friction<Core> ||
+                       kte::locks_coordinate<Core> || is_closure<Core> || kte::varying_axes<Core>)...,
                       false};
     for (std::size_t e = 0; e < sizeof...(Core); ++e)
       if (rare[e] || acts_freely[e]) return false;

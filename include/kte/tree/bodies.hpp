@@ -106,7 +106,7 @@ struct several_axes_body {
   KTE_INLINE int axis_count() const { return r.axes; }
   KTE_INLINE bool has_unit_axes() const { return r.moves == joint::several; }
   KTE_INLINE int axis_number(int k) const { return r.axis[static_cast<std::size_t>(k)]; }
-  KTE_INLINE const world_axis<S>& axis(int k) const { return at.axes[static_cast<std::size_t>(k)]; }
+  KTE_INLINE const world_axis<S>& axis(int k) const { return at.axis(k); }
   KTE_INLINE S mass(int k) const { return masses == nullptr ? S(0) : S(masses[k]); }
   KTE_INLINE auto along_axes(const S* x) const {
     engine::motion_vector<vec3<S>, vec3<S>> sum{};
@@ -142,11 +142,15 @@ struct several_axes_body {
     }
   }
   KTE_INLINE static constexpr skip in(skip) { return {}; }
-  KTE_INLINE vec3<S> in(const vec3<S>& u) const { return transpose(at.rotation) * placed<P, S>{r, at}.in_placement(u); }
-  KTE_INLINE vec3<S> out(const vec3<S>& u) const { return placed<P, S>{r, at}.out_placement(vec3<S>(at.rotation * u)); }
+  KTE_INLINE vec3<S> in(const vec3<S>& u) const {
+    return transpose(at.rotation()) * placed<P, S>{r, at}.in_placement(u);
+  }
+  KTE_INLINE vec3<S> out(const vec3<S>& u) const {
+    return placed<P, S>{r, at}.out_placement(vec3<S>(at.rotation() * u));
+  }
   template <class A>
   KTE_INLINE A out(const A& a) const {
-    return placed<P, S>{r, at}.out_placement(as<S>(turned_by(at.rotation, a)));
+    return placed<P, S>{r, at}.out_placement(as<S>(turned_by(at.rotation(), a)));
   }
 };
 /// The body without its joint.
@@ -208,8 +212,11 @@ class one_axis_bodies : public tree_bodies<P, S> {
 template <class P, class S>
 class articulated_bodies : public tree_bodies<P, S> {
  public:
-  articulated_bodies(const body_tree<P>& f, const memory<P, S>& m)
-      : tree_bodies<P, S>(f, m.joint_transforms),
+  articulated_bodies(const body_tree<P>& f, const memory<P, S>& m) : articulated_bodies(f, m, m.joint_transforms) {}
+  /// In other positions.
+  articulated_bodies(const body_tree<P>& f, const memory<P, S>& m,
+                     const std::vector<joint_transform<S>>& joint_transforms)
+      : tree_bodies<P, S>(f, joint_transforms),
         free_(m.is_free.data()),
         plain_(m.plain.data()),
         mass_(m.own_mass.data()) {}

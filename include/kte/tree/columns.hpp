@@ -118,7 +118,7 @@ class wrench_rows {
       get_simd(k, w);
       simd<S> along;
       if (r.moves == joint::varying) [[unlikely]]
-        w.power_on(at.axes[static_cast<std::size_t>(a)], along);
+        w.power_on(at.axis(a), along);
       else
         w.power_on(r, along);
       store<S>(along, to + k);

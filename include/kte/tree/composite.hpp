@@ -51,7 +51,7 @@ KTE_INLINE dense_wrench<S> accelerating(const body_node<P>& r, const joint_trans
   };
   if (r.moves == joint::revolute) return along(5);
   if (r.moves == joint::varying) {
-    const world_axis<S>& s = at.axes[static_cast<std::size_t>(k)];
+    const world_axis<S>& s = at.axis(k);
     return {mass * s.linear + cross(s.angular, h), i * s.angular + cross(h, s.linear)};
   }
   if (r.moves != joint::screw) return along(r.axis[static_cast<std::size_t>(k)]);

@@ -14,7 +14,7 @@ namespace kte::tree {
 template <class D>
 struct dual_joint_transform {
   vec3<D> turn{}, step{};
-  vec3<D> turned{};  ///< in the world
+  vec3<D> turned{};               ///< in the world
   joint_transform<D> in_duals{};  ///< of `varying` joints: axes and their derivatives
 };
 /// Derivatives of motions and wrenches are those that their body sees, in axes that move with it: a joint changes
@@ -150,10 +150,10 @@ void axes_in_duals(const body_node<P>& r, const joint_transform<S>& at, const D*
   const auto n = static_cast<std::size_t>(r.axes), count = n + n * n;
   axes.resize(count);
   for (std::size_t k = 0; k < count; ++k) {
-    const world_axis<S>& s = at.axes[k];
+    const world_axis<S>& s = at.axis(static_cast<int>(k));
     axes[k] = {constants<D>(s.linear), constants<D>(s.angular)};
     for (std::size_t j = 0; j < n; ++j) {
-      const world_axis<S>& by = at.axes[n + n * k + j];
+      const world_axis<S>& by = at.axis(static_cast<int>(n + n * k + j));
       axes[k] = {axes[k].linear + shift[j] * by.linear, axes[k].angular + shift[j] * by.angular};
     }
   }
@@ -169,8 +169,10 @@ void place_bodies_in_duals(const body_tree<P>& f, const memory<P, S>& m, dual_me
     transform.turn = {};
     const D* const shift = &d.shift[static_cast<std::size_t>(r.first)];
     along_axes(r, m.joint_transforms[i], shift, slide, transform.turn);
-    if (r.moves == joint::varying) [[unlikely]]
-      axes_in_duals(r, m.joint_transforms[i], shift, transform.in_duals.axes);
+    if (r.moves == joint::varying) [[unlikely]] {
+      transform.in_duals.more.resize(1);
+      axes_in_duals(r, m.joint_transforms[i], shift, transform.in_duals.more.front().axes);
+    }
     transform.step = constants<D>(m.joint_transforms[i].position) +
                      product(rotation_in_parent(placed{r, m.joint_transforms[i]}), slide);
     const vec3<D>& turned = d.joint_transforms[parent].turned;

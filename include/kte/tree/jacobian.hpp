@@ -60,12 +60,11 @@ KTE_INLINE void columns_of_joint(const body_node<P>& r, const joint_transform<S>
       break;
     }
     case joint::varying:
-      for (int k = 0; k < r.axes; ++k)
-        column_of_axis<S>(r.first + k, at.axes[static_cast<std::size_t>(k)], units, p, put);
+      for (int k = 0; k < r.axes; ++k) column_of_axis<S>(r.first + k, at.axis(k), units, p, put);
   }
 }
-/// The joints from a frame to its base or `top`: visit(body node, its joint transform, the unit vectors of its body, its
-/// origin to that of the frame), in axes of the frame. Returns as `pose_in_base`.
+/// The joints from a frame to its base or `top`: visit(body node, its joint transform, the unit vectors of its body,
+/// its origin to that of the frame), in axes of the frame. Returns as `pose_in_base`.
 template <class P, class S, class N, class Visit>
 KTE_INLINE int each_joint_inward(const body_tree<P>& f, const memory<P, S>& m, const frame_place<N>& frame,
                                  dense_pose<S>& x, const Visit& visit, int top = -1) {

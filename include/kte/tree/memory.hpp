@@ -27,14 +27,23 @@ using dense_composite = composite<S, vec3<S>, sym3<S>>;
 template <class S>
 using world_axis = detail::joint_axis<S>;
 
+/// What few joints have: a rotation matrix; of `varying` the axes, in axes of the body, with derivatives
+/// (`count_of_axes`).
+template <class S>
+struct matrix_joint {
+  mat3<vec3<S>> rotation{};
+  std::vector<world_axis<S>> axes{};
+};
 /// Where a body stands in its parent: the angle of the joint with `after` of its placement, the origin in axes of the
-/// parent, and of `several` and `varying` the rotation besides.
+/// parent, and of `several` and `varying` one `matrix_joint` (apart: so the numbers of others are one cache line).
 template <class S>
 struct joint_transform {
   turn<S> angle;
   vec3<S> position{};
-  mat3<vec3<S>> rotation{};
-  std::vector<world_axis<S>> axes{};  ///< of `varying`, in axes of the body, with derivatives (`count_of_axes`)
+  std::vector<matrix_joint<S>> more{};
+
+  const mat3<vec3<S>>& rotation() const { return more.front().rotation; }
+  const world_axis<S>& axis(int k) const { return more.front().axes[static_cast<std::size_t>(k)]; }
 };
 
 /// Velocities and classical accelerations of a body at its origin, in its axes.
@@ -105,6 +114,7 @@ struct memory {
       const body_node<P>& r = f.nodes[i];
       joint_transforms[i].angle = {S(r.after.cos), S(r.after.sin)};
       joint_transforms[i].position = as<S>(r.position);
+      if (r.has_matrix()) joint_transforms[i].more.resize(1);
     }
   }
 };

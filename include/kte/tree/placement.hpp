@@ -31,21 +31,21 @@ struct placed {
   template <class L>
   KTE_INLINE vec3<L> out(vec3<L> u) const {
     if (r.has_matrix()) [[unlikely]]
-      u = rotated(at.rotation, u);
+      u = rotated(at.rotation(), u);
     return out_placement(u);
   }
   /// To axes of the body.
   KTE_INLINE vec3<S> in(const vec3<S>& u) const {
     const vec3<S> x = in_placement(u);
     if (r.has_matrix()) [[unlikely]]
-      return rotated_back(at.rotation, x);
+      return rotated_back(at.rotation(), x);
     return x;
   }
   /// R A: from the unit vectors of the body, as rows, to those of the parent; and back.
   template <class Row>
   KTE_INLINE mat3<Row> units_out(mat3<Row> a) const {
     if (r.has_matrix()) [[unlikely]]
-      a = turned(a, at.rotation);
+      a = turned(a, at.rotation());
     a = rows_out_x(r.tilt, rows_out_z(at.angle, a));
     return r.turned ? rows_out_z(r.before, a) : a;
   }
@@ -54,7 +54,7 @@ struct placed {
     if (r.turned) a = rows_out_z(r.before.back(), a);
     a = rows_out_z(at.angle.back(), rows_out_x(r.tilt.back(), a));
     if (r.has_matrix()) [[unlikely]]
-      a = turned(a, transpose(at.rotation));
+      a = turned(a, transpose(at.rotation()));
     return a;
   }
   KTE_INLINE dense_wrench<S> out(const dense_wrench<S>& w) const {
@@ -112,7 +112,7 @@ template <class P, class S>
 world_axis<S> rate_of_axis(const body_node<P>& r, const joint_transform<S>& at, int k, const S* rate) {
   world_axis<S> sum{};
   for (int j = 0; j < r.axes; ++j) {
-    const world_axis<S>& by = at.axes[static_cast<std::size_t>(r.axes + r.axes * k + j)];
+    const world_axis<S>& by = at.axis(r.axes + r.axes * k + j);
     sum = {sum.linear + rate[j] * by.linear, sum.angular + rate[j] * by.angular};
   }
   return sum;
@@ -139,7 +139,7 @@ KTE_INLINE void along_axes(const body_node<P>& r, const joint_transform<S>& at, 
       break;
     case joint::varying:
       for (int k = 0; k < r.axes; ++k) {
-        const world_axis<S>& s = at.axes[static_cast<std::size_t>(k)];
+        const world_axis<S>& s = at.axis(k);
         linear = linear + x[k] * s.linear, angular = angular + x[k] * s.angular;
       }
   }
@@ -164,7 +164,7 @@ KTE_INLINE void powers_along(const body_node<P>& r, const joint_transform<S>& at
       break;
     }
     case joint::varying:
-      for (int k = 0; k < count; ++k) put(k, power_on(at.axes[static_cast<std::size_t>(k)], w));
+      for (int k = 0; k < count; ++k) put(k, power_on(at.axis(k), w));
   }
 }
 

@@ -25,9 +25,7 @@ void each_number(State& s, const tree::body_node<P>& r, const Visit& visit) {
 template <vector_of Which, class State, class P, class Number>
 KTE_INLINE void each_axis(State& s, const tree::body_node<P>& r, const Number& number) {
   if (r.moves == tree::joint::varying) [[unlikely]]
-    return each_number(s, r, [&](auto& c, std::size_t k) {
-      visit_numbers<Which>(c, [&](auto& x) { number(x, k); });
-    });
+    return each_number(s, r, [&](auto& c, std::size_t k) { visit_numbers<Which>(c, [&](auto& x) { number(x, k); }); });
   with_coordinate(s, r, [&](auto& c) {
     auto k = static_cast<std::size_t>(r.first);
     visit_numbers<Which>(c, [&](auto& x) { number(x, k++); });
@@ -57,7 +55,7 @@ void place_several(State& s, const tree::body_node<P>& r, tree::joint_transform<
     if constexpr (!requires { c.q; }) {
       if constexpr (!State::has_sines) update_angle(c);
       at.position = tree::slid(r, as<S>(spatial(c).position));
-      at.rotation = as<S>(matrix(spatial(c).rotation));
+      at.more.front().rotation = as<S>(matrix(spatial(c).rotation));
     }
   });
 }
@@ -105,9 +103,10 @@ template <class Elements, class State, class P, class S>
                                      tree::joint_transform<S>& at, bool second = false) {
   std::array<S, 6> q{};
   each_number(s, r, [&](const auto& x, std::size_t k) { q[k - static_cast<std::size_t>(r.first)] = x.q; });
-  at.axes.resize((std::max)(at.axes.size(), count_of_axes(r.axes, second)));
-  const tree::dense_pose<S> x = c.place_joint(r.element, q.data(), at.axes.data(), second);
-  at.position = tree::slid(r, x.position), at.rotation = x.rotation;
+  auto& [rotation, axes] = at.more.front();
+  axes.resize((std::max)(axes.size(), count_of_axes(r.axes, second)));
+  const tree::dense_pose<S> x = c.place_joint(r.element, q.data(), axes.data(), second);
+  at.position = tree::slid(r, x.position), rotation = x.rotation;
 }
 /// The same of one that does not turn, or about several axes.
 template <class Elements, class State, class P, class S>
@@ -123,15 +122,20 @@ template <class P>
 bool is_turning(const tree::body_node<P>& r) {
   return r.moves == tree::joint::revolute || r.moves == tree::joint::screw;
 }
-/// Bodies to where the coordinates of the state are.
+/// Bodies to where the coordinates of the state are; of coordinates that are up to date.
 template <class Elements, class State>
-void place_bodies(const Elements& c, State& s) {
-  bring_up_to_date(c, s);
+void place_bodies_by_coordinates(const Elements& c, State& s) {
   const auto& nodes = s.tree().body_tree.nodes;
   place_turning(s, s.tree().angles);
   if (s.tree().angles.size() == nodes.size()) return;
   for (std::size_t n = 0; n < nodes.size(); ++n)
     if (!is_turning(nodes[n])) place_other(c, s, nodes[n], s.work.joint_transforms[n]);
+}
+/// Bodies to where the coordinates of the state are.
+template <class Elements, class State>
+void place_bodies(const Elements& c, State& s) {
+  bring_up_to_date(c, s);
+  place_bodies_by_coordinates(c, s);
 }
 
 /// The same of a slot and all that it stands on: its way to the base, which is returned. Followers: of all.

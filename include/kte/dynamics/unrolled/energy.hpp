@@ -26,7 +26,7 @@ KTE_INLINE auto kinetic_energy_at(const Chain& c, const At& at, const V& v) {
       const auto see = [&m]<std::size_t Port>() KTE_INLINE_LAMBDA -> decltype(auto) {
         return m.template get<types::template what<I, Port>, Chain::wiring::slot(I, Port)>();
       };
-      if constexpr (requires { core.kinetic_energy(see.template operator()<P>()...); }) {
+      if constexpr (has_kinetic_energy<core_of<Chain, I>, decltype(see.template operator()<P>())...>) {
         return core.kinetic_energy(see.template operator()<P>()...);
       } else {
         return zero;
@@ -48,13 +48,13 @@ KTE_INLINE auto potential_energy_at(const Chain& c, const At& at) {
         return motion_of<types, types::template what<I, Port>, Chain::wiring::slot(I, Port)>(c, g);
       };
       const auto own = [&]() KTE_INLINE_LAMBDA {
-        if constexpr (requires { core.potential_energy(see.template operator()<P>()...); }) {
+        if constexpr (has_potential_energy<core_of<Chain, I>, decltype(see.template operator()<P>())...>) {
           return core.potential_energy(see.template operator()<P>()...);
         } else {
           return zero;
         }
       }();
-      if constexpr (requires { core.first_moment(see.template operator()<P>()...); }) {
+      if constexpr (has_first_moment<core_of<Chain, I>, decltype(see.template operator()<P>())...>) {
         return own - dot(c.gravity(), core.first_moment(see.template operator()<P>()...));
       } else {
         return own;

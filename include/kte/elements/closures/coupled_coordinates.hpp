@@ -21,6 +21,11 @@ struct coupled_coordinates : coordinate_closure<coupled_coordinates> {
   constexpr auto value(const Q& q1, const Q& q2) const {
     return factor1 * q1 + factor2 * q2 - constant;
   }
+  static constexpr std::array<std::string_view, 3> parameter_names{"factor1", "factor2", "constant"};
+  template <class Q>
+  constexpr Q by_parameter(int k, const Q& q1, const Q& q2) const {
+    return k == 0 ? q1 : k == 1 ? q2 : Q(-1);
+  }
   constexpr void check(const parameter_check& where) const {
     where.finite(factor1, "factor1 must be finite"), where.finite(factor2, "factor2 must be finite");
     where.finite(constant, "constant must be finite");
@@ -83,6 +88,6 @@ constexpr auto coupled_by(const L& loop, const Q1& q1, const Q2& q2, const Q3& q
   return connect(core::coupled_by<Law, 4>(law), q1, q2, q3, q4, loop);
 }
 
-KTE_CALL(coupled_coordinates, "(loop, q1, q2, factor1, factor2[, constant])")
+KTE_CALL(coupled_coordinates, "(loop, coordinate1, coordinate2, factor1, factor2[, constant])")
 
 }  // namespace kte
