@@ -6,6 +6,7 @@
 #include <kte/dynamics/closed_loops/actuated_dynamics.hpp>
 #include <kte/dynamics/closed_loops/actuated_forces.hpp>
 #include <kte/dynamics/closed_loops/assemble.hpp>
+#include <kte/dynamics/closed_loops/assemblies.hpp>
 #include <kte/dynamics/closed_loops/closure_derivatives.hpp>
 #include <kte/dynamics/closed_loops/constrained_dynamics.hpp>
 #include <kte/dynamics/closed_loops/derivatives.hpp>

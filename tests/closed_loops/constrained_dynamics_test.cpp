@@ -163,7 +163,7 @@ TEST_CASE("a closure is the limit of a stiff spring") {
   const vector q = four_bar_q(1, 0.7), v = four_bar_v(1, 1.1), none = vector::Zero(3);
   const auto r = constrained_dynamics(closed, s, q, v, none);
   const auto& force = r.loop("pin0").force;
-  // With the ends apart by force / k, of which the spring gives the force.
+  // The spring gives the force if its ends are force / k apart.
   const Eigen::MatrixXd j = loop_jacobian(closed, s, q);
   double last = 0;
   for (const double k : {1e6, 1e7}) {

@@ -209,7 +209,7 @@ TEST_CASE("a state of a model has the forces of closures, and the reactions by t
   const model m(c);
   const double rate = 1.2, phi = 0.9;
   const auto& s = m.state_at(0, m.make_x(four_bar_q(1, phi), four_bar_v(1, rate)));
-  // The weight and the centripetal force of all bars go into both pivots: 3 kg, of which the middle moves as shown.
+  // The weight and the centripetal force of all bars go into both pivots: 3 kg, whose middle moves as shown.
   const double k = four_bar_constant(1) * std::sin(phi);
   const double ax = 0.5 * (k * std::cos(phi) - rate * rate * std::sin(phi)),
                ay = -0.5 * (k * std::sin(phi) + rate * rate * std::cos(phi));

@@ -9,20 +9,20 @@
 
 namespace kte {
 
-/// The rows of a closure: `linear` ones in m before `angular` ones in rad, at most three of each; `count`: the sum.
+/// The rows of a closure: `linear` ones, in m, before `angular` ones, in rad, at most three of each; `count`: the sum.
 struct closure_rows {
   int linear = 0, angular = 0;
   constexpr int count() const { return linear + angular; }
 };
 
-/// What the functions of a closure give: its rows, in order.
+/// Returns the rows of a closure, in order.
 template <class... R>
 KTE_INLINE constexpr auto make_rows(const R&... r) {
   return values<R...>{{{r}...}};
 }
 
 namespace detail {
-/// The motion of a frame in another, in numbers.
+/// The motion of a frame relative to another, in numbers.
 template <class S>
 using closing_motion = motion<vec3<S>, mat3<vec3<S>>, vec3<S>, vec3<S>, vec3<S>, vec3<S>>;
 template <class S, class M>
@@ -100,20 +100,20 @@ KTE_INLINE constexpr auto& row_of(V& linear, V& angular, const closure_rows& row
 }
 }  // namespace detail
 
-/// Two frames A, B that a closure holds together. A core that derives from it has
+/// Two frames A, B that a closure holds together. A core derived from it has
 ///
-///   static constexpr closure_rows rows     how many rows there are
-///   residual(m)       g, zero where the loop is closed, of the position p and rotation R of B in A        (1)
+///   static constexpr closure_rows rows     the number of rows
+///   residual(m)       g, zero where the loop is closed, from position p and rotation R of B in A          (1)
 ///   residual_dot(m)   dg/dt = J v, linear in the velocity v and angular velocity w of B in A              (2)
 ///   residual_ddot(m)  the second derivative, with acceleration a and angular acceleration al              (3)
 ///
-/// where m is the motion of B in A (frames/motion.hpp): p in axes of A, rates in axes of B, so that p_dot = R v and
-/// p_ddot = R a. Each gives `make_rows(...)`. Its ports are A, B and the name of the loop:
+/// where m is the motion of B in A (frames/motion.hpp): p in the axes of A, rates in the axes of B, so that p_dot = R v
+/// and p_ddot = R a. Each function returns `make_rows(...)`. The ports are A, B and the name of the loop:
 ///
 ///   {Dim, access::on, "frame1"}, {Dim, access::on, "frame2"}, {kind::loop, access::keep, "loop"}
 ///
-/// The load of multipliers lambda on B is that whose power on any rates is lambda times (2); on A the opposite, at its
-/// origin.
+/// The load of the multipliers lambda on B has the power lambda times (2) for any rates; the opposite load acts on A,
+/// at its origin.
 template <class Core>
 struct closure {
   template <class A, class B, class Loop>
@@ -138,7 +138,7 @@ struct closure {
     return make_loads(detail::in_space_of<Core::ports[0].what>(wrench{-on_a.force, -on_a.torque}),
                       detail::in_space_of<Core::ports[0].what>(on_b));
   }
-  /// Puts (1) into the loop, by doMotion.
+  /// Writes (1) to the loop; called by doMotion.
   template <class A, class B, class S>
   constexpr void put_residual(const A& a, const B& b, loop_state<S>& loop) const {
     const auto m = detail::as_closing_motion<S>(relative(spatial(a), spatial(b)));

@@ -11,7 +11,7 @@
 namespace kte {
 
 namespace detail {
-/// What `.at(...)` makes of an element core: joints have a placement (contract/placement.hpp).
+/// `.at(...)` of an element core: joints have a placement (contract/placement.hpp).
 template <class Core>
 struct placement {
   template <class... Place>
@@ -25,14 +25,13 @@ struct placement {
 
 template <class Core, class... Names>
 constexpr auto connect(const Core& core, const Names&... names);
-/// Passes on an invalid element: its error has been reported.
+/// Passes an invalid element on, whose error has been reported.
 template <class... Names>
 constexpr detail::refused connect(detail::refused, const Names&...) {
   return {};
 }
 
-/// An element of a static chain: a core with the arithmetic and the parameters, and the keys that its ports are
-/// connected to.
+/// An element of a static chain: a core with its passes and parameters, and the keys connected to its ports.
 template <class Core, class... Keys>
 struct element {
   static_assert(sizeof...(Keys) == port_count<Core>);
@@ -46,7 +45,7 @@ struct element {
   }
 };
 
-/// An element of a runtime chain: a `core`, and the names that its ports are connected to.
+/// An element of a runtime chain: a `core`, and the names connected to its ports.
 template <class Core>
 struct named_element {
   using core_type = Core;
@@ -76,7 +75,7 @@ constexpr refused together(refused, const Others&...) {
 }
 }  // namespace detail
 
-/// Several elements, which a runtime chain appends in order: all or none.
+/// Several elements that a runtime chain appends in order, all or none.
 template <class... Core>
 struct named_elements {
   std::tuple<named_element<Core>...> all;
@@ -92,7 +91,7 @@ struct named_elements {
 };
 
 namespace detail {
-/// What must hold for a core before it is connected: contract/transmission.hpp says it of joints and links.
+/// Conditions on a core before it is connected; contract/transmission.hpp has those of joints and links.
 template <class Core>
 struct check_core {
   static constexpr bool passed = true;

@@ -9,24 +9,24 @@
 
 namespace kte {
 
-/// How an element uses what is connected to a port.
+/// The use of the item that is connected to a port.
 enum class access : unsigned char {
   in,     ///< reads it; a coordinate that no element writes is a degree of freedom of the chain
   angle,  ///< reads it, with cosine and sine of the angle, or the matrix of the rotation
-  on,     ///< acts on it by a force; another element must move by it: a spring alone makes no degree of freedom
+  on,     ///< acts on it by a force; another element must move it: a spring alone makes no degree of freedom
   out,    ///< writes it
   base,   ///< declares it: its motion is prescribed
   keep    ///< an internal state: reads it and computes its rate, as the only element
 };
 
-/// One connection of an element: what kind, how it is used, and the role by which messages and files call it.
+/// A port of an element: `what`: the kind of its item; `how`: its use; `role`: its name in messages and files.
 struct port {
   kind what;
   access how;
   std::string_view role;
   /// Whether the element writes it.
   constexpr bool writes() const { return how == access::out || how == access::base; }
-  /// Whether it must not be connected before: the element writes or declares it.
+  /// Whether the element writes or declares the item, which must then be new.
   constexpr bool declares() const { return declares(how); }
   static constexpr bool declares(access a) { return a == access::out || a == access::base || a == access::keep; }
 };
@@ -40,7 +40,7 @@ template <class Core>
 inline constexpr std::size_t input_count = port_count<Core> - (Core::ports.back().writes() ? 1 : 0);
 
 namespace detail {
-/// Whether it writes a signal: a measure, a control. It then puts no loads.
+/// Whether it writes a signal, as a measure or a control. It then has no loads.
 template <class Core>
 inline constexpr bool writes_signal = Core::ports.back().how == access::out&& is_signal(Core::ports.back().what);
 /// Whether it closes a kinematic loop: its core derives from `closure` (contract/closure.hpp), and its last port is the
@@ -58,7 +58,7 @@ inline constexpr bool is_closure = Core::ports.back().what == kind::loop&& Core:
   return s + ")";
 }
 
-/// The name of a type of elements, `text`: "rigid_link" and 3D give "rigid_link_3D".
+/// The name of a type of elements, `text`: "rigid_link" in space gives "rigid_link_3D".
 template <std::size_t N>
 struct type_name {
   char text[N + 4]{};

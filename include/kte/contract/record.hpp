@@ -69,7 +69,7 @@ namespace detail {
 [[gnu::noinline]] inline void add_connection(element_record& r, std::string_view role, std::string_view name) {
   r.connections.push_back({std::string(role), std::string(name)});
 }
-/// A parameter without numbers, for them.
+/// Adds a parameter without numbers and returns its list.
 [[gnu::noinline]] inline std::vector<double>& add_parameter(element_record& r, const char* name) {
   r.parameters.push_back({name, {}});
   return r.parameters.back().values;

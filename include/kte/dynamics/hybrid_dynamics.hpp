@@ -9,20 +9,20 @@ namespace kte {
 /// The coordinates with prescribed accelerations, an argument of `hybrid_dynamics`.
 template <key_type... Keys>
 struct prescribed_coordinates {};
-/// The coordinates with prescribed accelerations, an argument of `hybrid_dynamics`.
+/// Names the degrees of freedom of a static chain whose accelerations are prescribed.
 template <key_type... Keys>
 [[nodiscard]] constexpr prescribed_coordinates<Keys...> prescribed(const Keys&...) {
   return {};
 }
 
-/// All accelerations a and the generalized forces tau.
+/// Result of `hybrid_dynamics`: all accelerations a and generalized forces tau.
 template <class S, int N>
 struct hybrid_dynamics_result {
   joint_vector<S, N> a, tau;
 };
 
 namespace detail {
-/// The accelerations of some coordinates; typed zeros for all others.
+/// The accelerations of some coordinates; all others are typed zeros.
 template <class S, class Wiring, class V, class... Keys>
 struct some_accelerations {
   const V& known;
@@ -53,16 +53,16 @@ struct some_accelerations {
 }  // namespace detail
 
 /// Accelerations and forces of a chain in which some coordinates have prescribed accelerations and the others known
-/// forces (Featherstone, Rigid Body Dynamics Algorithms, 2008, section 9.2). known: for a prescribed coordinate its
-/// accelerations, for others the applied forces, as tau of `forward_dynamics`:
+/// forces (Featherstone, Rigid Body Dynamics Algorithms, 2008, section 9.2). `known` has dofs numbers: accelerations
+/// for prescribed coordinates, applied forces (as tau of `forward_dynamics`) for the others.
 ///
 ///   const auto r = kte::hybrid_dynamics(arm, q, v, known, kte::prescribed(shoulder, elbow));      // static
 ///   const auto r = kte::hybrid_dynamics(arm, s, q, v, known, {"shoulder", "elbow"});              // runtime
 ///
-/// By the articulated-body algorithm with prescribed joints as moving links; if coordinates follow others, or two
-/// joints share one, by the rows of M of the unknown accelerations. Then by inverse dynamics for the forces. Returns a
-/// value; other arguments and errors as for `forward_dynamics`. A text that names no degree of freedom throws
-/// `bad_argument` or `unknown_name`.
+/// The articulated-body algorithm computes the unknown accelerations, with prescribed joints as moving links. If
+/// coordinates follow others, or two joints share one, it is replaced by a factorization of the rows of M that belong
+/// to the unknown accelerations. Inverse dynamics then gives the forces. Returns a value. Other arguments and errors
+/// are those of `forward_dynamics`. A name that is not a degree of freedom throws `bad_argument` or `unknown_name`.
 template <class Gravity, class... E, indexable Q, indexable V, indexable X, key_type... Keys>
 [[nodiscard]] auto hybrid_dynamics(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const X& known,
                                    prescribed_coordinates<Keys...>) {
@@ -99,7 +99,7 @@ template <class Gravity, class... E, indexable Q, indexable V, indexable X, key_
   }
   r.tau = detail::generalized_forces<S>(c, detail::given{at, detail::each<S, V>{v}, detail::each<S, vector>{r.a}, base},
                                         minus_one);
-  for (int i = 0; i < chain_type::dofs; ++i)  // what is known is given back as it came
+  for (int i = 0; i < chain_type::dofs; ++i)  // given numbers are returned unchanged
     if (!accelerations::is_known[static_cast<std::size_t>(i)]) r.tau[i] = force[i];
   return r;
 }
@@ -108,7 +108,7 @@ template <class Gravity, class... E, indexable Q, indexable V, indexable X, key_
 
 #endif
 
-// ---- of runtime chains (kte/dynamics/runtime_parts.hpp)
+// ---- runtime chains (kte/dynamics/runtime_parts.hpp)
 
 #if defined(KTE_RUNTIME_CHAINS) && !defined(KTE_HYBRID_DYNAMICS_OF_RUNTIME_CHAINS)
 #define KTE_HYBRID_DYNAMICS_OF_RUNTIME_CHAINS
@@ -161,7 +161,7 @@ hybrid_dynamics_result<S, Eigen::Dynamic> hybrid_dynamics(const runtime_chain& c
     r.a = accelerations_under(
         c, s, [&force](int i) { return force[i]; }, is_known);
     r.tau = inverse_dynamics(c, s);
-    for (std::size_t i = 0; i < n; ++i)  // what is known is given back as it came
+    for (std::size_t i = 0; i < n; ++i)  // given numbers are returned unchanged
       if (!is_known[i]) r.tau[static_cast<Eigen::Index>(i)] = force[static_cast<Eigen::Index>(i)];
     return r;
   });

@@ -43,7 +43,8 @@ struct inertia {
     const auto v_c = plus_cross(x.velocity, w, c);
     return detail::half(m * dot(v_c, v_c) + dot(w, J * w));
   }
-  /// For the composite-rigid-body algorithm in scalars S; in more than double precision, from the parameters again.
+  /// The mass for the composite-rigid-body algorithm in scalars S. Scalars of more than double precision recompute it
+  /// from the parameters.
   template <class S>
   KTE_INLINE constexpr auto mass() const {
     if constexpr (std::numeric_limits<S>::digits <= std::numeric_limits<double>::digits) {
@@ -75,7 +76,7 @@ struct inertia {
 
  private:
   static constexpr decltype(at_origin) composite_of(const rigid_body<Mass, Com, Inertia>& b) {
-#if defined(__clang__)  // which stops at arithmetic that gives NaN: NaN is left to `check`
+#if defined(__clang__)  // clang stops at arithmetic that gives NaN; `check` handles NaN
     if (std::is_constant_evaluated()) {
       parameter_check::breach broken;
       const parameter_check numbers{type, ports, {}, broken};

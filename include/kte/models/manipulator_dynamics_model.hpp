@@ -95,7 +95,7 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
   }
 
   /// x' of (1). Throws `bad_argument` for numbers that are not finite, `singular_mass_matrix`.
-  rate computeStateRate(const S& t, const state& x) const {
+  [[nodiscard]] rate computeStateRate(const S& t, const state& x) const {
     const S *q = x.data(), *v = q + size::q, *z = v + size::v;
     const detail::configuration<S, wiring, const S*> at(q);
     const auto bases = bases_at(t, z);
@@ -110,16 +110,16 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
     if constexpr (size::z > 0) detail::internal_rates(this->chain(), at, v, bases, &r[2 * size::v]);
     return r;
   }
-  /// x' of (1), for integrators. If it throws, they try a shorter step, or report the time and the cause.
+  /// x' of (1), for integrators. If it throws, integrators try a shorter step, or report the time and the cause.
   rate operator()(const S& t, const state& x) const { return computeStateRate(t, x); }
   /// x' of a vector of dynamic size, which is checked first; `state_at` and `computeOutput` likewise.
   template <class X>
   requires(X::SizeAtCompileTime == Eigen::Dynamic) rate operator()(const S& t, const Eigen::MatrixBase<X>& x) const {
     return computeStateRate(t, this->checked(x.derived()));
   }
-  /// The derivatives of x' by displacements from x, which have as many numbers as x'
-  /// (models/detail/rate_derivatives.hpp): for states of numbers, J_ij = d x'_i / d x_j. Exact to rounding; inputs are
-  /// as set. Stiff methods use it.
+  /// The Jacobian of x': derivatives by displacements from x, square of the size of x'
+  /// (models/detail/rate_derivatives.hpp); without rotations J_ij = d x'_i / d x_j. Exact to rounding; inputs are as
+  /// set. Stiff methods use it.
   using jacobian_matrix = Eigen::Matrix<S, size::x_dot, size::x_dot>;
   /// False for chains with load-dependent friction and internal states, for which stiff methods use differences: the
   /// friction depends on accelerations, and so do these states.
@@ -131,8 +131,8 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
     return j;
   }
   void jacobian(const S& t, const state& x, jacobian_matrix& j) const requires(has_jacobian) { derive(t, x, j); }
-  /// (J B): `jacobian` and the derivatives of x' by inputs. Without a `jacobian`, all are computed by dual numbers.
-  auto jacobian_with_inputs(const S& t, const state& x) const {
+  /// (J B): `jacobian`, and the derivatives B of x' by inputs. Without `jacobian`, both are computed by dual numbers.
+  [[nodiscard]] auto jacobian_with_inputs(const S& t, const state& x) const {
     Eigen::Matrix<S, size::x_dot, size::x_dot + size::u> j;
     if constexpr (has_jacobian) {
       derive(t, x, j);
@@ -141,9 +141,9 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
     }
     return j;
   }
-  /// The generalized forces M a at x, N and Nm: those of gravity, elements and inputs, less Coriolis and centrifugal
+  /// The generalized forces M a at x, N and Nm: those of gravity, elements and inputs, minus Coriolis and centrifugal
   /// forces.
-  joint_vector<S, size::v> forces_at(const state& x, const S& t = S(0)) const {
+  [[nodiscard]] joint_vector<S, size::v> forces_at(const state& x, const S& t = S(0)) const {
     const S *q = x.data(), *v = q + size::q;
     const detail::configuration<S, wiring, const S*> at(q);
     const auto bases = bases_at(t, v + size::v);
@@ -156,7 +156,7 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
   /// The elements that may lock a coordinate, with their coordinates and modes.
   static constexpr auto locks() { return locks_of(std::index_sequence_for<E...>{}); }
   /// The holding forces that keep the present accelerations, N and Nm.
-  joint_vector<S, size::v> needed_forces(const S& t, const state& x) const {
+  [[nodiscard]] joint_vector<S, size::v> needed_forces(const S& t, const state& x) const {
     const S *q = x.data(), *v = q + size::q;
     const rate r = computeStateRate(t, x);
     const detail::configuration<S, wiring, const S*> at(q);
@@ -166,7 +166,7 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
                                          detail::given{at, numbers{v}, numbers{r.data() + size::v}, bases}, minus_one);
   }
   /// The largest holding force of an element, N or Nm.
-  S capacity(const S& t, const state& x, std::size_t element) const {
+  [[nodiscard]] S capacity(const S& t, const state& x, std::size_t element) const {
     auto s = make_state<S>(this->chain());
     if constexpr ((detail::locks_by_load<typename E::core_type> || ...))
       s = state_at(t, x);
@@ -176,7 +176,7 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
   }
 
   using base::input;
-  /// The value of an input: `model.input(motor) = 2.0`; for an input of three numbers a vector of Eigen.
+  /// The value of an input: `model.input(motor) = 2.0`. An input of three numbers is an Eigen vector.
   template <key_type Key>
   decltype(auto) input(const Key&) {
     constexpr int slot = wiring::template find<Key>();
@@ -192,7 +192,7 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
   }
 
   /// The state x of a state of the chain.
-  state getJointStates(const chain_state<S, wiring>& s) const {
+  [[nodiscard]] state getJointStates(const chain_state<S, wiring>& s) const {
     state x = this->make_x(positions(s), velocities(s));
     for (int i = 0; i < size::z; ++i) x[size::q + size::v + i] = s.template get<kind::internal>(i).z;
     return x;
@@ -218,7 +218,7 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
     }
   }
   /// A state of the chain at x, with all its frames, accelerations and forces.
-  auto state_at(const S& t, const state& x) const {
+  [[nodiscard]] auto state_at(const S& t, const state& x) const {
     auto s = make_state<S>(this->chain());
     setJointStates(t, x, s);
     const rate r = computeStateRate(t, x);
@@ -234,7 +234,7 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
   }
 
   /// The output y: (q, v), or the function of `with_output`.
-  auto computeOutput(const S& t, const state& x) const {
+  [[nodiscard]] auto computeOutput(const S& t, const state& x) const {
     if constexpr (std::is_void_v<Output>) {
       return x.template head<size::q + size::v>().eval();
     } else {
@@ -247,9 +247,9 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
   }
   /// Whether the output is a function of `with_output`, not (q, v).
   static constexpr bool has_output() { return !std::is_void_v<Output>; }
-  /// The system in another scalar: in dual numbers its rates and outputs have derivatives.
+  /// The system in another scalar, such as dual numbers, with which rates and outputs have derivatives.
   template <class T>
-  auto in_scalar() const {
+  [[nodiscard]] auto in_scalar() const {
     const auto made = [this] {
       using other = manipulator_dynamics_model<chain_type, T, Output>;
       if constexpr (std::is_void_v<Output>) {
@@ -264,7 +264,7 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
   }
   /// The system with another output: `model.with_output([](const auto& s) { return s[tip].position.x; })`.
   template <class F>
-  auto with_output(const F& f) const {
+  [[nodiscard]] auto with_output(const F& f) const {
     manipulator_dynamics_model<chain_type, S, F> m(this->chain(), f);
     m.setInput(this->u_);
     return m;
@@ -333,7 +333,7 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
     if constexpr (J::ColsAtCompileTime > 2 * size::v)
       detail::derive_signals(this->chain(), t, x, this->u_, of_accelerations, j);
   }
-  /// As in models/detail/rate_derivatives.hpp, all of it by dual numbers.
+  /// All derivatives of models/detail/rate_derivatives.hpp by dual numbers.
   template <class J>
   void derive_by_duals(const S& t, const state& x, J& j) const {
     using number = dual<S, 4>;
@@ -351,7 +351,7 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
     }
     for (const detail::freedom& f : this->freedoms()) detail::add_variation_of_pull_back<S>(f, at_x, j);
   }
-  /// At rest, with the signals of the chain.
+  /// Bases at rest, with the signals of the chain.
   auto bases_at(const S& t, const S* z) const {
     return detail::with_signals<wiring>(detail::base_under_gravity(this->chain()), t, this->u_.data(), z);
   }

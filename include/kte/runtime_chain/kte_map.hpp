@@ -22,7 +22,7 @@ class basic_runtime_state;
 /// The state of a runtime chain in double.
 using runtime_state = basic_runtime_state<double>;
 namespace detail {
-/// In which derivatives go through elements, four directions at a time.
+/// The scalar of derivatives through elements, four directions at a time.
 using derivative_number = dual<double, 4>;
 template <class D>
 class basic_derivative_state;
@@ -30,7 +30,7 @@ using derivative_state = basic_derivative_state<derivative_number>;
 }  // namespace detail
 class topology;
 
-/// A kinetostatic transmission element of a runtime chain: an element, a static chain, or a chain of such.
+/// An element of a runtime chain: a kinetostatic transmission element, a static chain, or a chain.
 class kte_map {
  public:
   virtual ~kte_map() = default;
@@ -44,13 +44,13 @@ class kte_map {
   /// Transmits forces from output frames, and adds its own, to input frames.
   virtual void doForce(runtime_state&) const = 0;
 
-  /// A copy.
+  /// Returns a copy.
   virtual std::unique_ptr<kte_map> clone() const = 0;
-  /// Its gravity, m/s^2, which a chain takes when it is appended. Zero is none.
+  /// Its gravity, m/s^2, which a chain takes over when the part is appended. Zero means none.
   virtual vec3<> gravity() const { return {}; }
-  /// Calls `visit` for every single element in it, in order.
+  /// Calls `visit` for every element in it, in order.
   virtual void for_each_element(const std::function<void(const kte_element&)>& visit) const = 0;
-  /// The first part that records cannot hold, as it is neither an element nor a chain; null if there is none.
+  /// The first part that records cannot hold, because it is neither an element nor a chain; null if there is none.
   virtual const kte_map* unrecorded() const { return this; }
   /// Connects all its elements to a chain; called again if the chain is restored after a failure. Throws `bad_wiring`.
   virtual void connect(topology&) = 0;
@@ -68,7 +68,7 @@ class kte_element : public kte_map {
 
   virtual std::string_view type() const = 0;
   virtual std::span<const port> ports() const = 0;
-  /// The names that its ports are connected to.
+  /// The names at its ports.
   virtual std::span<const std::string> names() const = 0;
   /// Whether it holds functions of the program, which a record cannot hold.
   virtual bool holds_code() const = 0;
@@ -76,12 +76,12 @@ class kte_element : public kte_map {
   virtual double kinetic_energy(runtime_state&) const = 0;
   /// Its potential energy after doMotion, J, without that in gravity.
   virtual double potential_energy(runtime_state&) const = 0;
-  /// The function that goes through zero where its law changes, after doMotion; 1 if it never does.
+  /// The function that passes through zero where its law changes, after doMotion; 1 if it never changes.
   virtual double switching(runtime_state&) const = 0;
   /// Whether its law changes at events.
   virtual bool switches() const = 0;
 
-  /// What it is to the loops over body nodes (tree/body_node.hpp).
+  /// The data of the element for the loops over body nodes (tree/body_node.hpp).
   virtual detail::element_numbers<double> numbers() const = 0;
   /// For a joint with varying axes: the pose of its end in its base at coordinates q, and its axes with their
   /// derivatives (contract/varying_joint.hpp).
@@ -155,7 +155,7 @@ class kte_element : public kte_map {
 }
 
 namespace detail {
-/// What an element says is wrong, with its name.
+/// Throws an error of an element with its name.
 template <class Error>
 [[noreturn, gnu::cold]] void raise_named(const kte_element& e, const Error& why) {
   std::string_view text = why.what();

@@ -12,7 +12,7 @@
 
 namespace kte {
 
-/// An element of a runtime chain: the core of a static chain, connected by texts.
+/// An element of a runtime chain: an element core, connected by texts.
 template <class Core>
 class kte_map_adapter final : public kte_element {
  public:

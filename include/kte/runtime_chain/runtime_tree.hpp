@@ -5,10 +5,10 @@
 #include <kte/tree/chain_tree.hpp>
 #include <kte/tree/loop_memory.hpp>
 
-/// The body nodes of a runtime chain, worked out once for all copies of a state.
+/// The body nodes of a runtime chain, computed once for all copies of a state.
 namespace kte::detail {
 
-/// What `arrange` asks of a runtime chain.
+/// A runtime chain in the form that `arrange` reads.
 struct runtime_connections {
   const topology& t;
   std::size_t elements() const { return t.elements.size(); }

@@ -63,14 +63,14 @@ class assembly {
     for (const int row : held) is_held[static_cast<std::size_t>(row)] = 1;
     for (int row = 0; row < s.dofs(); ++row)
       if (!is_held[static_cast<std::size_t>(row)]) free_.push_back(row);
-    unit_.setOnes(s.dofs());
+    unit_.setOnes(s.dofs()), slides_.assign(static_cast<std::size_t>(s.dofs()), 0);
     const auto& f = s.tree().body_tree;
     for (const auto& r : f.nodes)
       for (int k = 0; k < r.axes; ++k) {
         const int row = f.row[static_cast<std::size_t>(r.first + k)];
         const bool slides =
             r.moves == tree::joint::prismatic || (r.moves == tree::joint::several && r.axis[std::size_t(k)] < 3);
-        if (row < s.dofs() && slides) unit_[row] = equations_.places.length;
+        if (row < s.dofs() && slides) unit_[row] = equations_.places.length, slides_[static_cast<std::size_t>(row)] = 1;
       }
   }
   /// A configuration on the loops, from q.
@@ -114,6 +114,10 @@ class assembly {
     return equations_.residual.norm();
   }
   double gap() const { return equations_.residual.cwiseAbs().maxCoeff(); }
+  /// Of coordinates: the length of the chain, or 1 rad.
+  const Eigen::VectorXd& units() const { return unit_; }
+  /// Whether a degree of freedom is a length.
+  bool slides(int row) const { return slides_[static_cast<std::size_t>(row)] != 0; }
   /// (1), of g and J as they are; false where nothing moves.
   bool step(double mu, Eigen::VectorXd& d) const {
     const auto m = equations_.residual.size(), n = static_cast<Eigen::Index>(free_.size());
@@ -164,6 +168,7 @@ class assembly {
   const Set& set_;
   const Moved& moved_;
   std::vector<int> free_;
+  std::vector<char> slides_;
   Eigen::VectorXd unit_;  ///< of coordinates: the length of the chain, or 1 rad
 };
 

@@ -11,8 +11,8 @@
 
 namespace kte::batch::detail {
 
-/// `Function` of a runtime chain and of inputs with in[i] numbers a state each, giving `out` numbers a state: as `job`,
-/// whose numbers are known to the compiler. Each task has its own state.
+/// `Function` of a runtime chain for many states, with in[i] numbers per state of input i and `out` numbers per state
+/// of the result. The counterpart of `job`, whose sizes are known at compile time. Each task has its own state.
 template <class Function, class P, std::size_t Inputs>
 class runtime_job {
   using T = typename P::value_type;
@@ -43,7 +43,8 @@ class runtime_job {
  private:
   static constexpr std::size_t chunk = 64 * w;
 
-  /// States first, first + 1 ..., the last of them repeated. Says whether they have an answer.
+  /// Evaluates states first, first + 1, ... together, repeating the last to fill a pack. Returns whether all have
+  /// results.
   bool together(std::size_t first, std::size_t count, basic_runtime_state<P>& s, vectors& x) {
     take(first, count, x);
     try {

@@ -5,7 +5,7 @@
 /// Energies of static chains, element by element.
 namespace kte::detail {
 
-/// Sum over the elements of a chain of f<I>(), which may be a typed zero.
+/// The sum over the elements of a chain of f<I>(), which may be a typed zero.
 template <class Chain, class F>
 KTE_INLINE constexpr auto sum_over_elements(const F& f) {
   return [&f]<std::size_t... I>(std::index_sequence<I...>) KTE_INLINE_LAMBDA {
@@ -36,7 +36,7 @@ KTE_INLINE auto kinetic_energy_at(const Chain& c, const At& at, const V& v) {
   });
 }
 
-/// Of gravity, and of the elements that have a potential, of which only the anchors are evaluated.
+/// The potential energy of gravity and of elements. For the latter only their anchors are evaluated.
 template <class S, class Chain, class At>
 KTE_INLINE auto potential_energy_at(const Chain& c, const At& at) {
   const given g{at, same<skip>{}, same<skip>{}, base_with_pose};

@@ -4,19 +4,20 @@
 #include <kte/dynamics/configuration_space.hpp>
 #include <kte/dynamics/state_vectors.hpp>
 
-/// Steps of a model whose chain has loops. With J_S, R of the rows that are chosen at the state x0 where a step starts,
-/// and N = M^-1 J_S^T R^-1 (dynamics/closed_loops/loop_factor.hpp):
+/// Steps of a model whose chain has loops. J_S, R are those of the independent rows chosen at the state x0 where a step
+/// starts, and N = M^-1 J_S^T R^-1 (dynamics/closed_loops/loop_factor.hpp):
 ///
 ///   q(d) = q0 (+) (d_q + N mu),   g_S(q) = 0           (1)
 ///   v(d) = v0 + d_v + N nu,       J_S(q) v = 0         (2)
 ///   e <- e - N R^-T J_S e         of error estimates    (3)
 ///
-/// (Eich, Convergence results for a coordinate projection method, SIAM J. Numer. Anal. 30, 1993: projection keeps the
-/// order, by (3).) Rows are chosen where the state is on the loops: those that depend on others there do not, away from
-/// them.
+/// The projection keeps the order of the method, by (3) (Eich, Convergence results for a coordinate projection method,
+/// SIAM J. Numer. Anal. 30, 1993). Rows are chosen on the loops, because rows that are dependent there are independent
+/// away from them.
 namespace kte::detail {
 
-/// A state is on the loops where residuals are below this, in parts of the length of the chain; off them above.
+/// A state is on the loops if residuals are below the first bound, and off the loops above the second, relative to the
+/// size of the chain.
 inline constexpr double on_loops_within = 1e-12, off_loops_above = 1e-8;
 
 struct loop_step {
@@ -24,7 +25,7 @@ struct loop_step {
   loop_equations equations;  ///< at x0
   loop_factor factor;
   double gap = 0;      ///< the largest residual
-  double sliding = 0;  ///< the largest rate of one, in parts of what rates of coordinates could make
+  double sliding = 0;  ///< the largest residual rate, relative to the largest that the rates of coordinates could cause
 };
 
 /// The loops of a runtime model; those of other models have the same functions.
@@ -72,7 +73,7 @@ std::string gap_text(const Closures& c, const loop_equations& e) {
   return "'" + c.loop_name(widest.closure->loop) + "' is open by " + number(widest.size) +
          (widest.linear ? " m" : " rad");
 }
-/// Loops that are closed to rounding tell branches apart while pivots are above its root.
+/// With loops closed to rounding, branches can be distinguished if pivots are above the square root of rounding.
 inline constexpr double least_pivot_of_branch = 1e-7;
 /// Throws `bad_argument` where a step starts off the loops, or so near to a singular configuration that branches cannot
 /// be told apart.
