@@ -59,7 +59,7 @@ questions ask(const std::string& model) {
   return out;
 }
 
-/// Of the position relative to the reach, or of the rotation, rad.
+/// The error of the position relative to the reach, or of the rotation, rad.
 double error_of(const arm_numbers& arm, const double* q, const arm_question& x) {
   const auto [R, p] = pose_at<long double>(arm, q);
   const auto& r = x.rotation;
@@ -76,7 +76,7 @@ bool same_posture(const double* a, const std::vector<double>& b) {
   return true;
 }
 
-void time(benchmark::State& state, const std::string& model, wanted what, answer_call f, std::size_t together) {
+void time(benchmark::State& state, const std::string& model, answer_kind what, answer_call f, std::size_t together) {
   const arm_numbers& arm = arm_of(model);
   const questions asked = ask(model);
   std::vector<double> q(together * room_for_answers);
@@ -90,7 +90,7 @@ void time(benchmark::State& state, const std::string& model, wanted what, answer
       const double* at = q.data() + one * room_for_answers + i * arm.geometry.n;
       const double e = error_of(arm, at, asked.all[k]);
       error = e >= error || e != e ? e : error;
-      known |= what == wanted::any || same_posture(at, asked.postures[k]);
+      known |= what == answer_kind::any || same_posture(at, asked.postures[k]);
     }
     found += known, answers += count[one];
   }
@@ -116,7 +116,7 @@ const arm_numbers& arm_of(const std::string& model) {
   return all.at(model);
 }
 
-void add_arm(const std::string& how, const std::string& model, wanted what, answer_call f, std::size_t together) {
+void add_arm(const std::string& how, const std::string& model, answer_kind what, answer_call f, std::size_t together) {
   benchmark::RegisterBenchmark(("inverse_kinematics/" + how + "/" + model).c_str(),
                                [=](benchmark::State& state) { time(state, model, what, f, together); });
 }

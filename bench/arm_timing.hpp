@@ -31,13 +31,14 @@ struct arm_question {
 using answer_call = void (*)(const arm_question* x, double* q, int* count);
 inline constexpr std::size_t room_for_answers = 16 * kte::detail::arm_geometry::most;
 
-/// Whether a way is to find the posture of which the pose was made, or any.
-enum class wanted { posture, any };
+/// Whether a method must find the posture from which the pose was computed, or any posture.
+enum class answer_kind { posture, any };
 
 /// Registers `inverse_kinematics/how/model`: time of a question, each time another of 512. Postures and starts are
 /// random within limits. Counters: `error`, the largest of all answers, of the position relative to the reach or of the
 /// rotation in rad, by kinematics in extended precision; `found`, the share of questions that have what is needed among
 /// the answers; `answers`, how many there are to a question.
-void add_arm(const std::string& how, const std::string& model, wanted what, answer_call f, std::size_t together = 1);
+void add_arm(const std::string& how, const std::string& model, answer_kind what, answer_call f,
+             std::size_t together = 1);
 
 }  // namespace bench

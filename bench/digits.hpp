@@ -23,7 +23,7 @@ block list(const real (&x)[N]) {
   return {x, x + N};
 }
 
-/// Of a state of a robot and, if known, its derivatives; nothing if the data do not have it.
+/// The expected results at a state of a robot, with derivatives if known; empty if the data do not have them.
 template <class State, int N>
 std::vector<block> from_digits(operation o, const State& s, const kte::reference::derivatives<N>* d) {
   constexpr bool floats = requires { s.foot_jacobian; };

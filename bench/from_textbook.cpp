@@ -37,7 +37,7 @@ std::array<vector, 3> vectors(const std::array<std::vector<double>, 3>& numbers)
 }
 
 /// Columns of the regressor: inverse dynamics where one body has one inertial parameter, m, m c, I about the origin of
-/// its frame, and nothing else has any. There is no first moment without a mass, of which the force is subtracted.
+/// its frame, and nothing else has any. A first moment requires a mass, whose force is subtracted.
 block columns_of_bodies(serial_robot robot, const vector& q, const vector& v, const vector& a) {
   for (auto& l : robot.links) l.mass = 0, l.com.setZero(), l.inertia.setZero();
   const auto forces = [&] { return textbook<real>(robot).inverse_dynamics(q, v, a); };

@@ -83,10 +83,10 @@ struct arm_calls {
     *count = r.status == kte::numerical_ik_status::reached;
   }
   static void add() {
-    add_arm("closed", Model::name, wanted::posture, closed);
-    add_arm("closed_pack8", Model::name, has_arm_angle ? wanted::any : wanted::posture, closed_pack8, 8);
-    add_arm("clik", Model::name, wanted::any, numerical<false>);
-    add_arm("numeric", Model::name, wanted::any, numerical<true>);
+    add_arm("closed", Model::name, answer_kind::posture, closed);
+    add_arm("closed_pack8", Model::name, has_arm_angle ? answer_kind::any : answer_kind::posture, closed_pack8, 8);
+    add_arm("clik", Model::name, answer_kind::any, numerical<false>);
+    add_arm("numeric", Model::name, answer_kind::any, numerical<true>);
   }
 };
 

@@ -27,7 +27,7 @@ kte::runtime_chain chains_of_one(int n) {
   return c;
 }
 
-/// Times f(a chain of `of_links` links), of which one is made for all calls.
+/// Times f for a chain of `of_links` links, which is made once for all calls.
 template <class F>
 void add_of_chain(const char* name, int n, int of_links, const F& f) {
   benchmark::RegisterBenchmark((name + ("/runtime/" + std::to_string(n))).c_str(), [=](benchmark::State& state) {

@@ -29,7 +29,7 @@ Eigen::Matrix3d matrix_of(const kte::sym3<T...>& x) {
   return m;
 }
 
-/// Of a chain of one link, joint and body after the other, and a link to the tool.
+/// The robot of a chain that consists of links, joints and bodies in turn, and a link to the tool.
 template <class Chain>
 serial_robot robot_of_chain(const Chain& chain) {
   serial_robot r{{}, vector_of(chain.gravity()), Eigen::Matrix3d::Identity(), Eigen::Vector3d::Zero()};

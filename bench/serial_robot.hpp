@@ -26,7 +26,7 @@ struct serial_robot {
   Eigen::Vector3d tool_position;
 };
 
-/// "pendulum", "iiwa14", "ur5" or "serial" with a number, such as "serial8", of which the tool is the last body.
+/// "pendulum", "iiwa14", "ur5" or "serial" with a number, such as "serial8", whose tool is its last body.
 serial_robot robot_of(const std::string& model);
 
 /// 12 of "serial12", 0 of other models.

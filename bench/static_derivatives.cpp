@@ -1,4 +1,4 @@
-/// Static chains: the inverse of the mass matrix, derivatives, the regressor. A file of its own, for what it takes to
+/// Static chains: the inverse of the mass matrix, derivatives, the regressor. A separate file, because it takes long to
 /// compile.
 #include "models.hpp"
 #include "static_calls.hpp"

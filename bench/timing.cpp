@@ -13,7 +13,7 @@
 namespace bench {
 namespace {
 
-/// Numbers in memory of their own, aligned as Eigen likes it, with some room behind them.
+/// Numbers in aligned memory, with padding behind them.
 template <class S>
 class numbers {
  public:

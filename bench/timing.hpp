@@ -6,7 +6,7 @@
 
 #include "operation.hpp"
 
-/// What is timed, and how.
+/// Operations that are timed, and the measurement.
 namespace bench {
 
 /// One evaluation, out of line, of one state or of B states. x: the configurations q of all B states, then their
@@ -16,7 +16,7 @@ namespace bench {
 template <class S>
 using call = void (*)(const S* x, S* y);
 
-/// What must come of a state: blocks that are judged each by itself, such as the matrices of derivatives.
+/// The expected results at a state: blocks that are compared separately, such as the matrices of derivatives.
 struct expectation {
   std::array<std::vector<double>, 3> x;  ///< q, v, and a or tau
   std::vector<std::vector<long double>> y;

@@ -16,7 +16,7 @@ double cpu_time() {
   return 1e9 * static_cast<double>(t.tv_sec) + static_cast<double>(t.tv_nsec);
 }
 
-/// Of one evaluation, each of another of 64 states; some 0.3 ms in all.
+/// The time of one evaluation, averaged over 64 states; about 0.3 ms in total.
 double yardstick() {
   constexpr int states = 64, rounds = 32;
   static const auto x = [] {

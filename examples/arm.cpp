@@ -81,7 +81,7 @@ void report(const char* name, const Chain& arm, const kte::reference::state<n> (
   line(
       "tool pose", "static", states, [&](const state& s) { return kte::forward_kinematics(arm, s.q, tool); }, pose);
 
-  const auto model = kte::to_chain(kte::record_of(arm));  // the same arm as a list of elements, as from a file
+  const auto model = kte::to_chain(kte::record_of(arm));  // the arm as a list of elements, as from a file
   auto x = model.make_state();
   using result = const Eigen::VectorXd&;
   line(

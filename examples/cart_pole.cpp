@@ -45,7 +45,7 @@ double held(const Model& model, const kte::lqr_gain& gain, double lean) {
   solver.integrate(duration, until_it_lies);
   return (solver.state() - upright).norm();
 }
-/// The same with a force that stays from one look to the next.
+/// Simulates the cart-pole with a force that is constant between samples.
 template <class Model>
 double held_by_computer(Model model, const kte::lqr_gain& gain, double lean) {
   kte::dormand_prince45 solver(std::ref(model), 0.0, leaning(model, lean));

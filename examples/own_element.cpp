@@ -1,4 +1,4 @@
-/// An element of one's own: the drag of the air on a frame, F = -c v. It is written once and used in the plane and in
+/// A custom element: the drag of the air on a frame, F = -c v. It is written once and used in the plane and in
 /// space, in a static and in a runtime chain, and in files; its mechanics are tested by the laws of elements. Then a
 /// pendulum falls through the air: what it loses in energy must be the work of the drag.
 #include <kte/io.hpp>
@@ -49,9 +49,7 @@ constexpr auto drag_3D(const Frame& frame, double damping) {
 /// The elements of the library and these, for files.
 kte::element_registry registry() {
   auto r = kte::element_registry::standard();
-  using in = const kte::record_reader&;
-  r.add("drag_2D", [](in x) { return drag_2D(x.name("frame"), x.number("damping")); });
-  r.add("drag_3D", [](in x) { return drag_3D(x.name("frame"), x.number("damping")); });
+  r.add<drag_core<kte::kind::frame_2D>, drag_core<kte::kind::frame_3D>>();
   return r;
 }
 
@@ -88,7 +86,7 @@ void check_laws() {
 }
 // [laws]
 
-/// The same chain at run time, by way of a file.
+/// The chain as a runtime chain, read from a file.
 kte::runtime_chain by_file() {
   kte::save_model("own_element.json", pendulum);
   return kte::to_chain(kte::load_model("own_element.json"), air::registry());
@@ -101,25 +99,27 @@ void check_chains() {
                                         << kte::inertia_3D("tip", kte::point_mass(mass))
                                         << air::drag_3D("tip", damping);
   const auto loaded = by_file();
-  expect(kte::record_of(built) == kte::record_of(pendulum), "built at run time: the same model");
-  expect(kte::record_of(loaded) == kte::record_of(pendulum), "written to a file and read: the same model");
+  expect(kte::record_of(built) == kte::record_of(pendulum), "built at run time: equal models");
+  expect(kte::record_of(loaded) == kte::record_of(pendulum), "written to a file and read: equal models");
 
   auto s = built.make_state(), t = loaded.make_state();
   const std::array x{0.7}, v{-1.3}, tau{0.0};
   const double a = kte::forward_dynamics(pendulum, x, v, tau)[0];
   const double exact = gravity / length * std::cos(x[0]) - damping / mass * v[0];  // q from the horizontal, downwards
   expect(std::abs(a - exact) < 1e-14 * gravity / length, "acceleration: g/L cos q - c/m q_dot");
-  expect(std::abs(kte::forward_dynamics(built, s, x, v, tau)[0] - a) < 1e-14 * std::abs(a), "at run time: the same");
-  expect(std::abs(kte::forward_dynamics(loaded, t, x, v, tau)[0] - a) < 1e-14 * std::abs(a), "from the file: the same");
+  expect(std::abs(kte::forward_dynamics(built, s, x, v, tau)[0] - a) < 1e-14 * std::abs(a),
+         "at run time: equal acceleration");
+  expect(std::abs(kte::forward_dynamics(loaded, t, x, v, tau)[0] - a) < 1e-14 * std::abs(a),
+         "from the file: equal acceleration");
 
-  kte::runtime_chain flat;  // the same in the plane, q upwards
+  kte::runtime_chain flat;  // the pendulum in the plane, q upwards
   flat.gravity(kte::along_y(-gravity)) << kte::revolute_joint_2D("q", "base", "joint")
                                        << kte::rigid_link_2D("joint", "tip", kte::along_x(length))
                                        << kte::inertia_2D("tip", kte::point_mass(mass)) << air::drag_2D("tip", damping);
   auto u = flat.make_state();
   const std::array minus_x{-x[0]}, minus_v{-v[0]};
   expect(std::abs(kte::forward_dynamics(flat, u, minus_x, minus_v, tau)[0] + a) < 1e-14 * std::abs(a),
-         "in the plane: the same, the other way round");
+         "in the plane: opposite acceleration");
 
   try {
     air::drag_3D("wing", -1.0);

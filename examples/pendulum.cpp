@@ -32,7 +32,7 @@ double exact(double t) {
   return 2 * std::asin(k * boost::math::jacobi_sn(k, boost::math::ellint_1(k) - w * t)) - std::numbers::pi / 2;
 }
 
-/// Accelerations by the three passes and the mass matrix; the same words for both kinds of chain.
+/// Accelerations by the three passes and the mass matrix; for both kinds of chain.
 template <class Chain, class State>
 double acceleration(const Chain& chain, State& s, const Eigen::Vector2d& x) {
   auto& c = s.coordinate(0);
@@ -78,7 +78,7 @@ void simulate(const Chain& chain, State s, const char* how) {
 }
 
 int main() {
-  kte::runtime_chain built;  // the same pendulum, put together at run time
+  kte::runtime_chain built;  // the pendulum, assembled at run time
   built.gravity(kte::along_y(-gravity)) << kte::revolute_joint_2D("q", "base", "joint")
                                         << kte::rigid_link_2D("joint", "tip", kte::along_x(length))
                                         << kte::inertia_2D("tip", kte::point_mass(1.0));

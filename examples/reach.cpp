@@ -1,6 +1,6 @@
 /// The tool of a KUKA iiwa14 goes around a square of 0.3 m, at a constant rotation with which its wrist is stretched in
 /// the middle of a side (joints 5 and 7 in line), by differential inverse kinematics within limits of positions, rates
-/// and accelerations. Time of a step, and the error against the wanted path.
+/// and accelerations. Prints the time of a step and the error of the path.
 #include <kte/io/recorder.hpp>
 #include <kte/manipulators/iiwa14.hpp>
 #include <kte/manipulators/numerical_inverse_kinematics.hpp>

@@ -4,7 +4,7 @@
 #include <limits>
 #include <new>
 
-/// Heap allocations of a program one file of which includes allocations.hpp: how many there are, and which fail.
+/// Counts heap allocations, and makes chosen ones fail, in a program with a file that includes allocations.hpp.
 namespace allocations {
 
 inline long long total = 0, bytes = 0;

@@ -33,7 +33,7 @@ class within {
  private:
   double expected_, margin_;
 };
-/// The same with a margin relative to the expected number.
+/// `within` with a margin relative to the expected number.
 inline within within_relative(double expected, double epsilon) { return {expected, epsilon * std::abs(expected)}; }
 
 /// The larger of two errors. NaN is worse than all numbers and stays: of std::max(x, NaN) nothing is left but x.

@@ -4,7 +4,8 @@
 
 namespace kte::test {
 
-/// Of a symmetric matrix, the smallest first. Compiled once (eigenvalues.cpp): Eigen's solver takes two seconds.
+/// The eigenvalues of a symmetric matrix, the smallest first. Compiled once (eigenvalues.cpp): Eigen's solver takes two
+/// seconds.
 Eigen::VectorXd eigenvalues_of(const Eigen::MatrixXd& m);
 
 }  // namespace kte::test

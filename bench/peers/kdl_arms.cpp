@@ -66,8 +66,8 @@ struct kdl_arm {
     *count = solve(made(), made().newton, *x, q);
   }
   static void add() {
-    add_arm("numeric_kdl_lma", arms[M], wanted::any, lma);
-    add_arm("numeric_kdl_nr_jl", arms[M], wanted::any, newton);
+    add_arm("numeric_kdl_lma", arms[M], answer_kind::any, lma);
+    add_arm("numeric_kdl_nr_jl", arms[M], answer_kind::any, newton);
   }
 };
 const registered here{[] { kdl_arm<0>::add(), kdl_arm<1>::add(), kdl_arm<2>::add(); }};

@@ -61,7 +61,7 @@ struct pinocchio_calls {
     matrix(y, m.rows(), m.cols()) = m;
     return y + m.size();
   }
-  /// Of which it writes the upper triangle.
+  /// Pinocchio writes the upper triangle only.
   template <class Matrix>
   static double* put_symmetric(const Matrix& m, double* y) {
     matrix(y, m.rows(), m.cols()) = m.template selfadjointView<Eigen::Upper>();

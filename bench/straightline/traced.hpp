@@ -66,7 +66,7 @@ class traced {
   friend bool operator==(const traced& a, const traced& b) {
     return a.index_ == b.index_ && (a.negative_ == b.negative_ || a.is(0));
   }
-  /// What is asked of numbers, such as whether a pivot is large enough, is so.
+  /// Comparisons, such as whether a pivot is large enough, are assumed to hold.
   friend bool operator>(const traced&, const traced&) { return true; }
   friend bool operator<(const traced&, const traced&) { return true; }
   friend traced sin(const traced& x) { return make({op::sine, x.index_, 0, 0}).times(x.negative_ ? -1 : 1); }

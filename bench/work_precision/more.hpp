@@ -6,8 +6,8 @@ namespace work_precision {
 /// largest energy gained or lost in it, J.
 void print_long_time(long long steps);
 
-/// Prints, of integrations of the iiwa14: method, CPU time of an integration, its evaluations, CPU time of an
-/// evaluation, and how many percent more than its evaluations the integration takes. Medians of so many rounds.
+/// Prints, for integrations of the iiwa14: method, CPU time of an integration, its evaluations, CPU time of an
+/// evaluation, and how many percent more than its evaluations the integration takes. Medians of `rounds` rounds.
 void print_overhead(int rounds);
 
 }  // namespace work_precision

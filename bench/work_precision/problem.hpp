@@ -11,7 +11,7 @@
 /// Which integrator gets how close for what time, on problems whose solution is known.
 namespace work_precision {
 
-/// What is wrong with the state that an integration ended in; not a number where a problem has nothing of the kind.
+/// The errors of the final state of an integration; NaN for errors that a problem does not have.
 struct judgement {
   double error;     ///< distance from the reference, in the measure of the problem
   double energy;    ///< that was gained, J
@@ -25,7 +25,7 @@ class contender {
   contender(std::string name, double ratio) : method(std::move(name)), step_ratio(ratio) {}
   virtual ~contender() = default;
 
-  /// From the start to the end, by steps or tolerances of `setting`. What is timed.
+  /// Integrates from start to end, with a step or tolerance `setting`. This is timed.
   virtual void integrate(double setting) = 0;
   virtual judgement judge() const = 0;
 
@@ -60,5 +60,6 @@ void add_robots(std::vector<problem>&);
 void add_stars(std::vector<problem>&);
 void add_reactions(std::vector<problem>&);
 void add_governor(std::vector<problem>&);
+void add_closed_loops(std::vector<problem>&);
 
 }  // namespace work_precision

@@ -49,7 +49,7 @@ END {
       if (failed[key, i]) {
         if (!some++) printf "\nStopped:\n\n"
         for (j = i; j < count[key] && failed[key, j + 1];) ++j
-        printf "* `%s`, %s: %s\n", place[m], setting[key, i] (j > i ? " to " setting[key, j] : ""), reason[key, i]
+        printf "* `%s`, %s: `%s`\n", place[m], setting[key, i] (j > i ? " to " setting[key, j] : ""), reason[key, i]
         i = j
       }
   }

@@ -67,5 +67,17 @@ template <class Core>
 [[deprecated("kte: the flag reads_reaction of an element core is now load_dependent_friction")]]  //
 inline constexpr bool reads_reaction = Core::reads_reaction;
 }  // namespace detail::former
+namespace detail {
+template <class Core>
+inline constexpr bool former_distributed_mass = false;
+template <class Core>
+requires requires { Core::spreads_mass; }
+inline constexpr bool former_distributed_mass<Core> = former::spreads_mass<Core>;
+template <class Core>
+inline constexpr bool former_load_dependent_friction = false;
+template <class Core>
+requires requires { Core::reads_reaction; }
+inline constexpr bool former_load_dependent_friction<Core> = former::reads_reaction<Core>;
+}  // namespace detail
 
 }  // namespace kte

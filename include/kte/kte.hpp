@@ -29,6 +29,7 @@
 // Included first, so that little stands above the sentences that they have for the compiler.
 // clang-format off
 #include <kte/contract/checks.hpp>
+#include <kte/contract/core_checks.hpp>
 #include <kte/contract/gravity.hpp>
 #include <kte/static_chain/state.hpp>
 #include <kte/contract/transmission.hpp>

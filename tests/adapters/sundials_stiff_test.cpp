@@ -70,7 +70,7 @@ TEST_CASE("SUNDIALS: backward in time, the Jacobian of implicit Runge-Kutta meth
   CHECK(calls > 0);
 }
 
-/// Robertson's reactions: the same source, II-12, with its reference at t = 1e11.
+/// Robertson's reactions: Hairer and Wanner, II-12, with its reference at t = 1e11.
 struct robertson {
   Eigen::Vector3d operator()(double, const Eigen::Vector3d& x) const {
     const double a = 0.04 * x[0], b = 1e4 * x[1] * x[2], c = 3e7 * x[1] * x[1];

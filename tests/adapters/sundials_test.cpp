@@ -57,7 +57,7 @@ TEST_CASE("SUNDIALS: they land exactly on the end, forward and backward, however
   });
 }
 
-TEST_CASE("SUNDIALS: samples are those of interpolate, and leave the steps as they are") {
+TEST_CASE("SUNDIALS: samples are those of interpolate, and do not change the steps") {
   const tolerances<double> tol{.absolute = 1e-6, .relative = 1e-6};
   std::vector<Eigen::Vector2d> sampled, interpolated;
   std::vector<double> steps, steps_with_samples;

@@ -58,7 +58,7 @@ template <class Chain>
 kte::runtime_chain element_by_element(const Chain& c) {
   return registered(record_of(c));
 }
-/// The same with the very elements of the static chain, which are compiled where this is called.
+/// A runtime chain with the element types of the static chain, which are compiled in the caller.
 template <class Chain>
 kte::runtime_chain by_own_elements(const Chain& c) {
   kte::runtime_chain r;

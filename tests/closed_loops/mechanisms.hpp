@@ -11,7 +11,7 @@
 #include <numbers>
 #include <string>
 
-/// Mechanisms with loops, and what is known of them.
+/// Mechanisms with loops, and their known solutions.
 namespace kte::test::loops {
 
 using std::numbers::pi;
@@ -65,7 +65,7 @@ inline vector four_bar_q(int n, double phi) { return four_bar_numbers(n, pi / 2 
 inline vector four_bar_v(int n, double rate) { return four_bar_numbers(n, -rate); }
 inline double four_bar_constant(int n) { return 9.81 * ((n + 1) / 2.0 + n) / ((n + 1) / 3.0 + n); }
 
-/// The same in space, about z through hinges of five rows, of which three follow from others.
+/// Four-bars in space, about z, closed by hinges of five rows; three rows of each are redundant.
 inline runtime_chain four_bars_in_space(int n) {
   runtime_chain c;
   c.gravity(along_y(-9.81));
@@ -84,7 +84,7 @@ inline runtime_chain four_bars_in_space(int n) {
   return c;
 }
 
-/// A crank and a rod of 1 m each, the end of which slides along x: q2 = -2 q1, and dead points at q1 = pi/2 + k pi
+/// A crank and a rod of 1 m each; the end of the rod slides along x: q2 = -2 q1, and dead points at q1 = pi/2 + k pi
 /// where the end may stay at the pivot.
 inline runtime_chain slider_crank_of_equal_bars() {
   runtime_chain c;

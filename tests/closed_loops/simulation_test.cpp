@@ -104,7 +104,7 @@ TEST_CASE("a slider-crank of equal bars passes its dead points", "[long]") {
     INFO("tolerance " << tolerance);
     const double q = slider_crank_angle(0.3, 8, 5);
     CHECK(std::abs(q - 0.3) > 2 * pi);  // past several dead points
-    CHECK(std::abs(r.x[0] - q) < 3e4 * tolerance);
+    CHECK(std::abs(r.x[0] - q) < 1e5 * tolerance);
     CHECK(std::abs(r.x[1] + 2 * r.x[0]) < 1e-12);
     CHECK(r.open < 2e-13);
   }
@@ -209,7 +209,7 @@ TEST_CASE("a state of a model has the forces of closures, and the reactions by t
   const model m(c);
   const double rate = 1.2, phi = 0.9;
   const auto& s = m.state_at(0, m.make_x(four_bar_q(1, phi), four_bar_v(1, rate)));
-  // The weight and the centripetal force of all bars go into both pivots: 3 kg, of which the middle moves as shown.
+  // The weight and the centripetal force of all bars go into both pivots: 3 kg, whose middle moves as shown.
   const double k = four_bar_constant(1) * std::sin(phi);
   const double ax = 0.5 * (k * std::cos(phi) - rate * rate * std::sin(phi)),
                ay = -0.5 * (k * std::sin(phi) + rate * rate * std::cos(phi));

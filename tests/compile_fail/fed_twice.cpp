@@ -1,5 +1,5 @@
 // expect: error:
-// expect: mass_matrix_calc: this mass or coordinate is fed twice
+// expect: mass_matrix_calc: this mass or coordinate is added twice
 #include <kte/kte.hpp>
 #include <kte/reak/mass_matrix_calc.hpp>
 

@@ -44,4 +44,4 @@ kte::coordinate_holder* lock;
 struct old_core {
   static constexpr bool spreads_mass = true, reads_reaction = true;
 };
-static_assert(kte::detail::distributed_mass<old_core> && kte::detail::load_dependent_friction<old_core>);
+static_assert(kte::distributed_mass<old_core> && kte::load_dependent_friction<old_core>);

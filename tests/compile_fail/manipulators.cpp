@@ -1,8 +1,8 @@
 // mistakes: 4
 // expect: error: .*kte: no closed form of inverse kinematics: it needs an arm with three, four, six or seven joints
-// expect: error: .*kte: inverse kinematics in closed form needs an arm with one tool; kte::numerical_inverse_kinematics takes goals of several
+// expect: error: .*kte: inverse kinematics in closed form needs an arm with one tool; kte::numerical_inverse_kinematics takes
 // expect: error: .*kte: this chain has no frame of this name
-// expect: error: .*kte: limits of a static chain are those of as many numbers as it has degrees of freedom
+// expect: error: .*kte: the limits of a static chain need one number for each degree of freedom
 #include <kte/elements/free_joint.hpp>
 #include <kte/elements/revolute_joint.hpp>
 #include <kte/manipulators/nearest.hpp>

@@ -1,6 +1,6 @@
 // mistakes: 3
-// expect: error: .*kte: a static chain is made of elements and of static chains, and this is neither
-// expect: error: .*kte: a chain is made of elements and of chains, and this is neither
+// expect: error: .*kte: a static chain consists of elements and static chains; this argument is neither
+// expect: error: .*kte: a chain consists of elements and chains; this argument is neither
 // expect: error: .*kte: call it as point_mass.mass. or point_mass.mass, com
 #include <kte/kte.hpp>
 

@@ -8,7 +8,7 @@ inline constexpr struct joint_ final : kte::frame_2D_key<"joint">  {} joint;
 inline constexpr struct tip_   final : kte::frame_2D_key<"tip">    {} tip;
 // clang-format on
 
-// What is done with the chain of a refused element is not complained of: one mistake, one sentence.
+// Uses of the chain of a refused element cause no further errors: one mistake, one sentence.
 double angle() {
   const auto pendulum = kte::chain(kte::revolute_joint_2D(q, base, joint), kte::rigid_link_2D(joint, tip, 0.5),
                                    kte::inertia_2D(tip, kte::point_mass(1.0)));

@@ -1,4 +1,4 @@
-// expect: error: .*kte: the rates of a law have another number of entries than the law has states
+// expect: error: .*kte: the number of rates of a law differs from the number of its states
 #include <kte/models/controlled.hpp>
 
 #include <array>

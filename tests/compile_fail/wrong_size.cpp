@@ -1,6 +1,6 @@
 // mistakes: 3
-// expect: error: .*kte: q has another number of entries than a configuration of the chain
-// expect: error: .*kte: an argument .v, a, tau. has another number of entries than the chain has degrees of freedom
+// expect: error: .*kte: the size of q differs from that of a configuration of the chain
+// expect: error: .*kte: the size of an argument .v, a, tau. differs from the number of degrees of freedom of the chain
 #include <kte/dynamics/inverse_dynamics.hpp>
 #include <kte/elements/revolute_joint.hpp>
 

@@ -8,7 +8,7 @@
 
 #include "catch.hpp"
 
-// Derivatives of forces on coordinates, by a state of three coordinates of which the last is no degree of freedom.
+// Derivatives of forces on coordinates, by a state of three coordinates; the last is not a degree of freedom.
 
 using namespace kte;
 using namespace kte::detail;

@@ -86,8 +86,8 @@ void compare_bits(const Static& fixed, const runtime_chain& loose, unsigned seed
 
 }  // namespace
 
-// The same arithmetic in the same order. Compilers that may fuse products into sums (-mfma, -march=native, unless
-// -ffp-contract=off) do so where they inline, which differs: then results agree to rounding.
+// Both kinds execute equal arithmetic in equal order. Compilers that may fuse products into sums (-mfma, -march=native,
+// unless -ffp-contract=off) do so where they inline, which differs: then results agree to rounding.
 TEST_CASE("the passes of static and runtime chains agree bit for bit where products are not fused into sums",
           "[laws]") {
   SECTION("pendulum") { compare_bits(models::pendulum, models::by_own_elements(models::pendulum), 1); }

@@ -97,7 +97,7 @@ TEST_CASE("static and runtime chains refuse the same") {
     CHECK((x == problem::none) == text.empty());
     if (x == problem::same_text) CHECK(has(text, ", not a"));
     if (x == problem::written_twice) CHECK(has(text, "written twice"));
-    // Of what comes later a runtime chain knows nothing yet.
+    // A runtime chain does not know later elements yet.
     if (x == problem::read_before_written)
       CHECK((has(text, "before it is written") || has(text, "no element before it")));
     if (x == problem::unknown) CHECK(has(text, "no element before it"));

@@ -35,7 +35,7 @@ constexpr auto cart_pole = chain(prismatic_joint_2D(x, ground, cart, axis::x), i
                                  revolute_joint_2D(angle, cart, pole), rigid_link_2D(pole, tip, along_y(l)),
                                  inertia_2D(tip, point_mass(m)), driving_actuator_gen(x, motor))
                                .gravity(along_y(-g));
-/// A free body with a leg, of which a motor and bristles turn the hip.
+/// A free body with a leg; a motor and bristles act on the hip.
 constexpr lugre_parameters friction{
     .sigma0 = 50, .sigma1 = 1, .sigma2 = 0.4, .coulomb = 1, .stiction = 1.5, .stribeck_velocity = 0.1};
 const auto walker =

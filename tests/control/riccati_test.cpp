@@ -116,7 +116,7 @@ TEST_CASE("what has no solution says why") {
   CHECK_THROWS_MATCHES(dare(matrix(2, 2, {1, 0, 0, 2}), matrix(2, 1, {1, 0}), two_ones, unit), no_solution,
                        unreached("2 +0i"));
   CHECK_THROWS_MATCHES(care(twice, matrix(2, 1, {1, 0}), two_ones, unit), no_solution, unreached("0 +0i"));
-  // The same in coordinates that hide it; a mode that decays by itself is no fault.
+  // In coordinates that hide the mode; modes that decay are no fault.
   const MatrixXd along = irregular(5, 1, 1);
   const MatrixXd turn = MatrixXd::Identity(5, 5) - 2 / along.squaredNorm() * along * along.transpose();
   MatrixXd A = MatrixXd::Zero(5, 5), B = irregular(5, 2, 2);

@@ -112,7 +112,7 @@ inline constexpr long double largest_spatial_heavy_tip = 47.1341887176851873102L
 // clang-format on
 }  // namespace hard_chain_values
 
-/// max |q_ddot - exact| / max |exact| over the degrees of freedom of which the acceleration is given.
+/// max |q_ddot - exact| / max |exact| over the degrees of freedom whose acceleration is given.
 template <class Accelerations>
 long double error_of(const Accelerations& q_ddot, const hard_chain& c) {
   long double e = 0;

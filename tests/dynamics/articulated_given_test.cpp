@@ -15,7 +15,7 @@ TEST_CASE("given motion", "[laws]") {
 TEST_CASE("masses of coordinates") {
   STATIC_REQUIRE(by_articulated_bodies<decltype(rotors)>);
   check(rotors, 9, usual, base, drive, motor, pull);
-  // The same axis as that of the joint before: not singular.
+  // The axis of the joint before: not singular.
   constexpr auto motors =
       chain(revolute_joint_2D(q1, floor_2D, k), inertia_2D(k, planar_body(1.0, 1.0)), revolute_joint_2D(q2, k, l),
             inertia_2D(l, planar_body(1.0, 1.0)), inertia_gen(q2, 0.5));

@@ -17,7 +17,7 @@
 #include "chain/models.hpp"
 #include "robots/iiwa14.hpp"
 
-// What has no answer is an error, never NaN.
+// A call without a result throws; it never returns NaN.
 
 namespace {
 inline constexpr struct ball_ final : kte::rotation_3D_key<"ball"> { } ball; }  // namespace
@@ -82,7 +82,7 @@ TEST_CASE("arguments that are not finite") {
 }
 
 namespace {
-/// A slide along x with friction in itself: its force on the coordinate is not that of virtual power alone.
+/// A slide along x with friction: its force on the coordinate is not that of virtual power alone.
 struct frictional_joint : kte::transmission<frictional_joint> {
   static constexpr kte::type_name type{"frictional_joint", kte::kind::frame_3D};
   static constexpr std::array<kte::port, 3> ports{{{kte::kind::gen, kte::access::in, "coordinate"},
@@ -153,7 +153,7 @@ TEST_CASE("the argument at fault is named") {
                     contains_text("kte: a force is not finite: tau[3] of"));
   CHECK_THROWS_WITH(forward_dynamics(c, good, large, good), contains_text(acceleration + "v[2] of"));
 
-  // A link of which the square overflows.
+  // A link whose squared length overflows.
   constexpr auto arm = chain(revolute_joint_3D(hip, ground, trunk, axis::z), rigid_link_3D(trunk, left, along_x(1e155)),
                              inertia_3D(left, point_mass(1.0)));
   const auto long_arm = element_by_element(arm);
@@ -161,7 +161,7 @@ TEST_CASE("the argument at fault is named") {
   const std::array one{0.1};
   const std::string
       mass = "kte: a mass is not finite: ",
-      far = "what 'hip' moves is too heavy, or too far away, or infinitely fast (a loop on its dead centre)";
+      far = "the bodies moved by 'hip' are too heavy, too far away, or infinitely fast (a loop at its dead centre)";
   CHECK_THROWS_WITH(mass_matrix(arm, one), mass + far);
   CHECK_THROWS_WITH(mass_matrix(long_arm, l, one), contains_text(mass));
   CHECK_THROWS_MATCHES(forward_dynamics(arm, one, one, one), bad_argument, test::says(mass + far));

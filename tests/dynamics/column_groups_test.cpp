@@ -61,7 +61,7 @@ void check_products(const Chain& c) {
 }
 }  // namespace
 
-TEST_CASE("columns of a leg and of an arm have rows of the trunk and of their own", "[laws]") {
+TEST_CASE("columns of a leg and of an arm have their rows and those of the trunk", "[laws]") {
   constexpr auto c = figure();
   constexpr auto g = groups<std::remove_const_t<decltype(c)>>;
   STATIC_REQUIRE(g.count == 3);

@@ -124,7 +124,7 @@ TEST_CASE("vectors of the wrong size say so") {
   const double two[2]{};
   CHECK_THROWS_WITH(integrate(runtime, two, two, 1.0),
                     "kte: q has 2 numbers, the chain has 16 numbers of a configuration");
-  // Where they are as many, the message need not tell them apart.
+  // If the counts are equal, the message need not distinguish them.
   CHECK_THROWS_WITH(integrate(models::pendulum, std::vector{0.0, 0.0}, std::array{0.0}, 1.0),
                     "kte: q has 2 numbers, the chain has 1 degrees of freedom");
 }

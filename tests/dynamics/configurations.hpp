@@ -24,7 +24,7 @@ inline constexpr struct table_  final : frame_2D_key<"table">   {} table;
 inline constexpr struct disc_   final : frame_2D_key<"disc">    {} disc;
 // clang-format on
 
-/// Coordinates of all kinds, one moving on the other, and a puck on its own table.
+/// Coordinates of all kinds, one moving on the other, and a puck on a separate table.
 inline constexpr auto model =
     chain(revolute_joint_3D(elbow, ground, arm, axis::x), inertia_3D(arm, point_mass(1.0, along_y(0.5))),
           free_joint_3D(trunk, arm, body), inertia_3D(body, rigid_body{2.0, along_x(0.1), diagonal(0.2, 0.3, 0.4)}),

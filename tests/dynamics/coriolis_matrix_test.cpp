@@ -94,7 +94,7 @@ TEST_CASE("Coriolis matrix where a ratio of coordinates changes") {
   random_numbers random(5);
   const random_motion_of<double, std::remove_const_t<decltype(c)>> m(c, random);
   const auto matrix = coriolis_matrix(c, m.q, m.v);
-  // The mass of a coordinate is no body: its part of inverse dynamics is there for a = 0.
+  // The mass of a coordinate is not a body: its part of inverse dynamics is there for a = 0.
   CHECK(gap(matrix * m.v, inverse_dynamics(c, m.q, m.v, Eigen::Vector2d(0, 0))) < rounding);
   CHECK(gap((matrix + matrix.transpose()) * m.v, generalized_momenta_along(c, m.q, m.v).second) < rounding);
   auto s = model.make_state();
@@ -126,7 +126,7 @@ TEST_CASE("Coriolis matrix where a coordinate is given") {
                            revolute_joint_2D(q2, rail, disc), inertia_2D(disc, point_mass(0.8, along_x(0.5))));
   const std::array q{0.7}, v{1.5};
   CHECK(coriolis_matrix(c, q, v)(0, 0) == 0);
-  // With a rate in a state, by the formula of two links: C_22 = 0, of which dM_22/dt = 0 is twice.
+  // With a rate in a state, by the formula of two links: C_22 = 0, and dM_22/dt = 2 C_22 = 0.
   const auto model = models::element_by_element(c);
   auto s = model.make_state();
   s.coordinate("q1").q_dot = 2;

@@ -22,7 +22,7 @@ constexpr auto arm = joints.gravity(fall);
 /// Not: forces between frames.
 constexpr auto sprung = chain(joints, spring_3D(base, d, 0.5, 40.0), damper_3D(base, c, 0.75)).gravity(fall);
 
-/// The same random q, v, a in two states.
+/// Sets equal random q, v, a in two states.
 template <class State>
 auto put_random(State& s, auto& exact, unsigned seed) {
   random_numbers random(seed);

@@ -71,7 +71,7 @@ void check(const Chain& chain, unsigned seed, const Outside&... outside) {
     const auto r = inverse_dynamics_derivatives(chain, s);
     note(worst.by_q, gap(r.by_q, by_q)), note(worst.by_v, gap(r.by_v, by_v)), note(worst.by_a, gap(r.by_a, by_a));
     note(worst.tau, gap(r.tau, forces(exact)));
-    // As by the algorithms on their own, up to their roundings.
+    // Equal to the separate algorithms, up to rounding.
     CHECK(gap(r.tau, forces(s)) < most);
     CHECK(gap(r.by_a, mass_matrix(chain, s)) < most);
 

@@ -51,7 +51,7 @@ TEST_CASE("a unit mass") {
   CHECK(a == (joint_vector<double, 6>() << 1.0 + 8.0, 0.0, 9.5, 0.0, 3.0, 0.0).finished());
   CHECK(forward_dynamics(unit, q, still, still)[2] == 9.5);
   CHECK(inverse_dynamics(unit, q, still, still)[2] == -9.5);
-  // What is in the state: gravity is an acceleration of the base, so what falls shows none.
+  // In the state, gravity is an acceleration of the base, so a falling body has none.
   auto s = make_state(unit);
   set_positions(s, q), set_velocities(s, v);
   set_accelerations(s, forward_dynamics(unit, s));

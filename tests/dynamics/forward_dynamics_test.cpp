@@ -83,7 +83,7 @@ TEST_CASE("forward dynamics of masses and springs in a row") {
   // Forces are exact; a product with the rounded inverse of the mass, and the division here: 3 eps / 2 = 3.3e-16.
   CHECK(x[0] == within_relative((-10 * 0.5 + 20 * (0.5 - 1) + 0.5 * 2) / 2, 4e-16));
   CHECK(x[1] == within_relative((-20 * (0.5 - 1) - 0.5 * 2) / 3, 4e-16));
-  auto s = make_state(c);  // the same with a moved wall and a motor
+  auto s = make_state(c);  // with a moved wall and a motor
   s[q1].q = 1.5, s[q2].q = 2.0, s[wall].q = 0.25, s[motor] = 6.0;
   const auto y = forward_dynamics(c, s);
   CHECK(y[0] == within_relative((-10 * 0.25 + 20 * (0.5 - 1)) / 2, 4e-16));

@@ -62,7 +62,7 @@ void check_double(const Chain& c, const Frame& frame, unsigned seed) {
   }
 }
 
-/// All poses at once against one alone: the same formulas, which the compiler may contract differently.
+/// All poses at once against one alone: equal formulas, which the compiler may contract differently.
 template <class Chain, class Frame>
 void check_poses(const Chain& c, const Frame& frame, unsigned seed) {
   random_numbers random(seed);

@@ -69,7 +69,7 @@ void check(const Chain& c, unsigned seed, const Keys&... keys) {
     for (int i = 0; i < Chain::dofs; ++i)
       if (is_given[i] == 1) known[i] = x.a[i];
     const auto r = hybrid_dynamics(c, x.q, x.v, known, prescribed(keys...));
-    // What is known comes back as it came.
+    // Given numbers are returned unchanged.
     for (int i = 0; i < Chain::dofs; ++i) CHECK((is_given[i] == 1 ? r.a : r.tau)[i] == known[i]);
     const equations<Chain> exact(c, x);
     const auto a = exact.accelerations(known, is_given);

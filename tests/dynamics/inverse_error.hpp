@@ -19,7 +19,7 @@ struct errors_of_inverse {
     const M one = mass * x;
     product = std::max(product, largest(M(one - M::Identity())) / (largest(mass) * largest(x)));
   }
-  /// Bounds: M^-1 comes of recursions as forward dynamics does, with its errors (reference_test.cpp); the product has
+  /// Bounds: M^-1 results from recursions, with the errors of forward dynamics (reference_test.cpp); the product has
   /// errors of N sums of numbers of the size of M times that of M^-1.
   void check() const {
     CHECK(inverse < 2e-15);

@@ -182,7 +182,7 @@ TEST_CASE("Jacobians of bad arguments") {
     runtime_jacobian kept = runtime_jacobian::Ones(6, 7);
     CHECK_THROWS_AS(jacobian(model, s, bad, "tool", in_world_axes, kept), bad_argument);
     CHECK(kept == runtime_jacobian::Ones(6, 7));
-    // What does not fit changes nothing, the state neither.
+    // A matrix of wrong size is unchanged, and so is the state.
     Eigen::MatrixXd large = Eigen::MatrixXd::Ones(8, 8);
     const Eigen::VectorXd before = positions(s), other = before.array() + 1;
     const auto why = contains_text("a Jacobian of 6 x 7 does not fit into 6 x 8");

@@ -55,7 +55,7 @@ numbers random_numbers_of(const runtime_chain& c, random_numbers& random) {
   return {integrate(c, neutral_configuration(c), vector(2), 1.0), vector(2), vector(5)};
 }
 
-/// The parameters of one element by itself, for the body of which they are `e`: unit vectors of (1), or sums of two.
+/// Gives the body of element `e` these parameters: unit vectors of (1), or sums of two.
 void put_parameters(element_record& e, const std::array<double, 10>& p) {
   const auto [m, hx, hy, hz, xx, xy, yy, xz, yz, zz] = p;
   if (e.type == "inertia_gen") {
@@ -79,7 +79,7 @@ std::array<double, 10> unit(int i) {
   return p;
 }
 
-/// Every column is the inverse dynamics of a chain of which one body has that parameter alone. No body has a first
+/// Every column is the inverse dynamics of a chain in which one body has only that parameter. No body has a first
 /// moment without a mass: there it is the difference to the mass alone.
 void check_columns(const model_record& all, unsigned seed) {
   const auto record = without_forces(all);

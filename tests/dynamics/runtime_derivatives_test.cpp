@@ -206,7 +206,7 @@ TEST_CASE("a coordinate that hybrid dynamics has prescribed is free in the next 
   CHECK(mass_matrix_inverse(c, s, rest) == free);
 }
 
-TEST_CASE("the inverse of the mass matrix owes nothing to a call that found a number that is not finite") {
+TEST_CASE("the inverse of the mass matrix does not depend on an earlier call with a number that is not finite") {
   // Brothers, and trees side by side: their common numbers are zeros that no joint writes.
   const runtime_chain c = element_by_element(tree_3D);
   auto s = c.make_state();

@@ -21,7 +21,7 @@
 #include "digits50.hpp"
 #include "random.hpp"
 
-// Runtime chains in other scalars than double: the same loops over body nodes, each against 50 digits.
+// Runtime chains in scalars other than double: loops over body nodes, each against 50 digits.
 
 using namespace kte;
 using kte::test::digits50;
@@ -228,7 +228,7 @@ TEST_CASE("what other scalars cannot do is said") {
   auto s = following.make_state<float>();
   const Eigen::Vector3f q(0.5f, 0.25f, 0.125f);
   const auto says = Catch::Matchers::Message(
-      "kte: this algorithm takes frames that joints and links move, and 'nearest' follows others");
+      "kte: this algorithm supports only frames that joints and links move, and 'nearest' follows others");
   CHECK_THROWS_MATCHES(forward_kinematics(following, s, q, "nearest"), bad_argument, says);
   CHECK_THROWS_MATCHES(jacobian(following, s, q, "nearest"), bad_argument, says);
   CHECK_THROWS_MATCHES(jacobian(following, s, q, "nearest", in_world_axes), bad_argument, says);

@@ -82,7 +82,7 @@ struct random_chain {
   }
   static std::string number(const char* what, std::size_t i) { return what + std::to_string(i); }
 
-  /// A coordinate of a new joint: one of its own, or one that follows others, or one that is given.
+  /// A coordinate of a new joint: a degree of freedom, or a follower, or a prescribed coordinate.
   std::string add_coordinate() {
     const std::string q = number("q", joints++);
     const int how = coordinates.empty() ? 0 : draw.below(8);

@@ -46,7 +46,7 @@ inline constexpr auto floating =
           inertia_3D(hand, stick), prismatic_joint_3D(q1, hand, tip, axis::y), inertia_3D(tip, point_mass(0.4)),
           revolute_joint_3D(q2, body, aside, axis::x), inertia_3D(aside, point_mass(0.7, along_y(0.3))))
         .gravity(weight);
-/// The same with springs inside.
+/// The floating chain with springs inside.
 inline constexpr auto floating_with_springs =
     chain(
         chain(free_joint_3D(trunk, ground, body), inertia_3D(body, brick),
@@ -55,7 +55,7 @@ inline constexpr auto floating_with_springs =
               revolute_joint_3D(q2, body, aside, axis::x), inertia_3D(aside, point_mass(0.7, along_y(0.3)))),
         spring_3D(body, tip, 0.2, 30.0), spring_gen(q1, q2, 0.1, 20.0), torsion_spring_3D(body, hand, 5.0))
         .gravity(weight);
-/// The same with dampers.
+/// The floating chain with dampers.
 inline constexpr auto floating_with_dampers =
     chain(
         chain(free_joint_3D(trunk, ground, body), inertia_3D(body, brick),

@@ -258,7 +258,7 @@ TEST_CASE("static_equilibrium refuses by name") {
   CHECK_THROWS_AS(static_equilibrium(c, s, std::array{0.5, 0.0}, {.loads = {{"third"}}}), unknown_name);
   CHECK_THROWS_AS(equilibrium_path(c, s, std::array{0.5, 0.0}, {.to = 0}), bad_argument);
   CHECK_THROWS_MATCHES(equilibrium_path(c, s, std::array{0.5, 0.0}, {.parameter = "held"}), bad_argument,
-                       says("'held' is no parameter"));
+                       says("'held' is not a parameter"));
   CHECK_THROWS_MATCHES(natural_modes(c, s, std::array{0.0, 0.0}), bad_argument, says("not in equilibrium, 'held'"));
 }
 

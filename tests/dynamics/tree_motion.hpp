@@ -6,7 +6,7 @@
 /// dynamics in long double.
 namespace kte::test::trees {
 
-/// What is allowed, relative to the largest number:
+/// Error bounds, relative to the largest number:
 ///   rounding        inverse dynamics and mass matrix, static against runtime and long double; the forces that
 ///                   are missing at the accelerations found, against the largest force of inertia
 ///   accelerations   against the exact ones
@@ -78,7 +78,7 @@ void check(const Chain& chain, unsigned seed, const bounds& most, const Outside&
 }
 
 // Bounds: numbers on the way are up to some times as large as the largest result, and are rounded by eps/2 some ten
-// times in a row: 20 eps; measured 2.3e-15. Accelerations may have some of the condition of M besides; measured 1e-15,
+// times in a row: 20 eps; measured 2.3e-15. Accelerations may also have part of the condition of M; measured 1e-15,
 // and 3e-15 by the mass matrix.
 inline constexpr bounds usual{5e-15, 1e-14};
 

@@ -31,7 +31,7 @@ void check_groups(const detail::unit_forces<Width, N>& f) {
 }
 
 constexpr int nq = std::remove_cvref_t<decltype(joints_3D)>::nq;
-/// Of the mass matrix of joints_3D in scalars S, against that in double.
+/// The inverse of the mass matrix of joints_3D in scalars S, compared with double.
 template <class S>
 auto inverse_in(const joint_vector<double, nq>& q) {
   return mass_matrix_inverse(joints_3D, q.cast<S>().eval());

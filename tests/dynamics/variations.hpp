@@ -14,7 +14,7 @@
 ///
 /// Steps of 1e-16 err by 1e-32 times a third derivative and lose 1e-50/1e-16 = 1e-34 times the function; numbers go up
 /// to 1e2. Measured 1.5e-32 where positions change. By rates all is of second degree, which leaves the loss alone:
-/// measured 2.7e-33. What has no differences in it is right to 1e-46; measured 3e-49.
+/// measured 2.7e-33. Results without differences are exact to 1e-46; measured 3e-49.
 namespace kte::test::variations {
 
 using big = digits50;
@@ -69,7 +69,7 @@ Eigen::Matrix<big, 6, 3> numbers(const gyration<F, T>& g) {
   for (int k = 0; k < 3; ++k) r.col(k) << column(f(k)), column(t(k));
   return r;
 }
-/// Of a motion, what a `variation` is the change of.
+/// The rates of a motion, whose change is a `variation`.
 template <class M>
 auto rates_of(const M& m) {
   return numbers(variation{m.ang_velocity, m.acceleration, m.ang_acceleration});

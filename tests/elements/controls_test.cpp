@@ -85,7 +85,7 @@ TEST_CASE("an arm on a table that turns, with measures and a controller: static 
   CHECK(slopes[2] == within(0.1, 1e-16));
 }
 
-TEST_CASE("a controller whose wanted signal is measured; a base at a given rate") {
+TEST_CASE("a controller whose desired value is measured; a base at a given rate") {
   manipulator_dynamics_model model(followed_disc(key_itself, to_flat));
   manipulator_dynamics_model at_run_time(followed_disc(text_of_key, to_runtime));
   Eigen::Vector2d u{0.5, -0.2};  // rate and acceleration of the cam

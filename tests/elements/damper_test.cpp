@@ -8,8 +8,8 @@ using namespace kte::test;
 
 namespace {
 
-/// Moved by one more motion, positions and velocities are up to 5, with some 8 roundings each, in a product that may be
-/// small as they are not: relative to the force four times the usual.
+/// Moved by one more motion, positions and velocities are up to 5, with some 8 roundings each, in a product, which may
+/// be small when they are not: relative to the force, four times the usual.
 template <class S>
 S along_a_line() {
   return 4 * rounding<S>;

@@ -327,7 +327,7 @@ TEST_CASE("flexible beams are saved and loaded, and reject invalid input") {
   CHECK(what(1, {.EA = 1, .EI = -2}) == where + "stiffnesses of the section must be finite and not negative, got -2");
 }
 
-TEST_CASE("a flexible beam of which the ends stand in one place is named") {
+TEST_CASE("a flexible beam whose ends coincide is named") {
   auto e = trial_of(flexible_beam_3D("a", "b", 1.0, solid), 1);
   e.at<0>() = {}, e.at<1>() = {};
   CHECK_THROWS_MATCHES(e.doForce(), bad_argument, says("flexible_beam_3D: its ends stand in one place"));

@@ -33,7 +33,7 @@ TEST_CASE("a frame that turns as signals say: closed form, and power") {
   CHECK(detail::turn_about_z(zero).sin == zero);
   CHECK(std::is_same_v<decltype(detail::turn_by(zero3{})), no_rotation>);
 
-  // a base that moves: the same as a joint with a coordinate of the same motion
+  // A moving base equals a joint with a coordinate of this motion.
   auto turned = trial_of(rotation_control_3D("r", "w", "al", "base", "end"), 5);
   auto joint = trial_of(revolute_joint_3D("q", "base", "end", axis::z), 5);
   auto& c = joint.at<0>();

@@ -48,7 +48,7 @@ rigid_body<S, vec3<S>, sym3<S>> body_of(const std::vector<particle<S>>& particle
   return {m, c, i};
 }
 
-/// How far the load of an inertia is from D'Alembert's on its particles, each of which stands at p(t) + R(t) at; their
+/// How far the load of an inertia is from D'Alembert's on its particles at p(t) + R(t) a; their
 /// accelerations by numerical differentiation.
 template <class Element, class S>
 S off_dalembert(const Element& e, const std::vector<particle<S>>& particles, unsigned seed) {
@@ -175,7 +175,7 @@ TEST_CASE("an inertia wants a physical body") {
         "kte: inertia_gen (coordinate 'rotor'): mass must be finite and not negative, got nan");
 }
 
-TEST_CASE("a body as it was published") {
+TEST_CASE("a published body") {
   // The frame of a published robot's upper arm, 2 % above the triangle inequality: only by name.
   const rigid_body arm{1.42, vec3{0.03, -0.01, 0.04}, sym3{0.00191, 0.0, 0.0, 0.00846, 0.0, 0.01059}};
   CHECK(complaint([&] { (void)inertia_3D("arm", arm); }).find("0.01059 is above 0.00846 + 0.00191") !=
@@ -186,7 +186,7 @@ TEST_CASE("a body as it was published") {
   } arm_key;
   constexpr auto published = inertia_3D(arm_key, rigid_body{1.0, zero3{}, diagonal(1.0, 1.0, 3.0)}.as_published());
   CHECK(published.core.body.published);
-  // Of what is still asked, a word.
+  // Conditions that are still checked.
   const auto what = [](const auto& body) { return complaint([&] { (void)inertia_3D("arm", body.as_published()); }); };
   const std::string where = "kte: inertia_3D (frame 'arm'): ";
   CHECK(what(point_mass(-1.0)) == where + "mass must be finite and not negative, got -1");

@@ -56,8 +56,8 @@ answer<S> by_paper(const S& v, const S& z) {
   const S z_dot = v * (1 - alpha * (v < 0 ? S(-z) : z) / z_max);
   return {-(S(dry.sigma0) * z + dry.sigma1 * z_dot + dry.sigma2 * v), z_dot};
 }
-/// Where a mass of 1 kg is after 4 s under a push of 0.4 N, and one that swings by 0.25 N besides: its bristles stay
-/// below the 0.7 N at which they begin to slip.
+/// Where a mass of 1 kg is after 4 s under a push of 0.4 N, and a force that also oscillates by 0.25 N: its bristles
+/// stay below the 0.7 N at which they begin to slip.
 template <class Friction>
 Eigen::Vector3d pushed_to_and_fro(const Friction& friction) {
   manipulator_dynamics_model model(chain(inertia_gen(q, 1.0), friction, driving_actuator_gen(q, push)));

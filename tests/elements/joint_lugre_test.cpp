@@ -63,7 +63,7 @@ Eigen::Vector3d pushed_by(double force) {
   solver.integrate(1), solver.integrate(2);
   return solver.state();
 }
-/// The same by the formulas of the paper, in 20000 classical Runge-Kutta steps h: the fastest rate, w = 316 1/s, is
+/// The motion by the formulas of the paper, in 20000 classical Runge-Kutta steps h: the fastest rate, w = 316 1/s, is
 /// that of the cart on its bristles, so they err by (w h)^4 / 120 = 1e-8 of what little it swings.
 Eigen::Vector3d pushed_in_fixed_steps(double force) {
   constexpr double h = 1e-4;
@@ -109,7 +109,7 @@ TEST_CASE("sliding steadily, the force is that of Stribeck's curve") {
 TEST_CASE("below stiction a load is held for ever, above it slides") {
   const auto held = pushed_by(1.4), sliding = pushed_by(1.6);
   const auto exact = pushed_in_fixed_steps(1.4);
-  // 2700 steps err by 1e-12 + 1e-8 |z| at most, of which x moves by 15 times as much: dz/dx = 1 - 1.4/1.5. Then z
+  // 2700 steps err by 1e-12 + 1e-8 |z| at most, and x moves by 15 times as much: dz/dx = 1 - 1.4/1.5. Then z
   // rests.
   CHECK(held[0] == within(exact[0], 2700 * 15 * 1.14e-12));
   CHECK(held[2] == within(1.4e-5, 1.14e-12));

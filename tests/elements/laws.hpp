@@ -27,7 +27,7 @@ const S by_differences = [] {
   return S(50 * pow(std::numeric_limits<S>::epsilon(), S(2) / S(3)));
 }();
 
-/// An element with a random state of its own.
+/// An element with its own random state.
 template <class S = double, class Element>
 auto trial_of(const Element& e, unsigned seed) {
   random_numbers draw(seed);

@@ -12,7 +12,7 @@ using namespace kte;
 /// Laws of testing/element_laws.hpp that no element's own test has.
 namespace {
 
-/// A motor with a rotor: it has a mass, and a force besides.
+/// A motor with a rotor: it has a mass and a force.
 struct motor_with_rotor {
   static constexpr std::string_view type = "motor_with_rotor_gen";
   static constexpr std::array<port, 2> ports{

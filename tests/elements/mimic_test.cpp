@@ -14,7 +14,8 @@
 #include "chain/registered.hpp"
 #include "elements/laws.hpp"
 
-// What follows coordinates and signals: mimic, differential, law_follower, law_signal, position_control and _measure.
+// Elements that follow coordinates and signals: mimic, differential, law_follower, law_signal, position_control and
+// _measure.
 
 using namespace kte;
 using namespace kte::test;
@@ -56,7 +57,7 @@ std::string singular(const runtime_chain& c) {
   return "";
 }
 
-/// A chain in which coordinates follow others, and the same with each as a degree of freedom of its own.
+/// A chain in which coordinates follow others, and the chain with each as a separate degree of freedom.
 struct followers {
   runtime_chain chain, all;
   std::vector<std::pair<std::string, Eigen::RowVectorXd>> rows;  ///< of J: all coordinates by the degrees of freedom

@@ -15,7 +15,7 @@ template <fixed_string Text> struct flat  final : frame_2D_key<Text> {};
 template <fixed_string Text> struct solid final : frame_3D_key<Text> {};
 // clang-format on
 
-/// The same mechanism in the plane and in space about z: a cart on an oblique rail with two links.
+/// One mechanism in the plane and in space about z: a cart on an oblique rail with two links.
 constexpr auto in_plane =
     chain(prismatic_joint_2D(slide, flat<"base">{}, flat<"cart">{}, vec2{0.6, 0.8}),
           inertia_2D(flat<"cart">{}, planar_body(2.0, 0.3, vec2{0.1, -0.2})),
@@ -38,7 +38,7 @@ constexpr auto in_space =
           inertia_3D(solid<"hand">{}, point_mass(0.7, along_y(0.4))), spring_gen(turn, bend, 0.2, 4.0))
         .gravity(along_y(-9.81));
 
-// The same numbers, but for terms that are 0 and ulps of contracted products: forces reach some 200 N and moments
+// Equal numbers, up to terms that are 0 and ulps of contracted products: forces reach some 200 N and moments
 // 100 Nm, in sums of some 30 terms.
 constexpr double tolerance = 3000 * std::numeric_limits<double>::epsilon();
 

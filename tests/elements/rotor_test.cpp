@@ -34,7 +34,7 @@ auto pendulum(double radius) {
       .gravity(along_y(-g));
 }
 
-/// The same in the plane.
+/// The pendulum in the plane.
 auto planar_pendulum(double radius) {
   return chain(dry_revolute_joint_2D(q, wall, rod, radius, smoothing), rigid_link_2D(rod, rod_end, along_x(L)),
                inertia_2D(rod_end, point_mass(2.0)))

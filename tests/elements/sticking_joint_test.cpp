@@ -109,7 +109,7 @@ TEST_CASE("what a bearing carries says how much it holds") {
 }
 
 TEST_CASE("moments press on two bearings") {
-  // F across the guide and a moment M: F/2 +- M/L, of which the larger is twice what presses where they differ in sign.
+  // F across the guide and a moment M: F/2 +- M/L; if they differ in sign, the load is twice the larger.
   const double F = 3.0, M = GENERATE(0.0, 0.4, -0.4, 2.5, -2.5), span = 0.5, mu = 0.2;
   runtime_chain c;
   c << sticking_prismatic_joint_2D("s", "s.mode", "rail", "slide", axis::x, {.friction = mu, .span = span})

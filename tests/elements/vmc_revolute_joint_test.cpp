@@ -14,7 +14,7 @@ using namespace kte::test::small_chains;
 
 namespace {
 
-/// An arm with two such joints, or with those in earnest, of which `joint` makes one from axis and radii.
+/// An arm with two such joints, or with dry joints; `joint` makes one from axis and radii.
 template <class Joint>
 constexpr auto arm_of(const Joint& joint) {
   return chain(joint(q1, ground, body, axis::y, 0.02, 0.03), inertia_3D(body, brick),

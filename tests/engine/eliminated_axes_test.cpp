@@ -103,7 +103,7 @@ struct jointed {
   }
 };
 
-/// The components along axes of which nothing is left: 0, 1, 2 linear, 3, 4, 5 angular; -1 of an axis that is no unit
+/// The components along eliminated axes: 0, 1, 2 linear, 3, 4, 5 angular; -1 for an axis that is not a unit
 /// axis.
 template <class Core, class C>
 constexpr auto eliminated_components = []<int... K>(std::integer_sequence<int, K...>) {
@@ -143,7 +143,7 @@ TEST_CASE("other axes are not taken exactly") {
 
 TEST_CASE("axes of joints made by users") {
   using along_z = std::remove_const_t<decltype(axis::z)>;
-  // Of the force and the torque along a screw only a combination is the joint's.
+  // A screw joint takes a combination of force and torque along its axis.
   STATIC_REQUIRE(is_general<screw<double, along_z>, one_number>);
   STATIC_REQUIRE(is_general<screw<one_t, along_z>, one_number>);
   STATIC_REQUIRE(is_general<screw<constant<-1>, along_z>, one_number>);
@@ -201,7 +201,7 @@ articulated<sym3<>, mat3<>, sym3<>> draw_body(draw& random) {
           {i(3, 3), i(3, 4), i(3, 5), i(4, 4), i(4, 5), i(5, 5)}};
 }
 
-/// The largest error of a joint at a coordinate of mass m of its own. Its inertia is 1 at least, numbers are below 20.
+/// The largest error of a joint whose coordinate has a mass m. Its inertia is 1 at least, numbers are below 20.
 template <class Core, class C, class M>
 wide error_of_joint(const Core& core, const C& at, const M& m, draw& random) {
   constexpr int n = detail::joint_dofs<Core>;
@@ -315,7 +315,7 @@ TEST_CASE("what a joint along a unit axis takes is exactly nothing") {
 }
 
 TEST_CASE("an axis that moves next to nothing") {
-  // What is left of an inertia about an axis by rounding is not taken for one.
+  // The rounding error of an eliminated inertia does not count as inertia.
   std::array<engine::axis_factors<double>, 1> factors;
   const one_number at{0.0, {}, {}, 1.0, 0.0};
   const core::revolute_joint<solid, vec3<>> core({0.0, 0.0, 1.0});

@@ -28,7 +28,7 @@ TEST_CASE("numbers are read back as the type that has constants among them") {
   CHECK(y.force.z == 3.0);
 }
 
-TEST_CASE("what is skipped stays as it was") {
+TEST_CASE("skipped quantities are unchanged") {
   motion_vector<vec3<double>, vec3<double>> x{{1.0, 2.0, 3.0}, {4.0, 5.0, 6.0}};
   assign(x, motion_vector<skip, vec3<double>>{{}, {7.0, 8.0, 9.0}});
   CHECK(x.linear == vec3{1.0, 2.0, 3.0});

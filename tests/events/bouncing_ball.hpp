@@ -21,7 +21,7 @@ inline auto bounce(double e) {
   return [e](double, ball_state& x) { x = {0, -e * x[1]}; };
 }
 inline auto ground(double e) { return event(height, crossing::falling).reset(bounce(e)); }
-/// Of the impact n, from 0.
+/// The time of impact n, from 0.
 inline double impact(double e, int n) { return 1 + 2 * e * (1 - std::pow(e, n)) / (1 - e); }
 inline double height_at(double e, double t) {
   if (t <= 1) return 5 - 5 * t * t;

@@ -61,8 +61,8 @@ TEST_CASE("a sign change is found within four steps a bit, however f is shaped")
 
 TEST_CASE("a sign change is found in few steps where interpolation always stalls") {
   // -1 at each power of 0.24, from where it almost touches zero at twice the next one and stays there: each secant ends
-  // just before that, so that interpolation goes on in ever tinier steps. It is positive below 1e-30 only: 103 bits, of
-  // which a tooth of this saw takes 2.06, two bisections and at most one step more.
+  // just before that, so that interpolation goes on in ever tinier steps. It is positive below 1e-30 only: 103 bits,
+  // and a tooth of this saw takes 2.06 of them, two bisections and at most one step more.
   constexpr double touch = 0.48, end = 1e-30;
   const auto saw = [](double x) {
     if (x <= end) return 1.0;

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
-/// A disc that turns at a steady rate: the state is cos, sin and rate, of which only the first two make a rotation.
+/// A disc that turns at a steady rate: the state is cos, sin and rate; the first two are a rotation.
 struct disc {
   using rate = Eigen::Vector2d;
   Eigen::Vector2d operator()(double, const Eigen::Vector3d& x) const { return {x[2], 0}; }

@@ -200,7 +200,7 @@ TEST_CASE("zero at the start is no event") {
   CHECK(is_at(soon[0].time, 1e-9));
 }
 
-TEST_CASE("zero at the very end is an event, once") {
+TEST_CASE("zero at exactly the end is an event, once") {
   auto solver = in_long_steps();
   const auto list = events(event([](double t, const scalar&) { return t - 2.5; }));
   CHECK(integrate(solver, 2.5, list).events.at(0).time == 2.5);
@@ -228,7 +228,7 @@ TEST_CASE("a terminal event ends the integration there, and does not come again"
   }
 }
 
-TEST_CASE("events that do not act leave the steps as they are") {
+TEST_CASE("events that do not act do not change the steps") {
   dormand_prince45 plain(oscillator, 0.0, Eigen::Vector2d(1, 0)), watched = plain;
   std::vector<double> steps, seen;
   plain.integrate(30, [&](double t, const auto&) { steps.push_back(t); });

@@ -14,7 +14,7 @@
 #include "catch.hpp"
 #include "events/sliding_block.hpp"
 
-// What holds for every solver that chooses its steps: after a failure it works again, and events start and end well.
+// Properties of every solver that chooses its steps: after a failure it works again, and events start and end well.
 // One right-hand side and one list of events for all, so that each solver is compiled once.
 
 using namespace kte;
@@ -153,7 +153,7 @@ void check_solution() {
   CHECK_THROWS_WITH(solver.integrate(2, x), contains_text("continues at t = 0.69999"));
 }
 
-/// Steps begin as they are told, are not longer than that, and fail where they had to be shorter.
+/// Steps start with the given length, respect the largest length, and fail where they would have to be too short.
 template <template <class, class> class Method>
 void check_limits() {
   block b;

@@ -72,14 +72,14 @@ articulated<sym3<S>, mat3<vec3<S>>, sym3<S>> to(const numbers& b) {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 /// Entry by entry: whether x is within k eps of the exact value, times the sum of the sizes of its terms. The exact
-/// value in long double, of which the own error is 1/2000 of that.
+/// value is in long double, whose own error is 1/2000 of that.
 template <class X>
 bool close(const X& x, const X& exact, const X& terms, double k) {
   const bool finite = x == x;
   return finite && ((x - exact).cwiseAbs().array() <= k * eps * terms.array()).all();
 }
 using wide = long double;
-/// The same matrix with the sizes of entries, a product R [p]x being the product of sizes.
+/// The matrix of absolute values, where a product R [p]x is the product of absolute values.
 template <class R, class P>
 matrix6<wide> sizes_of_way(const R& rotation, const P& p) {
   const matrix3<wide> r = dense<wide>(matrix(rotation)).transpose().cwiseAbs();

@@ -83,7 +83,7 @@ TEST_CASE("a wrench is transmitted so that its power is kept") {
 }
 
 namespace {
-/// The same motion without types.
+/// The motion without typed constants.
 template <class... M>
 auto dense(const motion<M...>& m) {
   return motion{as<double>(m.position),     as<double>(matrix(m.rotation)), as<double>(m.velocity),
@@ -151,8 +151,8 @@ TEST_CASE("a frame in the plane moves as one in space about z") {
   for (int i = 0; i < 50; ++i) {
     const auto a = planar(), b = planar();
     const auto both = compose(spatial(a), spatial(b));
-    // Without typed zeros there are more terms, all of them 0: the same number, or an ulp where the compiler contracts
-    // a product and a sum.
+    // Without typed zeros there are more terms, all of them 0. Results are equal, or differ by an ulp where the
+    // compiler contracts a product and a sum.
     CHECK(apart<double>(both, compose(dense(spatial(a)), dense(spatial(b)))) <= 4 * eps);
     frame_2D<> flat;
     set_motion(flat, both);

@@ -29,7 +29,7 @@ S length(const vec3<S>& v) {
 }
 
 /// Sum over k of (w x)^k x / (k + shift)!: the motion of a point by constant rates, from its differential equation. At
-/// 100 digits, of which it loses as many as exp(|w|) has.
+/// 100 digits, minus the digits of exp(|w|).
 exact series(const exact& w, const exact& x, int shift) {
   exact sum{}, term = x;
   digits100 factorial = 1;
@@ -43,7 +43,7 @@ exact series(const exact& w, const exact& x, int shift) {
 }
 /// The position (1) of exponential.
 exact position_of(const exact& v, const exact& w) { return series(w, v, 1); }
-/// v of which that is the position, by Cramer's rule.
+/// The v with this position, by Cramer's rule.
 exact linear_of(const exact& p, const exact& w) {
   const exact x = series(w, {1, 0, 0}, 1), y = series(w, {0, 1, 0}, 1), z = series(w, {0, 0, 1}, 1);
   const digits100 det = dot(x, cross(y, z));
@@ -105,7 +105,7 @@ void check_exponential(random_numbers& draw, const vec3<S>& w, const S& scale) {
   const auto x = exponential(v, w);
   const digits100 t = length(up(w));
   CHECK(apart(x.position, position_of(up(v), up(w)), length(up(v))) <= few<S>);
-  // The quaternion of length 1; its axis to a few eps of its own length, however small.
+  // The quaternion of length 1; its axis to a few eps relative to its length, however small.
   const digits100 half = t / 2, k = t == 0 ? digits100(0.5) : digits100(sin(half) / t);
   const digits100 sign = cos(half) < 0 ? -1 : 1, phase = worse(digits100(1), half);
   CHECK(size(digits100(digits100(x.rotation.w) - sign * cos(half))) <= few<S> * phase);
@@ -174,7 +174,7 @@ TEST_CASE("of rotations by more than half a turn the logarithm takes the shorter
     CHECK(gap(again.rotation, x.rotation) <= both<double>);
     CHECK(gap(again.position, x.position) <= both<double> * length(v));
   }
-  // The same pose by q and -q.
+  // q and -q are one pose.
   const auto x = exponential(vec3{1.0, 2.0, 3.0}, vec3{0.3, -0.4, 0.5});
   auto y = x;
   y.rotation = {-x.rotation.w, -x.rotation.x, -x.rotation.y, -x.rotation.z};

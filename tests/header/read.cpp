@@ -1,4 +1,4 @@
-/// The headers that `write` wrote hold the same models: every type of element, with names and numbers as they are.
+/// The headers that `write` wrote hold the same models: every type of element, with equal names and numbers.
 #include <kte/runtime_chain/static_chain_map.hpp>
 #include <kte/static.hpp>
 

@@ -106,7 +106,7 @@ TEST_CASE("Adams-Bashforth-Moulton: two evaluations a step, and none beyond the 
   oscillator f;
   adams_BM5 solver(std::ref(f), 0.0, Eigen::Vector2d(1, 0), 0.01);
   solver.integrate(1);
-  CHECK(f.calls == 1 + 4 * 6 + 96 * 2);  // the first slope; Runge-Kutta with six, of which one is known; the rest
+  CHECK(f.calls == 1 + 4 * 6 + 96 * 2);  // the first slope; Runge-Kutta with six, one of them known; the rest
   CHECK(solver.statistics().evaluations == f.calls);
   CHECK(solver.statistics().steps == 100);
   solver.integrate(2);
@@ -136,7 +136,7 @@ TEST_CASE("Adams-Bashforth-Moulton: nothing old is used after a restart, a turn,
   adams_BM3 square([](double t, const scalar_state<double>&) { return scalar_state<double>(t * t); }, 0.0,
                    scalar_state<double>(0.0), 0.1);
   square.integrate(1);
-  square.restart(-1, scalar_state<double>(0.0));  // the same slope
+  square.restart(-1, scalar_state<double>(0.0));  // equal slope
   square.integrate(0);
   CHECK(square.state()[0] ==
         within(1 / 3.0, 1.5e-15));  // order 3 is exact; 4 roundings of weights up to 23/12, 10 of sums

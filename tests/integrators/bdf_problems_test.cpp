@@ -75,7 +75,7 @@ TEST_CASE("BDF: lower orders need more steps") {
   }
 }
 
-// Modes of 1, 16, ... 1296 rad/s without damping, as of a beam, of which the slowest moves. Without a bound by the
+// Modes of 1, 16, ... 1296 rad/s without damping, as in a beam. Only the slowest moves. Without a bound by the
 // spectrum orders 3 to 5 made the others grow: 14,271 and 35,312 evaluations.
 TEST_CASE("BDF: undamped modes that do not move cost nothing") {
   using square = Eigen::Matrix<double, 6, 6>;

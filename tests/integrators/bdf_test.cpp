@@ -111,7 +111,7 @@ TEST_CASE("BDF: fast oscillations that decay slowly are followed or damped, not 
   CHECK(lowered > 10);  // where high orders are unstable
 }
 
-TEST_CASE("BDF: the dense output goes through the ends of steps, and is as exact as they are") {
+TEST_CASE("BDF: the dense output interpolates step ends, with their accuracy") {
   bdf solver(towards_cosine(50.0), 0.0, one<double>(1.0), {.absolute = 1e-9, .relative = 1e-9});
   double before = 0, x_before = 1;
   solver.integrate(10, [&](double t, const auto& x) {
@@ -173,7 +173,7 @@ TEST_CASE("BDF: the history goes on where nothing has changed, else it starts ag
   CHECK(order > 3);
   CHECK(order_of_next_step(1.1) >= order - 1);
   const double x = solver.state()[0];
-  solver.restart(1.1, one<double>(x));  // the same
+  solver.restart(1.1, one<double>(x));  // equal state
   CHECK(order_of_next_step(2) > 2);
   input = 2;
   solver.begin(3);

@@ -39,7 +39,7 @@ TEST_CASE("a solver moves by its right-hand side as if it knew its type") {
   CHECK(erased.statistics().evaluations == known.statistics().evaluations);
 }
 
-TEST_CASE("a copy of a solver has a right-hand side of its own, unless that is shared") {
+TEST_CASE("a copy of a solver has its own right-hand side, unless that is shared") {
   const vector x0 = Eigen::Vector2d(1, 0);
   oscillator shared;
   kte::runge_kutta4 by_reference(std::ref(shared), 0.0, x0, 0.1);

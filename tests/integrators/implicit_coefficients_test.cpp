@@ -33,7 +33,7 @@ void check_stability(const Method& method, const V& b, bool damps) {
   CHECK(growth(method, b, -1e6) == within(damps ? 0.0 : 1.0, 1e-5));
 }
 
-/// Of the slopes k, from the coefficients of u = h Gamma k.
+/// The coefficients of the slopes k, from those of u = h Gamma k.
 template <class Coefficients>
 struct slopes {
   static constexpr auto stages = Coefficients::stages;

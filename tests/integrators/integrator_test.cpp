@@ -108,7 +108,7 @@ TEST_CASE("a solution goes backward as well, but does not turn back") {
   CHECK(x(-5) == other);
 }
 
-TEST_CASE("samples leave the steps as they are") {
+TEST_CASE("samples do not change the steps") {
   dormand_prince45 plain(oscillator, 0.0, Eigen::Vector2d(1, 0)), sampled = plain;
   plain.integrate(10);
   sampled.integrate(10, every(0.01), [](double, const auto&) {});
@@ -226,7 +226,7 @@ TEST_CASE("dynamic states, and sizes that do not fit") {
   const auto g = [](double, const Eigen::VectorXd&) -> Eigen::VectorXd { return Eigen::VectorXd::Zero(3); };
   euler wrong(g, 0.0, Eigen::VectorXd::Ones(5), 0.1);
   CHECK_THROWS_WITH(wrong.integrate(1), contains_text("gave 3 numbers for a state of 5"));
-  CHECK_THROWS_AS(wrong.integrate(1), bad_argument);  // a mistake, of which no shorter step can be tried
+  CHECK_THROWS_AS(wrong.integrate(1), bad_argument);  // a mistake: no shorter step is tried
   CHECK_THROWS_WITH(euler(f, 0.0, Eigen::VectorXd(), 0.1), contains_text("empty"));
 }
 

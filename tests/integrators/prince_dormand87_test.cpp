@@ -112,7 +112,7 @@ TEST_CASE("Prince-Dormand: a right-hand side that is NaN between the ends of a s
 }
 
 /// Rotations by the unit quaternion (x, y, z, w), turning at w(t) = (sin t, cos 2t, 1) in their own axes. Displacements
-/// are rotation vectors, of which the rate is dexp^-1, here as its series.
+/// are rotation vectors, whose rate is dexp^-1, here as a series.
 struct turning {
   using rate = Eigen::Vector3d;
   Eigen::Index rates() const { return 3; }

@@ -54,7 +54,7 @@ TEST_CASE("plain problems reach their references with the order 5 that the libra
   CHECK(error_of<hires<>>() < 1e-12);                 // [1.3e4, 6e1, 2.6e-13]: G at the start, then errors decay
 }
 
-TEST_CASE("the same in more digits", "[long]") {
+TEST_CASE("PLEIADES in more digits", "[long]") {
   const pleiades<long double> f;
   dormand_prince45 solver(f, 0.0L, f.start(), {.absolute = 1e-15L, .relative = 1e-15L});
   solver.integrate(f.t_end);

@@ -115,7 +115,7 @@ void check_stiff(long long most_steps) {
   CHECK(solver.state()[0] == within(std::cos(10.0), 1e-5));
   CHECK(solver.statistics().steps < most_steps);  // explicit methods need 1e6 at least
   const auto steps = solver.statistics().steps;
-  solver.integrate(10.001);  // goes on as if it were one call: the same long step, unless it ends before
+  solver.integrate(10.001);  // continues as in one call: an equally long step, unless it ends before
   CHECK(solver.statistics().steps == steps + 1);
   solver.integrate(20);
   CHECK(solver.state()[0] == within(std::cos(20.0), 1e-5));

@@ -65,7 +65,7 @@ TEST_CASE("a coordinate, a chain, a frame and a calculator in one file share wha
     CHECK(calculator.mass_matrix(t)(0, 0) == kte::mass_matrix(c, s)(0, 0));
     CHECK(b.thing<kte::gen_coord<>>("joint_coord").q == 0.1);
     CHECK(b.name_of_thing("end_frame") == "tip");
-    // the same into a static chain and its state
+    // into a static chain and its state
     const auto e = b.chain("pendulum", golden);
     auto u = kte::make_state(e);
     b.restore("joint_coord", u);
@@ -169,7 +169,7 @@ TEST_CASE("states of float and long double, bit for bit") {
   });
 }
 
-TEST_CASE("calculators come back as they were fed") {
+TEST_CASE("calculators come back with their contents") {
   kte::runtime_chain c;
   c << robots::iiwa14;
   kte::mass_matrix_calc calc(c);

@@ -98,8 +98,7 @@ TEST_CASE("what an archive must not be") {
 
 TEST_CASE("fields that begin with x_ are left out if somebody is told so") {
   const std::string text = json_root("\"x_note\":[1,2],\"numbers\":[]");
-  CHECK(fault(text) ==
-        ":2:13: root 1: unknown field 'x_note', which may be left out: with a read_options::warn that is told so");
+  CHECK(fault(text) == ":2:13: root 1: unknown field 'x_note', which may be omitted if read_options::warn is set");
   std::vector<std::string> told;
   const read_options listens{.warn = [&told](const std::string& what) { told.push_back(what); }};
   CHECK(read(text, model_format::json, listens) == read(json_root("\"numbers\":[]")));
@@ -130,7 +129,7 @@ TEST_CASE("bytes: what counts claim is not believed") {
   CHECK(fault("\x89kte\n\x1a\n", model_format::binary) == ", byte 0: this is not a binary model file");
   const auto good = kte::to_binary(kte::model_record{});
   CHECK(fault(good, model_format::binary).empty());
-  CHECK(fault(good + "x", model_format::binary).ends_with("something follows the end of the model"));
+  CHECK(fault(good + "x", model_format::binary).ends_with("unexpected content after the end of the model"));
   // a text of more than 64 bytes is not one that is known later
   const auto named = [](std::size_t n) {
     archive_record a;

@@ -18,7 +18,7 @@ namespace {
 struct kept_file : test::scratch_folder {
   std::filesystem::path file;
   explicit kept_file(const char* extension)
-      : file(path / (std::string("a model of a long name that needs memory of its own") + extension)) {
+      : file(path / (std::string("a model of a long name that needs separate memory") + extension)) {
     detail::replace_file(file, "what was there");
   }
 };

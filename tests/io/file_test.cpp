@@ -70,7 +70,7 @@ TEST_CASE("after a failure nothing is left behind") {
   CHECK(message(path / "none" / "x.json").ends_with("': No such file or directory"));
   CHECK(folder.entries() == 1);
   fs::remove(path);
-  if (fs::exists("/dev/full")) {  // what is no file is written directly, not replaced
+  if (fs::exists("/dev/full")) {  // targets that are not files are written directly, not replaced
     fs::create_symlink("/dev/full", path);
     CHECK(message(path) == "kte: cannot write '" + path.string() + "': No space left on device");
     CHECK((fs::is_symlink(path) && fs::is_character_file("/dev/full")));
@@ -132,7 +132,7 @@ TEST_CASE("what is written beside a file is new, and for its owner alone where t
 TEST_CASE("of a file with more bytes than are allowed there are more than these, else all") {
   const scratch_folder folder;
   const auto path = folder.path / "model.json";
-  for (const std::size_t size : {1, 1 << 14, (1 << 14) + 1, 3 << 14}) {  // as it is read in parts of 2^14 bytes
+  for (const std::size_t size : {1, 1 << 14, (1 << 14) + 1, 3 << 14}) {  // it is read in parts of 2^14 bytes
     replace_file(path, std::string(size, 'x'));
     CHECK(kte::detail::read_file(path, size).size() == size);
     CHECK(kte::detail::read_file(path, size - 1).size() >= size);

@@ -38,7 +38,7 @@ struct mcap_file {
     while (bytes-- > 0) x = 256 * x + static_cast<unsigned char>(s.at(at + bytes));
     return x;
   }
-  /// Fields of a content by their types: 2, 4, 8 are numbers of so many bytes, s is a text with its length before it, m
+  /// Fields of a content by their types: 2, 4, 8 are numbers of 2, 4, 8 bytes, s is a text with its length before it, m
   /// a map of name_list, r the rest.
   static std::vector<std::string> fields(const std::string& content, const std::string& types) {
     std::vector<std::string> r;

@@ -110,9 +110,9 @@ TEST_CASE("numbers may be texts, numbers, or lists of numbers") {
   CHECK(bad("1e").starts_with("4:5: 'p' is neither"));
   CHECK(bad("01") == "4:5: 'p': '01' is not a JSON number");
   CHECK(bad("[0, 0x1F]") == "4:9: 'p': '0x1F' is not a JSON number");
-  CHECK(bad("1 2") == "4:7: ',' or '}' is due here");
-  CHECK(bad("[1 2]") == "4:8: ',' or ']' is due here");
-  CHECK(bad("[1,]") == "4:8: something is due behind the comma");
+  CHECK(bad("1 2") == "4:7: expected ',' or '}'");
+  CHECK(bad("[1 2]") == "4:8: expected ',' or ']'");
+  CHECK(bad("[1,]") == "4:8: expected a value after the comma");
   CHECK(bad("\"1x\"") == "4:5: element 1: 'p': '1x' is not a list of numbers");
   CHECK(bad("\"1,2\"") == "4:5: element 1: 'p': '1,2' is not a list of numbers");
   CHECK(bad("1e999") == "4:5: element 1: 'p': '1e999' holds a number too large or too small for a double");
@@ -158,16 +158,16 @@ TEST_CASE("fields are known, once each, and none is missing: XML") {
   CHECK(xml(xml_element(xml_head + "<parameters><m>1</m><m>2</m></parameters>")) ==
         "3:63: element 1: a second 'm' in 'parameters'");
   CHECK(xml(xml_element("<type><a/></type>")) == "3:7: 'type' holds a text, not tags");
-  CHECK(xml(xml_element("<ports>a</ports>")) == "3:8: a tag is due here, not text");
+  CHECK(xml(xml_element("<ports>a</ports>")) == "3:8: expected a tag, got text");
 
-  CHECK(xml(xml_model("x" + gravity)) == "2:1: a tag is due here, not text");
-  CHECK(xml(xml_model(gravity + "<![CDATA[ ]]>")) == "2:25: a tag is due here");
+  CHECK(xml(xml_model("x" + gravity)) == "2:1: expected a tag, got text");
+  CHECK(xml(xml_model(gravity + "<![CDATA[ ]]>")) == "2:25: expected a tag");
   CHECK(xml(xml_model("<gravity unit=\"m\">0 0 0</gravity>")) == "2:10: 'gravity' has an unknown attribute 'unit'");
   CHECK(xml(xml_model("<gravity size=\"dynamic\">0 0 0</gravity>")) == "2:10: 'gravity' has no attribute 'size'");
   CHECK(xml(xml_model("<elements size=\"3\"/>")) == "2:11: the size of 'elements' must be \"dynamic\"");
   CHECK(xml(xml_model("<elements size=\"\"/>")) == "2:11: the size of 'elements' must be \"dynamic\"");
   CHECK(xml(xml_model("<elements size='dynamic' size='dynamic'/>")) == "2:26: a second attribute 'size'");
-  CHECK(xml(xml_model("<elements><value1/></elements>")) == "2:11: <value0> or <value> is due, not <value1>");
+  CHECK(xml(xml_model("<elements><value1/></elements>")) == "2:11: expected <value0> or <value>, got <value1>");
   CHECK(from_xml(xml_model(gravity + "<elements/>")).elements.empty());
   CHECK(from_xml(xml_model(gravity + "<elements><value><parameters/>" + xml_head + "</value></elements>"))
             .elements.size() == 1);
@@ -217,7 +217,7 @@ TEST_CASE("texts: escapes, blanks, remarks") {
   CHECK(in_json("\\ud800\\u0041") == "3:9: this escape stands for no character");
   CHECK(in_json("\\x41") == "3:9: this is not an escape of a text");
   CHECK(in_json("\\b") == "3:9: this is not an escape of a text");
-  CHECK(in_json("\\u12g4") == "3:9: \\u is due four hexadecimal digits");
+  CHECK(in_json("\\u12g4") == "3:9: \\u needs four hexadecimal digits");
   CHECK(in_json("a\nb") == "3:10: a line end or tab within quotes");
   CHECK(in_json("a\\nb") == "3:8: element 1: 'type' has a control character");
   CHECK(in_json("") == "3:8: element 1: 'type' is empty");
@@ -246,44 +246,45 @@ TEST_CASE("what is no JSON") {
   CHECK(json(" \n") == "1:1: the file is empty");
   CHECK(json("[]") == "1:1: a model must be an object {...}");
   CHECK(json("42") == "1:1: a model must be an object {...}");
-  CHECK(json("{,") == "1:2: a name in quotes is due here");
-  CHECK(json("{'a'") == "1:2: a name in quotes is due here");
-  CHECK(json("{\"a\" 1") == "1:6: ':' is due here");
-  CHECK(json(json_model("\"elements\":[],")) == "2:15: something is due behind the comma");
-  CHECK(json(json_model("\"elements\":[] \"gravity\"")) == "2:15: ',' or '}' is due here");
+  CHECK(json("{,") == "1:2: expected a name in quotes");
+  CHECK(json("{'a'") == "1:2: expected a name in quotes");
+  CHECK(json("{\"a\" 1") == "1:6: expected ':'");
+  CHECK(json(json_model("\"elements\":[],")) == "2:15: expected a value after the comma");
+  CHECK(json(json_model("\"elements\":[] \"gravity\"")) == "2:15: expected ',' or '}'");
   CHECK(json("// a model\n{").starts_with("1:1: "));
-  CHECK(json(json_model(json_gravity + "\"elements\":[]") + " x") == "2:35: something follows the end of the model");
+  CHECK(json(json_model(json_gravity + "\"elements\":[]") + " x") ==
+        "2:35: unexpected content after the end of the model");
   CHECK(json("{\"kte_model\":{\"version\":\"") == "1:26: the file ends in the middle of the model");
 }
 
 TEST_CASE("what is no XML") {
   CHECK(xml("") == "1:1: the file is empty");
   CHECK(xml("<!-- -->") == "1:9: the file ends in the middle of the model");
-  CHECK(xml("x") == "1:1: a tag is due here, not text");
+  CHECK(xml("x") == "1:1: expected a tag, got text");
   CHECK(xml("<a></b>") == "1:1: a model file begins with <cereal>");
   CHECK(xml("<!DOCTYPE a [<!ENTITY b '<'>]><cereal/>") == "1:1: a model file has no DOCTYPE");
   CHECK(xml(" <?xml version='1.0'?><cereal/>").ends_with("the declaration of XML belongs at the start"));
-  CHECK(xml(xml_model("<gravity>0 0 0</gravit>")) == "2:15: </gravity> is due here");
-  CHECK(xml(xml_model("</elements>")) == "2:1: </kte_model> is due here");
-  CHECK(xml(xml_model("<gravity/ >")) == "2:10: '>' is due here");
-  CHECK(xml(xml_model("<gravity size>")) == "2:14: '=' is due here");
-  CHECK(xml(xml_model("<gravity size=1>")) == "2:15: a quote is due here");
+  CHECK(xml(xml_model("<gravity>0 0 0</gravit>")) == "2:15: expected </gravity>");
+  CHECK(xml(xml_model("</elements>")) == "2:1: expected </kte_model>");
+  CHECK(xml(xml_model("<gravity/ >")) == "2:10: expected '>'");
+  CHECK(xml(xml_model("<gravity size>")) == "2:14: expected '='");
+  CHECK(xml(xml_model("<gravity size=1>")) == "2:15: expected a quote");
   CHECK(xml(xml_model("<gravity size='<'>")) == "2:10: 'gravity' has no attribute 'size'");
-  CHECK(xml(xml_model("< gravity>")) == "2:2: a name is due here");
+  CHECK(xml(xml_model("< gravity>")) == "2:2: expected a name");
   const auto good = xml_model("<gravity>0 0 0</gravity><elements/>");
   CHECK(xml("<?xml version=\"1.0\"?><!-- a --> <?b?>" + good + "\n<!-- c -->\n").empty());
   CHECK(xml("<?xml version='1.0' encoding='latin1'?>" + good) == "1:21: the encoding must be UTF-8");
   CHECK(xml("<?xml encoding='UTF-8'?>" + good).ends_with(": the version of XML must be 1.0"));
   CHECK(xml("<?xml version='1.0' coding='UTF-8'?>" + good) == "1:21: 'xml' has an unknown attribute 'coding'");
-  CHECK(xml("<?xml version='1.0'" + good) == "1:20: '?' is due here");
-  CHECK(xml(good + "x") == "2:57: something follows the end of the model");
-  CHECK(xml(good + good) == "2:57: something follows the end of the model");
+  CHECK(xml("<?xml version='1.0'" + good) == "1:20: expected '?'");
+  CHECK(xml(good + "x") == "2:57: unexpected content after the end of the model");
+  CHECK(xml(good + good) == "2:57: unexpected content after the end of the model");
 }
 
 TEST_CASE("files are UTF-8, with a byte order mark or without") {
   const auto model = json_model(json_gravity + "\"elements\":[]");
   CHECK(json("\xEF\xBB\xBF" + model).empty());
-  CHECK(json("\xEF\xBB\xBF{,") == "1:2: a name in quotes is due here");
+  CHECK(json("\xEF\xBB\xBF{,") == "1:2: expected a name in quotes");
   CHECK(xml("\xEF\xBB\xBF<?xml version='1.0'?>" + xml_model("<gravity>0 0 0</gravity><elements/>")).empty());
   CHECK(json("\xFF\xFE{") == "1:1: this is not UTF-8");
   CHECK(json(model + std::string(1, '\0')) == "2:34: here is a zero byte");
@@ -292,7 +293,7 @@ TEST_CASE("files are UTF-8, with a byte order mark or without") {
        {"\x80", "\xC0\xAF", "\xC3", "\xE0\x80\x80", "\xED\xA0\x80", "\xF4\x90\x80\x80", "\xF5", "\xE2\x82"})
     CHECK(json(json_element(std::string("\"type\":\"") + bad + "\"")) == "3:9: this is not UTF-8");
   // places count characters
-  CHECK(json(json_element("\"type\":\"é€\U0001F600\" x")) == "3:14: ',' or '}' is due here");
+  CHECK(json(json_element("\"type\":\"é€\U0001F600\" x")) == "3:14: expected ',' or '}'");
 }
 
 TEST_CASE("records know where they were read") {

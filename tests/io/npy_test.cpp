@@ -130,7 +130,7 @@ TEST_CASE("a forged or cut file is reported by offset, and needs no memory that 
   for (const std::string rows : {"2", "1152921504606846977", "18446744073709551615"}) {  // 2^60 + 1, 2^64 - 1
     const std::string forged = npy(front + "(" + rows + ",), }", doubles({1, 2}));
     CHECK(message(forged) == "byte " + std::to_string(forged.size() - 16) + ": " + rows +
-                                 " rows of 16 bytes are said to follow, but only 16 bytes do");
+                                 " rows of 16 bytes are announced, but only 16 bytes follow");
   }
   CHECK(message(npy(front + "(99999999999999999999,), }")).ends_with(": expected a number of rows"));
   CHECK(message(npy(front + "(-1,), }")).ends_with(": expected a number of rows"));

@@ -104,7 +104,7 @@ std::string drawn(progress_bar::draw when, const std::vector<call>& calls) {
   text.resize(std::fread(text.data(), 1, text.size(), file.get()));
   return text;
 }
-/// What is left on a line when all was written over it, without the blanks at its end.
+/// The final content of a line that is overwritten, without trailing blanks.
 std::string line_of(const std::string& text) {
   std::string line;
   std::size_t at = 0;

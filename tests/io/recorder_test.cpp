@@ -63,7 +63,7 @@ void scatter(State& s) {
   draw2(s[puck].position, s[puck].velocity, s[puck].acceleration, s[puck].force);
   draw(s[puck].angle, s[puck].ang_velocity, s[puck].ang_acceleration, s[puck].torque);
 }
-/// The same things in the state of a runtime chain.
+/// Copies these items to the state of a runtime chain.
 template <class State, class... Key>
 void copy(const State& s, runtime_state& r, const Key&... key) {
   ((r.get<Key::what>(r.made_for()->find(Key::name, Key::what)) = s[key]), ...);

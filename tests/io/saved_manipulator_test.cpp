@@ -32,7 +32,7 @@ TEST_CASE("manipulators come back from files with their tools and limits") {
     CHECK(two.tools() == runtime.tools());
     CHECK(two.limits() == limits);
     CHECK(kte::from_record(arm, b.model("static")).limits() == arm.limits());
-    CHECK_THROWS_WITH(kte::from_record(arm, b.model("runtime")), contains_text("whose first is 'tool'"));
+    CHECK_THROWS_WITH(kte::from_record(arm, b.model("runtime")), contains_text("whose first tool is 'tool'"));
   });
   const scratch file(".xml");
   kte::save_model(file.path, arm);

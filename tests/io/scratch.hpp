@@ -8,7 +8,7 @@
 
 namespace kte::test {
 
-/// A file of its own, removed at the end.
+/// A temporary file, removed at the end.
 struct scratch {
   std::filesystem::path path;
 
@@ -57,7 +57,7 @@ std::string message_of(const F& f) {
   }
   return "";
 }
-/// The same behind the path of a file, as in "kte: 'PATH', line 3: ...".
+/// The message after the path of a file, as in "kte: 'PATH', line 3: ...".
 template <class Error, class F>
 std::string message_about(const scratch& file, const F& f) {
   const std::string what = message_of<Error>(f), path = "kte: '" + file.path.string() + "', ";

@@ -109,7 +109,7 @@ TEST_CASE("tables without rows keep their names, and the destructor writes what 
   }
 }
 
-TEST_CASE("rows flush by themselves every so many, and where the buffer is full") {
+TEST_CASE("rows flush automatically after a number of rows, and when the buffer is full") {
   for (const auto& extension : test::table_extensions) {
     CAPTURE(extension);
     scratch file(extension);

@@ -42,7 +42,7 @@ struct found {
   Eigen::VectorXd a, driven;  ///< accelerations of no forces, and under forces
 };
 
-/// Of a model of either kind: its rates are those of forward dynamics, to which inverse dynamics is the inverse.
+/// For a model of either kind: its rates are those of forward dynamics, whose inverse is inverse dynamics.
 template <class Moving, class Forces, class Forward>
 found check_models(const Moving& moving, const Forces& forces, const Forward& forward, const motion_of& at) {
   const auto n = at.v.size();
@@ -93,7 +93,7 @@ void check(const char* name, const Chain& c, const Limits& limits) {
   for (const double x : limits.lower) CHECK(std::isfinite(x));
   for (const double x : limits.upper) CHECK(std::isfinite(x));
 }
-/// The same of the static chain, which computes what the list of its elements does.
+/// Checks the static chain against the list of its elements.
 template <class Arm>
 void check_static(const char* name, const Arm& arm) {
   const auto c = runtime(arm.chain());

@@ -106,7 +106,7 @@ inline auto bent() {
                       {e_y, none},
                       {e_z, {0, 0, .085}}});
 }
-/// A UR5 of which axes 5 and 6 pass by each other.
+/// A UR5 whose axes 5 and 6 do not intersect.
 inline auto ur5_with_offset() {
   return chain({0, 0, .089159}, {{e_z, {0, .13585, 0}},
                                  {e_y, {.425, -.1197, 0}},

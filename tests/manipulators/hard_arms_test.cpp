@@ -17,7 +17,7 @@ using test::says;
 namespace {
 using model = manipulator<runtime_chain>;
 
-/// The six joints that the formulas solve, of seven without the one that is held.
+/// The six joints that the formulas solve, of seven without the locked joint.
 double determinant(const model& arm, const numbers& q) {
   const Eigen::MatrixXd j = arm.getJacobianMatrix(q);
   return Eigen::MatrixXd(arm.structure().held == 0 ? j.rightCols(6) : j.leftCols(6)).determinant();

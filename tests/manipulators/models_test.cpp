@@ -96,7 +96,7 @@ TEST_CASE("iiwa14: its table, the maker's description, its limits", "[laws]") {
            classic(0, -quarter, 0, q[3]) * classic(0, -quarter, 0.4, q[4]) * classic(0, quarter, 0, q[5]) *
            classic(0, 0, 0.126, q[6]);
   });
-  // The same robot in the maker's axes of links.
+  // One robot, in our axes and in the manufacturer's axes of links.
   const auto ours = models::registered(record_of(iiwa14_chain())),
              theirs = models::registered(record_of(robots::iiwa14));
   auto a = ours.make_state(), b = theirs.make_state();

@@ -29,7 +29,7 @@ bool within_limits(const Q& q) {
     if (!(std::abs(q[i]) <= kuka.limits().upper[static_cast<std::size_t>(i)])) return false;
   return true;
 }
-/// Of the tool at q from a pose: m, rad.
+/// The distance of the tool at q from a pose: m, rad.
 template <class Q, class Pose>
 std::pair<double, double> gap(const Q& q, const Pose& wanted) {
   const auto e = pose_error(forward_kinematics(kuka, q, tool), wanted);
@@ -120,7 +120,7 @@ TEST_CASE("soft goals have the freedom that hard ones leave") {
     REQUIRE(r.status == numerical_ik_status::reached);
     REQUIRE(within_limits(r.q));
     CHECK((r.q - rest).norm() <= (alone.q - rest).norm());
-    // Along the self-motion, of which the direction is that of 7 - 6 singular values, there is nothing nearer, unless a
+    // Along the self-motion, whose direction belongs to 7 - 6 singular values, there is nothing nearer, unless a
     // limit is in the way.
     Eigen::Matrix<double, 7, 7> square = Eigen::Matrix<double, 7, 7>::Zero();
     square.topRows<6>() = kuka.getJacobianMatrix(r.q);

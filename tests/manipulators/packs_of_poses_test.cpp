@@ -9,7 +9,7 @@
 #include "catch.hpp"
 #include "random.hpp"
 
-// Several poses at once, in the lanes of packs, have the answers that each has on its own.
+// Several poses at once, in the lanes of packs, have the solutions of single poses.
 
 using namespace kte;
 using four = pack<double, 4>;
@@ -71,7 +71,7 @@ void compare(const char* name, const Arm& arm, std::size_t stops, const Request&
 }
 }  // namespace
 
-TEST_CASE("packs of poses: the answers of each lane are those of its pose alone, singular or beyond reach as they are",
+TEST_CASE("packs of poses: the answers of each lane are those of its pose alone, also if singular or out of reach",
           "[laws]") {
   compare("3R3R", three_r_three_r(), 4);
   compare("UR5", ur(), 4);

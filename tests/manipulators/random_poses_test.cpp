@@ -19,7 +19,7 @@ using namespace arms;
 
 namespace {
 manipulator<runtime_chain> runtime(const model_record& record) { return {models::registered(record), "tool"}; }
-/// (Not by +, of which g++ 12 warns.)
+/// (Operator + causes a warning of g++ 12.)
 std::string name_of(int joint) { return std::string("q").append(std::to_string(joint + 1)); }
 struct model {
   const char* name;

@@ -49,7 +49,7 @@ twist random_twist(Random& random, double size) {
 }
 }  // namespace
 
-TEST_CASE("without limits in the way, rates give the wanted twist as well as least squares") {
+TEST_CASE("without limits in the way, rates give the desired twist as well as least squares") {
   const three_rates q(0.3, 0.4, 0.7), none = three_rates::Zero(), v(0.1, -0.2, 0.15);
   const manipulator free_arm(three, tip);
   const twist wanted = arm.getJacobianMatrix(q) * v;
@@ -107,10 +107,10 @@ TEST_CASE("started outside its limits an arm comes back, and says so") {
   CHECK(q[2] <= 2);
 }
 
-TEST_CASE("what the tools leave is done as wanted") {
+TEST_CASE("what the tools leave follows the desired rates") {
   const manipulator free_arm(three, tip);
   const three_rates q(0.3, 0.4, 0.7), none = three_rates::Zero(), posture(0, 0.5, 0);
-  // Of a tool that is to stand still nothing is left here: three joints. Along y alone two of them do not matter.
+  // A tool that must stand still uses all three joints. Along y alone two of them do not matter.
   CHECK(rates_towards(free_arm, q, none, twist::Zero(), 0.01, {}, posture).v.norm() < 1e-4);
   const auto c = [] {
     runtime_chain all;
@@ -174,7 +174,7 @@ TEST_CASE("accelerations of tools, and joints that give them within limits") {
   CHECK(free_step.linear < 1e-8);
   CHECK(free_step.status == rate_status::free);
   CHECK((accelerations_towards(runtime, q, v, wanted, 1e-3, {.damping = 1e-12}).a - a).norm() < 1e-8);
-  // Nothing wanted of a tool at the first joint's axis: the other two do as they are told.
+  // A tool on the first joint's axis with no desired motion: the other two joints follow their desired rates.
   const manipulator shoulder(three, upper);
   const three_rates aim(0, 4, -5);
   CHECK((accelerations_towards(shoulder, q, v, twist::Zero(), 1e-3, {}, aim).a - aim).norm() < 1e-9);
@@ -223,5 +223,5 @@ TEST_CASE("arguments that are none are refused") {
   CHECK_THROWS_AS(rates_towards(arm, three_rates(0, std::nan(""), 0), v, twist::Zero(), 0.1), bad_argument);
   CHECK_THROWS_AS(accelerations_towards(arm, q, v, t, 0.1), bad_argument);
   CHECK_THROWS_MATCHES(accelerations_towards(arm, q, v, Eigen::VectorXd::Zero(3), 0.1), bad_argument,
-                       says("wanted has 3"));
+                       says("desired has 3"));
 }

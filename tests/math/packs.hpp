@@ -33,7 +33,7 @@ P random_pack(random_numbers& random, double size) {
   return P::load(x.data());
 }
 
-/// The same bits; NaN is the same as NaN.
+/// Whether bits are equal; NaN equals NaN.
 template <class T>
 bool same(T a, T b) {
   return std::isnan(a) ? std::isnan(b) : a == b && std::signbit(a) == std::signbit(b);

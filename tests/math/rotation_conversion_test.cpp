@@ -113,7 +113,7 @@ TEST_CASE("conversions keep fifty digits", "[long]") {
 }
 
 TEST_CASE("conversions agree with Eigen and with Rodrigues") {
-  // The same quantities by other formulas: tolerances as for the round trips.
+  // Other formulas for these quantities: tolerances as for the round trips.
   test::draw draw(32);
   for (int i = 0; i < 10000; ++i) {
     const auto q = draw.rotation();  // w < 0 for every second one

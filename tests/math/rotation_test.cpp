@@ -107,7 +107,7 @@ TEST_CASE("quaternions of any length are brought to length 1") {
     CHECK(std::isnan(matrix_of_any_length(unit_quaternion{0.0, bad, 0.0, 0.0}).x.x));
 }
 
-TEST_CASE("what is no rotation is rejected") {
+TEST_CASE("matrices that are not rotations are rejected") {
   const double inf = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
   CHECK_THROWS_AS(normalized(0.0, 0.0, 0.0, 0.0), bad_argument);
   for (const double bad : {inf, -inf, nan}) {

@@ -94,7 +94,7 @@ std::array<double, 2> integral_and_speed(double t, double c0, double w0) {
 }
 }  // namespace
 
-TEST_CASE("a law may have states of its own, which integrate beside those of the model, on the group") {
+TEST_CASE("a law may have its own states, which integrate with those of the model, on the group") {
   const auto check = [](auto& pid, double epsilon) {
     using state = typename std::remove_reference_t<decltype(pid)>::state;
     static_assert(moves_on_group<std::remove_reference_t<decltype(pid)>, state>);
@@ -163,7 +163,7 @@ TEST_CASE("the rates of a law are as many as it has states") {
   CHECK_THROWS_WITH(overlong(0, x), test::contains_text("are 4294967300 numbers"));
 }
 
-TEST_CASE("inputs that are no finite numbers are named") {
+TEST_CASE("inputs that are not finite are named") {
   const double nan = std::nan("");
   const auto refused = [&](auto& model, auto&& motor_of) {
     const auto x = model.make_x(q0, v0);

@@ -37,7 +37,7 @@ TEST_CASE("what rounding takes from a displacement is known to a millionth of it
         for (std::size_t i = 0; i < 7; ++i) rounded[i] = to[i];
         detail::displacement_between<digits50>(f, rounded, exact, lost);
         INFO("kind " << int(what) << ", size " << size << ", sample " << sample);
-        // What is computed from: vectors of the size, each rounded a few times.
+        // The arguments: vectors of this size, each rounded a few times.
         for (std::size_t i = 0; i < 6; ++i) {
           INFO("number " << i);
           CHECK(rest[i] ==

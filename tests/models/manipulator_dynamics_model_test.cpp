@@ -107,13 +107,13 @@ TEST_CASE("internal states follow velocities in the order of their elements, als
   const auto rates = model(0.0, x);
   CHECK(rates[4] > 0);
   CHECK(rates[5] < 0);
-  CHECK(vector_form(std::cref(model))(0.0, x) == rates);  // coordinates are numbers: the same
+  CHECK(vector_form(std::cref(model))(0.0, x) == rates);  // coordinates are numbers: equal rates
 }
 
 TEST_CASE("a failure of the integration says why the model could not be computed") {
   const auto reason = [](const auto& model, const auto& x) {
     try {
-      model.computeStateRate(0.0, x);
+      (void)model.computeStateRate(0.0, x);
     } catch (const kte::error& e) {
       return std::string(e.what()).substr(5);  // "kte: "
     }

@@ -62,7 +62,7 @@ TEST_CASE("a block breaks away when the slope becomes too steep, and slides on")
   CHECK(rate[1] == within(g * std::sin(slope) - 4.0, 1e-15));
 }
 
-TEST_CASE("a brake holds, lets go and holds again as it is pressed") {
+TEST_CASE("a brake holds, lets go and holds again as the pressure changes") {
   const auto press = [](const auto& t) {
     using S = std::remove_cvref_t<decltype(t)>;
     return t < S(1) ? S(2.0 - 1.5 * t) : S(1.5 * t - 1.0);

@@ -65,7 +65,7 @@ TEST_CASE("a model of a runtime chain is the same system as that of a static cha
   REQUIRE(x_runtime == x);
   REQUIRE(moving.rates() == 15);
   const auto r = still.computeStateRate(0, x);
-  // the same formulas in another order: M has a condition of some 100, so 1e-13 of the largest number
+  // equal formulas in another order: M has a condition of some 100, so 1e-13 of the largest number
   CHECK((moving.computeStateRate(0, x_runtime) - r).norm() <= 1e-13 * r.norm());
   CHECK(r[14] != 0);
 

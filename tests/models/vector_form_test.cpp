@@ -6,7 +6,7 @@
 
 #include "dynamics/small_chains.hpp"
 
-// Models as equations of vectors: the same motion as on the group.
+// Models as equations of vectors have the motion of models on the group.
 
 using namespace kte;
 using namespace kte::test;

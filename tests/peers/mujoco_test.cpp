@@ -63,7 +63,7 @@ states state_of(const robot& r, const mjModel& m, mjData& d, int trial) {
       turn = Eigen::AngleAxisd(s.q[e.q + 2], Eigen::Vector3d::UnitZ()).toRotationMatrix();
       w[2] = s.v[e.v + 2], v.head<2>() = s.v.segment<2>(e.v);
       s.T.block<3, 3>(to, e.v) = turn;
-    } else if (e.nv == 6) {  // the same in those of the world
+    } else if (e.nv == 6) {  // in axes of the world
       const auto x = s.q.segment<4>(e.q + 3);
       turn = Eigen::Quaterniond(x[0], x[1], x[2], x[3]).toRotationMatrix();
       v = s.v.segment<3>(e.v), w = s.v.segment<3>(e.v + 3);

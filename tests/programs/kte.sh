@@ -65,6 +65,23 @@ sed 's/0 0 -0.5/0 0 -500/' arm.urdf >millimetres.urdf
 gives 0 '' "$kte" check millimetres.urdf
 prints 'it is 500 m large: are lengths in mm?'
 
+# Closed loops in every format.
+for file in four_bar.urdf four_bar.xml four_bar.sdf; do
+  gives 0 '' "$kte" check "$data/robots/$file"
+  prints 'rank 2, mobility 1; these rows follow from others:'
+  gives 0 '' "$kte" info "$data/robots/$file"
+  prints 'closed loops: '
+  gives 0 '' "$kte" simulate "$data/robots/$file" --time 1
+done
+sed 's/0 0 0.8/0 0 0.7/' "$data/robots/four_bar.urdf" >open.urdf
+gives 0 "open.urdf: the start is assembled: the closure 'pin' was open by 0.1" "$kte" simulate open.urdf --time 0.1
+sed 's/0 0 0.8/0 0 8/' "$data/robots/four_bar.urdf" >short.urdf
+gives 1 "kte: the loops do not close: 'pin' stays open by " "$kte" simulate short.urdf
+gives 1 'which adams and bdf cannot do: use a one-step method' "$kte" simulate open.urdf --solver bdf
+gives 0 '' "$kte" convert "$data/robots/four_bar.sdf" four_bar.kte
+gives 0 '' "$kte" check four_bar.kte
+prints 'rank 2, mobility 1'
+
 # info
 gives 0 '' "$kte" info pendulum.json
 prints "joint: revolute z 'q'"
@@ -142,7 +159,7 @@ done
 gives 0 'kte: wrote both.html' "$kte" view pendulum.json swing.csv swing.npy --output both.html --title Both
 gives 0 'kte: wrote pendulum.html' "$kte" view pendulum.json --start start.csv
 if ! grep -q '"q":\[0.1\]' pendulum.html; then wrong 'the page does not begin at --start'; fi
-gives 2 '--start and --configuration are of pages without a recording' "$kte" view pendulum.json swing.csv --start start.csv
+gives 2 '--start and --configuration are for pages without a recording' "$kte" view pendulum.json swing.csv --start start.csv
 gives 2 '--recording-size is between 0 and 1024, not -1' "$kte" view pendulum.json swing.csv --recording-size -1
 gives 0 '' "$kte" simulate pendulum.json --time 10 --every 0.001 --record long.csv
 gives 0 'wrote long.html' "$kte" view pendulum.json long.csv -o long.html --recording-size 0.1
@@ -158,8 +175,8 @@ if ! grep -qxF "$PWD/-a; touch called.html" browser/xdg-open.log; then wrong 'xd
 gives 0 'kte: wrote swing.svg' "$kte" plot swing.csv q energy/total
 if ! grep -q '<svg' swing.svg; then wrong 'no SVG'; fi
 gives 0 'kte: wrote other.svg' "$kte" plot swing.npy -o other.svg
-gives 1 "swing.csv: cannot plot 'nothing', which is no column" "$kte" plot swing.csv nothing
-gives 2 "'swing.pdf' is no name of a picture: these end in .svg or .png" "$kte" plot swing.csv q -o swing.pdf
+gives 1 "swing.csv: cannot plot 'nothing': there is no such column" "$kte" plot swing.csv nothing
+gives 2 "'swing.pdf' is not the name of a picture: these end in .svg or .png" "$kte" plot swing.csv q -o swing.pdf
 gives 0 'kte: wrote units.svg' "$kte" plot swing.csv q q/v --of pendulum.json -o units.svg
 for text in 'q (rad)' 'q/v (rad/s)'; do
   if ! grep -qF "$text" units.svg; then wrong "the axis has no unit: $text"; fi

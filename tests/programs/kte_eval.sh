@@ -133,7 +133,7 @@ for works in 'true' 'echo half a table' 'exit 0' 'exit 5' 'kill -9 $$'; do
   rm -rf "$kept"
   got=0
   "$kte" eval arm.urdf states.csv --static >out 2>errors || got=$?
-  if [ "$got" -ne 1 ] || ! grep -q 'has not done its work: it ended' errors; then wrong "'$works' is taken for a table"; fi
+  if [ "$got" -ne 1 ] || ! grep -q 'failed: it ended' errors; then wrong "'$works' is taken for a table"; fi
 done
 rm -rf "$kept"
 works='printf ! >&3; echo kte: it fails >&2; exit 1'
@@ -184,12 +184,12 @@ XDG_CACHE_HOME=$folder/xdg static 0 'compiling'
 if [ ! -d xdg/kte ] || [ "$(stat -c %a xdg)" != 700 ]; then wrong 'XDG_CACHE_HOME is not used, or not private'; fi
 rm -f log
 for HOME in '' relative; do
-  static 1 'neither is an absolute path'
-  XDG_CACHE_HOME=relative static 1 'neither is an absolute path'
+  static 1 'set one of them to an absolute path'
+  XDG_CACHE_HOME=relative static 1 'set one of them to an absolute path'
 done
 HOME=$folder/states.csv static 1 "cannot make '$folder/states.csv/.cache': Not a directory"
 unset HOME
-static 1 'neither is an absolute path'
+static 1 'set one of them to an absolute path'
 compiled 0
 if [ -e relative ]; then wrong 'a relative HOME is used'; fi
 

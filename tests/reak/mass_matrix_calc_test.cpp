@@ -35,7 +35,7 @@ void check(const Chain& c, unsigned seed) {
     CHECK(gap(calc.mass_matrix(s, m.q), x.value) < rounding);
     const Eigen::MatrixXd skew = x.rate - 2 * coriolis;
     CHECK(gap(skew, Eigen::MatrixXd(-skew.transpose())) < rounding);
-    // T v are the rates of the bodies, of which the kinetic energy is made.
+    // T v are the rates of the bodies, which determine the kinetic energy.
     const auto shaping = calc.twist_shaping(s, m.q, m.v);
     Eigen::VectorXd v(m.v.size());
     for (std::size_t i = 0; i < of.size(); ++i) v[static_cast<Eigen::Index>(i)] = m.v[of[i]];

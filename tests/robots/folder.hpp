@@ -7,7 +7,7 @@
 
 namespace kte::test {
 
-/// A folder of its own for files that name each other, removed at the end.
+/// A temporary folder for files that name each other, removed at the end.
 struct folder {
   std::filesystem::path path;
 

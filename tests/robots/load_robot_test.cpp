@@ -54,7 +54,7 @@ TEST_CASE("files that are no robots") {
   refused("", "kte: a.urdf:1:1: the file is empty");
   refused("no robot", "kte: a.urdf:1: this is not valid XML: parsing text");
   refused("<robot>\n<link>\n</robot>", "kte: a.urdf:2: this is not valid XML: mismatched element");
-  refused("<model/>", "kte: a.urdf:1: <model> begins no format of robots");
+  refused("<model/>", "kte: a.urdf:1: <model> is not the root of a supported robot format");
   refused("<robot/>\n<robot/>", "kte: a.urdf:2: an element comes after the end of the first");
   refused("<robot>\n<xacro:macro name='leg'/></robot>", "kte: a.urdf:2: <xacro:macro>: this is a file for xacro");
   refused("<robot>\xff</robot>", "this is not UTF-8");

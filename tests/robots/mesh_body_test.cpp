@@ -62,7 +62,7 @@ triangle_mesh h_profile() {
                 {7, 8, 9}},
                -0.5, 0.5);
 }
-/// An irregular octahedron, as points of which none is inside.
+/// An irregular octahedron, as points, none of them inside.
 triangle_mesh octahedron() {
   return {{{1, 0, 0}, {-0.75, 0.125, 0}, {0, 0.5, 0.125}, {0.125, -0.5, 0}, {0, 0, 0.25}, {0, -0.125, -0.375}},
           {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}}};

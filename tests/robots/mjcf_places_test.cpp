@@ -43,7 +43,7 @@ TEST_CASE("frames and replicates stand where they say") {
   refused("<replicate count='1000'><replicate count='1000'><body/></replicate></replicate>",
           "more than 300000 elements");
   refused("<frame childclass='x'/>", "there is no default class 'x'");
-  refused("<flexcomp name='cloth'/>", "flexcomp 'cloth': is not read: what it makes is flexible");
+  refused("<flexcomp name='cloth'/>", "flexcomp 'cloth': is not read: flexible bodies are not modelled");
 }
 
 TEST_CASE("frames and replicates in each other") {

@@ -158,7 +158,7 @@ TEST_CASE("what is not read of elements of MJCF is listed, and of defaults once,
         "4 mesh 'm': its smoothnormal is not read\n"
         "6 material 'red': no <material> is read\n"
         "6 <texture>: no <texture> is read\n"
-        "8 site 's': what sites look like is not read: group, rgba, size\n");
+        "8 site 's': the appearance of sites is not read: group, rgba, size\n");
   CHECK(listed(d.warnings) ==
         "7! joint 'j': how soft its dry friction is (solreffriction, solimpfriction) is not modelled\n"
         "4! mesh 'm': its maxhullvert is not read: its mass is that of the whole hull\n");

@@ -26,9 +26,8 @@ TEST_CASE("what moves differently is warned of first, or refused") {
   CHECK(texts(r.warnings) ==
         "body 'b': <plugin>: plugins are not modelled\n"
         "<option>: the drag of its viscosity is not modelled\n"
-        "connect 'loop': this constraint is not modelled\n"
         "fixed 't': its stiffness is not modelled\n"
-        "flex 'f': what is flexible is not modelled\n"
+        "flex 'f': flexible bodies are not modelled\n"
         "muscle 'm': its law is not modelled, as of others of <muscle>: 'm'\n"
         "position 'p0': its law is not modelled, as of others of <position>: 'p0'\n"
         "body 'b': <geom>: contact is not modelled: friction, solref and others of 1 element\n"

@@ -66,7 +66,7 @@ TEST_CASE("bodies that MuJoCo would not take") {
         std::vector<std::string>{
             "link 'd': its mass is written into link 'b', which it is fixed to",
             "link 'b': it moves with a mass of 2 kg, and moments down to 0 kg m^2, which are raised to 1e-15 each, "
-            "the least that MuJoCo takes"});
+            "the least that MuJoCo accepts"});
   // moments of no matter; what does not move may have others
   const auto odd = made(heavy("a") + body("b", 1, "ixx='1' iyy='1' izz='2.75'") +
                         joint_text("q", "continuous", "a", "b", "<axis xyz='1 0 0'/>"));
@@ -76,7 +76,7 @@ TEST_CASE("bodies that MuJoCo would not take") {
   CHECK(to_mjcf(odd, {.lossy = true}) == holding("diaginertia=\"1.25 1.25 2.5\""));
   CHECK(to_mjcf(made(body("a", 1, "ixx='2.75' iyy='1' izz='1'"))) ==
         (holding("diaginertia=\"2.5 1.25 1.25\"") &&
-         holding("it is at rest, and has the nearest that a body can have -->")));
+         holding("it is at rest, and gets the nearest realizable moments -->")));
   CHECK(to_mjcf(made(body("a", 1, "ixx='0.1' iyy='0.2' izz='0.3000000001'"))) == holding("<!--"));
   CHECK(to_mjcf(made(body("a", 1, "ixx='0.1' iyy='0.2' izz='0.30000000000000004'"))) ==
         holding("diaginertia=\"0.1 0.2 0.30000000000000004\""));
@@ -93,7 +93,7 @@ TEST_CASE("what MJCF cannot say is refused by name, or listed") {
   runtime_chain p;
   p << free_joint_3D("trunk", "ground", "body").at(vec3<>{0, 0, 1}, robot_pose{}.rotation);
   CHECK_THROWS_MATCHES(to_mjcf(p), bad_argument,
-                       says("kte: joint 'trunk': its placement stands elsewhere than the world"));
+                       says("kte: joint 'trunk': its placement is not the frame of the world"));
   const std::string mimic = "<limit effort='1' velocity='1'/><mimic joint='q' multiplier='2' offset='0.5'/>";
   const auto follower = made(heavy("a") + heavy("b") + heavy("c") + joint_text("q", "continuous", "a", "b") +
                              joint_text("f", "prismatic", "b", "c", mimic));
@@ -110,7 +110,7 @@ TEST_CASE("what MJCF cannot say is refused by name, or listed") {
       std::vector<std::string>{
           "coordinate 'turn': a description has no limits of acceleration and jerk",
           "coordinate 'flight': a description has no limits of coordinates of several numbers",
-          "link 'arm': its shape 'logo' is left out: MuJoCo takes paths of meshes, not 'package://parts/logo.dae'",
+          "link 'arm': its shape 'logo' is left out: MuJoCo accepts paths of meshes, not 'package://parts/logo.dae'",
           "link 'frame': frames between joints of one body, here of 'arm', have no names in MJCF",
           "joint 'slide': the limit of its rate, 2, is left out",
           "joint 'mount': its soft limits are left out",
@@ -118,17 +118,17 @@ TEST_CASE("what MJCF cannot say is refused by name, or listed") {
           "joint 'hinge': the limit of its rate, 1, is left out",
           "joint 'hinge': the limit of its effort, 1, is left out",
           "link 'hub': it moves with a mass of 0 kg, and moments down to 0 kg m^2, which are raised to 1e-15 each, the "
-          "least that MuJoCo takes",
-          "joint 'left': MuJoCo takes no range of nothing: its upper limit is the next number above 0.25",
+          "least that MuJoCo accepts",
+          "joint 'left': MuJoCo does not accept an empty range: its upper limit is the next number above 0.25",
           "joint 'left': the limit of its rate, 1, is left out",
           "joint 'left': the limit of its effort, 0, is left out",
           "link 'lever_a': frames between joints of one body, here of 'lever_b', have no names in MJCF",
           "link 'bob': its mass is written into link 'lever_b', which it is fixed to",
           "link 'lever_b': it moves with a mass of 1 kg, and moments down to 0 kg m^2, which are raised to 1e-15 each, "
-          "the least that MuJoCo takes",
+          "the least that MuJoCo accepts",
           "joint 'puck': it is planar, and written as slides 'puck_x', 'puck_y' and a hinge 'puck_angle'",
           "joint 'flight': it floats in the world, in which link 'ground' rests",
-          "actuator 'm': its name comes a second time, and is left out",
+          "actuator 'm': its name occurs twice, and is omitted",
           "actuator 'o': left out: 'puck' is not a joint of MJCF"});
   for (const auto& n : notes) CHECK(text == holding("<!-- not as in the robot: " + n.text + " -->\n"));
   CHECK(text == holding("<motor name=\"m\" joint=\"turn\" gear=\"2\"/>\n    <motor joint=\"slide\" "

@@ -65,13 +65,13 @@ TEST_CASE("shapes are geoms without mass in MJCF") {
       <geom type="mesh" mesh="b.obj" mass="0"/>
     </body>
 )"));
-  CHECK(texts(notes) ==
-        std::vector<std::string>{"link 'a': its shape 'flat' is left out: MuJoCo takes no size of 0",
-                                 "link 'a': its shape is left out: its form is not known",
-                                 "link 'a': its shape is left out: its mesh '' has no file",
-                                 "link 'a': the name 'ball' of a shape comes a second time, and is left out",
-                                 "link 'a': its shape is left out: MuJoCo reads stl, obj and msh, not 'a.dae'",
-                                 "link 'a': its shape is left out: MuJoCo takes paths of meshes, not 'file:///a.stl'"});
+  CHECK(texts(notes) == std::vector<std::string>{
+                            "link 'a': its shape 'flat' is left out: MuJoCo does not accept a size of 0",
+                            "link 'a': its shape is left out: its form is not known",
+                            "link 'a': its shape is left out: its mesh '' has no file",
+                            "link 'a': the name 'ball' of a shape occurs twice, and is omitted",
+                            "link 'a': its shape is left out: MuJoCo reads stl, obj and msh, not 'a.dae'",
+                            "link 'a': its shape is left out: MuJoCo accepts paths of meshes, not 'file:///a.stl'"});
   notes.clear();
   const auto only_b = [](const std::string& mesh) { return mesh == "b.obj" ? "meshes/" + mesh : std::string(); };
   CHECK(to_mjcf(d, {.not_written = &notes, .mesh_path = only_b}) ==
@@ -100,5 +100,5 @@ TEST_CASE("shapes are geoms without mass in MJCF") {
   d.joints.emplace_back().name = "q", d.joints[0].parent = "world", d.joints[0].child = "a";
   d.joints[0].is = robot_joint::kind::revolute, d.joints[0].dynamics.armature = 1;
   CHECK(to_mjcf(d) == (holding("<worldbody>\n    <geom type=\"plane\"") &&
-                       holding("it is a plane, which MuJoCo takes of nothing that moves")));
+                       holding("it is a plane, which MuJoCo accepts only on static bodies")));
 }

@@ -132,5 +132,5 @@ TEST_CASE("motors of URDF: transmissions, else all joints that move by themselve
   CHECK_THROWS_MATCHES(read(links + joints +
                             "<transmission><joint name='p'/><actuator><mechanicalReduction>0"
                             "</mechanicalReduction></actuator></transmission>"),
-                       bad_file, says("a gear of ratio 0 moves nothing"));
+                       bad_file, says("a gear ratio must not be 0"));
 }

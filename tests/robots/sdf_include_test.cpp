@@ -147,10 +147,10 @@ TEST_CASE("includes that cannot be had are refused by name") {
   refused(include("two"), "has several models: a file to include has one");
   f.write("none/model.sdf", sdf("<world name='a'/>"));
   refused(include("none"), "has no model beside its worlds");
-  refused(include("r.sdf"), "'r.sdf' includes itself, in the end");
+  refused(include("r.sdf"), "'r.sdf' includes itself, directly or through other files");
   f.write("x/model.sdf", model(include("y")));
   f.write("y/model.sdf", model(include("x")));
-  refused(include("x"), "'x' includes itself, in the end");
+  refused(include("x"), "'x' includes itself, directly or through other files");
   f.write("leaf/model.sdf", sdf("<model name='leaf'><placement_frame/><link name='l'/></model>"));
   refused(include("leaf", "<placement_frame>l</placement_frame>"), "<placement_frame>: needs a <pose>");
   for (int i = 0; i < 40; ++i) {

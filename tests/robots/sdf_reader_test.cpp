@@ -146,7 +146,7 @@ TEST_CASE("empty texts of SDF are defaults, and what is not modelled is said onc
   CHECK((a.inertial->mass == 1 && a.inertial->inertia == sym3<>{1, 0, 0, 1, 0, 1}));
   CHECK((a.visuals[0].size == vec3<>{1, 1, 1} && a.visuals[2].mesh == "1"));
   CHECK(a.collisions[0].origin.position == vec3<>{1, 0, 1});
-  CHECK(has(d.warnings, "<uri>: comes a second time; the first is taken"));
+  CHECK(has(d.warnings, "<uri>: occurs twice; the first is used"));
   CHECK(has(d.not_read, "visual 'w': has no <geometry>"));
   CHECK(has(d.not_read, "link 'a': <enable_wind>: not read"));
   CHECK(has(d.warnings, "<surface>: contacts are not modelled: it is not read, as all 2 of the model", true));

@@ -204,15 +204,16 @@ TEST_CASE("links and joints that make no tree") {
   };
   const std::string a = "<link name='a'/>\n", b = "<link name='b'/>\n", c = "<link name='c'/>\n";
   refused("", " the robot has no links");
-  refused(a + a, "3: link 'a' comes a second time, after line 2");
+  refused(a + a, "3: link 'a' is already defined in line 2");
   refused(a + b, "3: link 'b' is a root beside link 'a' (line 2)");
   refused(a + joint_text("j", "fixed", "a", "b"), "3: joint 'j': its child 'b' is not a link");
   refused(a + joint_text("j", "fixed", "b", "a"), "3: joint 'j': its parent 'b' is not a link");
   refused(a + joint_text("j", "fixed", "a", "a"), "3: joint 'j': its parent and its child are the same link 'a'");
   refused(a + b + c + joint_text("j", "fixed", "a", "b") + joint_text("j", "fixed", "b", "c"),
-          "6: joint 'j': it comes a second time, after line 5");
+          "6: joint 'j': it is already defined in line 5");
   refused(a + b + c + joint_text("j", "fixed", "a", "c") + joint_text("k", "fixed", "b", "c"),
-          "6: joint 'k': its child 'c' is already the child of joint 'j' (line 5): loops are not read");
+          "6: joint 'k': its child 'c' is already the child of joint 'j' (line 5): a link has one parent, and closures "
+          "close loops");
   refused(a + b + joint_text("j", "fixed", "a", "b") + joint_text("k", "fixed", "b", "a"),
           "5: joint 'k' is part of a cycle");
   refused(a + b + c + joint_text("j", "fixed", "c", "b") + joint_text("k", "fixed", "b", "c"),
@@ -224,7 +225,7 @@ TEST_CASE("links and joints that make no tree") {
           "4: joint 'j': it mimics joint 'k', which does not exist");
   refused(a + b + c + joint_text("j", "prismatic", "a", "b", mimic("k")) +
               joint_text("k", "prismatic", "a", "c", mimic("j")),
-          "5: joint 'j': it mimics joints that, in the end, mimic each other");
+          "5: joint 'j': it mimics joints that mimic each other");
   refused(a + b + c + joint_text("j", "prismatic", "a", "b", mimic("k")) + joint_text("k", "fixed", "a", "c", ""),
           "5: joint 'j': it mimics joint 'k', which has no single coordinate");
 }

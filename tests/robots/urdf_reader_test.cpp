@@ -104,7 +104,7 @@ TEST_CASE("errors in a URDF name file, line and element") {
   joint_refused("continuous", "<axis xyz='1 0 inf'/>", "<axis>: xyz must be finite, got '1 0 inf'");
   joint_refused("continuous", "<axis xyz='1 0 z'/>", "<axis>: xyz '1 0 z' is not a list of numbers");
   joint_refused("continuous", "<origin xyz='${l} 0 0'/>", "<origin>: xyz '${l} 0 0' is an expression of xacro");
-  joint_refused("continuous", "<origin/><origin/>", "<origin>: comes a second time");
+  joint_refused("continuous", "<origin/><origin/>", "<origin>: occurs twice");
   joint_refused("continuous", "<dynamics damping='-1'/>", "<dynamics>: damping must not be negative, got -1");
   joint_refused("floating", "<mimic joint='x'/>", "<mimic>: only revolute, continuous, prismatic and screw joints can");
   joint_refused("universal", "<mimic joint='x'/>",
@@ -121,7 +121,7 @@ bool has(const std::vector<robot_note>& notes, const std::string& text, bool mov
 }
 }  // namespace
 
-TEST_CASE("what URDFs leave out or say twice is read as it is meant, and said") {
+TEST_CASE("omissions and duplicates in URDFs are read as intended, and reported") {
   const auto d = from_urdf(urdf(R"(<material name='red'><color rgba='1 0 0 1'/></material>
     <material name='red'><color rgba='0 1 0 1'/></material>
     <material name='red'><color rgba='1 0 0 1'/><texture filename='t.png'/></material>
@@ -151,10 +151,10 @@ TEST_CASE("what URDFs leave out or say twice is read as it is meant, and said") 
   CHECK(has(d.warnings, "<mesh>: scale is one number"));
   CHECK(has(d.warnings, "link 'a': <contact>: contacts are not modelled: it is not read, as others of 2 links", true));
   CHECK(has(d.warnings, "link 'a': <gravity>: not read", true));
-  CHECK(has(d.not_read, "material 'red': there is another material of this name; the first is taken"));
+  CHECK(has(d.not_read, "material 'red': there is another material of this name; the first is used"));
   CHECK(has(d.not_read, "material 'red': <texture>: not read"));
   CHECK(has(d.not_read, "link 'a': <visual>: has no <geometry>"));
-  CHECK(has(d.not_read, "material 'blue': comes a second time"));
+  CHECK(has(d.not_read, "material 'blue': occurs twice"));
 }
 
 TEST_CASE("a second inertial is not taken, and the world is ground") {
@@ -187,13 +187,13 @@ TEST_CASE("joints of URDFs that are not as the format has them") {
   CHECK((d.joints[0].lower == 0 && d.joints[0].upper == 0));
   d = read("continuous", "<axis xyz='0 1 0'/><axis xyz='0 0 1'/>");
   CHECK(d.joints[0].axis == vec3<>{0, 1, 0});
-  CHECK(has(d.warnings, "<axis>: comes a second time; the first is taken"));
+  CHECK(has(d.warnings, "<axis>: occurs twice; the first is used"));
   d = read("fixed", "<mimic joint='other'/>");
   CHECK(!d.joints[0].mimic);
-  CHECK(has(d.not_read, "<mimic>: a fixed joint follows no other"));
+  CHECK(has(d.not_read, "<mimic>: a fixed joint cannot follow another"));
   d = read("spherical", "<limit lower='1'/><axis xyz='2 0 0'/>");
   CHECK((d.joints[0].is == robot_joint::kind::spherical && d.warnings.empty()));
-  CHECK(has(d.not_read, "<limit>: not read: limits are of joints with one coordinate"));
+  CHECK(has(d.not_read, "<limit>: not read: only joints with one coordinate have limits"));
   d = read("continuous", "<dynamics D='3' damping='1'/><joint_properties friction='1'/>");
   CHECK(d.joints[0].dynamics.damping == 1);
   CHECK(has(d.warnings, "<dynamics>: its D is not read", true));

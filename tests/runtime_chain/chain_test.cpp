@@ -141,7 +141,7 @@ TEST_CASE("what cannot be appended is refused, and changes nothing") {
   CHECK_THROWS_AS(c << no_copies, bad_argument);
 }
 
-TEST_CASE("a chain that has become part of another has no states of its own") {
+TEST_CASE("a chain that has become part of another has no states") {
   const auto throws = [](const runtime_chain& part, runtime_state& s) {
     CHECK_THROWS_WITH(part.make_state(), contains_text("part of another"));
     CHECK_THROWS_AS(part.dofs(), bad_argument);

@@ -60,7 +60,7 @@ TEST_CASE("each kind of thing has a handle, which finds it and no other") {
   CHECK(is(disc, kind::frame_2D, 1));
 }
 
-TEST_CASE("a handle of another kind is refused, and says of which") {
+TEST_CASE("a handle of another kind is refused, and its kind is named") {
   const auto c = all_kinds();
   auto s = c.make_state();
   const auto refused = [](const char* is, const char* wanted) {

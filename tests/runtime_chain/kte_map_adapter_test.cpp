@@ -153,7 +153,7 @@ TEST_CASE("an element with both ports on one coordinate is derived by it once") 
   CHECK(d.by_v(0, 0) == -0.5);
 }
 
-TEST_CASE("what frames feel is not derived by elements on their own") {
+TEST_CASE("loads on frames are not derived by single elements") {
   const alone body_alone(inertia_3D("a", body));
   runtime_state s(body_alone.wiring);
   body_alone.element.derive_forces(s);

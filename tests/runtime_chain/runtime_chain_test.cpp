@@ -156,7 +156,7 @@ TEST_CASE("mistakes in a runtime chain are named, and change nothing") {
     CHECK_THROWS_WITH(c << inertia_3D("q", point_mass(1.0)), contains_text("'q' is a coordinate, not a 3D frame"));
   }
   SECTION("no name") { CHECK_THROWS_WITH(c << inertia_3D("", point_mass(1.0)), contains_text("frame has no name")); }
-  SECTION("a chain of which the second element is wrong") {
+  SECTION("a chain whose second element is wrong") {
     runtime_chain more;
     more << rigid_link_3D("x", "tool", along_z(0.1)) << rigid_link_3D("tool", "tip", along_z(0.1));
     CHECK_THROWS_AS(c << more, bad_wiring);

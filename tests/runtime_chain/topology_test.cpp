@@ -28,7 +28,7 @@ inline constexpr struct ground_ final : frame_3D_key<"ground">   {} ground;
 
 constexpr rigid_body brick{2.5, vec3{0.1, -0.2, 0.15}, sym3{0.3, 0.02, -0.03, 0.4, 0.05, 0.35}};
 
-/// The same mechanism under names of its own, and under shared ones.
+/// A mechanism with separate names, and with shared names.
 template <class Elbow, class Arm, class Body, class Trunk, class Tool, class Motor, class Ground>
 constexpr auto mechanism(const Elbow& q, const Arm& a, const Body& b, const Trunk& t, const Tool& x, const Motor& m,
                          const Ground& g) {

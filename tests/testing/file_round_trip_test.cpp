@@ -9,7 +9,7 @@ using namespace kte;
 
 namespace {
 
-/// The same with other numbers, no two alike, where the element takes them.
+/// The record with other numbers, all different, if the element accepts them.
 element_record with_odd_numbers(const element_registry& registry, const element_record& plain) {
   element_record r = plain;
   double odd = 1;
@@ -44,7 +44,7 @@ auto forgetful(double stiffness, double force) { return connect(forgetful_spring
 
 }  // namespace
 
-TEST_CASE("all elements of the library come back from files as they were") {
+TEST_CASE("all elements of the library come back from files unchanged") {
   random_numbers draw(1);
   int odd = 0;
   for (const auto& [type, plain] : elements_page::records()) {

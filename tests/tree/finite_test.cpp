@@ -20,7 +20,7 @@ template <class S>
 void try_rows() {
   for (std::size_t n = 0; n < 40; ++n) {
     CAPTURE(n);
-    std::vector<S> x(n + 1, std::numeric_limits<S>::max());  // of which a sum would be infinite
+    std::vector<S> x(n + 1, std::numeric_limits<S>::max());  // whose sum would be infinite
     x[n] = std::numeric_limits<S>::quiet_NaN();              // beyond the row
     CHECK(all_finite_in_row(x.data(), n));
     bool found = true;

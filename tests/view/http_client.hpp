@@ -39,7 +39,7 @@ class http_client {
     }
     return true;
   }
-  /// What comes up to this text, with it; all until the end without one, or after 20 s.
+  /// The received text up to and including `end`; without `end`, everything until the end or for 20 s.
   std::string read_to(std::string_view end = {}) {
     const auto patience = std::chrono::steady_clock::now() + std::chrono::seconds(20);
     for (;;) {

@@ -3,7 +3,7 @@
 using namespace kte;
 using namespace kte::test;
 
-TEST_CASE("who does not know the token is refused") {
+TEST_CASE("requests without the token are refused") {
   live_page page(pendulum);
   const http_address at(page.url());
   auto wrong = at;

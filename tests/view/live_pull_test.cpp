@@ -6,7 +6,7 @@ using namespace kte;
 using namespace kte::test;
 
 namespace {
-/// Two pendulums in the plane, of which each can be pulled.
+/// Two pendulums in the plane that can be pulled.
 struct pulled_pendulums {
   page_pull hand;
   runtime_chain chain;

@@ -146,7 +146,7 @@ TEST_CASE("meshes that cannot be drawn are notes by name") {
     CHECK((s.meshes.empty() && s.shapes.empty() && s.notes.size() == 1));
     return s.notes.at(0);
   };
-  CHECK_THAT(note("body.dae"), contains_text("mesh 'body.dae' is not drawn: of meshes, .stl, .obj and .msh are read"));
+  CHECK_THAT(note("body.dae"), contains_text("mesh 'body.dae' is not drawn: only .stl, .obj and .msh are read"));
   CHECK_THAT(note("bad.obj"), contains_text("index 2 is out of range"));
   CHECK_THAT(note("cut.stl"), contains_text("facets of binary STL need"));
   CHECK_THAT(note("empty.obj"), contains_text("has no vertices"));
@@ -197,5 +197,5 @@ TEST_CASE("where nothing to see can be drawn, shapes of collision are") {
   view::add_shapes(s, parts);
   REQUIRE(s.shapes.size() == 1);
   CHECK(!s.shapes[0].collision);
-  CHECK_THAT(s.notes.at(1), contains_text("'link' is drawn by its shapes of collision"));
+  CHECK_THAT(s.notes.at(1), contains_text("'link' is drawn by its collision shapes"));
 }

@@ -28,7 +28,7 @@ std::vector<double> numbers_in(const std::string& text) {
   }
   return all;
 }
-/// Of the path "Mx yldx dy" of a line.
+/// The numbers of the path "Mx yldx dy" of a line.
 struct straight {
   double x, y, dx, dy;
   explicit straight(const std::string& d) {
@@ -183,7 +183,7 @@ TEST_CASE("what does not fit is refused by name") {
         "kte: the frame 'elbow' of a scene has a track or a parent that is not there");
   wrong = s, wrong.links[0].to = 9;
   CHECK(message_of<bad_argument>([&] { (void)picture(wrong); }) ==
-        "kte: a part of a scene is on a frame that is not there");
+        "kte: a part of a scene is on a frame that does not exist");
 }
 
 TEST_CASE("scenes of no extent, of no parts, and of great and small sizes are drawn") {

@@ -86,9 +86,9 @@ TEST_CASE("one panel for all, one for each, all columns, another column across")
 TEST_CASE("columns that are not there are refused by name") {
   const auto t = run();
   CHECK(message_of<unknown_name>([&] { (void)plot(t, {"elbwo"}); }) ==
-        "kte: cannot plot 'elbwo', which is no column, did you mean 'elbow'?");
+        "kte: cannot plot 'elbwo': there is no such column, did you mean 'elbow'?");
   CHECK(message_of<unknown_name>([&] { (void)plot(t, {"wheel"}, {.against = "time"}); }) ==
-        "kte: cannot plot 'time', which is no column: there are 't', 'elbow', 'elbow/v', 'tool/position/x', "
+        "kte: cannot plot 'time': there is no such column: there are 't', 'elbow', 'elbow/v', 'tool/position/x', "
         "'tool/position/y', 'tool/torque/z', 'motor'");
   CHECK(message_of<unknown_name>([&] { (void)plot(t, {"tool/positio"}); }) != "");
   CHECK(message_of<bad_argument>([] { (void)plot({}); }) ==
@@ -125,7 +125,7 @@ TEST_CASE("NaN is a gap, and a point between gaps is a dot") {
   CHECK(curve->all("circle").size() == 1);
 }
 
-TEST_CASE("what an axis has no place for is counted in the picture") {
+TEST_CASE("numbers that an axis cannot show are counted in the picture") {
   CHECK(has(texts(plot(two_columns({1, inf, -inf, 2}))), "2 infinite numbers not shown"));
   CHECK(has(texts(plot(two_columns({1, -1, 0, 10, inf}), {}, {.log_y = true})),
             "2 not positive numbers not shown, 1 infinite number not shown"));

@@ -23,7 +23,7 @@ number_range range_of(const std::vector<double>& numbers) {
   for (const double x : numbers) r.add(x);
   return r;
 }
-/// Of an axis 100 mm long.
+/// An axis of 100 mm.
 plot_axis axis_of(number_range r, bool logarithmic = false) { return {r, logarithmic, 0, 100}; }
 
 constexpr double most = std::numeric_limits<double>::max(), least = std::numeric_limits<double>::denorm_min();

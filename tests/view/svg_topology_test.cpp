@@ -13,7 +13,7 @@ using test::read_svg;
 
 namespace {
 
-/// A random tree of so many joints, with a motor each, a spring from the first to the last body, and a loop.
+/// A random tree with this number of joints, with a motor each, a spring from the first to the last body, and a loop.
 scene random_tree(int joints, unsigned seed) {
   std::mt19937 random(seed);
   scene s;
@@ -127,7 +127,7 @@ TEST_CASE("a topology is made to fit a width, of any names, of nothing at all") 
         "kte: the topology needs letters of 1 to 100 points and a width of 0 to 5000 mm");
   s.joints[0].after = 99;
   CHECK(test::message_of<bad_argument>([&] { (void)topology_picture(s); }) ==
-        "kte: a part of a scene is on a frame that is not there");
+        "kte: a part of a scene is on a frame that does not exist");
   const test::scratch file(".svg");
   write_topology(file.path, test::double_pendulum());
   CHECK(file.text() == topology_picture(test::double_pendulum()));

@@ -39,7 +39,7 @@ target target_of(const convert_options& o) {
                     ": .urdf, .mjcf, .json, .xml (a model file), .kte, .hpp, or --to");
 }
 
-/// What a format has no place for, each once.
+/// Properties that a format cannot represent, each listed once.
 class leftovers {
  public:
   explicit leftovers(const mechanism& m) : m_(m) {}

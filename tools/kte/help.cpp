@@ -6,7 +6,7 @@ namespace kte_tool {
 
 namespace {
 
-/// Of all commands.
+/// The option of all commands.
 const argument help_option{"--help", "", "shows this help"};
 
 std::vector<argument> options_of(const command& c) {

@@ -46,7 +46,7 @@ class pose_table {
   kte::vec3<> position(std::size_t row) const {
     return {table_.at(row, position_[0]), table_.at(row, position_[1]), table_.at(row, position_[2])};
   }
-  /// Of a quaternion of any length but 0.
+  /// The rotation of a quaternion of any length but 0.
   kte::mat3<kte::vec3<>> rotation(std::size_t row) const {
     double q[4], square = 0;
     for (std::size_t i = 0; i < 4; ++i) q[i] = table_.at(row, rotation_[i]), square += q[i] * q[i];
@@ -165,7 +165,7 @@ int ik(const options& o) {
   const pose_table poses(o.poses);
   const solver s(o, m);
   if (o.all && (!s.has_formulas() || !poses.has_rotation()))
-    throw kte::bad_argument("kte: --all is of arms with closed formulas, and of poses with a rotation");
+    throw kte::bad_argument("kte: --all needs an arm with closed-form solutions and poses with a rotation");
   Eigen::VectorXd q = initial_state(o.start, m, m.chain()).q;
   std::vector<answer> all;
   std::size_t missed = 0;

@@ -10,8 +10,8 @@
 
 namespace kte_tool {
 
-/// A text in JSON, in the order in which it is written. Numbers have the shortest digits that read back to the same
-/// double; those that are not finite are null. Bytes that are not UTF-8 are U+FFFD.
+/// A text in JSON, in the order in which it is written. Finite numbers have the shortest digits that read back to the
+/// same double; others are null. Bytes that are not UTF-8 are U+FFFD.
 class json_writer {
  public:
   json_writer& object() { return open('{', '}'); }

@@ -94,7 +94,7 @@ std::vector<std::string> coordinates_of(const mechanism& m, const kte::runtime_c
   std::set<std::string> free;
   std::vector<std::string> all;
   for (const auto& e : kte::layout(chain)) free.insert(e.name);
-  for (const auto& e : kte::layout(chain))  // the base, which is no joint of the file
+  for (const auto& e : kte::layout(chain))  // the base is not a joint of the file
     if (std::find(m.robot.joints.begin(), m.robot.joints.end(), e.name) == m.robot.joints.end()) all.push_back(e.name);
   for (const auto& name : m.robot.joints)  // those that follow others have no columns
     if (free.contains(name)) all.push_back(name);

@@ -40,7 +40,7 @@ struct broken_mechanism : kte::bad_file {
 };
 /// Throws what the readers throw, and `broken_mechanism`.
 mechanism read_mechanism(const reading& o);
-/// What is odd about it goes to standard error: without what motors do where they are added then.
+/// Writes warnings about it to standard error. `with_motors`: omits warnings about motors, which are added later.
 mechanism read_and_warn(const reading& o, bool with_motors = false);
 
 /// The free coordinates of a chain in the order of the robot's file; of a model file in that of its chain.

@@ -34,7 +34,7 @@ inline std::string printable(std::string_view text) {
   return out;
 }
 
-/// The same of a text of several lines.
+/// `printable` for a text of several lines.
 inline std::string printable_lines(std::string_view text) {
   std::string out;
   while (!text.empty()) {

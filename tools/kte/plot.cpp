@@ -37,7 +37,7 @@ kte::unit_map units_of(const std::string& file) {
 }
 
 int plot(plot_options& o) {
-  if (o.each && o.one) throw usage_error("--each and --one are one too many");
+  if (o.each && o.one) throw usage_error("--each and --one exclude each other");
   if (o.each || o.one) o.plot.share = o.each ? kte::panels::each : kte::panels::together;
   if (o.from) o.plot.from = *o.from;
   if (o.to) o.plot.to = *o.to;
@@ -45,7 +45,7 @@ int plot(plot_options& o) {
   const auto extension = kte::detail::lower_extension(o.out);
   const bool png = extension == ".png";
   if (!png && extension != ".svg")
-    throw usage_error("'" + o.out + "' is no name of a picture: these end in .svg or .png");
+    throw usage_error("'" + o.out + "' is not the name of a picture: these end in .svg or .png");
   if (!png && o.dpi) throw usage_error("--dpi is of PNG");
   if (o.dpi && !(*o.dpi >= 10 && *o.dpi <= 2400))
     throw usage_error("--dpi is between 10 and 2400, not " + short_number(*o.dpi));

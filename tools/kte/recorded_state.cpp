@@ -23,7 +23,7 @@ std::string table_name(const std::string& name) {
 }
 
 namespace {
-/// What is always recorded.
+/// The quantities that are always recorded.
 std::vector<std::string> usual_names(const kte::runtime_chain& c) {
   std::vector<std::string> all;
   const auto& names = c.wiring().names;

@@ -67,7 +67,7 @@ class recording_file {
     try {
       kte::write_mcap(path_, scene_of(m_, kept_->contents(), ""));
     } catch (const kte::bad_argument& e) {
-      say(path_ + " has numbers alone, and nothing to see: " + std::string(e.what()).substr(5));
+      say(path_ + " has numbers only, and nothing to draw: " + std::string(e.what()).substr(5));
     }
   }
   std::size_t rows() const { return rows_; }
@@ -147,8 +147,8 @@ void check_settings(const simulate_options& o) {
   if (!o.record.empty() && o.end / o.every > most_rows)
     throw usage_error("a recording has " + short_number(most_rows) + " rows at most: --every " + short_number(o.every) +
                       " of --time " + short_number(o.end) + " are more");
-  if (o.pd.empty() && (o.kp || o.kd || o.compensate)) throw usage_error("--kp, --kd and --compensate are of --pd");
-  if (o.record.empty() && (!o.columns.empty() || o.frames)) throw usage_error("--column and --frames are of --record");
+  if (o.pd.empty() && (o.kp || o.kd || o.compensate)) throw usage_error("--kp, --kd and --compensate need --pd");
+  if (o.record.empty() && (!o.columns.empty() || o.frames)) throw usage_error("--column and --frames need --record");
   if (!o.record.empty()) (void)kte::format_of(o.record);  // before what takes long
 }
 
@@ -163,7 +163,7 @@ int simulate(simulate_options& o) {
   check_settings(o);
   auto m = read_and_warn(o.in, o.motors);
   if (o.motors) {
-    if (m.model) throw kte::bad_argument("kte: --motors is of files of robots; a model file has the motors it has");
+    if (m.model) throw kte::bad_argument("kte: --motors is for robot files; a model file contains its motors");
     take_motors(m);
   }
   if (m.chain().dofs() == 0) throw kte::bad_argument("kte: " + m.file + " has no degrees of freedom: nothing can move");

@@ -32,7 +32,7 @@ int view(view_options& o) {
                                .mesh_bytes = bytes_of("--mesh-size", o.mesh_size),
                                .recording_bytes = bytes_of("--recording-size", o.recording_size)};
   if (o.start.given() && !o.recordings.empty())
-    throw usage_error("--start and --configuration are of pages without a recording");
+    throw usage_error("--start and --configuration are for pages without a recording");
   const auto m = read_and_warn(o.in);
   if (o.out.empty()) o.out = std::filesystem::path(o.in.file).stem().string() + ".html";
   std::vector<kte::scene> all;

@@ -4,7 +4,7 @@
 
 namespace kte::live {
 
-/// What goes to a page: server-sent events `controls`, `state` and `end`; without news a comment, which shows that both
+/// Messages to a page: server-sent events `controls`, `state` and `end`; without news a comment, which shows that both
 /// are there. Numbers of a state are base64 of float32: 7 of each track, position and quaternion w x y z, q, v,
 /// signals, columns.
 std::string events_of(const session::page::news& n);

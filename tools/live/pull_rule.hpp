@@ -19,7 +19,7 @@ class pull_rule {
     names_.resize(s.frames.size());
     for (const int i : s.pulls) names_[static_cast<std::size_t>(i)] = s.frames[static_cast<std::size_t>(i)].name;
   }
-  /// Of number `frame` of the scene; none where that is no frame that can be pulled, or the points are too far away.
+  /// Of number `frame` of the scene; none if this frame cannot be pulled, or the points are too far away.
   std::optional<page_pull> pull(std::size_t frame, const vec3<>& point, const vec3<>& target) const {
     if (frame >= names_.size() || names_[frame].empty()) return std::nullopt;
     for (const double x : {point.x, point.y, point.z, target.x, target.y, target.z})

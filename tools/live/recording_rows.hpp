@@ -7,7 +7,7 @@
 
 namespace kte::live {
 
-/// Rows of numbers in blocks that do not move: who has a copy reads on while rows are added.
+/// Rows of numbers in blocks that do not move, so that a copy can be read while rows are added.
 class recording_rows {
  public:
   recording_rows(std::size_t columns, std::size_t bytes)

@@ -108,7 +108,7 @@ std::string server::refusal(const Request& in) const {
   }
   const auto token = std::string_view(in.path).substr(0, 1 + token_.size());
   if (!same_token('/' + token_, token) || in.path.size() == token.size() || in.path[token.size()] != '/')
-    return "the address is not the one that the program has printed: its token is missing or wrong";
+    return "the address differs from that which the program has printed: its token is missing or wrong";
   return {};
 }
 

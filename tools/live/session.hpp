@@ -54,7 +54,7 @@ class session {
   page_pull pull() const;
   std::size_t pages() const;
 
-  // ---- the pages; false where there is no such slider or frame, or a number is out of its limits
+  // ---- requests of the pages; false for an unknown slider or frame, or a number out of its limits
   void pause(bool on);
   void step();
   void reset();
@@ -96,7 +96,7 @@ class session {
  private:
   using clock = std::chrono::steady_clock;
   void changed_controls();
-  /// What is pulled, while a page says so.
+  /// The current pull of a page.
   page_pull pull_now() const;
 
   mutable std::mutex mutex_;

@@ -3,7 +3,7 @@
 
   phrases       odd phrases in documentation, comments and messages (phrases.txt beside this file has better ones)
   words         private words, in names too
-  long lines    prose over 140 columns
+  long lines    prose over 140 columns; in Markdown without code and the targets of links
   undocumented  public names without a doc comment
   format        files that clang-format would change; only with --format, which takes 6 s
 
@@ -26,7 +26,7 @@ from declarations import Unreadable  # noqa: E402
 from public_names import undocumented  # noqa: E402
 
 COLUMNS = 140
-FORMER = r'^CHANGELOG|^docs/(glossary|decisions)|deprecated|former_names|contract/port.hpp'  # which name the words of former versions
+FORMER = r'^CHANGELOG|^docs/(glossary|decisions)|deprecated|former_names'  # which name the words of former versions
 SHOWN = 20  # places of a rule, without --list
 COMMENT = re.compile(r'(?P<string>R"(?P<mark>[^(\n]*)\(.*?\)(?P=mark)"|"(?:[^"\\\n]|\\.)*")|\'(?:[^\'\\\n]|\\.)\'|//(?P<comment>[^\n]*)', re.S)
 
@@ -49,13 +49,13 @@ def rules(path):
 
 
 def prose_of_markdown(text):
-    """(line number, prose, whether its length counts): no code; tables may be as wide as they are."""
+    """(line number, prose, whether its length counts): no code and placeholders; tables may be as wide as they are."""
     code = False
     for number, line in enumerate(text.split('\n'), 1):
         if line.startswith('```'):
             code = not code
         elif not code and not line.startswith('<!--'):
-            yield number, re.sub(r'`[^`]*`', '``', line), not line.startswith('|')
+            yield number, re.sub(r'`[^`]*`|@[^@]*@', '``', line), not line.startswith('|')
 
 
 def prose_of_code(text):
@@ -97,14 +97,16 @@ def places(root, files, lists):
     for file in files:
         content = open(os.path.join(root, file), encoding='utf-8').read()
         lines = content.split('\n')
-        prose = list((prose_of_markdown if file.endswith('.md') else prose_of_code)(content))
+        markdown = file.endswith('.md')
+        prose = list((prose_of_markdown if markdown else prose_of_code)(content))
         text, offsets, numbers = joined(prose)
         for match, better in matches(text, lists['phrases']):
             line = numbers[max(bisect.bisect_right(offsets, match.start() + 1) - 1, 0)]
             found['phrases'].append((file, line, f'"{match[0].strip(" .;:,")}": {better}'))
-        for number, _, measured in prose:
-            if measured and len(lines[number - 1]) > COLUMNS:
-                found['long lines'].append((file, number, f'{len(lines[number - 1])} columns'))
+        for number, sentence, measured in prose:
+            columns = len(re.sub(r'\]\([^)]*\)', ']', sentence) if markdown else lines[number - 1])
+            if measured and columns > COLUMNS:
+                found['long lines'].append((file, number, f'{columns} columns'))
         if not re.search(FORMER, file):
             for match, better in matches(content, lists['words']):
                 line = content.count('\n', 0, match.start()) + 1

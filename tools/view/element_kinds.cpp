@@ -1,33 +1,30 @@
 #include "element_kinds.hpp"
 
+#include <kte/elements/compiled_elements.hpp>
+
 #include <algorithm>
+#include <iterator>
 
 namespace kte::view {
 
 namespace {
-constexpr element_kind listed_kinds[]{{"acceleration_measure", drawn::force, "other"},
-                                      {"ang_velocity_control", drawn::link, ""},
-                                      {"ang_velocity_measure", drawn::force, "other"},
+/// Elements with a symbol of their own, by their type.
+constexpr element_kind listed_kinds[]{{"ang_velocity_control", drawn::link, ""},
                                       {"base", drawn::base, ""},
                                       {"brake", drawn::force, "friction"},
                                       {"bushing", drawn::force, "bushing"},
                                       {"coincident_frames", drawn::force, "loop"},
                                       {"coincident_points", drawn::force, "loop"},
-                                      {"constant_force", drawn::force, "other"},
                                       {"coupled_coordinates", drawn::force, "loop"},
                                       {"cylindrical", drawn::force, "loop"},
                                       {"damper", drawn::force, "damper"},
                                       {"dc_motor", drawn::force, "motor"},
-                                      {"differential", drawn::force, "other"},
                                       {"distance", drawn::force, "loop"},
                                       {"driving_actuator", drawn::force, "motor"},
                                       {"dry_revolute_joint", drawn::joint, "revolute"},
                                       {"dyad_bar1", drawn::force, "loop"},
                                       {"dyad_bar2", drawn::force, "loop"},
-                                      {"external_force", drawn::force, "other"},
                                       {"flexible_beam", drawn::force, "beam"},
-                                      {"fluid_drag", drawn::force, "other"},
-                                      {"follower_force", drawn::force, "other"},
                                       {"force_actuator", drawn::force, "motor"},
                                       {"force_law", drawn::force, "other"},
                                       {"four_bar_coupler", drawn::force, "loop"},
@@ -51,20 +48,16 @@ constexpr element_kind listed_kinds[]{{"acceleration_measure", drawn::force, "ot
                                       {"law_signal", drawn::force, "other"},
                                       {"law_spring", drawn::force, "spring"},
                                       {"line_point_mindist", drawn::link, ""},
-                                      {"mimic", drawn::force, "other"},
-                                      {"pid_control", drawn::force, "other"},
                                       {"planar_joint", drawn::joint, "planar"},
                                       {"plane_point_mindist", drawn::link, ""},
                                       {"point_on_line", drawn::force, "loop"},
                                       {"point_on_plane", drawn::force, "loop"},
                                       {"position_control", drawn::link, ""},
-                                      {"position_measure", drawn::force, "other"},
                                       {"prismatic_joint", drawn::joint, "prismatic"},
                                       {"pull", drawn::pull, ""},
                                       {"revolute_joint", drawn::joint, "revolute"},
                                       {"rigid_link", drawn::link, ""},
                                       {"rotation_control", drawn::link, ""},
-                                      {"rotation_measure", drawn::force, "other"},
                                       {"rotor", drawn::force, "motor"},
                                       {"screw_joint", drawn::joint, "screw"},
                                       {"variable_pitch_screw_joint", drawn::joint, "screw"},
@@ -81,9 +74,27 @@ constexpr element_kind listed_kinds[]{{"acceleration_measure", drawn::force, "ot
                                       {"torsion_spring", drawn::force, "torsion_spring"},
                                       {"universal", drawn::force, "loop"},
                                       {"velocity_control", drawn::link, ""},
-                                      {"velocity_measure", drawn::force, "other"},
                                       {"virtual_kte_interface", drawn::link, ""},
                                       {"vmc_revolute_joint", drawn::joint, "revolute"}};
+
+struct shape {
+  std::string_view type;
+  drawn as;
+};
+template <class Core>
+constexpr drawn drawn_by_shape = detail::is_transmission<Core>&& detail::coordinates_of<Core> > 0 ? drawn::joint
+                                 : Core::ports.back().how == access::base                         ? drawn::base
+                                                                                                  : drawn::force;
+/// The elements of the library, for those that are not listed above.
+template <class... Core>
+std::array<shape, sizeof...(Core)> shapes_of(detail::core_list<void, Core...>) {
+  return {{{Core::type, drawn_by_shape<Core>}...}};
+}
+drawn drawn_in_library(std::string_view type) {
+  static const auto all = shapes_of(detail::all_cores{});
+  const auto found = std::find_if(all.begin(), all.end(), [&](const shape& s) { return s.type == type; });
+  return found == all.end() ? drawn::unknown : found->as;
+}
 }  // namespace
 
 element_kind kind_of_element(std::string_view type) {
@@ -96,7 +107,7 @@ element_kind kind_of_element(std::string_view type) {
   const auto found = std::lower_bound(std::begin(listed_kinds), std::end(listed_kinds), stem,
                                       [](const element_kind& k, std::string_view s) { return k.stem < s; });
   if (found != std::end(listed_kinds) && found->stem == stem) return *found;
-  return {stem, drawn::unknown, "other"};
+  return {stem, drawn_in_library(type), "other"};
 }
 
 }  // namespace kte::view

@@ -7,7 +7,7 @@ namespace kte::view {
 /// How an element is drawn.
 enum class drawn {
   joint,
-  link,  ///< a line between the frame that it reads and the one that it writes
+  link,  ///< a line from the frame that it reads to the frame that it writes
   body,
   base,  ///< by its frame alone
   force,
@@ -20,7 +20,7 @@ struct element_kind {
   std::string_view kind;  ///< of joints and forces in scenes
 };
 
-/// Of the type of an element.
+/// The kind of an element type.
 element_kind kind_of_element(std::string_view type);
 
 }  // namespace kte::view

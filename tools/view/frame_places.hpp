@@ -14,7 +14,7 @@ struct placed {
   }
 };
 placed place_of(const scene::pose& p);
-/// Of a track in a row of a recording.
+/// The pose of a track in a row of a recording.
 placed place_of(const scene& s, const scene::recording& r, std::size_t row, int track);
 
 /// Where all frames are in a row of a recording, in the world.

@@ -24,7 +24,7 @@ class json_text {
     text(name);
     out_ += ':', first_ = true;
   }
-  /// What is not UTF-8 becomes U+FFFD.
+  /// Invalid UTF-8 becomes U+FFFD.
   void text(std::string_view x) {
     comma();
     out_ += '"';
@@ -35,7 +35,7 @@ class json_text {
     }
     out_ += '"';
   }
-  /// What is not finite is null.
+  /// Numbers that are not finite become null.
   template <std::floating_point Number>
   void number(Number x) {
     comma();
@@ -49,7 +49,7 @@ class json_text {
   void number(std::integral auto x) { word(std::to_string(x)); }
   void boolean(bool x) { word(x ? "true" : "false"); }
   void null() { word("null"); }
-  /// JSON as it is.
+  /// JSON text, unchanged.
   void raw(std::string_view json) { word(json); }
   /// Bytes as base64, least significant first.
   template <class Number>

@@ -48,11 +48,11 @@ std::filesystem::path mesh_files::find(const std::string& name, std::string_view
 }
 
 int mesh_files::read(const std::string& name, const vec3<>& scale, std::string_view from) {
-  if (name.empty()) return cannot(name, "the file does not name one, as of meshes that are written out in it");
+  if (name.empty()) return cannot(name, "the file does not name one; meshes written in the file itself are not read");
   if (scene_.meshes.size() == most_meshes) return cannot(name, "there are " + std::to_string(most_meshes) + " already");
   const auto extension = detail::lower_extension(name);
   if (extension != ".stl" && extension != ".obj" && extension != ".msh")
-    return cannot(name, "of meshes, .stl, .obj and .msh are read");
+    return cannot(name, "only .stl, .obj and .msh are read");
   const auto path = find(name, from);
   if (path.empty())
     return cannot(name,

@@ -45,13 +45,13 @@ void fit_meshes(scene& s, std::size_t limit) {
   });
 }
 
-/// Of a recording with rows.
+/// The size of a row of a recording.
 std::size_t bytes_of_row(const scene& s, const scene::recording& r) {
   const auto tracks = static_cast<std::size_t>(s.tracks);
   const std::size_t numbers = (r.q.size() + r.v.size() + r.signals.size()) / r.t.size() + r.columns.size();
   return (8 + 20 * tracks + 4 * numbers) * 4 / 3;
 }
-/// Of each row `width` numbers.
+/// Keeps `width` numbers of each row.
 template <class Number>
 void keep(std::vector<Number>& all, const std::vector<std::size_t>& rows, std::size_t width) {
   std::vector<Number> kept;

@@ -5,7 +5,7 @@
 
 namespace kte::view {
 
-/// A scene with meshes and recordings within the sizes of a page. What was left out is in its notes.
+/// A scene with meshes and recordings within the sizes of a page. Its notes list omissions.
 scene within_limits(const scene& s, const page_options& options);
 
 }  // namespace kte::view

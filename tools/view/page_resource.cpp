@@ -1,6 +1,6 @@
 #include "page_resource.hpp"
 
-// The file itself, whose path the build gives as KTE_PAGE_FILE, goes into the library as it is.
+// The file itself, whose path the build gives as KTE_PAGE_FILE, goes into the library unchanged.
 #if defined(__APPLE__)
 #  define KTE_PAGE_SYMBOL(name) "_" name
 asm(".const_data\n");

@@ -22,7 +22,7 @@ std::string page_text(const scene& s, const page_options& options, std::string_v
   if (drawn.title.empty()) drawn.title = other_title;
   const auto page = page_resource();
   const auto place = page.find(empty_place);
-  if (place == page.npos) detail::raise<bad_file>("kte: the page in the library kte::view has no place for a scene");
+  if (place == page.npos) detail::raise<bad_file>("kte: the page in the library kte::view lacks the place of a scene");
   std::string text(page.substr(0, place));
   if (live) text += live_element;
   text += begin_of_place;

@@ -7,7 +7,7 @@
 namespace kte::view {
 
 namespace {
-/// Of a coordinate of one number and its rates.
+/// The unit of a coordinate with one number, and of its rates.
 std::string unit_of_number(const std::string& unit, std::string_view quantity) {
   if (unit != "rad" && unit != "m") return {};
   if (quantity == "v") return unit + "/s";

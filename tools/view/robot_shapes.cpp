@@ -96,7 +96,7 @@ void add_shapes(scene& s, const detail::chain_parts& chain) {
       if (x.frame == f && x.collision) x.collision = false, instead = true;
     if (instead)
       s.notes.push_back("'" + s.frames[static_cast<std::size_t>(f)].name +
-                        "' is drawn by its shapes of collision, as none of those to see can be");
+                        "' is drawn by its collision shapes, because none of its visual shapes can be drawn");
   }
 }
 

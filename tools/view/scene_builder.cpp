@@ -188,7 +188,7 @@ class scene_builder {
     for (const auto& e : chain_.elements) {
       if (kind_of_element(e.type).as == drawn::pull) continue;
       if (kind_of_element(e.type).as == drawn::unknown)
-        return cannot("'" + e.type + "' is an element of the program's own");
+        return cannot("'" + e.type + "' is not an element of the library");
       if (e.holds_code) return cannot("'" + e.type + "' holds a function of the program");
       auto& r = m.elements.emplace_back();
       r.type = e.type, r.parameters = e.parameters;

@@ -34,7 +34,7 @@ void check(const scene::recording& r, std::size_t tracks, std::size_t nq, std::s
 void check(const scene& s) {
   const std::size_t frames = s.frames.size(), coordinates = s.coordinates.size();
   if (s.dimension != 2 && s.dimension != 3) fail("its dimension is " + std::to_string(s.dimension));
-  if (s.tracks < 0) fail("it has fewer than no tracks");
+  if (s.tracks < 0) fail("its number of tracks is negative");
   for (std::size_t i = 0; i < frames; ++i) {
     const auto& f = s.frames[i];
     const auto of = "frame '" + f.name + "': its ";

@@ -84,7 +84,7 @@ class scene_writer {
          [this](const scene::column& c) { text("name", c.name), text("unit", c.unit), base64("data", c.data); });
   }
 
-  /// null where there are none.
+  /// Numbers, or null for an empty list.
   void known(std::string_view key, const std::vector<float>& x) {
     if (!x.empty()) return base64(key, x);
     out_.key(key), out_.null();

@@ -42,7 +42,7 @@ class column_taker {
     }
     return found.size() == names.size() ? found : std::vector<const numbers_of_column*>();
   }
-  /// The same, none also where a number is not finite.
+  /// `columns`; none also if a number is not finite.
   std::vector<const numbers_of_column*> finite_columns(std::span<const std::string> names) {
     for (const auto& n : names)
       if (const auto* const c = column(n);

@@ -20,7 +20,7 @@ struct hash_of_corner {
 using corner_map = std::unordered_map<corner, std::uint32_t, hash_of_corner>;
 
 bool has_area(const corner& f) { return f[0] != f[1] && f[1] != f[2] && f[2] != f[0]; }
-/// The same triangle, with its least index first.
+/// The triangle with its least index first.
 corner rotated(const corner& f) {
   const auto least = static_cast<std::size_t>(std::min_element(f.begin(), f.end()) - f.begin());
   return {f[least], f[(least + 1) % 3], f[(least + 2) % 3]};
@@ -37,7 +37,7 @@ class clusters {
     for (std::size_t k = 0; k < 3; ++k) longest_ = std::max(longest_, double{high_[k]} - double{low_[k]});
   }
 
-  /// With so many cells along the longest side.
+  /// The mesh reduced to `cells` cells along the longest side.
   scene::mesh reduced(std::uint32_t cells) const {
     scene::mesh out;
     out.name = mesh_.name;

@@ -26,10 +26,8 @@ scene joined(const std::vector<scene>& all) {
   scene out = all.front();
   for (std::size_t i = 1; i < all.size(); ++i) {
     if (!same_tracks(out, all[i]))
-      detail::raise<bad_argument>(
-          "kte: recordings of one page are of one mechanism, and the frames or coordinates of "
-          "recording " +
-          std::to_string(i + 1) + " are others than those of the first");
+      detail::raise<bad_argument>("kte: all recordings of a page must be of one mechanism, but recording " +
+                                  std::to_string(i + 1) + " has other frames or coordinates than the first");
     out.recordings.insert(out.recordings.end(), all[i].recordings.begin(), all[i].recordings.end());
     for (const auto& n : all[i].notes)
       if (std::find(out.notes.begin(), out.notes.end(), n) == out.notes.end()) out.notes.push_back(n);

@@ -4,7 +4,7 @@
 
 #include <Eigen/Dense>
 #include <boost/numeric/odeint/algebra/algebra_dispatcher.hpp>
-#include <boost/numeric/odeint/external/eigen/eigen.hpp>  // Eigen's vectors as states of odeint
+#include <boost/numeric/odeint/external/eigen/eigen.hpp>  // Eigen vectors as states of odeint
 #include <boost/numeric/odeint/util/state_wrapper.hpp>
 
 #include <type_traits>
@@ -21,14 +21,15 @@ struct boost::numeric::odeint::state_wrapper<
 
 namespace kte {
 
-/// A right-hand side f(t, x) that returns x' as a system of odeint, which is called as system(x, x_dot, t):
+/// Converts a right-hand side f(t, x) that returns x' to a system of odeint, which is called as system(x, x_dot, t):
 ///
 ///   namespace od = boost::numeric::odeint;
 ///   auto stepper = od::make_dense_output(1e-9, 1e-9, od::runge_kutta_dopri5<Eigen::Vector4d>());
 ///   od::integrate_const(stepper, kte::odeint_system(f), x, 0.0, 10.0, 0.01, observer);
 ///
-/// States are Eigen's column vectors of fixed or dynamic size; not those with rotations, as odeint adds states. An f
-/// that has a name is referred to and has to live on, as odeint copies systems at every step; a temporary is kept.
+/// States are Eigen column vectors of fixed or dynamic size. States with rotations are not supported, because odeint
+/// adds states. An lvalue f is stored by reference and must outlive the system, because odeint copies systems at every
+/// step; a temporary is stored by value.
 template <class F>
 class odeint_system {
  public:
@@ -37,7 +38,7 @@ class odeint_system {
   template <class X, class S>
   void operator()(const X& x, X& x_dot, const S& t) {
     static_assert(!moves_on_group<detail::unwrapped_type<std::remove_reference_t<F>>, X>,
-                  "kte: odeint adds states: for states with rotations take an integrator of kte");
+                  "kte: odeint adds states: for states with rotations use an integrator of kte");
     x_dot = f_(t, x);
   }
 

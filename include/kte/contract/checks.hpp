@@ -1,19 +1,20 @@
 #pragma once
 
+#include <kte/contract/element_core.hpp>
 #include <kte/contract/wiring_rules.hpp>
 #include <kte/detail/call.hpp>
 
 #include <tuple>
 
-/// Errors of a chain as compile errors: each names one element, with one message. (This header and others with messages
-/// are included first in kte.hpp, so that they appear near the top.)
+/// Errors in a chain as compile errors; each names one element. (Headers with such messages are included first in
+/// kte.hpp, so that the messages appear near the top.)
 namespace kte::detail {
 
-/// A rule, about an element and a name; compilers print all three when it is broken.
+/// A rule about an element and a name; compilers print all three when it is violated.
 template <class Element, class Name, bool Kept>
 inline constexpr bool rule = Kept;
 
-/// An element core that is connected to `Key` where it takes a thing of kind `Wanted`.
+/// An element core connected to `Key`, where it needs an item of kind `Wanted`.
 template <class Core, class Key, kind Wanted>
 struct check_kind {
   static constexpr bool fits = Key::what == Wanted;
@@ -38,7 +39,7 @@ struct check_kind {
   static_assert(rule < Core, Key, fits || Wanted != kind::loop >,
                 "kte: this port of the element takes the name of a closure (loop_key)");
 };
-/// The first port that is connected to a thing of another kind, or N.
+/// The first port that is connected to an item of another kind, or N.
 template <std::size_t N>
 constexpr std::size_t first_misfit(const std::array<port, N>& ports, const std::array<kind, N>& given) {
   std::size_t p = 0;
@@ -46,7 +47,7 @@ constexpr std::size_t first_misfit(const std::array<port, N>& ports, const std::
   return p;
 }
 
-/// An element of a chain, what is wrong with it, and the name in question.
+/// An element of a chain, its fault, and the name concerned.
 template <class Element, problem P, class Name>
 struct check_wiring {
   static_assert(rule<Element, Name, P != problem::same_text>, "kte: another key has the text of this name");
@@ -61,11 +62,11 @@ struct check_wiring {
                 "kte: nothing moves by this coordinate of the element: misspelt? A joint or a mass must move by it, or "
                 "kte::base_gen declare it");
 };
-/// In errors: a key, and another one that may have been meant.
+/// In errors: the unknown key, and a similar key of the chain.
 template <class Written, class Meant>
 struct did_you_mean_key {};
 
-/// An element core whose forces depend on what an algorithm leaves out, unless it says that it needs it.
+/// An element core whose forces depend on quantities that an algorithm omits, unless it declares that it needs them.
 template <class Core, bool Declared>
 struct check_need {
   static_assert(Declared,
@@ -73,7 +74,7 @@ struct check_need {
                 "leaves out unless the element core says: static constexpr bool reads_positions = true;");
 };
 
-/// An element core that writes a signal, from what it sees of accelerations or not.
+/// An element core that writes a signal, with or without accelerations.
 template <class Core, bool Accelerations>
 struct check_signal {
   static_assert(rule<Core, void, !Accelerations>,
@@ -81,7 +82,7 @@ struct check_signal {
                 "reads_accelerations = true;, and no force may depend on it");
 };
 
-/// An element in an algorithm that takes its loads to be those of its motion.
+/// An element in an algorithm that requires its loads to be the power dual of its motion.
 template <class Core, bool Plain>
 struct check_loads {
   static_assert(rule < Core, void, Plain || power_dual < Core >>,
@@ -92,12 +93,19 @@ struct check_loads {
                 "its own `doForce`: put that force into an element on the coordinate");
 };
 
-/// An element with a distributed mass in an algorithm of bodies.
+/// An element with a distributed mass in an algorithm for bodies.
 template <class Core, bool None>
 struct check_bodies {
   static_assert(None,
                 "kte: this algorithm counts the masses of single frames and coordinates, and this element has a mass "
                 "between several");
+};
+/// A closure in an algorithm of trees.
+template <class Core, bool None>
+struct check_closures {
+  static_assert(rule<Core, void, None>,
+                "kte: this algorithm does not support closures of loops; forward_dynamics, constrained_dynamics, and "
+                "inverse_dynamics with kte::actuated do, of kte/loops.hpp");
 };
 /// The result of a rejected element: its error has been reported, and no further errors follow.
 struct refused {

@@ -9,20 +9,20 @@
 
 namespace kte {
 
-/// The rows of a closure: `linear` ones in m before `angular` ones in rad, at most three of each; `count`: the sum.
+/// The rows of a closure: `linear` ones, in m, before `angular` ones, in rad, at most three of each; `count`: the sum.
 struct closure_rows {
   int linear = 0, angular = 0;
   constexpr int count() const { return linear + angular; }
 };
 
-/// What the functions of a closure give: its rows, in order.
+/// Returns the rows of a closure, in order.
 template <class... R>
 KTE_INLINE constexpr auto make_rows(const R&... r) {
   return values<R...>{{{r}...}};
 }
 
 namespace detail {
-/// The motion of a frame in another, in numbers.
+/// The motion of a frame relative to another, in numbers.
 template <class S>
 using closing_motion = motion<vec3<S>, mat3<vec3<S>>, vec3<S>, vec3<S>, vec3<S>, vec3<S>>;
 template <class S, class M>
@@ -36,6 +36,52 @@ KTE_INLINE constexpr std::array<S, sizeof...(R)> rows_in_numbers(const values<R.
     return std::array<S, sizeof...(R)>{as<S>(nth<K>(rows))...};
   }
   (std::index_sequence_for<R...>{});
+}
+/// What is asked of the rows of a closure of frames: the residual, its derivatives, or what each unit rate makes of the
+/// first derivative, the wrenches of the rows: of v.x, v.y, v.z, w.x, w.y, w.z in turn, `closing_stride` numbers each.
+enum class closing { residual, residual_dot, residual_ddot, wrenches };
+inline constexpr int closing_stride = 8, all_rows_of_closing = 8 * closing_stride;
+/// Into `rows`, for the motion m of the second frame in the first.
+template <class Core, class S>
+void close_frames_by(const Core& core, const closing_motion<S>& m, closing what, S* rows) {
+  const auto put = [](const auto& all, S* to) {
+    const auto numbers = rows_in_numbers<S>(all);
+    for (std::size_t k = 0; k < numbers.size(); ++k) to[k] = numbers[k];
+  };
+  switch (what) {
+    case closing::residual:
+      return put(core.residual(m), rows);
+    case closing::residual_dot:
+      return put(core.residual_dot(m), rows);
+    case closing::residual_ddot:
+      return put(core.residual_ddot(m), rows);
+    case closing::wrenches: {
+      closing_motion<S> unit{m.position, m.rotation, {}, {}, {}, {}};
+      for (S* const rate : {&unit.velocity.x, &unit.velocity.y, &unit.velocity.z, &unit.ang_velocity.x,
+                            &unit.ang_velocity.y, &unit.ang_velocity.z}) {
+        *rate = S(1);
+        put(core.residual_dot(unit), rows);
+        *rate = S(0), rows += closing_stride;
+      }
+    }
+  }
+}
+/// The residual of a closure of coordinates at q with rates v, its derivatives by the coordinates, and its second
+/// derivative without accelerations.
+template <class Core, class S>
+std::array<S, 2> close_coordinates_by(const Core& core, const S* q, const S* v, S* gradient) {
+  std::array<S, Core::ports.size() - 1> at, rates;
+  for (std::size_t i = 0; i < at.size(); ++i) at[i] = q[i], rates[i] = v[i];
+  const auto by = core.gradient(at);
+  for (std::size_t i = 0; i < at.size(); ++i) gradient[i] = by[i];
+  return {core.residual(at), core.curvature(at, rates)};
+}
+template <class Core>
+bool is_upright_by([[maybe_unused]] const Core& core, [[maybe_unused]] const closing_motion<double>& m) {
+  if constexpr (requires { core.upright(m); })
+    return core.upright(m);
+  else
+    return true;
 }
 /// A wrench on a frame of kind K.
 template <kind K, class S>
@@ -54,20 +100,20 @@ KTE_INLINE constexpr auto& row_of(V& linear, V& angular, const closure_rows& row
 }
 }  // namespace detail
 
-/// Two frames A, B that a closure holds together. A core that derives from it has
+/// Two frames A, B that a closure holds together. A core derived from it has
 ///
-///   static constexpr closure_rows rows     how many rows there are
-///   residual(m)       g, zero where the loop is closed, of the position p and rotation R of B in A        (1)
+///   static constexpr closure_rows rows     the number of rows
+///   residual(m)       g, zero where the loop is closed, from position p and rotation R of B in A          (1)
 ///   residual_dot(m)   dg/dt = J v, linear in the velocity v and angular velocity w of B in A              (2)
 ///   residual_ddot(m)  the second derivative, with acceleration a and angular acceleration al              (3)
 ///
-/// where m is the motion of B in A (frames/motion.hpp): p in axes of A, rates in axes of B, so that p_dot = R v and
-/// p_ddot = R a. Each gives `make_rows(...)`. Its ports are A, B and the name of the loop:
+/// where m is the motion of B in A (frames/motion.hpp): p in the axes of A, rates in the axes of B, so that p_dot = R v
+/// and p_ddot = R a. Each function returns `make_rows(...)`. The ports are A, B and the name of the loop:
 ///
 ///   {Dim, access::on, "frame1"}, {Dim, access::on, "frame2"}, {kind::loop, access::keep, "loop"}
 ///
-/// The load of multipliers lambda on B is that whose power on any rates is lambda times (2); on A the opposite, at its
-/// origin.
+/// The load of the multipliers lambda on B has the power lambda times (2) for any rates; the opposite load acts on A,
+/// at its origin.
 template <class Core>
 struct closure {
   template <class A, class B, class Loop>
@@ -92,7 +138,7 @@ struct closure {
     return make_loads(detail::in_space_of<Core::ports[0].what>(wrench{-on_a.force, -on_a.torque}),
                       detail::in_space_of<Core::ports[0].what>(on_b));
   }
-  /// Puts (1) into the loop, by doMotion.
+  /// Writes (1) to the loop; called by doMotion.
   template <class A, class B, class S>
   constexpr void put_residual(const A& a, const B& b, loop_state<S>& loop) const {
     const auto m = detail::as_closing_motion<S>(relative(spatial(a), spatial(b)));

@@ -11,21 +11,22 @@
 namespace kte {
 
 namespace detail {
-/// The scalar of numbers among which typed constants may be: that of the first that is none, or double.
+/// The scalar of some arguments: the type of the first one that is not a typed constant, or double.
 template <class... X>
 struct scalar_among {
   using type = double;
 };
 template <class First, class... Rest>
 struct scalar_among<First, Rest...>
-    : std::conditional_t<variable<First>, std::type_identity<First>, scalar_among<Rest...>> {};
+    : std::conditional_t<kte::variable<First>, std::type_identity<First>, scalar_among<Rest...>> {};
 }  // namespace detail
 
-/// A coordinate that is a function of others. A core that derives from it has this function,
+/// A coordinate that is a function of others. A core derived from it has this function,
 ///
 ///   value(q_1, q_2, ...)   of the coordinates at its first ports, m or rad                    (1)
 ///
 /// which is called with dual numbers (functions as `using std::sin; sin(q)`). The passes follow from it, exact to
+/// rounding:
 /// rounding:
 ///
 ///   q = F(q_i),   q' = sum F_i q_i',   q'' = sum F_i q_i'' + sum F_ij q_i' q_j'            (2)
@@ -33,7 +34,7 @@ struct scalar_among<First, Rest...>
 ///
 /// Its ports are the coordinates, then the coordinate that it writes.
 ///
-/// `value` raises `bad_argument` where there is no value, as for a loop that cannot be closed, and `dead_point` where
+/// `value` raises `bad_argument` if there is no value, for example if a loop cannot be closed, and `dead_point` if
 /// there are no derivatives; runtime chains then name the element.
 template <class Core>
 struct coordinate_follower {
@@ -48,7 +49,7 @@ struct coordinate_follower {
     } else if constexpr ((detail::has_skip<std::remove_cvref_t<decltype(c.q_ddot)>> || ...)) {
       const dual<S, 1> y = core().value(along(as<S>(c.q), as<S>(c.q_dot))...);
       return coordinate{y.value, y.derivative[0], skip{}, skip{}, skip{}};
-    } else {  // along the motion, twice
+    } else {  // twice along the motion
       const dual<dual<S, 1>, 1> y =
           core().value(along(along(as<S>(c.q), as<S>(c.q_dot)), along(as<S>(c.q_dot), as<S>(c.q_ddot)))...);
       return coordinate{y.value.value, y.value.derivative[0], y.derivative[0].derivative[0], skip{}, skip{}};

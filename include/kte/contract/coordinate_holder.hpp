@@ -1,4 +1,4 @@
 #pragma once
 
-/// The former name of this header.
+/// Deprecated header name; use kte/contract/coordinate_lock.hpp.
 #include <kte/contract/coordinate_lock.hpp>

@@ -3,11 +3,10 @@
 #include <kte/contract/joint.hpp>
 #include <kte/math/dual.hpp>
 
-/// Derivatives of the forces that an element puts on generalized coordinates, by dual numbers: springs, dampers,
-/// masses.
+/// Derivatives of the forces of elements on generalized coordinates, by dual numbers: springs, dampers, masses.
 namespace kte::detail {
 
-/// Whether an element sees coordinates and signals only, and closes no loop.
+/// Whether an element connects to coordinates and signals only, and closes no loop.
 template <class Core>
 inline constexpr bool is_on_coordinates = [] {
   for (const auto& p : Core::ports)
@@ -21,11 +20,11 @@ template <class Core>
 inline constexpr bool has_derivatives =
     is_transmission<Core> || is_on_coordinates<Core> || has_mass<Core, double> || Core::ports[0].how == access::base;
 
-/// Of q, v, a of one coordinate.
+/// Derivatives by q, v, a of one coordinate.
 template <class S>
 using coordinate_dual = dual<S, 3>;
 
-/// A coordinate as a kernel sees it; where `on`, it is the one by which forces are derived.
+/// A coordinate as an argument of a kernel; if `on`, forces are derived by it.
 template <class S, class C>
 KTE_INLINE auto varied_coordinate(const C& c, bool on) {
   using number = coordinate_dual<S>;
@@ -47,7 +46,7 @@ KTE_INLINE auto varied_coordinate(const C& c, bool on) {
 /// Subtracts the derivatives of a force from entries (i, j).
 template <class S, class F, class Matrix>
 KTE_INLINE void subtract_variation(const F& f, Matrix& by_q, Matrix& by_v, Matrix& by_a, int i, int j) {
-  if constexpr (std::is_same_v<F, coordinate_dual<S>>) {  // else it depends on no coordinate
+  if constexpr (std::is_same_v<F, coordinate_dual<S>>) {  // otherwise independent of coordinates
     by_q(i, j) -= f.derivative[0];
     by_v(i, j) -= f.derivative[1];
     by_a(i, j) -= f.derivative[2];

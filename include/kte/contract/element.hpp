@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kte/contract/checks.hpp>
+#include <kte/contract/core_checks.hpp>
 #include <kte/contract/parameter_check.hpp>
 
 #include <array>
@@ -11,7 +11,7 @@
 namespace kte {
 
 namespace detail {
-/// What `.at(...)` makes of an element core: joints have a placement (contract/placement.hpp).
+/// `.at(...)` of an element core: joints have a placement (contract/placement.hpp).
 template <class Core>
 struct placement {
   template <class... Place>
@@ -25,14 +25,13 @@ struct placement {
 
 template <class Core, class... Names>
 constexpr auto connect(const Core& core, const Names&... names);
-/// Passes on an invalid element: its error has been reported.
+/// Passes an invalid element on, whose error has been reported.
 template <class... Names>
 constexpr detail::refused connect(detail::refused, const Names&...) {
   return {};
 }
 
-/// An element of a static chain: a core with the arithmetic and the parameters, and the keys that its ports are
-/// connected to.
+/// An element of a static chain: a core with its passes and parameters, and the keys connected to its ports.
 template <class Core, class... Keys>
 struct element {
   static_assert(sizeof...(Keys) == port_count<Core>);
@@ -46,7 +45,7 @@ struct element {
   }
 };
 
-/// An element of a runtime chain: a `core`, and the names that its ports are connected to.
+/// An element of a runtime chain: a `core`, and the names connected to its ports.
 template <class Core>
 struct named_element {
   using core_type = Core;
@@ -76,7 +75,7 @@ constexpr refused together(refused, const Others&...) {
 }
 }  // namespace detail
 
-/// Several elements, which a runtime chain appends in order: all or none.
+/// Several elements that a runtime chain appends in order, all or none.
 template <class... Core>
 struct named_elements {
   std::tuple<named_element<Core>...> all;
@@ -92,7 +91,7 @@ struct named_elements {
 };
 
 namespace detail {
-/// What must hold for a core before it is connected: contract/transmission.hpp says it of joints and links.
+/// Conditions on a core before it is connected; contract/transmission.hpp has those of joints and links.
 template <class Core>
 struct check_core {
   static constexpr bool passed = true;
@@ -106,19 +105,18 @@ constexpr auto connect(const Core& core, const Names&... names) {
   static_assert(
       (key_type<Names> && ...) || (text_type<Names> && ...),
       "kte: an element is connected either by keys (static chain) or by texts (runtime chain), not by a mixture");
-  static_assert(sizeof...(Names) == port_count<Core>, "kte: an element is connected by a name for each of its ports");
-  if constexpr (sizeof...(Names) != port_count<Core> || !detail::check_core<Core>::passed) {
+  if constexpr (!detail::check_functions<Core>::passed) {
+    return detail::refused{};
+  } else if constexpr (sizeof...(Names) != port_count<Core>) {
+    static_assert(sizeof...(Names) == port_count<Core>, "kte: an element is connected by a name for each of its ports");
+    return detail::refused{};
+  } else if constexpr (!detail::check_core<Core>::passed) {
     return detail::refused{};
   } else if constexpr ((key_type<Names> && ...)) {
     constexpr std::size_t bad = detail::first_misfit(Core::ports, {Names::what...});
     if constexpr (bad < sizeof...(Names)) {
       using key = std::tuple_element_t<bad, std::tuple<Names...>>;
       static_assert(sizeof(detail::check_kind<Core, key, Core::ports[bad].what>) > 0);
-      return detail::refused{};
-    } else if constexpr (detail::is_closure<Core>) {
-      static_assert(!detail::is_closure<Core>,
-                    "kte: closures of loops are for runtime chains: runtime_chain << chain << coincident_points_2D("
-                    "\"pin\", \"tip1\", \"tip2\"), of a static chain and texts");
       return detail::refused{};
     } else {
       const std::array<std::string_view, sizeof...(Names)> texts{Names::name...};

@@ -3,22 +3,22 @@
 #include <kte/contract/joint.hpp>
 #include <kte/contract/rigid_numbers.hpp>
 
-/// What an element is to the loops over body nodes (tree/body_node.hpp), as numbers.
+/// An element in numbers, for the loops over body nodes (tree/body_node.hpp).
 namespace kte::detail {
 
 enum class part : unsigned char {
-  base,      ///< declares something
+  base,      ///< declares an item
   rigid,     ///< a joint or link
   body,      ///< a rigid body on a frame, or the mass of a coordinate
-  weight,    ///< a mass on a frame that is not rigid in a body
-  follower,  ///< writes a coordinate, from others or from signals
+  weight,    ///< a mass on a frame that is not part of a rigid body
+  follower,  ///< writes a coordinate from others or from signals
   mover,     ///< writes a frame in another way
   signal,    ///< writes a signal
-  closure,   ///< closes a loop: nothing to trees
-  force      ///< the rest: acts on what it is connected to. May have a mass on a coordinate
+  closure,   ///< closes a loop; not part of the tree
+  force      ///< all others: acts on the items at its ports; may have a mass on a coordinate
 };
 
-/// Whether an element is more than what body nodes hold.
+/// Whether an element has more than the properties that body nodes store.
 template <class Core>
 inline constexpr bool acts =
     !is_transmission<Core> && !is_closure<Core> && !is_rigid_body<Core> && Core::ports.back().how != access::base;
@@ -26,21 +26,22 @@ inline constexpr bool acts =
 template <class P>
 struct element_numbers {
   part is = part::force;
-  bool plain_loads = true;  ///< of a joint or link: whether they follow from its `relative`
-  bool power_dual = true;   ///< whether the loads that it hands back are those of its motion
+  bool plain_loads = true;  ///< for a joint or link: whether its loads follow from its `relative`
+  bool power_dual = true;   ///< whether its loads are the power dual of its motion
   bool measures_accelerations = false;
-  bool load_dependent_friction = false;  ///< of a joint: whether its friction depends on what it carries
+  bool load_dependent_friction = false;  ///< for a joint: whether its friction depends on what it carries
   bool locks_coordinate = false;
-  bool varying_axes = false;      ///< of a joint: contract/varying_joint.hpp
+  bool varying_axes = false;      ///< for a joint: contract/varying_joint.hpp
   bool distributed_mass = false;  ///< whether it has a mass between several ports
   rigid_numbers<P> rigid{};
   rigid_body<P, vec3<P>, sym3<P>> body{};
   composite<P, vec3<P>, sym3<P>> weight{};
   P mass{0};              ///< on its coordinate
-  bool has_mass = false;  ///< whether it has one there, which may be 0
+  bool has_mass = false;  ///< whether it has a mass there, which may be 0
 };
 
-/// A coordinate of kind K as plain numbers: at zero, or where (1), (2) of contract/rigid_numbers.hpp are tried.
+/// A coordinate of kind K in plain numbers: zero, or the values at which (1), (2) of contract/rigid_numbers.hpp are
+/// tested.
 template <kind K>
 constexpr auto plain_coordinate(bool tried) {
   if constexpr (K == kind::gen) {
@@ -58,7 +59,7 @@ constexpr auto plain_coordinate(bool tried) {
     return motion{p, r, vec3<>{}, vec3<>{}, vec3<>{}, vec3<>{}};
   }
 }
-/// The same of all coordinates of a joint.
+/// The coordinates of a joint in plain numbers: `plain_coordinate` for each.
 template <class Core>
 constexpr auto plain_coordinates(bool tried) {
   if constexpr (coordinates_of<Core> == 1)
@@ -94,7 +95,7 @@ rigid_numbers<P> rigid_numbers_of(const Core& core) {
   return x;
 }
 
-/// In another precision.
+/// The numbers of an element in another precision.
 template <class P>
 element_numbers<P> as_numbers(const element_numbers<double>& n) {
   const auto placed = [](const auto& x) { return pose<mat3<vec3<P>>, vec3<P>>{as<P>(x.rotation), as<P>(x.position)}; };

@@ -5,8 +5,7 @@
 
 namespace kte {
 
-/// A place in a file, for messages; empty for records made by a program. It has no influence on comparison: any two are
-/// equal.
+/// A position in a file, for messages; empty for records made by a program. Ignored in comparisons: any two are equal.
 struct file_place {
   std::shared_ptr<const std::string> file{};
   int line = 0, column = 0;  ///< from 1; in a binary file line 0 and the offset from 0

@@ -3,10 +3,10 @@
 #include <kte/contract/coordinate_variation.hpp>
 #include <kte/contract/passes.hpp>
 
-/// Derivatives of the forces of one element that acts on coordinates alone: springs, dampers, masses.
+/// Derivatives of the forces of one element that acts on coordinates only: springs, dampers, masses.
 namespace kte::detail {
 
-/// `index`: what its ports are connected to. State: that of a chain, with results in work.of_forces.
+/// `index`: the items at its ports. State: that of a chain, with results in work.of_forces.
 template <class Core, class State>
 struct force_derivatives {
   using S = typename State::scalar;
@@ -14,7 +14,7 @@ struct force_derivatives {
   State& state;
   const int* index;
 
-  /// Subtracts them from the results: tau is what elements do not give.
+  /// Subtracts them from the results, because tau is the force that elements do not provide.
   void subtract() const {
     if constexpr (is_on_coordinates<Core> && Core::ports.back().how != access::out) by_ports(inputs{});
   }
@@ -28,7 +28,7 @@ struct force_derivatives {
   const auto& thing() const {
     return state.template get<at<P>.what>(index[P]);
   }
-  /// Among the degrees of freedom; -1: none of them.
+  /// The row among the degrees of freedom; -1: not a degree of freedom.
   template <std::size_t P>
   int row() const {
     if constexpr (at<P>.what == kind::gen) {
@@ -43,16 +43,17 @@ struct force_derivatives {
     const int done[]{(row<P>() < 0 || is_again<P>() ? 0 : (by_port<P>(all), 0))..., 0};
     (void)done;
   }
-  /// Whether two coordinates are the same. (A function, as g++ warns where a comparison is written with itself.)
+  /// Whether two ports have one coordinate. (A function, because g++ warns of a comparison of an expression with
+  /// itself.)
   bool are_one(std::size_t a, std::size_t b) const { return index[a] == index[b]; }
-  /// Whether port P leads to the coordinate of a port before it: `seen` then varies both at once.
+  /// Whether port P has the coordinate of an earlier port; `seen` then varies both together.
   template <std::size_t P>
   bool is_again() const {
     for (std::size_t before = 0; before < P; ++before)
       if (Core::ports[before].what == kind::gen && are_one(before, P)) return true;
     return false;
   }
-  /// By the coordinate at port L.
+  /// Derivatives by the coordinate at port L.
   template <std::size_t L, std::size_t... P>
   void by_port(std::index_sequence<P...>) const {
     if constexpr (at<L>.what == kind::gen) {

@@ -13,7 +13,7 @@
 /// The gravity of a chain, m/s^2 in the axes of its bases. Zero is none.
 namespace kte::detail {
 
-/// Refuses what is not finite.
+/// Rejects gravity that is not finite.
 template <class X, class Y, class Z>
 constexpr void check_gravity(const vec3<X, Y, Z>& gravity) {
   const vec3<> g = as<double>(gravity);
@@ -24,7 +24,7 @@ constexpr void check_gravity(const vec3<X, Y, Z>& gravity) {
   }
 }
 
-/// Refuses gravities of parts that differ.
+/// Rejects parts with different gravities.
 template <class... G>
 constexpr void check_one_gravity(const boost::hana::tuple<G...>& all) {
   const auto numbers = boost::hana::unpack(
@@ -34,7 +34,7 @@ constexpr void check_one_gravity(const boost::hana::tuple<G...>& all) {
     if (g == vec3<>{}) g = x;
     const auto text = [&g, &x] {
       const auto numbers_of = [](const vec3<>& v) {
-        // Not by +: g++ 12 warns about it at -O3 without a cause.
+        // Operator + causes spurious warnings of g++ 12 at -O3.
         return std::string("(").append(number(v.x)).append(", ").append(number(v.y)).append(", ").append(number(v.z)) +
                ")";
       };
@@ -46,7 +46,7 @@ constexpr void check_one_gravity(const boost::hana::tuple<G...>& all) {
                         g.z, x.x, x.y, x.z);
   }
 }
-/// The gravity of a chain of two parts: that of the part with one.
+/// The gravity of a chain of two parts: that of the part that has one.
 template <class A, class B>
 constexpr auto gravity_of_both(const A& a, const B& b) {
   if constexpr (std::is_same_v<A, zero3>) {

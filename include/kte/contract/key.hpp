@@ -10,11 +10,11 @@
 ///
 ///   inline constexpr struct elbow_ final : kte::frame_3D_key<"elbow"> {} elbow;
 ///
-/// The type makes a typing error a compile error with the compiler's own "did you mean"; the text is for messages,
-/// files and runtime chains.
+/// A misspelt name is a compile error with the compiler's "did you mean", because it names a type. The text is for
+/// messages, files and runtime chains.
 namespace kte {
 
-/// What elements exchange at a port.
+/// The kinds of items at ports.
 enum class kind : unsigned char {
   gen,          ///< a generalized coordinate: q and its rates, and a generalized force
   frame_2D,     ///< a frame in the plane
@@ -25,7 +25,7 @@ enum class kind : unsigned char {
   pose_3D,      ///< a coordinate that is a pose in space
   internal,     ///< an internal state of one element, a number with a rate: the deflection of bristles in friction
   vector,       ///< a signal of three numbers
-  loop          ///< what closes a kinematic loop: forces and residuals of one closure
+  loop          ///< the forces and residuals of one closure of a kinematic loop
 };
 /// The number of kinds.
 inline constexpr std::size_t kinds = 10;
@@ -36,15 +36,15 @@ inline constexpr std::size_t kinds = 10;
 [[nodiscard]] constexpr bool is_signal(kind k) {
   return k == kind::input || k == kind::internal || k == kind::vector || k == kind::loop;
 }
-/// The number of inputs u of a chain that it is, if no element writes it.
+/// The size of a signal in the inputs u of a chain, if no element writes it.
 [[nodiscard]] constexpr int nu_of(kind k) { return k == kind::input ? 1 : k == kind::vector ? 3 : 0; }
 /// Whether it is a coordinate: a number, a rotation or a pose.
 [[nodiscard]] constexpr bool is_coordinate(kind k) { return !is_frame(k) && !is_signal(k); }
-/// The number of entries in a configuration q: x, y, z before w, x, y, z of the quaternion; x, y, angle in the plane.
+/// The size of an item in a configuration q: x, y, z before w, x, y, z of the quaternion; x, y, angle in the plane.
 [[nodiscard]] constexpr int nq_of(kind k) {
   return k == kind::gen ? 1 : k == kind::rotation_3D ? 4 : k == kind::pose_2D ? 3 : k == kind::pose_3D ? 7 : 0;
 }
-/// The number of degrees of freedom: of entries in v, a and tau, linear before angular.
+/// The number of degrees of freedom of an item: its size in v, a and tau, linear before angular.
 [[nodiscard]] constexpr int nv_of(kind k) {
   return k == kind::gen ? 1 : k == kind::rotation_3D || k == kind::pose_2D ? 3 : k == kind::pose_3D ? 6 : 0;
 }
@@ -160,8 +160,8 @@ constexpr std::uint64_t hash_of_type() {
   return hash(__PRETTY_FUNCTION__);
 #endif
 }
-/// Two keys are the same name when their types are; and then only may their texts be equal. Names of frames live apart
-/// from those of coordinates and signals: of one text there may be one of either.
+/// Two keys are one name if their types are equal; equal texts are permitted only then. Frames have their own
+/// namespace, so a frame and a coordinate or signal may share a text.
 template <class Key>
 inline constexpr std::uint64_t id_of_key = hash_of_type<Key>();
 template <class Key>

@@ -7,15 +7,16 @@
 #include <string_view>
 #include <vector>
 
-/// What a misspelt name may have meant.
+/// Suggestions for misspelt names.
 namespace kte::detail {
 
-/// How many letters must be put in, left out, changed, or exchanged with the next one, to make b of a: the distance of
-/// optimal string alignment. Of names of more than 63 letters, more than may be meant.
+/// The number of letters that must be inserted, deleted, changed, or exchanged with the next one to convert a to b: the
+/// optimal string alignment distance. Names of more than 63 letters have a larger distance.
 constexpr std::size_t edit_distance(std::string_view a, std::string_view b) {
   constexpr std::size_t most = 63;
   if (a.size() > most || b.size() > most) return most;
-  std::array<std::array<std::size_t, most + 1>, 3> row{};  // of one letter of a each: this, the last, that before
+  std::array<std::array<std::size_t, most + 1>, 3>
+      row{};  // distances for one letter of a each: this one, the last, and the one before
   for (std::size_t j = 0; j <= b.size(); ++j) row[0][j] = j;
   for (std::size_t i = 1; i <= a.size(); ++i) {
     auto &now = row[i % 3], &last = row[(i + 2) % 3], &before = row[(i + 1) % 3];
@@ -29,8 +30,8 @@ constexpr std::size_t edit_distance(std::string_view a, std::string_view b) {
   }
   return row[a.size() % 3][b.size()];
 }
-/// The place of the known name that a misspelt one may have meant, or the number of names if there is none: the
-/// nearest, if not more than a letter or a third of them differ.
+/// The index of the known name that a misspelt name may mean, or the number of names if there is none. It is the
+/// nearest name, if at most a third of its letters, or one letter, differ.
 template <class Names>
 constexpr std::size_t nearest_name(std::string_view written, const Names& known) {
   std::size_t best = known.size(), least = 0;
@@ -44,7 +45,7 @@ constexpr std::size_t nearest_name(std::string_view written, const Names& known)
   }
   return best;
 }
-/// Behind a message: ", did you mean 'elbow'?", or nothing.
+/// The end of a message: ", did you mean 'elbow'?", or empty.
 inline std::string did_you_mean(std::string_view written, const std::vector<std::string>& known) {
   const std::size_t i = nearest_name(written, known);
   return i == known.size() ? std::string() : ", did you mean '" + known[i] + "'?";

@@ -4,7 +4,7 @@
 
 namespace kte {
 
-/// A core that has no parameters derives from this.
+/// Base of element cores without parameters.
 struct no_parameters {
   constexpr void check(const parameter_check&) const {}
   template <class Self, class Visit>

@@ -7,16 +7,16 @@
 #include <string>
 #include <vector>
 
-/// Parameters from the numbers of a record.
+/// Reads parameters from the numbers of a record.
 namespace kte::detail {
 
-/// Where a value comes from, for messages.
+/// The place of a value, for messages.
 struct record_place {
   std::string text;
   [[noreturn]] void fail(const std::string& why) const { throw bad_file("kte: " + text + ": " + why); }
 };
 
-/// Puts numbers into a parameter, whose typed constants must be just those numbers.
+/// Reads numbers into a parameter. Its typed constants must have exactly the values read.
 class number_reader {
  public:
   number_reader(std::span<const double> values, const record_place& place) : values_(values), place_(place) {}
@@ -29,7 +29,7 @@ class number_reader {
   void operator()(bool& x) {
     if (!(x = next() == 1)) place_.fail("must be 1 where it is given");
   }
-  template <variable T>
+  template <kte::variable T>
   void operator()(T& x) {
     x = T(next());
   }
@@ -68,7 +68,7 @@ class number_reader {
   void operator()(unit_quaternion<S>& q) {
     q = as<S>(to_quaternion(dense_matrix()));
   }
-  /// All numbers must have been taken.
+  /// Checks that all numbers have been read.
   void finish() const {
     if (!values_.empty()) place_.fail("holds " + std::to_string(values_.size()) + " numbers too many");
   }

@@ -44,7 +44,7 @@ struct parameter_check {
     if constexpr (!typed_constant<T>) {
       const auto v = static_cast<double>(x);
       constexpr double largest = (std::numeric_limits<double>::max)();
-      require(-largest <= v && v <= largest, rule, v);  // no arithmetic, at which clang stops where it gives NaN
+      require(-largest <= v && v <= largest, rule, v);  // no arithmetic, because clang rejects NaN results
     }
   }
   /// Requires a finite number >= 0.

@@ -12,25 +12,25 @@
 
 namespace kte {
 
-/// A parameter of an element core, as files and docs know it.
+/// A parameter of an element core in files and documentation, by its `name`.
 struct parameter_info {
-  static constexpr signed char any = -128;  ///< a number that the type of the parameter does not fix
+  static constexpr signed char any = -128;  ///< a number that is not fixed by the type of the parameter
 
-  std::string_view name;
+  std::string_view name;  ///< as in files
   std::string_view what;  ///< "number", "vector", "rotation", "matrix", "symmetric matrix", "list" or "flag"
-  bool optional = false;  ///< whether files may leave it out
-  int count = 0;          ///< how many numbers it has in files; -1: a list of any length
-  std::array<signed char, 9> numbers{};  ///< those that its type fixes, else `any`
+  bool optional = false;  ///< whether files may omit it
+  int count = 0;          ///< number of values in files; -1: a list of any length
+  std::array<signed char, 9> numbers{};  ///< numbers fixed by its type, otherwise `any`
 
   /// Whether its type fixes some of its numbers.
   bool has_fixed() const {
     return std::any_of(numbers.begin(), numbers.begin() + (std::max)(count, 0), [](signed char n) { return n != any; });
   }
-  /// Whether its type fixes all of its numbers, as the axis of a revolute joint in the plane.
+  /// Whether its type fixes all of its numbers, such as the axis of a revolute joint in the plane.
   bool is_fixed() const {
     return count > 0 && std::all_of(numbers.begin(), numbers.begin() + count, [](signed char n) { return n != any; });
   }
-  /// Whether numbers of a file are as many as it has, and those that its type fixes.
+  /// Whether the numbers of a file agree in count, and with the numbers that the type fixes.
   bool fits(std::span<const double> values) const {
     if (count < 0) return true;
     if (values.size() != static_cast<std::size_t>(count)) return false;
@@ -47,7 +47,7 @@ inline constexpr signed char fixed_number = parameter_info::any;
 template <int N>
 inline constexpr signed char fixed_number<constant<N>> = N;
 
-/// What a parameter of a type is in files.
+/// The description of a parameter by its type.
 struct parameter_of_type {
   /// A number, or a list of them.
   template <class T>
@@ -94,8 +94,8 @@ struct parameter_of_type {
 
 }  // namespace detail
 
-/// The parameters of a core, in the order of files. `Core::optional_parameters`, a list of names, are those that files
-/// may leave out; a flag is always one.
+/// The parameters of a core, in the order of files. Files may omit those listed in `Core::optional_parameters`, and
+/// flags.
 template <class Core>
 [[nodiscard]] std::vector<parameter_info> parameter_infos() {
   std::vector<parameter_info> all;

@@ -1,7 +1,6 @@
 #pragma once
 
-#include <kte/contract/checks.hpp>
-#include <kte/contract/port.hpp>
+#include <kte/contract/core_checks.hpp>
 #include <kte/contract/thing.hpp>
 #include <kte/detail/numbered.hpp>
 #include <kte/frames/motion.hpp>
@@ -9,10 +8,10 @@
 
 #include <utility>
 
-/// The passes of one element on frames held in a state, for static and runtime chains alike.
+/// The passes of one element on frames stored in a state, for static and runtime chains.
 namespace kte::detail {
 
-/// The place of port P among the loads of an element, which belong to the ports that are no signals.
+/// The index of port P among the loads of an element. Ports for signals have none.
 template <class Core, std::size_t P>
 inline constexpr std::size_t load_index = [] {
   std::size_t i = 0;
@@ -20,13 +19,6 @@ inline constexpr std::size_t load_index = [] {
   return i;
 }();
 
-/// How many internal states an element keeps.
-template <class Core>
-inline constexpr std::size_t kept_count = [] {
-  std::size_t n = 0;
-  for (const auto& p : Core::ports) n += p.how == access::keep && p.what == kind::internal;
-  return n;
-}();
 /// The port of number N of them; beyond the last if there is none.
 template <class Core, std::size_t N = 0>
 inline constexpr std::size_t kept_port = [] {
@@ -36,7 +28,7 @@ inline constexpr std::size_t kept_port = [] {
     ++p;
   return p;
 }();
-/// Number N of the rates that `z_dot` of an element gives: one, or several by `make_rates`.
+/// Rate N in the result of `z_dot` of an element: one rate, or several from `make_rates`.
 template <std::size_t N, class Rate>
 KTE_INLINE constexpr const auto& rate_of_kept(const Rate& rate) {
   return rate;
@@ -57,7 +49,7 @@ KTE_INLINE constexpr auto without_accelerations(const X& x) {
   }
 }
 
-/// Whether something that nobody asked for is in a load or a signal.
+/// Whether a load or a signal contains a quantity that was not computed.
 template <class T>
 inline constexpr bool has_skip = std::is_same_v<T, skip>;
 template <class X, class Y, class Z>
@@ -67,7 +59,7 @@ inline constexpr bool has_skip<wrench<F, T>> = has_skip<F> || has_skip<T>;
 template <class... L>
 inline constexpr bool has_skip<values<L...>> = (has_skip<L> || ...);
 
-/// Where the ports of an element lead, as a list of indices.
+/// The connections of an element as a list of indices.
 struct by_index {
   const int* index;
   template <std::size_t P>
@@ -76,7 +68,7 @@ struct by_index {
   }
 };
 
-/// Connects the ports of an element to a state: Where::at<port>() gives the index of what port is connected to.
+/// Connects the ports of an element to a state: Where::at<port>() is the index of the item at the port.
 template <class Core, class State, class Where>
 struct stored_element {
   const Core& core;
@@ -92,7 +84,7 @@ struct stored_element {
   KTE_INLINE constexpr auto& stored() const {
     return state.template get<at<P>.what>(where.template at<P>());
   }
-  /// The item at port P as kernels take it.
+  /// The item at port P in the form that kernels take.
   template <std::size_t P>
   KTE_INLINE constexpr decltype(auto) input() const {
     if constexpr (writes_signal<Core> && !reads_accelerations<Core> && !is_signal(at<P>.what)) {
@@ -124,7 +116,7 @@ struct stored_element {
     update_angles(std::index_sequence<P...>{});
     move(std::index_sequence<P...>{});
   }
-  /// Without an update of sines, cosines and matrices.
+  /// doMotion without an update of sines, cosines and matrices.
   template <std::size_t... P>
   KTE_INLINE constexpr void move(std::index_sequence<P...>) const {
     if constexpr (has_output) write(core.doMotion(input<P>()...));
@@ -132,7 +124,7 @@ struct stored_element {
       write_rates(core.z_dot(input<P>()...), std::make_index_sequence<kept_count<Core>>{});
     if constexpr (is_closure<Core>) core.put_residual(stored<P>()...);
   }
-  /// Sines, cosines and matrices of the coordinates that it reads as angles and rotations.
+  /// Updates the sines, cosines and matrices of the coordinates that it reads as angles and rotations.
   template <std::size_t... P>
   KTE_INLINE constexpr void update_angles(std::index_sequence<P...>) const {
     const int done[]{(update_one<P>(), 0)..., 0};
@@ -144,12 +136,14 @@ struct stored_element {
       return;
     } else if constexpr (has_output) {
       spread<P...>(core.doForce(input<P>()..., load<ports - 1>()));
-    } else {
+    } else if constexpr (has_force<Core, decltype(input<P>())...>) {
       spread<P...>(core.doForce(input<P>()...));
+    } else {
+      (void)check_load_count<Core, load_count<decltype(core.doForce(input<P>()...))>>{};
     }
   }
-  /// Whether it holds its coordinate, and by how large a force it could; of a joint after doForce, where that depends
-  /// on what it carries.
+  /// Whether it holds its coordinate, and the largest holding force. For a joint whose force depends on what it
+  /// carries, call doForce first.
   template <std::size_t... P>
   KTE_INLINE constexpr bool holds(std::index_sequence<P...>) const {
     if constexpr (locks_coordinate<Core>) {
@@ -168,13 +162,13 @@ struct stored_element {
       return zero;
     }
   }
-  /// What it keeps after its law has changed; nothing where it has no `switched`.
+  /// The internal states after its law has changed; unchanged without `switched`.
   template <std::size_t... P>
   KTE_INLINE constexpr void switch_over(std::index_sequence<P...>) const {
-    if constexpr (requires { core.switched(input<P>()...); })
+    if constexpr (has_switched<Core, decltype(input<P>())...>)
       write_kept(core.switched(input<P>()...), std::make_index_sequence<kept_count<Core>>{});
   }
-  /// The loads of a distributed mass, for accelerations alone.
+  /// The loads of a distributed mass due to accelerations only.
   template <std::size_t... P>
   KTE_INLINE constexpr void mass_force(std::index_sequence<P...>) const {
     if constexpr (distributed_mass<Core>) spread<P...>(core.mass_loads(input<P>()...));
@@ -190,10 +184,10 @@ struct stored_element {
       return zero;
     }
   }
-  /// Energies, where the element has one; J.
+  /// The energies, J, of elements that have them.
   template <std::size_t... P>
   KTE_INLINE constexpr auto kinetic_energy(std::index_sequence<P...>) const {
-    if constexpr (requires { core.kinetic_energy(input<P>()...); }) {
+    if constexpr (has_kinetic_energy<Core, decltype(input<P>())...>) {
       return core.kinetic_energy(input<P>()...);
     } else {
       return zero;
@@ -201,7 +195,7 @@ struct stored_element {
   }
   template <std::size_t... P>
   KTE_INLINE constexpr auto potential_energy(std::index_sequence<P...>) const {
-    if constexpr (requires { core.potential_energy(input<P>()...); }) {
+    if constexpr (has_potential_energy<Core, decltype(input<P>())...>) {
       return core.potential_energy(input<P>()...);
     } else {
       return zero;
@@ -210,16 +204,16 @@ struct stored_element {
   /// The first moment m c of a distributed mass in axes of the base, kg m.
   template <std::size_t... P>
   KTE_INLINE constexpr auto first_moment(std::index_sequence<P...>) const {
-    if constexpr (requires { core.first_moment(input<P>()...); }) {
+    if constexpr (has_first_moment<Core, decltype(input<P>())...>) {
       return core.first_moment(input<P>()...);
     } else {
       return zero3{};
     }
   }
-  /// The function that goes through zero where the law of the element changes; 1 if it never does.
+  /// A function that passes through zero where the law of the element changes; 1 if it never does.
   template <std::size_t... P>
   KTE_INLINE constexpr auto switching(std::index_sequence<P...>) const {
-    if constexpr (requires { core.switching(input<P>()...); }) {
+    if constexpr (has_switching<Core, decltype(input<P>())...>) {
       return core.switching(input<P>()...);
     } else {
       return one;
@@ -278,7 +272,7 @@ struct stored_element {
     if constexpr (at<P>.what == kind::gen) {
       auto& x = stored<P>();
       using S = std::remove_cvref_t<decltype(x.f)>;
-      x.f = S(x.f + nth<load_index<Core, P>>(l));  // parameters may be of more digits
+      x.f = S(x.f + nth<load_index<Core, P>>(l));  // parameters may have more digits
     } else if constexpr (!is_signal(at<P>.what)) {
       add_load(stored<P>(), nth<load_index<Core, P>>(l));
     }

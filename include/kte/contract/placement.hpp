@@ -6,9 +6,9 @@ namespace kte {
 
 namespace core {
 
-/// A joint with a constant placement, at position r and rotation R in the base: a link and the joint in one.
+/// A joint with a constant placement at position r and rotation R in the base: a link and a joint in one.
 ///
-///   X_end = (r, R) X_joint;  all rates, in axes of the end, are those of the joint          (1)
+///   X_end = (r, R) X_joint;  all rates, in the axes of the end, are those of the joint      (1)
 template <class Joint, class Rotation, class Position>
 struct placed_joint : Joint, transmission<placed_joint<Joint, Rotation, Position>> {  // with whatever else a joint has
   using transmission<placed_joint>::doMotion, transmission<placed_joint>::doForce;
@@ -18,8 +18,8 @@ struct placed_joint : Joint, transmission<placed_joint<Joint, Rotation, Position
   Position position{};
   Rotation rotation{};
 
-  /// Not placed elsewhere: rotations of numbers are the identity.
-  constexpr placed_joint() {
+  /// Without a placement; rotations of numbers are the identity.
+  constexpr placed_joint() : Joint() {
     if constexpr (requires { rotation.cos; }) rotation.cos = 1;
     if constexpr (requires { rotation.x.x; }) rotation.x.x = rotation.y.y = rotation.z.z = 1;
   }
@@ -65,7 +65,7 @@ inline constexpr bool is_placed_joint = false;
 template <class Joint, class Rotation, class Position>
 inline constexpr bool is_placed_joint<core::placed_joint<Joint, Rotation, Position>> = true;
 
-/// What a position and a rotation are in the plane and in space.
+/// Whether a type is a position, or a rotation, in the plane or in space.
 template <kind Dim, class Position>
 inline constexpr bool is_position = false;
 template <class X, class Y, class Z>
@@ -79,7 +79,7 @@ inline constexpr bool turns = std::is_same_v<Rotation, no_rotation> || (requires
                                 matrix(r);
                               } && is_planar_rotation<Rotation> == (Dim == kind::frame_2D));
 
-/// Joints, of this library and others.
+/// Joints of this library and of users.
 template <class Core>
 requires(is_transmission<Core> && (port_count<Core> > 2) && !is_placed_joint<Core>) struct placement<Core> {
   static constexpr kind dim = Core::ports.back().what;

@@ -9,24 +9,24 @@
 
 namespace kte {
 
-/// How an element uses what is connected to a port.
+/// The use of the item that is connected to a port.
 enum class access : unsigned char {
   in,     ///< reads it; a coordinate that no element writes is a degree of freedom of the chain
   angle,  ///< reads it, with cosine and sine of the angle, or the matrix of the rotation
-  on,     ///< acts on it by a force; another element must move by it: a spring alone makes no degree of freedom
+  on,     ///< acts on it by a force; another element must move it: a spring alone makes no degree of freedom
   out,    ///< writes it
   base,   ///< declares it: its motion is prescribed
   keep    ///< an internal state: reads it and computes its rate, as the only element
 };
 
-/// One connection of an element: what kind, how it is used, and the role by which messages and files call it.
+/// A port of an element: `what`: the kind of its item; `how`: its use; `role`: its name in messages and files.
 struct port {
   kind what;
   access how;
   std::string_view role;
   /// Whether the element writes it.
   constexpr bool writes() const { return how == access::out || how == access::base; }
-  /// Whether it must not be connected before: the element writes or declares it.
+  /// Whether the element writes or declares the item, which must then be new.
   constexpr bool declares() const { return declares(how); }
   static constexpr bool declares(access a) { return a == access::out || a == access::base || a == access::keep; }
 };
@@ -40,96 +40,13 @@ template <class Core>
 inline constexpr std::size_t input_count = port_count<Core> - (Core::ports.back().writes() ? 1 : 0);
 
 namespace detail {
-/// Whether it writes a signal: a measure, a control. It then puts no loads.
+/// Whether it writes a signal, as a measure or a control. It then has no loads.
 template <class Core>
 inline constexpr bool writes_signal = Core::ports.back().how == access::out&& is_signal(Core::ports.back().what);
-/// Whether such an element measures accelerations: its core then says so by `static constexpr bool
-/// reads_accelerations = true`, and no force may depend on what it writes.
-template <class Core>
-inline constexpr bool reads_accelerations = false;
-template <class Core>
-requires requires { Core::reads_accelerations; }
-inline constexpr bool reads_accelerations<Core> = Core::reads_accelerations;
-
-/// Whether it has a distributed mass: `mass_loads(things...)`, its loads for accelerations alone.
-template <class Core>
-inline constexpr bool distributed_mass = false;
-template <class Core>
-requires requires { Core::distributed_mass; }
-inline constexpr bool distributed_mass<Core> = Core::distributed_mass;
-template <class Core>
-requires requires { Core::spreads_mass; }
-inline constexpr bool distributed_mass<Core> = former::spreads_mass<Core>;
-
-/// Whether it is a load from outside, constant or given by signals, that `static_equilibrium` puts on in parts: what it
-/// acts on comes first among its ports.
-template <class Core>
-inline constexpr bool is_load = false;
-template <class Core>
-requires requires { Core::is_load; }
-inline constexpr bool is_load<Core> = Core::is_load;
-/// Whether the internal states of an element follow from the position at the start of a motion: `switched` gives them.
-template <class Core>
-inline constexpr bool starts_in_place = false;
-template <class Core>
-requires requires { Core::starts_in_place; }
-inline constexpr bool starts_in_place<Core> = Core::starts_in_place;
-
-/// Whether it is a joint whose friction depends on what the joint carries: `friction(coordinate, wrench of the end)`,
-/// a load on the coordinate.
-template <class Core>
-inline constexpr bool load_dependent_friction = false;
-template <class Core>
-requires requires { Core::load_dependent_friction; }
-inline constexpr bool load_dependent_friction<Core> = Core::load_dependent_friction;
-template <class Core>
-requires requires { Core::reads_reaction; }
-inline constexpr bool load_dependent_friction<Core> = former::reads_reaction<Core>;
-
-/// Whether it is a joint whose axes depend on its coordinates, in axes of the end: its core then says so by `static
-/// constexpr bool varying_axes = true`. Joints of several coordinates are taken for such.
-template <class Core>
-inline constexpr bool varying_axes = Core::ports.size() > 3 && Core::ports[0].what == kind::gen&& Core::ports[1].what
-                                                                   == kind::gen&& is_frame(Core::ports.back().what);
-template <class Core>
-requires requires { Core::varying_axes; }
-inline constexpr bool varying_axes<Core> = Core::varying_axes;
-
 /// Whether it closes a kinematic loop: its core derives from `closure` (contract/closure.hpp), and its last port is the
 /// name of the loop.
 template <class Core>
 inline constexpr bool is_closure = Core::ports.back().what == kind::loop&& Core::ports.back().how == access::keep;
-
-/// Whether its loads are the power dual of its motion, as in a mechanism. An element for controllers without this
-/// property declares `static constexpr bool power_dual = false`: only passes and inverse dynamics support it.
-template <class Core>
-inline constexpr bool power_dual = true;
-template <class Core>
-requires requires { Core::power_dual; }
-inline constexpr bool power_dual<Core> = Core::power_dual;
-
-/// Whether it may hold a coordinate: contract/coordinate_lock.hpp.
-template <class Core>
-inline constexpr bool locks_coordinate = false;
-template <class Core>
-requires requires { Core::locks_coordinate; }
-inline constexpr bool locks_coordinate<Core> = Core::locks_coordinate;
-/// Whether it is a joint that may hold its own coordinate, by what it carries.
-template <class Core>
-inline constexpr bool locks_by_load = load_dependent_friction<Core>&& locks_coordinate<Core>;
-
-/// Whether the forces of an element depend on positions, rotations or linear velocities of frames: its core then says
-/// so by `static constexpr bool reads_positions = true`.
-template <class Core>
-inline constexpr bool reads_positions = false;
-template <class Core>
-requires requires { Core::reads_positions; }
-inline constexpr bool reads_positions<Core> = Core::reads_positions;
-
-/// Whether the forces of an element with a mass are those of a rigid body on its frame, `core.body`, or of the mass of
-/// its coordinate, and no others.
-template <class Core>
-inline constexpr bool is_rigid_body = false;
 }  // namespace detail
 
 /// An element in a message: "revolute_joint_3D (coordinate 'q', base 'a', end 'b')".
@@ -141,7 +58,7 @@ inline constexpr bool is_rigid_body = false;
   return s + ")";
 }
 
-/// The name of a type of elements, `text`: "rigid_link" and 3D give "rigid_link_3D".
+/// The name of a type of elements, `text`: "rigid_link" in space gives "rigid_link_3D".
 template <std::size_t N>
 struct type_name {
   char text[N + 4]{};

@@ -1,7 +1,7 @@
 #pragma once
 
+#include <kte/contract/element_core.hpp>
 #include <kte/contract/file_place.hpp>
-#include <kte/contract/port.hpp>
 #include <kte/detail/raise.hpp>
 #include <kte/errors.hpp>
 #include <kte/math/quaternion.hpp>
@@ -62,13 +62,6 @@ struct model_record {
 
 namespace detail {
 
-/// Whether an element holds functions of its program: its core then says `static constexpr bool holds_code = true`.
-template <class Core>
-inline constexpr bool holds_code = false;
-template <class Core>
-requires requires { Core::holds_code; }
-inline constexpr bool holds_code<Core> = Core::holds_code;
-
 // Not inlined: there is a record_of for each type of element.
 [[gnu::noinline]] inline void append_all(std::vector<double>& v, std::initializer_list<double> numbers) {
   v.insert(v.end(), numbers);
@@ -76,7 +69,7 @@ inline constexpr bool holds_code<Core> = Core::holds_code;
 [[gnu::noinline]] inline void add_connection(element_record& r, std::string_view role, std::string_view name) {
   r.connections.push_back({std::string(role), std::string(name)});
 }
-/// A parameter without numbers, for them.
+/// Adds a parameter without numbers and returns its list.
 [[gnu::noinline]] inline std::vector<double>& add_parameter(element_record& r, const char* name) {
   r.parameters.push_back({name, {}});
   return r.parameters.back().values;
@@ -113,7 +106,7 @@ void append_numbers(std::vector<double>& v, const R& rotation) {
 /// `bad_argument` for a core that declares `holds_code`: functions of a program.
 template <class Core, class Names>
 [[nodiscard]] element_record record_of(const Core& core, const Names& names) {
-  if constexpr (detail::holds_code<Core>) {
+  if constexpr (holds_code<Core>) {
     std::array<std::string_view, port_count<Core>> texts;
     for (std::size_t p = 0; p < port_count<Core>; ++p) texts[p] = names[p];
     detail::raise<bad_argument>("kte: " + describe_element(Core::type, Core::ports, texts) +

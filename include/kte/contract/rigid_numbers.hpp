@@ -6,18 +6,18 @@
 
 namespace kte::detail {
 
-/// A joint or link as numbers: the motion of its end in its base, at rest at zero. Joints move on from there by axes
-/// that are constant in the end (contract/transmission.hpp); that says all of them:
+/// A joint or link as numbers: the motion of its end in its base, at coordinate zero and at rest. Its axes are constant
+/// in the end (contract/transmission.hpp), which determines all configurations:
 ///
-///   X(q) = X(0) exp(s q)          of one coordinate          (1)
-///   X(q) = X(0) B^-1 q B          of a rotation or a pose    (2)
+///   X(q) = X(0) exp(s q)          for one coordinate          (1)
+///   X(q) = X(0) B^-1 q B          for a rotation or a pose    (2)
 template <class P>
 struct rigid_numbers {
-  pose<mat3<vec3<P>>, vec3<P>> at_zero{}, tried{};  ///< tried: of a joint at the coordinate below
+  pose<mat3<vec3<P>>, vec3<P>> at_zero{}, tried{};  ///< tried: the pose at the test coordinate below
   std::array<vec3<P>, 6> linear{}, angular{};       ///< of the axes
 };
 
-/// Where (1) and (2) are tried, for no joint may be taken for what it is not: turned by 3-4-5 triangles.
+/// Test coordinates for (1) and (2), which detect joints that do not satisfy them: rotations by 3-4-5 triangles.
 inline constexpr double tried_angle = 0.64350110879328438680;  // atan 3/4
 inline constexpr double tried_cosine = 0.8, tried_sine = 0.6;
 inline constexpr vec3<> tried_position{0.5, -0.25, 0.75};

@@ -10,7 +10,7 @@
 #include <concepts>
 #include <tuple>
 
-/// What a state holds for each kind, and the numbers of the coordinates in their order.
+/// The content of a state for each kind, and the numbers of coordinates in order.
 namespace kte::detail {
 
 /// In the order of `kind`.
@@ -20,7 +20,7 @@ using things = std::tuple<gen_coord<S>, frame_2D<S>, frame_3D<S>, S, rotation_co
 template <kind K, class S>
 using thing_of = std::tuple_element_t<static_cast<std::size_t>(K), things<S>>;
 
-/// The kind of a thing by its type, of any scalar.
+/// The kind of an item by its type, for any scalar.
 template <class T>
 inline constexpr kind kind_of_thing = [] {
   static_assert(!std::is_same_v<T, T>, "kte: this is not a coordinate, frame, input or internal state");
@@ -47,13 +47,13 @@ inline constexpr kind kind_of_thing<vec3<S, S, S>> = kind::vector;
 template <class S>
 inline constexpr kind kind_of_thing<loop_state<S>> = kind::loop;
 
-/// Member number K of a tuple with one member a kind.
+/// Member K of a tuple with one member per kind.
 template <kind K, class Tuple>
 KTE_INLINE constexpr auto& of_kind(Tuple& t) {
   return std::get<static_cast<std::size_t>(K)>(t);
 }
 
-/// What kernels see of a signal.
+/// A signal as kernels see it.
 template <kind K, class T>
 KTE_INLINE constexpr const auto& number_of_signal(const T& x) {
   if constexpr (K == kind::internal) {

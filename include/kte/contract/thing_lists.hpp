@@ -8,13 +8,13 @@
 
 namespace kte::detail {
 
-/// All things of a chain, by kind and index.
+/// All items of a chain, by kind and index.
 template <class S, class Kinds = std::make_index_sequence<kinds>>
 class thing_lists;
 template <class S, std::size_t... K>
 class thing_lists<S, std::index_sequence<K...>> {
  public:
-  /// count(k) of kind k.
+  /// Makes count(k) items of each kind k.
   template <class Count>
   explicit thing_lists(const Count& count)
       : of_(std::vector<std::tuple_element_t<K, things<S>>>(static_cast<std::size_t>(count(static_cast<kind>(K))))...) {

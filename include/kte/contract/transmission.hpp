@@ -15,13 +15,13 @@ namespace kte {
 template <class... L>
 using loads = values<L...>;
 
-/// The `loads` of a doForce, in the order of the input ports.
+/// Returns the `loads` of doForce, in the order of the input ports.
 template <class... L>
 [[nodiscard]] KTE_INLINE constexpr auto make_loads(const L&... l) {
   return values<L...>{{{l}...}};
 }
 
-/// The rates of several internal states, the result of `z_dot`, in their order.
+/// Returns the rates of several internal states from `z_dot`, in their order.
 template <class... R>
 [[nodiscard]] KTE_INLINE constexpr auto make_rates(const R&... r) {
   return values<R...>{{{r}...}};
@@ -31,12 +31,12 @@ namespace detail {
 /// A type that no pass is called with.
 struct no_pass;
 
-/// The N-th vector of unit length along the axes, or none of them.
+/// Unit vector N of the coordinate axes; zero for other N.
 template <int N>
 KTE_INLINE constexpr auto unit_vector() {
   return vec3<constant<N == 0>, constant<N == 1>, constant<N == 2>>{};
 }
-/// A coordinate of kind K with a unit rate N and no others: its motion is axis N of the joint.
+/// A coordinate of kind K with rate 1 for degree of freedom N and 0 for the others: its motion is axis N of the joint.
 template <kind K, int N, class C>
 KTE_INLINE constexpr auto unit_rate(const C& c) {
   if constexpr (K == kind::gen) {
@@ -64,7 +64,7 @@ template <class Motion, class F, class T>
 KTE_INLINE constexpr auto power(const Motion& m, const wrench<F, T>& w) {
   return dot(m.velocity, w.force) + dot(m.ang_velocity, w.torque);
 }
-/// The forces of virtual power on a coordinate of kind K: f(N) for each of its degrees of freedom, as a load.
+/// The generalized forces on a coordinate of kind K as a load: f(N) for each degree of freedom N.
 template <kind K, class F>
 KTE_INLINE constexpr auto load_on(const F& f) {
   if constexpr (K == kind::gen) {
@@ -79,13 +79,6 @@ KTE_INLINE constexpr auto load_on(const F& f) {
                   vec3{f.template operator()<3>(), f.template operator()<4>(), f.template operator()<5>()}};
   }
 }
-/// How many coordinates a transmission has. They are its first ports, the base and the end are its last two.
-template <class Core>
-inline constexpr std::size_t coordinates_of = [] {
-  std::size_t n = 0;
-  while (is_coordinate(Core::ports[n].what)) ++n;
-  return n;
-}();
 /// The motion that the unit rate of coordinate N of a joint makes, the others at rest.
 template <std::size_t N, class Core, class Coordinates, std::size_t... K>
 KTE_INLINE constexpr auto axis_among(const Core& core, const Coordinates& c, std::index_sequence<K...>) {
@@ -99,32 +92,32 @@ KTE_INLINE constexpr auto axis_among(const Core& core, const Coordinates& c, std
   };
   return core.relative(at.template operator()<K>()...);
 }
-/// Number N of such a load.
+/// Number N of the load on a coordinate.
 template <kind K, int N, class L>
 KTE_INLINE constexpr auto number_of(const L& load) {
   if constexpr (K == kind::gen) {
     return load;
-  } else {  // its power on the rate of one
+  } else {  // power on one rate
     constexpr motion<zero3, no_rotation, zero3, zero3, zero3, zero3> none{};
     return power(unit_rate<K, N>(none), load);
   }
 }
 }  // namespace detail
 
-/// A rigid connection between two frames: a link, a joint. A core that derives from it gives one function,
+/// A rigid connection between two frames: a link or a joint. A core derived from it has one function,
 ///
-///   relative(coordinate)   the motion of the end frame in the base frame, of a link relative()     (1)
+///   relative(coordinate)   the motion of the end frame in the base frame; for a link relative()     (1)
 ///
 /// and the passes follow from it:
 ///   doMotion   X_end = X_base * relative                     (compose, frames/motion.hpp)        (2)
-///   doForce    the full wrench of the end goes to the base   (transmit, the same)                (3)
-///              f = s . wrench, s the velocity that a unit rate of the coordinate makes           (4)
-/// (where a core says `static constexpr bool load_dependent_friction = true`, f has also its `friction(coordinate,
-/// wrench)`) so that f is the force of virtual power on the coordinate, in any chain. So do the articulated inertia and
-/// the accelerations (dynamics/), and what else the algorithms need. A coordinate is a number (`coordinate`), or a
-/// rotation or pose (`motion`, with several f); s must be the same in every position, in the axes of the end. A core
-/// with other axes says `static constexpr bool varying_axes = true`. A joint of several coordinates, which are numbers,
-/// has them all before the base: `relative(coordinate1, coordinate2)`, with an f for each.
+///   doForce    the full wrench of the end acts on the base   (transmit, frames/motion.hpp)       (3)
+///              f = s . wrench, s the velocity at unit rate of the coordinate                     (4)
+/// so that f is the generalized force on the coordinate, in any chain. With `static constexpr bool
+/// load_dependent_friction = true` in the core, f also includes its `friction(coordinate, wrench)`. The articulated
+/// inertia, the accelerations (dynamics/) and all other quantities of algorithms follow as well. A coordinate is a
+/// number (`coordinate`), or a rotation or pose (`motion`, with several f). In the axes of the end, s must be the same
+/// in every position; a core with other axes declares `static constexpr bool varying_axes = true`. A joint with several
+/// coordinates, which are numbers, has them before the base: `relative(coordinate1, coordinate2)`, with one f for each.
 template <class Core>
 struct transmission {
   /// A link.
@@ -147,7 +140,7 @@ struct transmission {
     const auto f = [&]<int N>()
                        KTE_INLINE_LAMBDA { return detail::power(core().relative(detail::unit_rate<k, N>(c)), end); };
     // Each in one expression: with a local in between g++ takes a tenth more instructions for inverse dynamics.
-    if constexpr (detail::load_dependent_friction<Core>) {
+    if constexpr (load_dependent_friction<Core>) {
       return make_loads(detail::load_on<k>(f) + core().friction(c, end),
                         transmit(core().relative(detail::position_only(c)), end));
     } else {
@@ -156,8 +149,8 @@ struct transmission {
     }
   }
 
-  /// A joint that may be held (contract/coordinate_lock.hpp): its mode stands between coordinate and base. Or one of
-  /// several coordinates, which stand before the base.
+  /// A joint that may be held (contract/coordinate_lock.hpp), whose mode is between coordinate and base; or a joint
+  /// with two coordinates before the base.
   template <class C, class Second, class Third, class... Others>
   KTE_INLINE constexpr auto doMotion(const C& c, const Second& second, const Third& third,
                                      const Others&... others) const {
@@ -171,15 +164,15 @@ struct transmission {
   KTE_INLINE constexpr auto doForce(const C& c, const Second& second, const Third& third, const Fourth& fourth,
                                     const Others&... others) const {
     if constexpr (detail::coordinates_of<Core> == 1) {
-      return make_loads(
-          detail::power(core().relative(detail::unit_rate<kind::gen, 0>(c)), fourth) + core().friction(c, second, fourth),
-          transmit(core().relative(detail::position_only(c)), fourth));
+      return make_loads(detail::power(core().relative(detail::unit_rate<kind::gen, 0>(c)), fourth) +
+                            core().friction(c, second, fourth),
+                        transmit(core().relative(detail::position_only(c)), fourth));
     } else {
       return loaded(std::tie(c, second, third, fourth, others...), coordinates_in<>{});
     }
   }
 
-  // Hidden by passes of the core.
+  // Hidden by the passes of the core.
   static void doMotion(const detail::no_pass&);
   static void doForce(const detail::no_pass&);
 
@@ -187,7 +180,8 @@ struct transmission {
   KTE_INLINE constexpr const Core& core() const { return static_cast<const Core&>(*this); }
   template <class C = Core>
   using coordinates_in = std::make_index_sequence<detail::coordinates_of<C>>;
-  /// Of several coordinates: (2), then (4) and (3). `things`: of the ports, with the wrench of the end as the last.
+  /// (2), then (4) and (3), for several coordinates. `things`: the items at the ports, with the wrench of the end as
+  /// the last.
   template <class Things, std::size_t... K>
   KTE_INLINE constexpr auto moved(const Things& things, std::index_sequence<K...>) const {
     return compose(std::get<sizeof...(K)>(things), core().relative(std::get<K>(things)...));
@@ -202,11 +196,11 @@ struct transmission {
 
 namespace detail {
 
-/// A core with a `relative`: a rigid connection between two frames. Its ports are the coordinates, the base, the end.
+/// A core with `relative`: a rigid connection between two frames. Its ports are the coordinates, the base and the end.
 template <class Core>
 inline constexpr bool is_transmission = std::is_base_of_v<transmission<Core>, Core>;
 
-/// Whether doMotion and doForce are those that follow from `relative`.
+/// Whether doMotion and doForce follow from `relative`.
 template <class Core>
 inline constexpr bool moves_by_relative = requires {
   static_cast<void (*)(const no_pass&)>(&Core::doMotion);
@@ -216,16 +210,14 @@ inline constexpr bool loads_by_relative = !is_transmission<Core> || requires {
   static_cast<void (*)(const no_pass&)>(&Core::doForce);
 };
 
-/// The rotation of a link, or of a joint at a coordinate made of numbers; none where it can only be one in space.
+/// The rotation of a link, or of a joint at a coordinate in plain numbers; nothing if it requires other numbers.
 template <class Core>
 constexpr auto rotation_of(const Core& core) {
   if constexpr (port_count<Core> == 2) {
     return core.relative().rotation;
   } else if constexpr (coordinates_of<Core> > 1) {
     constexpr coordinate<double, double, double, double, double> c{};
-    return [&core, &c]<std::size_t... K>(std::index_sequence<K...>) {
-      return core.relative((void(K), c)...).rotation;
-    }
+    return [&core, &c ]<std::size_t... K>(std::index_sequence<K...>) { return core.relative((void(K), c)...).rotation; }
     (std::make_index_sequence<coordinates_of<Core>>{});
   } else if constexpr (Core::ports[0].what == kind::gen) {
     return core.relative(coordinate<double, double, double, double, double>{}).rotation;
@@ -258,4 +250,4 @@ struct check_core<Core> {
 
 }  // namespace kte
 
-#include <kte/contract/placement.hpp>  // joints of all who include this have .at()
+#include <kte/contract/placement.hpp>  // so that all joints have .at()

@@ -6,11 +6,11 @@
 
 #include <array>
 
-/// Joints whose axes depend on their coordinates: the motion subspace S(q) of Featherstone 2008, section 3.5, with
-/// dS/dt in axes of the end from dS/dq.
+/// Joints whose axes depend on their coordinates: the motion subspace S(q) of Featherstone 2008, section 3.5, and dS/dt
+/// in the axes of the end, from dS/dq.
 namespace kte::detail {
 
-/// Axis K of a joint in numbers D.
+/// Axis K of a joint in numbers of type D.
 template <std::size_t K, class D, class Core, std::size_t N>
 joint_axis<D> axis_in(const Core& core, const std::array<D, N>& q) {
   const auto c = [&q]<std::size_t... I>(std::index_sequence<I...>) {
@@ -22,7 +22,7 @@ joint_axis<D> axis_in(const Core& core, const std::array<D, N>& q) {
   const auto s = axis_among<K>(core, c, std::make_index_sequence<N>{});
   return {as<D>(s.velocity), as<D>(s.ang_velocity)};
 }
-/// f of each component of a vector.
+/// Applies f to each component of a vector.
 template <class V, class F>
 constexpr auto each_component(const V& v, const F& f) {
   return vec3{f(v.x), f(v.y), f(v.z)};
@@ -33,7 +33,7 @@ constexpr auto each_component(const joint_axis<D>& s, const F& f) {
   return joint_axis<S>{each_component(s.linear, f), each_component(s.angular, f)};
 }
 
-/// Where the end of a joint stands in its base, and its axes with their derivatives, at coordinates q.
+/// The pose of the end of a joint in its base at coordinates q, and its axes with their derivatives.
 template <class S, class Core>
 pose<mat3<vec3<S>>, vec3<S>> place_varying_joint(const Core& core, const S* q, joint_axis<S>* axes, bool second) {
   constexpr std::size_t n = coordinates_of<Core>;

@@ -2,30 +2,29 @@
 
 #include <kte/contract/port.hpp>
 
-/// The rules by which elements are connected, for both kinds of chains: static chains ask the compiler, runtime chains
-/// as elements are appended. Each says what is wrong in its own words (contract/checks.hpp,
-/// runtime_chain/topology.hpp).
+/// The rules of connections, for both kinds of chains. Static chains apply them at compile time, runtime chains when
+/// elements are appended. Each reports violations in its own words (contract/checks.hpp, runtime_chain/topology.hpp).
 namespace kte::detail {
 
-/// What breaks them.
+/// Violations of the rules.
 enum class problem : unsigned char {
   none,
-  same_text,            ///< the name is that of something else: of another kind, in static chains of another key.
-                        ///< (Names of frames live apart from all others.)
+  same_text,            ///< the name belongs to another kind of item, in static chains to another key
+                        ///< (frames have their own namespace)
   written_twice,        ///< another element has written this name before
-  read_before_written,  ///< an element before has read it
-  unknown,              ///< nothing before writes it, and it is no base or coordinate of the chain
-  moves_nothing         ///< a coordinate that is acted upon or measured, and by which nothing moves
+  read_before_written,  ///< an earlier element has read it
+  unknown,              ///< no earlier element writes it, and it is neither a base nor a coordinate of the chain
+  moves_nothing         ///< a coordinate with forces or sensors by which nothing moves
 };
 
 /// The state of a name when a port is connected to it.
 struct name_before {
-  bool used = false;      ///< by a port before
-  bool same = false;      ///< as the same thing
-  bool declared = false;  ///< written or given by a port before
+  bool used = false;      ///< an earlier port has the name
+  bool same = false;      ///< as an item of this kind
+  bool declared = false;  ///< an earlier port has written or declared it
 };
 
-/// Goes through the ports of a chain, in order.
+/// Applies the rules to the ports of a chain, in order.
 class wiring_rules {
  public:
   constexpr explicit wiring_rules(bool base_known = false) : base_known_(base_known) {}
@@ -42,8 +41,8 @@ class wiring_rules {
     base_known_ = true;  // the first frame that is read is the base of the chain
     return problem::none;
   }
-  /// Whether a use makes a coordinate a degree of freedom, unless an element writes it. One without such a use that
-  /// nothing declares moves nothing.
+  /// Whether a use makes a coordinate a degree of freedom, unless an element writes it. A coordinate without such a use
+  /// or a declaration moves nothing.
   static constexpr bool moves(access how) { return how == access::in || how == access::angle; }
 
  private:

@@ -10,7 +10,7 @@ namespace kte {
 ///   y  = y0 + C d + D du             (2)
 ///
 /// d has as many numbers as x' (2 n plus internal states, for n degrees of freedom). x0 need not be an equilibrium:
-/// x_dot is f there. SI units.
+/// x_dot is f(t, x0, u0). SI units.
 template <class S = double>
 struct linear_system {
   using matrix = Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>;

@@ -23,7 +23,7 @@ void derive_outputs(Model& m, const S& t, const typename Model::state& x, linear
   const int n = m.rates(), nu = static_cast<int>(m.input().size());
   r.y0 = column_of_numbers<S>(m.computeOutput(t, x));
   const int rows = static_cast<int>(r.y0.size());
-  const auto numbers = [&](auto number, int first) {  // of x itself
+  const auto numbers = [&](auto number, int first) {  // functions of x itself
     return column<decltype(number)>(moved_along<decltype(number)>(m.freedoms(), n, x, first).head(rows));
   };
   if constexpr (requires { m.template in_scalar<S>(); }) {
@@ -64,20 +64,20 @@ void derive_outputs(Model& m, const S& t, const typename Model::state& x, linear
 ///
 ///   x' of x (+) d  =  x_dot + A d + B du,     A = dx'/dd,  B = dx'/du  at d = 0, du = 0          (1)
 ///
-/// for models of static and runtime chains. For coordinates that are numbers d = x - x0. For rotations and poses d is
-/// in the tangent space, so that A is 2 n x 2 n (plus internal states) though x has more numbers: with d = (u, phi,
-/// ...) the rotation is R exp [phi]x and the position p + R u, in moving axes; d' = x_dot there, and
+/// for models of static and runtime chains. For coordinates that are numbers, d = x - x0. For rotations and poses, d is
+/// in the tangent space, so that A is 2 n x 2 n (plus internal states) although x has more numbers: with d = (u, phi,
+/// ...) the rotation is R exp [phi]x and the position p + R u, in moving axes. There d' = x_dot, and
 ///
 ///   phi' = w + phi x w/2 + ...,   u' = exp [phi]x v          (2)
 ///
 /// so that A has -[w]x/2 in rows of phi and -[v]x in rows of u. `displacement(model, x0, x)` computes d.
 ///
-/// A of accelerations is analytical (`forward_dynamics_derivatives`); derivatives by inputs and internal states are
-/// exact, by dual numbers. y is the result of `computeOutput`. C and D of static chains are computed by dual numbers,
-/// which pass through the function of `with_output` (it accepts states of any scalar). For runtime chains this function
-/// accepts double only, and C and D are differences of order 4, with an error of some 1e-12. The state need not be an
-/// equilibrium: x_dot and y0 are those of the model there. Throws as `forward_dynamics_derivatives`; `bad_argument` for
-/// an x or u of wrong size and for numbers that are not finite.
+/// The rows of accelerations in A are analytical (`forward_dynamics_derivatives`). Derivatives by inputs and internal
+/// states are exact, by dual numbers. y is the result of `computeOutput`. For static chains, C and D are computed by
+/// dual numbers, so the function of `with_output` must accept states of any scalar. For runtime chains this function
+/// accepts double only, and C and D are differences of order 4, with an error of about 1e-12. The state need not be an
+/// equilibrium: x_dot and y0 are those of the model there. Throws what `forward_dynamics_derivatives` throws, and
+/// `bad_argument` for an x or u of wrong size and for numbers that are not finite.
 template <detail::linearizable_model Model, class X, class S = typename Model::state::Scalar>
 [[nodiscard]] linear_system<S> linearize(const Model& model, const Eigen::MatrixBase<X>& x,
                                          const std::type_identity_t<S>& t = S(0)) {
@@ -87,7 +87,7 @@ template <detail::linearizable_model Model, class X, class S = typename Model::s
   linear_system<S> r;
   const auto& rate = m.computeStateRate(t, at);
   r.x_dot.resize(rate.size());
-  std::copy_n(rate.data(), rate.size(), r.x_dot.data());  // where `=` makes g++ 12 warn of AVX-512
+  std::copy_n(rate.data(), rate.size(), r.x_dot.data());  // because `=` causes warnings of g++ 12 for AVX-512
   const auto both = m.jacobian_with_inputs(t, at);
   r.A = both.leftCols(r.x_dot.size());
   r.B = both.rightCols(m.input().size());
@@ -108,9 +108,9 @@ template <detail::linearizable_model Model, class X, indexable U, class S = type
 ///   A = | A + B du/dd    B du/dc |     C = (C + D du/dd   D du/dc)          (3)
 ///       | dc'/dd         dc'/dc  |
 ///
-/// There are no inputs: B and D have no columns. Laws that accept vectors of any scalar, as lambdas with `const auto&
-/// x`, are differentiated by dual numbers; laws of double by differences of order 4, with a relative error of some
-/// 1e-12.
+/// There are no inputs: B and D have no columns. Laws that accept vectors of any scalar, such as lambdas with `const
+/// auto& x`, are differentiated by dual numbers. Laws for double are differentiated by differences of order 4, with a
+/// relative error of about 1e-12.
 template <class Model, class Law, class Rates, int N, class X, class S = typename controlled<Model, Law, Rates, N>::S>
 [[nodiscard]] linear_system<S> linearize(const controlled<Model, Law, Rates, N>& closed, const Eigen::MatrixBase<X>& x,
                                          const std::type_identity_t<S>& t = S(0)) {
@@ -119,7 +119,7 @@ template <class Model, class Law, class Rates, int N, class X, class S = typenam
   check_size(static_cast<std::size_t>(loop.state_size()), x.derived(), "x", "numbers of a state");
   const typename controlled<Model, Law, Rates, N>::state at = x;
   linear_system<S> r;
-  r.x_dot = loop.computeStateRate(t, at);  // and sets the inputs
+  r.x_dot = loop.computeStateRate(t, at);  // also sets the inputs
   const auto own = loop.own_part(at);
   const auto open = linearize(loop.model(), own, t);
   const Eigen::Matrix<S, N, 1> c = at.template tail<N>();
@@ -162,9 +162,9 @@ template <class Model, class Law, class Rates, int N, class X, class S = typenam
   return r;
 }
 
-/// Linearization of any x' = f(t, x, u), y = h(t, x, u) with Eigen vectors x and u; y = x without h. By dual numbers
-/// where f accepts vectors of any scalar (`const auto& x`), else by differences of order 4, with a relative error of
-/// some 1e-12.
+/// Linearization of any x' = f(t, x, u), y = h(t, x, u) with Eigen vectors x and u; without h, y = x. Uses dual numbers
+/// if f accepts vectors of any scalar (`const auto& x`), otherwise differences of order 4, with a relative error of
+/// about 1e-12.
 template <class F, class H, class X, class U, class S = typename X::Scalar>
 requires(!detail::linearizable_model<F>) linear_system<S> linearize(F f, H h, const Eigen::MatrixBase<X>& x,
                                                                     const Eigen::MatrixBase<U>& u,
@@ -212,7 +212,7 @@ requires(!detail::linearizable_model<F>) linear_system<S> linearize(F f, const E
 }
 
 /// The displacement d from x0 to x, in the coordinates of the matrices of `linearize`; rotations take the shorter way.
-/// For numbers x - x0. Throws `bad_argument` for states of wrong size.
+/// For numbers d = x - x0. Throws `bad_argument` for states of wrong size.
 template <class Model, class X0, class X>
 [[nodiscard]] typename Model::rate displacement(const Model& model, const Eigen::MatrixBase<X0>& x0,
                                                 const Eigen::MatrixBase<X>& x) {

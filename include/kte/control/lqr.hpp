@@ -12,7 +12,7 @@ struct lqr_gain {
   Eigen::VectorXcd poles;  ///< eigenvalues of A - B K, 1/s; dimensionless in discrete time
 };
 
-/// The linear quadratic regulator: the feedback u = -K d of d' = A d + B u with least cost
+/// The linear quadratic regulator: the feedback u = -K d of d' = A d + B u with the least cost
 ///
 ///   integral of d' Q d + 2 d' N u + u' R u,   K = R^-1 (B'X + N'),   X of `care`          (1)
 ///
@@ -28,7 +28,7 @@ struct lqr_gain {
 [[nodiscard]] lqr_gain dlqr(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B, const Eigen::MatrixXd& Q,
                             const Eigen::MatrixXd& R, const Eigen::MatrixXd& N = {});
 
-/// The linear quadratic regulator of a linear system. x_dot, not zero where x0 is no equilibrium, is ignored.
+/// The linear quadratic regulator of a linear system. x_dot, which is nonzero if x0 is not an equilibrium, is ignored.
 [[nodiscard]] inline lqr_gain lqr(const linear_system<>& s, const Eigen::MatrixXd& Q, const Eigen::MatrixXd& R,
                                   const Eigen::MatrixXd& N = {}) {
   return lqr(s.A, s.B, Q, R, N);
@@ -43,7 +43,8 @@ struct lqr_gain {
 #ifdef KTE_FUNCTION
 namespace kte {
 namespace detail {
-/// The gain at X: factors of what multiplies u twice, and B'X or B'X A, to which N' is added.
+/// The gain at X. Arguments: the matrix of the terms quadratic in u, factorized, and B'X or B'X A, to which N' is
+/// added.
 inline lqr_gain gain_at(const Eigen::MatrixXd& x, const Eigen::MatrixXd& A, const Eigen::MatrixXd& B,
                         const Eigen::MatrixXd& twice, Eigen::MatrixXd once, const Eigen::MatrixXd& N) {
   if (N.size() != 0) once += N.transpose();

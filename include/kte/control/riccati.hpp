@@ -12,9 +12,9 @@ namespace kte {
 ///   A'X + X A - (X B + N) R^-1 (B'X + N') + Q = 0          (1)
 ///
 /// for which all eigenvalues of A - B K, K = R^-1 (B'X + N'), have negative real parts. A: n x n, B: n x m, Q = Q': n x
-/// n, R = R' > 0: m x m, N: n x m, or omitted, for 0. With the n stable Schur vectors (U1; U2) of the Hamiltonian
-/// matrix of a balanced problem X = U2 U1^-1 (Laub, IEEE Trans. Automatic Control 24, 1979); then Newton-Kleinman steps
-/// while they reduce the residual.
+/// n, R = R' > 0: m x m, N: n x m, or omitted, for 0. By a Cayley transform and structured doubling of a balanced
+/// problem (Chu, Fan and Lin, Linear Algebra Appl. 396, 2005), followed by Newton-Kleinman steps while they reduce the
+/// residual.
 ///
 /// Throws `bad_argument` for sizes that do not fit, numbers that are not finite, Q or R not symmetric, R not positive
 /// definite; `no_solution` if (A, B) is not stabilizable, naming the mode, and if the Hamiltonian matrix has
@@ -27,7 +27,7 @@ namespace kte {
 ///   X = A'X A - (A'X B + N) (R + B'X B)^-1 (B'X A + N') + Q          (2)
 ///
 /// for which all eigenvalues of A - B K, K = (R + B'X B)^-1 (B'X A + N'), are inside the unit circle. By structured
-/// doubling (Chu, Fan, Lin and Wang, Int. J. Control 77, 2004), also for singular A. Throws as `care`.
+/// doubling (Chu, Fan, Lin and Wang, Int. J. Control 77, 2004), also for singular A. Throws what `care` throws.
 [[nodiscard]] Eigen::MatrixXd dare(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B, const Eigen::MatrixXd& Q,
                                    const Eigen::MatrixXd& R, const Eigen::MatrixXd& N = {});
 

@@ -1,14 +1,14 @@
 #pragma once
-#pragma GCC system_header  // compilers then say where the macro is used, and nothing about the macro
+#pragma GCC system_header  // compilers then report the use of the macro, not its contents
 
 namespace kte::detail {
-/// Whether arguments fit: never, where this is asked.
+/// Always false; whether arguments fit an overload.
 template <class... Arguments>
 inline constexpr bool fit = false;
 }  // namespace kte::detail
 
-/// What the factory of an element says to arguments that do not fit: `KTE_CALL(inertia_gen, "(coordinate, mass)")`. Any
-/// other overload is taken before this one.
+/// The error of an element factory for arguments that do not fit: `KTE_CALL(inertia_gen, "(coordinate, mass)")`. Every
+/// other overload is preferred.
 #define KTE_CALL(factory, arguments)                                                        \
   template <class... Arguments>                                                             \
   constexpr auto factory(const Arguments&...) {                                             \

@@ -2,7 +2,7 @@
 
 namespace kte::detail {
 
-/// Something callable that outlives the call it is an argument of: what takes it need not be a template.
+/// A reference to a callable, for arguments of functions that are not templates. The callable must outlive the call.
 template <class... Args>
 class function_ref {
  public:

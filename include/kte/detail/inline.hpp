@@ -1,11 +1,11 @@
 #pragma once
 
-/// Marks the small geometric functions and the element kernels. They are worth nothing unless they are inlined: only
-/// then do frames stay in registers and unread quantities vanish (docs/decisions/01-composition.md). With
-/// KTE_NO_FORCED_INLINE the compiler decides: slow code, but quick to compile with sanitizers.
+/// Marks small geometric functions and element kernels, which must be inlined: only then do frames stay in registers,
+/// and unread quantities disappear (docs/decisions/01-composition.md). With KTE_NO_FORCED_INLINE the compiler decides:
+/// slow code, but fast compilation with sanitizers.
 #if (defined(__GNUC__) || defined(__clang__)) && !defined(KTE_NO_FORCED_INLINE)
 #  define KTE_INLINE [[gnu::always_inline]] inline
-#  define KTE_INLINE_LAMBDA __attribute__((always_inline))  // behind the parameters of a lambda
+#  define KTE_INLINE_LAMBDA __attribute__((always_inline))  // after the parameters of a lambda
 #else
 #  define KTE_INLINE inline
 #  define KTE_INLINE_LAMBDA

@@ -18,12 +18,12 @@ template <std::size_t... I, class... T>
 struct numbered_values<std::index_sequence<I...>, T...> : numbered<I, T>... {};
 }  // namespace detail
 
-/// Several values by number, as bases of an aggregate: for a tuple compilers work out and make constructors for each
-/// list of types.
+/// Several values by number, as bases of an aggregate. Compilers instantiate constructors of a tuple for each list of
+/// types, but none for an aggregate.
 template <class... T>
 struct values : detail::numbered_values<std::make_index_sequence<sizeof...(T)>, T...> {};
 
-/// Number I of them.
+/// Value number I.
 template <std::size_t I, class T>
 KTE_INLINE constexpr const T& nth(const detail::numbered<I, T>& x) {
   return x.value;

@@ -6,8 +6,8 @@
 
 namespace kte::detail {
 
-/// The numbers n for which `Is[n]` holds, in order, as an index_sequence: nothing is instantiated for the others. `Is`
-/// is an array of bool.
+/// The numbers n for which `Is[n]` holds, in order, as an index_sequence. Nothing is instantiated for the others. `Is`:
+/// an array of bool.
 template <auto Is>
 struct numbers_where {
   static constexpr std::size_t count = [] {

@@ -5,8 +5,8 @@
 
 namespace kte::detail {
 
-/// Throws `error`; where exceptions are switched off, prints it and aborts. Not constexpr on purpose: reached while a
-/// constexpr chain is built, it stops the compilation at the call that holds the bad value.
+/// Throws `error`; without exceptions, prints it and aborts. Deliberately not constexpr: if it is reached during the
+/// construction of a constexpr chain, compilation stops at the call with the invalid value.
 template <class Error, class... Args>
 [[noreturn, gnu::cold, gnu::noinline]] void raise(Args&&... args) {
 #if defined(__cpp_exceptions)
@@ -17,12 +17,12 @@ template <class Error, class... Args>
 #endif
 }
 
-/// Throws Error(text()) unless `ok`. Where that stops a constant expression, compilers print the other arguments.
+/// Throws Error(text()) unless `ok`. In constant expressions, compilers print the other arguments.
 template <class Error, class Text, class... Shown>
 constexpr void require(bool ok, const Text& text, const char*, Shown...) {
   if (!ok) {
 #if defined(__cpp_exceptions)
-    throw Error(text());  // compilers print less about it than about a call
+    throw Error(text());  // compilers print less than for a call
 #else
     raise<Error>(text());
 #endif

@@ -5,7 +5,7 @@
 
 #include <type_traits>
 
-/// The kinds of axes in which rates of frames and their Jacobians are given.
+/// The kinds of axes in which rates of frames and their Jacobians are expressed.
 namespace kte {
 
 /// Tag: rates of a frame at its origin, in its own axes.
@@ -29,7 +29,7 @@ template <class Matrix>
 struct jacobian_with_rate {
   Matrix value, rate;
 };
-/// Where the frame is and how it moves, in axes of the world.
+/// The pose and the motion of a frame, in axes of the world.
 template <class S>
 struct frame_in_world {
   mat3<vec3<S>> rotation;
@@ -44,12 +44,13 @@ void change_columns(Matrix& j, const F& f) {
     j.col(k) << u.x, u.y, u.z, w.x, w.y, w.z;
   }
 }
-/// (1), of columns in axes of the world.
+/// Applies (1) to columns in axes of the world.
 template <class Matrix, class S>
 void move_to_world_origin(Matrix& j, const vec3<S>& p) {
   change_columns(j, [&p](Eigen::Index, vec3<S>& u, const vec3<S>& w) { u = u + cross(p, w); });
 }
-/// From own axes, R^T J, to others, with  d/dt (R J) = R (J_dot + w x J)  and  d/dt (p x w) = p' x w + p x w'.
+/// Changes a Jacobian and its rate from own axes to other axes: R^T J, and  d/dt (R J) = R (J_dot + w x J)  and  d/dt
+/// (p x w) = p' x w + p x w'.
 template <class Axes, class Matrix, class S>
 void change_axes(jacobian_with_rate<Matrix>& j, const frame_in_world<S>& x) {
   if constexpr (!std::is_same_v<Axes, in_own_axes_t>) {
@@ -67,7 +68,7 @@ void change_axes(jacobian_with_rate<Matrix>& j, const frame_in_world<S>& x) {
     });
   }
 }
-/// The change of these rates at a motion.
+/// The bias acceleration J_dot v of a frame in the given axes, from its motion.
 template <class S, class Axes, class M, class Diagnose = too_large>
 linear_angular<S> bias_of(const M& m, Axes, const Diagnose& why = {"an acceleration"}) {
   if constexpr (std::is_same_v<Axes, in_own_axes_t>) {

@@ -31,11 +31,11 @@ namespace detail {
 template <class X>
 using number_in = std::remove_cvref_t<decltype(*std::declval<X&>().data())>;
 
-/// W lanes, or by default as many as `Registers` have.
+/// A pack of W lanes; by default as many as `Registers` registers hold.
 template <class T, int W, int Registers>
 using pack_of = pack<T, W == 0 ? Registers * kte::detail::widest_pack<T> : W>;
 
-/// Numbers a state: degrees of freedom, and positions, which may be more.
+/// Numbers per state: nv degrees of freedom and nq positions, nq >= nv.
 template <class Chain>
 inline constexpr std::size_t nv = std::size_t{Chain::dofs};
 template <class Chain>
@@ -43,7 +43,7 @@ inline constexpr std::size_t nq = nv<Chain>;
 template <class Chain>
 requires(requires { Chain::nq; }) inline constexpr std::size_t nq<Chain> = std::size_t{Chain::nq};
 
-/// Rejects matrices whose columns are not states: columns must have the numbers of a state, or `part` of them, or one.
+/// Rejects a matrix whose columns are not states: the column size must be that of a state, of `part` of one, or 1.
 template <class X>
 void check_layout(const X& x, std::size_t a_state, std::size_t part, const char* name) {
   if constexpr (requires { x.innerStride(), x.outerStride(), x.rows(); }) {
@@ -57,7 +57,7 @@ void check_layout(const X& x, std::size_t a_state, std::size_t part, const char*
                                        " numbers, a state has " + std::to_string(a_state));
   }
 }
-/// How many states there are in x.
+/// The number of states in x.
 template <class X>
 std::size_t states_in(const X& x, std::size_t a_state, const char* name) {
   check_layout(x, a_state, a_state, name);
@@ -126,7 +126,8 @@ void forward_dynamics(const Chain& chain, const Q& q, const V& v, const Tau& tau
   detail::finish(job, executor);
 }
 
-/// Mass matrices M of q, all n^2 numbers of each, in any storage order as they are symmetric; see `kte::mass_matrix`.
+/// Mass matrices M of q, all n^2 numbers of each, in either storage order, because they are symmetric; see
+/// `kte::mass_matrix`.
 template <int W = 0, class Chain, class Q, class M, class Executor = in_this_thread,
           class P = detail::pack_of<detail::number_in<Q>, W, 1>>
 void mass_matrix(const Chain& chain, const Q& q, M&& m, Executor&& executor = {}) {
@@ -141,7 +142,7 @@ void mass_matrix(const Chain& chain, const Q& q, M&& m, Executor&& executor = {}
 
 #endif
 
-// ---- of runtime chains (kte/dynamics/runtime_parts.hpp)
+// ---- runtime chains (kte/dynamics/runtime_parts.hpp)
 
 #if defined(KTE_RUNTIME_CHAINS) && !defined(KTE_BATCH_OF_RUNTIME_CHAINS)
 #define KTE_BATCH_OF_RUNTIME_CHAINS
@@ -167,7 +168,6 @@ template <int W = 0, class Q, class V, class Tau, class A, class Executor = in_t
           class P = detail::pack_of<detail::number_in<Q>, W, 2>>
 void forward_dynamics(const runtime_chain& chain, const Q& q, const V& v, const Tau& tau, A&& a,
                       Executor&& executor = {}) {
-  kte::detail::refuse_loops(chain);
   const auto nq = static_cast<std::size_t>(chain.nq()), nv = static_cast<std::size_t>(chain.dofs());
   const std::size_t n = detail::states_in(q, nq, "q");
   detail::check(v, nv, n, "v"), detail::check(tau, nv, n, "tau"), detail::check(a, nv, n, "a");
@@ -179,7 +179,6 @@ void forward_dynamics(const runtime_chain& chain, const Q& q, const V& v, const 
 template <int W = 0, class Q, class M, class Executor = in_this_thread,
           class P = detail::pack_of<detail::number_in<Q>, W, 1>>
 void mass_matrix(const runtime_chain& chain, const Q& q, M&& m, Executor&& executor = {}) {
-  kte::detail::refuse_loops(chain);
   const auto nq = static_cast<std::size_t>(chain.nq()), nv = static_cast<std::size_t>(chain.dofs());
   const std::size_t n = detail::states_in(q, nq, "q");
   detail::check(m, nv * nv, n, "M", nv);

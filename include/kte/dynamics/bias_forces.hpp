@@ -4,9 +4,9 @@
 #include <kte/dynamics/inverse_dynamics.hpp>
 #include <kte/dynamics/unrolled/given_bases.hpp>
 
-/// The terms of inverse dynamics, tau = M a + C v + g - Q, each without the work for the others (Luh, Walker, Paul
-/// 1980; Featherstone 2008, section 5.3). dofs numbers, in N and Nm; arguments, results and errors as for
-/// `inverse_dynamics`. For every chain
+/// The terms of inverse dynamics, tau = M a + C v + g - Q, computed separately (Luh, Walker, Paul 1980; Featherstone
+/// 2008, section 5.3). Each result has dofs numbers, in N and Nm. Arguments and errors are those of `inverse_dynamics`.
+/// Every chain satisfies
 ///
 ///   static_forces(q)         = g(q) - Q(q, 0)                                        (1)
 ///   nonlinear_effects(q, v)  = gravity_forces(q) + coriolis_forces(q, v) - Q(q, v)   (2)
@@ -89,7 +89,7 @@ template <class Gravity, class... E, indexable Q, indexable V>
 
 namespace kte {
 
-// The state keeps the velocities and accelerations that do not count.
+// The velocities and accelerations of the state are set aside and restored.
 
 template <class S>
 const runtime_vector<S>& static_forces(const runtime_chain& c, basic_runtime_state<S>& s) {
@@ -105,7 +105,7 @@ const runtime_vector<S>& gravity_forces(const runtime_chain& c, basic_runtime_st
   return detail::applied_forces(s);
 }
 namespace detail {
-/// At positions and velocities that are good.
+/// As `nonlinear_effects`, for positions and velocities that have been checked.
 template <class S>
 const runtime_vector<S>& nonlinear_effects_of(const runtime_chain& c, basic_runtime_state<S>& s) {
   if (!s.tree().only_bodies) {

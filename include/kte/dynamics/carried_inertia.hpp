@@ -1,4 +1,4 @@
 #pragma once
 
-/// The former name of this header.
+/// Deprecated header name; use kte/dynamics/subtree_inertia.hpp.
 #include <kte/dynamics/subtree_inertia.hpp>

@@ -85,7 +85,7 @@ linear_angular<S> centroidal_momentum(const runtime_chain& c, basic_runtime_stat
   return detail::checked<S>(h.force, h.torque, why);
 }
 namespace detail {
-/// At positions that are good.
+/// As `centroidal_momentum_matrix`, for positions that have been checked.
 template <class S>
 basic_runtime_jacobian<S> centroidal_momentum_matrix_of(const runtime_chain& c, basic_runtime_state<S>& s) {
   carry(c, s);

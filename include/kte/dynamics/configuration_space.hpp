@@ -7,9 +7,9 @@
 #include <kte/math/dual.hpp>
 #include <kte/static_chain/static_chain.hpp>
 
-/// Configurations with rotations are no vectors: these functions take the place of q + dt v and q_1 - q_0, of static
-/// and runtime chains. Throw `bad_argument` for arguments of another size or not finite, and for quaternions of length
-/// zero.
+/// Configurations with rotations are not vectors. These functions replace q + dt v and q_1 - q_0 for static and runtime
+/// chains. They throw `bad_argument` for arguments of wrong size, numbers that are not finite, and quaternions of
+/// length zero.
 namespace kte {
 
 /// The configuration after time dt, s, from q at constant v: q + dt v for numbers; for rotations and poses
@@ -32,7 +32,7 @@ auto integrate(const static_chain<Gravity, E...>&, const Q& q, const V& v, const
 }
 
 /// The time derivatives of the numbers of q at the velocities v: v itself for numbers; R v for positions, q (0, w/2)
-/// for quaternions q. For methods that accept vectors only; lengths of quaternions then drift.
+/// for quaternions q. Use it with integrators that only accept vectors; the lengths of quaternions then drift.
 template <class Gravity, class... E, indexable Q, indexable V>
 [[nodiscard]] auto configuration_rate(const static_chain<Gravity, E...>&, const Q& q, const V& v) {
   using wiring = detail::wiring<E...>;
@@ -71,7 +71,7 @@ template <class S = double, class Gravity, class... E>
 }
 
 namespace detail {
-/// A configuration that moves by v: its numbers with their rates, for derivatives along the motion.
+/// A configuration as numbers with their rates at v, for derivatives along the motion.
 template <class Chain, class Q, class V>
 auto moving_along(const Chain& c, const Q& q, const V& v) {
   using S = value_of<Q>;

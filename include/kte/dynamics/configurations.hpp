@@ -9,8 +9,8 @@
 #include <random>
 #include <string>
 
-/// Between configurations, and any of them; on static and runtime chains. With `integrate` and `difference` of
-/// dynamics/configuration_space.hpp, so that rotations are turned.
+/// Interpolation, distance and random sampling of configurations, for static and runtime chains. Rotations are handled
+/// on the group, by `integrate` and `difference` of dynamics/configuration_space.hpp.
 namespace kte {
 
 /// The configuration at t between q0 (t = 0) and q1 (t = 1), at constant rates:
@@ -69,7 +69,7 @@ template <indexable Q, indexable W>
 }
 
 namespace detail {
-/// A rotation, all of them as likely (Shoemake, Uniform random rotations, Graphics Gems III, 1992).
+/// A random rotation, uniform over all rotations (Shoemake, Uniform random rotations, Graphics Gems III, 1992).
 template <class Engine, class Out>
 void random_rotation(Engine& engine, Out& out, int i) {
   const auto uniform = [&engine] {

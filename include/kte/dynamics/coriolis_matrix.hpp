@@ -7,11 +7,11 @@
 #include <kte/runtime_chain/runtime_chain.hpp>
 #include <kte/tree/coriolis.hpp>
 
-/// The matrix of Coriolis and centrifugal forces, and how the mass matrix changes; on static and runtime chains.
+/// The Coriolis matrix and the time derivative of the mass matrix, for static and runtime chains.
 namespace kte {
 
 namespace detail {
-/// In the working memory of a state that has its coordinates and bases and is found good.
+/// Computes C in the working memory of a state whose coordinates and bases are set and checked.
 template <class Elements, class State>
 auto coriolis_of_coordinates(const Elements& c, State& s) {
   using S = typename State::scalar;
@@ -30,7 +30,9 @@ auto coriolis_of_coordinates(const Elements& c, State& s) {
     coriolis(row, column) += c_jk, mass(row, column) += m_jk;
   });
   for (int i = 0; i < n; ++i) mass(i, i) += S(t.own_mass[static_cast<std::size_t>(i)]);
-  // Of coordinates by their ratios E to those that they follow:  E^T (C E + M dE/dt)
+  // Projects C from all coordinates to the degrees of freedom, by the ratios E of dependent coordinates: E^T (C E + M
+  // dE/dt)
+  // dE/dt)
   pull_back_followers_with_rates(c, s, [&](int to, int from, const S& ratio, const S& rate) {
     coriolis.col(to) += ratio * coriolis.col(from) + rate * mass.col(from);
     mass.col(to) += ratio * mass.col(from);
@@ -49,18 +51,20 @@ Matrix with_transpose(const Matrix& m) {
 }
 }  // namespace detail
 
-/// The Coriolis matrix C(q, v): C v are the `coriolis_forces`. It is made of Christoffel symbols, so that
+/// The Coriolis matrix C(q, v), dofs x dofs: C v = `coriolis_forces`. It consists of Christoffel symbols, so that
 ///
 ///   dM/dt - 2 C  is skew-symmetric,   dM/dt = C + C^T          (1)
 ///
-/// as passivity-based and adaptive controllers need (tree/coriolis.hpp). Bases are at rest; of elements with a mass and
-/// forces only the mass counts. kg m^2/s, kg m/s, kg/s. O(n d); no heap for small trees of joints.
+/// as passivity-based and adaptive controllers require (tree/coriolis.hpp). Bases are at rest. For elements with both a
+/// mass and forces, only the mass is included. Units: kg m^2/s, kg m/s, kg/s. Cost: O(n d); no heap allocation for
+/// small trees of joints.
 template <class Gravity, class... E, indexable Q, indexable V>
 [[nodiscard]] auto coriolis_matrix(const static_chain<Gravity, E...>& c, const Q& q, const V& v) {
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
-  static_assert(sizeof(check_loads_of<chain_type>) > 0 && sizeof(check_bodies_of<chain_type>) > 0);
+  static_assert(sizeof(check_loads_of<chain_type>) > 0 && sizeof(check_bodies_of<chain_type>) > 0 &&
+                sizeof(check_closures_of<chain_type>) > 0);
   check_configuration<chain_type>(q), check_velocities<chain_type>(v);
   const configuration<S, typename chain_type::wiring, Q> at(q);
   at.check();
@@ -77,14 +81,14 @@ template <class Gravity, class... E, indexable Q, indexable V>
                [&]() { diagnose<typename chain_type::wiring>("a matrix", at.q, each<S, V>{v}, same<zero_t>{}, "a"); });
   return m;
 }
-/// The time derivative of M at the velocities v: (1).
+/// The time derivative of M at the velocities v, by (1): dofs x dofs, in the units of C.
 template <class Gravity, class... E, indexable Q, indexable V>
 [[nodiscard]] auto mass_matrix_rate(const static_chain<Gravity, E...>& c, const Q& q, const V& v) {
   return detail::with_transpose(coriolis_matrix(c, q, v));
 }
 
-/// The Coriolis matrix at the positions and rates of a state, with its moving bases and prescribed coordinates: (1)
-/// holds, but C v omits the forces of their motion.
+/// The Coriolis matrix at the positions and rates of a state, with its moving bases and prescribed coordinates. (1)
+/// holds, but C v omits the forces due to the motion of bases and prescribed coordinates.
 template <class S>
 runtime_matrix<S> coriolis_matrix(const runtime_chain& c, basic_runtime_state<S>& s) {
   detail::check_regular_tree(c, s), detail::refuse_distributed_masses(c, s), detail::check_state_velocities(s);

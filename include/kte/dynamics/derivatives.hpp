@@ -8,14 +8,13 @@
 
 namespace kte {
 
-/// Inverse dynamics and its derivatives by q, v and a, dofs x dofs each; by_a is the mass matrix, less the derivatives
-/// of load-dependent friction. In a tree of joints and bodies, with springs, dampers and masses on coordinates, by
-/// recursion over the elements (recursions/force_variations.hpp); with other forces between frames, or coordinates that
-/// follow others, by dual numbers.
+/// Inverse dynamics and its derivatives by q, v and a: tau, and three matrices of dofs x dofs. by_a is the mass matrix
+/// minus the derivatives of load-dependent friction. For trees of joints and bodies with springs, dampers and masses on
+/// coordinates, a recursion over the elements computes them (recursions/force_variations.hpp). Chains with other forces
+/// between frames, or with dependent coordinates, use dual numbers.
 ///
 ///   inverse_dynamics_derivatives(c, q, v, a)       of a static chain, a value
 ///   inverse_dynamics_derivatives(c, s, q, v, a)    of a runtime chain, in the state s; the first call allocates
-///                                                  memory
 ///   inverse_dynamics_derivatives(c, s)             of both, at the positions, rates and accelerations of a state
 ///
 /// Arguments and errors as for `inverse_dynamics`. Throws `bad_argument` also for a chain with an element that has more
@@ -42,8 +41,9 @@ template <class Gravity, class... E, class S>
   return detail::derivatives_at<S>(c, at, detail::base_of_state<state>{s}, q, v, a);
 }
 
-/// Forward dynamics and its derivatives, from those of inverse dynamics and the inverse of the mass matrix, with the
-/// accuracy of `mass_matrix_inverse`. Arguments and errors as for `forward_dynamics`, results as above.
+/// Forward dynamics and its derivatives by q, v and tau, from those of inverse dynamics and the inverse of the mass
+/// matrix, with the accuracy of `mass_matrix_inverse`. Arguments and errors are those of `forward_dynamics`, results
+/// those of `inverse_dynamics_derivatives`.
 template <class Gravity, class... E, indexable Q, indexable V, indexable T>
 [[nodiscard]] auto forward_dynamics_derivatives(const static_chain<Gravity, E...>& c, const Q& q, const V& v,
                                                 const T& tau) {
@@ -71,7 +71,7 @@ template <class Gravity, class... E, class S>
 
 #endif
 
-// ---- of runtime chains (kte/dynamics/runtime_parts.hpp)
+// ---- runtime chains (kte/dynamics/runtime_parts.hpp)
 
 #if defined(KTE_RUNTIME_CHAINS) && !defined(KTE_DERIVATIVES_OF_RUNTIME_CHAINS)
 #define KTE_DERIVATIVES_OF_RUNTIME_CHAINS

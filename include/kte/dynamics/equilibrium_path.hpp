@@ -28,8 +28,8 @@ struct equilibrium_point {
 
 #ifdef KTE_FUNCTION
 namespace detail {
-/// Pseudo-arclength continuation: from one point to the next along the path's direction, and back to it at right
-/// angles.
+/// Pseudo-arclength continuation: a predictor step along the tangent of the path, and a corrector in the plane normal
+/// to it.
 class path_follower {
  public:
   path_follower(static_problem& f, const Eigen::VectorXd& q0, const equilibrium_path_options& options)
@@ -78,7 +78,7 @@ class path_follower {
     at_.stability = stability_of(f_.tangent(at_.q, at_.parameter));
     points_.push_back(at_);
   }
-  /// Along the path at a point, as before.
+  /// Computes the direction of the path at a point, oriented like the previous one.
   bool turn_direction(const equilibrium_point& x) {
     const path_plane across = plane();
     if (!newton_.factors().factor(f_, x.q, x.parameter, &across)) return false;
@@ -88,7 +88,8 @@ class path_follower {
     direction_ = d / length;
     return true;
   }
-  /// To the next point, if its direction is near enough to that of the last one; gives the cosine between both.
+  /// Takes a step of the given length. Accepts it if the new direction is close to the previous one; returns the cosine
+  /// of the angle between them.
   double go_on(double length) {
     const Eigen::VectorXd before = direction_;
     const auto n = static_cast<Eigen::Index>(f_.size());
@@ -104,8 +105,8 @@ class path_follower {
       const bool found = turn_direction(next);
       const double turn = found ? product(direction_, before) : 0;
       if (turn >= 0.9) next.stability = stability_of(f_.tangent(next.q, next.parameter));
-      // An eigenvalue changes its sign where the parameter turns. Elsewhere a path branches off, or a sharp bend to it
-      // was cut.
+      // An eigenvalue changes sign where the parameter turns back. Elsewhere a sign change means a branch point, or
+      // that a step has cut a sharp bend.
       const bool jumped = next.stability.unstable != at_.stability.unstable && direction_[n] * before[n] > 0;
       if (turn < 0.9 || (jumped && length > 1e-3 * options_.step)) {
         direction_ = before;
@@ -114,7 +115,7 @@ class path_follower {
       at_ = next;
       points_.push_back(at_);
       return turn;
-    } catch (const bad_argument&) {  // no forces are known there
+    } catch (const bad_argument&) {  // the forces are undefined at this point
       direction_ = before;
       return 0;
     }
@@ -150,19 +151,19 @@ std::vector<equilibrium_point> follow_equilibria(const runtime_chain&, runtime_s
                                                  const equilibrium_path_options&);
 #endif
 
-/// The equilibria of a chain as its loads grow, or as a parameter changes, by pseudo-arclength continuation, which also
-/// follows the path through limit points, at which a chain snaps through under given loads. The parameter is the load
-/// factor of `static_equilibrium`, without holding forces, or an input, or a coordinate of base_gen, in the state. The
-/// first point is the equilibrium that damped steps find from q0 at `from`, the last one is at `to`, unless there would
-/// be more than `points` points.
+/// Equilibria of a chain as its loads or a parameter change, by pseudo-arclength continuation, which also passes limit
+/// points (snap-through). The parameter is the load factor of `static_equilibrium` (without holding forces), or an
+/// input, or a coordinate of base_gen in the state. The first point is the equilibrium that damped steps find from q0
+/// at `from`. The last point is at `to`, unless the number of points reaches `points`.
 ///
-/// The distance of points is at most `step`: the root mean square of rotations, rad, and of lengths relative to the
-/// size of the chain, and of the parameter relative to to - from; less where the path is curved. The parameter turns
-/// back at limit points; other changes of `stability.unstable` are branch points, whose branches are not followed.
+/// The distance between points is at most `step`, and less where the path is curved. Distance is the root mean square
+/// of rotations, rad, of lengths relative to the size of the chain, and of the parameter relative to to - from. The
+/// parameter turns back at limit points. Other changes of `stability.unstable` are branch points, whose branches are
+/// not followed.
 ///
 ///   for (const auto& x : kte::equilibrium_path(truss, s, q0)) std::cout << x.parameter << ' ' << x.q[0] << '\n';
 ///
-/// The state is then at the last point. Throws as `static_equilibrium`, and then leaves the state unchanged.
+/// The state is then at the last point. Throws what `static_equilibrium` throws; the state is then unchanged.
 template <indexable Q>
 std::vector<equilibrium_point> equilibrium_path(const runtime_chain& c, runtime_state& s, const Q& q0,
                                                 const equilibrium_path_options& options = {}) {

@@ -50,7 +50,7 @@ class threads {
     team.reserve(helpers);
     try {
       while (team.size() < helpers) team.emplace_back(work);
-    } catch (...) {  // no more threads to be had: fewer do the same
+    } catch (...) {  // no more threads can be started: continue with fewer
     }
     work();
     for (auto& t : team) t.join();

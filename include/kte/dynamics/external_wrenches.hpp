@@ -14,18 +14,19 @@
 ///
 ///   Q = sum J^T (F, T)          (1)
 ///
-/// F, N, and T, Nm, act on the mechanism at the origin of a frame, in its axes. As elements of a chain such loads are
-/// `driving_actuator_3D` and `external_force_3D`, which cost less for many loads.
+/// The force F, N, and the torque T, Nm, act on the mechanism at the origin of a frame, in its axes. For many loads,
+/// the elements `driving_actuator_3D` and `external_force_3D` cost less.
 namespace kte {
 
 namespace detail {
-/// An argument that may be any vector, `kte::along_x(1.0)` too, or its numbers in braces.
+/// An argument of type vec3: any kte vector, such as `kte::along_x(1.0)`, or three numbers in braces.
 struct any_vector {
   vec3<> numbers{};
   constexpr any_vector() = default;
   constexpr any_vector(double x, double y, double z) : numbers{x, y, z} {}
   template <class X, class Y, class Z>
-  constexpr any_vector(const vec3<X, Y, Z>& v) : numbers(as<double>(v)) {}
+  constexpr any_vector(const vec3<X, Y, Z>& v)  // NOLINT(google-explicit-constructor)
+      : numbers(as<double>(v)) {}
 };
 }  // namespace detail
 
@@ -36,7 +37,8 @@ struct external_wrench {
   vec3<> force{};   ///< N
   vec3<> torque{};  ///< Nm
 
-  external_wrench(const name_or_handle& on, const detail::any_vector& f = {}, const detail::any_vector& t = {})
+  external_wrench(const name_or_handle& on,  // NOLINT(google-explicit-constructor)
+                  const detail::any_vector& f = {}, const detail::any_vector& t = {})
       : frame(on), force(f.numbers), torque(t.numbers) {}
 };
 /// An external wrench on a frame of a static chain, made by `wrench_on(tool, force, torque)`.
@@ -54,7 +56,7 @@ template <key_type Frame>
 }
 
 namespace detail {
-/// As six numbers in the order of the rows of J. Throws `bad_argument`.
+/// The six numbers of a wrench, in the order of the rows of J. Throws `bad_argument` if one is not finite.
 template <class S, class W>
 Eigen::Matrix<S, 6, 1> six_numbers(const W& w, std::string_view frame) {
   const double all[]{w.force.x, w.force.y, w.force.z, w.torque.x, w.torque.y, w.torque.z};
@@ -73,7 +75,7 @@ struct load_on_frame {
   runtime_frame frame;
   Eigen::Matrix<S, 6, 1> load;
 };
-/// All that can be said before anything is computed.
+/// Checks all loads before anything is computed.
 template <class S>
 std::vector<load_on_frame<S>> checked_loads(const runtime_chain& c, const basic_runtime_state<S>& s,
                                             const std::vector<external_wrench>& loads) {
@@ -88,7 +90,7 @@ std::vector<load_on_frame<S>> checked_loads(const runtime_chain& c, const basic_
   }
   return all;
 }
-/// At positions that are good.
+/// As `external_forces`, for positions that have been checked.
 template <class S>
 runtime_vector<S> forces_of_loads(const runtime_chain& c, basic_runtime_state<S>& s,
                                   const std::vector<load_on_frame<S>>& loads) {
@@ -117,7 +119,8 @@ template <class Gravity, class... E, indexable Q, key_type... Frames>
                                    const wrench_on_frame<Frames>&... loads) {
   static_assert(detail::no_load_dependent_friction<typename E::core_type...>,
                 "kte: external wrenches on a chain with load-dependent friction must be elements of the chain");
-  static_assert(sizeof(detail::check_loads_of<static_chain<Gravity, E...>>) > 0);
+  static_assert(sizeof(detail::check_loads_of<static_chain<Gravity, E...>>) > 0 &&
+                sizeof(detail::check_closures_of<static_chain<Gravity, E...>>) > 0);
   using S = value_of<Q>;
   joint_vector<S, static_chain<Gravity, E...>::dofs> sum;
   sum.setZero();

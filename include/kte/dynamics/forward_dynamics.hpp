@@ -9,7 +9,7 @@
 namespace kte {
 
 namespace detail {
-/// By articulated bodies (ABA).
+/// Accelerations by the articulated-body algorithm (ABA).
 template <class S, int N, class Chain, class Given>
 KTE_INLINE void articulated_accelerations(const Chain& c, const Given& g, const joint_vector<S, N>& tau,
                                           joint_vector<S, N>& a) {
@@ -26,7 +26,9 @@ KTE_INLINE auto accelerations_under(const Chain& c, const At& at, const V& v, co
                                     const joint_vector<S, Chain::dofs>& tau) {
   at.check(), base.check();
   joint_vector<S, Chain::dofs> a;
-  if constexpr (is_tree_of_joints<Chain> || !Chain::common || !is_unrolled<Chain, S>) {
+  if constexpr (has_closures<Chain>) {
+    a = static_loops<Chain>::template accelerations<S>(c, given{at, v, same<zero_t>{}, base}, tau);
+  } else if constexpr (is_tree_of_joints<Chain> || !Chain::common || !is_unrolled<Chain, S>) {
     using given_type = given<At, V, same<zero_t>, Base, true>;
     if constexpr (is_unrolled<Chain, S>)
       static_assert(sizeof(typename articulated_chain<S, Chain, given_type>::need) > 0);
@@ -58,8 +60,8 @@ KTE_INLINE auto accelerations_under(const Chain& c, const At& at, const V& v, co
 ///
 /// Arguments and errors as for `inverse_dynamics`, chains as for `mass_matrix`. Throws `singular_mass_matrix`.
 ///
-/// Where a runtime chain has closures of loops, accelerations are those of `constrained_dynamics` (kte/loops.hpp), and
-/// the loops in the state get the forces of the closures.
+/// For a runtime chain with closures of loops, accelerations are those of `constrained_dynamics` (kte/loops.hpp), and
+/// the closures in the state get their forces.
 template <class Gravity, class... E, indexable Q, indexable V, indexable T>
 [[nodiscard]] auto forward_dynamics(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const T& tau) {
   using chain_type = static_chain<Gravity, E...>;
@@ -88,7 +90,7 @@ template <class Gravity, class... E, class S>
 
 #endif
 
-// ---- of runtime chains (kte/dynamics/runtime_parts.hpp)
+// ---- runtime chains (kte/dynamics/runtime_parts.hpp)
 
 #if defined(KTE_RUNTIME_CHAINS) && !defined(KTE_FORWARD_DYNAMICS_OF_RUNTIME_CHAINS)
 #define KTE_FORWARD_DYNAMICS_OF_RUNTIME_CHAINS

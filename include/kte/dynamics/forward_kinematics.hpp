@@ -7,7 +7,7 @@
 namespace kte {
 
 namespace detail {
-/// The motion of a frame, from the elements on the way to it and no others.
+/// The motion of a frame. Only the elements between base and frame are evaluated.
 template <class Types, kind K, int Slot, class Chain, class Given>
 KTE_INLINE constexpr auto motion_of(const Chain& c, const Given& g);
 
@@ -33,7 +33,7 @@ KTE_INLINE constexpr auto motion_of(const Chain& c, const Given& g) {
     return motion_by<Types, std::size_t{writer}>(c, g, typename Types::template inputs<std::size_t{writer}>{});
   }
 }
-/// Joint or link I where its coordinate is, without rates.
+/// The pose of joint or link I at the given coordinates, without rates.
 template <std::size_t I, class Chain, class Given>
 KTE_INLINE constexpr auto element_pose(const Chain& c, const Given& g) {
   using types = flow_types<Chain, Given>;
@@ -71,7 +71,7 @@ KTE_INLINE auto pose_at(const Chain& c, const Positions& at, const Base& base) {
     diagnose_signals<typename Chain::wiring>("where a frame stands", base);
     diagnose<typename Chain::wiring>("where a frame stands", at.q, same<zero_t>{}, same<zero_t>{}, "a");
   };
-  if constexpr (Chain::wiring::table.signals == 0) {  // a turn by what was checked is one
+  if constexpr (Chain::wiring::table.signals == 0) {  // a rotation that was checked stays one
     if constexpr (Key::what == kind::frame_2D) {
       const S numbers[]{p.position.x, p.position.y};
       check_result(numbers, 2, why);
@@ -95,12 +95,11 @@ KTE_INLINE auto pose_at(const Chain& c, const Positions& at, const Base& base) {
 ///
 ///   forward_kinematics(c, q, elbow)          of a static chain, relative to a base at the origin
 ///   forward_kinematics(c, s, q, "elbow")     of a runtime chain, in axes of the world, with the bases of the state s;
-///   a
-///                                            frame in the plane as one in space
+///   planar frames are returned as spatial frames
 ///   forward_kinematics(c, s, elbow)          of both, at the positions of a state, in axes of the world
 ///
-/// Arguments and errors as for `inverse_dynamics`; a text that names no frame throws `unknown_name`. All frames at
-/// once: dynamics/frame_motion.hpp.
+/// Arguments and errors are those of `inverse_dynamics`; an unknown frame name throws `unknown_name`. For all frames at
+/// once see dynamics/frame_motion.hpp.
 template <class Gravity, class... E, indexable Q, key_type Frame>
 [[nodiscard]] auto forward_kinematics(const static_chain<Gravity, E...>& c, const Q& q, const Frame&) {
   using chain_type = static_chain<Gravity, E...>;
@@ -125,7 +124,7 @@ template <class Gravity, class... E, class S, key_type Frame>
 
 #endif
 
-// ---- of runtime chains (kte/dynamics/runtime_parts.hpp)
+// ---- runtime chains (kte/dynamics/runtime_parts.hpp)
 
 #if defined(KTE_RUNTIME_CHAINS) && !defined(KTE_FORWARD_KINEMATICS_OF_RUNTIME_CHAINS)
 #define KTE_FORWARD_KINEMATICS_OF_RUNTIME_CHAINS
@@ -137,7 +136,7 @@ template <class Gravity, class... E, class S, key_type Frame>
 namespace kte {
 
 namespace detail {
-/// At positions that are good.
+/// As `forward_kinematics`, for positions that have been checked.
 template <class S>
 pose<mat3<vec3<S>>, vec3<S>> pose_of(const runtime_chain& c, basic_runtime_state<S>& s, const runtime_frame& x) {
   const auto& f = s.tree().body_tree;
@@ -157,7 +156,7 @@ pose<mat3<vec3<S>>, vec3<S>> pose_of(const runtime_chain& c, basic_runtime_state
   });
   return in_world;
 }
-/// Throws `bad_argument` where a frame stands nowhere: signals and bases in the state may be no numbers.
+/// Throws `bad_argument` if the pose of a frame is not finite, which signals and bases in the state can cause.
 template <class S, class Pose>
 const Pose& checked_pose(const basic_runtime_state<S>& s, const Pose& m, kind k, int frame) {
   const auto r = matrix(m.rotation);

@@ -3,9 +3,9 @@
 
 #include <kte/dynamics/forward_kinematics.hpp>
 
-/// The motion of frames and the poses of all frames: of static chains with bases at rest, of runtime chains with the
-/// bases of the state. Frames are named by keys of static chains, by texts or handles of runtime chains; a text that
-/// names no frame throws `unknown_name`. Arguments and other errors as for `inverse_dynamics`. Nothing is allocated.
+/// The motion of frames and the poses of all frames. Static chains have bases at rest; runtime chains have the bases of
+/// the state. Frames are named by keys (static chains), or by texts or handles (runtime chains); an unknown name throws
+/// `unknown_name`. Arguments and other errors are those of `inverse_dynamics`. No memory is allocated.
 namespace kte {
 
 /// The poses of all frames of a chain, by key: `poses[elbow].position`, `poses[elbow].rotation`. `in_plane`,
@@ -36,7 +36,7 @@ class frame_poses {
 };
 
 namespace detail {
-/// Rejects velocities or accelerations of the wrong size, and those that are not finite.
+/// Rejects velocities or accelerations of the wrong size, and non-finite ones.
 template <class Chain, class V>
 KTE_INLINE void check_rates(const V& v, const char* name, const char* what) {
   check_size<Chain::dofs>(v, name);
@@ -62,7 +62,7 @@ constexpr int frame_slot() {
   static_assert(slot >= 0 && is_frame(Frame::what), "kte: this chain has no frame of this name");
   return slot < 0 ? 0 : slot;
 }
-/// The motion of a frame; quantities of bases and rates that are not needed are `skip`.
+/// The motion of a frame. Quantities of bases and rates that are not needed are `skip`.
 template <class Frame, class Chain, class Given>
 KTE_INLINE auto motion_at(const Chain& c, const Given& g) {
   return motion_of<flow_types<Chain, Given>, Frame::what, frame_slot<Frame, Chain>()>(c, g);
@@ -73,8 +73,8 @@ inline constexpr same_base base_at_rest{motion{zero3{}, no_rotation{}, zero3{}, 
 inline constexpr same_base base_with_velocity{motion{skip{}, skip{}, zero3{}, zero3{}, skip{}, skip{}}};
 inline constexpr same_base base_with_acceleration{motion{skip{}, skip{}, skip{}, zero3{}, zero3{}, zero3{}}};
 
-/// The motion of a frame at rest bases. `Bases` have what joints and links ask for; those that are whole are taken
-/// where the frame follows others, which may read positions.
+/// The motion of a frame with bases at rest. `Bases` has the quantities that joints and links read. A frame that
+/// follows others may read positions, and then gets bases with all quantities.
 template <class Frame, class Chain, class At, class V, class A, class Bases>
 KTE_INLINE auto motion_at_rest_bases(const Chain& c, const At& at, const V& v, const A& a, const Bases& bases) {
   using few = decltype(motion_at<Frame>(c, given{at, v, a, bases}));
@@ -100,8 +100,8 @@ KTE_INLINE auto all_poses(const Chain& c, const At& at) {
 }
 }  // namespace detail
 
-/// The poses of all frames: for a static chain a table of rotations and positions, m, by key, relative to a base at the
-/// origin; for a runtime chain the state, with the frames of `doMotion`.
+/// The poses of all frames. For a static chain: a table of rotations and positions, m, by key, relative to a base at
+/// the origin. For a runtime chain: the state, with its frames as after `doMotion`.
 ///
 ///   auto poses = kte::forward_kinematics(arm, q);                 poses[elbow].position.z
 ///   kte::forward_kinematics(arm, s, q).frame_3D("elbow").position.z
@@ -166,7 +166,7 @@ template <class Gravity, class... E, indexable Q, indexable V, indexable A, key_
 
 #endif
 
-// ---- of runtime chains (kte/dynamics/runtime_parts.hpp)
+// ---- runtime chains (kte/dynamics/runtime_parts.hpp)
 
 #if defined(KTE_RUNTIME_CHAINS) && !defined(KTE_FRAME_MOTION_OF_RUNTIME_CHAINS)
 #define KTE_FRAME_MOTION_OF_RUNTIME_CHAINS

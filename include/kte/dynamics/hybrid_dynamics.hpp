@@ -9,20 +9,20 @@ namespace kte {
 /// The coordinates with prescribed accelerations, an argument of `hybrid_dynamics`.
 template <key_type... Keys>
 struct prescribed_coordinates {};
-/// The coordinates with prescribed accelerations, an argument of `hybrid_dynamics`.
+/// Names the degrees of freedom of a static chain whose accelerations are prescribed.
 template <key_type... Keys>
 [[nodiscard]] constexpr prescribed_coordinates<Keys...> prescribed(const Keys&...) {
   return {};
 }
 
-/// All accelerations a and the generalized forces tau.
+/// Result of `hybrid_dynamics`: all accelerations a and generalized forces tau.
 template <class S, int N>
 struct hybrid_dynamics_result {
   joint_vector<S, N> a, tau;
 };
 
 namespace detail {
-/// The accelerations of some coordinates; typed zeros for all others.
+/// The accelerations of some coordinates; all others are typed zeros.
 template <class S, class Wiring, class V, class... Keys>
 struct some_accelerations {
   const V& known;
@@ -53,22 +53,23 @@ struct some_accelerations {
 }  // namespace detail
 
 /// Accelerations and forces of a chain in which some coordinates have prescribed accelerations and the others known
-/// forces (Featherstone, Rigid Body Dynamics Algorithms, 2008, section 9.2). known: for a prescribed coordinate its
-/// accelerations, for others the applied forces, as tau of `forward_dynamics`:
+/// forces (Featherstone, Rigid Body Dynamics Algorithms, 2008, section 9.2). `known` has dofs numbers: accelerations
+/// for prescribed coordinates, applied forces (as tau of `forward_dynamics`) for the others.
 ///
 ///   const auto r = kte::hybrid_dynamics(arm, q, v, known, kte::prescribed(shoulder, elbow));      // static
 ///   const auto r = kte::hybrid_dynamics(arm, s, q, v, known, {"shoulder", "elbow"});              // runtime
 ///
-/// By the articulated-body algorithm with prescribed joints as moving links; if coordinates follow others, or two
-/// joints share one, by the rows of M of the unknown accelerations. Then by inverse dynamics for the forces. Returns a
-/// value; other arguments and errors as for `forward_dynamics`. A text that names no degree of freedom throws
-/// `bad_argument` or `unknown_name`.
+/// The articulated-body algorithm computes the unknown accelerations, with prescribed joints as moving links. If
+/// coordinates follow others, or two joints share one, it is replaced by a factorization of the rows of M that belong
+/// to the unknown accelerations. Inverse dynamics then gives the forces. Returns a value. Other arguments and errors
+/// are those of `forward_dynamics`. A name that is not a degree of freedom throws `bad_argument` or `unknown_name`.
 template <class Gravity, class... E, indexable Q, indexable V, indexable X, key_type... Keys>
 [[nodiscard]] auto hybrid_dynamics(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const X& known,
                                    prescribed_coordinates<Keys...>) {
   using chain_type = static_chain<Gravity, E...>;
   using wiring = typename chain_type::wiring;
   using S = value_of<Q>;
+  static_assert(sizeof(detail::check_closures_of<chain_type>) > 0);
   detail::check_configuration<chain_type>(q);
   check_size<chain_type::dofs>(v, "v"), check_size<chain_type::dofs>(known, "known");
   using accelerations = detail::some_accelerations<S, wiring, X, Keys...>;
@@ -98,7 +99,7 @@ template <class Gravity, class... E, indexable Q, indexable V, indexable X, key_
   }
   r.tau = detail::generalized_forces<S>(c, detail::given{at, detail::each<S, V>{v}, detail::each<S, vector>{r.a}, base},
                                         minus_one);
-  for (int i = 0; i < chain_type::dofs; ++i)  // what is known is given back as it came
+  for (int i = 0; i < chain_type::dofs; ++i)  // given numbers are returned unchanged
     if (!accelerations::is_known[static_cast<std::size_t>(i)]) r.tau[i] = force[i];
   return r;
 }
@@ -107,7 +108,7 @@ template <class Gravity, class... E, indexable Q, indexable V, indexable X, key_
 
 #endif
 
-// ---- of runtime chains (kte/dynamics/runtime_parts.hpp)
+// ---- runtime chains (kte/dynamics/runtime_parts.hpp)
 
 #if defined(KTE_RUNTIME_CHAINS) && !defined(KTE_HYBRID_DYNAMICS_OF_RUNTIME_CHAINS)
 #define KTE_HYBRID_DYNAMICS_OF_RUNTIME_CHAINS
@@ -120,12 +121,20 @@ template <class Gravity, class... E, indexable Q, indexable V, indexable X, key_
 
 namespace kte {
 
+namespace detail {
+/// Accelerations and forces of a chain with loops; kte/loops.hpp sets it (dynamics/closed_loops/hybrid.hpp).
+inline Eigen::VectorXd (*hybrid_accelerations_on_loops)(const runtime_chain&, runtime_state&, const std::vector<char>&,
+                                                        const Eigen::VectorXd&, Eigen::VectorXd&) = nullptr;
+}  // namespace detail
+
 template <class S, indexable Q, indexable V, indexable X>
 hybrid_dynamics_result<S, Eigen::Dynamic> hybrid_dynamics(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q,
                                                           const V& v, const X& known,
                                                           const std::vector<std::string_view>& prescribed) {
   using namespace detail;
-  check_regular(c, s);
+  check_regular_tree(c, s);
+  if (!std::is_same_v<S, double> || hybrid_accelerations_on_loops == nullptr)
+    refuse_loops(c, ": with numbers in double, and #include <kte/loops.hpp>, it does");
   const auto n = static_cast<std::size_t>(s.dofs());
   check_size(n, known, "known");
   std::vector<char> is_known(n, 0);
@@ -143,10 +152,16 @@ hybrid_dynamics_result<S, Eigen::Dynamic> hybrid_dynamics(const runtime_chain& c
     (is_known[i] ? given : force)[static_cast<Eigen::Index>(i)] = static_cast<S>(known[i]);
   return take(c, s, q, v, given, force).call([&] {
     hybrid_dynamics_result<S, Eigen::Dynamic> r;
+    if constexpr (std::is_same_v<S, double>)
+      if (has_loops(c)) [[unlikely]] {
+        r.tau = force;
+        r.a = hybrid_accelerations_on_loops(c, s, is_known, given, r.tau);
+        return r;
+      }
     r.a = accelerations_under(
         c, s, [&force](int i) { return force[i]; }, is_known);
     r.tau = inverse_dynamics(c, s);
-    for (std::size_t i = 0; i < n; ++i)  // what is known is given back as it came
+    for (std::size_t i = 0; i < n; ++i)  // given numbers are returned unchanged
       if (!is_known[i]) r.tau[static_cast<Eigen::Index>(i)] = force[static_cast<Eigen::Index>(i)];
     return r;
   });

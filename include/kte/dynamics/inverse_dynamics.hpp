@@ -14,7 +14,7 @@
 namespace kte {
 
 namespace detail {
-/// The numbers of the load on a coordinate of kind K, to places V, V + 1, ... of f.
+/// Writes the numbers of the load on a coordinate of kind K to f[V], f[V + 1], ...
 template <kind K, int V, class L, class Sign, class X>
 KTE_INLINE void spread_load(const L& load, Sign sign, X& f) {
   using S = typename X::Scalar;
@@ -24,8 +24,8 @@ KTE_INLINE void spread_load(const L& load, Sign sign, X& f) {
   };
   each_number(std::make_integer_sequence<int, nv_of(K)>{});
 }
-/// The forces of virtual power on all degrees of freedom (`sign` one), or what must be applied for the motion to
-/// happen (minus one).
+/// The generalized forces on all degrees of freedom: those of virtual power (`sign` 1), or those to apply for the given
+/// motion (`sign` -1).
 template <class S, class Pass, class Sign>
 KTE_INLINE auto forces_of(const Pass& pass, Sign sign) {
   using wiring = typename Pass::chain_type::wiring;
@@ -40,7 +40,7 @@ KTE_INLINE auto forces_of(const Pass& pass, Sign sign) {
   read(std::make_index_sequence<wiring::freedoms>{});
   return f;
 }
-/// The generalized forces of a chain at given arguments.
+/// The generalized forces of a chain at the given arguments.
 template <class S, class Chain, class Given, class Sign>
 KTE_INLINE auto generalized_forces(const Chain& c, const Given& g, Sign sign) {
   const auto f = [&]() KTE_INLINE_LAMBDA {
@@ -67,19 +67,19 @@ KTE_INLINE auto generalized_forces(const Chain& c, const Given& g, Sign sign) {
 /// (static_chain/layout.hpp); anything with operator[]. Returns tau, dofs numbers, in Nm and N.
 ///
 ///   inverse_dynamics(c, q, v, a)       of a static chain, a value: bases at rest, inputs zero; no heap, no state
-///   inverse_dynamics(c, s, q, v, a)    of a runtime chain, in the state s, in which q, v, a are stored; bases and
-///   inputs
-///                                      are those of s. The result is valid until the next call with s
+///   inverse_dynamics(c, s, q, v, a)    of a runtime chain, in the state s, which stores q, v, a and has the bases and
+///                                      inputs; the result is valid until the next call with s
 ///   inverse_dynamics(c, s)             of both, at the positions, rates and accelerations of a state
 ///
-/// Throws `bad_argument` for arguments of wrong size, for numbers that are not finite, and for quaternions of length
-/// zero; for runtime chains also for the state of another chain. All algorithms on runtime chains with arguments q, v
-/// or a store them in the state. They allocate only memory of the size of M. If they throw, the positions, velocities
-/// and accelerations of the state are unchanged, unless the cause is a signal or base of the state.
+/// Throws `bad_argument` for arguments of wrong size, numbers that are not finite, and quaternions of length zero;
+/// runtime chains also for the state of another chain. All algorithms on runtime chains store their arguments q, v or a
+/// in the state. They allocate memory of the size of M at most. If they throw, the positions, velocities and
+/// accelerations of the state are unchanged, unless a signal or base of the state is the cause.
 template <class Gravity, class... E, indexable Q, indexable V, indexable A>
 [[nodiscard]] auto inverse_dynamics(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const A& a) {
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
+  static_assert(sizeof(detail::check_closures_of<chain_type>) > 0);
   detail::check_configuration<chain_type>(q), check_size<chain_type::dofs>(v, "v"),
       check_size<chain_type::dofs>(a, "a");
   const detail::configuration<S, typename chain_type::wiring, Q> at(q);
@@ -91,6 +91,7 @@ template <class Gravity, class... E, class S>
 [[nodiscard]] auto inverse_dynamics(const static_chain<Gravity, E...>& c,
                                     const chain_state<S, detail::wiring<E...>>& s) {
   using state = chain_state<S, detail::wiring<E...>>;
+  static_assert(sizeof(detail::check_closures_of<static_chain<Gravity, E...>>) > 0);
   const auto q = positions(s);
   const auto v = velocities(s), a = accelerations(s);
   using vector = std::remove_const_t<decltype(v)>;
@@ -104,7 +105,7 @@ template <class Gravity, class... E, class S>
 
 #endif
 
-// ---- of runtime chains (kte/dynamics/runtime_parts.hpp)
+// ---- runtime chains (kte/dynamics/runtime_parts.hpp)
 
 #if defined(KTE_RUNTIME_CHAINS) && !defined(KTE_INVERSE_DYNAMICS_OF_RUNTIME_CHAINS)
 #define KTE_INVERSE_DYNAMICS_OF_RUNTIME_CHAINS

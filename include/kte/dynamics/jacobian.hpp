@@ -6,25 +6,25 @@
 
 namespace kte {
 
-/// Tag: rates of a frame at its origin, in axes of the world, in which the bases are given.
+/// Tag: rates of a frame at its origin, in axes of the world (the axes of the bases).
 inline constexpr struct in_world_axes_t {
 } in_world_axes;
 
-/// The Jacobian of a frame: 6 x dofs, by which its velocity (rows 0 to 2, m/s) and angular velocity (rows 3 to 5,
-/// rad/s), in its own axes, follow from the velocities v of the degrees of freedom. The column of axis s of a joint, in
-/// whose end the frame stands at R, p, is (Siciliano et al., Robotics, 2009, section 3.1.3, in axes of the frame)
+/// The Jacobian J of a frame, 6 x dofs, with its velocity (rows 0 to 2, m/s) and angular velocity (rows 3 to 5, rad/s),
+/// in its own axes, equal to J v. Let s be an axis of a joint, and R, p the pose of the frame in the end of the joint.
+/// The column of s is (Siciliano et al., Robotics, 2009, section 3.1.3, in axes of the frame)
 ///
 ///   ( R^T (s_v + s_w x p), R^T s_w )          (1)
 ///
-/// A coordinate that others follow, or that several joints share, has the sum of their columns; where a joint does not
-/// move the frame there are zeros. Only the elements between base and frame are evaluated. A frame in the plane has
-/// rows of zeros for what lies out of it.
+/// If others follow a coordinate, or several joints share it, its column is the sum of their columns. Columns of joints
+/// that do not move the frame are zero. Only the elements between base and frame are evaluated. For planar frames,
+/// out-of-plane rows are zero.
 ///
 ///   jacobian(c, q, hand)             of a static chain, a value
 ///   jacobian(c, s, q, "hand")        of a runtime chain, a value; (c, s, "hand") at the positions of the state s
 ///   jacobian(c, s, q, "hand", j)     into memory of the caller, below
 ///
-/// Names and errors as in dynamics/frame_motion.hpp.
+/// Names and errors are those of dynamics/frame_motion.hpp.
 template <class Gravity, class... E, indexable Q, key_type Frame>
 [[nodiscard]] auto jacobian(const static_chain<Gravity, E...>& c, const Q& q, const Frame&) {
   return detail::jacobian_of<false, Frame>(c, q);
@@ -43,7 +43,7 @@ template <class Gravity, class... E, indexable Q, key_type Frame>
 
 #endif
 
-// ---- of runtime chains (kte/dynamics/runtime_parts.hpp)
+// ---- runtime chains (kte/dynamics/runtime_parts.hpp)
 
 #if defined(KTE_RUNTIME_CHAINS) && !defined(KTE_JACOBIAN_OF_RUNTIME_CHAINS)
 #define KTE_JACOBIAN_OF_RUNTIME_CHAINS
@@ -52,8 +52,8 @@ template <class Gravity, class... E, indexable Q, key_type Frame>
 
 namespace kte {
 
-/// The Jacobian of a frame into memory of the caller, without allocation (unless coordinates follow others): a matrix,
-/// which is resized, or 6 rows of a larger one, or a map.
+/// Writes the Jacobian of a frame to memory of the caller: a matrix, which is resized, or 6 rows of a larger matrix, or
+/// a map. Allocates no memory, unless coordinates follow others.
 ///
 ///   Eigen::MatrixXd contacts(12, arm.dofs());
 ///   kte::jacobian(arm, s, q, left_foot, kte::in_world_axes, contacts.topRows<6>());

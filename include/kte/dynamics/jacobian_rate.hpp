@@ -11,13 +11,13 @@
 #include <kte/runtime_chain/runtime_chain.hpp>
 #include <kte/tree/jacobian_rate.hpp>
 
-/// Time derivatives of Jacobians of frames, and the acceleration of frames by rates alone; on static and runtime
-/// chains. With J of `jacobian`, in one of three kinds of axes,
+/// Time derivatives of Jacobians and bias accelerations of frames, for static and runtime chains. With J of `jacobian`
+/// in one of three kinds of axes,
 ///
 ///   d/dt (J v) = J a + J_dot v          (1)
 namespace kte {
 
-// ---- of static chains, with bases at rest
+// ---- static chains, with bases at rest
 
 /// The Jacobian at the origin of the world: (1) of dynamics/axes_of_rates.hpp.
 template <class Gravity, class... E, indexable Q, key_type Frame>
@@ -68,10 +68,10 @@ template <class Gravity, class... E, indexable Q, indexable V, key_type Frame, a
   });
 }
 
-// ---- of runtime chains, with bases as the state has them
+// ---- runtime chains, with the bases of the state
 
 namespace detail {
-/// At positions and rates that are good.
+/// The Jacobian and its rate, for positions and rates that have been checked.
 template <class Axes, class S>
 jacobian_with_rate<basic_runtime_jacobian<S>> jacobian_with_rate_of(const runtime_chain& c, basic_runtime_state<S>& s,
                                                                     const runtime_frame& x) {

@@ -11,7 +11,8 @@
 /// Reactions of joints and links, on static and runtime chains.
 namespace kte {
 
-/// The reaction of a joint: the `frame` that it moves, and the wrench `reaction` at its origin, in its axes.
+/// The reaction of a joint or link: the `frame` that it moves, and the wrench `reaction` at the origin of this frame,
+/// in its axes.
 struct joint_reaction_entry {
   std::string frame;
   wrench<vec3<>, vec3<>> reaction;
@@ -25,13 +26,13 @@ wrench<vec3<S>, vec3<S>> reaction_to(const L& load, const Diagnose& why = {"a fo
 }
 }  // namespace detail
 
-/// The wrench, N and Nm, of a joint or link on its subtree, at the frame that it moves and in its axes: the load on its
-/// bearings and motor, at q, v, a under gravity and the forces of elements. With s the axis of a joint
+/// The wrench, N and Nm, that a joint or link exerts on its subtree, at the frame that it moves and in its axes: the
+/// load on its bearings and motor, at q, v, a under gravity and the forces of elements. With the axis s of a joint
 ///
 ///   s . w = tau of `inverse_dynamics`          (1)
 ///
-/// if no element acts on its coordinate, and w = m (a_c - g) at the centre of a subtree that is one mass m. By the
-/// passes of inverse dynamics, with bases at rest and inputs zero.
+/// if no element acts on its coordinate. For a subtree with a single mass m at a_c, w = m (a_c - g) at this mass.
+/// Computed by the passes of inverse dynamics, with bases at rest and inputs zero.
 template <class Gravity, class... E, indexable Q, indexable V, indexable A, key_type Frame>
 [[nodiscard]] auto joint_reaction(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const A& a,
                                   const Frame&) {
@@ -64,7 +65,7 @@ inline wrench<vec3<>, vec3<>> reaction_at(const runtime_state& s, kind k, int in
   if (k == kind::frame_2D) return reaction_to<double>(load_of(s.get<kind::frame_2D>(index)), why);
   return reaction_to<double>(load_of(s.get<kind::frame_3D>(index)), why);
 }
-/// Throws `unknown_name`, `bad_argument`.
+/// The frame of this name, if a joint or link moves it. Throws `unknown_name`, `bad_argument`.
 inline runtime_frame find_moved_frame(const runtime_chain& c, const name_or_handle& frame) {
   const auto x = find_frame(c, frame);
   const int by = c.wiring().writers[static_cast<std::size_t>(x.what)][static_cast<std::size_t>(x.index)];
@@ -82,14 +83,14 @@ inline wrench<vec3<>, vec3<>> joint_reaction(const runtime_chain& c, runtime_sta
   detail::accumulate_loads(c, s);
   return detail::reaction_at(s, x.what, x.index);
 }
-/// The wrench of a joint or link at q, v, a, which are put into the state.
+/// The wrench of a joint or link at q, v, a, which are stored in the state.
 template <indexable Q, indexable V, indexable A>
 wrench<vec3<>, vec3<>> joint_reaction(const runtime_chain& c, runtime_state& s, const Q& q, const V& v, const A& a,
                                       const name_or_handle& frame) {
   (void)detail::find_moved_frame(c, frame), detail::refuse_loops(c);
   return detail::take(c, s, q, v, a).call([&] { return joint_reaction(c, s, frame); });
 }
-/// The wrenches of all joints, in the order of the chain.
+/// The wrenches of all joints and links, in the order of the chain.
 inline std::vector<joint_reaction_entry> joint_reactions(const runtime_chain& c, runtime_state& s) {
   detail::accumulate_loads(c, s);
   std::vector<joint_reaction_entry> all;

@@ -8,7 +8,7 @@ namespace kte {
 
 /// The mass matrix by the composite-rigid-body algorithm (CRBA; Walker and Orin 1982; Featherstone 2008, section 6.2):
 ///
-///   M_ij = s_i . (I^c_j s_j)   for i upstream of j,  0 where neither is upstream of the other           (1)
+///   M_ij = s_i . (I^c_j s_j)   for i upstream of j,  0 for joints on different branches                 (1)
 ///
 /// with the axis s of a joint and the composite inertia I^c of its subtree. dofs x dofs, symmetric, both triangles
 /// filled; kg m^2, kg m, kg.
@@ -17,8 +17,8 @@ namespace kte {
 ///   mass_matrix(c, s, q)    of a runtime chain, in the state s; the first call allocates memory
 ///   mass_matrix(c, s)       of both, at the positions of a state
 ///
-/// Arguments and errors as for `inverse_dynamics`. Throws `bad_argument` also for a chain with an element that has more
-/// than the data of a body node.
+/// Arguments and errors are those of `inverse_dynamics`. Throws `bad_argument` also for chains that trees of body nodes
+/// do not describe (docs/algorithms.md, "What is refused").
 template <class Gravity, class... E, indexable Q>
 [[nodiscard]] auto mass_matrix(const static_chain<Gravity, E...>& c, const Q& q) {
   using chain_type = static_chain<Gravity, E...>;
@@ -40,7 +40,7 @@ template <class Gravity, class... E, class S>
 
 #endif
 
-// ---- of runtime chains (kte/dynamics/runtime_parts.hpp)
+// ---- runtime chains (kte/dynamics/runtime_parts.hpp)
 
 #if defined(KTE_RUNTIME_CHAINS) && !defined(KTE_MASS_MATRIX_OF_RUNTIME_CHAINS)
 #define KTE_MASS_MATRIX_OF_RUNTIME_CHAINS

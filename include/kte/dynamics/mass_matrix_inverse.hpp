@@ -10,7 +10,7 @@ namespace kte {
 namespace detail {
 template <class S, class Chain, class At, class Base>
 KTE_INLINE auto inverse_mass(const Chain& c, const At& at, const Base& base) {
-  static_assert(sizeof(check_loads_of<Chain>) > 0);
+  static_assert(sizeof(check_loads_of<Chain>) > 0 && sizeof(check_closures_of<Chain>) > 0);
   at.check(), base.check();
   joint_matrix<S, Chain::dofs> m;
   if constexpr (is_tree_of_joints<Chain>) {
@@ -36,10 +36,10 @@ KTE_INLINE auto inverse_mass(const Chain& c, const At& at, const Base& base) {
 }
 }  // namespace detail
 
-/// The inverse of the mass matrix, by the recursion of the articulated-body algorithm: column j is the acceleration due
-/// to a unit force on degree of freedom j in the chain at rest, without gravity and other forces. M is formed and
-/// factorized only if coordinates follow others. Arguments, results and errors as for `mass_matrix`. Throws also
-/// `singular_mass_matrix`.
+/// The inverse of the mass matrix, dofs x dofs, by the recursion of the articulated-body algorithm: column j is the
+/// acceleration due to a unit force on degree of freedom j, with the chain at rest, without gravity or other forces. M
+/// is formed and factorized only if coordinates follow others. Arguments, results and errors are those of
+/// `mass_matrix`. Throws also `singular_mass_matrix`.
 template <class Gravity, class... E, indexable Q>
 [[nodiscard]] auto mass_matrix_inverse(const static_chain<Gravity, E...>& c, const Q& q) {
   using chain_type = static_chain<Gravity, E...>;
@@ -60,7 +60,7 @@ template <class Gravity, class... E, class S>
 
 #endif
 
-// ---- of runtime chains (kte/dynamics/runtime_parts.hpp)
+// ---- runtime chains (kte/dynamics/runtime_parts.hpp)
 
 #if defined(KTE_RUNTIME_CHAINS) && !defined(KTE_MASS_MATRIX_INVERSE_OF_RUNTIME_CHAINS)
 #define KTE_MASS_MATRIX_INVERSE_OF_RUNTIME_CHAINS
@@ -70,7 +70,7 @@ template <class Gravity, class... E, class S>
 namespace kte {
 
 namespace detail {
-/// At positions that are good.
+/// As `mass_matrix_inverse`, for positions that have been checked.
 template <class S>
 const runtime_matrix<S>& inverse_of_masses(const runtime_chain& c, basic_runtime_state<S>& s) {
   runtime_matrix<S>& inverse = s.work.inverse;

@@ -8,7 +8,7 @@
 namespace kte {
 
 namespace detail {
-/// Only what has a mass has forces: bodies, and masses on coordinates.
+/// Selects the elements with mass: bodies, and masses on coordinates.
 struct masses_alone {
   template <class Core>
   KTE_INLINE static constexpr decltype(auto) of(const Core& core) {
@@ -25,8 +25,9 @@ struct masses_alone {
 ///
 ///   p = M(q) v                    (1)
 ///
-/// by the recursion of inverse dynamics, without forming M. For rotations and poses p is an angular momentum, and a
-/// linear one, in axes of the moving frame. q and v as for `inverse_dynamics`; kg m/s, kg m^2/s.
+/// by the recursion of inverse dynamics, without forming M: dofs numbers, kg m/s and kg m^2/s. For rotations, p is an
+/// angular momentum, and for poses a linear and an angular one, in axes of the moving frame. Arguments and errors are
+/// those of `inverse_dynamics`.
 template <class Gravity, class... E, indexable Q, indexable V>
 [[nodiscard]] auto generalized_momenta(const static_chain<Gravity, E...>& c, const Q& q, const V& v) {
   using namespace detail;

@@ -6,8 +6,8 @@
 #include <kte/dynamics/state_vectors.hpp>
 #include <kte/runtime_chain/runtime_chain.hpp>
 
-/// How the centre of mass and the momentum of a chain change, static and runtime: bases at rest, without gravity, axes
-/// of the base.
+/// Rates of the centre of mass and of the momentum, for static and runtime chains: bases at rest, without gravity, in
+/// axes of the base.
 namespace kte {
 
 namespace detail {
@@ -28,7 +28,7 @@ template <class Gravity, class... E, indexable Q>
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
-  static_assert(sizeof(check_bodies_of<chain_type>) > 0);
+  static_assert(sizeof(check_bodies_of<chain_type>) > 0 && sizeof(check_closures_of<chain_type>) > 0);
   check_configuration<chain_type>(q);
   const configuration<S, typename chain_type::wiring, Q> at(q);
   at.check();
@@ -42,18 +42,18 @@ template <class Gravity, class... E, indexable Q>
   return j;
 }
 
-/// The time derivative of `centroidal_momentum`, N and Nm: the sum f of the forces of the motion of all bodies, and the
-/// sum n of their moments about the origin,
+/// The time derivative of `centroidal_momentum`, N and Nm. With the sum f of the rates of momentum of all bodies, the
+/// sum n of their moments about the origin, and the centre of mass c,
 ///
 ///   p' = f,   k_G' = n - c x f          (1)
 ///
-/// with the centre of mass c; it equals the sum of external loads: gravity and bases.
+/// It equals the sum of external loads: gravity and the forces of bases.
 template <class Gravity, class... E, indexable Q, indexable V, indexable A>
 [[nodiscard]] auto centroidal_momentum_rate(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const A& a) {
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
-  static_assert(sizeof(check_bodies_of<chain_type>) > 0);
+  static_assert(sizeof(check_bodies_of<chain_type>) > 0 && sizeof(check_closures_of<chain_type>) > 0);
   check_configuration<chain_type>(q), check_velocities<chain_type>(v);
   check_rates<chain_type>(a, "a", "an acceleration");
   const configuration<S, typename chain_type::wiring, Q> at(q);
@@ -74,8 +74,8 @@ template <class Gravity, class... E, indexable Q, indexable V, indexable A>
 }
 
 namespace detail {
-/// What all bodies need for the motion of coordinates, and of bases that elements move, about a point of the world.
-/// After `carry`. Bases are accelerated by -gravity.
+/// The sum of the body wrenches due to the motion of coordinates, and of bases that elements move, about a point of the
+/// world. Call `carry` first. Bases accelerate by -gravity.
 template <class S>
 tree::dense_wrench<S> momentum_rate_of_coordinates(basic_runtime_state<S>& s, const vec3<>& gravity,
                                                    const vec3<S>& about) {
@@ -108,14 +108,14 @@ tree::dense_wrench<S> momentum_rate_of_coordinates(basic_runtime_state<S>& s, co
 }
 }  // namespace detail
 
-// ---- of runtime chains; coordinates and bases that are given from outside rest, as for `centroidal_momentum`; those
-// that elements move as signals say do not
+// ---- runtime chains. Prescribed coordinates and bases are at rest, as for `centroidal_momentum`, except for bases
+// that elements move by signals.
 
 namespace detail {
-/// At positions that are good.
+/// As `centre_of_mass_jacobian`, for positions that have been checked.
 template <class S>
 runtime_matrix<S> centre_of_mass_jacobian_of(const runtime_chain& c, basic_runtime_state<S>& s) {
-  if (s.tree().plan.coordinates > s.dofs()) {  // some follow others
+  if (s.tree().plan.coordinates > s.dofs()) {  // for dependent coordinates
     const auto map = centroidal_momentum_matrix_of(c, s);
     return map.topRows(3) / tree::weight_in_world(s.tree().body_tree, s.work).mass;
   }
@@ -153,7 +153,7 @@ vec3<S> centre_of_mass_acceleration(const runtime_chain& c, basic_runtime_state<
   const vec3<S> f = centroidal_momentum_rate(c, s).linear;
   return {f.x / mass, f.y / mass, f.z / mass};
 }
-// At q, v, a, which are stored in the state.
+// The Jacobian of the centre of mass at q, which is stored in the state.
 template <class S, indexable Q>
 runtime_matrix<S> centre_of_mass_jacobian(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q) {
   detail::check_regular(c, s);

@@ -16,19 +16,19 @@
 
 namespace kte {
 
-/// Small motions about an equilibrium: sums of x = Re(shape exp(root t)), along the numbers of v, in ascending order of
-/// frequency; modes without a restoring force have 0.
+/// Small motions about an equilibrium: sums of x = Re(shape exp(root t)), with shapes along the numbers of v, in
+/// ascending order of frequency. Modes without a restoring force have frequency 0.
 struct natural_modes_result {
-  Eigen::VectorXd frequency;  ///< |root|, rad/s, the undamped frequency of the mode
+  Eigen::VectorXd frequency;  ///< |root|, rad/s: the undamped frequency of the mode
   Eigen::VectorXd damping;    ///< damping ratio -Re(root)/|root|: below 1 oscillating, 1 overdamped, below 0 unstable
-  Eigen::VectorXcd root;      ///< 1/s; of a conjugate pair the one with Im > 0
+  Eigen::VectorXcd root;      ///< 1/s; for a conjugate pair the root with Im > 0
   Eigen::MatrixXcd shape;     ///< a column per mode; its largest number is 1
 };
 
 #ifdef KTE_FUNCTION
 namespace detail {
 
-/// A + shift B = L L^T; no pivot is lost in rounding.
+/// Whether A + shift B has a Cholesky factorization without pivots lost in rounding.
 inline bool is_well_positive(const Eigen::MatrixXd& a) {
   const Eigen::LLT<Eigen::MatrixXd> factors(a);
   if (factors.info() != Eigen::Success) return false;
@@ -37,13 +37,13 @@ inline bool is_well_positive(const Eigen::MatrixXd& a) {
     if (!(l(i, i) * l(i, i) > 1e-11 * a(i, i))) return false;
   return true;
 }
-/// Undamped modes: columns x with x^T M x = 1, and squares of frequencies, negative where K is.
+/// Undamped modes: columns x with x^T M x = 1, and squares of frequencies (negative for unstable directions of K).
 struct undamped_modes {
   Eigen::MatrixXd shape;
   Eigen::VectorXd square;
 };
-/// From the largest 1/(w^2 + shift) on, so that low modes have all digits: M x = m (K + shift M) x. High ones by their
-/// Rayleigh quotients. Directions without mass have m = 0, and no mode.
+/// Solves M x = m (K + shift M) x with m = 1/(w^2 + shift), largest m first, which gives low modes with full accuracy.
+/// High modes use Rayleigh quotients. Directions without mass have m = 0 and no mode.
 inline undamped_modes solve_undamped(const Eigen::MatrixXd& m, const Eigen::MatrixXd& k) {
   const Eigen::Index n = m.rows();
   Eigen::MatrixXd b = k;
@@ -71,8 +71,8 @@ inline undamped_modes solve_undamped(const Eigen::MatrixXd& m, const Eigen::Matr
   }
   return x;
 }
-/// Roots and shapes in the space of the undamped modes: modes without coupling by damping or by forces without a
-/// potential are unchanged, the others are those of  (0, 1; -K', -C').
+/// Roots and shapes in the space of the undamped modes. Modes that damping and forces without a potential do not couple
+/// are unchanged. The others are those of the matrix  (0, 1; -K', -C').
 inline void solve_damped(const undamped_modes& modes, const Eigen::MatrixXd& k, const Eigen::MatrixXd& c,
                          std::vector<std::complex<double>>& roots, std::vector<Eigen::VectorXcd>& shapes) {
   const Eigen::MatrixXd by_rate = modes.shape.transpose() * c * modes.shape;
@@ -154,7 +154,7 @@ KTE_FUNCTION natural_modes_result natural_modes_of(const Eigen::MatrixXd& m, con
 #endif
 
 namespace detail {
-/// Throws `bad_argument` where forces would move the chain by more than a millionth, rad or m.
+/// Throws `bad_argument` if forces would move the chain by more than 1e-6 rad or m.
 template <class Derived, class Layout>
 const Derived& check_at_rest(const Derived& d, const Layout& layout) {
   for (Eigen::Index i = 0; i < d.tau.size(); ++i)
@@ -170,15 +170,16 @@ const Derived& check_at_rest(const Derived& d, const Layout& layout) {
 ///
 ///   M x'' + C x' + K x = 0,   K, C, M: derivatives of inverse dynamics by q, v and a at rest          (1)
 ///
-/// Without damping n modes, of the generalized symmetric eigenproblem; with it, or with forces without a potential, by
-/// the 2 n roots of the quadratic one: pairs of conjugate ones are one mode, real ones are one each. Degrees of freedom
-/// that move no mass follow the others. K is that under the inputs of the state. Dense: O(n^3).
+/// Without damping, n modes of the generalized symmetric eigenproblem. With damping, or with forces without a
+/// potential, modes of the 2 n roots of the quadratic eigenproblem: one mode per conjugate pair, one per real root.
+/// Degrees of freedom that move no mass follow the others. K is the tangent under the inputs of the state. Dense
+/// matrices: O(n^3).
 ///
 ///   const auto modes = kte::natural_modes(beam, s, r.q);
 ///   modes.frequency[0] / (2 * std::numbers::pi)  // Hz
 ///
-/// Throws `bad_argument` for a q that is no equilibrium, `singular_mass_matrix` for degrees of freedom without mass
-/// where there is damping, `no_solution` for such without stiffness.
+/// Throws `bad_argument` if q is not an equilibrium, `singular_mass_matrix` for degrees of freedom without mass if
+/// there is damping, `no_solution` for degrees of freedom without mass and stiffness.
 template <indexable Q>
 natural_modes_result natural_modes(const runtime_chain& c, runtime_state& s, const Q& q) {
   const Eigen::VectorXd none = Eigen::VectorXd::Zero(s.dofs());

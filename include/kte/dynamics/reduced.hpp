@@ -7,19 +7,18 @@
 #include <string>
 #include <vector>
 
-/// Chains with locked joints: of runtime chains by name, of static chains by key.
+/// Chains with locked joints: runtime chains by name, static chains by key.
 namespace kte {
 
-/// A chain without the named degrees of freedom: their joints become links, in their position at q. Names of frames and
-/// of the other coordinates are unchanged; these keep their order, so that q and v of the new chain are the old ones
-/// without the numbers of the locked coordinates.
+/// A chain without the named degrees of freedom: their joints become links, fixed at q. Frames and the other
+/// coordinates keep their names and order, so q and v of the new chain are the old ones without the numbers of the
+/// locked coordinates.
 ///
 ///   const auto planar = kte::reduced(arm, q, "wrist", "elbow");
 ///
-/// Coordinates that follow only locked coordinates are locked with them. For springs, dampers or motors on a locked
-/// number it becomes a constant, and their energy remains; masses on it, and brakes, are removed. Throws
-/// `unknown_name`, and `bad_argument` for a name that is not a degree of freedom, and for a rotation or pose on which
-/// an element other than its joint acts.
+/// Coordinates that follow only locked coordinates are locked too. Springs, dampers and motors see a locked number as a
+/// constant; their energy remains. Masses and brakes on it are removed. Throws `unknown_name`, and `bad_argument` for a
+/// name that is not a degree of freedom, and for a rotation or pose on which an element other than its joint acts.
 template <indexable Q, text_type... Names>
 requires(!names_something<Q>) runtime_chain reduced(const runtime_chain& c, const Q& q, const Names&... names) {
   detail::chain_reduction r(c, q);
@@ -49,7 +48,7 @@ template <class Gravity, class... E, indexable Q, key_type... Locked>
     };
     return (each(std::type_identity<Locked>{}) && ...);
   }();
-  static_assert(known, "kte: this chain has no degree of freedom of this name, which could be locked");
+  static_assert(known, "kte: this chain has no degree of freedom of this name to lock");
   static_assert(clean || !known,
                 "kte: an element other than its joint acts on a coordinate to be locked: leave it out, or use a "
                 "runtime chain");

@@ -7,14 +7,14 @@
 namespace kte {
 
 /// The inertial parameters pi of a chain, one body after the other in the order of its elements. An `inertia_3D` has
-/// ten (of Pinocchio's `toDynamicParameters` in kind and order),
+/// ten parameters (quantities and order of Pinocchio's `toDynamicParameters`),
 ///
 ///   m,  m c_x, m c_y, m c_z,  I_xx, I_xy, I_yy, I_xz, I_yz, I_zz          (1)
 ///
-/// with the inertia about the origin of the frame that it is fixed to, I = I_c + m (|c|^2 1 - c c^T), all in the axes
-/// of that frame; kg, kg m, kg m^2. An `inertia_2D` has m, m c_x, m c_y, I_zz; an element with a mass on a coordinate
-/// (`inertia_gen`) that mass. The kind of an element counts, not its numbers: a point mass has ten, too. Bodies that
-/// are fixed to each other are not taken together.
+/// with the inertia about the origin of the frame to which the body is fixed, I = I_c + m (|c|^2 1 - c c^T), in axes of
+/// this frame; kg, kg m, kg m^2. An `inertia_2D` has m, m c_x, m c_y, I_zz. An element with a mass on a coordinate
+/// (`inertia_gen`) has this mass. The type of an element determines its parameters, not its values: a point mass also
+/// has ten. Bodies that are fixed to each other have separate parameters.
 template <class S = double, class Gravity, class... E>
 [[nodiscard]] auto inertial_parameters(const static_chain<Gravity, E...>& c) {
   using namespace detail;
@@ -91,8 +91,8 @@ template <class Gravity, class... E, class S>
 namespace kte {
 
 namespace detail {
-/// visit(element, its numbers, its first column, how many columns) for what has inertial parameters. Returns how many
-/// there are.
+/// Calls visit(element, numbers, first column, number of columns) for each element with inertial parameters. Returns
+/// the number of parameters.
 template <class Visit>
 int for_each_parametric(const runtime_chain& c, const Visit& visit) {
   int column = 0;
@@ -105,7 +105,7 @@ int for_each_parametric(const runtime_chain& c, const Visit& visit) {
   }
   return column;
 }
-/// At the positions, rates and accelerations of the state.
+/// As `torque_regressor`, at the positions, rates and accelerations of the state.
 template <class S>
 runtime_matrix<S> regressor_of(const runtime_chain& c, basic_runtime_state<S>& s) {
   const auto& t = s.tree();

@@ -3,12 +3,11 @@
 #include <kte/dynamics/detail/relative_motion.hpp>
 #include <kte/runtime_chain/runtime_chain.hpp>
 
-/// How a frame B stands and moves in another frame A of the same chain, static or runtime: as frames do in their
-/// parents (frames/motion.hpp), with the position in axes of A and rates in axes of B. Frames in the plane are given as
-/// frames in space.
+/// The pose and motion of a frame B relative to a frame A of the same chain, static or runtime. Position is in axes of
+/// A, rates are in axes of B (the convention of frames/motion.hpp). Planar frames are returned as spatial frames.
 namespace kte {
 
-// ---- of static chains
+// ---- static chains
 
 /// The pose of frame B in frame A: R = R_A^T R_B, p = R_A^T (p_B - p_A), m. Only the elements between them are
 /// evaluated. For runtime chains with elements that have more than the data of a body node use `relative_motion`.
@@ -54,7 +53,7 @@ template <class Gravity, class... E, indexable Q, key_type B, key_type A>
   at.check();
   const given g{at, same<skip>{}, same<skip>{}, base_with_pose};
   static_assert(moved_by_joints<chain_type, A> && moved_by_joints<chain_type, B>,
-                "kte: this algorithm takes frames that joints and links move, and no frames that follow others");
+                "kte: this algorithm supports only frames that joints and links move, not frames that follow others");
   using a = branch_of<chain_type, A>;
   using b = branch_of<chain_type, B>;
   using pass = local_relative_jacobian<S, chain_type, std::remove_const_t<decltype(g)>, a, b>;
@@ -63,7 +62,7 @@ template <class Gravity, class... E, indexable Q, key_type B, key_type A>
   return j;
 }
 
-// ---- of runtime chains, with bases as the state has them
+// ---- runtime chains, with the bases of the state
 
 template <class S>
 pose<mat3<vec3<S>>, vec3<S>> relative_pose(const runtime_chain& c, basic_runtime_state<S>& s, const name_or_handle& b,

@@ -1,7 +1,7 @@
 #pragma once
 
-/// Deprecated: the headers of the algorithms, which are for both kinds of chain, and
-/// kte/runtime_chain/runtime_chain.hpp take its place.
+/// Deprecated. Include the headers of the algorithms, which serve both kinds of chains, and
+/// kte/runtime_chain/runtime_chain.hpp.
 #include <kte/dynamics/configuration_space.hpp>
 #include <kte/dynamics/forward_dynamics.hpp>
 #include <kte/dynamics/forward_kinematics.hpp>

@@ -1,6 +1,7 @@
-// The parts for runtime chains of headers of this folder that were included before kte/runtime_chain/runtime_chain.hpp,
-// which ends with this one (docs/decisions/13-folders.md); headers that are included after it have theirs at once. So
-// who uses static chains alone compiles nothing for the others, and the order of includes does not matter.
+// Headers of this folder that were included before kte/runtime_chain/runtime_chain.hpp get their parts for runtime
+// chains here; that header includes this one at its end (docs/decisions/13-folders.md). Headers that are included later
+// have these parts immediately. Programs with static chains alone therefore compile nothing for runtime chains, and the
+// order of includes does not matter.
 #ifdef KTE_STATE_VECTORS_HPP
 #  include <kte/dynamics/state_vectors.hpp>
 #endif

@@ -3,8 +3,8 @@
 
 #include <kte/dynamics/detail/state_numbers.hpp>
 
-/// The numbers of a state as vectors, in the order of the chain's layout (static_chain/layout.hpp), and back. Sizes are
-/// known to the compiler for static chains alone. Throws `bad_argument` for a vector of another size.
+/// The numbers of a state as vectors, in the order of the chain's layout (static_chain/layout.hpp), and back. For
+/// static chains, sizes are known at compile time. Throws `bad_argument` for a vector of wrong size.
 namespace kte {
 
 /// The positions q of a state: numbers, angles, quaternions.
@@ -51,7 +51,7 @@ constexpr void set_accelerations(chain_state<S, W>& s, const X& a) {
 
 #endif
 
-// ---- of runtime chains (kte/dynamics/runtime_parts.hpp)
+// ---- runtime chains (kte/dynamics/runtime_parts.hpp)
 
 #if defined(KTE_RUNTIME_CHAINS) && !defined(KTE_STATE_VECTORS_OF_RUNTIME_CHAINS)
 #define KTE_STATE_VECTORS_OF_RUNTIME_CHAINS

@@ -17,7 +17,7 @@ struct equilibrium_options {
   std::vector<external_wrench>
       loads{};               ///< wrenches in addition to those of the chain, in axes of their frames (follower loads)
   double tolerance = 1e-10;  ///< of the last step: rad, and lengths relative to the size of the chain
-  int iterations = 1000;     ///< of Newton's method, in all
+  int iterations = 1000;     ///< total limit for Newton's method
   bool must_reach = true;    ///< throw `no_solution` instead of returning a status
 };
 
@@ -36,13 +36,13 @@ struct equilibrium {
   double residual = 0;          ///< largest residual force, N or Nm
   tangent_stability stability;  ///< stability of the tangent at q
   int load_steps = 0;           ///< number of increments of the loads
-  int iterations = 0;           ///< of Newton's method, in all
+  int iterations = 0;           ///< of Newton's method, in total
 };
 
 #ifdef KTE_FUNCTION
 namespace detail {
-/// Loads in parts that are as large as Newton's method takes from one equilibrium to the next; the first is all of
-/// them.
+/// Applies the loads in increments as large as Newton's method can take from one equilibrium to the next. The first
+/// attempt applies all of them.
 inline void put_loads_on(static_newton& newton, equilibrium& at) {
   for (double part = 1; at.load < 1 && newton.left() > 0 && part > 1e-5;) {
     const double before = at.load, wanted = (std::min)(1.0, before + part);
@@ -57,7 +57,7 @@ inline void put_loads_on(static_newton& newton, equilibrium& at) {
   }
 }
 [[noreturn, gnu::cold]] inline void raise_no_equilibrium(static_problem& f, const equilibrium& at) {
-  const double loads = at.load > 0 ? at.load : 1;  // without any, nothing need hold the chain
+  const double loads = at.load > 0 ? at.load : 1;  // without loads nothing needs to be held
   if (const auto name = coordinate_not_held(f, at.q, loads); !name.empty())
     raise<no_solution>("kte: static_equilibrium: nothing holds '" + name + "' at load factor " + number(loads) +
                        ": the derivatives of the forces by the configuration are singular");
@@ -80,7 +80,7 @@ KTE_FUNCTION equilibrium find_static_equilibrium(const runtime_chain& c, runtime
   static_newton newton(f, weights_of_steps(f, q0, 0), options.tolerance, options.iterations);
   f.hold(unbalanced);
   put_loads_on(newton, x);
-  if (x.load == 0 && newton.left() > 0) {  // what loads alone hold in place has nothing to start from
+  if (x.load == 0 && newton.left() > 0) {  // a chain that only its loads hold has no starting equilibrium
     double load = 1;
     if (newton.solve(x.q, load, false)) x.load = 1, x.load_steps = 1;
   }
@@ -101,7 +101,7 @@ namespace detail {
 template <indexable Q>
 Eigen::VectorXd start_of_statics(const runtime_chain& c, const runtime_state& s, const Q& q0) {
   check_regular(c, s);
-  if (s.dofs() == 0) raise<bad_argument>("kte: this chain has no degree of freedom, which equilibria are about");
+  if (s.dofs() == 0) raise<bad_argument>("kte: equilibria need a chain with degrees of freedom");
   check_positions(s, q0);
   Eigen::VectorXd q(s.nq());
   for (Eigen::Index i = 0; i < q.size(); ++i) q[i] = static_cast<double>(q0[static_cast<std::size_t>(i)]);
@@ -109,18 +109,18 @@ Eigen::VectorXd start_of_statics(const runtime_chain& c, const runtime_state& s,
 }
 }  // namespace detail
 
-/// A static equilibrium: q with static_forces(q) = 0 under the inputs of the state and the wrenches of `options`. The
-/// state is then at q. By Newton's method from q0, with rotations updated by `integrate`.
+/// A static equilibrium: q with static_forces(q) = 0 under the inputs of the state and the wrenches of `options`.
+/// Newton's method from q0, with rotations updated by `integrate`. Afterwards the state is at q.
 ///
-/// Loads are applied in increments, as large as Newton's method converges, so that the solution is the one that
+/// Loads are applied in increments, as large as Newton's method converges, so that the solution is the state that
 /// continuous loading reaches from q0. With the load factor x from 0 to 1 these loads are multiplied by x:
 ///
 ///   gravity, as accelerations of bases;  `constant_force`, `follower_force`;  `driving_actuator`, `external_force` by
 ///   inputs;  wrenches of `options`
 ///
 /// Springs, motors and other elements act in full. If they are not in balance at q0 without loads, holding forces are
-/// applied, which decrease as 1 - x. A chain that only its loads hold, such as a pendulum, has no such start: then
-/// damped steps under all loads find an equilibrium near by.
+/// applied, which decrease as 1 - x. A chain that only its loads hold, such as a pendulum, has no equilibrium without
+/// them; damped steps under all loads then find an equilibrium nearby.
 ///
 ///   const auto r = kte::static_equilibrium(beam, s, q0);
 ///   r.q, r.status == kte::equilibrium_status::stable

@@ -9,8 +9,8 @@
 
 #include <vector>
 
-/// Inertia of the subtree of a frame, on static and runtime chains: the bodies on it, and all that follow it by links
-/// and joints. For the frame that a joint moves that is the subtree of the joint.
+/// The composite inertia of a frame's subtree, for static and runtime chains: the bodies on the frame and all bodies
+/// that joints and links carry from it. For the frame that a joint moves, this is the subtree of the joint.
 namespace kte {
 
 /// A composite inertia: mass, kg, first moment m c, kg m, and inertia, kg m^2, about the origin of a frame and in its
@@ -50,7 +50,7 @@ template <class Gravity, class... E, indexable Q, key_type Frame>
 }
 
 namespace detail {
-/// c = h/m of what a frame at R, p carries, in axes of the base.
+/// The centre of mass c = h/m of a subtree whose frame is at R, p, in axes of the base.
 template <class S, class R, class P>
 mass_centre<S> centre_in_base(const dense_composite_inertia<S>& b, const pose<R, P>& at) {
   const vec3<S> c = divided_by_mass<S>(b.mass, b.moment);
@@ -68,10 +68,10 @@ template <class Gravity, class... E, indexable Q, key_type Frame>
   return detail::centre_in_base(subtree_inertia(c, q, frame), forward_kinematics(c, q, frame));
 }
 
-// ---- of runtime chains
+// ---- runtime chains
 
 namespace detail {
-/// By frame in the plane and in space: whether a frame carries it.
+/// For each frame, in the plane and in space: whether it belongs to the subtree of `from`.
 inline std::array<std::vector<char>, 2> carried_frames(const topology& t, const runtime_frame& from) {
   std::array<std::vector<char>, 2> carried{std::vector<char>(static_cast<std::size_t>(t.count(kind::frame_2D))),
                                            std::vector<char>(static_cast<std::size_t>(t.count(kind::frame_3D)))};
@@ -79,14 +79,14 @@ inline std::array<std::vector<char>, 2> carried_frames(const topology& t, const 
     return carried[k == kind::frame_2D ? 0 : 1][static_cast<std::size_t>(i)];
   };
   at(from.what, from.index) = 1;
-  for (const auto& e : t.elements) {  // what a frame stands on comes before it
+  for (const auto& e : t.elements) {  // a parent comes before its children
     if (!e.rigid) continue;
     const std::size_t end = e.ports.size() - 1;
     if (at(e.ports[end - 1].what, e.index[end - 1])) at(e.ports[end].what, e.index[end]) = 1;
   }
   return carried;
 }
-/// At positions that are good.
+/// As `subtree_inertia`, for positions that have been checked.
 template <class S>
 dense_composite_inertia<S> subtree_inertia_of(const runtime_chain& c, basic_runtime_state<S>& s,
                                               const runtime_frame& x) {
@@ -129,7 +129,7 @@ mass_centre<S> carried_mass_centre(const runtime_chain& c, basic_runtime_state<S
   const auto b = subtree_inertia(c, s, frame);
   return detail::centre_in_base(b, forward_kinematics(c, s, frame));
 }
-// At q, which is stored in the state.
+// The composite inertia of a frame's subtree at q, which is stored in the state.
 template <class S, indexable Q>
 dense_composite_inertia<S> subtree_inertia(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q,
                                            const name_or_handle& frame) {

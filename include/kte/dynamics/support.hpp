@@ -10,12 +10,14 @@
 #include <utility>
 #include <vector>
 
-/// What frames stand on, on static and runtime chains; from their wiring alone.
+/// Which coordinates move a frame, and the common ancestor of two frames, for static and runtime chains. Uses the
+/// wiring only.
 namespace kte {
 
 namespace detail {
 using thing_of_chain = std::pair<kind, int>;
-/// A frame and all that it stands on, to its base: of what writes a frame the last port but one.
+/// A frame and its ancestors, up to its base. The parent of a frame is the last port but one of the element that writes
+/// it.
 template <class Connections>
 std::vector<thing_of_chain> stands_on(const Connections& c, thing_of_chain frame) {
   std::vector<thing_of_chain> all{frame};
@@ -23,13 +25,13 @@ std::vector<thing_of_chain> stands_on(const Connections& c, thing_of_chain frame
     const auto by = static_cast<std::size_t>(e);
     if (c.ports(by).size() < 2) break;
     const std::size_t base = c.ports(by).size() - 2;
-    if (!is_frame(c.ports(by)[base].what)) break;  // given by signals
+    if (!is_frame(c.ports(by)[base].what)) break;  // its motion is given by signals
     frame = {c.ports(by)[base].what, c.index(by, base)};
     all.push_back(frame);
   }
   return all;
 }
-/// The first of them that both have, or {gen, -1}.
+/// The first frame of a's ancestry that is also in b's, or {gen, -1} if there is none.
 template <class Connections>
 thing_of_chain find_common_ancestor(const Connections& c, thing_of_chain a, thing_of_chain b) {
   const auto of_b = stands_on(c, b);
@@ -37,8 +39,8 @@ thing_of_chain find_common_ancestor(const Connections& c, thing_of_chain a, thin
     if (std::find(of_b.begin(), of_b.end(), x) != of_b.end()) return x;
   return {kind::gen, -1};
 }
-/// Marks the rates that move a frame: of coordinates that are read on the way to it, and of what these and signals
-/// follow.
+/// Marks the rates that move a frame: those of the coordinates that are read between base and frame, and those of the
+/// coordinates that these and signals follow.
 template <class Connections, class Mask>
 void mark_support(const Connections& c, thing_of_chain frame, Mask& moves) {
   std::vector<thing_of_chain> ahead{frame};
@@ -87,7 +89,7 @@ template <class Gravity, class... E, key_type Frame>
                        moves);
   return moves;
 }
-/// As on static chains. Throws `unknown_name`.
+/// The degrees of freedom that move a frame of a runtime chain; see above. Throws `unknown_name`.
 [[nodiscard]] inline std::vector<bool> support(const runtime_chain& c, const name_or_handle& frame) {
   const auto x = detail::find_frame(c, frame);
   std::vector<bool> moves(static_cast<std::size_t>(c.dofs()));
@@ -105,7 +107,7 @@ template <class Gravity, class... E, key_type A, key_type B>
                                                    {B::what, detail::frame_slot<B, chain_type>()});
   return i < 0 ? std::string_view() : detail::name_of_thing<typename chain_type::wiring, E...>(k, i);
 }
-/// As on static chains. Throws `unknown_name`.
+/// The name of the last common ancestor of two frames of a runtime chain; see above. Throws `unknown_name`.
 [[nodiscard]] inline std::string common_ancestor(const runtime_chain& c, const name_or_handle& a,
                                                  const name_or_handle& b) {
   const auto x = detail::find_frame(c, a), y = detail::find_frame(c, b);

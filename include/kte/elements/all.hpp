@@ -1,7 +1,7 @@
 // No `#pragma once`: this list is read once for the headers, then once for each use of KTE_ELEMENT.
 
 /// The list of the elements of this library: the header of each, and its core types in runtime chains and files, with
-/// parameters of plain numbers, and axes x, y, z typed. Of several types with one name, a record becomes the first that
+/// parameters of plain numbers, and axes x, y, z typed. If several types share a name, a record becomes the first that
 /// it fits. Registry, precompiled elements, `kte/static.hpp` and docs/elements.md follow this list.
 #ifndef KTE_ELEMENT
 #  define KTE_ELEMENT(...)
@@ -36,6 +36,7 @@ KTE_ELEMENT(coincident_frames<kind::frame_3D>)
 KTE_ELEMENT(coincident_points<kind::frame_2D>)
 KTE_ELEMENT(coincident_points<kind::frame_3D>)
 #include <kte/elements/closures/coupled_coordinates.hpp>
+KTE_ELEMENT(coupled_by_polynomial)
 KTE_ELEMENT(coupled_coordinates)
 #include <kte/elements/closures/point_closures.hpp>
 KTE_ELEMENT(distance<kind::frame_2D>)

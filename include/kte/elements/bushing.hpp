@@ -4,15 +4,16 @@
 
 namespace kte {
 
-/// A symmetric 6x6 matrix in blocks: `linear` for displacements, `angular` for rotation vectors, `coupling` with a row
-/// per displacement and a column per rotation. As a stiffness N/m, Nm/rad, N/rad; as a damping with s.
+/// A symmetric 6x6 matrix in blocks: `linear` for displacements, `angular` for rotation vectors, `coupling` with one
+/// row per displacement and one column per rotation. As a stiffness in N/m, Nm/rad, N/rad; as a damping in these units
+/// times s.
 struct bushing_matrix {
   sym3<> linear{};
   sym3<> angular{};
   mat3<> coupling{};
 
   constexpr bushing_matrix() = default;
-  /// A matrix of any entries: `bushing_matrix(kte::diagonal(1e6, 1e6, 2e5), kte::diagonal(40.0, 40.0, 10.0))`.
+  /// A matrix from its blocks: `bushing_matrix(kte::diagonal(1e6, 1e6, 2e5), kte::diagonal(40.0, 40.0, 10.0))`.
   template <class... L, class... A, class... C>
   constexpr bushing_matrix(const sym3<L...>& on_displacement, const sym3<A...>& on_rotation, const mat3<C...>& between)
       : linear(as<double>(on_displacement)), angular(as<double>(on_rotation)), coupling(as<double>(between)) {}
@@ -26,8 +27,8 @@ struct bushing_matrix {
 }
 
 namespace detail {
-/// Whether x . K x is never negative, to rounding: no pivot of an elimination is below 0 by more than 1e-9 of its
-/// diagonal entry. A pivot that vanishes leaves nothing to eliminate.
+/// Whether x . K x is never negative, to rounding: no pivot of the elimination is below -1e-9 times its diagonal entry.
+/// A vanishing pivot is skipped.
 constexpr bool never_negative(const bushing_matrix& k) {
   const auto& l = k.linear;
   const auto& a = k.angular;
@@ -52,7 +53,7 @@ constexpr bool never_negative(const bushing_matrix& k) {
 namespace core {
 
 /// A bushing between two frames, of stiffness K and damping C: symmetric 6x6 matrices in axes of the frame halfway
-/// between the two (kernels/midway.hpp), so that neither is preferred. In it frame 2 is displaced by d and rotated by
+/// between the two (kernels/midway.hpp), which prefers neither. In these axes frame 2 is displaced by d and rotated by
 /// the rotation vector r; at rest d = d_0, r = 0:
 ///
 ///   V = (d - d_0, r) . K (d - d_0, r) / 2                    (1)

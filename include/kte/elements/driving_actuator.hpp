@@ -7,7 +7,7 @@ namespace kte {
 
 namespace detail {
 constexpr kind kind_of_torque(kind frame) { return frame == kind::frame_2D ? kind::input : kind::vector; }
-/// A force and a torque that are signals. In the plane the force's third number does not count, and the torque is one.
+/// A wrench from two signals. In the plane the third number of the force is ignored, and the torque is a number.
 template <kind Dim, class U, class T>
 KTE_INLINE constexpr auto wrench_of_signals(const U& u, const T& t) {
   if constexpr (Dim == kind::frame_2D) {
@@ -32,8 +32,8 @@ struct driving_actuator_gen : no_parameters {
     return make_loads(u);
   }
 };
-/// Thrusters on a frame: F += u, T += t, in axes of the frame, at its origin; u and t are signals, N and Nm. No other
-/// frame of the chain takes their reaction.
+/// Thrusters on a frame: F += u, T += t, in axes of the frame, at its origin; u and t are signals, N and Nm. There is
+/// no reaction on another frame.
 template <kind Dim>
 struct driving_actuator : no_parameters {
   static constexpr type_name type{"driving_actuator", Dim};

@@ -47,7 +47,7 @@ struct dry_revolute_joint : revolute_joint<Dim, Axis>, transmission<dry_revolute
   }
 
  protected:
-  /// The way it slides, from -1 to 1.
+  /// The direction of sliding, smoothed, from -1 to 1.
   template <class C>
   KTE_INLINE constexpr auto direction(const C& c) const {
     using std::sqrt;
@@ -73,7 +73,7 @@ template <class Q, class B, class E>
   return connect(core::dry_revolute_joint<kind::frame_2D, out_of_plane>(axis::z, friction_radius, smoothing),
                  coordinate, base, end);
 }
-/// A revolute joint in space with dry friction by the radial load on its bearing. Parameters as of
+/// A revolute joint in space with dry friction by the radial load on its bearing. Parameters: see
 /// `dry_revolute_joint_2D`.
 template <class Q, class B, class E, class X, class Y, class Z>
 [[nodiscard]] constexpr auto dry_revolute_joint_3D(const Q& coordinate, const B& base, const E& end,

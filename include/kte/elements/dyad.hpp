@@ -13,8 +13,7 @@ struct dyad_lengths {
   double bar1;         ///< from the first crank to the other bar, m, along x of the bar
   double bar2;         ///< from the second crank to the other bar, m, along x of the bar
   double crank2;       ///< from pivot to bar, m, along x of the crank
-  double side = 1;  ///< 1: the bars meet to the left of the line from the end of the first crank to that of the second;
-                    ///< -1: to the right
+  double side = 1;     ///< 1: the bars meet to the left of the line from the first crank end to the second; -1: right
 };
 
 namespace core {
@@ -40,8 +39,8 @@ struct dyad_parameters {
   }
 
  protected:
-  /// From the end of the first crank to the joint of the bars, and to the end of the second crank; the cranks point to
-  /// `first` and `second`, at the angles q1 and q2.
+  /// The vectors from the end of the first crank to the joint of the bars, and to the end of the second crank. The
+  /// cranks point along `first` and `second`, at the angles q1 and q2.
   template <class S>
   constexpr std::pair<vec2<S>, vec2<S>> joint(const vec2<S>& first, const vec2<S>& second, const S& q1,
                                               const S& q2) const {
@@ -109,9 +108,9 @@ template <class Q1, class Q2, class B>
   return connect(core::dyad_bar2(lengths), crank1, crank2, bar);
 }
 
-/// The angles of the two bars between two cranks, rad, each in axes of its crank. They follow the angles of the cranks:
-/// with a revolute joint for each of the four angles the loop is closed exactly. Two elements. Angles are in (-pi, pi],
-/// and jump by a turn at the ends.
+/// The angles of the two bars between two cranks, rad, each in axes of its crank, as functions of the crank angles.
+/// With a revolute joint for each of the four angles the loop is closed exactly. Makes two elements. Angles are in
+/// (-pi, pi], and jump by a turn at the ends.
 template <class Q1, class Q2, class B1, class B2>
 [[nodiscard]] constexpr auto dyad_2D(const Q1& crank1, const Q2& crank2, const B1& bar1, const B2& bar2,
                                      const dyad_lengths& lengths) {

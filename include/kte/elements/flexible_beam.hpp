@@ -8,15 +8,15 @@ namespace kte {
 
 namespace core {
 
-/// A slender beam without mass between two frames, along x of both at its ends, straight when they are at rest at a
-/// distance L: its ends may move and turn by any amount, its strains stay small. From halfway between the frames
-/// (kernels/midway.hpp) frame 2 is at d from frame 1, D = |d|, and turned by r; that is bending r_y, r_z and torsion
-/// r_x. The line of its ends is turned from the axis x by an angle, taken as the double tangent of its half (1), of
-/// which a helix, bent and twisted evenly, has a part by itself (2); the rest of it is
+/// A slender massless beam between two frames, along the x axes of both at its ends, straight at rest with length L.
+/// Its ends may move and rotate by any amount; its strains are small. In axes halfway between the frames
+/// (kernels/midway.hpp), frame 2 is at d from frame 1, with D = |d|, and rotated by r: bending r_y, r_z and torsion
+/// r_x. The line between its ends makes an angle with the axis x, measured as twice the tangent of half the angle (1).
+/// Part of it is due to a helix of uniform bending and torsion (2). The rest is
 ///
 ///   s_z = 2 d_y / (D + d_x) - r_x r_y / 24,  s_y = -2 d_z / (D + d_x) + r_x r_z / 24         (1), (2)
 ///
-/// bending to both sides, an S, and shear: f_z = 12 EI_z / (GA_y L^2), likewise f_y, 0 for stiff shear.
+/// S-shaped bending, and shear: f_z = 12 EI_z / (GA_y L^2), likewise f_y; 0 if rigid in shear.
 /// With K = diag(GJ, EI_y, EI_z), curvature varies along the beam by -12 c/L^2 about its mean rho/L, where
 ///
 ///   rho = r - r_0 + r x c                                                                     (3)
@@ -24,20 +24,20 @@ namespace core {
 ///   V = L EA e^2 / 2 + rho . K rho / (2 L) + 6/L c . K c
 ///         + 6/L (EI_y (s_y - c_y)^2 / f_y + EI_z (s_z - c_z)^2 / f_z)                         (5)
 ///
-/// and c makes V without e least: a linear equation. In the plane it is s_z/(1 + f_z). r_0 is the turn
-/// r at rest of a beam that is an arc or a helix of the length L then, strained by some |r_0|^4/2000.
+/// and c minimizes V without its e term, which is a linear equation. In the plane c = s_z/(1 + f_z). r_0 is r at rest,
+/// for a beam that is an arc or a helix at rest; its length is then L, up to a strain of about |r_0|^4/2000.
 ///
-/// The loads are those of V. For small motions they are those of the linear beam, 12 EI/L^3 and so on; a force N along
-/// the beam adds N L/12 and N L/5 to its stiffnesses in r and s, by which a pulled beam is stiff like a string and a
-/// pushed one buckles. An end moment bends it to an arc of the exact angle. Equal ends: exchange of the frames changes
-/// nothing. A chain of n beams errs as 1/n^4.
+/// The loads are the gradients of V. For small motions they are those of the linear beam, 12 EI/L^3 and so on. An axial
+/// force N adds N L/12 and N L/5 to the stiffnesses in r and s, so a tensioned beam is stiff like a string and a
+/// compressed one buckles. An end moment bends the beam to an arc of the exact angle. Exchanging the frames changes
+/// nothing. The error of n beams in series is proportional to 1/n^4.
 ///
-/// At half a turn between the ends, r and with it the torque jumps to the other side, as of any spring of rotations. As
-/// the line of the ends turns back onto the frames, d along -x, V grows without bound.
+/// At half a turn between the ends, r and the torque jump, as for any rotational spring. As the line between the ends
+/// turns back onto the frames, with d along -x, V grows without bound.
 ///
 /// (1) to (3) are the first terms of the Magnus series of a rod of linearly varying curvature
-/// (docs/decisions/19-beams.md). Crisfield, A consistent co-rotational formulation for non-linear, three-dimensional
-/// beam elements, Comp. Meth. Appl. Mech. Eng. 81 (1990), for the idea.
+/// (docs/decisions/19-beams.md). The approach is that of Crisfield, A consistent co-rotational formulation for
+/// non-linear, three-dimensional beam elements, Comp. Meth. Appl. Mech. Eng. 81 (1990).
 template <kind Dim>
 struct flexible_beam {
   static constexpr type_name type{"flexible_beam", Dim};
@@ -164,8 +164,8 @@ struct flexible_beam {
                  std::remove_const_t<decltype(mean)>, std::remove_const_t<decltype(to_sides)>>{
         h, along, chord_y, chord_z, s_y, s_z, c, mean, moment, to_sides, e};
   }
-  /// The c that makes V least: (1 + C G) c = c_0 - C (K (r - r_0) x r)/L, where c_0 is that without moments, C gives
-  /// way to them and G = [r]^T K [r]/L.
+  /// The c that minimizes V: (1 + C G) c = c_0 - C (K (r - r_0) x r)/L, with c_0 the c without moments, C its
+  /// compliance to moments, and G = [r]^T K [r]/L.
   template <class R, class C, class Y, class S>
   KTE_INLINE constexpr auto varying(const R& r, const C& c, const Y& y, const Y& z, const S& twist) const {
     if constexpr (Dim == kind::frame_2D) {

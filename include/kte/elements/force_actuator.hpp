@@ -18,8 +18,8 @@ struct force_actuator_gen : no_parameters {
     return make_loads(-u, u);
   }
 };
-/// An actuator between the origins of two frames, on the line through them: a cylinder, a muscle. Its force u is a
-/// signal, N, that pushes where positive:
+/// An actuator between the origins of two frames, along the line through them: a cylinder, a muscle. Its force u is a
+/// signal, N; positive values push:
 ///
 ///   e = (p_2 - p_1) / |p_2 - p_1|,   F_1 -= u e,   F_2 += u e          (1)
 ///

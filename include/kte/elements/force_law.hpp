@@ -6,9 +6,9 @@ namespace kte {
 
 namespace core {
 
-/// A force computed by a function of the coordinate or frame it acts on: f += law(coordinate), or F, T of a frame +=
-/// law(frame), in axes of the frame, at its origin. For a frame the function returns a `wrench{force, torque}`, or a
-/// force, a vector.
+/// A force computed by a function of the coordinate or frame on which it acts: f += law(coordinate), or F, T of a frame
+/// += law(frame), in axes of the frame, at its origin. For a frame the function returns a `wrench{force, torque}`, or a
+/// force vector.
 template <kind Dim, class Law>
 struct force_law {
   static constexpr type_name type{"force_law", Dim};

@@ -173,8 +173,8 @@ template <class Q, class R>
   return connect(core::four_bar_rocker(lengths), crank, rocker);
 }
 
-/// The angles of the coupler in the crank and of the rocker in the ground, rad. They follow the angle of the crank:
-/// with three revolute joints the loop is closed exactly. Two elements. Angles are in (-pi, pi], and jump by a turn at
+/// The angles of the coupler in the crank and of the rocker in the ground, rad, as functions of the crank angle. With
+/// three revolute joints the loop is closed exactly. Makes two elements. Angles are in (-pi, pi], and jump by a turn at
 /// the ends.
 template <class Q, class C, class R>
 [[nodiscard]] constexpr auto four_bar_2D(const Q& crank, const C& coupler, const R& rocker,

@@ -18,6 +18,7 @@ struct inertia {
   static constexpr type_name type{"inertia", Dim};
   static constexpr std::array<port, 1> ports{{{Dim, access::in, "frame"}}};
   static constexpr const char* arguments = "body";
+  static constexpr bool is_rigid_body = true;
 
   rigid_body<Mass, Com, Inertia> body;
   decltype(to_composite(rigid_body<Mass, Com, Inertia>{})) at_origin;  ///< the inertia about the origin of the frame
@@ -42,7 +43,8 @@ struct inertia {
     const auto v_c = plus_cross(x.velocity, w, c);
     return detail::half(m * dot(v_c, v_c) + dot(w, J * w));
   }
-  /// For the composite-rigid-body algorithm in scalars S; in more than double precision, from the parameters again.
+  /// The mass for the composite-rigid-body algorithm in scalars S. Scalars of more than double precision recompute it
+  /// from the parameters.
   template <class S>
   KTE_INLINE constexpr auto mass() const {
     if constexpr (std::numeric_limits<S>::digits <= std::numeric_limits<double>::digits) {
@@ -74,7 +76,7 @@ struct inertia {
 
  private:
   static constexpr decltype(at_origin) composite_of(const rigid_body<Mass, Com, Inertia>& b) {
-#if defined(__clang__)  // which stops at arithmetic that gives NaN: NaN is left to `check`
+#if defined(__clang__)  // clang stops at arithmetic that gives NaN; `check` handles NaN
     if (std::is_constant_evaluated()) {
       parameter_check::breach broken;
       const parameter_check numbers{type, ports, {}, broken};
@@ -91,6 +93,7 @@ template <class Mass>
 struct inertia_gen {
   static constexpr type_name type{"inertia", kind::gen};
   static constexpr std::array<port, 1> ports{{{kind::gen, access::in, "coordinate"}}};
+  static constexpr bool is_rigid_body = true;
 
   Mass m;
 
@@ -118,13 +121,6 @@ struct inertia_gen {
 };
 
 }  // namespace core
-
-namespace detail {
-template <kind Dim, class M, class C, class I>
-inline constexpr bool is_rigid_body<core::inertia<Dim, M, C, I>> = true;
-template <class M>
-inline constexpr bool is_rigid_body<core::inertia_gen<M>> = true;
-}  // namespace detail
 
 /// A rigid body in the plane, fixed to `frame`: `point_mass(1.0)`, `planar_body(2.0, 0.1)`.
 template <class F, class M, class C, class I>

@@ -7,31 +7,32 @@ namespace kte {
 
 namespace core {
 
-/// The inertia of a straight uniform beam of mass m between two frames, along x of both when they are not turned
-/// against each other: of translation, of turns of its ends, and of what they bend it by. With d = p_2 - p_1, the axes
-/// x_1, x_2 of the frames and the mean rate of turn W = (w_1 + w_2)/2,
+/// The inertia of a straight uniform beam of mass m between two frames, along the x axes of both if they are parallel:
+/// inertia of translation, of rotation of its ends, and of bending. With d = p_2 - p_1, the axes x_1, x_2 of the frames
+/// and their mean angular velocity W = (w_1 + w_2)/2,
 ///
 ///   l = d . (x_1 + x_2)/2,  b = l (x_1 - x_2)/2                                    (1)
 ///   c = (p_1 + p_2)/2 + b/6,  s = d' - W x d                                       (2)
 ///   T = m (|c'|^2/2 + |b'|^2/360 + |d'|^2/24 + d'.s/40 + |s|^2/60) + T_J           (3)
 ///   T_J = sum w_i . J w_i / 2 - J_xx (w_1x - w_2x)^2 / 12                          (4)
 ///
-/// A beam bent to an arc has its points x away from the middle of its chord off it by b (1 - 4 x^2/l^2)/4, so that c is
-/// its centre of mass; s bends it to both sides, an S, and is 0 of what is rigid. The weights of |c'|, |b'| and |d'|
-/// are those of the integral along the beam. Those of s and of J_xx make up, beyond what the integral has, for the
-/// error of the energy of `flexible_beam`: with it the frequencies of n beams in a row err as 1/n^6 in bending, as
-/// 1/n^4 along and in torsion (docs/decisions/19-beams.md); what shear and J add to them in bending, as 1/n^2.
+/// If the beam is an arc, its point at x from the middle of its chord is offset by b (1 - 4 x^2/l^2)/4, so c is its
+/// centre of mass. s is the rate of S-shaped bending, and 0 for rigid motions. The weights of |c'|, |b'| and |d'| are
+/// those of the integral along the beam. Those of s and of J_xx also compensate the error of the energy of
+/// `flexible_beam`: with it, frequencies of n beams in series have errors of order 1/n^6 in bending, and 1/n^4 in
+/// extension and torsion (docs/decisions/19-beams.md). Contributions of shear and J to bending have errors of order
+/// 1/n^2.
 ///
-/// The loads are those of T, in common axes, with the momentum n = m (d'/40 + s/30) and
-/// g = -m (c''/6 + b''/180), k = g . (x_1 - x_2)/2:
+/// The loads of T are, in common axes, with the momentum n = m (d'/40 + s/30), g = -m (c''/6 + b''/180), and k = g .
+/// (x_1 - x_2)/2:
 ///
 ///   F_2 = -m (c''/2 + d''/12 + s'/40) - (n' - W x n) + k (x_1 + x_2)/2,   F_1 + F_2 = -m c''                       (5)
-///   T_1 = x_1 x (k d + l g)/2 + ((d x n)' - w_1 x (d x n))/2 - J al_1 - w_1 x J w_1 + that of (4)     (6)
-///   T_2 = x_2 x (k d - l g)/2 + ((d x n)' - w_2 x (d x n))/2 - J al_2 - w_2 x J w_2 + that of (4)
+///   T_1 = x_1 x (k d + l g)/2 + ((d x n)' - w_1 x (d x n))/2 - J al_1 - w_1 x J w_1 + torque of (4)  (6)
+///   T_2 = x_2 x (k d - l g)/2 + ((d x n)' - w_2 x (d x n))/2 - J al_2 - w_2 x J w_2 + torque of (4)
 ///
-/// J: the additional rotary inertia of each half, in axes of its end: in space that about x, without which torsion of
-/// its ends has no inertia. (Of weights that take away the error of frequencies: Goudreau and Taylor, Evaluation of
-/// numerical integration methods in elastodynamics, Comp. Meth. Appl. Mech. Eng. 2 (1973).)
+/// J is an additional rotary inertia of each half, in axes of its end. In space it needs a component about x, without
+/// which torsion of the ends has no inertia. (Weights that compensate errors of frequencies: Goudreau and Taylor,
+/// Evaluation of numerical integration methods in elastodynamics, Comp. Meth. Appl. Mech. Eng. 2 (1973).)
 template <kind Dim, class Mass, class Inertia>
 struct inertial_beam {
   static constexpr type_name type{"inertial_beam", Dim};
@@ -110,7 +111,7 @@ struct inertial_beam {
   KTE_INLINE static constexpr auto at_rest(const X& x) {
     return motion{x.position, x.rotation, zero3{}, zero3{}, x.acceleration, x.ang_acceleration};
   }
-  /// R_1^T R_2, d, x_2, (x_1 + x_2)/2, (x_1 - x_2)/2, l; these and all that follow in axes of frame 1.
+  /// R_1^T R_2, d, x_2, (x_1 + x_2)/2, (x_1 - x_2)/2, l. These and all following quantities are in axes of frame 1.
   template <class R, class D, class X, class U, class N, class L>
   struct place {
     R turn;
@@ -161,12 +162,12 @@ struct inertial_beam {
     const auto s = d - cross(w, p.d);
     return rates{x.ang_velocity, w_2, w, d, along, across, l, b, s};
   }
-  /// Of (4): the angular momentum on frame 2, and less that on frame 1.
+  /// The torque of (4) on frame 2, and minus that on frame 1.
   template <class A, class B>
   KTE_INLINE constexpr auto torsion(const A& of_1, const B& of_2) const {
     return vec3{1.0 / 6 * inertia.xx * (of_1.x - of_2.x), zero, zero};
   }
-  /// The torque that J and (4) need.
+  /// The torque due to J and (4).
   template <class X, class L, class R>
   KTE_INLINE constexpr auto spin(const X& x, const L& twist, const R& rate) const {
     return plus_cross(inertia * x.ang_acceleration + rate, x.ang_velocity, inertia * x.ang_velocity + twist);

@@ -33,7 +33,7 @@ struct joint_backlash_gen {
     using T = std::remove_const_t<decltype(d)>;
     return T(T(0.5) * stiffness * d * d);
   }
-  /// Zero where |x| = g/2: where teeth begin to touch, and without damping where they part.
+  /// Zero at |x| = g/2: where teeth come into contact, and without damping where they separate.
   template <class C1, class C2>
   KTE_INLINE constexpr auto switching(const C1& c1, const C2& c2) const {
     const auto x = play(c1, c2);

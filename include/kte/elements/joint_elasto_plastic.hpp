@@ -18,16 +18,16 @@ struct elasto_plastic_parameters {
 
 namespace core {
 
-/// Friction of a joint that sticks elastically below its breakaway force, so that it never drifts there, and slides
-/// beyond: bristles deflected by z, the internal state of the element (m or rad), between the surfaces:
+/// Friction of a joint that sticks elastically below its breakaway force, without drift, and slides beyond it. Bristles
+/// between the surfaces are deflected by z, the internal state of the element (m or rad):
 ///
 ///   g(v) = Fc + (Fs - Fc) exp(-(v/vs)^2),  z_s = g(v)/sigma0,  u = z sign(v)          (1)
 ///   alpha = 0 for u <= z_b,  1 for u >= z_s,  else 1/2 + sin(pi ((u - z_b)/(z_s - z_b) - 1/2))/2          (2)
 ///   z_dot = v (1 - alpha u/z_s)                                                       (3)
 ///   f -= sigma0 z + sigma1 z_dot + sigma2 v
 ///
-/// With z_b = 0 and alpha = 1 it is `joint_lugre_gen`, which creeps under a load that swings below stiction. Stiff as
-/// that.
+/// With z_b = 0 and alpha = 1 it is `joint_lugre_gen`, which creeps under a load that oscillates below stiction.
+/// Equally stiff.
 ///
 /// Dupont, Hayward, Armstrong and Altpeter, Single state elastoplastic friction models, IEEE Trans. Automatic Control
 /// 47 (2002).

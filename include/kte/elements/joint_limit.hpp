@@ -41,8 +41,8 @@ struct joint_limit_gen {
     using T = std::remove_const_t<decltype(d)>;
     return T(T(0.5) * T(p.stiffness) * d * d);
   }
-  /// Zero at the ends of the range: where a stop begins to touch, and without damping where it parts. (Of no range it
-  /// goes through zero, where -|q| would only touch it.)
+  /// Zero at the ends of the range: where a stop comes into contact, and without damping where it separates. (For an
+  /// empty range it passes through zero, where -|q| would only touch zero.)
   template <class C>
   KTE_INLINE constexpr auto switching(const C& x) const {
     const auto q = detail::as_number(x.q);

@@ -23,7 +23,7 @@ struct motor_law {
 
 namespace core {
 
-/// A motor of a joint, as files of robots describe it, with the command u:
+/// A motor of a joint, as robot files describe it, with the command u:
 ///
 ///   w = a [u] + b - k q - c q_dot,   f += [w]          (1)
 ///

@@ -6,11 +6,11 @@
 #include <array>
 #include <string>
 
-/// Joints of several coordinates that are made of joints of one, with a frame between them.
+/// Joints of several coordinates, composed of joints with one coordinate and a frame between them.
 namespace kte {
 
 /// The key of the frame between the two joints of a series, named after the end: "wrist.inner" for "wrist". `what`,
-/// `text` and `name` are those of a key.
+/// `text` and `name` are the members of a key.
 template <key_type End>
 struct inner_key {
   static constexpr kind what = End::what;
@@ -41,12 +41,13 @@ constexpr std::string_view text_of(const Name& name) {
   } else if constexpr (text_type<Name>) {
     return name;
   } else {
-    return {};  // refused by `connect`
+    return {};  // rejected by `connect`
   }
 }
 template <class First, class Second>
 class static_series;
-/// Two elements, one behind the other: of keys a static chain; of texts what runtime chains append, both or none.
+/// Two elements in series: with keys a static chain; with texts a list that runtime chains append completely or not at
+/// all.
 template <class A, class B>
 constexpr auto in_series(const A& first, const B& second) {
   if constexpr (is_element<A> && is_element<B>) {
@@ -63,13 +64,13 @@ class static_series : public static_chain<zero3, First, Second> {
   constexpr explicit static_series(const static_chain<zero3, First, Second>& c)
       : static_chain<zero3, First, Second>(c) {}
 
-  /// The two joints, the first of them placed at a position, m, and a rotation in the base.
+  /// The two joints, with the first placed at a position, m, and a rotation in the base.
   template <class... Place>
   constexpr auto at(const Place&... place) const {
     return in_series(boost::hana::at_c<0>(this->elements()).at(place...), boost::hana::at_c<1>(this->elements()));
   }
 };
-/// The check of both joints together.
+/// Checks both joints together.
 template <class Check, class... Names>
 constexpr void check_series(std::string_view type, const Check& check, const Names&... names) {
   constexpr std::array<port, 4> ports{{{kind::gen, access::in, "coordinate1"},

@@ -82,7 +82,7 @@ struct brake_gen : coordinate_lock {
   static constexpr void parameters(Self&, Visit&&) {}
 
  private:
-  /// Not below 0; a NaN stays.
+  /// The pressure, at least 0; NaN stays NaN.
   template <class S>
   KTE_INLINE static constexpr S pressure(const S& force) {
     return select(force < S(0), S(0), force);

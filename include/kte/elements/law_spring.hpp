@@ -5,7 +5,7 @@
 namespace kte {
 
 namespace detail {
-/// A force by a function of the length and its energy by another.
+/// A force as a function of the length, and its energy as another function.
 template <class Force, class Energy>
 struct force_and_energy : Force {
   Energy energy_of;
@@ -75,7 +75,7 @@ template <class Force, class Energy>
 constexpr auto spring_law(const Force& force, const Energy& energy) {
   return force_and_energy<Force, Energy>(force, energy);
 }
-/// A force, or a force and its energy.
+/// Accepts a force, or a force and its energy.
 template <kind Dim, class A, class B, class... Law>
 constexpr auto connect_law_spring(const A& anchor1, const B& anchor2, const Law&... law) {
   using law_type = std::remove_cvref_t<decltype(spring_law(law...))>;

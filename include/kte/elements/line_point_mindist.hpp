@@ -11,9 +11,9 @@ namespace core {
 ///
 ///   p' = o + t (t . (p - o)),   v' = t (t . v),   a' = t (t . a)          (1)
 ///
-/// Gravity is an acceleration of bases; the frame of the point has its component along the line: an accelerometer
-/// there measures no more. The frame of the point does not rotate. A force on it is transmitted as F += t (t .
-/// F'); a torque does no work.
+/// Gravity is an acceleration of bases, so the frame of the point has only its component along the line: an
+/// accelerometer there does not measure the full gravity. The frame of the point does not rotate. A force on it is
+/// transmitted as F += t (t . F'); a torque does no work.
 template <kind Dim, class Tangent, class Point>
 struct line_point_mindist {
   static constexpr type_name type{"line_point_mindist", Dim};

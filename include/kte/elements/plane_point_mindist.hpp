@@ -11,9 +11,9 @@ namespace core {
 ///
 ///   p' = p - n (n . (p - o)),   v' = v - n (n . v),   a' = a - n (n . a)          (1)
 ///
-/// Gravity is an acceleration of bases; the frame of the point has its component in the plane: an accelerometer
-/// there measures no more. The frame of the point does not rotate. A force on it is transmitted as F += F' - n
-/// (n . F'); a torque does no work.
+/// Gravity is an acceleration of bases, so the frame of the point has only its component in the plane: an accelerometer
+/// there does not measure the full gravity. The frame of the point does not rotate. A force on it is transmitted as F
+/// += F' - n (n . F'); a torque does no work.
 template <class Normal, class Point>
 struct plane_point_mindist {
   static constexpr type_name type{"plane_point_mindist", kind::frame_3D};

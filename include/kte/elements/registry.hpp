@@ -50,7 +50,7 @@ namespace detail {
 template <class Joint>
 using placed_in_files =
     std::conditional_t<Joint::ports.back().what == kind::frame_2D, core::placed_2D<Joint>, core::placed_3D<Joint>>;
-/// Of a core that is a joint, the placed one; else the core.
+/// The core type in files: for a joint the placed joint, otherwise the core itself.
 template <class Core>
 struct with_placement : std::type_identity<Core> {};
 template <class Core>
@@ -170,7 +170,7 @@ class element_registry {
   using factory = std::function<std::unique_ptr<kte_map>(const record_reader&)>;
 
   /// Adds core types; joints also with a placement. Roles of connections and names of parameters are those of `ports`
-  /// and `parameters`. Of several cores with one type name, a record becomes the first that it fits: they differ in
+  /// and `parameters`. If several cores have one type name, a record becomes the first that it fits: they differ in
   /// numbers that their types fix, and in optional parameters. Throws `bad_argument` if the name is known.
   template <class... Core>
   requires(sizeof...(Core) > 0) void add() {

@@ -6,7 +6,7 @@ namespace kte {
 
 namespace core {
 
-/// A rigid link: the end stands at position r and rotation R in the base.
+/// A rigid link: the end is at position r and rotation R in the base.
 ///
 ///   p = r,  rotation R,  no rates          (1)
 template <kind Dim, class Rotation, class Position>

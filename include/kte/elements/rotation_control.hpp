@@ -61,7 +61,7 @@ struct rotation_control_2D : no_parameters {
 ///
 ///   R = exp [r]x,   w,   al = w'                 (1)
 ///
-/// About a fixed axis n these are r = n u, w = n u', al = n u''; in general w is not r'.
+/// For a fixed axis n: r = n u, w = n u', al = n u''. In general w differs from r'.
 struct rotation_control_3D : no_parameters {
   static constexpr type_name type{"rotation_control", kind::frame_3D};
   static constexpr std::array<port, 5> ports{{{kind::vector, access::in, "rotation"},

@@ -7,13 +7,14 @@ namespace kte {
 namespace core {
 
 /// The spin of a motor's rotor, or of a flywheel, that turns r times as fast as a coordinate about an axis n of the
-/// frame it is mounted on. J: its inertia about n, which is not in the body of that frame (its mass and the rest are):
+/// frame on which it is mounted. J is its inertia about n, which the body of this frame does not include (its mass and
+/// its other moments of inertia belong to that body):
 ///
 ///   s = n . w + r q',   s' = n . al + r q''                 (1)
 ///   T = - J (s' n + s w x n),   f = - r J s'                (2)
 ///
-/// so that it has the reflected inertia r^2 J, reacts on its housing, and is a gyroscope. (Featherstone, Rigid Body
-/// Dynamics Algorithms, 2008, section 9.6.)
+/// It has the reflected inertia r^2 J, exerts a reaction on its housing, and acts as a gyroscope. (Featherstone, Rigid
+/// Body Dynamics Algorithms, 2008, section 9.6.)
 template <class Axis, class Ratio, class Inertia>
 struct rotor {
   static constexpr type_name type{"rotor", kind::frame_3D};
@@ -55,9 +56,8 @@ struct rotor {
 
 }  // namespace core
 
-/// A rotor mounted on `frame`, with an inertia about its axis, kg m^2, that turns `ratio` times as fast as `coordinate`
-/// (gear ratio: rotor speed over joint rate). The body of the frame has the mass of the rotor and its inertia across
-/// the axis.
+/// A rotor mounted on `frame`, with an inertia about its axis, kg m^2. `ratio`: gear ratio, rotor speed over joint
+/// rate. The body of the frame includes the mass of the rotor and its inertia about axes normal to its axis.
 template <class Q, class F, class X, class Y, class Z, entry Ratio, entry Inertia>
 [[nodiscard]] constexpr auto rotor_3D(const Q& coordinate, const F& frame, const vec3<X, Y, Z>& axis,
                                       const Ratio& ratio, const Inertia& inertia) {

@@ -100,8 +100,8 @@ template <class Q, class X>
   return connect(core::slider_crank_slider(lengths), crank, slider);
 }
 
-/// The angle of the rod in the crank, rad, and the position of the slider, m, of a slider-crank. Both follow the angle
-/// of the crank. Two elements.
+/// The angle of the rod in the crank, rad, and the position of the slider, m, of a slider-crank, as functions of the
+/// crank angle. Makes two elements.
 template <class Q, class R, class X>
 [[nodiscard]] constexpr auto slider_crank_2D(const Q& crank, const R& rod, const X& slider,
                                              const slider_crank_lengths& lengths) {

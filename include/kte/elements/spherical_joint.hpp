@@ -27,7 +27,7 @@ struct spherical_joint : transmission<spherical_joint> {
 }  // namespace core
 
 /// A spherical joint. `coordinate`, a rotation_3D_key, is the rotation of `end` in `base`; it has no singular
-/// positions.
+/// configurations.
 template <class X, class B, class E>
 [[nodiscard]] constexpr auto spherical_joint_3D(const X& coordinate, const B& base, const E& end) {
   return connect(core::spherical_joint{}, coordinate, base, end);

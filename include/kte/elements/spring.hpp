@@ -10,8 +10,8 @@ namespace kte {
 
 namespace detail {
 
-/// The length of a vector and its direction: a unit vector, but 0 for the vector 0, which has none. Neither they nor
-/// their derivatives are ever NaN for that.
+/// The length of a vector and its direction: a unit vector, or 0 for the zero vector. Neither these nor their
+/// derivatives are NaN for the zero vector.
 template <class Length, class Direction>
 struct polar {
   Length length;
@@ -35,7 +35,7 @@ KTE_INLINE constexpr auto to_polar(const vec3<X, Y, Z>& d) {
   return result{select(none, S(0), S(length / k)), S(S(1) / length) * (select(none, S(1), k) * d)};
 }
 
-/// A force s limited to [-most, most]; 0, typed or not: no limit. NaN stays NaN.
+/// A force s limited to [-most, most]. A limit of 0, typed or not, means no limit. NaN stays NaN.
 template <entry S, class Most>
 KTE_INLINE constexpr auto limited(const S& s, const Most& most) {
   if constexpr (std::is_same_v<Most, zero_t> || std::is_same_v<S, zero_t>) {
@@ -47,7 +47,7 @@ KTE_INLINE constexpr auto limited(const S& s, const Most& most) {
     return select(m == T(0), f, select(f > m, m, select(f < T(-m), T(-m), f)));
   }
 }
-/// k d, limited in its length.
+/// k d, limited in length.
 template <class K, class X, class Y, class Z, class Most>
 KTE_INLINE constexpr auto limited_pull(const K& k, const vec3<X, Y, Z>& d, const Most& most) {
   if constexpr (std::is_same_v<Most, zero_t>) {
@@ -66,7 +66,7 @@ KTE_INLINE constexpr auto limited_pull(const K& k, const vec3<X, Y, Z>& d, const
 ///
 ///   V = k/2 x.x,  with saturation  V = f (|x| - f/(2k))          (1)
 ///
-/// beyond saturation, that is f times the stretch less half the stretch at which it saturates.
+/// beyond saturation: f times the stretch, minus half the stretch at which it saturates.
 template <class X, class Stiffness, class Most>
 KTE_INLINE constexpr auto elastic_energy(const X& x, const Stiffness& k, const Most& most) {
   if constexpr (!entry<X>) {
@@ -89,7 +89,7 @@ KTE_INLINE constexpr auto elastic_energy(const X& x, const Stiffness& k, const M
   }
 }
 
-/// The distance of a force s from its limit: positive below, negative where limited, 1 without a limit.
+/// The distance of a force s from its limit: positive below, negative if limited, 1 without a limit.
 template <entry F, class Most>
 KTE_INLINE constexpr auto below_limit(const F& s, const Most& most) {
   const auto f = as_number(s);
@@ -170,9 +170,9 @@ struct spring_gen : spring_parameters<Rest, Stiffness, Saturation> {
 ///   d = p_2 - p_1,  D = |d|,  e = d/D                   (1)
 ///   F_1 += k (D - L) e,  F_2 -= k (D - L) e             (2)
 ///
-/// limited to the saturation force if there is one (zero: none), no torque. A rest length that is a typed zero makes it
-/// F = k d, without a square root and smooth everywhere. With any other the direction is undefined where the origins
-/// coincide; there is no force then.
+/// limited to the saturation force, if any (zero: none); no torque. With a typed zero as rest length, F = k d, without
+/// a square root and smooth everywhere. Otherwise the direction is undefined if the origins coincide, and the force is
+/// then zero.
 template <kind Dim, class Rest, class Stiffness, class Saturation>
 struct spring : spring_parameters<Rest, Stiffness, Saturation> {
   static constexpr type_name type{"spring", Dim};

@@ -7,7 +7,7 @@
 
 namespace kte {
 
-/// Parameters of dry friction of a joint by the load on its bearings.
+/// Parameters of dry friction of a joint that depends on the load on its bearings.
 struct dry_friction_parameters {
   double friction;                    ///< mu, coefficient of sliding friction; not negative
   double static_friction = friction;  ///< mu_s, coefficient of static friction; not below mu
@@ -16,18 +16,18 @@ struct dry_friction_parameters {
 
 namespace core {
 
-/// A revolute or prismatic joint with dry friction that truly rests. Its end carries a force F and, about its origin, a
-/// moment M. What presses across the axis n is
+/// A revolute or prismatic joint with dry friction and a true state of rest. Its end carries a force F and, about its
+/// origin, a moment M. The load normal to the axis n is
 ///
-///   N = |F_n|,                     F_n = F - (n . F) n                        of one bearing          (1)
-///   N = |F_n/2 + C| + |F_n/2 - C|, C = M x n / L            of two, at +-L/2 n from the origin        (2)
+///   N = |F_n|,                     F_n = F - (n . F) n                        for one bearing         (1)
+///   N = |F_n/2 + C| + |F_n/2 - C|, C = M x n / L            for two, at +-L/2 n from the origin        (2)
 ///
-/// The element keeps which way the joint slides, d, or that it is held (contract/coordinate_lock.hpp):
+/// The mode of the element is the direction of sliding, d, or that the joint is locked (contract/coordinate_lock.hpp):
 ///
 ///   sliding   f -= mu r N d                                                                           (3)
-///   held      q'' = 0, for as long as that takes no more than mu_s r N                                (4)
+///   locked    q'' = 0, while the holding force is at most mu_s r N                                    (4)
 ///
-/// r: the radius of the bearing of a revolute joint, 1 of a guide.
+/// r: the radius of the bearing of a revolute joint; 1 for a prismatic joint.
 template <class Joint>
 struct sticking_joint : Joint, transmission<sticking_joint<Joint>>, coordinate_lock {
   static constexpr bool turns = Joint::ports[0].how == access::angle;
@@ -48,7 +48,7 @@ struct sticking_joint : Joint, transmission<sticking_joint<Joint>>, coordinate_l
   using transmission<sticking_joint>::doMotion, transmission<sticking_joint>::doForce;
   using Joint::axis;
 
-  double radius;  ///< r, m
+  double radius = 1;  ///< r, m; 1 of a guide
   dry_friction_parameters p;
 
   sticking_joint() = default;

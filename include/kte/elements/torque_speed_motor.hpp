@@ -67,8 +67,8 @@ struct torque_speed_motor_gen {
 
 }  // namespace core
 
-/// A motor on a coordinate that follows a command within its torque-speed line, both of the coordinate: behind a gear
-/// the torque times the ratio, the speed divided by it.
+/// A motor on a coordinate that follows a command within its torque-speed line. Torque and speed are those of the
+/// coordinate: with a gear, the motor torque times the ratio, and the motor speed divided by it.
 ///
 ///   torque_speed_motor_gen(q, command, {.max_torque = 40, .max_speed = 6})
 template <class Q, class U>

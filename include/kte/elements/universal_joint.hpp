@@ -6,7 +6,7 @@
 namespace kte {
 
 namespace detail {
-/// Between parallel axes M would be singular.
+/// Rejects parallel axes, for which M would be singular.
 template <class A1, class A2, class... Names>
 constexpr void check_axes(std::string_view type, const A1& axis1, const A2& axis2, const Names&... names) {
   const auto n = cross(as<double>(axis1), as<double>(axis2));
@@ -21,8 +21,8 @@ constexpr void check_axes(std::string_view type, const A1& axis1, const A2& axis
 }  // namespace detail
 
 /// A universal (Cardan, Hooke) joint without offset: a cross turns in the base about axis 1 by q1, rad, and the end
-/// turns in the cross about axis 2 by q2, rad. It is two revolute joints, with the frame `inner_of(end)`, the cross,
-/// between.
+/// turns in the cross about axis 2 by q2, rad. It consists of two revolute joints with the frame `inner_of(end)`, the
+/// cross, between them.
 ///
 ///   R = Rot(n1, q1) Rot(n2, q2),  p = 0          (n1 in axes of the base, n2 in those of the end)
 template <class Q1, class Q2, class B, class E, class X1, class Y1, class Z1, class X2, class Y2, class Z2>

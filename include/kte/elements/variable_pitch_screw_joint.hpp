@@ -53,7 +53,7 @@ struct variable_pitch_screw_joint : transmission<variable_pitch_screw_joint<Axis
 }  // namespace core
 
 /// A screw joint about a unit axis, whose pitch at the angle q is `pitch` + `pitch_change` q, in m/rad. For any other
-/// pitch write a joint of your own: docs/adding_an_element.md.
+/// pitch define a joint: docs/adding_an_element.md.
 template <class Q, class B, class E, class X, class Y, class Z, entry Pitch, entry Change>
 [[nodiscard]] constexpr auto variable_pitch_screw_joint_3D(const Q& coordinate, const B& base, const E& end,
                                                            const vec3<X, Y, Z>& axis, const Pitch& pitch,

@@ -6,8 +6,8 @@ namespace kte {
 
 namespace core {
 
-/// A coordinate with a prescribed rate v. An internal state z of the element, m or rad, is its position, which begins
-/// at the value in the state of the model:
+/// A coordinate with a prescribed rate v. An internal state z of the element, m or rad, is its position; its initial
+/// value is part of the state of the model:
 ///
 ///   q = z,   q' = v,   q'' = v',   z' = v          (1)
 struct velocity_control_gen : no_parameters {

@@ -7,9 +7,9 @@ namespace kte {
 
 namespace core {
 
-/// A `dry_revolute_joint` as a controller needs it: tau of inverse dynamics overcomes the friction, also at rest, where
-/// it is the breakaway torque. With the radial force N of the joint, the torque T of the joint about its axis, and s =
-/// q' / sqrt(q'^2 + v^2):
+/// A `dry_revolute_joint` for controllers: tau of inverse dynamics overcomes the friction, also at rest, where it is
+/// the breakaway torque. With the radial force N of the joint, the torque T of the joint about its axis, and s = q' /
+/// sqrt(q'^2 + v^2):
 ///
 ///   f -= mu r N s                                          sliding             (1)
 ///   f += (1 - |s|) min(mu_s r N, |T|) sign(T)              at rest             (2)
@@ -57,7 +57,7 @@ struct vmc_revolute_joint : dry_revolute_joint<Dim, Axis>, transmission<vmc_revo
 
 /// A revolute joint in the plane for controllers: inverse dynamics gives the torque that overcomes its dry friction.
 /// `friction_radius`, `stiction_radius`: coefficients of sliding and static friction times radius of the bearing, m.
-/// `smoothing`: the rate over which the one changes into the other, rad/s.
+/// `smoothing`: the rate over which friction changes from static to sliding, rad/s.
 template <class Q, class B, class E>
 [[nodiscard]] constexpr auto vmc_revolute_joint_2D(const Q& coordinate, const B& base, const E& end,
                                                    double friction_radius, double stiction_radius,

@@ -3,14 +3,14 @@
 #include <kte/engine/body.hpp>
 #include <kte/frames/articulated.hpp>
 
-/// Axes of joints that are unit vectors of the body by type: what belongs to one is left out with the compiler.
+/// Joint axes that are unit vectors of the body by type: their rows and columns are omitted at compile time.
 namespace kte::engine {
 
 template <class T>
 inline constexpr int constant_value = 2;  // of none
 template <int N>
 inline constexpr int constant_value<constant<N>> = N;
-/// The number of a unit axis: 0, 1, 2 along x, y, z; 3, 4, 5 about them; -1: it is none.
+/// The number of a unit axis: 0, 1, 2 along x, y, z; 3, 4, 5 about them; -1: not a unit axis.
 template <class A>
 inline constexpr int unit_axis = -1;
 template <class... V, class... W>
@@ -34,7 +34,7 @@ KTE_INLINE constexpr auto unless(const X& x) {
     return x;
   }
 }
-/// Without number N; of matrices without row and column N. Numbers are counted from `From`.
+/// A vector without entry N, or a matrix without row and column N. Entries are counted from `From`.
 template <int N, int From = 0, class X, class Y, class Z>
 KTE_INLINE constexpr auto without(const vec3<X, Y, Z>& v) {
   return vec3{unless<N, From>(v.x), unless<N, From + 1>(v.y), unless<N, From + 2>(v.z)};

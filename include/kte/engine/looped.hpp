@@ -4,33 +4,34 @@
 
 #include <cstddef>
 
-/// The driver that loops over arrays of bodies. Recursions are made of steps (values in, values out); a driver takes
+/// The driver that loops over arrays of bodies. Recursions consist of steps (values in, values out); a driver applies
 /// them from body to body.
 namespace kte::engine {
 
-// A function for each loop. g++ would pack pairs of numbers into registers there, which takes more shuffles than it
-// saves products: 8 to 14 % of the time.
+// One function per loop. g++ would pack pairs of numbers into registers, where shuffles cost more than the saved
+// products: 8 to 14 % of the time.
 #if defined(__GNUC__) && !defined(__clang__) && !defined(KTE_NO_FORCED_INLINE)
 #  define KTE_LOOP [[gnu::noinline, gnu::optimize("no-tree-slp-vectorize")]]
 #else
 #  define KTE_LOOP [[gnu::noinline]]
 #endif
 
-/// What `outward` has kept of all bodies. `Step` says which of the numbers are typed constants of a kind of joint.
+/// The values that `outward` has stored for all bodies. `Step` determines which numbers are typed constants for a kind
+/// of joint.
 template <class Value, class Hand, class Step>
 struct kept_values {
   const Value* values;  ///< of bodies
   template <body B>
   using type =
       std::remove_cvref_t<decltype(std::declval<const Step&>()(std::declval<const B&>(), std::declval<const Hand&>()))>;
-  /// Of body i, whose joint is of the kind of B.
+  /// The value of body i, whose joint is of the kind of B.
   template <body B>
   KTE_INLINE type<B> of(int i) const {
     return typed_as<type<B>>::of(values[i]);
   }
   KTE_INLINE const Value& at(int i) const { return values[i]; }
 };
-/// Values of all bodies that come from elsewhere.
+/// Values of all bodies from another source.
 template <class Value>
 struct kept_array {
   const Value* values;  ///< of bodies
@@ -41,23 +42,23 @@ struct kept_array {
   KTE_INLINE const Value& at(int i) const { return values[i]; }
 };
 
-/// `Bodies` is an array of bodies, parents first, behind their bases. It has
-///   count(), bases()        of bodies; of bases. The slots of arrays of values: bases, then bodies
-///   parent(i), branches(i)  the slot of the parent of body i; whether another body than the next stands on it
-///   usual(i)                whether its joint is of the usual kind; where there are no others, it may be left out
-///   body(i)                 the body, if it is
-///   with_body(i, f)         f(body), of any kind; may be left out likewise
+/// `Bodies` is an array of bodies, parents first, after their bases. It has
+///   count(), bases()        numbers of bodies and bases. Slots of arrays of values: bases, then bodies
+///   parent(i), branches(i)  the slot of the parent of body i; whether it has a child other than the next body
+///   usual(i)                whether its joint is of the usual kind; optional if there is only one kind
+///   body(i)                 the body, if its joint is of the usual kind
+///   with_body(i, f)         f(body), for any kind; optional if there is only one kind
 ///   rigid(i)                the body without its joint: inertia(), composite()
-/// What the body before hands on stays in registers, as most bodies stand on the one before. Joints that are not usual
-/// have functions apart, that they take no registers from the others.
+/// The value of the previous body stays in registers, because most bodies are its children. Other kinds of joints have
+/// separate functions, so that they do not occupy registers.
 template <class Bodies>
 struct looped {
   const Bodies& bodies;
 
   using usual = std::remove_cvref_t<decltype(std::declval<const Bodies&>().body(0))>;
 
-  /// From parents to children: value = step(body, value of its parent). `kept`: of slots; those of bases are given.
-  /// `Hand`: the type at hand, without what is skipped.
+  /// From parents to children: value = step(body, value of its parent). `kept`: values by slot; those of bases are
+  /// given. `Hand`: the type in registers, without skipped quantities.
   template <class Hand, class Value, class Step>
   KTE_LOOP auto outward(Value* const kept, const Step step) const {
     const int bases = bodies.bases(), count = bodies.count();
@@ -76,7 +77,7 @@ struct looped {
     return kept_values<Value, Hand, Step>{kept + bases};
   }
 
-  /// The same with values of an earlier way out: step(body, kept value, value of its parent).
+  /// From parents to children with values of an earlier outward pass: step(body, kept value, value of its parent).
   template <class Hand, class Value, class Values, class Step>
   KTE_LOOP void descend(Value* const kept, const Values values, const Step step) const {
     const int bases = bodies.bases(), count = bodies.count();
@@ -94,11 +95,12 @@ struct looped {
     }
   }
 
-  /// From children to parents. A body carries own(rigid body, kept value) and what its children hand on;
-  ///   meet(body, carried, ends)                 what its joint makes of it; `ends`: nothing is handed on
-  ///   pull_back(body, kept value, what was met)   what its parent carries of it; not of bodies on bases
-  /// `sums`: of slots; with `Keep` what all bodies carry is left there. `Hand`: its type at hand, which may have typed
-  /// constants for some numbers. With `Bases` it is also added to what `sums` has of bases.
+  /// From children to parents. A body carries own(rigid body, kept value) plus the values of its children;
+  ///   meet(body, carried, ends)                   the value at its joint; `ends`: nothing is passed on
+  ///   pull_back(body, kept value, met value)      the contribution to its parent; not for bodies on bases
+  ///
+  /// `sums`: values by slot; with `Keep` it stores what all bodies carry. `Hand`: the type in registers, which may have
+  /// typed constants. With `Bases` values are also added to the entries of bases in `sums`.
   template <bool Keep, class Hand, bool Bases, class Sum, class Values, class Own, class Meet, class PullBack>
   KTE_LOOP void inward(Sum* const sums, const Values values, const Own own, const Meet meet,
                        const PullBack pull_back) const {
@@ -142,7 +144,7 @@ struct looped {
     else
       return bodies.usual(i);
   }
-  /// f of a copy: what a function gets by reference stays in memory all along.
+  /// Calls f with a copy, because an argument by reference would stay in memory.
   template <class Hand, class F>
   KTE_INLINE static void in_memory(Hand& hand, const F& f) {
     Hand copy{};

@@ -4,37 +4,37 @@
 
 #include <cstddef>
 
-/// The driver that unrolls over a tree of types. It takes the steps of recursions, as the driver of engine/looped.hpp
-/// does, but all values are local variables, each of the type that the step before returned.
+/// The driver that unrolls over a tree of types. It applies the steps of recursions like the driver of
+/// engine/looped.hpp, but all values are local variables of the types that the steps return.
 namespace kte::engine {
 
-/// `Bodies` is a tree that is known to the compiler. Frames, which are types, have parts: bodies with their joints, by
-/// number, and what is fixed to the frame. A rigid link is a body without axes. It has
-///   each_base(f)                 f(frame) for each base
-///   parts<Frame>                 how many parts a frame has
-///   body_on<Frame, N>            the number of the body that is part N, or -1
-///   end<I>, parent<I>            the frame that body I moves; the number of the body it stands on, or -1
+/// `Bodies` is a tree that is known at compile time. Frames are types with parts: bodies with their joints, by number,
+/// and inertias fixed to the frame. A rigid link is a body without axes. It has
+///   each_base(f)                 calls f(frame) for each base
+///   parts<Frame>                 number of parts of a frame
+///   body_on<Frame, N>            number of the body that is part N, or -1
+///   end<I>, parent<I>            the frame that body I moves; number of its parent, or -1
 ///   body<I>()                    the body. Steps are instantiated once for each type that it has
-///   fixed<Frame, N>(), none()    part N, which is fixed to the frame; nothing at all
+///   fixed<Frame, N>(), none()    part N, which is fixed to the frame; an empty part
 template <class Bodies>
 struct unrolled {
   const Bodies& bodies;
 
-  /// The place of body I in the tree; true where it ends, on a base.
+  /// The position of body I in the tree; true if it is on a base, where the recursion ends.
   template <std::size_t I, bool Ends>
   struct tree_place {
     static constexpr std::size_t number = I;
     const unrolled& driver;
-    KTE_INLINE constexpr operator bool() const { return Ends; }
-    /// value = step(body, value) of each body from the parent to the base.
+    KTE_INLINE constexpr operator bool() const { return Ends; }  // NOLINT(google-explicit-constructor)
+    /// value = step(body, value) for each body from the parent to the base.
     template <class Value, class Step>
     KTE_INLINE constexpr void ancestors(const Value& value, const Step& step) const {
       driver.template ancestors<I>(value, step);
     }
   };
 
-  /// From children to parents, as `looped`: a frame carries own(fixed part, value) of all that is fixed to it, and what
-  /// bodies hand on. Nothing is kept, so there are no arrays. meet(body, carried, tree_place).
+  /// From children to parents, like `looped`: a frame carries own(fixed part, value) for all fixed parts, plus the
+  /// values of its bodies. Nothing is stored, so there are no arrays. meet(body, carried, tree_place).
   template <bool Keep, class Hand, bool Bases, class Values, class Own, class Meet, class PullBack>
   KTE_INLINE constexpr void inward(nothing, const Values& values, const Own& own, const Meet& meet,
                                    const PullBack& pull_back) const {
@@ -42,7 +42,7 @@ struct unrolled {
     const inward_steps<Values, Own, Meet, PullBack> steps{values, own, meet, pull_back};
     bodies.each_base([&]<class Frame>(Frame) KTE_INLINE_LAMBDA { (void)carried_by<true, Frame>(steps); });
   }
-  /// What a frame carries.
+  /// The sum of the values on a frame.
   template <class Frame, class Values, class Own, class Meet, class PullBack>
   KTE_INLINE constexpr auto carried(const Values& values, const Own& own, const Meet& meet,
                                     const PullBack& pull_back) const {
@@ -55,7 +55,7 @@ struct unrolled {
     bodies.each_base([&]<class Frame>(Frame f) KTE_INLINE_LAMBDA { from<Frame, 0>(base(f), values, step); });
   }
 
-  /// From body I to its base: value = step(body, value) of each body on the way.
+  /// From body I to its base: value = step(body, value) for each body.
   template <std::size_t I, class Value, class Step>
   KTE_INLINE constexpr void to_base(const Value& value, const Step& step) const {
     ancestors<I>(step(bodies.template body<I>(), value), step);
@@ -80,8 +80,8 @@ struct unrolled {
     const auto none = Bodies::none();
     return with_parts<Ends, Frame, 0>(steps, steps.own(none, steps.values.at(none)));
   }
-  /// `sum`, and all parts from N on, one after the other: of a sum in one expression g++ makes the last part first,
-  /// whose numbers then wait in memory.
+  /// Adds the parts from N on to `sum`, one after the other. In a single expression g++ would compute the last part
+  /// first, whose numbers then wait in memory.
   template <bool Ends, class Frame, std::size_t N, class Steps, class Sum>
   KTE_INLINE constexpr auto with_parts(const Steps& steps, const Sum& sum) const {
     if constexpr (N == Bodies::template parts<Frame>) {

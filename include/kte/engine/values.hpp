@@ -4,11 +4,11 @@
 
 #include <type_traits>
 
-/// Values that recursions hand from body to body: vectors, inertias, and structs of them, whose entries may be typed
+/// Values that recursions pass from body to body: vectors, inertias, and structs of them, whose entries may be typed
 /// constants. Such a type is a template `T<fields...>` that is `geometric`.
 namespace kte::engine {
 
-/// The type with numbers S in place of typed constants: what arrays hold. `skip` stays.
+/// The type with numbers S instead of typed constants, for arrays. `skip` remains.
 template <class S, class T>
 struct dense_of {
   using type = S;
@@ -31,7 +31,7 @@ template <template <class...> class T, class... F>
 requires geometric<T<F...>>
 inline constexpr int fields<T<F...>> = sizeof...(F);
 
-/// f(fields of x ...)
+/// Calls f(fields of x ...).
 template <class T, class F>
 KTE_INLINE constexpr decltype(auto) with_fields(T& x, const F& f) {
   constexpr int n = fields<std::remove_const_t<T>>;
@@ -53,7 +53,7 @@ KTE_INLINE constexpr decltype(auto) with_fields(T& x, const F& f) {
     return f(a, b, c, d, e, g);
   }
 }
-/// A copy number by number. Of a copy of the whole struct g++ 12 keeps both sides in memory.
+/// A copy number by number. For a copy of the whole struct g++ 12 keeps both sides in memory.
 template <class T>
 KTE_INLINE constexpr T fresh(const T& x) {
   if constexpr (fields<T> == 0) {
@@ -62,8 +62,8 @@ KTE_INLINE constexpr T fresh(const T& x) {
     return with_fields(x, [](const auto&... f) KTE_INLINE_LAMBDA { return T{fresh(f)...}; });
   }
 }
-/// to = from, number by number; typed constants become numbers. Typed constants of `to`, and what either side skips,
-/// stay as they are.
+/// to = from, number by number; typed constants become numbers. Typed constants of `to`, and entries that either side
+/// skips, are unchanged.
 template <class T, class U>
 KTE_INLINE constexpr void assign(T& to, const U& from) {
   if constexpr (std::is_same_v<T, skip> || std::is_same_v<U, skip> || typed_constant<T>) {
@@ -80,7 +80,7 @@ KTE_INLINE constexpr void assign(T& to, const U& from) {
   }
 }
 
-/// Numbers read back as a type T, which has typed constants for some of them.
+/// Stored numbers as a type T, which has typed constants for some of them.
 template <class T>
 struct typed_as {
   template <class U>

@@ -50,16 +50,16 @@ struct event {
         name(called) {}
 
   /// Whether the step ends at the event.
-  constexpr bool acts() const { return has_reset || is_terminal; }
+  [[nodiscard]] constexpr bool acts() const { return has_reset || is_terminal; }
 
   /// Sets the name in reports and errors: a text that lives as long as the event, such as a literal.
-  constexpr event named(std::string_view text) const {
+  [[nodiscard]] constexpr event named(std::string_view text) const {
     event e = *this;
     e.name = text;
     return e;
   }
   /// Integration ends at the event: `time()` and `state()` of the solver are then those of the event.
-  constexpr event terminal() const {
+  [[nodiscard]] constexpr event terminal() const {
     event e = *this;
     e.is_terminal = true;
     return e;
@@ -67,15 +67,17 @@ struct event {
   /// Calls handler(t, x) at the event. The handler may change the state x and data that the right-hand side depends on;
   /// then integration restarts.
   template <class H>
-  constexpr event<G, H, Rest> reset(H handler) const {
+  [[nodiscard]] constexpr event<G, H, Rest> reset(H handler) const {
     return {function, direction, is_terminal, is_one_sided, std::move(handler), on_rest, name};
   }
   /// Ends the step at the event and restarts from the unchanged state, for a right-hand side with a kink there.
-  constexpr event<G, detail::change_nothing, Rest> restart() const { return reset(detail::change_nothing{}); }
+  [[nodiscard]] constexpr event<G, detail::change_nothing, Rest> restart() const {
+    return reset(detail::change_nothing{});
+  }
 
   /// The reset must return g to the side from which it came, as an impact does. Otherwise, within the resolution of
   /// time, the integration ends with `stop_reason::zeno`; without this the state would pass through the floor.
-  constexpr event one_sided() const {
+  [[nodiscard]] constexpr event one_sided() const {
     event e = *this;
     e.is_one_sided = true;
     return e;
@@ -83,7 +85,7 @@ struct event {
   /// Calls handler(t, x) where resets accumulate, instead of ending with `stop_reason::zeno`; for instance lets a ball
   /// rest on the floor.
   template <class H>
-  constexpr event<G, Reset, H> rest(H handler) const {
+  [[nodiscard]] constexpr event<G, Reset, H> rest(H handler) const {
     return {function, direction, is_terminal, true, on_reset, std::move(handler), name};
   }
 };

@@ -40,7 +40,7 @@ struct event_report {
   std::string stopped_by_name = {};
 
   /// The first kept occurrence of an event with this name, or null.
-  const event_occurrence<X>* find(std::string_view name) const {
+  [[nodiscard]] const event_occurrence<X>* find(std::string_view name) const {
     for (const auto& e : events)
       if (e.name == name) return &e;
     return nullptr;
@@ -55,7 +55,7 @@ struct event_list {
   Sink sink;
 
   /// The list with these settings.
-  event_list with(const event_settings& s) const { return {list, s, sink}; }
+  [[nodiscard]] event_list with(const event_settings& s) const { return {list, s, sink}; }
   /// Calls f(const event_occurrence<X>&) at each event instead of keeping a list, for long integrations.
   template <class F>
   event_list<F, E...> report_to(F f) const {

@@ -6,9 +6,9 @@
 
 namespace kte {
 
-/// Articulated-body inertia of a frame: the wrench that accelerates it where the joints beyond it are free to move
-/// (Featherstone, Rigid Body Dynamics Algorithms, 2008, section 7.1). About the origin of the frame, in its axes.
-/// Acceleration a of the origin and angular acceleration al need the force and torque
+/// Articulated-body inertia of a frame: the wrench that accelerates it if the joints beyond it are free to move
+/// (Featherstone, Rigid Body Dynamics Algorithms, 2008, section 7.1). About the origin of the frame, in its axes. An
+/// acceleration a of the origin and an angular acceleration al require the force and torque
 ///
 ///   F = M a + H al,    T = H^T a + J al                       (1)
 ///

@@ -4,15 +4,15 @@
 #include <kte/math/quaternion.hpp>
 #include <kte/math/sincos.hpp>
 
-/// Coordinates of several degrees of freedom, as a chain's state holds them. Rates are those of the components in the
-/// axes of the moving frame, so that v' = a and nothing else: the velocity of a pose is R^T p', its acceleration
-/// d(R^T p')/dt, which is not R^T p'' (a frame's acceleration), but that less w x v.
+/// Coordinates of several degrees of freedom in the state of a chain. Rates are those of the components in axes of the
+/// moving frame, with v' = a: the velocity of a pose is R^T p', and its acceleration is d(R^T p')/dt. This differs from
+/// the acceleration of a frame, R^T p'', by w x v.
 namespace kte {
 
 /// A rotation in space as a coordinate.
-///   rotation          maps axes of the moving frame to those of the parent; any length but 0, `integrate` keeps it at
-///   1 ang_velocity      rad/s, ang_acceleration rad/s^2, torque Nm (generalized force): in the axes of the moving
-///   frame matrix            of `rotation`, set by doMotion
+///   rotation          maps axes of the moving frame to those of the parent; any length but 0; `integrate` sets it to 1
+///   ang_velocity      rad/s, ang_acceleration rad/s^2, torque Nm (generalized force): in axes of the moving frame
+///   matrix            of `rotation`, set by doMotion
 template <class S = double>
 struct rotation_coord_3D {
   unit_quaternion<S> rotation{S(1), S(0), S(0), S(0)};

@@ -4,14 +4,13 @@
 
 namespace kte {
 
-/// What a closure carries: its residuals as of the last doMotion, zero where the loop is closed, and the forces of the
-/// closure, one for each residual. Rows in m come first, those in rad are apart; what a closure does not have stays
-/// zero.
+/// The state of a closure: its residuals at the last doMotion, zero if the loop is closed, and its forces, one per
+/// residual. Rows in m and rows in rad are separate; rows that a closure does not have are zero.
 ///   residual       m
 ///   ang_residual   rad
-///   force          N, that of residual k: power is force_k times the rate of residual_k
+///   force          N, one per residual: power is force_k times the rate of residual_k
 ///   torque         Nm
-/// The load of the closure on its second frame is J^T times these, and the opposite on its first.
+/// The load of the closure on its second frame is J^T times these forces; the opposite acts on its first frame.
 template <class Scalar = double>
 struct loop_state {
   vec3<Scalar> residual{};

@@ -2,7 +2,7 @@
 
 #include <kte/math/axis.hpp>
 
-/// What flows along a chain: motion from the base out, loads back.
+/// Motions, poses and wrenches of frames: motion goes outward from the base, loads go inward.
 namespace kte {
 
 /// The motion of a frame X.
@@ -12,7 +12,7 @@ namespace kte {
 ///   ang_velocity      w   in axes of X, rad/s
 ///   acceleration      a   second derivative of p (classical, not spatial), in axes of X, m/s^2
 ///   ang_acceleration  al  in axes of X, rad/s^2
-/// Each field is a vector of numbers or typed constants, or `skip` where an algorithm does not need it.
+/// Each field is a vector of numbers or typed constants, or `skip` if an algorithm does not need it.
 template <class P, class R, class V, class W, class A, class AL>
 struct motion {
   P position;

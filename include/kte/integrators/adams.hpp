@@ -24,10 +24,10 @@ namespace kte {
 ///
 ///   x(t + theta h) = x + int P - theta^2 (3 - 2 theta) h g_k (f(t + h, x1) - f(t + h, p))             (5)
 ///
-/// For smooth right-hand sides that are expensive, and for tight tolerances: few evaluations, but more overhead than
-/// one-step methods. `integrate` continues with the history of the previous call if time, direction and slope are
-/// unchanged; otherwise, after `restart`, or where f has changed, it starts again with order 1. It does not suit inputs
-/// that jump at every sample; use a one-step method there.
+/// For smooth, expensive right-hand sides and for tight tolerances: few evaluations, but more overhead than one-step
+/// methods. `integrate` continues with the history of the previous call if time, direction and slope are unchanged.
+/// Otherwise, and after `restart`, it starts again with order 1. Use a one-step method for inputs that jump at every
+/// sample.
 ///
 ///   kte::adams solver(f, 0.0, x0, {.absolute = 1e-12, .relative = 1e-12});
 ///   solver.integrate(10.0);
@@ -56,7 +56,7 @@ class adams : public integrator<adams<F, X>, F, X> {
   }
 
   /// The order k of the predictor of the next step.
-  int order() const { return order_; }
+  [[nodiscard]] int order() const { return order_; }
 
  private:
   const tolerances<S>& checked(const tolerances<S>& tol) const {
@@ -77,11 +77,11 @@ class adams : public integrator<adams<F, X>, F, X> {
     steps_.choose_first(this->time_, t_end, weights_.of(), slope_, this->x_, slope_after, this->failing());
     past_.start(this->time_, slope_);
     order_ = 1;
-    this->previous_time_ = this->time_;  // the polynomial of the last step is gone
+    this->previous_time_ = this->time_;  // the polynomial of the last step is invalid
   }
 
   void advance(const S& t_end) {
-    this->previous_time_ = this->time_;  // the polynomial of the last step goes
+    this->previous_time_ = this->time_;  // the polynomial of the last step becomes invalid
     failures_ = 0;
     this->accept(steps_.take(
         this->time_, t_end, weights_.of(), [&]() -> const auto& { return this->magnitudes(this->x_); },
@@ -101,7 +101,7 @@ class adams : public integrator<adams<F, X>, F, X> {
       return {.error = e.same, .next = e.next_step(length, steps_.proposed(), order_)};
     }
     const S next = e.shorter_step(length, order_);
-    if (++failures_ == 3) past_.forget(), order_ = 1;  // the history is of no use here
+    if (++failures_ == 3) past_.forget(), order_ = 1;  // the history is useless here
     return {.error = e.same, .next = next};
   }
 
@@ -118,7 +118,7 @@ class adams : public integrator<adams<F, X>, F, X> {
     if (lower > 0) e.lower = square(lower, change_ + past_.beta(lower) * past_.difference(lower));
     return e;
   }
-  /// (2) is a k-th difference, each of whose slopes is rounded.
+  /// (2) is a k-th difference of slopes that are rounded independently.
   [[gnu::noinline]] S square_of_level(const S& error) {
     using std::sqrt;
     const auto norm = [&](const auto& r) { return S(sqrt(weights_.square(r, this->x_, this->next_))); };
@@ -162,10 +162,10 @@ class adams : public integrator<adams<F, X>, F, X> {
   detail::rounding_floor<S> floor_;
   detail::adams_differences<X> past_;
   X slope_, predicted_, change_;  ///< at the end of the step; at p; (2)
-  S h_{}, by_{};                  ///< of the step being tried, or the last one: its length, h g_k
+  S h_{}, by_{};                  ///< of the step being tried, or of the last step: its length, and h g_k
   int order_ = 1;                 ///< k
-  int interpolated_ = 1;          ///< slopes of the polynomial of the last step
-  int failures_ = 0;              ///< of the present step
+  int interpolated_ = 1;          ///< number of slopes of the polynomial of the last step
+  int failures_ = 0;              ///< of the current step
   bool forward_ = true;
 };
 

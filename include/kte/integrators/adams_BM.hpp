@@ -49,8 +49,8 @@ template <class F, class V>
 adams_BM3(F, const typename V::Scalar&, const Eigen::MatrixBase<V>&, const typename V::Scalar&)
     -> adams_BM3<F, typename V::PlainObject>;
 
-/// Adams-Bashforth-Moulton method of order 5 with a fixed step: two evaluations a step. Dense output of order 5; that
-/// of starting steps by Runge-Kutta 4 has the order of the error at the ends of the steps.
+/// Adams-Bashforth-Moulton method of order 5 with a fixed step: two evaluations a step. Dense output of order 5; in the
+/// starting steps (Runge-Kutta 5), of the order of the error at the step ends.
 template <class F, class X>
 class adams_BM5 : public adams_bashforth_moulton<adams_BM5_formula, F, X> {
  public:

@@ -7,22 +7,22 @@
 
 namespace kte {
 
-/// A predictor and a corrector of Adams with a fixed step h and both evaluations (PECE), of order k. With the slopes
-/// f_n, f_{n-1}, ... at the times before:
+/// An Adams predictor-corrector pair of order k with a fixed step h and two evaluations (PECE). With the slopes f_n,
+/// f_{n-1}, ... at previous times:
 ///
 ///   p = x_n + h (b_1 f_n + ... + b_k f_{n-k+1})                                    (1)
 ///   x_{n+1} = x_n + h (c_0 f(t_{n+1}, p) + c_1 f_n + ... + c_{k-1} f_{n-k+2})      (2)
 ///   f_{n+1} = f(t_{n+1}, x_{n+1})                                                  (3)
 ///
-/// Between the ends, the integral of the polynomial through the k slopes of (2) with f_{n+1}, and a cubic that closes
-/// the gap which f_{n+1} leaves at the end: state and slope are continuous.
+/// Between step ends: the integral of the polynomial through the k slopes of (2) with f_{n+1}, plus a cubic that closes
+/// the gap due to f_{n+1} at the end. State and slope are continuous.
 ///
 ///   x(t_n + theta h) = x_n + h int_0^theta P - theta^2 (3 - 2 theta) h c_0 (f_{n+1} - f(t_{n+1}, p))      (4)
 ///
-/// The coefficients are those of equal steps. So the first k - 1 steps, and the last one where h does not divide the
-/// time, are steps of a Runge-Kutta method, with its interpolant. An `integrate` goes on with the slopes of the last
-/// one where its last step was a whole one, and time, direction and the slope f(t, x) are those it left; otherwise it
-/// starts again. So it does not suit inputs that jump at every sample.
+/// The coefficients are for equal steps. The first k - 1 steps, and the last step if h does not divide the time, are
+/// Runge-Kutta steps with their interpolant. `integrate` continues with the slopes of the previous call if its last
+/// step had the length h, and if time, direction and the slope f(t, x) are unchanged. Otherwise it starts again. Use a
+/// one-step method for inputs that jump at every sample.
 ///
 /// A `Formula` has `order` (k), `predictor` (0, b_1, ...), `corrector` (c_0, ...), `interpolant` (of int P the
 /// coefficients of theta, theta^2, ...; of each a weight for f_{n+1}, f_n, ...), and `start`, a tableau for
@@ -52,18 +52,19 @@ class adams_bashforth_moulton : public fixed_step<adams_bashforth_moulton<Formul
   using start_tableau = typename Formula::start;
   static constexpr std::size_t order = Formula::order, stages = start_tableau::stages;
 
-  /// Keeps the slopes if they lead to the present one. `known_`: that, and slopes one, two, ... times `h_` before.
+  /// Keeps the slopes if they lead to the present slope. `known_`: whether it is known, with the slopes one, two, ...
+  /// times `h_` earlier.
   void prepare() {
     this->evaluate(this->time_, this->x_, this->next_);
     const bool restarted = this->previous_time_ == this->time_;
     if (!restarted && this->next_ == slopes_.front()) return;
     slopes_.front() = this->next_;
     known_ = 1;
-    this->previous_time_ = this->time_;  // the slopes of the last step are gone
+    this->previous_time_ = this->time_;  // the slopes of the last step are invalid
   }
   void try_step(const S& end) {
     const S h = end - this->time_;
-    this->previous_time_ = this->time_;  // the slopes of the last step move on
+    this->previous_time_ = this->time_;  // the slopes of the last step are shifted
     if (!is_spacing(h, end)) known_ = 1;
     h_ = h;
     multistep_ = known_ >= order;
@@ -76,7 +77,7 @@ class adams_bashforth_moulton : public fixed_step<adams_bashforth_moulton<Formul
     if (multistep_) gap_ = (h * detail::coefficient<S, Formula::corrector[0]>()) * (slopes_.front() - gap_);
     ++known_;
   }
-  /// Whether h is the distance of the slopes known, but for the rounding of times.
+  /// Whether h is the spacing of the known slopes, up to the rounding of times.
   bool is_spacing(const S& h, const S& end) const {
     using std::abs;
     const S a = abs(this->time_), b = abs(end), difference = abs(S(h - h_));
@@ -128,7 +129,7 @@ class adams_bashforth_moulton : public fixed_step<adams_bashforth_moulton<Formul
   X gap_;  ///< the last factor of (4)
   S h_{};  ///< of the last step, with its sign
   std::size_t known_ = 0;
-  bool multistep_ = false;  ///< the last step, not one of Runge-Kutta
+  bool multistep_ = false;  ///< whether the last step was a multistep step, not a Runge-Kutta step
 };
 
 }  // namespace kte

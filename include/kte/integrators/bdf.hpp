@@ -19,20 +19,20 @@ struct bdf_settings {
 ///   solver.integrate(10.0);
 ///   solver.integrate(20.0, kte::every(0.001), [](double t, const auto& x) { ... });
 ///
-/// One to two evaluations of f a step, and occasionally a Jacobian: f.jacobian(t, x, J) or differences
-/// (`implicit_integrator`). The step is constant for several steps; at a change the history is interpolated to the new
-/// step (`backward_differences`). Between the ends of a step: the polynomial of its order through the states up to its
-/// end.
+/// One to two evaluations of f per step, and occasionally a Jacobian: f.jacobian(t, x, J) or differences
+/// (`implicit_integrator`). The step is constant for several steps. When it changes, the history is interpolated to the
+/// new step (`backward_differences`). Dense output: the polynomial of the order of the step through the states up to
+/// its end.
 ///
-/// A step may add a tenth of the tolerances, so that the sum of the errors of the steps is about the tolerance. Where
-/// rounding errors are larger, errors are compared with those (`rounding_floor`).
+/// The error of one step may be a tenth of the tolerances, so that the accumulated error is about the tolerance. If
+/// rounding errors are larger, they replace the tolerances (`rounding_floor`).
 ///
 /// Weakly damped oscillations grow at orders 3 to 5, unless h w is small (`bdf_coefficients::stable_angle`). The
-/// eigenvalues of each Jacobian give the frequencies w. Where the step that the error allows at order 2 is longer than
-/// the stable steps of higher orders, as for flexible systems whose fast modes are at rest, the order stays 2.
+/// eigenvalues of each Jacobian give the frequencies w. If order 2 allows a longer step than the stable steps of higher
+/// orders, as for flexible systems whose fast modes are at rest, the order stays at 2.
 ///
 /// The history is kept from one `integrate` to the next, unless time, state, direction or the slope f(t, x) has
-/// changed: then it starts again with order 1.
+/// changed. It then starts again with order 1.
 ///
 /// Shampine and Reichelt, The MATLAB ODE Suite, SIAM J. Sci. Comput. 18 (1997), section 2.
 template <class F, class X>
@@ -60,14 +60,14 @@ class bdf : public bdf_step<bdf<F, X>, F, X> {
   }
 
   /// The order of the last step.
-  int order() const { return order_of_last_; }
+  [[nodiscard]] int order() const { return order_of_last_; }
 
  private:
   void start(const S& t_end) {
     steps_.start(this->tolerances_, this->rates());
     this->evaluate(this->time_, this->x_, this->change_);
     if (continues(t_end)) return;
-    this->previous_time_ = this->time_;  // nothing left to interpolate
+    this->previous_time_ = this->time_;  // no step to interpolate
     this->slope_.swap(this->change_);
     this->slope_is_known_ = true;
     this->jacobian_is_known_ = false;
@@ -75,19 +75,20 @@ class bdf : public bdf_step<bdf<F, X>, F, X> {
     this->begin_history(steps_.proposed(this->time_, t_end));
     time_of_history_ = this->time_;
   }
-  /// Whether the history leads to the present, and in the direction of t_end. `change_` is the slope now.
+  /// Whether the history is consistent with the present state and the direction to t_end. `change_` becomes the present
+  /// slope.
   bool continues(const S& t_end) const {
     return this->slope_is_known_ && (t_end < this->time_) == (this->h_ < S(0)) && this->time_ == time_of_history_ &&
            this->x_ == this->differences_[0] && this->change_ == this->slope_;
   }
 
   void advance(const S& t_end) {
-    time_of_history_ = std::numeric_limits<S>::quiet_NaN();  // of none, until there is a step
+    time_of_history_ = std::numeric_limits<S>::quiet_NaN();  // undefined until the first step
     this->take_step(steps_, t_end, [&](const S& end) { return try_step(end); });
     time_of_history_ = this->time_;
     if (this->time_ == t_end) this->slope_now();  // the next `start` compares
   }
-  /// Leaves the new state in `next_`; or proposes a shorter step, or the same with a new Jacobian.
+  /// Stores the new state in `next_`, or proposes a shorter step, or the same step with a new Jacobian.
   detail::attempt<S> try_step(const S& end) {
     using std::abs;
     this->change_step(end - this->time_);
@@ -109,10 +110,10 @@ class bdf : public bdf_step<bdf<F, X>, F, X> {
     }
     return {.error = error, .next = length * detail::shrink_step(this->order_, error)};
   }
-  /// The next step, and its order.
+  /// The length of the next step; sets its order.
   S plan(const S& length, const S& level) {
     if (this->equal_steps_ <= this->order_) {  // D^{k+2} needs k + 1 equal steps
-      const S& proposed = steps_.proposed();   // more where this one was cut short, which tells little of longer ones
+      const S& proposed = steps_.proposed();   // the proposal is longer if this step was cut short
       return proposed < length ? length : 2 * length < proposed ? S(2 * length) : proposed;
     }
     const auto next = detail::choose_order<S>(

@@ -9,22 +9,22 @@
 
 namespace kte {
 
-/// An explicit Runge-Kutta method of s stages with an embedded solution for the error, which controls the step:
+/// An explicit Runge-Kutta method of s stages with an embedded solution, which estimates the error for step control:
 ///
 ///   k_i = f(t + c_i h, x + h sum_{j<i} a_ij k_j)           (1)
 ///   x1 = x + h sum_j a_sj k_j                              (2)
 ///   e = h sum_i (a_si - b_i) k_i                           (3)
 ///
-/// The last row of a holds the weights of the solution, so that the last stage is the slope at the end of the step and
-/// the first stage of the next (first same as last). A method without this property gets a further stage with its
-/// weights. Between the ends, the cubic through both states and slopes, of order 3, plus the quartic of the tableau, or
+/// The last row of a contains the weights of the solution, so that the last stage is the slope at the end of the step
+/// and the first stage of the next (first same as last). A method without this property gets an additional stage with
+/// its weights. Dense output: the cubic through both states and slopes, of order 3, plus the quartic of the tableau, or
 /// its extension (`continuous_extension`), if any:
 ///
 ///   x(t + theta h) = (1 - theta) x + theta x1
 ///     + theta (theta - 1) [(1 - 2 theta)(x1 - x) + (theta - 1) h k_1 + theta h k_s]
 ///     + theta^2 (1 - theta)^2 h (sum_i d_i k_i, or p(theta))      (4)
 ///
-/// (3) is compared with the tolerances, or with the rounding error where that is larger (`rounding_floor`).
+/// (3) is compared with the tolerances, or with the rounding error if that is larger (`rounding_floor`).
 ///
 /// A `Tableau` has `stages`, `order_of_error` (of e in h), `c`, `a`, `embedded` (b_i), and may have `dense` (d_i) or
 /// `extension`.
@@ -53,14 +53,14 @@ class embedded_runge_kutta : public integrator<embedded_runge_kutta<Tableau, F, 
   void advance(const S& t_end) {
     begin_step();
     extension_.forget();
-    this->previous_time_ = this->time_;  // the stages of the last step are gone
+    this->previous_time_ = this->time_;  // the stages of the last step are invalid
     this->accept(steps_.take(
         this->time_, t_end, tolerances_, [&]() -> const auto& { return this->magnitudes(this->x_); },
         this->statistics_.rejected, [&](const S& end) { return this->attempted([&] { return try_step(end); }); },
         this->failing()));
   }
 
-  /// The last slope is the first one.
+  /// The last slope becomes the first one.
   void begin_step() {
     if constexpr (base::on_group) {
       k_.front() = slope_at_end_;
@@ -82,6 +82,7 @@ class embedded_runge_kutta : public integrator<embedded_runge_kutta<Tableau, F, 
     [&]<std::size_t... I>(std::index_sequence<I...>) { (stage<I + 1>(h, end), ...); }
     (std::make_index_sequence<stages - 1>{});
     if (!this->next_is_finite()) return {std::numeric_limits<S>::quiet_NaN()};
+    this->check_end();
     const auto& e = this->tangential(h * detail::difference<Tableau::a.back(), Tableau::embedded>(k_));  // (3)
     const S error = detail::error_norm(tolerances_, e, this->magnitudes(this->x_), this->magnitudes(this->next_));
     if (error <= S(1) && floor_.is_below()) [[likely]]
@@ -93,7 +94,7 @@ class embedded_runge_kutta : public integrator<embedded_runge_kutta<Tableau, F, 
         [&](int i, int j) { return norm(this->rounding_of_rate(i, j, k_.front())); });
     return {error / level};
   }
-  /// sum_i |a_si - b_i|: how much (3) is off where all slopes are, each by less than 1 / h.
+  /// sum_i |a_si - b_i|: the error of (3) if each slope has an error of less than 1 / h.
   static constexpr double share_of_rounding = [] {
     double sum = 0;
     for (std::size_t i = 0; i < stages; ++i) {
@@ -109,7 +110,8 @@ class embedded_runge_kutta : public integrator<embedded_runge_kutta<Tableau, F, 
     this->displace(h * detail::combination<Tableau::a[I]>(k_));  // (1); at last (2)
     if constexpr (I + 1 == stages) this->settle_next();
     this->evaluate(detail::stage_time<S, Tableau::c[I]>(this->time_, h, end), this->next_, k_[I]);
-    if constexpr (base::on_group && I + 1 == stages) slope_at_end_ = k_[I];  // as seen from the next step
+    if constexpr (base::on_group && I + 1 == stages)
+      slope_at_end_ = k_[I];  // as a displacement from the next state sees it
     this->pull_back(k_[I]);
   }
 
@@ -143,7 +145,7 @@ class embedded_runge_kutta : public integrator<embedded_runge_kutta<Tableau, F, 
 
   void choose_first_step(const S& t_end) {
     const rate& f0 = slope_at_end();
-    this->check_finite_slope(f0);  // before the state is displaced, which it may not be fit for
+    this->check_finite_slope(f0);  // checks before the state is displaced
     const auto slope_after = [&](const S& h) -> const rate& {
       this->displace(h * f0);
       this->evaluate_if_possible(S(this->time_ + h), this->next_, k_.front());
@@ -156,7 +158,7 @@ class embedded_runge_kutta : public integrator<embedded_runge_kutta<Tableau, F, 
   tolerances<S> tolerances_;
   detail::step_choice<S> steps_{Tableau::order_of_error};
   detail::rounding_floor<S> floor_;
-  mutable std::array<rate, stages + extension::stages> k_;  ///< those of the extension when asked for
+  mutable std::array<rate, stages + extension::stages> k_;  ///< those of the extension only on request
   [[no_unique_address]] mutable extension extension_;
   [[no_unique_address]] typename base::template if_on_group<rate> slope_at_end_;
 };

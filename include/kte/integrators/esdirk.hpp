@@ -25,15 +25,14 @@ struct esdirk_table {
 ///   k_i = f(t + c_i h, x + d_i),   d_i = h sum_{j<=i} a_ij k_j,   a_ii = gamma, a_11 = 0                 (1)
 ///   x1 = x + d_s                                                                                         (2)
 ///
-/// solved as in `implicit_stages`. The error of a step is (3), where a tableau has weights for it, else (4), from the
-/// last two steps:
+/// The stages are solved as in `implicit_stages`. The error of a step is (3) if the tableau has weights for it,
+/// otherwise (4), from the last two steps:
 ///
 ///   e = h sum_i e_i k_i                                                                                  (3)
 ///   e = C h^3 x''',   x''' = 2 (x''_n - x''_{n-1}) / (h_n + h_{n-1}),   x''_n = (k_s - k_1) / h_n        (4)
 ///
-/// or W^-1 e, which takes the error of stiff components back to what they do to the solution. At a start, where there
-/// is no step before, x''_{n-1} is J f + df/dt with h_{n-1} = 0. Between the ends of steps: the cubic through both
-/// states and slopes, `hermite_cubic`.
+/// or W^-1 e, the effect of the error of stiff components on the solution. At a start, which has no previous step,
+/// x''_{n-1} is J f + df/dt with h_{n-1} = 0. Dense output: the cubic through both states and slopes, `hermite_cubic`.
 ///
 /// Hairer and Wanner, Solving Ordinary Differential Equations II, 1996, IV.6 and IV.8; Hosea and Shampine, Analysis and
 /// implementation of TR-BDF2, Appl. Numer. Math. 20 (1996).
@@ -70,8 +69,8 @@ class esdirk : public implicit_stages<esdirk<Tableau, F, X>, F, X> {
     last_h_ = S(0);
     if (this->is_new_) this->choose_first_step(steps_, t_end, slope_, sum_);
   }
-  /// Whether the solution goes on from the last step: the direction of time is the same, and `slope_` is f, which
-  /// `stage_slope_` is now, but for the rest of Newton's iterations as W^-1 sees it.
+  /// Whether the solution continues from the last step: the direction of time is the same, and `slope_` is f at the
+  /// present state, which becomes `stage_slope_`, up to the remainder of Newton's iterations as seen through W^-1.
   bool goes_on(const S& t_end) {
     if (this->previous_time_ == this->time_ || (t_end < this->time_) != (last_h_ < S(0))) return false;
     sum_ = last_h_ * (this->stage_slope_ - slope_);
@@ -88,7 +87,7 @@ class esdirk : public implicit_stages<esdirk<Tableau, F, X>, F, X> {
     know_slope_before(bend_);
     bend_ = (slope_ - bend_) / last_h_;
   }
-  /// The slope at the start of the last step, as a displacement from its end sees it.
+  /// The slope at the start of the last step, as the rate of a displacement from its end.
   void know_slope_before(rate& k) {
     k = k_[0];
     if constexpr (base::on_group) {
@@ -135,7 +134,7 @@ class esdirk : public implicit_stages<esdirk<Tableau, F, X>, F, X> {
     }
     return obstacle;
   }
-  /// Slopes as the last ones go on.
+  /// Predicts slopes by extrapolating the last ones.
   void guess_slope(std::size_t i, const S& h) {
     k_[i] = k_[0];
     if (i > 1) {

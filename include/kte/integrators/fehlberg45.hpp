@@ -24,8 +24,8 @@ struct fehlberg45_tableau {
   static constexpr row embedded{{{16, 135}, {}, {6656, 12825}, {28561, 56430}, {-9, 50}, {2, 55}}};
 };
 
-/// The method of Fehlberg of order 4, without local extrapolation. Its difference to the solution of order 5 controls
-/// the step; six evaluations a step.
+/// The method of Fehlberg of order 4, without local extrapolation. The difference to the solution of order 5 controls
+/// the step. Six evaluations a step.
 template <class F, class X>
 class fehlberg45 : public embedded_runge_kutta<fehlberg45_tableau, F, X> {
  public:

@@ -7,8 +7,8 @@ namespace kte {
 
 /// Base of methods with a fixed step. The rounding error of a step is added to the next one (compensated summation,
 /// Kahan 1965; Hairer, Lubich and Wanner, Geometric Numerical Integration, 2006, VIII.5), so that rounding errors of
-/// many small steps do not accumulate. Steps are counted from the start of each `integrate`; the last one is shorter
-/// where the step does not divide the time. A method derives from this class with itself as `Method` and has
+/// many small steps do not accumulate. Steps are counted from the start of each `integrate`; the last one is shorter if
+/// the step does not divide the time. A method derives from this class with itself as `Method` and has
 ///
 ///   try_step(end)     one step to the time `end`: stores the new state in `next_` by `displace_at_last`
 ///   dense(theta, x)   as for `integrator`
@@ -27,7 +27,7 @@ class fixed_step : public integrator<Method, F, X> {
     detail::check_positive(step, "step");
     lost_ = total_ = this->no_rate();
   }
-  /// next_ = state (+) d, with what earlier steps lost.
+  /// next_ = state (+) d, plus the rounding errors of earlier steps.
   template <class D>
   void displace_with_lost(const D& d) {
     total_ = d + lost_;
@@ -45,7 +45,7 @@ class fixed_step : public integrator<Method, F, X> {
       this->system().rounding(this->x_, total_, this->next_, lost_);
     }
   }
-  /// `detail::iterate` within a step h. Values that are not finite are kept, so that `advance` rejects the new state.
+  /// `detail::iterate` within a step h. Values that are not finite remain, so that `advance` rejects the new state.
   template <class Step>
   void iterate(const S& h, const Step& step) const {
     if (detail::iterate<S>(step) == detail::iteration::too_long) [[unlikely]]
@@ -62,7 +62,7 @@ class fixed_step : public integrator<Method, F, X> {
     if constexpr (requires(Method & m) { m.prepare(); }) static_cast<Method&>(*this).prepare();
   }
   void advance(const S&) {
-    this->previous_time_ = this->time_;  // what was kept of the last step goes
+    this->previous_time_ = this->time_;  // the data of the last step become invalid
     const S end = grid_[++index_];
     const bool computed = this->computes([&] { static_cast<Method&>(*this).try_step(end); }, this->next_);
     if (!computed || !this->next_is_finite()) [[unlikely]]

@@ -1,6 +1,6 @@
 #pragma once
 
-// First what has sentences for the compiler, so that little stands above them.
+// Included first, so that static_assert messages appear near the top.
 // clang-format off
 #include <kte/integrators/integrator.hpp>
 // clang-format on
@@ -16,9 +16,9 @@ namespace kte {
 ///   x1 = x + h sum_i b_i k_i                               (2)
 ///   x(t + theta h) = x + h sum_i p_i(theta) k_i            (3)
 ///
-/// Where states have rotations these are the methods of Munthe-Kaas (integrators/motion_space.hpp).
-/// A `Tableau` has `stages`, `c`, `a`, `weights` (b_i), and `interpolant`: of p_i the coefficients of theta, theta^2,
-/// ...
+/// For states with rotations these are the methods of Munthe-Kaas (integrators/motion_space.hpp).
+/// A `Tableau` has `stages`, `c`, `a`, `weights` (b_i), and `interpolant`: the coefficients of theta, theta^2, ... in
+/// p_i.
 template <class Tableau, class F, class X>
 class fixed_step_runge_kutta : public fixed_step<fixed_step_runge_kutta<Tableau, F, X>, F, X> {
   using base = fixed_step<fixed_step_runge_kutta, F, X>;

@@ -11,9 +11,9 @@ namespace kte {
 ///
 ///   J_ij = d f_i / d x_j,   W = I - c J                (1)
 ///
-/// J is f.jacobian(t, x, J) where f has it, as models do: f fills a square matrix J of the right size, and may return
-/// false if it cannot. Otherwise J is computed by differences (f(x + d_j) - f(x)) / d_j, d_j = sqrt(eps) max(|x_j|,
-/// absolute_j / relative_j), or sqrt(eps) where that is 0, one evaluation a column. Where states have rotations, J is
+/// J is f.jacobian(t, x, J) if f has it, as models do: f fills a square matrix J of the right size, and may return
+/// false if it cannot. Otherwise J is computed by differences (f(x + d_j) - f(x)) / d_j, with one evaluation per column
+/// and d_j = sqrt(eps) max(|x_j|, absolute_j / relative_j), or sqrt(eps) if that is 0. For states with rotations, J is
 /// the derivative of the rate of the displacement by the displacement, at 0.
 template <class Method, class F, class X>
 class implicit_integrator : public integrator<Method, F, X> {
@@ -37,9 +37,9 @@ class implicit_integrator : public integrator<Method, F, X> {
     tol.check(this->rates());
   }
 
-  /// Chooses the first step towards t_end by an Euler step with `slope`; the slope after it is left in `trial`.
+  /// Chooses the first step towards t_end by an Euler step with `slope`; stores the slope after it in `trial`.
   void choose_first_step(detail::step_choice<S>& steps, const S& t_end, const rate& slope, rate& trial) {
-    this->check_finite_slope(slope);  // before the state is displaced, which it may not be fit for
+    this->check_finite_slope(slope);  // checks before the state is displaced
     const auto slope_after = [&](const S& h) -> const rate& {
       this->displace(h * slope);
       this->evaluate_if_possible(S(this->time_ + h), this->next_, trial);
@@ -49,17 +49,16 @@ class implicit_integrator : public integrator<Method, F, X> {
     steps.choose_first(this->time_, t_end, tolerances_, slope, this->magnitudes(this->x_), slope_after,
                        this->failing());
   }
-  /// Tries steps towards t_end until one is accepted; try_step(end): a `detail::attempt` that leaves its state in
-  /// `next_`.
+  /// Tries steps towards t_end until one is accepted. try_step(end): a `detail::attempt`, with its state in `next_`.
   template <class Try>
   void take_step(detail::step_choice<S>& steps, const S& t_end, const Try& try_step) {
-    this->previous_time_ = this->time_;  // the stages of the last step are gone
+    this->previous_time_ = this->time_;  // the stages of the last step are invalid
     this->accept(steps.take(
         this->time_, t_end, tolerances_, [&]() -> const auto& { return this->magnitudes(this->x_); },
         this->statistics_.rejected, [&](const S& end) { return this->attempted([&] { return try_step(end); }); },
         this->failing()));
   }
-  /// J at the present time and state, where f is `slope`. Overwrites `next_`.
+  /// Computes J at the present time and state, where f is `slope`. Overwrites `next_`.
   void differentiate(const rate& slope) {
     ++this->statistics_.jacobians;
     if (!take_jacobian()) {
@@ -78,14 +77,14 @@ class implicit_integrator : public integrator<Method, F, X> {
     }
     check_finite(jacobian_);
   }
-  /// df/dt at the present time and state, where f is `slope`: f.time_derivative(t, x, out), else by a difference. As f
-  /// may change within a step h, and t is rounded, one to the time t + d is off by a part of about
+  /// Computes df/dt at the present time and state, where f is `slope`: f.time_derivative(t, x, out), or a difference. f
+  /// may change within a step h, and t is rounded, so a difference to the time t + d has a relative error of about
   ///
   ///   sqrt(eps (h + |t|) / h),   d = sqrt(eps h (h + |t|))                                             (2)
   ///
-  /// Where that part of h^2 df/dt matters to the tolerances, by the last df/dt, which is in `out`, one more evaluation
-  /// is worth it: the difference from t - d to t + d, d = cbrt(eps) sqrt(h (h + |t|)), unless t - d is before the last
-  /// step, as f may be another before a start or an event. Overwrites `next_`.
+  /// If this error times h^2 df/dt matters to the tolerances, judged by the previous df/dt in `out`, one more
+  /// evaluation is made: the difference from t - d to t + d, d = cbrt(eps) sqrt(h (h + |t|)). It is not made if t - d
+  /// is before the last step, because f may differ before a start or an event. Overwrites `next_`.
   void differentiate_in_time(const rate& slope, const S& h, rate& out) {
     if constexpr (requires { this->system().time_derivative(this->time_, this->x_, out); }) {
       this->ask([&] { this->system().time_derivative(this->time_, this->x_, out); });
@@ -101,7 +100,7 @@ class implicit_integrator : public integrator<Method, F, X> {
                         detail::error_norm(tolerances_, (h * h * part) * out, sizes, sizes) > S(0.1);
       const S d = both ? wide : S(root_of_epsilon() * signed_mean);
       const S after = this->time_ + d, before = both ? S(this->time_ - d) : this->time_;
-      if (after == before) [[unlikely]] {  // a step so short that its square is 0
+      if (after == before) [[unlikely]] {  // h^2 underflows to 0
         out.setZero();
         return;
       }
@@ -110,7 +109,7 @@ class implicit_integrator : public integrator<Method, F, X> {
       out = (shifted_ - (both ? out : slope)) / S(after - before);
     }
   }
-  /// Makes W ready for `solve`. Says whether that was possible.
+  /// Factorizes W for `solve`. Returns whether this was possible.
   bool factorize(const S& c) {
     ++this->statistics_.factorizations;
     matrix_ = -c * jacobian_;
@@ -128,13 +127,13 @@ class implicit_integrator : public integrator<Method, F, X> {
   matrix jacobian_;
 
  private:
-  /// The size of a component below which its size does not matter; without a relative tolerance, the size for which
-  /// differences are as large as the absolute one.
+  /// The size of component j below which its size does not matter: absolute_j / relative_j. Without a relative
+  /// tolerance, the size for which differences equal the absolute tolerance.
   S least_size(Eigen::Index j) const {
     const S &a = tolerances_.absolute[j], &r = tolerances_.relative[j];
     return a / (r == S(0) ? root_of_epsilon() : r);
   }
-  /// J by f; says whether it knows it.
+  /// Computes J by f; returns whether f knows it.
   bool take_jacobian() {
     if constexpr (requires { this->system().jacobian(this->time_, this->x_, jacobian_); }) {
       bool known = true;

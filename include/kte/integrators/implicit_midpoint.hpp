@@ -8,13 +8,13 @@ namespace kte {
 ///
 ///   d = h k,  k the rate of the displacement at (t + h/2, x (+) d/2),   x1 = x (+) d          (1)
 ///
-/// It is symmetric: for reversible motions energy oscillates and does not drift. It is exact for quadratic invariants
-/// of vectors: the energy of linear oscillators, the norm of a momentum. It is symplectic where x holds canonical
-/// momenta; for mechanisms `variational` is. It is stable for every step on the imaginary axis, but the iteration needs
-/// h below about 1 over the fastest rate: for stiff systems see `tr_bdf2`.
+/// It is symmetric: for reversible motions the energy oscillates without drift. Quadratic invariants of vectors are
+/// exact: the energy of linear oscillators, the norm of a momentum. It is symplectic if x holds canonical momenta; for
+/// mechanisms use `variational2`. It is stable for every step on the imaginary axis, but the iteration needs h below
+/// about 1 over the fastest rate. For stiff systems see `tr_bdf2`.
 ///
-/// Between the ends of a step the state is interpolated along d, with an error of order 2 in h, the order of the
-/// method. Hairer, Lubich and Wanner, Geometric Numerical Integration, 2006, II.1.2, IV.2, V.1; on groups Zanna, Engo
+/// Dense output is linear in d, with an error of order 2 in h, the order of the method. Hairer, Lubich and Wanner,
+/// Geometric Numerical Integration, 2006, II.1.2, IV.2, V.1; on groups Zanna, Engo
 /// and Munthe-Kaas, Adjoint and selfadjoint Lie-group methods, BIT 41 (2001).
 template <class F, class X>
 class implicit_midpoint : public fixed_step<implicit_midpoint<F, X>, F, X> {
@@ -33,10 +33,10 @@ class implicit_midpoint : public fixed_step<implicit_midpoint<F, X>, F, X> {
       : base(std::move(f), t0, x0, step), k_(this->no_rate()), fresh_(k_) {}
 
  private:
-  /// A guess for the first step; later ones begin at the k of the step before.
+  /// A guess for the first step; later steps start from the k of the previous step.
   void prepare() {
     this->evaluate(this->time_, this->x_, k_);
-    this->previous_time_ = this->time_;  // nothing left to interpolate
+    this->previous_time_ = this->time_;  // no step to interpolate
   }
 
   void try_step(const S& end) {

@@ -19,10 +19,11 @@ concept observes = follower<std::remove_reference_t<Observer>> || std::invocable
 
 /// The type of `keep_step`, an argument of `integrator::restart`.
 struct keep_step_t {};
-/// Lets `integrator::restart` keep the length of the step.
+/// Argument of `integrator::restart`: keeps the length of the step.
 inline constexpr keep_step_t keep_step{};
 
-/// Base of all integrators of x' = f(t, x): time and state, observers, samples, the last step.
+/// Base of all integrators of x' = f(t, x): holds time and state, calls observers, keeps the last step for dense
+/// output.
 ///
 /// X: the state, an Eigen column vector of fixed or dynamic size, of any real scalar S. F: called as f(t, x), returns
 /// x' as anything that can be assigned to an X, or to an F::rate where states have rotations (`moves_on_group`). f is
@@ -48,11 +49,11 @@ class integrator : public moving_state<F, X> {
   using typename base::S;
 
   /// The present time, s.
-  const S& time() const { return time_; }
+  [[nodiscard]] const S& time() const { return time_; }
   /// The state at `time()`; after a failure the last valid one.
-  const X& state() const { return x_; }
+  [[nodiscard]] const X& state() const { return x_; }
   /// Counts of steps and evaluations so far.
-  const step_statistics& statistics() const { return statistics_; }
+  [[nodiscard]] const step_statistics& statistics() const { return statistics_; }
   /// The right-hand side.
   using base::function;
 
@@ -103,7 +104,7 @@ class integrator : public moving_state<F, X> {
   void step(const S& t_end);
 
   /// The state at a time of the last step; exact at its ends. Throws `bad_argument` for other times.
-  X interpolate(const S& t) const {
+  [[nodiscard]] X interpolate(const S& t) const {
     X x = x_;
     interpolate(t, x);
     return x;
@@ -114,22 +115,22 @@ class integrator : public moving_state<F, X> {
 
   // ---- the last step, for `solution`
   /// The time at the start of the last step, s.
-  const S& previous_time() const { return previous_time_; }
+  [[nodiscard]] const S& previous_time() const { return previous_time_; }
   /// The state at the start of the last step.
-  const X& previous_state() const { return previous_; }
+  [[nodiscard]] const X& previous_state() const { return previous_; }
   /// The degree in time of the dense output of the last step.
-  int dense_degree() const { return static_cast<const Method&>(*this).degree(); }
+  [[nodiscard]] int dense_degree() const { return static_cast<const Method&>(*this).degree(); }
   /// The displacement from the start of the last step to the fraction 0 <= theta <= 1 of it.
-  rate displacement_to(const S& theta) const;
+  [[nodiscard]] rate displacement_to(const S& theta) const;
 
-  /// Continues from another time and state; the length of the next step is determined again from the slopes. Throws
-  /// `bad_argument` unless they are finite.
+  /// Continues from another time and state. The length of the next step is computed again from the slopes. Throws
+  /// `bad_argument` unless t and x are finite.
   void restart(const S& t, const X& x) {
     restart(t, x, keep_step);
     is_new_ = true;
   }
-  /// Continues from another time and state with a step as long as the last one, where the motion stays about as fast,
-  /// for instance after an impact: `solver.restart(t, x, kte::keep_step)`.
+  /// Continues from another time and state with the length of the last step, for motions that stay about as fast, such
+  /// as after an impact: `solver.restart(t, x, kte::keep_step)`.
   void restart(const S& t, const X& x, keep_step_t);
 
  protected:
@@ -155,7 +156,7 @@ class integrator : public moving_state<F, X> {
     }
     ++statistics_.steps;
   }
-  /// The text goes on with why f could not be computed in the last tries, if it could not.
+  /// The message includes the reason why f could not be computed in the last tries, if any.
   [[noreturn, gnu::cold, gnu::noinline]] void fail(const std::string& why, failure_reason reason) const {
     const double t = detail::as_double(time_);
     const bool not_finite = reason == failure_reason::not_finite;
@@ -167,25 +168,24 @@ class integrator : public moving_state<F, X> {
             (not_finite || this->cause().empty() ? this->reason() : "; beyond, f cannot be computed" + this->reason()),
         t, reason, this->cause(), component);
   }
-  /// Throws where f is not a number at the present time and state.
+  /// Throws if f is not finite at the present time and state.
   void check_finite_slope(const rate& slope) const {
     if (!detail::all_finite(slope)) [[unlikely]]
       fail("the right-hand side is not a finite number", failure_reason::not_finite);
   }
-  /// Tries a step: try_step() gives a `detail::attempt`, here one without a new state where f cannot be computed.
+  /// Tries a step: try_step() returns a `detail::attempt`. The result has no new state if f cannot be computed.
   template <class Try>
   auto attempted(const Try& try_step) const {
     return this->computed(try_step, decltype(try_step()){std::numeric_limits<S>::quiet_NaN()}, this->next_);
   }
-  /// How many times the tolerances the error of a try is compared with; arguments as of `rounding_floor`.
+  /// The factor on the tolerances for the error of a try; arguments as in `rounding_floor`.
   template <class Slope, class Rounding>
   [[gnu::noinline]] S level_of_rounding(detail::rounding_floor<S>& floor, const S& error, const S& reach,
                                         const Slope& slope, const Rounding& rounding) const {
     using std::abs;
     return floor.level(error, abs(reach), statistics_.steps + statistics_.rejected, slope, rounding);
   }
-  /// The rate n roundings away from the present time and state, `here` being the one there; no number where f cannot be
-  /// computed.
+  /// The rate n roundings away from the present time and state, where it is `here`; NaN if f cannot be computed.
   rate rate_roundings_away(int n, const rate& here) const {
     if (n == 0) return here;
     using std::abs;
@@ -201,11 +201,11 @@ class integrator : public moving_state<F, X> {
     this->evaluate_if_possible(S(time_ + eps * abs(time_)), x, r);
     return r;
   }
-  /// How much f differs between i and j roundings away from the present time and state, where it is `here`.
+  /// The difference of f between i and j roundings away from the present time and state, where it is `here`.
   rate rounding_of_rate(int i, int j, const rate& here) const {
     return rate_roundings_away(j, here) - rate_roundings_away(i, here);
   }
-  /// For those who choose steps.
+  /// The function object `fail` for classes that choose steps.
   auto failing() const {
     return [this](const std::string& why, failure_reason reason) { fail(why, reason); };
   }
@@ -216,7 +216,7 @@ class integrator : public moving_state<F, X> {
   using base::x_;
   S time_{}, previous_time_{};
   bool is_new_ = true;
-  /// Whether t is between the ends of the last step: after a start, only where it began.
+  /// Whether t is within the last step; after a start, whether it is the start.
   bool in_last_step(const S& t) const {
     return previous_time_ < time_ ? previous_time_ <= t && t <= time_ : time_ <= t && t <= previous_time_;
   }
@@ -224,7 +224,7 @@ class integrator : public moving_state<F, X> {
  private:
   Method& method() { return static_cast<Method&>(*this); }
 
-  /// Where body() cannot be computed, the integration fails, with the reason.
+  /// Calls body(). If it cannot be computed, the integration fails with this reason.
   template <class Body>
   void no_number_is_failure(const Body& body) {
     this->forget_reason();
@@ -257,7 +257,7 @@ class integrator : public moving_state<F, X> {
     return stop_reason::end_time;
   }
 
-  bool in_step_ = false;  ///< also after a step that has failed
+  bool in_step_ = false;  ///< remains true after a failed step
 };
 
 template <class Method, class F, class X>
@@ -275,7 +275,7 @@ void integrator<Method, F, X>::begin(const S& t_end) {
 template <class Method, class F, class X>
 void integrator<Method, F, X>::step(const S& t_end) {
   if (in_step_) [[unlikely]]
-    begin(t_end);  // again: the last step has failed
+    begin(t_end);  // again, because the last step has failed
   in_step_ = true;
   no_number_is_failure([&] {
     this->begin_at_state();
@@ -317,7 +317,7 @@ void integrator<Method, F, X>::restart(const S& t, const X& x, keep_step_t) {
   time_ = previous_time_ = t;
 }
 
-/// `solver.integrate(t_end, ...)`.
+/// The implementation of `solver.integrate(t_end, ...)`.
 template <class Method, class F, class X, class... How>
 auto integrate(integrator<Method, F, X>& solver, const std::type_identity_t<typename X::Scalar>& t_end, How&&... how) {
   return static_cast<Method&>(solver).integrate(t_end, std::forward<How>(how)...);

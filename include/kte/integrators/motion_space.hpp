@@ -6,18 +6,18 @@
 #include <functional>
 #include <type_traits>
 
-/// States that are no vectors: those with rotations. Integrators then work on displacements d from the state x at the
+/// States that are not vectors: those with rotations. Integrators then work on displacements d from the state x at the
 /// start of a step, which are vectors:
 ///
 ///   d' = rate of d at which the state x (+) d changes by f(t, x (+) d),   d(t) = 0          (1)
 ///   x1 = x (+) d(t + h)                                                                     (2)
 ///
-/// so that every one-step method is a method on the group, of the same order, without a norm to watch: Munthe-Kaas,
-/// High order Runge-Kutta methods on manifolds, Appl. Numer. Math. 29 (1999).
+/// Every one-step method is thus a method on the group, of the same order, and quaternions keep unit length:
+/// Munthe-Kaas, High order Runge-Kutta methods on manifolds, Appl. Numer. Math. 29 (1999).
 namespace kte {
 
 namespace detail {
-/// What a right-hand side is, also through `std::ref`.
+/// The right-hand side itself, also behind `std::ref`.
 template <class F>
 F& unwrapped(F& f) {
   return f;
@@ -32,7 +32,7 @@ F& unwrapped(std::reference_wrapper<F>& f) {
 }
 template <class F>
 using unwrapped_type = std::remove_cvref_t<decltype(unwrapped(std::declval<F&>()))>;
-/// Whether F is `std::cref` of what can be called only through `std::ref`.
+/// Whether F is `std::cref` of a right-hand side that can only be called through `std::ref`.
 template <class F, class S, class X>
 inline constexpr bool changes_when_called = false;
 template <class F, class S, class X>
@@ -43,19 +43,21 @@ inline constexpr bool changes_when_called<std::reference_wrapper<const F>, S, X>
 /// A right-hand side f whose states are not vectors, such as those with rotations:
 ///
 ///   typename F::rate         what f(t, x) returns: a column vector of velocities
-///   f.rates()                how many numbers it has
+///   f.rates()                the size of these vectors
 ///   f.displace(x, d, out)    out = x (+) d, in (2)
 ///   f.pull_back(d, r)        the rate r of the state becomes that of d, in (1)
-///   f.magnitudes(x, m)       of each number of d, how large the state is in its unit: for relative tolerances
-///   f.rounding(x, d, out, r) optional: r = what of d was lost where out was rounded, for a displacement from out
+///   f.magnitudes(x, m)       for each number of d, the size of the state in its unit, for relative tolerances
+///   f.rounding(x, d, out, r) optional: r = the part of d lost in the rounding of out, as a displacement from out
 ///
-/// Where states also have to stay on a manifold, such as the closed loops of a mechanism, f has optionally
+/// If states must also stay on a manifold, such as the closed loops of a mechanism, f has in addition
 ///
 ///   f.begin_step(x)          a step begins at x: chooses what stages and the end of the step go by
 ///   f.settle(x, d, out)      out = x (+) d, the end of a step or a state within it, is put on the manifold; d goes
-///   with it f.tangential(x, e)       what `settle` takes away of a displacement is taken out of an error estimate e
+///                            with it
+///   f.tangential(x, e)       what `settle` takes away of a displacement is taken out of an error estimate e
+///   f.check_end(x, next)     optional: throws where a step of another length should end elsewhere than at `next`
 ///
-/// They throw `bad_argument` where that cannot be done; a shorter step may cure it.
+/// They throw `bad_argument` if this is not possible; a shorter step may succeed.
 template <class F, class X>
 concept moves_on_group = requires(const F& f, const X& x, X& out, const typename F::rate& d, typename F::rate& r) {
   { f.rates() } -> std::convertible_to<Eigen::Index>;
@@ -81,7 +83,7 @@ requires moves_on_group<F, X>
 struct rate_type<F, X> {
   using type = typename F::rate;
 };
-/// Whether the states by which F calls its own move on a group.
+/// Whether the states of a right-hand side F move on a group.
 template <class F>
 inline constexpr bool has_states_on_group = false;
 template <class F>

@@ -14,16 +14,16 @@ namespace kte {
 
 /// Counts of an integration so far.
 struct step_statistics {
-  long long steps = 0;           ///< accepted
-  long long rejected = 0;        ///< tried and rejected
+  long long steps = 0;           ///< accepted steps
+  long long rejected = 0;        ///< rejected tries
   long long evaluations = 0;     ///< of the right-hand side, including those for differences
   long long jacobians = 0;       ///< of the right-hand side
   long long factorizations = 0;  ///< of matrices
 };
 
-/// A right-hand side and the states of a step: from `x_`, that at the start of the step, to `next_`, by displacements,
-/// which are vectors also where states are not (motion_space.hpp); after the step, from `previous_` to `x_`. The part
-/// of `integrator` that its methods work with.
+/// A right-hand side and the states of a step: from `x_`, at the start of the step, to `next_`, by displacements, which
+/// are vectors even if states are not (motion_space.hpp). After the step, from `previous_` to `x_`. This is the part of
+/// `integrator` that its methods use.
 template <class F, class X>
 class moving_state {
  public:
@@ -36,9 +36,9 @@ class moving_state {
 
  protected:
   static constexpr bool is_called = std::invocable<F&, const S&, const X&>;
-  /// Whether states are no vectors.
+  /// Whether states are not vectors.
   static constexpr bool on_group = moves_on_group<detail::unwrapped_type<F>, X>;
-  /// Whether they are kept on a manifold.
+  /// Whether states are kept on a manifold.
   static constexpr bool settles = detail::settles_states<detail::unwrapped_type<F>, X>;
   struct nothing {};
   template <class T>
@@ -46,7 +46,7 @@ class moving_state {
 
   explicit moving_state(F f) : f_(std::move(f)) {}
   const F& function() const { return f_; }
-  /// Anew from x.
+  /// Starts from x.
   void place(const X& x) {
     x_ = next_ = previous_ = x;
     if constexpr (on_group) d_ = within_ = sizes_[0] = sizes_[1] = no_rate();
@@ -55,7 +55,7 @@ class moving_state {
   /// The right-hand side.
   auto& system() { return detail::unwrapped(f_); }
   const auto& system() const { return detail::unwrapped(f_); }
-  /// How many numbers rates have.
+  /// The number of rates.
   Eigen::Index rates() const {
     if constexpr (on_group) {
       return system().rates();
@@ -63,10 +63,10 @@ class moving_state {
       return x_.size();
     }
   }
-  /// All zero.
+  /// A rate of zeros.
   rate no_rate() const { return rate::Zero(rates()); }
 
-  /// x_dot = f(t, x). What f throws comes through.
+  /// x_dot = f(t, x). Exceptions of f pass through.
   void evaluate(const S& t, const X& x, rate& x_dot) const {
     ++statistics_.evaluations;
     if constexpr (is_called) ask([&] { put(x_dot, [&]() -> decltype(auto) { return f_(t, x); }); });
@@ -74,7 +74,7 @@ class moving_state {
       detail::raise<bad_argument>("kte: the right-hand side gave " + std::to_string(x_dot.size()) +
                                   " numbers for a state of " + std::to_string(x.size()));
   }
-  /// next_ = state (+) d, where d is an expression of rates.
+  /// next_ = state (+) d, with an expression d of rates.
   template <class D>
   void displace(const D& d) {
     if constexpr (on_group) {
@@ -94,6 +94,10 @@ class moving_state {
       settled_ = true;
     }
   }
+  /// Whether a next step may begin at `next_`. Exceptions pass through `computes`.
+  void check_end() const {
+    if constexpr (requires { system().check_end(x_, next_); }) ask([&] { system().check_end(x_, next_); });
+  }
   /// A step begins.
   void begin_at_state() const {
     if constexpr (settles) ask([&] { system().begin_step(x_); });
@@ -109,17 +113,17 @@ class moving_state {
       return e;
     }
   }
-  /// The rate of the displacement at its present value; `next_` is the state there.
+  /// The rate of the displacement at its present value, with the state `next_`.
   void slope(const S& t, rate& k) {
     evaluate(t, next_, k);
     pull_back(k);
   }
-  /// `evaluate` for trials: no number where f cannot be computed.
+  /// `evaluate` for trials: NaN if f cannot be computed.
   void evaluate_if_possible(const S& t, const X& x, rate& x_dot) const {
     if (!computes([&] { evaluate(t, x, x_dot); }, x))
       x_dot = rate::Constant(rates(), std::numeric_limits<S>::quiet_NaN());
   }
-  /// The rate of the state at `next_` becomes that of the displacement.
+  /// Converts the rate of the state at `next_` to that of the displacement.
   void pull_back(rate& k) const {
     if constexpr (on_group) system().pull_back(d_, k);
   }
@@ -129,15 +133,15 @@ class moving_state {
     displaced_freely(d, x);
     if constexpr (settles) system().settle(previous_, within_, x);
   }
-  /// The rate of the displacement from the start of the last step, where it is d: for a `dense` that needs evaluations.
-  /// Overwrites `next_`.
+  /// The rate of the displacement d from the start of the last step, for a `dense` that needs evaluations. Overwrites
+  /// `next_`.
   template <class D>
   void slope_within(const S& t, const D& d, rate& k) const {
     displaced_freely(d, next_);
     evaluate(t, next_, k);
     if constexpr (on_group) system().pull_back(within_, k);
   }
-  /// The displacement of the last step; of this one before `accept`.
+  /// The displacement of the last step; before `accept`, of the current step.
   decltype(auto) displacement() const {
     if constexpr (on_group) {
       return (d_);
@@ -145,9 +149,9 @@ class moving_state {
       return x_ - previous_;
     }
   }
-  /// The last one that `displaced` was called with.
+  /// The displacement of the last call of `displaced`.
   const rate& displacement_within() const requires(on_group) { return within_; }
-  /// What relative tolerances are relative to; of `next_` and of another state at the same time.
+  /// The sizes to which relative tolerances refer, of `next_` and of another state at the same time.
   const rate& magnitudes(const X& x) const {
     if constexpr (on_group) {
       rate& m = sizes_[&x == &next_];
@@ -160,15 +164,15 @@ class moving_state {
   /// Whether `next_` has finite numbers only.
   bool next_is_finite() const { return detail::all_finite(next_); }
 
-  /// Calls body(), which is the user's: so that what it throws can be told from what kte throws itself.
+  /// Calls body(), which is user code, and marks its exceptions, so that they can be distinguished from those of kte.
   template <class Body>
   void ask(const Body& body) const {
     is_asking_ = true;
     body();
     is_asking_ = false;
   }
-  /// Calls body(), which evaluates f. False where f throws that it cannot be computed, which a shorter step may cure:
-  /// `bad_argument` or `singular_mass_matrix`, whose text is kept as the reason if the state x is finite.
+  /// Calls body(), which evaluates f. Returns false if f throws `bad_argument` or `singular_mass_matrix`, which a
+  /// shorter step may avoid. The message is kept as the reason if the state x is finite.
   template <class Body>
   bool computes(const Body& body, const X& x) const {
     return computed([&] { return body(), true; }, false, x);
@@ -193,7 +197,7 @@ class moving_state {
 #endif
   }
   void forget_reason() { reason_.clear(); }
-  /// What to add to a message about numbers that are not finite: why, or nothing.
+  /// The reason to add to a message about numbers that are not finite; may be empty.
   const std::string& cause() const { return reason_; }
   std::string reason() const { return reason_.empty() ? std::string() : ": " + reason_; }
 
@@ -211,7 +215,7 @@ class moving_state {
       x = previous_ + d;
     }
   }
-  /// out = value(), which is made in its place where it is of this type: not copied.
+  /// out = value(), constructed in place if it has this type.
   template <class Value>
   static void put(rate& out, const Value& value) {
     if constexpr (std::is_same_v<decltype(value()), rate> && std::is_trivially_destructible_v<rate>) {

@@ -7,13 +7,13 @@
 #include <string>
 #include <vector>
 
-/// What integrations are told in addition to their end: times, and by observers whether to go on.
+/// Output times, stop times, and the values that observers return.
 namespace kte {
 
 /// Values that an observer may return, of type bool: `return height > 0 ? kte::go_on : kte::stop`.
 inline constexpr bool go_on = true, stop = false;
 
-/// Why an integration ended: at the `end_time`, or before.
+/// Why an integration ended: it reached `end_time`, or one of the other reasons.
 enum class stop_reason {
   end_time,
   terminal,  ///< a terminal event
@@ -22,7 +22,7 @@ enum class stop_reason {
 };
 
 namespace detail {
-/// Times of anything with data() and size(), or in braces: copied, so that they need not live on.
+/// A list of times from anything with data() and size(), or from braces; copied.
 template <class T>
 class time_list {
  public:
@@ -37,7 +37,7 @@ class time_list {
   std::size_t count() const { return times_.size(); }
   const T& operator[](std::size_t i) const { return times_[i]; }
 
-  /// Throws `bad_argument` unless the times are finite, in the order of the way from t to t_end, and on it.
+  /// Throws `bad_argument` unless the times are finite, between t and t_end, and ordered in this direction.
   template <class S>
   void check(const S& t, const S& t_end, const char* name) const {
     S last = t;
@@ -64,7 +64,7 @@ concept single_time = !requires(const T& x) {
 }  // namespace detail
 
 /// Times at which an observer is called, by dense output: `solver.integrate(10, kte::at(times), observer)`, or
-/// `kte::at{0.1, 0.5, 2.0}`. The times are in the direction of the integration.
+/// `kte::at{0.1, 0.5, 2.0}`. The times are ordered in the direction of integration.
 template <class T>
 struct at : detail::time_list<T> {
   using detail::time_list<T>::time_list;
@@ -75,7 +75,7 @@ template <detail::single_time T, std::same_as<T>... More>
 at(T, More...) -> at<T>;
 
 /// Times at which steps end exactly: `solver.integrate(10, kte::through(times), ...)`. f is evaluated again after each
-/// of them, so that an observer of every step may change there what f depends on.
+/// of them, so an observer of every step may change there what f depends on.
 template <class T>
 struct through : detail::time_list<T> {
   using detail::time_list<T>::time_list;
@@ -87,7 +87,7 @@ through(T, More...) -> through<T>;
 
 namespace detail {
 
-/// The times of samples, count() of them. Throws `bad_argument` for invalid times.
+/// The times of samples; count() is their number. Throws `bad_argument` for invalid times.
 template <class S>
 class even_samples {
  public:

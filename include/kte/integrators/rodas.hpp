@@ -7,7 +7,7 @@ namespace kte {
 /// RODAS of Hairer and Wanner, Solving Ordinary Differential Equations II, 1996, VI.4: order 4, stiffly accurate and
 /// L-stable, with an error of order 4 in h and a dense output of order 3.
 ///
-/// The numbers published have 16 digits. Here are the nearest ones (within 1e-14) that satisfy the conditions of the
+/// The published numbers have 16 digits. These are the nearest ones (within 1e-14) that satisfy the conditions of the
 /// method to 21 digits: those of order 4, of order 3 for the error and the dense output, and of index 1.
 struct rodas_coefficients {
   static constexpr std::size_t stages = 6;

@@ -28,12 +28,12 @@ struct rosenbrock_table {
 ///   e = sum_i e_i u_i                                                                                  (4)
 ///   x(t + theta h) = x + sum_i p_i(theta) u_i,   p_i a polynomial, p_i(0) = 0                          (5)
 ///
-/// Hairer and Wanner, Solving Ordinary Differential Equations II, 1996, IV.7, (7.24), (7.25). For J and f_t, see
-/// `implicit_integrator`: exact ones where f has them, else by differences. One Jacobian a step, one factorization a
-/// try, and s evaluations a step, s - 1 where the last stage is at the end of the step (`first_same_as_last`).
+/// Hairer and Wanner, Solving Ordinary Differential Equations II, 1996, IV.7, (7.24), (7.25). J and f_t are those of
+/// `implicit_integrator`: exact if f has them, otherwise by differences. One Jacobian a step, one factorization a try,
+/// and s evaluations a step, or s - 1 if the last stage is at the end of the step (`first_same_as_last`).
 ///
-/// `Coefficients` has `stages`, `order_of_error` (of e in h), `first_same_as_last` and table<S>(), whose `dense` holds
-/// of p_i the coefficients of theta, theta^2, ...
+/// `Coefficients` has `stages`, `order_of_error` (of e in h), `first_same_as_last` and table<S>(). `dense` of the table
+/// holds the coefficients of theta, theta^2, ... in p_i.
 template <class Coefficients, class F, class X>
 class rosenbrock : public implicit_integrator<rosenbrock<Coefficients, F, X>, F, X> {
   using base = implicit_integrator<rosenbrock, F, X>;

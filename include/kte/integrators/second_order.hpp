@@ -7,8 +7,8 @@ namespace kte {
 /// The number n of velocities in the rates r = (v, a, z') of a state, for methods that treat positions and velocities
 /// differently: the first n rates are v, the next n are accelerations; x has the numbers v after its positions.
 ///
-/// n is f.velocity_count() where f has it, as `manipulator_dynamics_model` does; else half of the rates, which then
-/// have no third part.
+/// n is f.velocity_count() if f has it, as `manipulator_dynamics_model` does. Otherwise it is half of the number of
+/// rates, and there are no internal states z.
 template <class F, class Rate>
 [[nodiscard]] Eigen::Index velocities_in(const F& f, const Rate& r) {
   if constexpr (requires { f.velocity_count(); }) {
@@ -47,7 +47,7 @@ class second_order_system {
 ///
 ///   kte::stormer_verlet solver(kte::second_order(g), 0.0, x0, 0.01);
 ///
-/// g(t, q): q is a view of the first half of x; g returns as many numbers.
+/// g(t, q): q is a view of the first half of x; g returns a vector of the same size.
 template <class G>
 [[nodiscard]] second_order_system<G> second_order(G g) {
   return second_order_system<G>(std::move(g));

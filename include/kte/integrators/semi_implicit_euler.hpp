@@ -9,9 +9,9 @@ namespace kte {
 ///
 ///   v1 = v + h a(t, q, v),   q1 = q (+) h v1            (1)
 ///
-/// Symplectic where a depends on q only: the energy of a conservative system then stays near its value without drift.
-/// Internal states are integrated by Euler's method. Between the ends of a step the state is linear. Hairer, Lubich and
-/// Wanner, Geometric Numerical Integration, 2006, I.1 (1.9).
+/// Symplectic if a depends on q only: the energy of a conservative system then stays near its value without drift.
+/// Internal states are integrated by Euler's method. Dense output is linear. Hairer, Lubich and Wanner, Geometric
+/// Numerical Integration, 2006, I.1 (1.9).
 template <class F, class X>
 class semi_implicit_euler : public fixed_step<semi_implicit_euler<F, X>, F, X> {
   using base = fixed_step<semi_implicit_euler, F, X>;

@@ -9,8 +9,8 @@
 
 namespace kte {
 
-/// The solution as a function of time: the dense output of every step, of every solver, forward or backward, also with
-/// events:
+/// A solution as a function of time, made of the dense output of every step, for every solver, forward or backward,
+/// also with events:
 ///
 ///   kte::solution x(solver);
 ///   solver.integrate(10.0, x);
@@ -22,12 +22,12 @@ namespace kte {
 ///   d(theta) = sum_j w_j d_j / (theta - theta_j) / sum_j w_j / (theta - theta_j)                  (1)
 ///   theta_j = (1 - cos(pi j / m)) / 2,   w_j = (-1)^j, half of that for j = 0, m                  (2)
 ///
-/// m: 1 to 7 for one-step methods (4 for `dormand_prince45`, 7 for `prince_dormand87`, with its four additional
-/// evaluations a step), the order for `bdf`, one more than that for `adams`, at least 3. Memory, for states of n
-/// numbers with r rates: 4 + n + m r numbers a step, on the heap. A look-up takes the logarithm of the number of steps.
+/// m is 1 to 7 for one-step methods (4 for `dormand_prince45`; 7 for `prince_dormand87`, with four additional
+/// evaluations a step), the order for `bdf`, the order + 1 for `adams`, but at least 3. Memory for states of n numbers
+/// with r rates: 4 + n + m r numbers a step, on the heap. A look-up takes the logarithm of the number of steps.
 ///
-/// Further calls of `integrate` extend it. Berrut and Trefethen, Barycentric Lagrange Interpolation, SIAM Review 46
-/// (2004), (4.2), (5.4). `before`, `after` and `settle` are called by the integrator.
+/// Further calls of `integrate` extend the solution. Berrut and Trefethen, Barycentric Lagrange Interpolation, SIAM
+/// Review 46 (2004), (4.2), (5.4). The integrator calls `before`, `after` and `settle`.
 template <class F, class X>
 class solution {
   static constexpr bool on_group = moves_on_group<detail::unwrapped_type<F>, X>;
@@ -47,11 +47,11 @@ class solution {
         from_(last_),
         d_(solver.displacement_to(S(0))) {}
 
-  /// The first time, s; `end`: the last one.
-  const S& begin() const { return begin_; }
+  /// The first time, s.
+  [[nodiscard]] const S& begin() const { return begin_; }
   /// The last time, s.
-  const S& end() const { return end_; }
-  std::size_t steps() const { return pieces_.size(); }
+  [[nodiscard]] const S& end() const { return end_; }
+  [[nodiscard]] std::size_t steps() const { return pieces_.size(); }
 
   /// The state at a time, s; at a reset the state after it. Throws `bad_argument` for a time out of range.
   X operator()(const S& t) const {
@@ -73,7 +73,7 @@ class solution {
     evaluate_piece(*(after - 1), t, x);
   }
 
-  // ---- as an observer (integrators/detail/followers.hpp)
+  // ---- receiver of an integration (integrators/detail/followers.hpp)
   template <class Solver>
   bool start(const Solver& solver) {
     if (solver.time() != end_)
@@ -103,7 +103,7 @@ class solution {
   }
 
  private:
-  /// A step, or its part up to an event: its numbers are the state at its start, and m displacements.
+  /// A step, or its part up to an event: the state at its start, and m displacements.
   struct piece {
     S begin, length;
     std::size_t first;

@@ -12,10 +12,10 @@ namespace kte {
 ///   q1 = q (+) h v'                       (2)
 ///   v1 = v' + h/2 a(t + h, q1, v')        (3)
 ///
-/// Explicit where a does not depend on velocities: one evaluation a step where f declares it (`second_order`). It is
+/// Explicit if a does not depend on velocities, with one evaluation a step if f declares this (`second_order`). It is
 /// then symplectic: the energy of conservative systems stays near its value without drift. In general (1) is solved by
 /// fixed-point iteration; the method is then symmetric, without drift for reversible motions. Internal states are
-/// integrated as v is. Between the ends of a step: cubics with the slopes at both ends. Hairer, Lubich and Wanner,
+/// integrated like v. Dense output: cubics with the slopes at both ends. Hairer, Lubich and Wanner,
 /// Geometric numerical integration illustrated by the Stormer-Verlet method, Acta Numerica 12 (2003), (1.5), (1.7).
 template <class F, class X>
 class stormer_verlet : public fixed_step<stormer_verlet<F, X>, F, X> {
@@ -39,7 +39,7 @@ class stormer_verlet : public fixed_step<stormer_verlet<F, X>, F, X> {
   /// Before the first step: a at the start.
   void prepare() {
     this->evaluate(this->time_, this->x_, raw_);
-    this->previous_time_ = this->time_;  // nothing left to interpolate
+    this->previous_time_ = this->time_;  // no step to interpolate
   }
 
   void try_step(const S& end) {
@@ -58,7 +58,7 @@ class stormer_verlet : public fixed_step<stormer_verlet<F, X>, F, X> {
     this->displace_at_last(d_);
     this->pull_back(k1_);
   }
-  /// The rates of v and internal states under which (1) holds, from a guess.
+  /// The rates of v and internal states that satisfy (1), starting from a guess.
   void solve_kick(const S& h, Eigen::Index m) {
     d_.setZero();
     this->iterate(h, [&] {

@@ -32,7 +32,7 @@ S coefficient() {
   }
 }
 
-/// The time of a stage; the end itself for the last one.
+/// The time of a stage; exactly `end` for the last one.
 template <class S, ratio C>
 S stage_time(const S& t, const S& h, const S& end) {
   if constexpr (C == ratio{1, 1}) {
@@ -54,8 +54,7 @@ constexpr bool equal_from(const tableau_row<N>& v, const tableau_row<N>& w, std:
   return i == N;
 }
 
-/// w_1 k_1 + w_2 k_2 + ... without the terms of weight zero, as an Eigen expression: evaluated in one go, no
-/// temporaries.
+/// w_1 k_1 + w_2 k_2 + ... without terms of weight zero, as one Eigen expression without temporaries.
 template <auto Weights, std::size_t I = 0, class X, std::size_t N>
 auto combination(const std::array<X, N>& k) {
   using S = typename X::Scalar;
@@ -68,7 +67,7 @@ auto combination(const std::array<X, N>& k) {
   }
 }
 
-/// (v_1 - w_1) k_1 + (v_2 - w_2) k_2 + ... likewise.
+/// (v_1 - w_1) k_1 + (v_2 - w_2) k_2 + ... without terms of weight zero, as one Eigen expression.
 template <auto V, auto W, std::size_t I = 0, class X, std::size_t N>
 auto difference(const std::array<X, N>& k) {
   using S = typename X::Scalar;

@@ -15,7 +15,7 @@ namespace kte {
 /// Evenly spaced times at which an observer is called: `solver.integrate(10, every(0.001), observer)`.
 template <class S>
 struct every {
-  S spacing;  ///< s, positive, also where time runs backward
+  S spacing;  ///< s; positive, also for integration backward in time
 
   constexpr explicit every(const S& s) : spacing(s) {}
 };
@@ -37,7 +37,8 @@ bool all_finite(const Eigen::MatrixBase<M>& x) {
   return sum == S(0);
 }
 
-/// A time or a setting that has to be finite, or finite and positive. Throws `bad_argument` with its name and value.
+/// Checks a time or a setting that must be finite, or finite and positive. Throws `bad_argument` with its name and
+/// value.
 template <class S>
 void check_finite(const S& x, const char* name) {
   if (!is_finite(x)) [[unlikely]]
@@ -62,8 +63,8 @@ void check_not_negative(const S& x, const char* name) {
 ///   n = ceil(|end - start| / h - slack / h)                (2)
 ///   slack = 4 eps max(|start|, |end|)                      (3)
 ///
-/// Times are multiples of h, not sums, so that errors do not accumulate. The last interval is shorter where h does not
-/// divide the whole. By (2) a remainder below the slack is part of the interval before it.
+/// Times are multiples of h, not sums, so that rounding errors do not accumulate. The last interval is shorter if h
+/// does not divide the whole. A remainder below the slack is added to the previous interval by (2).
 template <class S>
 class time_grid {
  public:
@@ -85,7 +86,7 @@ class time_grid {
     intervals_ = count < 1 ? 1 : static_cast<long long>(count);
   }
 
-  /// n of (2); 0 where the end is the start.
+  /// n of (2); 0 if start and end are equal.
   long long intervals() const { return intervals_; }
   /// t_i of (1).
   S operator[](long long i) const { return i < intervals_ ? S(start_ + S(i) * step_) : end_; }

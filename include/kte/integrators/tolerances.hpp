@@ -20,7 +20,7 @@ class per_component {
 
   const S& operator[](Eigen::Index i) const { return each_.size() == 0 ? all_ : each_[i]; }
 
-  /// Throws `bad_argument` for a number that is negative or not finite, and for another count of numbers than n.
+  /// Throws `bad_argument` for numbers that are negative or not finite, and unless there are n numbers.
   void check(Eigen::Index n, const char* name) const {
     if (each_.size() == 0) return detail::check_not_negative(all_, name);
     if (each_.size() != n)
@@ -39,15 +39,15 @@ class per_component {
 ///
 ///   w_i = absolute_i + relative_i |x_i|            (1)
 ///
-/// One of the two may be 0. Tolerances below the rounding error, w_i < 4 eps |x_i|, are rejected: every step rounds by
-/// eps/2. Where states have rotations, components are those of rates (`rate_of`).
+/// One of the two may be 0. Tolerances below the rounding error, w_i < 4 eps |x_i|, are rejected, because every step
+/// rounds by eps/2. For states with rotations, components are those of rates (`rate_of`).
 template <class S>
 struct tolerances {
   per_component<S> absolute = S(1e-6);  ///< in units of the state; not negative
   per_component<S> relative = S(1e-6);  ///< as a fraction of the state; not negative
   long long max_steps = 1000000;        ///< of one `integrate`, including rejected ones
   S initial_step = S(0);                ///< s, first step, also after `restart`; 0: computed from the first slopes
-  /// s; a tolerance that needs a shorter step fails. The last step to an end may be shorter
+  /// s; the integration fails if the tolerances need a shorter step. The last step to an end may be shorter
   S smallest_step = S(0);
   S largest_step = S(0);  ///< s; 0: unlimited
 
@@ -79,7 +79,8 @@ struct tolerances {
       if (relative[i] < least_relative()) return false;
     return true;
   }
-  /// A message that names the component whose tolerance is out of reach for states of these sizes; empty if none is.
+  /// A message that names the component whose tolerance is out of reach for states of these sizes; empty if there is
+  /// none.
   template <class X>
   std::string out_of_reach(const X& sizes) const {
     using std::abs;

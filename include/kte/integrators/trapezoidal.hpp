@@ -4,8 +4,8 @@
 
 namespace kte {
 
-/// The trapezoidal rule, x1 = x + h (f(t, x) + f(t + h, x1)) / 2: order 2, A-stable and without any damping. Its error
-/// is -h^3 x''' / 12; the cubic between its steps is a quadratic.
+/// The trapezoidal rule, x1 = x + h (f(t, x) + f(t + h, x1)) / 2: order 2, A-stable, without damping. Its error is -h^3
+/// x''' / 12; the cubic between step ends is a quadratic.
 struct trapezoidal_tableau {
   static constexpr std::size_t stages = 2;
   static constexpr int order = 2, dense_order = 2, order_of_error = 3;

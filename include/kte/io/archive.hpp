@@ -29,16 +29,16 @@ class archive {
   archive() = default;
   explicit archive(archive_record r) : record_(std::move(r)) {}
   /// The archive as plain data.
-  const archive_record& record() const { return record_; }
+  [[nodiscard]] const archive_record& record() const { return record_; }
 
   /// The names of all roots, in their order.
-  std::vector<std::string> names() const {
+  [[nodiscard]] std::vector<std::string> names() const {
     std::vector<std::string> all;
     for (const auto& r : record_.roots) all.push_back(r.name);
     return all;
   }
   /// Whether there is a root of this name.
-  bool has(std::string_view name) const { return find(name) != nullptr; }
+  [[nodiscard]] bool has(std::string_view name) const { return find(name) != nullptr; }
 
   /// Adds a chain of either kind; a kinematics or dynamics model, with its tools and inputs; a manipulator, with its
   /// limits; a state of either kind; a `mass_matrix_calc` of a chain in the archive; or numbers, such as q and v.
@@ -68,10 +68,10 @@ class archive {
   }
   /// Adds a chain with its tools and the limits of its coordinates.
   template <class Chain, class Numbers>
-  archive& add(const std::string& name, const Chain& c, std::vector<std::string> tools,
+  archive& add(const std::string& name, const Chain& c, const std::vector<std::string>& tools,
                const joint_limits<Numbers>& limits) {
     auto m = detail::record_of_model(c);
-    m.tools = std::move(tools), m.limits = limit_records(c, limits);
+    m.tools = tools, m.limits = limit_records(c, limits);
     return put(name, std::move(m));
   }
   /// Adds a coordinate, frame, input or internal state with its values, and the name that it has in chains, a text or a
@@ -87,15 +87,15 @@ class archive {
     }
   }
 
-  // ---- what is under a name; throws `unknown_name`, `bad_argument` where it is something else
+  // ---- the content of a root; throws `unknown_name`, and `bad_argument` if it is something else
   /// The record of a chain or a model.
-  const model_record& model(std::string_view name) const { return get<model_record>(name, "a chain"); }
+  [[nodiscard]] const model_record& model(std::string_view name) const { return get<model_record>(name, "a chain"); }
   /// The runtime chain of a root, with elements of this library, or of a registry. Throws `unknown_name`, `bad_file`.
   template <class = void>
-  runtime_chain chain(std::string_view name) const {
+  [[nodiscard]] runtime_chain chain(std::string_view name) const {
     return to_chain(model(name));
   }
-  runtime_chain chain(std::string_view name, const element_registry& registry) const {
+  [[nodiscard]] runtime_chain chain(std::string_view name, const element_registry& registry) const {
     return to_chain(model(name), registry);
   }
   /// The static chain of a root, of the type of `like`. Throws `bad_file`, naming the element that differs and the
@@ -105,16 +105,16 @@ class archive {
     return from_record(like, model(name));
   }
   /// The names of the tools of a model.
-  const std::vector<std::string>& tools(std::string_view name) const { return model(name).tools; }
-  /// The limits of a root for the coordinates of the chain c; infinite where the file has none.
+  [[nodiscard]] const std::vector<std::string>& tools(std::string_view name) const { return model(name).tools; }
+  /// The limits of a root for the coordinates of the chain c; infinite if the file has none.
   template <class Chain>
-  auto limits(std::string_view name, const Chain& c) const {
+  [[nodiscard]] auto limits(std::string_view name, const Chain& c) const {
     return limits_of(c, model(name));
   }
-  /// The `mass_matrix_calc` of a root, for a chain from this archive, for whose states it works (include
-  /// kte/reak/mass_matrix_calc.hpp). Throws `bad_argument` for another chain.
+  /// The `mass_matrix_calc` of a root, for a chain from this archive (include kte/reak/mass_matrix_calc.hpp). It works
+  /// on states of this chain. Throws `bad_argument` for another chain.
   template <class Calculator = mass_matrix_calc<runtime_chain>>
-  Calculator calculator(std::string_view name, const runtime_chain& c) const {
+  [[nodiscard]] Calculator calculator(std::string_view name, const runtime_chain& c) const {
     const auto& r = get<calculator_record>(name, "a calculator of the mass matrix");
     if (!same_chain(record_of(c), model(r.chain)))
       throw bad_argument("kte: '" + std::string(name) + "' of the archive is of its chain '" + r.chain +
@@ -122,10 +122,10 @@ class archive {
     if (!r.of_all) return Calculator(c, r.inertias, r.coordinates);
     return Calculator(c) << all_inertias << all_coordinates;
   }
-  /// A coordinate, frame, input or internal state with its values, `thing<kte::gen_coord<>>("joint_coord")`; values
+  /// A coordinate, frame, input or internal state with its values, `thing<kte::gen_coord<>>("joint_coord")`. Values
   /// that the file does not have are zero, or the identity rotation.
   template <class T>
-  T thing(std::string_view name) const {
+  [[nodiscard]] T thing(std::string_view name) const {
     const auto& r = get<thing_record>(name, "a thing");
     if (r.what != detail::kind_of_thing<T>) wrong(name, to_string(r.what), to_string(detail::kind_of_thing<T>));
     T x{};
@@ -133,7 +133,9 @@ class archive {
     return x;
   }
   /// The name of the item of a root in chains.
-  const std::string& name_of_thing(std::string_view name) const { return get<thing_record>(name, "a thing").name; }
+  [[nodiscard]] const std::string& name_of_thing(std::string_view name) const {
+    return get<thing_record>(name, "a thing").name;
+  }
   /// Restores an item or a state into a state of a chain, or the inputs of a model into a model. Values that the file
   /// does not have are unchanged. Strong exception guarantee; throws `unknown_name` for items that the state does not
   /// have.
@@ -149,7 +151,7 @@ class archive {
   }
   /// The numbers of a root.
   template <class S = double>
-  std::vector<S> numbers(std::string_view name) const {
+  [[nodiscard]] std::vector<S> numbers(std::string_view name) const {
     std::vector<S> all;
     for (const long double x : get<numbers_record>(name, "numbers")) all.push_back(static_cast<S>(x));
     return all;
@@ -200,8 +202,8 @@ class archive {
   archive_record record_;
 };
 
-/// Reads a file by its ending: .xml, .json or .kte. One of a chain alone (`save_model`) is an archive with the root
-/// "model". Throws `bad_file`.
+/// Reads a file by its extension: .xml, .json or .kte. A file with a single chain (`save_model`) is an archive with the
+/// root "model". Throws `bad_file`.
 [[nodiscard]] inline archive load_archive(const std::filesystem::path& path, const read_options& options = {}) {
   return archive(detail::read_archive(path, options));
 }

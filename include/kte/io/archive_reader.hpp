@@ -7,12 +7,12 @@ namespace kte {
 
 namespace detail {
 
-/// Reads a file of any format: known fields in any order, each once, none missing that must be there.
+/// Reads a file of any format: known fields in any order, each once, all required fields.
 class archive_reader {
  public:
   archive_reader(field_scanner& in, const read_options& options) : in_(in, options) {}
 
-  /// A file of one model is an archive with the root "model".
+  /// A file with a single model is an archive with the root "model".
   archive_record read() {
     archive_record all;
     in_.in().open_document();
@@ -70,7 +70,8 @@ class archive_reader {
         in_.groups(name, "thing", [&] {
           auto& x = s.things.emplace_back();
           thing(x);
-          if (!names.insert((is_frame(x.what) ? "frame " : "other ") + x.name).second)  // which live apart
+          if (!names.insert((is_frame(x.what) ? "frame " : "other ") + x.name)
+                   .second)  // frames and others have separate namespaces
             in_.fail("a second thing '" + x.name + "'");
         });
       } else if (name == kinds[3]) {
@@ -82,7 +83,7 @@ class archive_reader {
     });
     if (!filled) in_.fail_at(start, "the root has none of chain, thing, state, mass_matrix_calc, numbers");
   }
-  /// Calculators share chains, which must be there.
+  /// Calculators refer to chains, which must exist.
   void check_chains(const archive_record& all) {
     std::set<std::string> chains;
     for (const auto& r : all.roots)

@@ -5,10 +5,10 @@
 
 #include <variant>
 
-/// What an archive holds, as plain data. Roots share coordinates, frames and chains by their names.
+/// The content of an archive as plain data. Roots share coordinates, frames and chains by name.
 namespace kte {
 
-/// The versions of the format: 1 is a single chain; 2 has archives of several roots, and models of manipulators.
+/// Versions of the format: 1 has a single chain; 2 has archives with several roots, and manipulator models.
 inline constexpr int model_file_version = 1;
 inline constexpr int archive_file_version = 2;
 
@@ -59,11 +59,11 @@ struct archive_record {
 };
 
 namespace detail {
-/// The fields that hold the content of a root, in the order of `content_type`.
+/// The fields with the content of a root, in the order of `content_type`.
 inline constexpr std::string_view content_fields[]{"chain", "thing", "state", "mass_matrix_calc", "numbers"};
-/// Of limits, as `joint_limits` has them.
+/// The names of limits, in the order of `joint_limits`.
 inline constexpr std::string_view limit_fields[]{"lower", "upper", "rate", "acceleration", "jerk", "effort"};
-/// Of things in files, in the order of `kind`.
+/// The names of kinds in files, in the order of `kind`.
 inline constexpr std::string_view kind_names[]{"coordinate", "frame_2D", "frame_3D", "input",  "rotation_3D",
                                                "pose_2D",    "pose_3D",  "internal", "vector", "loop"};
 static_assert(std::size(kind_names) == kinds);

@@ -3,7 +3,7 @@
 #include <kte/io/binary_writer.hpp>
 #include <kte/io/record_writer.hpp>
 
-/// Records into binary model files (io/binary_layout.hpp). Needs no cereal.
+/// Records as binary model files (io/binary_layout.hpp). Does not need cereal.
 namespace kte {
 
 namespace detail {

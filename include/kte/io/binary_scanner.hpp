@@ -13,7 +13,7 @@ namespace kte::detail {
 /// A binary model file (io/binary_layout.hpp). Counts are checked against the size of the file before they are used.
 class binary_scanner final : public field_scanner {
  public:
-  /// `file` is what messages call it; the bytes must outlive this.
+  /// `file` is the name of the file in messages; the bytes must outlive this object.
   binary_scanner(std::string_view bytes, std::string file)
       : bytes_(bytes), file_(std::make_shared<const std::string>(std::move(file))) {}
 
@@ -24,7 +24,7 @@ class binary_scanner final : public field_scanner {
     open_group("the model");
   }
   void close_document() override {
-    if (i_ != bytes_.size()) fail_at(i_, "something follows the end of the model");
+    if (i_ != bytes_.size()) fail_at(i_, "unexpected content after the end of the model");
   }
   void open_group(const std::string& what) override { open(binary_tag::group, what, "a group"); }
   void open_list(const std::string& what) override { open(binary_tag::list, what, "a list"); }
@@ -93,7 +93,7 @@ class binary_scanner final : public field_scanner {
       if ((byte & 0x80) == 0) return n;
     }
   }
-  /// n parts of some bytes each.
+  /// n parts of `each` bytes.
   std::string_view take(std::uint64_t n, std::size_t each) {
     if (n > (bytes_.size() - i_) / each) cut_off();
     const auto part = bytes_.substr(i_, static_cast<std::size_t>(n) * each);

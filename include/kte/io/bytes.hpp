@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-/// Numbers and texts in files of bytes, least significant byte first.
+/// Numbers and texts in binary files, least significant byte first.
 namespace kte::detail {
 
 template <std::unsigned_integral U>
@@ -30,8 +30,8 @@ inline double real_from_bytes(std::string_view bytes) {
   return std::bit_cast<double>(from_bytes<std::uint64_t>(bytes));
 }
 
-/// Reads bytes from the front of a file or of a part of it. Lengths are checked against the remaining bytes before they
-/// are used; all errors are `bad_file` with the path and the offset in the file.
+/// Reads bytes from the front of a file or of a part of it. Lengths are checked against the remaining bytes before use.
+/// Errors are `bad_file` with the path and the offset in the file.
 class byte_reader {
  public:
   byte_reader(const std::filesystem::path& path, std::string_view bytes, std::size_t offset = 0)
@@ -44,7 +44,7 @@ class byte_reader {
   [[noreturn]] void bad(const std::string& what) const {
     raise<bad_file>("kte: '" + path_.string() + "', byte " + std::to_string(offset_) + ": " + what);
   }
-  /// n bytes, which are `what` for the message if there are fewer.
+  /// The next n bytes; `what` names them in the message if there are fewer.
   std::string_view take(std::uint64_t n, const char* what) {
     if (n > rest_.size()) bad(std::string(what).append(" is cut off"));
     const auto bytes = rest_.substr(0, static_cast<std::size_t>(n));
@@ -63,7 +63,7 @@ class byte_reader {
   }
   double real(const char* what) { return real_from_bytes(take(8, what)); }
 
-  /// Whether these bytes come next, which are then taken.
+  /// Skips these bytes if they come next; returns whether they did.
   bool next(std::string_view literal) {
     if (!rest_.starts_with(literal)) return false;
     take(literal.size(), "");
@@ -72,7 +72,7 @@ class byte_reader {
   void expect(std::string_view literal) {
     if (!next(literal)) bad("expected " + std::string(literal));
   }
-  /// All up to one of these characters.
+  /// The text up to one of these characters.
   std::string_view until(std::string_view ends) {
     const auto n = rest_.find_first_of(ends);
     if (n == rest_.npos) bad("cut off");

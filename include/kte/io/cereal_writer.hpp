@@ -14,8 +14,8 @@
 
 namespace kte::detail {
 
-/// A text, to a stream that must take it. (Streams catch what is thrown while they make room, and just become bad.)
-/// Ends by itself: what stood in the stream before does not count.
+/// Writes a text to a stream and verifies that it was accepted. (Streams catch exceptions of their buffers and only set
+/// a flag.) Independent of what the stream contained before.
 struct whole_text {
   const std::string& text;
   friend std::ostream& operator<<(std::ostream& out, const whole_text& x) {
@@ -25,15 +25,15 @@ struct whole_text {
   }
 };
 
-/// JSON and XML by cereal. Of names and texts it keeps pointers until `finish`. Throws `bad_alloc` rather than give
-/// less than the whole text.
+/// JSON and XML by cereal. Keeps pointers to names and texts until `finish`. Throws `bad_alloc` rather than returning
+/// an incomplete text.
 template <class Archive>
 class cereal_writer final : public field_writer {
  public:
   cereal_writer() = default;
   cereal_writer(const cereal_writer&) = delete;
   cereal_writer& operator=(const cereal_writer&) = delete;
-  /// An archive that has not come to its end is not to write one.
+  /// An unfinished archive must not write its end.
   ~cereal_writer() override {
     if (!archive_) return;
     out_.setstate(std::ios::badbit);
@@ -91,7 +91,7 @@ class cereal_writer final : public field_writer {
  private:
   static constexpr bool is_xml = std::is_same_v<Archive, cereal::XMLOutputArchive>;
 
-  /// Items are all called <value>: by cereal with their numbers, which then change with each that is put in between.
+  /// Items are all called <value>. cereal would number them, and the numbers would change with each insertion.
   void put_name(const std::string& name) {
     if (!name.empty()) {
       archive_->setNextName(name.c_str());

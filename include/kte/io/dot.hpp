@@ -7,12 +7,12 @@
 
 #include <map>
 
-/// Chains as graphs, in the language of Graphviz.
+/// Chains as graphs in the language of Graphviz.
 namespace kte {
 
 namespace detail {
 
-/// A text in quotes. Backslashes and ampersands are escapes to Graphviz, in labels.
+/// A text in quotes, for labels. Graphviz interprets backslashes and ampersands as escapes.
 inline std::string dot_text(std::string_view text) {
   std::string s = "\"";
   for (const char c : text) {
@@ -30,7 +30,7 @@ inline std::string dot_text(std::string_view text) {
   return s + '"';
 }
 
-/// The graph of a chain, element by element: e0, e1 ... are elements, n0, n1 ... what they are connected to.
+/// The graph of a chain: e0, e1 ... are elements, n0, n1 ... the coordinates, frames and signals that they connect.
 class dot_graph {
  public:
   template <class Names>
@@ -48,10 +48,10 @@ class dot_graph {
 
  private:
   void line(const std::string& x) { lines_ += "  " + x + "\n"; }
-  /// Frames live apart from what else has a name.
+  /// Frames and other names are separate.
   std::string node(kind k, const std::string& name) {
     const auto [known, fresh] = nodes_.emplace(std::pair(is_frame(k), name), nodes_.size());
-    const std::string id = "n" + std::to_string(known->second);
+    std::string id = "n" + std::to_string(known->second);
     const char* shape = is_frame(k) ? "ellipse" : is_coordinate(k) ? "circle" : "diamond";
     if (fresh) line(id + " [shape=" + shape + ", label=" + dot_text(name) + "]");
     return id;

@@ -5,7 +5,7 @@
 /// Names in model files.
 namespace kte::detail {
 
-/// What makes a name unfit for a file, or nullptr.
+/// Why a name is not valid in a file, or nullptr.
 constexpr const char* name_fault(std::string_view name) {
   if (name.empty()) return "is empty";
   for (std::size_t n = 0; !name.empty(); name.remove_prefix(n)) {
@@ -16,7 +16,7 @@ constexpr const char* name_fault(std::string_view name) {
   return nullptr;
 }
 
-/// The length of the name of a tag that a text begins with, or 0.
+/// The length of the tag name at the beginning of a text, or 0.
 constexpr std::size_t tag_name_length(std::string_view text) {
   const auto letter = [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || c == ':' || (c & 0x80) != 0;

@@ -14,7 +14,7 @@
 
 namespace kte::detail {
 
-/// Reads what the groups and lists of files consist of. Messages begin with the part of the model at hand.
+/// Reads the groups and lists of files. Messages begin with the current part of the model.
 class field_reader {
  public:
   field_reader(field_scanner& in, const read_options& options) : in_(in), options_(options) {}
@@ -25,11 +25,11 @@ class field_reader {
   [[noreturn]] void fail_at(std::size_t offset, const std::string& why) {
     in_.fail_at(offset, part_.empty() ? why : part_ + ": " + why);
   }
-  /// What messages begin with from here on, "element 3"; gives what it was.
+  /// Sets the beginning of messages, "element 3"; returns the previous one.
   std::string part(std::string name) { return std::exchange(part_, std::move(name)); }
 
-  /// The fields of a group that is open: those needed and others that may be left out, in any order, each once. What
-  /// begins with x_ is told to `warn` and left out.
+  /// Reads the fields of an open group: required and optional ones, in any order, each once. Fields that begin with x_
+  /// are reported to `warn` and skipped.
   using names = std::initializer_list<std::string_view>;
   void fields(const char* what, names needed, names others, function_ref<const std::string&> read) {
     const std::size_t start = in_.at();
@@ -59,12 +59,12 @@ class field_reader {
       read(name, place());
     }
   }
-  /// A list; read(i) of each item.
+  /// Reads a list; calls read(i) for each item.
   void list(const std::string& name, function_ref<std::size_t> read) {
     in_.open_list(name);
     for (std::size_t i = 0; in_.next_item(i); ++i) count_item(), read(i);
   }
-  /// A list of groups, each called "element 3" in messages.
+  /// Reads a list of groups, named "element 3" in messages.
   void groups(const std::string& name, const std::string& called, function_ref<> read) {
     const std::string before = part_.empty() ? called : part_ + ", " + called;
     const std::string outside = part_;
@@ -76,7 +76,7 @@ class field_reader {
     part_ = outside;
   }
 
-  /// Names that may occur once each.
+  /// Throws for names that occur twice.
   void once(std::set<std::string>& seen, const std::string& name) {
     if (!seen.insert(name).second) fail("a second '" + excerpt(name) + "'");
   }
@@ -132,7 +132,7 @@ class field_reader {
       for (const auto& n : some) known.append(known.empty() ? "" : ", ").append(n);
     const std::string why = "unknown field '" + excerpt(name) + "'";
     if (!name.starts_with("x_")) fail(why + "; " + what + " has " + known);
-    if (!options_.warn) fail(why + ", which may be left out: with a read_options::warn that is told so");
+    if (!options_.warn) fail(why + ", which may be omitted if read_options::warn is set");
     const std::string begin = "kte: " + to_string(place()) + (part_.empty() ? "" : part_ + ": ");
     if (std::vector<double> none; !in_.take_numbers(none)) in_.numbers(name);
     options_.warn(begin + why + " is left out");

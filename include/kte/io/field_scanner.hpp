@@ -9,9 +9,9 @@
 
 namespace kte::detail {
 
-/// Reads a file of any format field by field, as its reader asks for them: what is not asked for is an error, so that
-/// nothing nests deeper than the reader does. Groups hold fields, which have names, lists hold items. After each step
-/// `at` is the offset of what was read. Throws `bad_file`.
+/// Reads a file of any format field by field, as requested by its reader. Fields that are not requested are errors, so
+/// nothing nests deeper than the reader does. Groups contain fields, which have names; lists contain items. After each
+/// step `at` is the offset of what was read. Throws `bad_file`.
 class field_scanner {
  public:
   virtual ~field_scanner() = default;
@@ -20,12 +20,12 @@ class field_scanner {
   virtual void close_document() = 0;
   virtual void open_group(const std::string& what) = 0;
   virtual void open_list(const std::string& what) = 0;
-  /// Whether the innermost group has one more field, whose name that then is; else the group is closed.
+  /// Whether the innermost group has another field, and stores its name; otherwise closes the group.
   virtual bool next_field(std::string& name) = 0;
-  /// Whether the innermost list has an item of this number, from 0; else it is closed.
+  /// Whether the innermost list has an item with this number, from 0; otherwise closes the list.
   virtual bool next_item(std::size_t number) = 0;
   virtual std::string text(const std::string& name) = 0;
-  /// Numbers as text, with blanks between them.
+  /// Numbers as text, separated by blanks.
   virtual std::string numbers(const std::string& name) = 0;
   /// Reads numbers, if the file has binary numbers here and not text.
   virtual bool take_numbers(std::vector<double>&) { return false; }

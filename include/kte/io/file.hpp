@@ -11,7 +11,7 @@
 #include <string_view>
 #include <system_error>
 
-/// Files of the C library: their errors come with a reason.
+/// Files of the C library, whose errors have a reason.
 namespace kte::detail {
 
 [[noreturn]] inline void raise_file(const char* action, const std::filesystem::path& path, int code) {
@@ -29,8 +29,8 @@ inline file_handle open_file(const std::filesystem::path& path, const char* mode
   return f;
 }
 
-/// All bytes of a file, or as soon as there are more than `largest`, those. It takes as much memory as there are bytes,
-/// whatever they say.
+/// All bytes of a file, or the first bytes beyond `largest`. Memory is proportional to the actual size, whatever
+/// headers claim.
 inline std::string read_file(const std::filesystem::path& path, std::size_t largest = ~std::size_t{0}) {
   std::string bytes;
   const auto f = open_file(path, "rb");
@@ -43,7 +43,7 @@ inline std::string read_file(const std::filesystem::path& path, std::size_t larg
   return bytes;
 }
 
-/// The extension of a file's name in small letters.
+/// The extension of a file name in lower case.
 inline std::string lower_extension(const std::filesystem::path& path) {
   std::string text = path.extension().string();
   for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;

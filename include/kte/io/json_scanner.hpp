@@ -8,7 +8,7 @@
 
 namespace kte::detail {
 
-/// JSON: groups are objects, lists are arrays. (The parsers that cereal brings take duplicates, and tell no places.)
+/// Reads JSON: groups are objects, lists are arrays. (The parsers of cereal accept duplicates and report no positions.)
 class json_scanner final : public field_scanner {
  public:
   explicit json_scanner(source_text& source) : source_(source), text_(source.text()) {}
@@ -18,17 +18,17 @@ class json_scanner final : public field_scanner {
   void open_document() override { open('{', "a model must be an object {...}"); }
   void close_document() override {
     start();
-    if (i_ != text_.size()) source_.fail(i_, "something follows the end of the model");
+    if (i_ != text_.size()) source_.fail(i_, "unexpected content after the end of the model");
   }
   void open_group(const std::string& what) override { open('{', "'" + what + "' must be an object {...}"); }
   void open_list(const std::string& what) override { open('[', "'" + what + "' must be a list [...]"); }
   bool next_field(std::string& name) override {
     if (!next('}')) return false;
-    if (current() != '"') fail("a name in quotes is due here");
+    if (current() != '"') fail("expected a name in quotes");
     name = quoted();
     const auto colon = text_.find_first_not_of(" \t\r\n", i_);
     i_ = (std::min)(colon, text_.size());
-    if (current() != ':') source_.fail(i_, "':' is due here");
+    if (current() != ':') source_.fail(i_, "expected ':'");
     ++i_;
     return true;
   }
@@ -58,7 +58,7 @@ class json_scanner final : public field_scanner {
     if (i_ == text_.size()) source_.fail_at_end();
     source_.fail(at_, why);
   }
-  /// 0 behind the end: no text has that.
+  /// 0 at the end; no text contains it.
   char current() const { return i_ < text_.size() ? text_[i_] : '\0'; }
   void start() {
     while (is_blank(current())) ++i_;
@@ -78,10 +78,10 @@ class json_scanner final : public field_scanner {
       return false;
     }
     if (first) return true;
-    if (current() != ',') fail(std::string("',' or '") + bracket + "' is due here");
+    if (current() != ',') fail(std::string("expected ',' or '") + bracket + "'");
     ++i_;
     start();
-    if (current() == bracket) fail("something is due behind the comma");
+    if (current() == bracket) fail("expected a value after the comma");
     return true;
   }
   std::string quoted() {
@@ -124,7 +124,7 @@ class json_scanner final : public field_scanner {
     for (int n = 0; n < 4; ++n) {
       const auto digit = std::string_view("0123456789abcdefABCDEF").find(text_.substr(++i_, 1));
       if (i_ >= text_.size()) source_.fail_at_end();
-      if (digit == std::string_view::npos) source_.fail(from, "\\u is due four hexadecimal digits");
+      if (digit == std::string_view::npos) source_.fail(from, "\\u needs four hexadecimal digits");
       c = 16 * c + static_cast<char32_t>(digit < 16 ? digit : digit - 6);
     }
     return c;
@@ -159,7 +159,7 @@ class json_scanner final : public field_scanner {
   source_text& source_;
   std::string_view text_;
   std::size_t i_ = 0, at_ = 0;
-  bool first_ = false;  ///< whether nothing has been read of the innermost group or list
+  bool first_ = false;  ///< whether nothing of the innermost group or list has been read
 };
 
 }  // namespace kte::detail

@@ -8,7 +8,7 @@
 namespace kte {
 
 namespace detail {
-/// visit(name, list, what is no limit) of all lists.
+/// Calls visit(name, list, value without a limit) for all lists.
 template <class Limits, class Visit>
 void visit_limits(Limits& l, const Visit& visit) {
   constexpr double none = std::numeric_limits<double>::infinity();
@@ -17,7 +17,7 @@ void visit_limits(Limits& l, const Visit& visit) {
 }
 }  // namespace detail
 
-/// The finite limits of a chain as records. Throws `bad_parameter` as `check_limits` does.
+/// The finite limits of a chain as records. Throws `bad_parameter` like `check_limits`.
 template <class Chain, class Numbers>
 [[nodiscard]] std::vector<limit_record> limit_records(const Chain& c, const joint_limits<Numbers>& limits) {
   check_limits(c, limits);

@@ -4,15 +4,15 @@
 
 #include <cmath>
 
-/// Records of files of MCAP (mcap.dev/spec): an opcode, a length and that many bytes.
+/// Records of MCAP files (mcap.dev/spec): an opcode, a length and as many bytes.
 namespace kte::detail {
 
 enum class mcap_op : unsigned char { header = 1, footer, schema, channel, message, chunk, data_end = 15 };
 
 inline constexpr std::string_view mcap_magic = "\x89MCAP0\r\n";
-inline constexpr double longest_mcap_time = 9e9;  ///< s, so that nanoseconds fit readers that count them in 63 bits
+inline constexpr double longest_mcap_time = 9e9;  ///< s, so that nanoseconds fit into 63 bits
 
-/// `write` appends the content; its length is filled in behind it.
+/// `write` appends the content; its length is filled in afterwards.
 template <class Write>
 void append_mcap_record(std::string& out, mcap_op op, const Write& write) {
   out.push_back(static_cast<char>(op));
@@ -32,7 +32,7 @@ inline void append_mcap_schema(std::string& out, std::uint16_t id, std::string_v
     append_mcap_text(out, name), append_mcap_text(out, "jsonschema"), append_mcap_text(out, schema);
   });
 }
-/// A channel of JSON, with one metadata or none.
+/// A channel of JSON, with one metadata entry or none.
 inline void append_mcap_channel(std::string& out, std::uint16_t id, std::uint16_t schema, std::string_view topic,
                                 std::string_view key = {}, std::string_view value = {}) {
   append_mcap_record(out, mcap_op::channel, [&] {
@@ -42,7 +42,7 @@ inline void append_mcap_channel(std::string& out, std::uint16_t id, std::uint16_
     if (!key.empty()) append_mcap_text(out, key), append_mcap_text(out, value);
   });
 }
-/// A message whose text `write` appends, at a time in ns.
+/// A message whose text `write` appends, with the time in ns.
 template <class Write>
 void append_mcap_message(std::string& out, std::uint16_t channel, std::uint32_t sequence, std::uint64_t time,
                          const Write& write) {
@@ -52,7 +52,7 @@ void append_mcap_message(std::string& out, std::uint16_t channel, std::uint32_t 
     write();
   });
 }
-/// Throws `bad_argument` for times that are no unsigned number of nanoseconds.
+/// Throws `bad_argument` for times that are not an unsigned number of nanoseconds.
 inline std::uint64_t mcap_time(double t) {
   if (!(t >= 0 && t <= longest_mcap_time)) [[unlikely]]
     raise<bad_argument>("kte: the first column of an MCAP table is time, from 0 to " + number(longest_mcap_time) +
@@ -64,7 +64,7 @@ inline void append_mcap_head(std::string& out) {
   append_mcap_record(out, mcap_op::header, [&] { append_mcap_text(out, ""), append_mcap_text(out, "kte"); });
 }
 inline void append_mcap_tail(std::string& out) {
-  append_mcap_record(out, mcap_op::data_end, [&] { append_bytes(out, std::uint32_t{0}); });  // no check sum
+  append_mcap_record(out, mcap_op::data_end, [&] { append_bytes(out, std::uint32_t{0}); });  // no checksum
   append_mcap_record(out, mcap_op::footer, [&] { out.append(20, '\0'); });                   // no summary
   out += mcap_magic;
 }

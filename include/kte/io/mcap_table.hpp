@@ -6,20 +6,22 @@
 
 #include <span>
 
-/// A table as a file of MCAP (mcap.dev/spec), which Foxglove and PlotJuggler open: no chunks, no compression, no index,
-/// no check sums.
+/// A table as an MCAP file (mcap.dev/spec), which Foxglove and PlotJuggler open, without chunks, compression, index and
+/// checksums.
 ///
 ///   magic  Header  Schema  Channel  Message ...  DataEnd  Footer  magic
 ///
-/// each of them but the magic an opcode, a length and that many bytes. A row is a message of topic "/kte" in JSON, at
-/// the time that its first column says in seconds:
+/// Each record except the magic has an opcode, a length, and as many bytes. A row is a message of the topic "/kte" in
+/// JSON, at the time of its first column, in seconds:
 ///
 ///   {"t":0.5,"q":1.25,"tip/position/x":"NaN"}
 ///
-/// JSON has no NaN and infinity; as in the JSON of Protocol Buffers they are the texts "NaN", "Infinity", "-Infinity".
+/// JSON has neither NaN nor infinity; as in the JSON of Protocol Buffers they are the texts "NaN", "Infinity",
+/// "-Infinity".
 namespace kte::detail {
 
-inline constexpr std::string_view mcap_columns = "columns";  ///< the metadata of a channel that lists them, by spaces
+inline constexpr std::string_view mcap_columns =
+    "columns";  ///< the metadata of a channel with its columns, separated by blanks
 
 class mcap_table {
  public:
@@ -35,7 +37,7 @@ class mcap_table {
     append_mcap_schema(out, id, "kte.table", schema);
     append_mcap_channel(out, id, id, "/kte", mcap_columns, list);
   }
-  /// Throws `bad_argument` for times that are no unsigned number of nanoseconds.
+  /// Throws `bad_argument` for times that are not an unsigned number of nanoseconds.
   void row(std::span<const double> numbers, std::string& out) {
     const auto time = mcap_time(numbers[0]);
     append_mcap_message(out, id, sequence_++, time, [&] {
@@ -52,7 +54,7 @@ class mcap_table {
     out += std::isnan(x) ? R"("NaN")" : x > 0 ? R"("Infinity")" : R"("-Infinity")";
   }
 
-  std::vector<std::string> keys_;  ///< what stands before each number
+  std::vector<std::string> keys_;  ///< the text before each number
   std::uint32_t sequence_ = 0;
 };
 

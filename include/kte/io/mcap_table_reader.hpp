@@ -4,8 +4,8 @@
 
 namespace kte::detail {
 
-/// Reads the bytes of an MCAP file that holds a table as `mcap_table` writes it, also where it ends after a record, as
-/// one that was never closed does. Throws `bad_file` with the path, the offset and the column where something is wrong.
+/// Reads the bytes of an MCAP file with a table as `mcap_table` writes it. The file may end after any record, as if it
+/// was never closed. Throws `bad_file` with the path, the offset and the column of an error.
 class mcap_table_reader {
  public:
   mcap_table_reader(const std::filesystem::path& path, std::string_view bytes) : in_(path, bytes) {
@@ -30,7 +30,7 @@ class mcap_table_reader {
     return in.take(in.number<std::uint32_t>(what), what);
   }
 
-  /// The first one with a list of columns is the table.
+  /// The first channel with a list of columns is the table.
   void channel(byte_reader& in) {
     const auto id = in.number<std::uint16_t>("a channel");
     in.number<std::uint16_t>("a channel");
@@ -56,7 +56,7 @@ class mcap_table_reader {
   }
   void message(byte_reader& in) {
     const bool mine = in.number<std::uint16_t>("a message") == channel_ && !result_.names.empty();
-    in.take(20, "a message");  // sequence and times
+    in.take(20, "a message");  // sequence number and times
     if (!mine) return;
     for (std::size_t j = 0; j < result_.names.size(); ++j) {
       in.expect(j == 0 ? "{\"" : ",\"");

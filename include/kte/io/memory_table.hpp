@@ -25,22 +25,22 @@ class memory_table {
   void row(const T&... values) {
     const auto numbers = row_.gather(values...);
     for (auto& c : table_.columns)
-      if (c.size() == c.capacity()) c.reserve(2 * c.size() + 1);  // all or none, then each takes its number
+      if (c.size() == c.capacity()) c.reserve(2 * c.size() + 1);  // all columns or none, so that rows are not split
     for (std::size_t j = 0; j < numbers.size(); ++j) table_.columns[j].push_back(numbers[j]);
   }
   /// Reserves memory for this number of rows.
   void reserve(std::size_t rows) {
     for (auto& c : table_.columns) c.reserve(rows);
   }
-  // What files do; here there is nothing to do.
+  // No effect; for the interface of `table_writer`.
   void flush() {}
   void flush_every(std::size_t) {}
   void close() {}
 
   /// The table.
-  const table& contents() const { return table_; }
+  [[nodiscard]] const table& contents() const { return table_; }
   /// The column of a name. Throws `unknown_name`.
-  const std::vector<double>& operator[](std::string_view name) const { return table_[name]; }
+  [[nodiscard]] const std::vector<double>& operator[](std::string_view name) const { return table_[name]; }
 
  private:
   detail::table_row row_;

@@ -4,10 +4,10 @@
 
 #include <optional>
 
-/// Files by what is in them, whatever their names.
+/// Detects the format of files by their content, not their names.
 namespace kte::detail {
 
-/// A text in XML from its first tag on, without declarations and comments before it.
+/// An XML text from its first tag on, without declarations and comments before it.
 inline std::string_view from_first_tag(std::string_view text) {
   for (;;) {
     text.remove_prefix((std::min)(text.find_first_not_of(" \t\r\n"), text.size()));
@@ -18,9 +18,9 @@ inline std::string_view from_first_tag(std::string_view text) {
   }
 }
 
-/// The format of a model file, by how its bytes begin: binary ones with their mark, XML with the tag <cereal>, JSON
-/// with a brace. Where that says nothing, files that end in .kte or .json are damaged ones. Nothing for all else, as
-/// descriptions of robots.
+/// The format of a model file by its first bytes: the mark of binary files, the tag <cereal> of XML, the brace of JSON.
+/// If these decide nothing, files named .kte or .json are damaged model files. Empty for all others, such as robot
+/// descriptions.
 inline std::optional<model_format> model_format_in(std::string_view bytes, const std::filesystem::path& path) {
   if (bytes.starts_with(binary_magic)) return model_format::binary;
   const auto text = from_first_tag(without_mark(bytes));
@@ -31,7 +31,7 @@ inline std::optional<model_format> model_format_in(std::string_view bytes, const
   return {};
 }
 
-/// The model in the bytes of a file; nothing if it is no model file. Throws `bad_file`.
+/// The model in the bytes of a file; empty if it is not a model file. Throws `bad_file`.
 inline std::optional<model_record> model_in(std::string_view bytes, const std::filesystem::path& path,
                                             const read_options& options = {}) {
   const auto format = model_format_in(bytes, path);

@@ -7,12 +7,12 @@
 
 namespace kte::detail {
 
-/// Reads the fields of a chain, and those of the model of a manipulator.
+/// Reads the fields of a chain, and those of a manipulator model.
 class model_fields {
  public:
   explicit model_fields(field_reader& in) : in_(in) {}
 
-  /// A group that is open; `alone`, it is a file and has a version.
+  /// Reads an open group. `alone`: the group is the whole file and has a version.
   void read(const char* what, model_record& m, bool alone) {
     int version = archive_file_version;
     bool more = false;
@@ -64,7 +64,7 @@ class model_fields {
       }
     });
   }
-  /// What a model of a manipulator has in addition to a chain.
+  /// Reads the fields that a manipulator model has in addition to a chain.
   void read_more(const std::string& name, model_record& m) {
     if (name == "tools") {
       m.tools = in_.texts(name);

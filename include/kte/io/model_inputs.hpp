@@ -4,11 +4,10 @@
 #include <kte/io/state_records.hpp>
 #include <kte/runtime_chain/static_chain_map.hpp>
 
-/// Models of manipulators as plain data: their tools and limits, of dynamics models the inputs by their names, and
-/// back.
+/// Models of manipulators as plain data and back: tools and limits; for dynamics models also inputs by name.
 namespace kte::detail {
 
-/// visit(name, where it begins in u, count) for all inputs of a model from outside.
+/// Calls visit(name, first index in u, count) for all external inputs of a model.
 template <class Model, class Visit>
 void for_each_input(const Model& m, const Visit& visit) {
   if constexpr (requires { m.wiring(); }) {
@@ -45,7 +44,7 @@ model_record record_of_model(const T& x) {
   }
   return m;
 }
-/// Throws `unknown_name`, `bad_file`; the model is then as before.
+/// Throws `unknown_name`, `bad_file`; the model is then unchanged.
 template <class Model>
 void restore_inputs(const model_record& r, Model& m) {
   auto u = m.input();

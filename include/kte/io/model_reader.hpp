@@ -7,7 +7,7 @@
 #include <kte/io/json_scanner.hpp>
 #include <kte/io/xml_scanner.hpp>
 
-/// Files into records. Needs no cereal.
+/// Reads files into records. Does not need cereal.
 namespace kte {
 
 /// The formats of model files and archives: `json`, `xml` and binary.
@@ -19,7 +19,7 @@ enum class model_format {
 
 namespace detail {
 
-/// By the ending of the file. Throws `bad_file` for others.
+/// The format of a file by its extension. Throws `bad_file` for unknown extensions.
 inline model_format model_format_of(const std::filesystem::path& path) {
   const std::string extension = lower_extension(path);
   if (extension == ".json") return model_format::json;
@@ -28,7 +28,7 @@ inline model_format model_format_of(const std::filesystem::path& path) {
   return model_format::binary;
 }
 
-/// `name` is what messages call it.
+/// `name` is the name of the file in messages.
 archive_record read_archive(std::string_view bytes, const std::string& name, model_format format,
                             const read_options& options);
 #ifdef KTE_FUNCTION

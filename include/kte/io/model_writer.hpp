@@ -5,7 +5,7 @@
 #include <kte/io/model_reader.hpp>
 #include <kte/io/replace_file.hpp>
 
-/// Records, of models and archives, into files: JSON and XML by cereal.
+/// Writes records of models and archives to files: JSON and XML by cereal.
 namespace kte {
 
 /// A model or an archive as JSON text. Throws `bad_file` for records that `from_json` or `from_xml` would reject:
@@ -23,7 +23,7 @@ template <class Record = model_record>
 }
 
 namespace detail {
-/// Into a file, in the format of its ending, which is replaced only when all is written.
+/// Writes a file in the format of its extension. The file is replaced after everything is written.
 template <class Record>
 void save_record(const std::filesystem::path& path, model_format format, const Record& r,
                  const save_options& options = {}) {

@@ -7,7 +7,7 @@
 #include <charconv>
 #include <span>
 
-/// A table as a file of NumPy (numpy.lib.format in its documentation): `np.load(file)["q"]` is column q.
+/// A table as an NPY file (numpy.lib.format in the NumPy documentation): `np.load(file)["q"]` is column q.
 ///
 ///   magic  version  length of the header  header  rows of float64, least significant byte first
 ///
@@ -47,8 +47,8 @@ class npy_table {
   }
   void tail(std::string&) const {}
 
-  /// The text of the header at `shape_at` for this number of rows: of constant length, so that it can be overwritten
-  /// while the table grows.
+  /// The header text at `shape_at` for this number of rows. Its length is constant, so that it can be overwritten while
+  /// the table grows.
   static constexpr std::size_t shape_size = 25;
   std::size_t shape_at() const { return shape_at_; }
   static std::array<char, shape_size> shape(std::uint64_t rows) {

@@ -4,8 +4,8 @@
 
 namespace kte::detail {
 
-/// The header of such a file, as Python and NumPy may write it: blanks between tokens do not matter, the order of the
-/// entries does.
+/// The header of an NPY file as Python and NumPy may write it: blanks between tokens and the order of entries are
+/// arbitrary.
 class npy_header {
  public:
   std::vector<std::string> names;
@@ -36,7 +36,7 @@ class npy_header {
     skip();
     in_.expect(token);
   }
-  /// Whether the list of columns ends here: a comma may stand before its bracket, and must stand before another column.
+  /// Whether the list of columns ends here. A comma is optional before its bracket, and required before another column.
   bool closed() {
     skip();
     const bool comma = in_.next(",");
@@ -66,8 +66,8 @@ class npy_header {
   known_names known_;
 };
 
-/// Reads the bytes of such a file. Throws `bad_file` with the path and the offset of an error. Bytes after the rows
-/// that the header counts were not flushed as a whole, and are ignored, as NumPy does.
+/// Reads the bytes of an NPY file. Throws `bad_file` with the path and the offset of an error. Bytes after the rows
+/// that the header counts were not completely flushed, and are ignored, as in NumPy.
 inline table read_npy_table(const std::filesystem::path& path, std::string_view bytes) {
   byte_reader in(path, bytes);
   if (!in.next(npy_table::magic)) in.bad("not a file of NumPy");
@@ -78,8 +78,8 @@ inline table read_npy_table(const std::filesystem::path& path, std::string_view 
   npy_header header(in.part(length, "the header"));
   const std::size_t width = 8 * header.names.size();
   if (header.rows > in.size() / width)
-    in.bad(std::to_string(header.rows) + " rows of " + std::to_string(width) + " bytes are said to follow, but only " +
-           std::to_string(in.size()) + " bytes do");
+    in.bad(std::to_string(header.rows) + " rows of " + std::to_string(width) + " bytes are announced, but only " +
+           std::to_string(in.size()) + " bytes follow");
   table t;
   t.names = std::move(header.names);
   t.columns.resize(t.names.size());

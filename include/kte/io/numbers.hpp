@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-/// Numbers as text that reads back as the same bits, whatever the locale.
+/// Numbers as text that reads back to the same bits in any locale.
 namespace kte::detail {
 
 /// Appends a number to a text; every NaN is "nan".
@@ -23,7 +23,7 @@ inline std::string numbers_to_text(const std::vector<double>& values) {
   return s;
 }
 
-/// Numbers of more digits than a double has stand in texts with a suffix, 0.1L.
+/// Numbers with more digits than a double are texts with a suffix, 0.1L.
 inline std::string numbers_to_text(const std::vector<long double>& values) {
   std::string s;
   for (const long double x : values) {
@@ -37,8 +37,7 @@ inline std::string numbers_to_text(const std::vector<long double>& values) {
   return s;
 }
 
-/// Reads one number of a text; a double only where it fits: decimals that are read with more digits and then cut are
-/// rounded twice.
+/// Reads one number of a text as double directly; reading more digits first and rounding again would round twice.
 inline std::from_chars_result take_number(const char* p, const char* end, double& x) {
   return std::from_chars(p, end, x);
 }
@@ -50,7 +49,7 @@ inline std::from_chars_result take_number(const char* p, const char* end, long d
   const auto wide = std::from_chars(p, r.ptr, x);
   return {wide.ptr == r.ptr ? r.ptr + 1 : p, wide.ec};
 }
-/// The reverse: numbers with blanks between them. Gives what is wrong with the text, or nullptr.
+/// The reverse: numbers separated by blanks. Returns the error in the text, or nullptr.
 template <class Real>
 const char* text_to_numbers(std::string_view text, std::vector<Real>& values) {
   const char* p = text.data();

@@ -6,10 +6,10 @@
 #include <sstream>
 #include <version>
 
-/// `std::cout << x` of chains, their states, frames, coordinates, vectors, records (docs/printing.md); where the
-/// standard library has it, `std::format("{}", x)` too.
+/// `std::cout << x` for chains, their states, frames, coordinates, vectors, records (docs/printing.md), and
+/// `std::format("{}", x)` if the standard library has it.
 namespace kte::detail {
-/// What this header prints, by the name of its template.
+/// Whether this header prints a type, by the name of its template.
 template <class T>
 inline constexpr bool is_printed = requires {
   typename T::geometry;
@@ -41,7 +41,7 @@ inline constexpr bool is_printed<element_record> = true;
 #ifdef __cpp_lib_format
 #  include <format>
 
-/// Formats whatever kte prints by `<<`; width and fill as for a text.
+/// Formats any type that kte prints by `<<`; width and fill as for texts.
 template <class T>
 requires(kte::detail::is_printed<T>) struct std::formatter<T, char> : std::formatter<std::string, char> {
   template <class Context>

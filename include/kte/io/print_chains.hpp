@@ -4,7 +4,7 @@
 #include <kte/runtime_chain/runtime_chain.hpp>
 #include <kte/runtime_chain/static_chain_map.hpp>
 
-/// `std::cout << chain`: a line for the whole and one for each element, with what its ports are connected to and its
+/// `std::cout << chain`: a line for the chain and one for each element, with the connections of its ports and its
 /// parameters.
 ///
 ///   static chain of 2 elements, 1 degree of freedom, gravity (0_c, -9.81, 0_c)
@@ -13,7 +13,7 @@
 namespace kte {
 
 namespace detail {
-/// "1", "(0.5, 0, 0)": in the order of files.
+/// "1", "(0.5, 0, 0)": values in the order of files.
 inline std::ostream& print_values(std::ostream& out, const std::vector<double>& values) {
   if (values.size() == 1) return out << values[0];
   const char* before = "(";
@@ -30,7 +30,7 @@ inline std::ostream& print_element(std::ostream& out, std::string_view type, std
   for (const auto& p : parameters) print_values(out << before << p.name << ' ', p.values), before = ", ";
   return out;
 }
-/// The line of the whole, up to its gravity.
+/// The line of the chain, up to its gravity.
 inline std::ostream& print_title(std::ostream& out, const char* what, std::size_t elements) {
   return out << what << " of " << elements << (elements == 1 ? " element" : " elements") << ", gravity ";
 }
@@ -50,7 +50,7 @@ template <class Core, class... Keys>
 std::ostream& operator<<(std::ostream& out, const element<Core, Keys...>& e) {
   const std::string_view names[]{Keys::name...};
   out << describe_element(Core::type, Core::ports, names);
-  if constexpr (detail::holds_code<Core>) return out << ": a function of the program";
+  if constexpr (holds_code<Core>) return out << ": a function of the program";
   const char* before = ": ";
   Core::parameters(e.core, [&](const char* name, const auto& value) {
     using type = std::remove_cvref_t<decltype(value)>;

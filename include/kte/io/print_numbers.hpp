@@ -6,8 +6,8 @@
 #include <ostream>
 #include <vector>
 
-/// `std::cout << x` of numbers, vectors, frames and coordinates. The digits are those of the stream, six unless told.
-/// Typed constants are shown as their literals, `0_c`: exactly, and told apart from numbers.
+/// `std::cout << x` for numbers, vectors, frames and coordinates. The precision is that of the stream, six digits by
+/// default. Typed constants are shown as their literals, `0_c`, which distinguishes them from numbers.
 namespace kte {
 
 namespace detail {
@@ -18,7 +18,7 @@ std::ostream& print_row(std::ostream& out, const First& first, const Rest&... re
   ((out << ", " << rest), ...);
   return out << ')';
 }
-/// "position (0, 0, 1), velocity (0, 0, 0)": names and values in turns.
+/// "position (0, 0, 1), velocity (0, 0, 0)": alternating names and values.
 inline std::ostream& print_fields(std::ostream& out) { return out; }
 template <class Value, class... Rest>
 std::ostream& print_fields(std::ostream& out, const char* name, const Value& value, const Rest&... rest) {
@@ -88,7 +88,7 @@ std::ostream& operator<<(std::ostream& out, const motion<M...>& x) {
 }
 
 namespace detail {
-/// What frames of either kind, and coordinates that are poses, have in addition to position and rotation.
+/// The fields of frames, and of coordinates that are poses, in addition to position and rotation.
 template <class X>
 std::ostream& print_rates(std::ostream& out, const X& x) {
   return print_fields(out << ", ", "velocity", x.velocity, "ang_velocity", x.ang_velocity, "acceleration",

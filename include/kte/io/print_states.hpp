@@ -11,7 +11,7 @@
 namespace kte {
 
 namespace detail {
-/// A line for everything that a state holds; name(kind, i) says what it is called, count(kind) how many there are.
+/// Prints a line for each item of a state. name(kind, i) is the name of an item, count(kind) their number.
 template <class State, class Count, class Name>
 std::ostream& print_state(std::ostream& out, const State& s, const Count& count, const Name& name) {
   const auto all_of = [&]<std::size_t K>(std::integral_constant<std::size_t, K>) {

@@ -5,17 +5,17 @@
 
 #include <new>
 
-/// What programs of a command line need.
+/// Functions for command line programs.
 namespace kte::detail {
 
-/// Writes all of a text to standard output, at once. Throws `bad_file` with the reason where that cannot be done.
+/// Writes a text to standard output at once. Throws `bad_file` with the reason if this fails.
 inline void write_standard_output(std::string_view text) {
   errno = 0;
   if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
     raise<bad_file>(std::string("kte: cannot write to standard output: ") + std::strerror(errno));
 }
 
-/// The exit code of f(), or what is thrown, as a line of standard error: then it is 1.
+/// The exit code of f(). If f throws, writes the message to standard error and returns 1.
 template <class F>
 int exit_code_of(const F& f) {
   try {

@@ -10,7 +10,7 @@
 
 namespace kte {
 
-/// Reports the progress of a simulation at intervals of the wall clock; to be called in an observer, or as one:
+/// Reports the progress of a simulation at intervals of the wall clock. Call it in an observer, or pass it as one:
 ///
 ///   kte::progress report(0.0, 10.0, [](double fraction, double elapsed, double left) { ... });
 ///   solver.integrate(10.0, report);
@@ -55,7 +55,7 @@ class progress {
   double fraction_at(double t) const {
     if (start_ == end_) return 1;
     const double f = (t - start_) / (end_ - start_);
-    return f > 0 ? (std::min)(f, 1.0) : 0;  // 0 also for NaN
+    return f > 0 ? (std::min)(f, 1.0) : 0;  // also 0 for NaN
   }
 
   double start_, end_;

@@ -19,7 +19,7 @@ namespace kte {
 ///
 ///   [##########          ]  50 %  12 s, 12 s left
 ///
-/// In a log file or a pipe it draws nothing, unless asked to. The last line, at 100 %, stays.
+/// In a log file or a pipe it draws nothing by default. The last line, at 100 %, remains.
 class progress_bar {
  public:
   /// Where progress is drawn: `on_terminals` only, or `always`.
@@ -33,7 +33,7 @@ class progress_bar {
     const auto filled = static_cast<std::size_t>(static_cast<double>(width) * fraction);
     std::string line = duration(elapsed);
     if (fraction < 1 && std::isfinite(left)) line += ", " + duration(left) + " left";
-    line.resize(std::max<std::size_t>(line.size(), 32), ' ');  // covers what was longer before
+    line.resize(std::max<std::size_t>(line.size(), 32), ' ');  // overwrites longer texts
     std::fprintf(out_, "\r[%s%s] %3.0f %%  %s%s", std::string(filled, '#').c_str(),
                  std::string(width - filled, ' ').c_str(), std::floor(100 * fraction), line.c_str(),
                  fraction < 1 ? "" : "\n");

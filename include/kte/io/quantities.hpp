@@ -5,16 +5,16 @@
 #include <span>
 #include <string_view>
 
-/// What can be recorded of coordinates, frames, inputs and internal states.
+/// Quantities of coordinates, frames, inputs and internal states that can be recorded.
 namespace kte::detail {
 
-/// A quantity of a thing: one number, or a few.
+/// A quantity of an item: one or several numbers.
 template <class Thing>
 struct quantity {
-  std::string_view name;                    ///< empty where it is the thing itself
-  char group;                               ///< where it is: q; v, a: its rates; f: forces on it
-  std::string_view components;              ///< a character each; none for a single number
-  void (*read)(const Thing&, double* out);  ///< all of them
+  std::string_view name;                    ///< empty for the item itself
+  char group;                               ///< q: positions; v, a: their rates; f: forces
+  std::string_view components;              ///< one character each; empty for a single number
+  void (*read)(const Thing&, double* out);  ///< reads all components
 
   std::size_t size() const { return components.empty() ? 1 : components.size(); }
 };
@@ -44,7 +44,7 @@ void put_numbers(double* out, const rotation_2D<S>& rotation) {
   put_numbers(out, angle(rotation));
 }
 
-/// A member of a thing as a quantity of it.
+/// Reads a member as a quantity.
 template <auto Member, class Thing>
 void read_member(const Thing& x, double* out) {
   put_numbers(out, x.*Member);
@@ -94,7 +94,7 @@ struct quantities_in_space {
                                       {"force", 'f', "xyz", read_member<&T::force>},
                                       {"torque", 'f', "xyz", read_member<&T::torque>}};
 };
-/// Poses and frames in the plane; Angle is the member that says how they are turned.
+/// Poses and frames in the plane; Angle is the member with their rotation.
 template <class T, auto Angle>
 struct quantities_in_plane {
   static constexpr quantity<T> list[]{{"position", 'q', "xy", read_member<&T::position>},
@@ -119,17 +119,17 @@ struct quantities_of<vec3<S>> {
   static constexpr quantity<vec3<S>> list[]{
       {"", 'q', "xyz", [](const vec3<S>& x, double* out) { put_numbers(out, x); }}};
 };
-/// Signals that are mere numbers.
+/// Signals that are numbers.
 template <class S>
 struct quantities_of {
   static constexpr quantity<S> list[]{{"", 'q', "", [](const S& x, double* out) { put_numbers(out, x); }}};
 };
 
-/// Of things of a kind, in states of a scalar.
+/// The quantities of a kind of item, in states of a scalar.
 template <kind K, class S>
 inline constexpr auto& quantities = quantities_of<thing_of<K, S>>::list;
 
-/// visit.operator()<K>() with K = k.
+/// Calls visit.operator()<K>() with K = k.
 template <class Visit>
 void with_kind(kind k, const Visit& visit) {
   [&]<std::size_t... K>(std::index_sequence<K...>) {

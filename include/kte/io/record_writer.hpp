@@ -12,13 +12,13 @@
 
 namespace kte::detail {
 
-/// Writes records into a file of any format. Throws `bad_file` for what could not be read again: gravity that is not
-/// finite, names with control characters or that come twice, in XML names of parameters that are not valid tags.
+/// Writes records to a file of any format. Throws `bad_file` for records that could not be read again: gravity that is
+/// not finite, names with control characters or duplicate names, in XML parameter names that are not valid tags.
 class record_writer {
  public:
   explicit record_writer(field_writer& out) : out_(out) {}
 
-  /// A file of a chain; of version 2 if it is more.
+  /// A file of a chain; version 2 if it contains more.
   void model_file(const model_record& m) {
     out_.open_group("kte_model");
     const bool more = !m.tools.empty() || !m.limits.empty() || !m.inputs.empty();
@@ -137,9 +137,10 @@ class record_writer {
     out_.close();
     out_.close();
   }
-  /// As doubles where they are such.
+  /// Numbers that are exact in double are written as doubles.
   void numbers(const std::string& in, const std::vector<long double>& x) {
     std::vector<double> d;
+    d.reserve(x.size());
     for (const long double v : x) d.push_back(static_cast<double>(v));
     if (std::equal(d.begin(), d.end(), x.begin(), [](double a, long double b) { return a == b || std::isnan(b); }))
       out_.numbers(in, d);

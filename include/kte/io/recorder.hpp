@@ -61,7 +61,7 @@ class recorder {
   /// Writes the remaining rows and closes the file.
   void close() { out_.close(); }
   /// The recorded table, for a recorder in memory.
-  const table& contents() const { return out_.contents(); }
+  [[nodiscard]] const table& contents() const { return out_.contents(); }
 
  private:
   static constexpr bool is_static = requires { typename Chain::wiring; };
@@ -71,7 +71,7 @@ class recorder {
   recorder(const Chain& chain, const detail::recording& r)
       : layout_(layout_of(chain)), cells_(r.cells), numbers_(r.columns.size() - 1), out_(r.columns) {}
 
-  /// Tells runtime chains apart.
+  /// Identifies a runtime chain.
   static std::shared_ptr<const char> layout_of(const Chain& chain) {
     if constexpr (is_static) {
       return nullptr;

@@ -9,15 +9,15 @@
 #include <unordered_map>
 #include <vector>
 
-/// From names of quantities to places in the state of a chain, once for all rows.
+/// Resolves names of quantities to positions in the state of a chain, once for all rows.
 namespace kte::detail {
 
-/// The names of a chain and where its things are in a state, by kind, in the order of their first appearance: that is
-/// the same for static and for runtime chains.
+/// The names of a chain and the positions of its quantities in a state, by kind, in order of first appearance; equal
+/// for static and runtime chains.
 struct named_slot {
   std::string name;
   int slot;
-  std::string shown{};  ///< in columns: "frame:elbow" of a name that a frame shares with something else
+  std::string shown{};  ///< in columns: "frame:elbow" if a frame shares its name with something else
 };
 using named_slots = std::array<std::vector<named_slot>, kinds>;
 
@@ -42,24 +42,24 @@ template <class Chain>
 requires requires(const Chain& c) { c.wiring().names; }
 named_slots slots_of(const Chain& c) { return slots_of(c.wiring()); }
 
-/// Some of the numbers of one quantity of one thing.
+/// Some of the numbers of one quantity.
 struct recorded {
   kind what;
   int slot;
-  std::size_t quantity;  ///< of `quantities`
+  std::size_t quantity;  ///< index in `quantities`
   std::size_t first, count;
 };
 
-/// What to record, and under which names of columns.
+/// What to record, and the names of its columns.
 struct recording {
   std::vector<recorded> cells;
   std::vector<std::string> columns{"t"};
 
-  /// Without names: see `recorder`.
+  /// Without names: the default of `recorder`.
   recording(const named_slots& all, const std::vector<std::string>& names);
 };
 
-/// The numbers of these cells in a state.
+/// Writes the numbers of these cells in a state.
 template <class State>
 void read_recorded(const std::vector<recorded>& cells, const State& s, double* out) {
   for (const auto& c : cells)
@@ -92,7 +92,7 @@ KTE_FUNCTION named_slots slots_of(const topology& t) {
   return r;
 }
 
-/// Finds what names mean.
+/// Resolves names.
 class recording_by_names {
  public:
   recording_by_names(recording& found, const named_slots& all, const std::vector<std::string>& names)
@@ -100,7 +100,7 @@ class recording_by_names {
     tell_apart();
     for (const auto& n : names) add(n);
     if (!names.empty()) return;
-    for (const bool frames : {false, true})  // coordinates first, as they move everything
+    for (const bool frames : {false, true})  // coordinates first, because they determine everything else
       each_slot([&]<kind K>(const named_slot& p) {
         if (is_frame(K) == frames) add_group<K>(p, is_frame(K) ? "q" : "qvaf");
       });
@@ -117,13 +117,14 @@ class recording_by_names {
     (std::make_index_sequence<kinds>{});
   }
 
-  /// The name of a thing with what it is, by which it is requested where its name is shared.
+  /// The name with its kind, which is required if the name is shared.
   template <kind K>
   static std::string full_name(const named_slot& p) {
     return std::string(is_frame(K) ? "frame:" : is_coordinate(K) ? "coordinate:" : "signal:") + p.name;
   }
   void tell_apart() {
-    std::unordered_map<std::string_view, std::array<bool, 2>> of_name;  // whether a frame has it, something else has it
+    std::unordered_map<std::string_view, std::array<bool, 2>>
+        of_name;  // whether a frame has the name; whether something else has it
     each_slot([&]<kind K>(const named_slot& p) { of_name[p.name][is_frame(K)] = true; });
     [&]<std::size_t... K>(std::index_sequence<K...>) {
       const auto show = [&of_name]<kind What>(std::vector<named_slot>& of_kind) {
@@ -136,7 +137,7 @@ class recording_by_names {
     }
     (std::make_index_sequence<kinds>{});
   }
-  /// How much of `wanted` is a name: all of it, or up to a slash.
+  /// The length of the name at the beginning of `wanted`: all of it, or up to a slash.
   static std::size_t length_in(const std::string& wanted, const std::string& name) {
     const bool begins = wanted.starts_with(name) && (wanted.size() == name.size() || wanted[name.size()] == '/');
     return begins ? name.size() : 0;
@@ -145,8 +146,8 @@ class recording_by_names {
   static std::size_t length_in(const std::string& wanted, const named_slot& p) {
     return (std::max)(length_in(wanted, p.name), length_in(wanted, full_name<K>(p)));
   }
-  /// The item with the longest name that `wanted` begins with, as names may have slashes. If two items have this name:
-  /// the one with the quantity.
+  /// Adds the item with the longest name at the beginning of `wanted`, because names may contain slashes. If two items
+  /// have this name, the one with the quantity.
   void add(const std::string& wanted) {
     std::size_t longest = 0;
     each_slot([&]<kind K>(const named_slot& p) { longest = (std::max)(longest, length_in<K>(wanted, p)); });
@@ -162,7 +163,7 @@ class recording_by_names {
     if (count == 0) raise<unknown_name>("kte: cannot record '" + wanted + "': " + fitting);
     if (count > 1) raise<unknown_name>("kte: cannot record '" + wanted + "', which is ambiguous: ask for " + having);
   }
-  /// Whether the thing has it.
+  /// Adds the quantity if the item has it; returns whether it does.
   template <kind K>
   bool add_of(const named_slot& p, const std::string& wanted, std::size_t name) {
     if (wanted.size() == name) return add_group<K>(p, "q");
@@ -177,7 +178,7 @@ class recording_by_names {
     }
     return rest.size() == 1 && rest != "q" && add_group<K>(p, rest);
   }
-  /// All quantities of some groups; whether there are any.
+  /// Adds all quantities of some groups; returns whether there are any.
   template <kind K>
   bool add_group(const named_slot& p, std::string_view groups) {
     bool any = false;

@@ -10,11 +10,11 @@
 #  include <unistd.h>
 #endif
 
-/// Files that are replaced as a whole. On POSIX systems nobody else can open what is being written; elsewhere it needs
-/// the standard library alone.
+/// Files that are replaced as a whole. On POSIX systems other users cannot open a file that is being written; other
+/// systems use the standard library only.
 namespace kte::detail {
 
-/// What symbolic links lead to, also where there is nothing yet.
+/// The target of symbolic links, even if it does not exist yet.
 inline std::filesystem::path link_target(std::filesystem::path path) {
   std::error_code none;
   for (int links = 0; std::filesystem::is_symlink(path, none); ++links) {
@@ -24,8 +24,8 @@ inline std::filesystem::path link_target(std::filesystem::path path) {
   return path;
 }
 
-/// Creates a file, for its owner alone or with the usual permissions. Gives nullptr and errno, EEXIST where there is
-/// something of that name, be it a link.
+/// Creates a file, private to its owner or with default permissions. Returns nullptr and sets errno; EEXIST if the name
+/// is in use, even by a link.
 inline file_handle create_file(const std::filesystem::path& path, [[maybe_unused]] bool private_to_owner) {
 #if __has_include(<unistd.h>)
   const int usual = O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC;
@@ -43,7 +43,7 @@ inline file_handle create_file(const std::filesystem::path& path, [[maybe_unused
 #endif
 }
 
-/// Puts what was written on the disk. These give the error, or 0.
+/// Flushes the written data to the disk. Returns the error number, or 0.
 inline int sync_file(std::FILE* f) {
 #if __has_include(<unistd.h>)
   return std::fflush(f) == 0 && ::fsync(::fileno(f)) == 0 ? 0 : errno;
@@ -63,7 +63,7 @@ inline int sync_folder([[maybe_unused]] const std::filesystem::path& path) {
 #endif
 }
 
-/// Writes all and closes the file.
+/// Writes all bytes and closes the file.
 inline int write_all(file_handle f, std::string_view bytes, bool sync) {
   errno = 0;
   int code = std::fwrite(bytes.data(), 1, bytes.size(), f.get()) == bytes.size() ? 0 : errno != 0 ? errno : EIO;
@@ -72,11 +72,10 @@ inline int write_all(file_handle f, std::string_view bytes, bool sync) {
   return code;
 }
 
-/// A file `target.NUMBER.part` under a name that nothing else has; it is removed, unless it takes the place of the
-/// target.
+/// A file `target.NUMBER.part` with an unused name. It is removed, unless it replaces the target.
 class part_file {
  public:
-  /// Throws `bad_file` where none can be created.
+  /// Throws `bad_file` if no file can be created.
   part_file(const std::filesystem::path& target, bool private_to_owner) {
     const auto stem = target.parent_path() / target.filename().string().substr(0, 200);  // names have at most 255 bytes
     std::random_device random;
@@ -100,9 +99,9 @@ class part_file {
   }
 
   const std::filesystem::path& path() const { return path_; }
-  /// Once.
+  /// The handle; call it once.
   file_handle file() { return std::move(file_); }
-  /// Gives the error, or 0.
+  /// Returns the error number, or 0.
   int rename_to(const std::filesystem::path& target) {
     std::error_code error;
     std::filesystem::rename(path_, target, error);
@@ -115,14 +114,14 @@ class part_file {
   std::filesystem::path path_;
 };
 
-/// Writes a whole file, which is replaced only when all is written: by way of a part file beside it, which never stays
-/// while the program runs. Several programs may do so at once: the file is whole, by one of them. It keeps its
-/// permissions; a new one has the usual ones. Links stay links: what they lead to is replaced. What is no regular file,
-/// as a pipe, is written directly. Throws `bad_file` with the path and the reason; the file is then as before, unless
-/// it is in place already and only its folder cannot be synced.
+/// Replaces a file after everything is written: writes to a part file in the same folder, which does not remain while
+/// the program runs. Several programs may replace a file at the same time; it is then complete and written by one of
+/// them. The file keeps its permissions; a new file has default permissions. Symbolic links remain; their target is
+/// replaced. Targets that are not regular files, such as pipes, are written directly. Throws `bad_file` with the path
+/// and the reason. The file is then unchanged, unless it has been replaced and only its folder cannot be synced.
 inline void replace_file(const std::filesystem::path& path, std::string_view bytes, const save_options& options = {}) {
   std::error_code error;
-  const auto target = link_target(path), folder = target.parent_path();  // no memory is needed behind the replacement
+  const auto target = link_target(path), folder = target.parent_path();  // nothing is allocated after the replacement
   const auto old = std::filesystem::status(target, error);
   const bool exists = std::filesystem::exists(old);
   int code = 0;

@@ -11,7 +11,7 @@ namespace kte::detail {
 
 constexpr bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
 
-/// As much of a text as fits into a message.
+/// The beginning of a text, short enough for a message.
 inline std::string excerpt(std::string_view text) { return std::string(text.substr(0, 80)); }
 
 /// Rejects a file with more bytes than `read_options` allows.
@@ -19,10 +19,10 @@ inline std::string file_too_large(std::size_t max_bytes) {
   return "the file has more than " + std::to_string(max_bytes) + " bytes (read_options::max_bytes)";
 }
 
-/// The text of a model file and the places in it. Throws `bad_file` unless it is UTF-8 without control characters.
+/// The text of a model file, with positions. Throws `bad_file` unless it is UTF-8 without control characters.
 class source_text {
  public:
-  /// `name` is what messages call the file; the text must outlive this.
+  /// `name` is the name of the file in messages; the text must outlive this object.
   source_text(std::string_view text, std::string name, std::size_t max_bytes = ~std::size_t{0})
       : text_(without_mark(text)), file_(std::make_shared<const std::string>(std::move(name))) {
     if (text.size() > max_bytes) fail(0, file_too_large(max_bytes));
@@ -39,13 +39,13 @@ class source_text {
 
   std::string_view text() const { return text_; }
 
-  /// Fast for places in the order of the text.
+  /// Fast for positions in ascending order.
   file_place place(std::size_t offset) {
     if (offset < offset_) offset_ = 0, line_ = column_ = 1;
     for (; offset_ < offset && offset_ < text_.size(); ++offset_) {
       if (text_[offset_] == '\n') {
         ++line_, column_ = 1;
-      } else if ((text_[offset_] & 0xC0) != 0x80) {  // counted are characters, not bytes
+      } else if ((text_[offset_] & 0xC0) != 0x80) {  // counts characters, not bytes
         ++column_;
       }
     }
@@ -57,7 +57,7 @@ class source_text {
   }
   [[noreturn]] void fail_at_end() { fail(text_.size(), "the file ends in the middle of the model"); }
 
-  /// Appends the character that an escape at `offset` stands for.
+  /// Appends the character of an escape at `offset`.
   void append(std::string& out, char32_t c, std::size_t offset) {
     if (c > 0x10FFFF || (c >= 0xD800 && c < 0xE000)) fail(offset, "this escape stands for no character");
     std::string character;

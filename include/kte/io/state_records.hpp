@@ -7,12 +7,12 @@
 
 #include <map>
 
-/// States of chains of either kind as plain data, by the names of their things, and back.
+/// States of chains of either kind as plain data, by name, and back.
 namespace kte {
 
 namespace detail {
 
-/// The name of thing `slot` of a static chain.
+/// The name of item `slot` of a static chain.
 template <class... E>
 std::string_view name_of_thing(const wiring<E...>*, kind k, int slot) {
   using all = wiring<E...>;
@@ -28,7 +28,7 @@ std::string_view name_of_thing(const wiring<E...>*, kind k, int slot) {
   return name;
 }
 
-/// visit(kind, name, thing) for all things of a state.
+/// Calls visit(kind, name, item) for all items of a state.
 template <class State, class Visit>
 void for_each_thing(State& s, const Visit& visit) {
   const auto of_kind = [&]<kind K>() {
@@ -54,7 +54,7 @@ concept any_state = requires {
 
 }  // namespace detail
 
-/// The record of all values of a state. Its scalar is float, double or long double.
+/// The record of all values of a state in float, double or long double.
 template <detail::any_state State>
 [[nodiscard]] state_record record_of(const State& s) {
   static_assert(std::floating_point<typename State::scalar>, "kte: files hold states of float, double and long double");

@@ -17,9 +17,9 @@ struct table {
   std::vector<std::vector<double>> columns;  ///< columns[j][i]: column j of row i
 
   /// The number of rows.
-  std::size_t rows() const { return columns.empty() ? 0 : columns.front().size(); }
+  [[nodiscard]] std::size_t rows() const { return columns.empty() ? 0 : columns.front().size(); }
   /// The column of a name. Throws `unknown_name`.
-  const std::vector<double>& operator[](std::string_view name) const {
+  [[nodiscard]] const std::vector<double>& operator[](std::string_view name) const {
     const auto n = std::find(names.begin(), names.end(), name);
     if (n == names.end()) detail::raise<unknown_name>("kte: the table has no column '" + std::string(name) + "'");
     return columns[static_cast<std::size_t>(n - names.begin())];
@@ -30,18 +30,19 @@ namespace detail {
 
 inline constexpr std::string_view blanks = " \t\r\n\v\f";
 
-/// Tells names that come twice.
+/// Detects duplicate names.
 class known_names {
  public:
-  /// Whether it is new.
+  /// Adds a name; returns whether it is new.
   bool add(std::string_view name) { return names_.emplace(name).second; }
 
  private:
   std::set<std::string, std::less<>> names_;
 };
 
-/// Names that every format can hold without escapes: without separators of text, and characters that JSON or Python
-/// would escape. Throws `bad_argument` for no names, or one that is empty, occurs twice, or has such a character.
+/// Column names that every format can hold without escapes: without separators, and without characters that JSON or
+/// Python would escape. Throws `bad_argument` for an empty list, and for a name that is empty, occurs twice, or
+/// contains such a character.
 inline const std::vector<std::string>& check_column_names(const std::vector<std::string>& names) {
   if (names.empty()) raise<bad_argument>("kte: a table needs a column");
   known_names known;

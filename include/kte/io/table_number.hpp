@@ -5,13 +5,13 @@
 #include <string>
 #include <string_view>
 
-/// Numbers of tables as text, whatever the locale.
+/// Numbers of tables as text in any locale.
 namespace kte::detail {
 
-/// Appends x with the fewest digits that read back as the same double, and always with a point or an exponent: `1.0`,
-/// `-2.5e-17`, `nan`, `inf`. `no_exponent`: `0.000025`, of up to 344 characters.
+/// Appends x with the fewest digits that read back to the same double, always with a point or an exponent: `1.0`,
+/// `-2.5e-17`, `nan`, `inf`. `no_exponent`: `0.000025`, up to 344 characters.
 inline void append_table_number(std::string& out, double x, bool no_exponent = false) {
-  if (std::isnan(x)) {  // to_chars writes its sign
+  if (std::isnan(x)) {  // to_chars would write its sign
     out += "nan";
     return;
   }
@@ -24,7 +24,7 @@ inline void append_table_number(std::string& out, double x, bool no_exponent = f
   if (digits.find_first_not_of("-0123456789") == digits.npos) out += ".0";
 }
 
-/// Whether all of the text is a number, which x then is.
+/// Reads a number; returns whether it is the whole text.
 inline bool read_number(std::string_view text, double& x) {
   const char* const end = text.data() + text.size();
   const auto [stop, code] = std::from_chars(text.data(), end, x);

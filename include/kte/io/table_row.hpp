@@ -9,14 +9,14 @@
 
 namespace kte::detail {
 
-/// The numbers of one row, gathered from numbers and vectors of numbers; of any scalar type, they become double, so
-/// that every medium holds the same. Allocates once.
+/// The numbers of one row, gathered from numbers and vectors of numbers. All scalars are converted to double, so that
+/// all formats have equal values. Allocates once.
 class table_row {
  public:
-  /// `where` ends the message of an error.
+  /// `where`: the end of error messages.
   table_row(std::size_t columns, std::string where) : numbers_(columns), where_(std::move(where)) {}
 
-  /// Throws `bad_argument` for more or fewer numbers than there are columns.
+  /// Throws `bad_argument` unless there is one number per column.
   template <class... T>
   std::span<const double> gather(const T&... values) {
     const std::size_t n = (std::size_t{0} + ... + count(values));

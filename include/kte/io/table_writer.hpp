@@ -33,9 +33,9 @@ class table_writer {
   table_writer(const std::filesystem::path& path, const std::vector<std::string>& names, table_format format);
   table_writer(const table_writer&) = delete;
   table_writer& operator=(const table_writer&) = delete;
-  ~table_writer();
+  ~table_writer();  // NOLINT(bugprone-exception-escape): the variant always has a value
 
-  /// Writes a row of numbers and vectors of numbers, as many as there are columns; else throws `bad_argument`.
+  /// Writes a row of numbers and vectors of numbers. Throws `bad_argument` unless there is one number per column.
   template <class... T>
   void row(const T&... values) {
     add(row_.gather(values...));
@@ -56,7 +56,7 @@ class table_writer {
   void check_open() const;
   [[noreturn]] void fail(const char* action, int code);
 
-  // These give the error, or 0.
+  // Returns the error number, or 0.
   int write(const char* bytes, std::size_t n);
   int write_buffer();
   int count_rows(const detail::npy_table& npy);
@@ -86,7 +86,7 @@ KTE_FUNCTION table_writer::table_writer(const std::filesystem::path& path, const
   buffer_.reserve(2 * capacity);
   std::visit([&](auto& m) { m.head(names, buffer_); }, medium_);
 }
-KTE_FUNCTION table_writer::~table_writer() { finish(); }
+KTE_FUNCTION table_writer::~table_writer() { finish(); }  // NOLINT(bugprone-exception-escape)
 
 KTE_FUNCTION void table_writer::add(std::span<const double> numbers) {
   check_open();
@@ -94,7 +94,7 @@ KTE_FUNCTION void table_writer::add(std::span<const double> numbers) {
   try {
     std::visit([&](auto& m) { m.row(numbers, buffer_); }, medium_);
   } catch (...) {
-    buffer_.resize(before);  // no half of a row
+    buffer_.resize(before);  // removes the incomplete row
     throw;
   }
   ++rows_;
@@ -140,7 +140,7 @@ KTE_FUNCTION int table_writer::write_buffer() {
   const auto* const npy = std::get_if<detail::npy_table>(&medium_);
   return npy == nullptr ? 0 : count_rows(*npy);
 }
-/// After the rows themselves: whenever the program ends, the header counts rows that are there.
+/// Called after rows are written, so that the header never counts rows that are missing.
 KTE_FUNCTION int table_writer::count_rows(const detail::npy_table& npy) {
   const auto shape = npy.shape(rows_);
   if (std::fseek(file_.get(), static_cast<long>(npy.shape_at()), SEEK_SET) != 0) return errno;

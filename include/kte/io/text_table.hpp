@@ -9,10 +9,10 @@
 
 namespace kte::detail {
 
-/// A table as text: a line of column names, then a line a row.
+/// A table as text: a line of column names, then one line per row.
 ///
-/// As PlotJuggler reads such files best: no number looks like an integer, and the first row, by which the type of each
-/// column is guessed, has no exponents.
+/// Suited to PlotJuggler: no number looks like an integer, and the first row, from which the column types are guessed,
+/// has no exponents.
 class text_table {
  public:
   explicit text_table(char separator) : separator_(separator) {}
@@ -41,8 +41,8 @@ inline std::string_view without_blanks(std::string_view text) {
   return text.substr(0, text.find_last_not_of(blanks) + 1);
 }
 
-/// Cuts the first cell off a line, which is then without it and the separator. Spaces stand for any blanks, also
-/// several; other separators are one a cell.
+/// Removes the first cell and its separator from a line. A space stands for any number of blanks; other separators
+/// separate exactly one cell.
 inline std::string_view next_cell(std::string_view& line, char separator) {
   const auto end = (std::min)(separator == ' ' ? line.find_first_of(blanks) : line.find(separator), line.size());
   const auto cell = line.substr(0, end);
@@ -69,8 +69,8 @@ inline bool next_quoted_cell(std::string_view& line, char separator, std::string
   return without_blanks(next_cell(line, separator)).empty();
 }
 
-/// Reads a text that is a table; cells may be in quotes. Throws `bad_file` with the path, and the line and column,
-/// counted from 1; also for a text that ends within a line.
+/// Reads a table from a text; cells may be quoted. Throws `bad_file` with the path, line and column, counted from 1,
+/// also for a text that ends within a line.
 inline table read_text_table(const std::filesystem::path& path, std::string_view text, char separator) {
   std::size_t line = 0, column = 0;
   std::string_view cell;
@@ -101,7 +101,7 @@ inline table read_text_table(const std::filesystem::path& path, std::string_view
     if (end == text.npos) bad(text.empty() ? ": no column names" : ": no line end, the file is cut off");
     auto rest = without_blanks(text.substr(0, end));
     text.remove_prefix(end + 1);
-    const bool ends_open = separator != ' ' && rest.ends_with(separator);  // an empty cell is the last
+    const bool ends_open = separator != ' ' && rest.ends_with(separator);  // the last cell is empty
     for (column = 0; !rest.empty(); ++column) {
       rest.remove_prefix((std::min)(rest.find_first_not_of(' '), rest.size()));
       if (rest.starts_with('"')) {

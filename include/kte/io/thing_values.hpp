@@ -13,10 +13,10 @@
 #include <algorithm>
 #include <concepts>
 
-/// The values of coordinates, frames and signals as plain data, and back.
+/// Values of coordinates, frames and signals as plain data, and back.
 namespace kte::detail {
 
-/// visit(name, value) of what a thing holds by itself; sines and matrices of its position follow from that.
+/// Calls visit(name, value) for the independent values of an item; sines and matrices are derived from them.
 template <class T, class Visit>
 void visit_quantities(T& x, const Visit& visit) {
   const auto member = [&](const char* name, auto& value) { visit(name, value); };
@@ -43,7 +43,7 @@ void visit_quantities(T& x, const Visit& visit) {
     if constexpr (requires { x.z_dot; }) member("z", x.z), member("z_dot", x.z_dot);
   }
 }
-/// visit(number) of all numbers: vectors x y z, matrices by rows, quaternions w x y z, rotations in the plane cos sin.
+/// Calls visit(number) for all numbers: vectors x y z, matrices by rows, quaternions w x y z, planar rotations cos sin.
 template <class T, class Visit>
 void visit_numbers_of(T& x, const Visit& visit) {
   if constexpr (std::floating_point<std::remove_const_t<T>>) {
@@ -66,7 +66,7 @@ thing_record record_of_thing(kind what, std::string_view name, const T& x) {
   });
   return r;
 }
-/// What the numbers of a quantity must be beyond numbers, or nullptr where they are. Quaternions may be of any length.
+/// The rule that the numbers of a quantity violate, or nullptr. Quaternions may have any length.
 template <class T>
 const char* broken_rule(const T& x) {
   const auto turns = [](const auto& matrix) {
@@ -87,8 +87,8 @@ const char* broken_rule(const T& x) {
     return nullptr;
   }
 }
-/// Puts what the record has into a thing; the rest stays. Throws `bad_file` for a quantity that such a thing does not
-/// have, one with another count of numbers, and for rotations that are none.
+/// Stores the values of a record in an item; other values are unchanged. Throws `bad_file` for a quantity that the item
+/// does not have, for a wrong count of numbers, and for matrices that are not rotations.
 template <class T>
 void assign_thing(T& x, const thing_record& r) {
   const auto fail = [&r](const quantity_record& v, const std::string& why) {

@@ -6,7 +6,7 @@
 
 namespace kte::detail {
 
-/// The bytes of the character that a text begins with; 0 where that is not UTF-8.
+/// The number of bytes of the first character of a text; 0 if it is not UTF-8.
 constexpr std::size_t utf8_length(std::string_view text) {
   const auto byte = [text](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u; };
   const unsigned first = byte(0), second = byte(1);
@@ -34,13 +34,13 @@ inline void append_utf8(std::string& out, char32_t c) {
   }
 }
 
-/// Whether a text begins with a control character: of ASCII, or U+0080 to U+009F.
+/// Whether a text begins with a control character: an ASCII one, or U+0080 to U+009F.
 constexpr bool begins_with_control(std::string_view text) {
   const auto byte = [text](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0xFFu; };
   return byte(0) < 0x20 || byte(0) == 0x7F || (byte(0) == 0xC2 && byte(1) < 0xA0);
 }
 
-/// Without the byte order mark that some editors begin a file with.
+/// A text without the byte order mark that some editors write.
 constexpr std::string_view without_mark(std::string_view text) {
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
   return text;

@@ -9,14 +9,14 @@
 
 namespace kte::detail {
 
-/// A place in an XML text that moves on over the smallest parts of it. Throws `bad_file` with the place.
+/// A position in an XML text that advances token by token. Throws `bad_file` with the position.
 class xml_cursor {
  public:
   explicit xml_cursor(source_text& source) : source_(source), text_(source.text()) {}
 
   std::size_t offset() const { return i_; }
   bool at_end() const { return i_ == text_.size(); }
-  /// 0 behind the end: no text has that.
+  /// 0 at the end; no text contains it.
   char peek(std::size_t ahead = 0) const { return i_ + ahead < text_.size() ? text_[i_ + ahead] : '\0'; }
   bool here(std::string_view token) const { return text_.substr(i_).starts_with(token); }
 
@@ -28,10 +28,10 @@ class xml_cursor {
 
   void skip(std::size_t n) { i_ += n; }
   void expect(char c) {
-    if (peek() != c) fail(std::string("'") + c + "' is due here");
+    if (peek() != c) fail(std::string("expected '") + c + "'");
     ++i_;
   }
-  /// Gives what is before the token.
+  /// Returns the text before the token.
   std::string_view skip_past(std::string_view token) {
     const auto end = text_.find(token, i_);
     if (end == text_.npos) source_.fail_at_end();
@@ -39,7 +39,7 @@ class xml_cursor {
     i_ = end + token.size();
     return before;
   }
-  /// The text before one of the characters, or all.
+  /// The text before the first of the characters, or all of it.
   std::string_view until(std::string_view characters) {
     const auto part = text_.substr(i_, text_.find_first_of(characters, i_) - i_);
     i_ += part.size();
@@ -50,7 +50,7 @@ class xml_cursor {
     i_ += part.size();
     return part;
   }
-  /// Skips a comment or a processing instruction, if here is one.
+  /// Skips a comment or processing instruction at the present position; returns whether there was one.
   bool skip_remark() {
     if (here("<!--")) {
       skip(4);
@@ -72,11 +72,11 @@ class xml_cursor {
   }
   std::string_view name() {
     const auto n = tag_name_length(text_.substr(i_)), from = i_;
-    if (n == 0) fail("a name is due here");
+    if (n == 0) fail("expected a name");
     skip(n);
     return text_.substr(from, n);
   }
-  /// Appends what "&lt;" or "&#xE9;" stands for.
+  /// Appends the character of an entity such as "&lt;" or "&#xE9;".
   void entity(std::string& out) {
     static constexpr std::pair<std::string_view, char> known[]{
         {"lt", '<'}, {"gt", '>'}, {"amp", '&'}, {"quot", '"'}, {"apos", '\''}};

@@ -9,9 +9,9 @@
 
 namespace kte::detail {
 
-/// XML in the form that cereal writes: all within <cereal>; fields are tags, items of lists are <value0>, <value1> ...
-/// or just <value>. Comments may stand between fields and around values. There are no attributes but size="dynamic" on
-/// a list, and xml:space on a value; DOCTYPE is refused, as it could change what the rest means.
+/// XML in the form that cereal writes: all within <cereal>; fields are tags, list items are <value0>, <value1> ... or
+/// <value>. Comments may stand between fields and around values. The only attributes are size="dynamic" on lists and
+/// xml:space on values. DOCTYPE is refused, because it could change the meaning of the rest.
 class xml_scanner final : public field_scanner {
  public:
   explicit xml_scanner(source_text& source) : source_(source), in_(source) {}
@@ -26,7 +26,7 @@ class xml_scanner final : public field_scanner {
   }
   void close_document() override {
     in_.skip_between();
-    if (!in_.at_end()) in_.fail("something follows the end of the model");
+    if (!in_.at_end()) in_.fail("unexpected content after the end of the model");
   }
   void open_group(const std::string& what) override { check_attributes(what); }
   void open_list(const std::string& what) override {
@@ -43,7 +43,7 @@ class xml_scanner final : public field_scanner {
     std::string name;
     if (!next_field(name)) return false;
     if (const auto due = "value" + std::to_string(number); name != "value" && name != due)
-      in_.fail_at(at_, "<" + due + "> or <value> is due, not <" + excerpt(name) + ">");
+      in_.fail_at(at_, "expected <" + due + "> or <value>, got <" + excerpt(name) + ">");
     return true;
   }
 
@@ -79,15 +79,15 @@ class xml_scanner final : public field_scanner {
     if (const auto code = take_attribute("encoding").value_or("utf-8"); code != "utf-8" && code != "UTF-8")
       in_.fail_at(at_, "the encoding must be UTF-8");
   }
-  /// The next tag that starts, within the innermost open one; false where that ends.
+  /// The next start tag within the innermost open tag; false at its end.
   bool next_tag(std::string& tag) {
     if (closed_) return false;
     in_.skip_between();
     at_ = in_.offset();
     if (in_.here("</")) return false;
-    if (in_.peek() != '<') in_.fail("a tag is due here, not text");
+    if (in_.peek() != '<') in_.fail("expected a tag, got text");
     if (in_.here("<!DOCTYPE")) in_.fail("a model file has no DOCTYPE");
-    if (in_.here("<!")) in_.fail("a tag is due here");
+    if (in_.here("<!")) in_.fail("expected a tag");
     in_.skip(1);
     tag = in_.name();
     open_.push_back(tag);
@@ -103,7 +103,7 @@ class xml_scanner final : public field_scanner {
     if (!std::exchange(closed_, false)) {
       const std::size_t from = in_.offset();
       in_.skip(2);
-      if (in_.name() != open_.back()) in_.fail_at(from, "</" + open_.back() + "> is due here");
+      if (in_.name() != open_.back()) in_.fail_at(from, "expected </" + open_.back() + ">");
       in_.blanks();
       in_.expect('>');
     }
@@ -118,7 +118,7 @@ class xml_scanner final : public field_scanner {
     in_.expect('=');
     in_.blanks();
     const char quote = in_.peek();
-    if (quote != '"' && quote != '\'') in_.fail("a quote is due here");
+    if (quote != '"' && quote != '\'') in_.fail("expected a quote");
     in_.skip(1);
     const auto value = in_.skip_past({&quote, 1});
     for (const auto& a : attributes_)
@@ -139,7 +139,7 @@ class xml_scanner final : public field_scanner {
     for (const auto& a : attributes_)
       in_.fail_at(a.at, "'" + what + "' has no attribute '" + std::string(a.name) + "'");
   }
-  /// Up to the end of the innermost open tag; `at_` is then where the text begins.
+  /// Skips to the end of the innermost open tag; `at_` becomes the beginning of its text.
   void read_value(const std::string& tag, std::string& out) {
     bool begun = false, interrupted = false;
     while (!in_.here("</")) {
@@ -170,7 +170,7 @@ class xml_scanner final : public field_scanner {
   source_text& source_;
   xml_cursor in_;
   std::size_t at_ = 0;
-  bool closed_ = false;  ///< whether the tag read last was <so/>
+  bool closed_ = false;  ///< whether the last tag was <so/>
   std::vector<std::string> open_;
   std::vector<attribute> attributes_;
 };

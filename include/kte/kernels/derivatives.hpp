@@ -4,9 +4,9 @@
 
 namespace kte {
 
-/// Generalized forces tau and their derivatives: by_q(i, j) is the derivative of tau_i along v_j (for a number the
-/// partial derivative; for rotations and poses along axes of the moving frame), by_v and by_a those by velocity and
-/// acceleration j; by_a is the mass matrix, less the derivatives of load-dependent friction.
+/// Generalized forces tau and their derivatives: by_q(i, j) is the derivative of tau_i along v_j (for numbers the
+/// partial derivative; for rotations and poses along axes of the moving frame), by_v and by_a are those by velocity and
+/// acceleration j. by_a is the mass matrix, minus the derivatives of load-dependent friction.
 template <class S, int N>
 struct inverse_dynamics_result {
   joint_vector<S, N> tau;

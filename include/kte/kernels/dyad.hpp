@@ -11,7 +11,7 @@
 
 namespace kte::detail {
 
-/// "1.5 rad": an angle in a message; of a pack "of a pack".
+/// "1.5 rad": an angle in a message; for packs "of a pack".
 template <class S>
 std::string text_of_angle(const S& q) {
   if constexpr (requires { static_cast<double>(q); }) {
@@ -23,11 +23,11 @@ std::string text_of_angle(const S& q) {
   }
 }
 
-/// What a linkage says where it cannot be moved.
+/// The words of a linkage in messages about positions that it cannot reach.
 struct linkage_words {
   const char* name;     ///< of the element
-  const char* leads;    ///< what the others follow: "crank angle"
-  const char* in_line;  ///< what is so at its dead points
+  const char* leads;    ///< the leading coordinate: "crank angle"
+  const char* in_line;  ///< what is in line at its dead points
 };
 
 [[noreturn, gnu::cold]] inline void raise_no_transmission(bool beyond, const linkage_words& w,
@@ -35,14 +35,15 @@ struct linkage_words {
   const std::string here = std::string(w.leads) + " " + angle, name = std::string("kte: ") + w.name;
   if (beyond) raise<bad_argument>(name + " cannot be closed at " + here + ", beyond a dead point");
   raise<dead_point>(name + ": dead point at " + here + ", where " + w.in_line +
-                    ": no motion follows from here; let another coordinate lead, or use mimic_gen where angles are "
-                    "the same");
+                    ": the motion from here is undetermined; let another coordinate lead, or use mimic_gen if the "
+                    "angles are equal");
 }
 
-/// Bars push each other at an angle whose sine has the square k / full. k rounds by some eps full, so velocities, which
-/// are as 1 / sqrt(k), lose half their digits where k < sqrt(eps) full: a dead point, beyond which no motion follows
-/// from what leads. Integrators come that close, at any tolerance, and would stay there or turn back. Throws
-/// `dead_point` there, but not of positions alone; beyond, `bad_argument`. angle() gives the text of what leads.
+/// Bars transmit forces at an angle whose squared sine is k / full. k has a rounding error of about eps full, so
+/// velocities, which are proportional to 1 / sqrt(k), lose half their digits for k < sqrt(eps) full. This is a dead
+/// point, beyond which the leading coordinate does not determine the motion. Integrators come this close at any
+/// tolerance and would stop there or turn back. Throws `dead_point` there, except for positions alone; beyond it throws
+/// `bad_argument`. angle() is the text of the leading coordinate.
 template <class S, class Angle>
 constexpr void require_transmission(const S& k, const S& full, const linkage_words& w, const Angle& angle,
                                     bool rates = is_dual<S>) {
@@ -53,12 +54,13 @@ constexpr void require_transmission(const S& k, const S& full, const linkage_wor
     raise_no_transmission(any(k < S(-near_dead) * full) || any(k != k), w, angle());
 }
 
-/// Two bars in the plane, of lengths b and c, between two points r apart: from the first point to where they meet,
+/// Two bars in the plane, of lengths b and c, between two points at the distance vector r: the vector from the first
+/// point to their joint is
 ///
 ///   w = (u r + s sqrt(k) n) / |r|^2,   u = (b^2 - c^2 + |r|^2) / 2,   k = b^2 |r|^2 - u^2          (1)
 ///
-/// n: r turned by a right angle, to the left; s = 1 or -1: on which side. k = b^2 c^2 sin^2 of the angle between them:
-/// throws where they are in line, or too short, or their difference too long (`require_transmission`).
+/// n: r rotated by a right angle, to the left. s = 1 or -1 selects the side. k = b^2 c^2 sin^2 of the angle between the
+/// bars. Throws if they are in line, too short, or too different in length (`require_transmission`).
 template <class S, class Angle>
 constexpr vec2<S> dyad(const vec2<S>& r, const S& b, const S& c, const S& side, const linkage_words& words,
                        const Angle& angle, bool rates = is_dual<S>) {

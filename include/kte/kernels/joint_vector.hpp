@@ -35,7 +35,7 @@ namespace detail {
 }
 }  // namespace detail
 
-/// Rejects arguments of the wrong size, where the size is known. `what` says what the chain has n of.
+/// Rejects arguments of the wrong size, if the size is known. `what`: the unit of n in the message.
 template <indexable T>
 constexpr void check_size(std::size_t n, const T& x, const char* name, const char* what = "degrees of freedom") {
   if constexpr (requires { x.size(); }) {
@@ -47,7 +47,7 @@ constexpr void check_size(std::size_t n, const T& x, const char* name, const cha
   }
 }
 namespace detail {
-/// How many numbers a type holds, where it says so.
+/// The number of elements of a type, if its type determines it; otherwise -1.
 template <class T>
 inline constexpr std::ptrdiff_t count_of = -1;
 template <class T>
@@ -58,7 +58,7 @@ requires requires { T::SizeAtCompileTime; }
 inline constexpr std::ptrdiff_t count_of<T> = T::SizeAtCompileTime;
 template <class T, std::size_t N>
 inline constexpr std::ptrdiff_t count_of<T[N]> = std::ptrdiff_t{N};
-/// Whether it may hold N.
+/// Whether it may hold N elements.
 template <class T, int N>
 inline constexpr bool holds = count_of<T> < 0 || count_of<T> == N;
 }  // namespace detail
@@ -66,28 +66,28 @@ inline constexpr bool holds = count_of<T> < 0 || count_of<T> == N;
 template <int N, indexable T>
 constexpr void check_size(const T& x, const char* name, const char* what = "degrees of freedom") {
   static_assert(detail::holds<T, N>,
-                "kte: an argument (v, a, tau) has another number of entries than the chain has degrees of freedom");
+                "kte: the size of an argument (v, a, tau) differs from the number of degrees of freedom of the chain");
   check_size(std::size_t{N}, x, name, what);
 }
 
 namespace detail {
-/// q has as many numbers as a configuration: one a degree of freedom, but for rotations in space.
+/// Checks that q has the size of a configuration.
 template <indexable Q>
 constexpr void check_configuration(int nq, int dofs, const Q& q) {
   check_size(static_cast<std::size_t>(nq), q, "q", nq == dofs ? "degrees of freedom" : "numbers of a configuration");
 }
 template <class Chain, indexable Q>
 constexpr void check_configuration(const Q& q) {
-  static_assert(holds<Q, Chain::nq>, "kte: q has another number of entries than a configuration of the chain has");
+  static_assert(holds<Q, Chain::nq>, "kte: the size of q differs from that of a configuration of the chain");
   check_configuration(Chain::nq, Chain::dofs, q);
 }
 
-/// term(0) + ... + term(n - 1), in four independent sums; many terms in sixteen. (Not by Eigen: g++ 12 warns about its
-/// headers for AVX-512.)
+/// term(0) + ... + term(n - 1), in four independent sums; many terms in sixteen. (Eigen's sum causes warnings of g++ 12
+/// for AVX-512.)
 template <class S, class Term>
 KTE_INLINE constexpr S sum_by_four(std::size_t n, const Term& term) {
   std::size_t i = 0;
-  S a(0), b(0), c(0), d(0);  // no array, which compilers would keep on the stack
+  S a(0), b(0), c(0), d(0);  // not an array, which compilers would keep on the stack
   if (n < 8) {
     for (; i < n; ++i) a += term(i);
     return a;
@@ -96,7 +96,7 @@ KTE_INLINE constexpr S sum_by_four(std::size_t n, const Term& term) {
     S more[16]{};
     for (const std::size_t whole = n - n % 16; i < whole; i += 16)
       for (std::size_t k = 0; k < 16; ++k) more[k] += term(i + k);
-    for (std::size_t k = 0; k < 16; ++k) a += more[k];
+    for (const S& x : more) a += x;
   }
   for (const std::size_t whole = n - n % 4; i < whole; i += 4)
     a += term(i), b += term(i + 1), c += term(i + 2), d += term(i + 3);

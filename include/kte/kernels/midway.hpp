@@ -8,12 +8,12 @@
 #include <cmath>
 #include <limits>
 
-/// Two frames seen from halfway between them, so that neither is preferred: what beams and bushings are made of.
+/// Two frames viewed from the frame halfway between them, which prefers neither: the basis of beams and bushings.
 namespace kte::detail {
 
-/// Functions of half a turn by the rotation vector r of length t, smooth at t = 0. Below t^2 = eps^(1/4) they are taken
-/// from their series, of which the terms left out are below the last digit of what they come into; there, the digits
-/// that differences lose are as few, eps^(1/8) in derivatives.
+/// Functions of half a rotation by the vector r of length t, smooth at t = 0. Below t^2 = eps^(1/4) they are evaluated
+/// by their series, whose omitted terms are below the last digit of the results. At that point the loss by cancellation
+/// is as small, eps^(1/8) in derivatives.
 ///
 ///   s = sin(t/2)/t,  c = cos(t/2),  k = (1 - 1/(2 s))/t^2                                   (1)
 template <class S>
@@ -38,8 +38,8 @@ KTE_INLINE constexpr auto half_turn_functions_of(const S& tt) {
                                        S((S(1) - t / (S(2) * sine)) / select(tiny, S(1), tt)))};
 }
 
-/// Frame 2 in frame 1 stands at R_1^T (p_2 - p_1) and is turned by r = axis times angle of R_1^T R_2. Half of that
-/// turn, from frame 1, is the frame halfway, M. In axes of M
+/// The pose of frame 2 in frame 1 is R_1^T (p_2 - p_1) and the rotation vector r of R_1^T R_2. Half of this rotation,
+/// from frame 1, gives the midway frame M. In axes of M
 ///
 ///   H = exp [r/2]x,   d = H^T R_1^T (p_2 - p_1)                                             (2)
 ///
@@ -49,7 +49,7 @@ KTE_INLINE constexpr auto half_turn_functions_of(const S& tt) {
 ///   h_M = (h_1 + h_2)/2 - tan(t/4)/2 n x (h_2 - h_1)                                        (4)
 ///   dd = u_2 - u_1 - h_M x d                                                                (5)
 ///
-/// r is the same in axes of all three. At half a turn it jumps to the other side.
+/// r has equal components in axes of all three frames. At half a turn it jumps to the opposite vector.
 template <class D, class R, class S>
 struct midway {
   D d;
@@ -87,12 +87,12 @@ KTE_INLINE constexpr auto midway_between(const A& a, const B& b) {
   return midway<std::remove_const_t<decltype(d)>, std::remove_const_t<decltype(r)>, S>{d, r, half};
 }
 
-/// The loads on the frames, at their origins in their own axes, of what resists d and r by g and h, the gradients of a
-/// potential or what does such work: by (3) to (5)
+/// The loads on two frames, at their origins in their own axes, of an element that resists d and r by g and h, the
+/// gradients of a potential or forces with this power. By (3) to (5)
 ///
 ///   F_2 = -F_1 = -g,   T_1 = c/2 + m,  T_2 = c/2 - m,   c = d x g,  m = B h + c x tan(t/4)/2 n          (6)
 ///
-/// in axes of M: forces and moments balance.
+/// in axes of M. Forces and moments balance.
 template <class M, class G, class H>
 KTE_INLINE constexpr auto midway_loads(const M& m, const G& g, const H& h) {
   const auto c = cross(m.d, g);

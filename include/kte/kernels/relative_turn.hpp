@@ -6,15 +6,15 @@
 
 #include <cmath>
 
-/// By what two frames are turned against each other.
+/// The rotation between two frames.
 namespace kte {
 
 namespace detail {
 
-/// Axis times angle of a rotation matrix, the angle in [0, pi], without a branch and without NaN for no rotation, also
-/// in derivatives. With the quaternion q = (w, u) of R, 4 q q^T is made of sums of entries of R; its row of the largest
-/// diagonal entry is a multiple of q that keeps all digits (Shepperd, J. Guidance and Control 1, 1978), and multiples
-/// do not matter in
+/// The rotation vector (axis times angle) of a rotation matrix, with the angle in [0, pi], without branches, and
+/// without NaN for the identity, also in derivatives. With the quaternion q = (w, u) of R, 4 q q^T consists of sums of
+/// entries of R. Its row with the largest diagonal entry is a multiple of q with all digits (Shepperd, J. Guidance and
+/// Control 1, 1978), and the factor cancels in
 ///
 ///   r = 2 atan2(|u|, w)/|u| u,  for u = 0  2/w u                    (1)
 template <class RX, class RY, class RZ>
@@ -41,7 +41,7 @@ KTE_INLINE constexpr auto turn_of(const mat3<RX, RY, RZ>& rotation) {
   };
   const row largest = larger(larger(row{ww, ww, {wx, wy, wz}}, row{xx, wx, {xx, xy, zx}}),
                              larger(row{yy, wy, {xy, yy, yz}}, row{zz, wz, {zx, yz, zz}}));
-  const S sign = select(largest.w < S(0), S(-1), S(1));  // of the two quaternions, the one with w >= 0
+  const S sign = select(largest.w < S(0), S(-1), S(1));  // selects the quaternion with w >= 0
   const S w = sign * largest.w, square = dot(largest.u, largest.u);
   const auto none = square == S(0);
   const S n = sqrt(select(none, S(1), square));

@@ -14,8 +14,8 @@ namespace kte::detail {
 ///
 ///   M = L D L^T,   d_j = m_jj - sum_k l_jk^2 d_k,   l_ij = (m_ij - sum_k l_ik l_jk d_k) / d_j          (1)
 ///
-/// Golub and Van Loan, Matrix Computations, 4.1.2. Eigen's LLT is its own call and takes as long as all the rest
-/// (docs/decisions/05-forward-dynamics.md). Returns whether no pivot d_j vanishes against m_jj.
+/// Golub and Van Loan, Matrix Computations, 4.1.2. Eigen's LLT is not inlined and takes as long as everything else
+/// (docs/decisions/05-forward-dynamics.md). Returns false if a pivot d_j vanishes relative to m_jj.
 template <class Matrix>
 KTE_INLINE bool factorise(Matrix& m) {
   using S = typename Matrix::Scalar;
@@ -59,7 +59,7 @@ KTE_INLINE void substitute(const Matrix& m, Vector& b) {
     text.append("'").append(coordinate).append("'");
   raise<singular_mass_matrix>(text.append(" moves no mass independently of the others"));
 }
-/// The first row with a vanishing pivot, reported by `factorise`; m_jj follows again from (1).
+/// The first row with a vanishing pivot; m_jj is recomputed by (1).
 template <class Matrix>
 [[gnu::cold, gnu::noinline]] int first_vanishing(const Matrix& m) {
   using S = typename Matrix::Scalar;
@@ -71,14 +71,14 @@ template <class Matrix>
   }
   return n - 1;
 }
-/// Factorises a mass matrix. Where a coordinate moves no mass, or only what others move too, calls `fail` with its row,
+/// Factorizes a mass matrix. If a coordinate moves no mass, or only what others move too, calls `fail` with its row,
 /// which throws `singular_mass_matrix`.
 template <class Matrix, class Fail>
 KTE_INLINE void factorise_mass(Matrix& m, const Fail& fail) {
   if (!factorise(m)) [[unlikely]]
     fail(first_vanishing(m));
 }
-/// M^-1; M is used up.
+/// M^-1; M is overwritten.
 template <class Matrix, class Inverse, class Fail>
 KTE_INLINE void invert_by_factors(Matrix& m, Inverse& inverse, const Fail& fail) {
   factorise_mass(m, fail);
@@ -89,8 +89,8 @@ KTE_INLINE void invert_by_factors(Matrix& m, Inverse& inverse, const Fail& fail)
   }
 }
 
-/// f<4>(i) for rows i, i + 4, ... of n, the last four moved back, that they do not stick out; f<1>(i) for less than
-/// four.
+/// Calls f<4>(i) for rows i, i + 4, ... of n, with the last block moved back to end at n; f<1>(i) for fewer than four
+/// rows.
 template <int N, class F>
 KTE_INLINE void for_each_four(Eigen::Index n, const F& f) {
   if constexpr (N == Eigen::Dynamic || N >= 4) {
@@ -120,7 +120,8 @@ KTE_INLINE void solve_by_inverse(const Matrix& inverse, const Matrix& b, X& x) {
   });
 }
 
-/// Solves M x = b in place for a mass matrix M; the lower triangle of M is overwritten. Throws as `factorise_mass`.
+/// Solves M x = b in place for a mass matrix M; the lower triangle of M is overwritten. Throws what `factorise_mass`
+/// throws.
 template <class Matrix, class Vector, class Fail>
 KTE_INLINE void solve_in_place(Matrix& m, Vector& b, const Fail& fail) {
   factorise_mass(m, fail);

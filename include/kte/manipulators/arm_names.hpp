@@ -2,13 +2,12 @@
 
 #include <kte/contract/key.hpp>
 
-/// The names of coordinates and frames that the models of this folder share: `q1` ... `q7` are the joints from the base
-/// on, `link1` ... `link7` what they move, `tool` is the last frame. Those of arms in the plane
-/// are in `planar_arm_names`.
+/// Names of coordinates and frames that the models of this folder share: `q1` ... `q7` are the joints from the base on,
+/// `link1` ... `link7` the frames that they move, `tool` is the last frame. Planar arms use `planar_arm_names`.
 namespace kte::arm_names {
 
 // clang-format off
-/// Coordinates of the ready-made arms.
+/// Coordinates of the predefined arms.
 inline constexpr struct q1_ final : coord_key<"q1"> {} q1;
 inline constexpr struct q2_ final : coord_key<"q2"> {} q2;
 inline constexpr struct q3_ final : coord_key<"q3"> {} q3;
@@ -19,7 +18,7 @@ inline constexpr struct q7_ final : coord_key<"q7"> {} q7;
 inline constexpr struct track_ final : coord_key<"track"> {} track;
 inline constexpr struct floating_ final : pose_3D_key<"pose"> {} floating;
 
-/// Frames of the ready-made arms.
+/// Frames of the predefined arms.
 inline constexpr struct base_ final : frame_3D_key<"base"> {} base;
 inline constexpr struct cart_ final : frame_3D_key<"cart"> {} cart;
 inline constexpr struct link1_ final : frame_3D_key<"link1"> {} link1;
@@ -39,7 +38,7 @@ namespace kte::planar_arm_names {
 
 // clang-format off
 using arm_names::q1, arm_names::q2, arm_names::q3;
-/// Coordinate and frames of the ready-made arms in the plane.
+/// Coordinate and frames of the predefined planar arms.
 inline constexpr struct floating_ final : pose_2D_key<"pose"> {} floating;
 inline constexpr struct base_ final : frame_2D_key<"base"> {} base;
 inline constexpr struct link1_ final : frame_2D_key<"link1"> {} link1;

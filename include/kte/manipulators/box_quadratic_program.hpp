@@ -12,12 +12,12 @@ struct box_minimum {
   joint_vector<S, N> x;
   Eigen::Matrix<signed char, N, 1> at;  ///< -1, 1: at its lower or upper bound; 0: free
   int pivots;                           ///< number of linear systems solved
-  bool optimal;                         ///< false if rounding prevents (2); x is within bounds then too
+  bool optimal;                         ///< false if rounding prevents (2); x is within bounds in any case
 };
 
 namespace detail {
-/// H = L L^T of the rows and columns that are free, and its solution for one right-hand side. A direction without
-/// curvature is left alone: its unknown is 0.
+/// The Cholesky factorization H = L L^T of the free rows and columns, and its solution for one right-hand side.
+/// Unknowns of directions without curvature are 0.
 template <class S, int N>
 class free_cholesky {
  public:
@@ -76,9 +76,9 @@ box_minimum<S, N>& finite_minimum(box_minimum<S, N>& found) {
 ///   x^T H x / 2 - g^T x,   lower <= x <= upper                                          (1)
 ///   r = H x - g:   r_i = 0 where free,  r_i >= 0 at lower,  r_i <= 0 at upper           (2)
 ///
-/// H is symmetric and positive definite or semidefinite; bounds may be infinite, or equal. (2) holds to rounding.
-/// Nothing is allocated for a fixed size. Throws `bad_argument` unless lower <= upper and H, g are finite, and if x is
-/// not finite: numbers are too large or too small.
+/// H is symmetric and positive definite or semidefinite; bounds may be infinite, or equal. (2) holds to rounding. For a
+/// fixed size nothing is allocated. Throws `bad_argument` unless lower <= upper and H, g are finite, and if x is not
+/// finite because numbers are too large or too small.
 template <class S, int N>
 [[nodiscard]] box_minimum<S, N> minimise_in_box(const joint_matrix<S, N>& h, const joint_vector<S, N>& g,
                                                 const joint_vector<S, N>& lower, const joint_vector<S, N>& upper) {
@@ -111,7 +111,7 @@ template <class S, int N>
     for (Eigen::Index j = 0; j < n; ++j) size += abs(h(i, j) * x[j]);
     return size;
   };
-  if (at.isZero(0)) {  // mostly: within bounds, and one step along the same factors is enough
+  if (at.isZero(0)) {  // the usual case: within bounds, where one step with the same factors is enough
     gradient(), free.solve(r, step);
     x -= step;
     gradient();
@@ -122,10 +122,10 @@ template <class S, int N>
     x = x.cwiseMax(lower).cwiseMin(upper);
   }
   const int most = 20 * static_cast<int>(n) + 20;
-  bool refined = false;  // the free part of (2) to rounding: by a second step along the same factors
+  bool refined = false;  // refines the free part of (2) to rounding by a second step with the same factors
   if (!at.isZero(0)) free.factorise(h, at);
   for (; out.pivots < most; ++out.pivots) {
-    gradient(), free.solve(r, step);  // x - step is the minimum of those that are free
+    gradient(), free.solve(r, step);  // x - step is the minimum over the free unknowns
     S t = S(1);
     Eigen::Index blocking = -1;
     for (Eigen::Index i = 0; i < n; ++i) {

@@ -1,4 +1,4 @@
 #pragma once
 
-/// The former name of this header.
+/// Deprecated header name; use kte/manipulators/numerical_inverse_kinematics.hpp.
 #include <kte/manipulators/numerical_inverse_kinematics.hpp>

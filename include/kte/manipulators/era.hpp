@@ -7,9 +7,9 @@
 
 namespace kte {
 
-/// The European Robotic Arm: seven revolute joints, z y x x x y z, links of 1.228, 0.340, 4.072, 4.072, 0.340, 1.228 m
-/// along z at q = 0. ESA gives 630 kg for the whole arm and a reach of 9.7 m; masses of its links are not public: here
-/// they are those of rods, assumed to sum to 630 kg.
+/// The European Robotic Arm: seven revolute joints, z y x x x y z, with links of 1.228, 0.340, 4.072, 4.072, 0.340,
+/// 1.228 m along z at q = 0. ESA publishes a mass of 630 kg for the whole arm and a reach of 9.7 m, but no masses of
+/// links. Here links are rods with assumed masses that sum to 630 kg.
 [[nodiscard]] constexpr auto era_chain() {
   using namespace arm_names;
   const auto rod = [](double m, double d) { return link_body(m, along_z(d), 0.12); };

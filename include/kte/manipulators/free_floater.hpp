@@ -8,7 +8,7 @@
 namespace kte {
 
 /// A body that moves freely in space by the coordinate "pose", with its tool at a position, m, and rotation in the
-/// body; by default 1 kg, a ball of 0.1 m. There are no limits.
+/// body. By default a ball of 1 kg and 0.1 m. There are no limits.
 template <class P = zero3, class R = no_rotation, class Body = decltype(link_body(1, zero3{}, 0.1))>
 [[nodiscard]] constexpr auto free_floater_chain(const P& position = {}, const R& rotation = {},
                                                 const Body& b = link_body(1, zero3{}, 0.1)) {

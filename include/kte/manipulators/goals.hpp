@@ -5,9 +5,9 @@
 
 #include <tuple>
 
-/// What `numerical_inverse_kinematics` is to attain. `reach`, `reach_position` and `look_at` are hard: they are
-/// attained, or it says that they are not. `posture`, `away_from_limits`, `manipulability` are soft, as is what `soft`
-/// makes of the others: they are attained as nearly as the hard ones let them.
+/// Goals of `numerical_inverse_kinematics`. `reach`, `reach_position` and `look_at` are hard: they are attained, or the
+/// result says that they are not. `posture`, `away_from_limits`, `manipulability`, and hard goals made soft by `soft`,
+/// are attained as closely as the hard goals permit.
 namespace kte {
 
 namespace detail {
@@ -24,7 +24,7 @@ struct soft_goal {
   }
 };
 
-/// The goals that come first, and those that have what freedom these leave.
+/// The goals of the first level, and those for the remaining freedom.
 template <class First, class Second>
 struct goal_levels {
   First first;
@@ -62,7 +62,7 @@ requires requires { Goal::hard; }
 auto as_levels(const Goal& g) { return levels(std::tuple{g}, std::tuple{}); }
 }  // namespace detail
 
-/// A soft goal, with a weight of its squares among soft goals.
+/// Makes a goal soft, with a weight of its squares among the soft goals.
 template <class Goal>
 [[nodiscard]] auto soft(double weight, const Goal& goal) {
   if (!(weight >= 0) || weight - weight != 0)
@@ -74,8 +74,8 @@ template <class... Goal>
 [[nodiscard]] auto goals(const Goal&... each) {
   return detail::levels(std::tuple_cat(detail::only<true>(each)...), std::tuple_cat(detail::only<false>(each)...));
 }
-/// Goals in order: the first goals, hard and soft ones together, are attained as well as possible; the second within
-/// the freedom that these leave.
+/// Goals on two levels: the first, with its hard and soft goals, is attained as well as possible; the second within the
+/// remaining freedom.
 template <class First, class Second>
 [[nodiscard]] auto then(const First& first, const Second& second) {
   const auto a = detail::all_of_levels(first);

@@ -7,9 +7,9 @@
 
 namespace kte {
 
-/// The KUKA LBR iiwa 14 R820: seven revolute joints, z y z -y z y z; at q = 0 all along z: the shoulder at 0.36 m, the
-/// elbow 0.42 m from it, the wrist 0.40 m from the elbow, the flange ("tool") 0.126 m from the wrist. Bodies and
-/// lengths are those of the manufacturer; axes of all links are those of the base at q = 0.
+/// The KUKA LBR iiwa 14 R820: seven revolute joints, z y z -y z y z. At q = 0 all are along z: the shoulder at 0.36 m,
+/// the elbow 0.42 m from it, the wrist 0.40 m from the elbow, the flange ("tool") 0.126 m from the wrist. Inertias and
+/// lengths are those of the manufacturer. At q = 0 the axes of all links are those of the base.
 [[nodiscard]] constexpr auto iiwa14_chain() {
   using namespace arm_names;
   return chain(revolute_joint_3D(q1, base, link1).at(along_z(0.1575)),

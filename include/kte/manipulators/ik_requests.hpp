@@ -6,14 +6,13 @@
 #include <string>
 #include <vector>
 
-/// What may be said of the answers that are needed of `inverse_kinematics`, in addition to the pose.
+/// Arguments of `inverse_kinematics` that select solutions, in addition to the pose.
 namespace kte {
 
-/// The reference of the arm angle: where the elbow of an arm of seven axes is at the arm angle 0.
+/// The reference of the arm angle: the position of the elbow at arm angle 0, for arms with seven axes.
 enum class arm_angle_from {
-  stereographic,  ///< as detail/srs_axes.hpp says: without direction only where the wrist is straight below the
-                  ///< shoulder
-  first_axis      ///< on the side to which axis 1 points, for most arms above: without direction all along that axis
+  stereographic,  ///< defined in detail/srs_axes.hpp; undefined only if the wrist is straight below the shoulder
+  first_axis      ///< the side to which axis 1 points, above for most arms; undefined if the wrist is on axis 1
 };
 
 /// Requests the solutions of an arm of seven axes at the arm angle psi, rad, about the line from shoulder to wrist,

@@ -8,22 +8,23 @@
 
 namespace kte {
 
-/// All postures in which the first tool of an arm has a pose (in axes of the base; rotation and position, as returned
-/// by `forward_kinematics`), in closed form, in a fixed order of branches (solution b of eight has branch b):
+/// All postures in which the first tool of an arm has a given pose, in closed form, in a fixed order of branches
+/// (solution b of eight has branch b). The pose is in axes of the base, a rotation and a position, as returned by
+/// `forward_kinematics`:
 ///
 ///   for (const auto& a : kte::inverse_kinematics(arm, pose)) if (a.exact && a.within_limits) use(a.q);
 ///
-/// An arm of seven joints has infinitely many solutions: these are those of arm angle 0, or with the locked joint at 0
-/// (`arm_angle`, `locked`). Angles are between -pi and pi, or within their limits if a multiple of 2 pi brings them
-/// there. Coordinates that do not move the tool are those of `neutral_configuration`. For a pose out of reach solutions
-/// are those of least squares, which are not `exact`.
+/// An arm with seven joints has infinitely many solutions; the result has those with arm angle 0, or with the locked
+/// joint at 0 (`arm_angle`, `locked`). Angles are between -pi and pi, or within their limits if a multiple of 2 pi
+/// moves them there. Coordinates that do not move the tool are those of `neutral_configuration`. For a pose out of
+/// reach, solutions are least-squares solutions, which are not `exact`.
 ///
-/// The function is generic in the scalar of the pose: dual numbers give derivatives, packs several poses at once:
+/// The function is generic in the scalar of the pose: dual numbers give derivatives, packs solve several poses at once,
 ///
 ///   kte::inverse_kinematics(arm, pose_of_packs)[b].q    // exact and within_limits are masks
 ///
 /// for all arms except those with equations of degree four. Throws `no_closed_form`, and `bad_argument` for an invalid
-/// pose; a static arm whose type has no closed form does not compile.
+/// pose. A static arm whose type rules out a closed form does not compile.
 template <class Chain, class Tools, class Rotation, class Position>
 [[nodiscard]] auto inverse_kinematics(const manipulator<Chain, Tools>& arm, const pose<Rotation, Position>& wanted) {
   detail::refuse_by_type(arm);
@@ -33,7 +34,7 @@ template <class Chain, class Tools, class Rotation, class Position>
   return detail::all_finished(arm, arm.structure(), x, detail::starting_configuration<S>(arm), S(0));
 }
 
-/// All postures of an arm of seven axes at an arm angle.
+/// All postures of an arm with seven axes at a given arm angle.
 template <class Chain, class Tools, class Rotation, class Position>
 [[nodiscard]] auto inverse_kinematics(const manipulator<Chain, Tools>& arm, const pose<Rotation, Position>& wanted,
                                       arm_angle angle) {
@@ -47,7 +48,7 @@ template <class Chain, class Tools, class Rotation, class Position>
   return detail::all_finished(arm, arm.structure(), x, detail::starting_configuration<S>(arm), psi);
 }
 
-/// All postures of an arm of seven joints with its first or last joint locked.
+/// All postures of an arm with seven joints with its first or last joint locked.
 template <class Chain, class Tools, class Rotation, class Position>
 [[nodiscard]] auto inverse_kinematics(const manipulator<Chain, Tools>& arm, const pose<Rotation, Position>& wanted,
                                       const locked_joint& joint) {
@@ -59,9 +60,9 @@ template <class Chain, class Tools, class Rotation, class Position>
   return detail::all_finished(arm, s, x, detail::starting_configuration<S>(arm), S(joint.value));
 }
 
-/// The intervals of arm angles at which an arm of seven axes has a pose with all joints within limits, for each branch;
-/// their ends are accurate to rounding (near singular postures of shoulder or wrist, to its square root). All intervals
-/// are found, however narrow. For shoulders and wrists with orthogonal axes.
+/// The intervals of arm angles in which an arm with seven axes reaches a pose with all joints within limits, for each
+/// branch. Interval ends are accurate to rounding, and near singular postures of shoulder or wrist to its square root.
+/// All intervals are found, however narrow. For shoulders and wrists with orthogonal axes.
 template <class Chain, class Tools, class Rotation, class Position>
 [[nodiscard]] detail::arm_angle_list arm_angle_intervals(const manipulator<Chain, Tools>& arm,
                                                          const pose<Rotation, Position>& wanted,

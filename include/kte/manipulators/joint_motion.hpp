@@ -13,13 +13,14 @@ struct motion_point {
   joint_vector<S, N> v, a;
 };
 
-/// A synchronized motion of all coordinates of a manipulator: straight in joint space, rotations and poses with
-/// constant rates.
+/// A synchronized motion of all coordinates of a manipulator: straight in joint space; rotations and poses move at
+/// constant direction.
 ///
 ///   q(t) = integrate(q_0, s(t) d),   v = s' d,   a = s'' d,   d = difference(q_0, q_1)            (1)
 ///
-/// so that limits of |v_i|, |a_i| and of jerks are limits of s' and its derivatives over |d_i|, and all configurations
-/// between two configurations within limits are within limits. It refers to the manipulator.
+/// Limits of |v_i|, |a_i| and of jerks are therefore limits of s' and its derivatives over |d_i|. All configurations
+/// between two configurations within limits are within limits. The object refers to the manipulator, which must outlive
+/// it.
 template <class Arm, class Profile>
 class joint_motion {
   static constexpr int n = detail::arm_dofs<Arm>, nq = detail::arm_numbers<Arm>;
@@ -28,7 +29,7 @@ class joint_motion {
   joint_motion(const Arm& arm, const joint_vector<double, nq>& from, const joint_vector<double, n>& d, const Profile& p)
       : arm_(arm), from_(from), d_(d), profile_(p) {}
   /// The duration, s.
-  double duration() const { return profile_.duration(); }
+  [[nodiscard]] double duration() const { return profile_.duration(); }
   /// The point of the motion at time t, s; at rest before its start and after its end.
   motion_point<double, nq, n> operator()(double t) const {
     const auto [s, s_dot, s_ddot] = profile_(t);
@@ -71,7 +72,8 @@ auto motion_between(const Arm& arm, const Q0& from, const Q1& to, const Make& pr
   }
   return joint_motion(arm, q0, d, profile(limits, d));
 }
-/// The error of a motion by d: the first coordinate that moves has no limit of `what`, nor has another that moves.
+/// Throws the error for a motion by d: neither the first moving coordinate nor any other moving coordinate has a limit
+/// of `what`.
 template <class Arm, class D>
 [[noreturn]] void refuse_unlimited(const Arm& arm, const D& d, const std::string& motion, const std::string& what) {
   Eigen::Index i = 0;
@@ -85,9 +87,9 @@ template <class Arm, class D>
 }
 }  // namespace detail
 
-/// The fastest straight motion from rest to rest within limits of rates and accelerations; its jerk is infinite at four
-/// instants. Throws `bad_argument`, naming a coordinate, if no moving coordinate has a limit of acceleration, for ends
-/// beyond limits of positions, and for equal ends.
+/// The fastest straight motion from rest to rest within limits of rates and accelerations. Its jerk is infinite at four
+/// instants. Throws `bad_argument` if no moving coordinate has a limit of acceleration (naming one), if an end is
+/// outside the limits of positions, and if the ends are equal.
 template <class Arm, indexable Q0, indexable Q1>
 [[nodiscard]] auto trapezoidal_motion(const Arm& arm, const Q0& from, const Q1& to) {
   return detail::motion_between(arm, from, to, [&arm](const auto& limits, const auto& d) {
@@ -96,8 +98,8 @@ template <class Arm, indexable Q0, indexable Q1>
   });
 }
 /// The fastest straight motion by a polynomial of degree five from rest to rest within limits of rates, accelerations
-/// and jerks, with a duration of at least `at_least`, s. Throws `bad_argument` for ends beyond limits of positions, and
-/// without limits and duration.
+/// and jerks, with a duration of at least `at_least`, s. Throws `bad_argument` if an end is outside the limits of
+/// positions, and if neither limits nor a duration are given.
 template <class Arm, indexable Q0, indexable Q1>
 [[nodiscard]] auto quintic_motion(const Arm& arm, const Q0& from, const Q1& to, double at_least = 0) {
   return detail::motion_between(arm, from, to, [&arm, at_least](const auto& limits, const auto& d) {

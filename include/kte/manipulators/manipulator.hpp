@@ -55,17 +55,17 @@ class manipulator<Chain, detail::tool_keys<Tools...>> : public manipulator_kinem
   }
 
   /// The limits; infinite if none were given.
-  constexpr const limits_type& limits() const { return limits_; }
+  [[nodiscard]] constexpr const limits_type& limits() const { return limits_; }
   /// The family of its closed-form inverse kinematics, found from the axes of the joints that move the first tool; at
   /// compile time for a `constexpr` arm.
-  constexpr arm_family family() const { return structure_.family; }
+  [[nodiscard]] constexpr arm_family family() const { return structure_.family; }
   /// The structure of the arm on which its closed form depends.
-  constexpr const detail::arm_structure& structure() const { return structure_; }
-  /// A copy of the arm whose axes count as parallel within `tolerance`, rad, and as intersecting within that fraction
-  /// of its reach, instead of 1e-9: for calibrated arms, and for files with 1.5708 for a quarter turn. The closed forms
-  /// of six and seven axes are then start values of Newton's method, whose solutions are exact, except near singular
-  /// postures.
-  constexpr manipulator with_axes_within(double tolerance) const {
+  [[nodiscard]] constexpr const detail::arm_structure& structure() const { return structure_; }
+  /// A copy of the arm in which axes count as parallel within `tolerance`, rad, and as intersecting within this
+  /// fraction of the reach, instead of 1e-9. Use it for calibrated arms, and for files with 1.5708 for a quarter turn.
+  /// For six and seven axes, the closed forms are then start values of Newton's method, whose solutions are exact,
+  /// except near singular postures.
+  [[nodiscard]] constexpr manipulator with_axes_within(double tolerance) const {
     auto arm = *this;
     arm.structure_ = detail::structure_of(structure_.original, detail::checked_tolerance(tolerance));
     return arm;
@@ -76,13 +76,13 @@ class manipulator<Chain, detail::tool_keys<Tools...>> : public manipulator_kinem
   static constexpr limits_type checked(const Chain& c, const joint_limits<Numbers>& limits) {
     constexpr bool sized = std::is_same_v<joint_limits<Numbers>, limits_type>;
     static_assert(sized,
-                  "kte: limits of a static chain are those of as many numbers as it has degrees of freedom: begin with "
+                  "kte: the limits of a static chain need one number for each degree of freedom: begin with "
                   "kte::unlimited(chain)");
     if constexpr (sized) {
       check_limits(c, limits);
       return limits;
     } else {
-      return {};  // one mistake, one error
+      return {};  // avoids follow-up errors
     }
   }
 

@@ -5,14 +5,14 @@
 namespace kte {
 
 namespace detail {
-/// The best of answers: of those that are exact and within limits the one nearest to where the arm is.
+/// The best solution: the exact solution within limits nearest to the present posture.
 template <class Q>
 struct best_answer {
   ik_answer<Q> answer;
   double way = 1e300;
   enum rank_of { none, away, beyond_limits, good } is = none;
 
-  /// |q - q_now|^2 of the joints; for solutions that are not exact, their error.
+  /// |q - q_now|^2 over the joints; for solutions that are not exact, their error.
   void look_at(const arm_structure& s, const ik_answer<Q>& a, const Q& now) {
     double apart = 0;
     const auto rank = !a.exact ? away : a.within_limits ? good : beyond_limits;
@@ -34,7 +34,7 @@ void look_at_all(const Arm& arm, const plain_pose_of<S>& x, const Q& now, double
   for (const auto& a : all_finished(arm, arm.structure(), x, now, S(extra))) best.look_at(arm.structure(), a, now);
 }
 
-/// Seven axes: the arm angle at which the arm is, or the nearest at which something is within limits.
+/// Seven axes: searches at the present arm angle, or at the nearest one with a solution within limits.
 template <class S, class Arm, class Q>
 void look_for_arm_angle(const Arm& arm, const plain_pose_of<S>& x, const Q& now, best_answer<Q>& best) {
   const double psi = double_of(arm_angle_of(arm, now));
@@ -45,7 +45,7 @@ void look_for_arm_angle(const Arm& arm, const plain_pose_of<S>& x, const Q& now,
   y = {{copy(x.rotation.x), copy(x.rotation.y), copy(x.rotation.z)}, copy(x.position)};
   const auto [R, p] = goal_of(arm.structure(), y);
   for (const auto& way : feasible_angles(arm.structure(), R, p, limits_of_joints(arm))) {
-    // A little inside, where the limit is not missed by rounding.
+    // Slightly inside, so that rounding does not violate the limit.
     const double inside = (std::min)(1e-12, (way.upper - way.lower) / 4), lower = way.lower + inside,
                  upper = way.upper - inside;
     const double to_lower = std::remainder(lower - psi, 2 * std::numbers::pi);
@@ -54,13 +54,13 @@ void look_for_arm_angle(const Arm& arm, const plain_pose_of<S>& x, const Q& now,
   }
 }
 
-/// Where to look for a joint that is held, and in which steps: one that turns in steps of 0.05 rad around where it is;
-/// a slide where the arm on it reaches from its first joint to the tool,
+/// The search range and step of a locked joint. A revolute joint is searched around its present value in steps of 0.05
+/// rad. A prismatic joint is searched where the arm reaches from its first joint to the tool,
 ///
-///   |p - p_1 - t h| <= reach,  h along the slide, p the place of the tool,          (1)
+///   |p - p_1 - t h| <= reach,  h along the slide, p the position of the tool,       (1)
 ///
-/// from what of that is nearest to where it is, in steps of 1/32 of the reach. A slide at the tool is as one at the
-/// base, of the arm from the tool to the base.
+/// starting at the value nearest to the present one, in steps of 1/32 of the reach. A slide at the tool is treated as
+/// one at the base, for the reversed arm.
 struct held_joint_search {
   double from, step;
 };
@@ -79,8 +79,8 @@ held_joint_search search_of(const arm_structure& s, const plain_pose_of<S>& x, d
   return {(std::min)((std::max)(here, along - half), along + half), s.reach / 32};
 }
 
-/// A joint is held: where it is, or as near to that as there is something within limits. Looked for in steps, then by
-/// halves.
+/// Locks the joint at its present value, or at the nearest value with a solution within limits. Searches in steps, then
+/// by bisection.
 template <class S, class Arm, class Q>
 void look_for_held_joint(const Arm& arm, const plain_pose_of<S>& x, const Q& now, best_answer<Q>& best) {
   const auto& s = arm.structure();
@@ -124,13 +124,13 @@ best_answer<Q> best_near(const Arm& arm, const plain_pose_of<S>& x, const Q& now
 }
 }  // namespace detail
 
-/// The exact solution within limits nearest to a posture: the least |q - q_now|, with multiples of 2 pi where limits
-/// allow. Angles that are arbitrary are unchanged. An arm of seven joints keeps its arm angle (or the locked joint); if
-/// there is no solution within limits, it uses the nearest value with one. For a locked joint it is searched in steps
-/// of 0.05 rad, for a track of 1/32 of the reach.
+/// The exact solution within limits that is nearest to a posture: the least |q - q_now|, including multiples of 2 pi
+/// within the limits. Arbitrary angles are unchanged. An arm with seven joints keeps its arm angle (or its locked
+/// joint). If there is no solution within limits at this value, the nearest value with one is used; a locked joint is
+/// searched in steps of 0.05 rad, a track in steps of 1/32 of the reach.
 ///
-/// Throws `unreachable` if there is no solution, with the best posture; without a posture, and with infinite errors, if
-/// the closed form has no solution at all.
+/// Throws `unreachable` with the best posture if there is no solution. If the closed form has no solution at all, the
+/// error has no posture and infinite errors.
 template <class Chain, class Tools, class Rotation, class Position, class Q>
 [[nodiscard]] auto inverse_kinematics(const manipulator<Chain, Tools>& arm, const pose<Rotation, Position>& wanted,
                                       const nearest_to<Q>& to) {
@@ -144,7 +144,7 @@ template <class Chain, class Tools, class Rotation, class Position, class Q>
   check_configuration_of(arm, to.q, "q_now");
   for (Eigen::Index i = 0; i < now.size(); ++i) now[i] = S(to.q[static_cast<std::size_t>(i)]);
   const auto best = best_near(arm, x, now);
-  if (best.is == best.none)  // equations of degree four may have no answer, not even one of least squares
+  if (best.is == best.none)  // equations of degree four may have no solution at all
     raise<unreachable>("kte: this pose cannot be reached", unreachable_reason::distance, std::vector<double>{},
                        std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity());
   if (best.is != best.good) {
@@ -153,15 +153,15 @@ template <class Chain, class Tools, class Rotation, class Position, class Q>
     const double m = double_of(best.answer.position), rad = double_of(best.answer.rotation);
     const bool limits = best.is == best.beyond_limits;
     raise<unreachable>(limits ? "kte: this pose is reached beyond the limits of joints only"
-                              : "kte: this pose cannot be reached; the nearest found misses it by " + number(m) +
-                                    " m and " + number(rad) + " rad",
+                              : "kte: this pose cannot be reached; the nearest posture found has an error of " +
+                                    number(m) + " m and " + number(rad) + " rad",
                        limits ? unreachable_reason::limits : unreachable_reason::distance, std::move(q), m, rad);
   }
   return best.answer;
 }
 
-/// All solutions within limits, with every multiple of a turn that the limits of each joint allow: for joints of more
-/// than one turn.
+/// All solutions within limits, with every multiple of a turn that the limits of each joint permit, for joints with a
+/// range of more than one turn.
 template <class Chain, class Tools, class Q>
 [[nodiscard]] std::vector<ik_answer<Q>> unwrapped(const manipulator<Chain, Tools>& arm, const ik_answers<Q>& answers) {
   using S = value_of<Q>;

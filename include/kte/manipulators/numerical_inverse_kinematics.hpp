@@ -15,9 +15,9 @@ namespace kte {
 /// Options of `numerical_inverse_kinematics`.
 struct numerical_ik_options {
   int iterations = 1000;    ///< largest number of iterations in total
-  int draws = 16;           ///< random configurations per restart; the one with the least errors is taken
+  int draws = 16;           ///< random configurations per restart; the one with the smallest errors is used
   std::uint64_t seed = 1;   ///< of restarts: equal seeds give equal results
-  double tolerance = 1e-9;  ///< as a fraction of the reach, and in rad
+  double tolerance = 1e-9;  ///< relative to the reach, and in rad
   double length = 0;        ///< m per rad in errors; 0: reach/pi, so that half a turn counts as the reach
   bool numeric = false;     ///< do not start from the closed form, if any
   bool must_reach = false;  ///< throw `unreachable` instead of returning a status
@@ -42,7 +42,7 @@ struct numerical_ik_result {
 };
 
 namespace detail {
-/// The largest miss of the hard goals among these.
+/// The largest errors of the hard goals among these.
 template <class Goals, class At>
 auto largest_miss(const Goals& goals, const At& at) {
   goal_miss<typename At::scalar> most{};
@@ -61,11 +61,12 @@ template <class... Goal>
 inline constexpr bool has_hard<std::tuple<Goal...>> = (Goal::hard || ...);
 }  // namespace detail
 
-/// Numerical inverse kinematics of any chain and any goals (`reach`, `reach_position`, `look_at`, `posture`,
-/// `away_from_limits`, `manipulability`, several by `goals`, in order by `then`): Levenberg-Marquardt within limits
-/// (manipulators/detail/descent.hpp) from q_start, moved into the limits, and if that does not attain the hard goals,
-/// restarts from random configurations. If the only goal is a pose and the arm has a closed form, its solutions are
-/// start values too; for an arm that is not redundant the nearest one is the first. Equal arguments give equal results.
+/// Numerical inverse kinematics for any chain and any goals (`reach`, `reach_position`, `look_at`, `posture`,
+/// `away_from_limits`, `manipulability`; several by `goals`, on two levels by `then`). Levenberg-Marquardt steps within
+/// limits (manipulators/detail/descent.hpp) start at q_start, moved into the limits. If they do not attain the hard
+/// goals, they restart from random configurations. If the only goal is a pose and the arm has a closed form, its
+/// solutions are start values too; for non-redundant arms the nearest one is the first. Equal arguments give equal
+/// results.
 ///
 ///   auto r = kte::numerical_inverse_kinematics(arm, kte::reach(tool, pose), q);
 ///   auto r = kte::numerical_inverse_kinematics(arm, kte::goals(kte::reach(tool, pose), kte::posture(rest)), q);
@@ -109,8 +110,8 @@ numerical_inverse_kinematics(const Arm& arm, const Goals& wanted, const Q& q_sta
       start, numerical_ik_status::local_minimum, 0, 0, S(0), S(0)};
   detail::even_numbers random(options.seed);
   S least = std::numeric_limits<S>::infinity();
-  // Of arms that answer a pose in finitely many ways the closed form has the nearest; of others it has to be looked
-  // for, which takes as long as some ten starts.
+  // For arms with finitely many solutions the closed form returns the nearest. For others it has to search, which takes
+  // as long as about ten starts.
   const auto at_closed_form = [&] {
     auto answer = start;
     const bool found = !options.numeric && detail::start_at_closed_form(arm, levels.first, answer);
@@ -121,7 +122,7 @@ numerical_inverse_kinematics(const Arm& arm, const Goals& wanted, const Q& q_sta
   if (!redundant) at_closed_form();
   for (;; ++out.restarts) {
     const int left = options.iterations - out.iterations;
-    const int patience = hard ? 4 : left;  // a new start is cheaper than to wait
+    const int patience = hard ? 4 : left;  // a new start is cheaper than waiting
     const auto run = detail::descend(at, levels.first, left, patience, stall, met);
     out.iterations += run.iterations;
     if (const S half = detail::half_squares<S>(levels.first, at); run.done || half < least || out.restarts == 0) {
@@ -144,7 +145,7 @@ numerical_inverse_kinematics(const Arm& arm, const Goals& wanted, const Q& q_sta
   if (out.status == numerical_ik_status::reached)
     out.iterations +=
         detail::use_freedom(at, levels.first, levels.second, options.iterations, [&] { return met_by(1e-4); });
-  else  // the nearest there is
+  else  // the nearest solution
     out.iterations += detail::descend(at, levels.first, 100, 100, 1e-15, met).iterations;
   out.q = at.q;
   const auto missed = detail::largest_miss(levels.first, at);

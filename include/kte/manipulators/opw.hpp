@@ -29,8 +29,8 @@ struct opw_lengths {
                inertia_3D(link6, link_body(2, along_z(l.c4), 0.05)), rigid_link_3D(link6, tool, along_z(l.c4)))
       .gravity(along_z(-9.81));
 }
-/// Limits from the data sheet of the IRB 2400, whose third angle is smaller by 90 degrees: there the forearm is
-/// horizontal at q = 0.
+/// Limits from the data sheet of the IRB 2400. The third angle of the data sheet is smaller by 90 degrees: there the
+/// forearm is horizontal at q = 0.
 [[nodiscard]] constexpr auto opw_limits() {
   auto limits = unlimited(opw_chain());
   limits.lower = detail::in_radians<6>({-180, -100, 30, -200, -120, -400});

@@ -23,7 +23,7 @@ struct path_limits {
 };
 
 namespace detail {
-/// Throws `bad_argument` for limits that are none, or 0.
+/// Throws `bad_argument` for limits that are NaN, negative or 0.
 template <class S>
 void check_path_limits(const path_limits<S>& limits) {
   const auto check = [](const S& x, const char* which) {
@@ -46,8 +46,8 @@ const S& checked_time(const S& t) {
 ///   t_a = min(u/a, sqrt(1/a)),   T = t_a + 1/(a t_a)                                             (1)
 ///   s = a t^2/2,  a t_a (t - t_a/2),  1 - a (T - t)^2/2
 ///
-/// It is at rest before its start and after its end. Throws `bad_argument` for limits that are not positive, without a
-/// limit of acceleration, for a duration that is not finite, and for a time that is NaN.
+/// At rest before the start and after the end. Throws `bad_argument` for limits that are not positive, without a limit
+/// of acceleration, for a duration that is not finite, and for a time that is NaN.
 template <class S = double>
 class trapezoidal_profile {
  public:
@@ -61,7 +61,7 @@ class trapezoidal_profile {
     if (!(duration_ < most))
       detail::raise<bad_argument>("kte: a trapezoidal motion takes infinitely long: a limit is too small");
   }
-  S duration() const { return duration_; }
+  [[nodiscard]] S duration() const { return duration_; }
   path_point<S> operator()(const S& time) const {
     const S t = (std::min)((std::max)(detail::checked_time(time), S(0)), duration_), left = duration_ - t;
     if (t < ramp_) return {a_ * t * t / S(2), a_ * t, a_};
@@ -77,8 +77,8 @@ class trapezoidal_profile {
 ///
 ///   s = 10 x^3 - 15 x^4 + 6 x^5,   max s' = 15/8/T,  max s'' = 10/sqrt(3)/T^2,  max s''' = 60/T^3      (2)
 ///
-/// in the shortest time within limits, or a longer one; at rest before and after. Throws `bad_argument` for limits that
-/// are not positive, without a duration, and for a time that is NaN.
+/// in the shortest time within limits, or longer; at rest before and after. Throws `bad_argument` for limits that are
+/// not positive, without a duration, and for a time that is NaN.
 template <class S = double>
 class quintic_profile {
  public:
@@ -95,7 +95,7 @@ class quintic_profile {
     if (!(duration_ > S(0)) || !(duration_ < std::numeric_limits<S>::infinity()))
       detail::raise<bad_argument>("kte: a quintic motion needs a duration, or limits that give a finite one");
   }
-  S duration() const { return duration_; }
+  [[nodiscard]] S duration() const { return duration_; }
   path_point<S> operator()(const S& time) const {
     const S T = duration_, x = (std::min)((std::max)(S(detail::checked_time(time) / T), S(0)), S(1)), y = S(1) - x;
     return {x * x * x * (S(10) - x * (S(15) - S(6) * x)), S(30) * x * x * y * y / T, S(60) * x * y * (y - x) / (T * T)};

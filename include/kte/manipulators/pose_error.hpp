@@ -18,11 +18,11 @@ auto quaternion_of(const R& rotation) {
   }
 }
 
-/// log(R_wanted R^T) of matrices that are rotations. With s the axial vector of E = R_wanted R^T, of length 2 sin t,
+/// log(R_desired R^T) of rotation matrices. With the axial vector s of E = R_desired R^T, of length 2 sin t,
 ///
 ///   log E = s t/|s|,   t = 2 atan2(|s|, 1 + tr E)          (2)
 ///
-/// and by the quaternion where s loses digits, near half a turn.
+/// Near half a turn, where s loses digits, the quaternion is used instead.
 template <class S>
 vec3<S> turn_between(const mat3<vec3<S>>& now, const mat3<vec3<S>>& wanted) {
   using std::atan2;
@@ -36,12 +36,13 @@ vec3<S> turn_between(const mat3<vec3<S>>& now, const mat3<vec3<S>>& wanted) {
 }
 }  // namespace detail
 
-/// The error of a pose with respect to a desired one, in axes of the world, as Jacobians and twists are:
+/// The error of a pose relative to a desired pose, in axes of the world, like Jacobians and twists:
 ///
-///   e = (p_wanted - p, log(R_wanted R^T))            m, rad; angles in [0, pi]            (1)
+///   e = (p_desired - p, log(R_desired R^T))          m, rad; angles in [0, pi]            (1)
 ///
-/// The time derivative of |e|^2/2 along a motion of twist t is exactly -e . t, as log keeps the direction of its axis.
-/// Throws `bad_argument` for a rotation that is not orthonormal to 1e-6, and for positions that are not finite.
+/// Along a motion with twist t, the time derivative of |e|^2/2 is exactly -e . t, because log keeps the direction of
+/// the rotation axis. Throws `bad_argument` for a rotation that is not orthonormal to 1e-6, and for positions that are
+/// not finite.
 template <class R, class P, class WantedR, class WantedP>
 [[nodiscard]] auto pose_error(const pose<R, P>& now, const pose<WantedR, WantedP>& wanted) {
   const auto from = detail::quaternion_of(now.rotation);

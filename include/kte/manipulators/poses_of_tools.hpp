@@ -9,15 +9,15 @@
 
 namespace kte {
 
-/// The pose of a body that moves freely (`uav`, `free_floater`) with all its tools at given poses, in their order: one
-/// solution,
+/// The pose of a body that moves freely (`uav`, `free_floater`) for which all its tools have the given poses, in their
+/// order. There is one solution,
 ///
 ///   auto r = kte::inverse_kinematics(floater, std::array{left_pose, right_pose});
 ///
 /// by (1) of frames/fitted_pose.hpp, with rotations weighted by the square of the largest distance between tools (1 m
-/// if there is only one). `exact` if every tool has its pose, up to rounding of positions far from the origin. Throws
-/// `no_closed_form` for other arms and for tools that are not on the body, `bad_argument` for an invalid pose or a
-/// wrong number of poses.
+/// for a single tool). It is `exact` if every tool has its pose, up to rounding of positions far from the origin.
+/// Throws `no_closed_form` for other arms and for tools that are not on the body, `bad_argument` for an invalid pose or
+/// a wrong number of poses.
 template <class Chain, class Tools, class Poses>
 requires requires(const Poses& x) { x[0].rotation, x[0].position, x.size(); }
 auto inverse_kinematics(const manipulator<Chain, Tools>& arm, const Poses& wanted) {

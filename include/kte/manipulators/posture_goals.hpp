@@ -9,12 +9,12 @@
 namespace kte {
 
 namespace detail {
-/// e_i = w_i (q_wanted - q)_i, in the tangent of the configuration.
+/// e_i = w_i (q_desired - q)_i, in the tangent space of the configuration.
 template <class Numbers>
 struct posture_goal {
   static constexpr bool hard = false;
   Numbers wanted;
-  std::vector<double> weights;  // of squares; none: 1
+  std::vector<double> weights;  // of squares; empty: all 1
 
   template <class At, class Sum>
   void add_to(const At& at, Sum& sum) const {
@@ -30,7 +30,7 @@ struct posture_goal {
   }
 };
 
-/// e_i = (middle_i - q_i)/(half of the range)_i, of coordinates that have both limits.
+/// e_i = (middle_i - q_i)/(half range)_i, for coordinates with both limits.
 struct away_from_limits_goal {
   static constexpr bool hard = false;
   template <class At, class Sum>
@@ -46,8 +46,8 @@ struct away_from_limits_goal {
   }
 };
 
-/// e = -1/(1 + m), m = sqrt(det(J W J^T)) (Yoshikawa, Int. J. of Robotics Research 4, 1985), of J^T W J where there are
-/// fewer coordinates than rows; W makes rad lengths. Derivatives of m by central differences.
+/// e = -1/(1 + m), m = sqrt(det(J W J^T)) (Yoshikawa, Int. J. of Robotics Research 4, 1985), or with J^T W J if there
+/// are fewer coordinates than rows. W scales rad to lengths. Derivatives of m are central differences.
 struct manipulability_goal {
   static constexpr bool hard = false;
   template <class J, class S>
@@ -95,8 +95,8 @@ struct manipulability_goal {
 };
 }  // namespace detail
 
-/// A soft goal of `numerical_inverse_kinematics`: near the configuration q; `weights` of the squares, one for each of
-/// v, or none.
+/// A soft goal of `numerical_inverse_kinematics`: a configuration near q. `weights` of the squares, one for each number
+/// of v, or empty.
 template <indexable Q>
 [[nodiscard]] auto posture(const Q& q, std::vector<double> weights = {}) {
   return detail::posture_goal<Q>{q, std::move(weights)};

@@ -21,14 +21,14 @@ template <class S, class N, class K>
   return {along, dot(n, p) - along, dot(n, cross(k, p))};
 }
 
-/// A x1 + B x2 = e with x_i = (cos t_i, sin t_i), A, B by rows. With the one of A and B that is farther from singular,
-/// say A, x1 = g + G x2, of which the length 1 is
+/// Solves A x1 + B x2 = e with x_i = (cos t_i, sin t_i); A, B by rows. Let A be the matrix farther from singular
+/// (otherwise the two are exchanged). Then x1 = g + G x2, and |x1| = 1 is an equation
 ///
 ///   al cos 2t + be sin 2t + ga cos t + de sin t + ep = 0          (1)
 ///
-/// in t = t2; roots that touch within rounding count. Then Newton's steps on the two equations themselves, as long as
-/// they bring these nearer to zero: next to a double root they may not. (And within rounding, for derivatives.) `slot`
-/// is a name of a pair: 0, 2 and 1, 3.
+/// in t = t2. Roots that coincide to rounding are included. Newton's steps on both equations follow, as long as they
+/// reduce the residuals, which near a double root they may not. (They are also taken within rounding, for derivatives.)
+/// `slot` identifies a pair: 0, 2 and 1, 3.
 template <class S>
 [[nodiscard]] angle_pairs<S> subproblem6(const std::array<std::array<S, 2>, 2>& A,
                                          const std::array<std::array<S, 2>, 2>& B, const std::array<S, 2>& e) {
@@ -94,13 +94,13 @@ template <class S>
   return out;
 }
 
-/// p0 + R(k1, t1) p1 = R(k2, t2)(p2 + R(k3, t3) p3): the part along k2 and the square of the length are linear in x1
-/// and x3,
+/// Solves p0 + R(k1, t1) p1 = R(k2, t2)(p2 + R(k3, t3) p3). The component along k2 and the squared length are linear in
+/// x1 and x3:
 ///
 ///   k2.p0 + k2.R(k1, t1) p1 = k2.p2 + k2.R(k3, t3) p3
 ///   |p0|^2 + |p1|^2 + 2 p0.R(k1, t1) p1 = |p2|^2 + |p3|^2 + 2 p2.R(k3, t3) p3          (2)
 ///
-/// which is subproblem 6; then t2 by subproblem 1, and Newton's steps where the squares have lost digits
+/// This is subproblem 6. t2 follows by subproblem 1, and Newton's steps where the squares have lost digits
 /// (detail/three_axes_loop.hpp).
 template <class S, class K1, class K2, class K3>
 [[nodiscard]] detail::short_list<three_solved_angles<S>, 8> subproblem5(const vec3<S>& p0, const vec3<S>& p1,
@@ -108,9 +108,9 @@ template <class S, class K1, class K2, class K3>
                                                                         const K1& k1, const K2& k2, const K3& k3) {
   using std::sqrt;
   const vec3<S> k = as<S>(k2);
-  const S unit = S(1) / sqrt(S(dot(p1, p1) + dot(p2, p2) + dot(p3, p3)));  // metres again
+  const S unit = S(1) / sqrt(S(dot(p1, p1) + dot(p2, p2) + dot(p3, p3)));  // scales back to metres
   detail::short_list<three_solved_angles<S>, 8> out;
-  // Where axes 1 and 2 meet, or 2 and 3, one angle is alone in the second equation; then it is subproblem 2.
+  // If axes 1 and 2 meet, or axes 2 and 3, only one angle occurs in the second equation; then subproblem 2 applies.
   const auto nothing = [&unit](const vec3<S>& p) { return !(dot(p, p) * unit * unit > S(1e-18)); };
   if (nothing(p0) && !nothing(p2)) {
     const auto t3 = detail::angles_of_length(k3, p2, p3, S(sqrt(dot(p1, p1))));

@@ -24,13 +24,13 @@ void check_braking(const S& a, const S& dt) {
 }
 }  // namespace detail
 
-/// The largest rate from which a coordinate stops within distance d, if it goes by steps q += v dt and each step may
-/// take a dt from v: exact in discrete time, where sqrt(2 a d) is too large by up to a dt.
+/// The largest rate from which a coordinate stops within the distance d, moving in steps q += v dt, where each step may
+/// reduce v by a dt. Exact in discrete time, where sqrt(2 a d) is too large by up to a dt.
 ///
 ///   B(d) = a dt (x + n (n + 1)/2)/(n + 1),   x = d/(a dt^2),   n = floor((sqrt(1 + 8 x) - 1)/2)           (1)
 ///
-/// n further steps follow the first: v dt + (v - a dt) dt + ... + (v - n a dt) dt = d. d >= 0, dt > 0; a may be
-/// infinite, which gives d/dt, or 0, which gives 0. Throws `bad_argument` for what is not so.
+/// n further steps follow the first: v dt + (v - a dt) dt + ... + (v - n a dt) dt = d. An infinite a gives d/dt, a = 0
+/// gives 0. Throws `bad_argument` unless d >= 0, dt > 0, a >= 0.
 template <class S>
 [[nodiscard]] S stopping_rate(const S& d, const S& a, const S& dt) {
   using std::floor;
@@ -47,18 +47,17 @@ template <class S>
 template <class S>
 struct rate_interval {
   S lower, upper;
-  bool
-      recovering;  ///< outside its limits, or too fast to keep them: it brakes or returns with the largest acceleration
+  bool recovering;  ///< outside the limits, or too fast to keep them: brakes or returns with the largest acceleration
 };
 
-/// For a step q += v dt of a coordinate that is at q and had the rate v_now before:
+/// The bounds for a step q += v dt of a coordinate at q whose previous rate is v_now:
 ///
 ///   |v| <= rate,   |v - v_now| <= a dt,   -B(q - lower) <= v <= B(upper - q)                               (2)
 ///
-/// Never empty: who keeps (2) in one step can keep it in the next. Where it was broken before, what is left is the
-/// hardest braking; outside [lower, upper] the fastest return that stops at the border. Limits are kept to rounding: q
+/// Never empty: if one step satisfies (2), the next can. If (2) was violated before, the bounds contain only the
+/// hardest braking; outside [lower, upper] only the fastest return that stops at the limit. Limits hold to rounding; q
 /// + v dt stays within [lower, upper] exactly. Throws `bad_argument` unless q and v_now are finite, lower <= upper,
-/// rate and a not negative, dt finite and above 0.
+/// rate and a are not negative, and dt is finite and positive.
 template <class S>
 [[nodiscard]] rate_interval<S> rate_bounds(const S& q, const S& v_now, const S& lower, const S& upper, const S& rate,
                                            const S& a, const S& dt) {
@@ -68,7 +67,7 @@ template <class S>
   detail::check_bound(lower <= upper, "lower must not be above upper", lower);
   detail::check_bound(rate >= S(0), "the limit of the rate must not be negative", rate);
   detail::check_braking(a, dt);
-  // The largest rate towards a border at distance d; beyond the border one that comes back.
+  // The largest rate towards a limit at distance d; beyond the limit, the rate back.
   const auto towards = [&](const S& border, const S& d) {
     if (d == std::numeric_limits<S>::infinity()) return rate;
     const S lost = S(4) * eps * (std::max)(std::abs(q), std::abs(border));  // in q + v dt

@@ -14,10 +14,10 @@ struct rate_options {
 
 /// How limits affect the rates.
 enum class rate_status {
-  free,       ///< no coordinate is at a bound: the tools move as desired, as far as J allows
+  free,       ///< no coordinate is at a bound: the tools move as desired, as far as J permits
   limited,    ///< some coordinates are at bounds of their rates
-  recovering  ///< some are outside their limits, or were too fast to keep them: they brake or come back as hard as they
-              ///< may
+  recovering  ///< some are outside their limits, or were too fast to keep them: they brake or return at full
+              ///< acceleration
 };
 
 /// The result of `rates_towards`, with the `status`.
@@ -30,7 +30,7 @@ struct rate_step {
 };
 
 namespace detail {
-/// The bounds of rates of all coordinates; whether some are recovering.
+/// Computes the bounds of the rates of all coordinates; returns whether some are recovering.
 template <class S, class Arm, class Q, class V, int N>
 bool put_rate_bounds(const Arm& arm, const Q& q, const V& v_now, const S& dt, joint_vector<S, N>& lower,
                      joint_vector<S, N>& upper) {
@@ -39,7 +39,7 @@ bool put_rate_bounds(const Arm& arm, const Q& q, const V& v_now, const S& dt, jo
   for_each_freedom_of(arm, [&](const freedom& f) {
     for (int k = 0; k < nv_of(f.what); ++k) {
       const auto i = static_cast<std::size_t>(f.v + k);
-      const bool number = f.what == kind::gen;  // the others have no limits of position
+      const bool number = f.what == kind::gen;  // other coordinates have no position limits
       const auto b = rate_bounds(number ? S(q[static_cast<std::size_t>(f.q)]) : S(0), S(v_now[i]), S(limits.lower[i]),
                                  S(limits.upper[i]), S(limits.rate[i]), S(limits.acceleration[i]), dt);
       lower[f.v + k] = b.lower, upper[f.v + k] = b.upper, recovering |= b.recovering;
@@ -49,27 +49,27 @@ bool put_rate_bounds(const Arm& arm, const Q& q, const V& v_now, const S& dt, jo
 }
 }  // namespace detail
 
-/// One step of differential inverse kinematics: the rates v, for q' = integrate(arm, q, v, dt), that bring the twists
-/// of the tools closest to the desired ones within the limits of positions, rates and accelerations (`rate_bounds`).
-/// Limits of jerk and effort are ignored.
+/// One step of differential inverse kinematics: the rates v that bring the twists of the tools closest to the desired
+/// ones, within the limits of positions, rates and accelerations (`rate_bounds`). The next configuration is
+/// integrate(arm, q, v, dt). Limits of jerk and effort are ignored.
 ///
-///   minimize  |J v - twist|_W^2 + eps |v - v_wanted|^2,   lower <= v <= upper,   W = (1, 1, 1, l^2, l^2, l^2)      (1)
+///   minimize  |J v - twist|_W^2 + eps |v - v_desired|^2,   lower <= v <= upper,   W = (1, 1, 1, l^2, l^2, l^2)     (1)
 ///
-/// `twist`: velocity and angular velocity of each tool, at its origin in axes of the world, as
-/// `getDependentVelocities`. v_now: the rates of the previous step. `v_wanted`, 0 if omitted: the desired rates in the
-/// null space of the tools; their weight is eps. To return to a path, add K e to the twist, e of `pose_error`. It is
-/// always feasible. Throws `bad_argument` for arguments that are not finite or of wrong size and for dt <= 0,
-/// `bad_parameter` for limits of position of a rotation or pose. Nothing is allocated for static chains.
+/// `twist`: velocity and angular velocity of each tool, at its origin in axes of the world, as in
+/// `getDependentVelocities`. v_now: the rates of the previous step. `v_desired`, 0 if omitted: the desired rates in the
+/// null space of the tools, with weight eps. To return to a path, add K e to the twist, with e of `pose_error`. A
+/// solution always exists. Throws `bad_argument` for arguments that are not finite or of wrong size and for dt <= 0,
+/// `bad_parameter` for position limits of a rotation or pose. Nothing is allocated for static chains.
 template <class Arm, indexable Q, indexable V, indexable T, indexable W>
 [[nodiscard]] auto rates_towards(const Arm& arm, const Q& q, const V& v_now, const T& twist, value_of<Q> dt,
-                                 const rate_options& options, const W& v_wanted) {
+                                 const rate_options& options, const W& v_desired) {
   using S = value_of<Q>;
   constexpr int n = detail::arm_dofs<Arm>;
   const auto size = detail::dofs_of(arm);
   const Eigen::Index m = static_cast<Eigen::Index>(size);
   detail::check_twists_of(arm, twist, "twist", "a twist");
   detail::check_rates_of(arm, v_now, "v_now", "a rate");
-  detail::check_rates_of(arm, v_wanted, "v_wanted", "a desired rate");
+  detail::check_rates_of(arm, v_desired, "v_desired", "a desired rate");
   if (!(dt > S(0)) || !(dt - dt == S(0)))
     detail::raise<bad_argument>("kte: the time dt of a step must be finite and positive");
   for (const double x : {options.length, options.damping})
@@ -92,7 +92,7 @@ template <class Arm, indexable Q, indexable V, indexable T, indexable W>
     }
   const S eps = largest > S(0) ? S(options.damping) * largest : S(1);
   for (Eigen::Index a = 0; a < m; ++a) {
-    g[a] += eps * S(v_wanted[static_cast<std::size_t>(a)]), h(a, a) += eps;
+    g[a] += eps * S(v_desired[static_cast<std::size_t>(a)]), h(a, a) += eps;
     for (Eigen::Index b = 0; b < a; ++b) h(b, a) = h(a, b);
   }
   const bool recovering = detail::put_rate_bounds(arm, q, v_now, dt, lower, upper);

@@ -11,7 +11,7 @@ namespace kte {
 ///   kte::manipulator arm(chain, "tool");
 ///   kte::manipulator arm(chain, {"left", "right"}, limits);
 ///
-/// It owns a state; use one per thread.
+/// It has its own state; use one manipulator per thread.
 template <>
 class manipulator<runtime_chain, void> : public manipulator_kinematics_model<runtime_chain> {
   using model = manipulator_kinematics_model<runtime_chain>;
@@ -24,7 +24,7 @@ class manipulator<runtime_chain, void> : public manipulator_kinematics_model<run
   manipulator(const runtime_chain& c, std::vector<std::string> tools, const joint_limits<>& limits);
   manipulator(const runtime_chain& c, std::vector<std::string> tools)
       : manipulator(c, std::move(tools), unlimited(c)) {}
-  // A text is a template parameter: else {"left", "right"} would also be a std::string, of two pointers.
+  // A template for texts, because {"left", "right"} would otherwise also match a std::string made of two pointers.
   template <std::convertible_to<std::string> Text>
   manipulator(const runtime_chain& c, const Text& name_of_tool)
       : manipulator(c, std::vector<std::string>{name_of_tool}) {}
@@ -32,10 +32,10 @@ class manipulator<runtime_chain, void> : public manipulator_kinematics_model<run
   manipulator(const runtime_chain& c, const Text& name_of_tool, const joint_limits<>& limits)
       : manipulator(c, std::vector<std::string>{name_of_tool}, limits) {}
 
-  const joint_limits<>& limits() const { return limits_; }
-  arm_family family() const { return structure_.family; }
-  const detail::arm_structure& structure() const { return structure_; }
-  manipulator with_axes_within(double tolerance) const;
+  [[nodiscard]] const joint_limits<>& limits() const { return limits_; }
+  [[nodiscard]] arm_family family() const { return structure_.family; }
+  [[nodiscard]] const detail::arm_structure& structure() const { return structure_; }
+  [[nodiscard]] manipulator with_axes_within(double tolerance) const;
 
  private:
   joint_limits<> limits_;

@@ -7,11 +7,10 @@
 
 namespace kte {
 
-/// The Space Station Remote Manipulator System (Canadarm2): seven revolute joints, z -y z z z -y z, booms of 6.85 m
-/// along x where q = 0; the last three frames are turned half about x. Masses and principal moments are those of
-/// Nguyen, Hughes (Journal of Guidance, Control and Dynamics 17, 1994), whose axes differ: here along the links; of the
-/// other links by symmetry. That centres of mass are in the middle of links, and that there are no products of inertia,
-/// is assumed.
+/// The Space Station Remote Manipulator System (Canadarm2): seven revolute joints, z -y z z z -y z, with booms of 6.85
+/// m along x at q = 0. The last three frames are rotated by half a turn about x. Masses and principal moments are those
+/// of Nguyen, Hughes (Journal of Guidance, Control and Dynamics 17, 1994), converted to axes along the links; those of
+/// the other links follow by symmetry. Centres of mass in the middle of links and zero products of inertia are assumed.
 [[nodiscard]] constexpr auto ssrms_chain() {
   using namespace arm_names;
   constexpr double boom = 6.85, a = 0.38, d = 0.504, end = 0.635;

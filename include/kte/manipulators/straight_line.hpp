@@ -6,12 +6,12 @@
 
 namespace kte {
 
-/// A path from a pose to another: the origin on a straight line, the rotation about one axis at a constant rate
-/// (slerp), by the shorter way.
+/// A path between two poses: the origin moves on a straight line, the rotation about one axis at constant rate (slerp),
+/// the shorter way.
 ///
 ///   p(s) = p_0 + s d,   R(s) = exp(s [w]x) R_0,   (d, w) = pose_error(x_0, x_1)                      (1)
 ///
-/// The twist, in axes of the world at the origin, is s' (d, w). Throws `bad_argument` as `pose_error`.
+/// The twist, in axes of the world at the origin, is s' (d, w). Throws what `pose_error` throws.
 template <class S = double>
 class straight_line {
  public:
@@ -25,8 +25,7 @@ class straight_line {
     detail::check_finite(way_, 6, "kte: the difference of the poses of a straight line is not finite");
   }
 
-  /// The pose at s in [0, 1]; beyond, the path is extended. Throws `bad_argument` for an s that is not finite, or so
-  /// large that the pose is not.
+  /// The pose at s in [0, 1]; outside, the path is extended. Throws `bad_argument` if s or the pose is not finite.
   pose<mat3<vec3<S>>, vec3<S>> operator()(const S& s) const {
     const vec3<S> d{way_[0], way_[1], way_[2]}, w{S(s * way_[3]), S(s * way_[4]), S(s * way_[5])};
     const pose<mat3<vec3<S>>, vec3<S>> x{matrix(to_quaternion(w) * rotation_), position_ + s * d};  // (1)
@@ -36,7 +35,7 @@ class straight_line {
     return x;
   }
   /// The difference (d, w) of the poses, m, rad, in axes of the world: the twist at s' = 1.
-  const Eigen::Matrix<S, 6, 1>& way() const { return way_; }
+  [[nodiscard]] const Eigen::Matrix<S, 6, 1>& way() const { return way_; }
 
  private:
   unit_quaternion<S> rotation_;

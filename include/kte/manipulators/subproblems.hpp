@@ -7,12 +7,11 @@
 #include <cmath>
 #include <limits>
 
-/// The subproblems of which closed-form inverse kinematics is made (Paden, Kinematics and Control of Robot
-/// Manipulators, 1986; Kahan, Lectures on Computational Aspects of Geometry, 1983; Elias and Wen, IK-Geo, Mechanism and
-/// Machine Theory 209, 2025). R(k, t) turns by t about the unit vector k. All are generic in the scalar. Where there is
-/// no answer they give the one of least squares. Arguments must be finite: nothing is checked here. No arc cosines: an
-/// angle that is next to the border of what can be reached keeps its digits. And no branches, so that packs take them
-/// as well.
+/// The subproblems of closed-form inverse kinematics (Paden, Kinematics and Control of Robot Manipulators, 1986; Kahan,
+/// Lectures on Computational Aspects of Geometry, 1983; Elias and Wen, IK-Geo, Mechanism and Machine Theory 209, 2025).
+/// R(k, t) rotates by t about the unit vector k. All functions are generic in the scalar. Without an exact solution
+/// they return the least-squares solution. Arguments must be finite; nothing is checked. Arc cosines are avoided, so
+/// angles near the limits of reach keep their digits. There are no branches, so packs are supported.
 namespace kte {
 
 namespace detail {
@@ -45,7 +44,7 @@ struct solved_angle {
 };
 
 namespace detail {
-/// One where a condition holds, else the other.
+/// a where the condition holds, otherwise b.
 template <class S>
 constexpr solved_angle<S> chosen(const truth<S>& condition, const solved_angle<S>& a, const solved_angle<S>& b) {
   return {select(condition, a.cos, b.cos), select(condition, a.sin, b.sin)};
@@ -58,7 +57,7 @@ template <class S>
 constexpr S size_of(const S& x) {
   return select(x < S(0), S(-x), x);
 }
-/// The square root of what is above 0, else 0.
+/// The square root of x if x > 0, otherwise 0.
 template <class S>
 constexpr S root_or_none(const S& x) {
   using std::sqrt;
@@ -100,7 +99,7 @@ template <class S, class K, class V>
 }
 
 namespace detail {
-/// (1) of `linear_in_angle` with h and room, and how far c is over h.
+/// The implementation of `linear_in_angle` (1) with given h and room; `slack` is the excess of c over h.
 template <class S>
 constexpr two_angles<S> angles_with_room(const S& a, const S& b, const S& c, const S& h, const S& room, const S& over,
                                          const S& noise, const solved_angle<S>& otherwise) {
@@ -119,7 +118,7 @@ constexpr two_angles<S> angles_with_room(const S& a, const S& b, const S& c, con
 ///
 ///   h = |(a, b)|,  f = atan2(b, a),  t = f +- atan2(sqrt(room), c),  room = (h - c)(h + c)          (1)
 ///
-/// If h is not above `noise`, any angle is a solution: the result is `otherwise` and the angle half a turn from it.
+/// If h does not exceed `noise`, any angle is a solution; the result is `otherwise` and the angle half a turn from it.
 template <class S>
 [[nodiscard]] constexpr two_angles<S> linear_in_angle(const S& a, const S& b, const S& c, const S& noise = S(0),
                                                       const solved_angle<S>& otherwise = {}) {
@@ -132,8 +131,8 @@ template <class S>
 ///
 ///   t = atan2(k.(n1 x n2), n1.n2),  n1, n2 the parts of p1, p2 normal to k          (2)
 ///
-/// in the least-squares sense; 0 if any t is a solution. (p1.p2 - (k.p1)(k.p2) and k.(p1 x p2) are equal to these in
-/// exact arithmetic, but differences of large numbers for vectors nearly along k.)
+/// in the least-squares sense; 0 if any t is a solution. (In exact arithmetic p1.p2 - (k.p1)(k.p2) and k.(p1 x p2) are
+/// equal, but for vectors nearly along k they are differences of large numbers.)
 template <class S, class K>
 [[nodiscard]] constexpr solved_angle<S> subproblem1(const K& axis, const vec3<S>& p1, const vec3<S>& p2) {
   const vec3<S> k = as<S>(axis), n1 = p1 - dot(k, p1) * k, n2 = p2 - dot(k, p2) * k;
@@ -158,7 +157,7 @@ template <class S, class K, class N>
 ///
 ///   room = (|k1 x k2| |n2| - e)(|k1 x k2| |n2| + e),   e = k1.p1 - (k1.k2) d,          (4)
 ///
-/// which is used where these are smaller than h and c: p2 near k2 then loses no digits. t2 follows from (2).
+/// used if these are smaller than h and c, so that no digits are lost for p2 near k2. t2 follows from (2).
 template <class S>
 struct two_pairs {
   two_angles<S> first, second;
@@ -182,8 +181,8 @@ template <class S, class K1, class K2>
   return {t1, {rest(t1.plus), rest(t1.minus), t1.slack, {}}};
 }
 
-/// Solves |R(k, t) p1 - p2| = d by (3) with n = p2 and twice the other side |p1|^2 + |p2|^2 - d^2. (For arms use
-/// `triangle` of two_links.hpp, which loses no digits where the arm is stretched.)
+/// Solves |R(k, t) p1 - p2| = d by (3) with n = p2 and |p1|^2 + |p2|^2 - d^2 for twice the right-hand side. (For arms
+/// use `triangle` of two_links.hpp, which loses no digits for stretched arms.)
 template <class S, class K>
 [[nodiscard]] constexpr two_angles<S> subproblem3(const K& k, const vec3<S>& p1, const vec3<S>& p2, const S& d) {
   return subproblem4(k, p1, p2, S((dot(p1, p1) + dot(p2, p2) - d * d) / S(2)));

@@ -8,13 +8,13 @@
 namespace kte {
 
 /// Lengths of an arm z -y -y z -y z with a spherical wrist, m, all along z at q = 0: `base` from joint 1 to 2,
-/// `upper_arm` from 2 to 3, `forearm` from 3 to 4, `wrist` from 4 to 5, `tool` from 5 to 6, where the tool is.
+/// `upper_arm` from 2 to 3, `forearm` from 3 to 4, `wrist` from 4 to 5, `tool` from 5 to 6, where the tool frame is.
 struct three_r_three_r_lengths {
   double base = 0, upper_arm = 1, forearm = 0.5, wrist = 0.5, tool = 0.2;
 };
 
 namespace detail {
-/// The arm on a frame.
+/// The arm with the given base frame.
 template <key_type Frame>
 constexpr auto three_r_three_r_on(const Frame& frame, const three_r_three_r_lengths& l) {
   using namespace arm_names;

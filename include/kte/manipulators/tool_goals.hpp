@@ -7,14 +7,14 @@
 
 namespace kte {
 
-/// Weights of the squares of a goal: `position`, of m, and `rotation`, of radians times a length
-/// (`numerical_ik_options`). 0: ignored.
+/// Weights of the squares of a goal: `position`, for m, and `rotation`, for radians times a length
+/// (`numerical_ik_options`). Weight 0: ignored.
 struct pose_weights {
   double position = 1, rotation = 1;
 };
 
 namespace detail {
-/// A tool of a static manipulator by its key, of a runtime one by its name.
+/// A tool of a static manipulator by its key, of a runtime manipulator by its name.
 template <class Tool>
 struct goal_of_tool {
   static constexpr bool hard = true;
@@ -34,13 +34,13 @@ struct reach_goal : goal_of_tool<Tool> {
   pose<mat3<vec3<>>, vec3<>> wanted;
   pose_weights weights;
 
-  /// `pose_error`, of a pose that needs no check.
+  /// `pose_error` for a pose that needs no check.
   template <class S>
   std::array<S, 6> error(const pose<mat3<vec3<S>>, vec3<S>>& now) const {
     const vec3<S> p = as<S>(wanted.position) - now.position, w = turn_between(now.rotation, as<S>(wanted.rotation));
     return {p.x, p.y, p.z, w.x, w.y, w.z};
   }
-  /// sum(e, weight, row): each error, and as a function of k its derivative by v_k, with the other sign.
+  /// Calls sum(e, weight, row) for each error; row(k) is minus its derivative by v_k.
   template <class At, class Sum>
   void add_to(const At& at, Sum& sum) const {
     using S = typename At::scalar;
@@ -68,7 +68,7 @@ template <class Tool>
 struct look_at_goal : goal_of_tool<Tool> {
   vec3<> axis, point;
 
-  /// The rotation by which the axis gets onto the line to the point, and that line.
+  /// The rotation vector that aligns the axis with the line to the point, and that line.
   template <class At>
   auto error(const At& at, std::size_t t) const {
     using S = typename At::scalar;
@@ -91,7 +91,7 @@ struct look_at_goal : goal_of_tool<Tool> {
     const auto row0 = 6 * static_cast<Eigen::Index>(t);
     const vec3<S> line = d;
     const auto rate = [&at, row0, line,
-                       dd](Eigen::Index k) {  // of the axis against the line, normal to it: w + d x v/d^2
+                       dd](Eigen::Index k) {  // of the axis relative to the line: w + d x v/d^2
       const auto& j = at.jacobian;
       const vec3<S> v{j(row0, k), j(row0 + 1, k), j(row0 + 2, k)};
       const vec3<S> turn{j(row0 + 3, k), j(row0 + 4, k), j(row0 + 5, k)};

@@ -2,16 +2,16 @@
 
 #include <kte/manipulators/subproblems.hpp>
 
-/// Two links and an elbow: subproblem 3 without squares that are taken from others, so that stretched and folded arms
-/// keep their digits.
+/// Two links and an elbow: subproblem 3 without differences of squares, so that stretched and folded arms keep their
+/// digits.
 namespace kte {
 
-/// The angle between two links normal to k with which they reach a distance D, |l1 + R(k, t) l2| = D. With r1, r2 the
-/// lengths of the links and t0 the angle from l2 to l1:
+/// The angle between two links normal to k at which they span a distance D, |l1 + R(k, t) l2| = D. With the lengths r1,
+/// r2 of the links and the angle t0 from l2 to l1:
 ///
 ///   t = t0 +- 2 atan2(sqrt((r1 + r2 - D)(r1 + r2 + D)), sqrt((D - (r1 - r2))(D + (r1 - r2))))          (1)
 ///
-/// If D is out of reach, they are stretched or folded, and `slack`, m, is the distance missing.
+/// If D is out of reach, the links are stretched or folded, and `slack`, m, is the missing distance.
 template <class S, class K>
 [[nodiscard]] constexpr two_angles<S> elbow_angles(const K& k, const vec3<S>& l1, const vec3<S>& l2, const S& D) {
   using std::sqrt;
@@ -30,7 +30,7 @@ template <class S, class K>
 }
 
 /// The angles of two links that reach a point: R(k, t2)(l1 + R(k, t3) l2) = a, all normal to k. t3 by (1) with D = |a|,
-/// then t2 by subproblem 1: pairs (t2.plus, t3.plus), (t2.minus, t3.minus). t2 is arbitrary where the links fold to a
+/// then t2 by subproblem 1: pairs (t2.plus, t3.plus), (t2.minus, t3.minus). t2 is arbitrary if the links fold to a
 /// point.
 template <class S>
 struct triangle_angles {
@@ -51,7 +51,8 @@ template <class S, class K>
 }
 
 namespace detail {
-/// |a + R(k, t) b| = l: the elbow of the parts normal to k, which reach sqrt(l^2 - (k.(a + b))^2).
+/// Solves |a + R(k, t) b| = l: the elbow angle for the components normal to k, whose distance is sqrt(l^2 - (k.(a +
+/// b))^2).
 template <class S, class K>
 two_angles<S> angles_of_length(const K& axis, const vec3<S>& a, const vec3<S>& b, const S& l) {
   const vec3<S> k = as<S>(axis);

@@ -11,7 +11,7 @@ namespace kte {
 /// Why a pose cannot be reached.
 enum class unreachable_reason {
   distance,       ///< no posture reaches it
-  limits,         ///< postures that reach it exceed the limits of joints
+  limits,         ///< postures that reach it violate joint limits
   local_minimum,  ///< the search found no posture
 };
 /// A pose cannot be reached: the `reason`, and the best posture q.

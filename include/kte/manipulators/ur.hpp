@@ -16,7 +16,7 @@ struct ur_lengths {
 
 /// An arm of Universal Robots: six revolute joints, z y y y z y; joints 2, 3 and 4 are parallel. The upper arm is
 /// horizontal at q = 0. Quarter turns are exact; the manufacturer's description has 1.57079632679 rad. Masses, centres
-/// and moments are the manufacturer's for the UR5.
+/// of mass and moments of inertia are the manufacturer's for the UR5.
 [[nodiscard]] constexpr auto ur_chain(const ur_lengths& l = {}) {
   using namespace arm_names;
   constexpr auto wrist = diagonal(0.111172755531, 0.111172755531, 0.21942);

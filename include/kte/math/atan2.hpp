@@ -6,7 +6,7 @@ namespace kte {
 
 namespace detail {
 #if defined(KTE_HAS_VECTORS)
-/// Angles of directions (x, y) at once, rad, in [-pi, pi], absolute error below 4e-16; 0 at the origin. V: a vector of
+/// Angles of several directions (x, y), rad, in [-pi, pi], absolute error below 4e-16; 0 at the origin. V: a vector of
 /// doubles. With m, M the smaller and the larger of |x|, |y|:
 ///
 ///   r = m/M,  or (m - M)/(m + M) where m/M > tan(pi/8)                                         (1)
@@ -40,7 +40,7 @@ KTE_INLINE void atan2_of(const V& y, const V& x, V& angle) {
                   z -
               3.333333333333022e-01;
   const V atan = p * (z * r) + r;  // (2)
-  // k, and whether atan r is taken from k pi/4 or added to it
+  // k, and whether atan r is subtracted from k pi/4 or added to it
   const V first = halved ? one : none, within = steep ? two - first : first;
   const V k = back ? four - within : within;
   const auto signed_atan = (V)((integers)atan ^ ((steep ^ back) & sign));
@@ -65,7 +65,7 @@ inline void atan2_each(const double* y, const double* x, double* angle, std::siz
   for (; i < n; ++i) angle[i] = std::atan2(y[i], x[i]);
 }
 
-/// Angles in other scalars: one at a time; packs of doubles as many at a time as fit their registers.
+/// Angles in other scalars, one at a time; packs of doubles as many at a time as fit their registers.
 template <class S>
 void atan2_each(const S* y, const S* x, S* angle, std::size_t n) {
   using std::atan2;

@@ -82,7 +82,7 @@ template <class S>
   return {k * q.x, k * q.y, k * q.z};
 }
 
-// ---- the rest by way of these
+// ---- conversions by way of these
 template <class S>
 [[nodiscard]] constexpr mat3<vec3<S>> matrix(const axis_angle<S>& r) {
   return matrix(to_quaternion(r));

@@ -23,9 +23,9 @@ namespace detail {
 constexpr beam_section in_space(const planar_beam_section& s) { return {s.EA, 0, s.EI, 0, s.GA, 0}; }
 constexpr const beam_section& in_space(const beam_section& s) { return s; }
 
-/// The stiffness of a beam of length L in bending about one axis: by r, the turn of its ends against each other. Of
-/// what bends it to both sides (`bent`) is bending, the rest shear, where nothing else loads it; what does, shears it
-/// by `give`.
+/// The stiffness of a beam of length L in bending about one axis. `r`: by the rotation r between its ends. `bent`: the
+/// part of a transverse deflection that is bending; the rest is shear, if no other load acts. `give`: the shear per
+/// moment that bends the beam.
 ///
 ///   r: EI/L,   bent: 1/(1 + f),   give: 1/((1 + f) GA L),   f = 12 EI/(GA L^2)
 template <class S>

@@ -97,8 +97,8 @@ struct ScalarBinaryOpTraits<kte::dual<T, N>, A, Op> {
 };
 
 namespace internal {
-/// Eigen's blocked products want the numbers of both factors in registers of one kind: dual numbers times constants go
-/// coefficient by coefficient instead.
+/// Eigen's blocked products need both factors in registers of one kind, so products of dual numbers with constants are
+/// computed coefficient by coefficient.
 template <class L, class R>
 concept one_factor_dual = !std::is_same_v<typename L::Scalar, typename R::Scalar> &&
                           (kte::is_dual<typename L::Scalar> || kte::is_dual<typename R::Scalar>);

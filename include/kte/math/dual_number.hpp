@@ -36,15 +36,14 @@ KTE_INLINE constexpr decltype(auto) factor(const A& a) {
 template <class A, class T>
 concept constant_of = detail::is_constant_of<A, T>;
 
-/// A number with its derivatives by N variables, which are carried along exactly: no differences, no step size.
+/// A number with its derivatives by N variables, which are propagated exactly: no differences, no step size.
 ///
 ///   f = (f, df/dx_1 ... df/dx_N),   (f o g)' = f'(g) g'            (1)
 ///
 /// Use it as the scalar of a chain: start from `seeded<N>(x_i, i)`, read `derivative`, or `jacobian_of` a vector. T is
-/// double, float, long double, a multiprecision number, or a dual number again, for second derivatives. Numbers
-/// convert to constants, all of whose derivatives are zero. Comparisons are those of the values alone, so that a
-/// program takes the same branches with derivatives as without. `dual x;` is not initialised, as `double x;` is not;
-/// `dual x{}` is zero.
+/// double, float, long double, a multiprecision number, or a dual number for second derivatives. Numbers convert to
+/// constants, whose derivatives are zero. Comparisons compare values only, so a program takes the same branches with
+/// and without derivatives. `dual x;` is not initialized, like `double x;`; `dual x{}` is zero.
 ///
 /// The value is computed by the same operations as without derivatives. An operation adds to the error of a derivative
 /// at most 3 eps (division 4 eps), relative to the sum of the sizes of the terms in its formula.

@@ -13,8 +13,8 @@ namespace kte {
 
 namespace detail {
 
-/// How many numbers are stored for N derivatives of type T. Floats and doubles are padded to whole vectors of 32 bytes,
-/// or to the next power of two if one vector holds them all. It does not depend on the CPU, nor does the alignment:
+/// The number of stored numbers for N derivatives of type T. Floats and doubles are padded to whole vectors of 32
+/// bytes, or to the next power of two if one vector holds them all. Neither size nor alignment depends on the CPU:
 /// units compiled with different options can be linked, and any container can hold dual numbers.
 template <class T>
 constexpr std::size_t padded_lanes(std::size_t n) {
@@ -26,8 +26,8 @@ constexpr std::size_t padded_lanes(std::size_t n) {
   }
 }
 
-/// How many of them go through arithmetic at a time. The compiler's loop vectoriser leaves the arrays in memory, where
-/// vectors stay in registers from one operation to the next: three times the speed.
+/// The number of derivatives per vector operation. The loop vectorizer of the compiler leaves the arrays in memory;
+/// explicit vectors stay in registers between operations, at three times the speed.
 template <class T>
 constexpr std::size_t vector_lanes(std::size_t padded) {
   if constexpr (!std::is_same_v<T, double> && !std::is_same_v<T, float>) return 1;
@@ -73,7 +73,7 @@ class derivatives {
   constexpr const T* begin() const { return d_.data(); }
   constexpr const T* end() const { return d_.data() + N; }
 
-  /// f(x, y, ...) of each derivative of x, y, ...; f takes numbers and vectors of them alike.
+  /// f(x, y, ...) for each derivative of x, y, ...; f accepts numbers and vectors.
   template <class F, class... X>
   KTE_INLINE static constexpr derivatives map(const F& f, const X&... x) {
     derivatives r;

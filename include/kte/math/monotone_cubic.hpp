@@ -29,7 +29,7 @@ class monotone_cubic {
   List y;
 
   /// Whether there are as many x as y, at least two, all finite, with x increasing.
-  constexpr bool is_sound() const {
+  [[nodiscard]] constexpr bool is_sound() const {
     if (x.size() < 2 || x.size() != y.size()) return false;
     for (std::size_t i = 1; i < x.size(); ++i)
       if (!(x[i - 1] < x[i])) return false;
@@ -56,7 +56,7 @@ class monotone_cubic {
   }
   /// The integral of the curve from the first x to `at`.
   template <class T>
-  constexpr T integral(const T& at) const {
+  [[nodiscard]] constexpr T integral(const T& at) const {
     return at_place(at).area;
   }
 

@@ -6,8 +6,8 @@
 #include <concepts>
 #include <limits>
 
-/// Dual numbers whose arithmetic is not inlined: for the many formulas of elements in derivatives of runtime chains,
-/// which would else take ten times as long to compile as the formulas themselves (docs/decisions/12-compiled.md).
+/// Dual numbers whose arithmetic is not inlined. Used for the formulas of elements in derivatives of runtime chains,
+/// which would otherwise take ten times as long to compile (docs/decisions/12-compiled.md).
 namespace kte {
 
 /// A dual `number` whose operations are functions, not inlined.

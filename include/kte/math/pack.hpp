@@ -5,8 +5,8 @@
 #include <cstring>
 #include <utility>
 
-/// N numbers that go through the same arithmetic at once: a scalar type for the templates of this library. A static
-/// chain that is evaluated on packs is evaluated on N states in about the time of one.
+/// N numbers with common arithmetic: a scalar type for the templates of this library. A static chain evaluated on packs
+/// is evaluated on N states in about the time of one.
 namespace kte {
 
 /// The result of a comparison of packs: one truth value per element.
@@ -78,16 +78,18 @@ class pack {
   static constexpr int lanes = N;
 
   pack() = default;
-  /// Copies register by register. As a block of bytes g++ copies a vector of packs by parts of registers, and loads of
-  /// whole registers then stall.
+  /// Copies register by register. As a block of bytes, g++ copies a vector of packs in parts of registers, and later
+  /// loads of whole registers stall.
   KTE_INLINE pack(const pack& x) { copy(x, registers{}); }
-  KTE_INLINE pack& operator=(const pack& x) {
+  KTE_INLINE pack& operator=(const pack& x) {  // NOLINT(bugprone-unhandled-self-assignment)
     copy(x, registers{});
     return *this;
   }
   /// One number in all elements.
   template <class U>
-  requires std::is_arithmetic_v<U> KTE_INLINE explicit(false) pack(U x) { fill(static_cast<T>(x), registers{}); }
+  requires std::is_arithmetic_v<U> KTE_INLINE explicit(false) pack(U x) {  // NOLINT(google-explicit-constructor)
+    fill(static_cast<T>(x), registers{});
+  }
 
   /// Loads N contiguous numbers; no alignment is needed.
   KTE_INLINE static pack load(const T* p) { return load(p, registers{}); }

@@ -10,7 +10,7 @@
 #include <concepts>
 #include <limits>
 
-/// Functions of packs, and what std and Eigen want to know of them.
+/// Functions of packs, and their traits for std and Eigen.
 namespace kte {
 
 /// The square root of each element.
@@ -64,12 +64,12 @@ KTE_INLINE R horner(const R& z, T first, T second, C... c) {
   return sum;
 }
 
-/// The numbers of sines and cosines; the formulas are those of `sincos4`.
+/// The constants of sines and cosines; the formulas are those of `sincos4`.
 template <class T>
 struct sincos_numbers;
 template <>
 struct sincos_numbers<double> {
-  static constexpr double largest = 1e5;                         // of the angles that are reduced well
+  static constexpr double largest = 1e5;                         // largest angle of the reduction
   static constexpr double to_integer = 6755399441055744.0;       // 1.5 2^52
   static constexpr double half_pi[]{1.57079632673412561417e+00,  // 33 bits, 33 bits, the rest
                                     6.07710050630396597660e-11, 2.02226624879595063154e-21};
@@ -99,7 +99,7 @@ struct sincos_numbers<float> {
   }
 };
 
-/// Both for |x| <= largest, in one register.
+/// Sine and cosine for |x| <= largest, in one register.
 template <class T, class Bits, class Register>
 KTE_INLINE void reduced_sincos(const Register& x, Register& sine, Register& cosine) {
   using R = Register;
@@ -122,7 +122,7 @@ KTE_INLINE void reduced_sincos(const Register& x, Register& sine, Register& cosi
   cosine = __builtin_bit_cast(R, cosine_bits);
 }
 
-/// The lanes that are too large for it, infinite or NaN. The other elements are unchanged: a state must not depend on
+/// Computes lanes that are too large, infinite or NaN. Other lanes are unchanged, because a state must not depend on
 /// its neighbours.
 template <class P>
 [[gnu::cold, gnu::noinline]] void sincos_of_large(const P& x, P& sine, P& cosine) {
@@ -142,7 +142,7 @@ KTE_INLINE void sincos(const P& x, P& sine, P& cosine, std::index_sequence<I...>
                                                                      c.in_register(I)),
    ...);
   if (!all(abs(x) <= P(sincos_numbers<typename P::value_type>::largest))) [[unlikely]] {
-    const P x_in_memory = x;  // copies, or the others would have to live in memory
+    const P x_in_memory = x;  // copies, because x itself would otherwise have to live in memory
     P s_in_memory = s, c_in_memory = c;
     sincos_of_large(x_in_memory, s_in_memory, c_in_memory);
     s = s_in_memory, c = c_in_memory;

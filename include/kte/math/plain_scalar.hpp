@@ -4,7 +4,7 @@
 
 namespace kte::detail {
 
-/// What a scalar calculates with: of packs and of numbers with derivatives that of one of their numbers.
+/// The arithmetic type of a scalar: for packs and dual numbers that of one of their numbers.
 template <class S>
 struct plain_scalar_of {
   using type = S;

@@ -2,9 +2,10 @@
 
 #include <kte/math/matrix.hpp>
 
-/// R A R^T where R is known by its type to turn about x, y or z, as most joints do, maybe after quarter turns.
+/// R A R^T for a rotation R whose type says that it is about x, y or z, as for most joints, possibly combined with
+/// quarter turns.
 ///
-/// In the plane that turns, with cosine c and sine s,
+/// In the plane of rotation, with cosine c and sine s,
 ///
 ///   w = s (a_xx - a_yy) + c (a_xy + a_yx)                                                (1)
 ///   a'_xx = a_xx - s w,   a'_yy = a_yy + s w,   a'_xy = c w - a_yx,   a'_yx = c w - a_xy    (2)
@@ -12,8 +13,8 @@
 /// by c^2 + s^2 = 1: half the operations of two products of matrices.
 namespace kte::detail {
 
-/// Where such a rotation R, after quarter turns or not, has its entry known to be 1 or -1: e_row = sign R e_column.
-/// Column -1 if there is none.
+/// The position of an entry of the rotation that is known to be 1 or -1: e_row = sign R e_column. Column -1 if there is
+/// none.
 struct turned_plane {
   int row = -1, column = -1, sign = 0;
 };
@@ -39,7 +40,7 @@ inline constexpr turned_plane plane_of<mat3<vec3<A...>, vec3<B...>, vec3<C...>>>
 template <class R>
 concept turns_in_a_plane = (plane_of<R>.column >= 0);
 
-/// Axes exchanged in turn, x for y, y for z, z for x, `times` times.
+/// Cyclic exchange of axes, x for y, y for z, z for x, `times` times.
 template <int Times, class... T>
 KTE_INLINE constexpr auto cycled(const sym3<T...>& a) {
   if constexpr (Times == 0) {
@@ -78,7 +79,7 @@ KTE_INLINE constexpr auto turned_about_z(const C& c, const S& s, const mat3<X, Y
               vec3{c * w - a.x.y, a.y.y + s * w, s * a.x.z + c * a.y.z},
               vec3{c * a.z.x - s * a.z.y, s * a.z.x + c * a.z.y, a.z.z}};
 }
-/// Turned half about x.
+/// Rotated by half a turn about x.
 template <class... T>
 KTE_INLINE constexpr auto half_turned(const sym3<T...>& a) {
   return sym3{a.xx, -a.xy, -a.xz, a.yy, a.yz, a.zz};
@@ -87,8 +88,8 @@ template <class X, class Y, class Z>
 KTE_INLINE constexpr auto half_turned(const mat3<X, Y, Z>& a) {
   return mat3{vec3{a.x.x, -a.x.y, -a.x.z}, vec3{-a.y.x, a.y.y, a.y.z}, vec3{-a.z.x, a.z.y, a.z.z}};
 }
-/// With rows and columns exchanged in turn such that the known entry is zz, R is a turn about z, after half a turn
-/// about x where that entry is -1.
+/// With rows and columns exchanged cyclically such that the known entry is zz, R is a rotation about z; if the entry is
+/// -1, after half a turn about x.
 template <turns_in_a_plane R, class A>
 KTE_INLINE constexpr auto plane_congruence(const R& r, const A& a) {
   constexpr turned_plane at = plane_of<R>;

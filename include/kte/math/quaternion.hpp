@@ -120,7 +120,7 @@ namespace detail {
 template <class T>
 using scalar_of = std::conditional_t<typed_constant<T>, double, decltype(real(T()))>;
 
-/// The one of q and -q that has w >= 0.
+/// Of q and -q, the quaternion with w >= 0.
 template <class S>
 constexpr unit_quaternion<S> canonical(const unit_quaternion<S>& q) {
   return q.w < 0 ? unit_quaternion<S>{-q.w, -q.x, -q.y, -q.z} : q;

@@ -24,12 +24,12 @@ namespace detail {
 #if defined(__GNUC__) || defined(__clang__)
 #  define KTE_HAS_VECTORS 1
 
-/// Four doubles, and four integers of the same size. The compiler maps them to what the CPU has. Not eight: 512-bit
-/// arithmetic amid scalar code slows the scalar code down (docs/decisions/03-sincos.md).
+/// Four doubles, and four integers of the same size. The compiler maps them to the registers of the CPU. Not eight,
+/// because 512-bit arithmetic within scalar code slows the scalar code down (docs/decisions/03-sincos.md).
 using double4 = double __attribute__((vector_size(32)));
 using int64x4 = long long __attribute__((vector_size(32)));
 
-/// Above this, the reduction below loses digits, and libm takes over; so it does for infinity and NaN.
+/// Above this angle the reduction below loses digits, and libm is used, as for infinity and NaN.
 inline constexpr double largest_reduced_angle = 1e5;
 
 /// Four sines and cosines at once, |x| <= largest_reduced_angle, absolute error below 2.3e-16.
@@ -143,7 +143,7 @@ template <class S, std::size_t N, class Angle>
   sines<S, N> r;
   if constexpr (sines<S, N>::simd) {
 #if defined(KTE_HAS_VECTORS)
-    // No loops: at -O2 they would stay, and the angles wait in memory, one by one, to be read four at a time.
+    // No loops: at -O2 they would not be unrolled, and angles would be written one by one and read four at a time.
     const auto at = [&]<std::size_t I>() KTE_INLINE_LAMBDA {
       if constexpr (I < N) {
         return angle(I);
@@ -168,7 +168,7 @@ template <class S, std::size_t N, class Angle>
     }
 #endif
   }
-  if constexpr (!sines<S, N>::simd) r.sin[N] = r.cos[N] = S(0);  // not to copy what was never set
+  if constexpr (!sines<S, N>::simd) r.sin[N] = r.cos[N] = S(0);  // avoids copying uninitialized numbers
   const auto one_by_one = [&]<std::size_t... I>(std::index_sequence<I...>) KTE_INLINE_LAMBDA {
     const int done[]{(sincos(angle(I), r.sin[I], r.cos[I]), 0)..., 0};
     (void)done;

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <limits>
 
-/// Lengths of vectors whose squares overflow or vanish.
+/// Lengths of vectors whose squares overflow or underflow.
 namespace kte::detail {
 
-/// Whether a sum of squares has all its digits: no square has overflowed, and none that counts has vanished.
+/// Whether a sum of squares is accurate: no square has overflowed, and no relevant square has underflowed.
 template <class S>
 KTE_INLINE constexpr bool keeps_digits(const S& sum) {
   using limits = std::numeric_limits<S>;
@@ -16,7 +16,7 @@ KTE_INLINE constexpr bool keeps_digits(const S& sum) {
   const S least = S((limits::min)()) / S(limits::epsilon()) / S(limits::epsilon());
   return all(sum > least) && all(sum < S(1) / least);
 }
-/// By what to multiply numbers first where that is not so; a constant, so that derivatives pass.
+/// The factor for numbers whose sum of squares is not accurate; a constant, so that derivatives pass through.
 template <class S>
 constexpr S scale_for_squares(const S& sum) {
   using std::sqrt;

@@ -11,14 +11,14 @@
 namespace kte {
 
 namespace detail {
-/// For laws without their own states.
+/// The placeholder for laws without their own states.
 struct no_rates {};
 template <class>
 inline constexpr bool never = false;
-/// What law_rates of N states gave.
+/// Checks that law_rates of N states has returned N numbers.
 template <int N, class Rates>
 void check_law_rates(const Rates& c_dot) {
-  static_assert(holds<Rates, N>, "kte: the rates of a law have another number of entries than the law has states");
+  static_assert(holds<Rates, N>, "kte: the number of rates of a law differs from the number of its states");
   if constexpr (requires { c_dot.size(); })
     if (std::cmp_not_equal(c_dot.size(), N)) [[unlikely]]
       raise<bad_argument>("kte: the rates of a law are " + std::to_string(c_dot.size()) + " numbers, the law has " +
@@ -37,7 +37,7 @@ template <class V>
 inline constexpr int size_of_column = [] {
   constexpr int n = std::remove_cvref_t<V>::RowsAtCompileTime;
   static_assert(n != Eigen::Dynamic,
-                "kte: the states of a law begin at an std::array, or at an Eigen vector of fixed size");
+                "kte: the initial states of a law are an std::array or an Eigen vector of fixed size");
   return n;
 }();
 }  // namespace detail
@@ -50,21 +50,21 @@ inline constexpr int size_of_column = [] {
 ///   kte::controlled arm(model, [&](double t, const auto& x) { return torques(t, x); });
 ///   kte::dormand_prince45 solver(std::ref(arm), 0.0, arm.make_x(q, v));
 ///
-/// x is the state of the model. In (2) the law has states c, such as the integral of a PID controller. They begin at
-/// c0, an std::array or Eigen vector of fixed size, and the state that integrators see is (x, c), c the last of its
-/// internal states:
+/// x is the state of the model. In (2) the law has states c, such as the integral of a PID controller. They start at
+/// c0, a std::array or Eigen vector of fixed size. Integrators then see the state (x, c), with c as the last internal
+/// states:
 ///
 ///   kte::controlled arm(model, torques, errors, std::array{0.0});
 ///
-/// The law returns as many numbers as there are inputs, its rates as many as there are states c, as anything with
-/// operator[]; otherwise an evaluation throws `bad_argument`.
+/// The law returns one number per input, and its rates one number per state c, as anything with operator[]; otherwise
+/// an evaluation throws `bad_argument`.
 ///
-/// `element_events(arm)` are the events of its elements under the law, `settled(arm, t, x)` the modes of its friction.
+/// `element_events(arm)` are the events of the elements under the law; `settled(arm, t, x)` sets the modes of friction.
 ///
-/// The model is copied; `std::ref(model)` shares it, so that its inputs are seen there. The law sets all inputs at
-/// every evaluation; inputs cannot be set in other ways. The states are those of the model, also where there are
-/// rotations: `displace`, `pull_back`, `magnitudes`, `rounding` are as of the model. Stiff methods compute its Jacobian
-/// by differences.
+/// The model is copied; `std::ref(model)` shares it, so that its inputs can be read there. The law sets all inputs at
+/// every evaluation; inputs cannot be set in other ways. States are those of the model, also with rotations:
+/// `displace`, `pull_back`, `magnitudes`, `rounding` are those of the model. Stiff methods compute its Jacobian by
+/// differences.
 template <class Model, class Law, class Rates = detail::no_rates, int N = 0>
 class controlled {
   using shared = std::remove_reference_t<decltype(detail::unwrapped(std::declval<Model&>()))>;
@@ -92,17 +92,17 @@ class controlled {
         rate_(rate::Zero(rates())) {}
 
   shared& model() { return detail::unwrapped(model_); }
-  const model_type& model() const { return detail::unwrapped(model_); }
+  [[nodiscard]] const model_type& model() const { return detail::unwrapped(model_); }
   /// The chain of the model.
   decltype(auto) chain() const { return model().chain(); }
-  /// The law; `law_rates`: the rates of its states.
+  /// The control law.
   Law& law() { return law_; }
   Rates& law_rates() { return law_rates_; }
 
   decltype(auto) operator()(const S& t, const state& x) {
     return follow(t, x, [&](const model_state& own) -> decltype(auto) { return model()(t, own); });
   }
-  /// x' under the law. Throws as the model, and `bad_argument` if the law returns a wrong number of inputs.
+  /// x' under the law. Throws what the model throws, and `bad_argument` if the law returns a wrong number of inputs.
   decltype(auto) computeStateRate(const S& t, const state& x) {
     return follow(t, x, [&](const model_state& own) -> decltype(auto) { return model().computeStateRate(t, own); });
   }
@@ -118,7 +118,7 @@ class controlled {
   }
   /// A copy of the model with another output, under the same law.
   template <class F>
-  auto with_output(const F& f) const {
+  [[nodiscard]] auto with_output(const F& f) const {
     auto m = model().with_output(f);
     using other = controlled<decltype(m), Law, Rates, N>;
     if constexpr (N == 0) {
@@ -128,8 +128,8 @@ class controlled {
     }
   }
 
-  /// Evaluates the law and sets the inputs of the model. Throws `bad_argument` for an x of wrong size, as all functions
-  /// of x do.
+  /// Evaluates the law and sets the inputs of the model. Throws `bad_argument` for an x of wrong size, like all
+  /// functions of x.
   void set_inputs(const S& t, const state& x) {
     check_state(x);
     if constexpr (N == 0) {
@@ -140,7 +140,7 @@ class controlled {
     }
   }
   /// The inputs of the last evaluation of the law.
-  const auto& input() const { return model().input(); }
+  [[nodiscard]] const auto& input() const { return model().input(); }
   template <class T>
   void input(const T&) const {
     static_assert(detail::never<T>,
@@ -157,41 +157,43 @@ class controlled {
   void forces_at(const V&) const = delete;
 
   // ---- states: (q, v, z, c)
-  /// How many numbers (x, c) has.
-  int state_size() const { return model().state_size() + N; }
-  /// How many numbers (x', c') has.
-  int rates() const { return model().rates() + N; }
-  /// How many numbers v has.
-  int velocity_count() const { return model().velocity_count(); }
-  /// How many internal states there are, with those of the law.
-  int internals() const { return model().internals() + N; }
-  /// The coordinates of the model, with their places in q and v.
-  auto freedoms() const { return model().freedoms(); }
+  /// The size of (x, c).
+  [[nodiscard]] int state_size() const { return model().state_size() + N; }
+  /// The size of (x', c').
+  [[nodiscard]] int rates() const { return model().rates() + N; }
+  /// The size of v.
+  [[nodiscard]] int velocity_count() const { return model().velocity_count(); }
+  /// The number of internal states, including those of the law.
+  [[nodiscard]] int internals() const { return model().internals() + N; }
+  /// The coordinates of the model, with their positions in q and v.
+  [[nodiscard]] auto freedoms() const { return model().freedoms(); }
 
-  /// The state of the model at q and v, with z = 0 or as given, and of the law at its start.
+  /// The state at q and v, with z = 0 or as given, and with the law at its initial state.
   template <class... QVZ>
-  state make_x(const QVZ&... qvz) const {
+  [[nodiscard]] state make_x(const QVZ&... qvz) const {
     return with_law(model().make_x(qvz...), start_);
   }
   /// A state x of the model and a state c of the law as one state.
-  state with_law(const model_state& x, const law_state& c) const {
+  [[nodiscard]] state with_law(const model_state& x, const law_state& c) const {
     state both(x.size() + N);
     both.head(x.size()) = x;
     both.template tail<N>() = c;
     return both;
   }
   /// The positions q of a state.
-  auto positions_of(const state& x) const { return check_state(x), x.head(Eigen::fix<size_of<0>>(at_velocities(x))); }
+  [[nodiscard]] auto positions_of(const state& x) const {
+    return check_state(x), x.head(Eigen::fix<size_of<0>>(at_velocities(x)));
+  }
   /// The velocities v of a state.
-  auto velocities_of(const state& x) const {
+  [[nodiscard]] auto velocities_of(const state& x) const {
     return check_state(x), x.segment(at_velocities(x), Eigen::fix<size_of<1>>(velocity_count()));
   }
   /// The internal states: z of the model, and c.
-  auto internals_of(const state& x) const {
+  [[nodiscard]] auto internals_of(const state& x) const {
     return check_state(x), x.tail(Eigen::fix<longer(size_of<2>)>(internals()));
   }
   /// The part (q, v, z) of the model; valid until the next call.
-  const model_state& own_part(const state& x) const {
+  [[nodiscard]] const model_state& own_part(const state& x) const {
     if constexpr (N == 0) {
       return x;
     } else {
@@ -199,19 +201,19 @@ class controlled {
     }
   }
   /// The states c of the law.
-  auto law_states_of(const state& x) const { return check_state(x), x.template tail<N>(); }
-  /// (x, c) of a state of the chain, with c at its start.
+  [[nodiscard]] auto law_states_of(const state& x) const { return check_state(x), x.template tail<N>(); }
+  /// The state x of a state of the chain, with c at its start.
   template <class ChainState>
-  state getJointStates(const ChainState& s) const {
+  [[nodiscard]] state getJointStates(const ChainState& s) const {
     return with_law(model().getJointStates(s), start_);
   }
-  /// Puts x into a state of the chain.
+  /// Stores x in a state of the chain.
   template <class ChainState>
   void setJointStates(const state& x, ChainState& s) const {
     model().setJointStates(own_part(x), s);
   }
 
-  // ---- motion on the group, as the model's
+  // ---- motion on the group, by the model
   static constexpr bool on_group = moves_on_group<model_type, model_state>;  ///< whether there are rotations
   void displace(const state& x, const rate& d, state& out) const requires(on_group) {
     out.resize(x.size());
@@ -241,8 +243,8 @@ class controlled {
   /// Whether the model has closed loops, whose states integrators project onto the constraints.
   static constexpr bool settles = detail::settles_states<model_type, model_state>;
   /// Whether the chain of the model has closures of loops.
-  bool has_loops() const requires(settles) { return model().has_loops(); }
-  /// To be called at the start of a step from x.
+  [[nodiscard]] bool has_loops() const requires(settles) { return model().has_loops(); }
+  /// Called at the start of a step from x.
   void begin_step(const state& x) const requires(settles) { model().begin_step(own_part(x)); }
   /// Projects the state `out` = x (+) d onto the constraints.
   void settle(const state& x, rate& d, state& out) const requires(settles) {
@@ -250,6 +252,10 @@ class controlled {
     moved_ = out.head(own_part(x).size());
     model().settle(own_part(x), changed_, moved_);
     d.head(changed_.size()) = changed_, out.head(moved_.size()) = moved_;
+  }
+  /// Throws where a step of another length should end elsewhere than at `next`.
+  void check_end(const state& x, const state& next) const requires(settles) {
+    model().check_end(own_part(x), own_part(next));
   }
   /// Removes from e the part normal to the constraints at x.
   void tangential(const state& x, rate& e) const requires(settles) {
@@ -259,7 +265,7 @@ class controlled {
   }
 
  private:
-  /// How many numbers q, v and z of the model have.
+  /// The sizes of q, v and z of the model.
   template <int Part>
   static constexpr int size_of = [] {
     using m = const model_type&;
@@ -302,7 +308,7 @@ class controlled {
   [[no_unique_address]] Rates law_rates_{};
   law_state start_;
   rate rate_ = blank<rate>();
-  // To work in.
+  // Working memory.
   mutable model_state part_ = blank<model_state>(), moved_ = part_;
   mutable model_rate rate_part_ = blank<model_rate>(), changed_ = rate_part_;
 };

@@ -20,7 +20,7 @@ struct described<element<Core, Keys...>> {
   }
 };
 
-/// `switching` of element I at the state x of a model, and what happens there.
+/// `switching` of element I at the state x of a model, with its reset.
 template <class Model, std::size_t I, class Element>
 struct element_switching : described<Element> {
   const Model* model;
@@ -34,7 +34,7 @@ struct element_switching : described<Element> {
       return on(s).switching(inputs{});
     }
   }
-  /// The reset.
+  /// The reset: switches the mode of the element.
   template <class T, class X>
   void switch_over(const T& t, X& x) const {
     if constexpr (locks_coordinate<core>) {
@@ -47,7 +47,7 @@ struct element_switching : described<Element> {
       x.head(Eigen::fix<Model::state::RowsAtCompileTime>) = model->getJointStates(s);
     }
   }
-  /// What an integration begins with: what the element keeps is made what happens. Says whether it was not.
+  /// At the start of an integration: makes the mode of the element consistent. Returns whether it was inconsistent.
   template <class T, class X>
   bool mend(const T& t, X& x) const {
     if constexpr (locks_coordinate<core>) {
@@ -75,7 +75,7 @@ struct element_switching : described<Element> {
     return p;
   }();
 
-  /// Without the states of a law.
+  /// The state without the states of a law.
   template <class X>
   static typename Model::state own_part(const X& x) {
     return x.head(Eigen::fix<Model::state::RowsAtCompileTime>);
@@ -94,7 +94,7 @@ struct element_switching : described<Element> {
   }
 
  public:
-  /// Whether the law of the element ever changes.
+  /// Whether the law of the element can change.
   static constexpr bool changes =
       locks_coordinate<core> ||
       !typed_constant<decltype(std::declval<stored_element<core, chain_state<double, wiring>, by_index>>().switching(
@@ -133,15 +133,15 @@ auto element_events_of(const Model& m, std::index_sequence<I...>) {
 ///   solver.integrate(10.0, kte::element_events(model));
 ///   solver.integrate(10.0, kte::joined(kte::events(ground), kte::element_events(model)));
 ///
-/// They are in the order of the elements, with their names. The model must outlive them. An element defines its event
-/// by a function `switching` of its core, with the ports as arguments, that goes through zero there.
+/// The events are in the order of the elements, with their names. The model must outlive them. An element defines its
+/// event by a function `switching` of its core, with the ports as arguments, that passes through zero.
 template <class Gravity, class... E, class S, class Output>
 [[nodiscard]] auto element_events(const manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>& model) {
   return detail::element_events_of<E...>(model, std::index_sequence_for<E...>{});
 }
 
 namespace detail {
-/// An event of a model under a control law: the law is evaluated first.
+/// An event of a model under a control law; it evaluates the law first.
 template <class Controlled, class Function>
 struct under_law {
   Controlled* system;

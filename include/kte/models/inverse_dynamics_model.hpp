@@ -5,8 +5,8 @@
 
 namespace kte {
 
-/// A chain as a model for controllers that compute forces from motions. It derives from the chain, so that it can be an
-/// element of larger chains and all algorithms apply.
+/// A chain as a model for controllers that compute forces from motions. It derives from the chain, so that all
+/// algorithms accept it and it can be an element of larger chains.
 ///
 ///   kte::inverse_dynamics_model arm(chain);
 ///   auto tau = arm.computeForces(q, v, a);
@@ -19,22 +19,22 @@ class inverse_dynamics_model : public Chain {
 
   /// The generalized forces for the accelerations a, N and Nm: inverse dynamics (RNEA).
   template <indexable Q, indexable V, indexable A>
-  auto computeForces(const Q& q, const V& v, const A& a) const {
+  [[nodiscard]] auto computeForces(const Q& q, const V& v, const A& a) const {
     return inverse_dynamics(chain(), q, v, a);
   }
   /// The generalized forces and their derivatives by q, v and a.
   template <indexable Q, indexable V, indexable A>
-  auto computeForcesAndDerivatives(const Q& q, const V& v, const A& a) const {
+  [[nodiscard]] auto computeForcesAndDerivatives(const Q& q, const V& v, const A& a) const {
     return inverse_dynamics_derivatives(chain(), q, v, a);
   }
   /// The mass matrix M.
   template <indexable Q>
-  auto getMassMatrix(const Q& q) const {
+  [[nodiscard]] auto getMassMatrix(const Q& q) const {
     return mass_matrix(chain(), q);
   }
   /// M and its time derivative at the velocities v, by dual numbers, exact to rounding.
   template <indexable Q, indexable V>
-  auto getMassMatrixAndDerivative(const Q& q, const V& v) const {
+  [[nodiscard]] auto getMassMatrixAndDerivative(const Q& q, const V& v) const {
     using S = value_of<Q>;
     using matrix = joint_matrix<S, Chain::dofs>;
     const auto both = mass_matrix(chain(), detail::moving_along(chain(), q, v));
@@ -42,7 +42,7 @@ class inverse_dynamics_model : public Chain {
                                      both.unaryExpr([](const auto& x) { return x.derivative[0]; })};
   }
 
-  constexpr const Chain& chain() const { return *this; }
+  [[nodiscard]] constexpr const Chain& chain() const { return *this; }
 };
 template <class Gravity, class... E>
 inverse_dynamics_model(const static_chain<Gravity, E...>&) -> inverse_dynamics_model<static_chain<Gravity, E...>>;

@@ -9,7 +9,7 @@
 namespace kte {
 
 namespace detail {
-/// A std::array filled with x; an empty list of dynamic size.
+/// A std::array filled with x; for dynamic sizes an empty list.
 template <class Numbers>
 constexpr Numbers all_of(double x) {
   Numbers out{};
@@ -50,7 +50,7 @@ template <class Gravity, class... E>
 }
 
 namespace detail {
-/// Of number i of v: "coordinate 'elbow'", "coordinate 'trunk', number 2 of v".
+/// Text for number i of v: "coordinate 'elbow'", "coordinate 'trunk', number 2 of v".
 template <class Table>
 std::string text_of_rate(const Table& table, int i) {
   for (const auto& e : table)
@@ -61,8 +61,8 @@ std::string text_of_rate(const Table& table, int i) {
 }
 }  // namespace detail
 
-/// Throws `bad_parameter`, with the name of the coordinate, unless the lists are as long as v, lower <= upper, and the
-/// others not negative. Infinity is a limit, NaN none.
+/// Throws `bad_parameter`, naming the coordinate, unless the lists have the size of v, lower <= upper, and the others
+/// are not negative. Infinity is valid, NaN is not.
 template <class Chain, class Numbers>
 constexpr void check_limits(const Chain& chain, const joint_limits<Numbers>& limits) {
   const auto table = layout(chain);

@@ -25,6 +25,21 @@ namespace kte {
 template <class Chain, class S = double, class Output = void>
 class manipulator_dynamics_model;
 
+namespace detail {
+/// What a model of a static chain with closures adds: models/detail/static_model_loops.hpp, of kte/loops.hpp.
+template <class Chain>
+struct static_model_loops;
+template <class Chain>
+struct memory_of_loops {
+  using type = nothing;
+};
+template <class Chain>
+requires has_closures<Chain>
+struct memory_of_loops<Chain> {
+  using type = typename static_model_loops<Chain>::memory;
+};
+}  // namespace detail
+
 /// The dynamics of a static chain as a system x' = f(t, x, u), y = h(t, x, u).
 template <class Gravity, class... E, class S, class Output>
 class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
@@ -32,6 +47,8 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
   using chain_type = static_chain<Gravity, E...>;
   using base = state_space<chain_type, S>;
   using size = detail::sizes_of_model<chain_type>;
+  static constexpr bool closes = detail::has_closures<chain_type>;
+  using loops = detail::static_model_loops<chain_type>;  // of kte/loops.hpp
 
  public:
   using typename base::rate;
@@ -44,47 +61,78 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
   /// The state x of q and v, with z = 0; of elements that start in place that of q.
   template <indexable Q, indexable V>
   state make_x(const Q& q, const V& v) const {
-    state x = base::make_x(q, v);
-    if constexpr ((detail::starts_in_place<typename E::core_type> || ...))
-      start_in_place(x, std::index_sequence_for<E...>{});
-    return x;
+    return started(base::make_x(q, v));
+  }
+
+  // ---- of chains with closures (integrators/motion_space.hpp)
+  /// The state x of q and v, which is put on the loops. Throws `bad_argument` where it is off them.
+  template <indexable Q, indexable V>
+  state make_x(const Q& q, const V& v) const requires(closes) {
+    return loops::checked(*this, started(base::make_x(q, v)));
+  }
+  template <indexable Q, indexable V, indexable Z>
+  state make_x(const Q& q, const V& v, const Z& z) const requires(closes) {
+    return loops::checked(*this, base::make_x(q, v, z));
+  }
+  static constexpr bool has_loops() requires(closes) { return true; }
+  /// To be called at the start of a step from x0: chooses the independent rows of closures. Throws `bad_argument` where
+  /// x0 is off the loops.
+  void begin_step(const state& x0) const requires(closes) { loops::begin_step(*this, loops_, x0); }
+  /// Puts x = x0 (+) d on the loops by the least change in kinetic energy; d goes with it. Throws `bad_argument` that
+  /// names the closure which does not close.
+  void settle(const state& x0, rate& d, state& x) const requires(closes) { loops::settle(*this, loops_, x0, d, x); }
+  /// Takes out of a displacement from x0 what `settle` would.
+  void tangential(const state& x0, rate& e) const requires(closes) { loops::tangential(*this, loops_, x0, e); }
+  /// Throws `bad_argument` where the step from x0 that has just been computed ends too near to a singular
+  /// configuration.
+  void check_end(const state& x0, const state&) const requires(closes) { loops::check_end(*this, loops_, x0); }
+  /// x on the loops, wherever it is. Throws `bad_argument` that names a closure which does not close from there.
+  state on_loops(const state& x) const requires(closes) {
+    state on = x;
+    rate d = rate::Zero();
+    settle(x, d, on);
+    return on;
   }
 
   /// x' of (1). Throws `bad_argument` for numbers that are not finite, `singular_mass_matrix`.
-  rate computeStateRate(const S& t, const state& x) const {
+  [[nodiscard]] rate computeStateRate(const S& t, const state& x) const {
     const S *q = x.data(), *v = q + size::q, *z = v + size::v;
     const detail::configuration<S, wiring, const S*> at(q);
     const auto bases = bases_at(t, z);
     const joint_vector<S, size::v> none = joint_vector<S, size::v>::Zero();
     rate r;
     r.template head<size::v>() = this->velocities_of(x);
-    r.template segment<size::v>(size::v) =
-        detail::accelerations_under<S>(this->chain(), at, detail::each<S, const S*>{v}, bases, none);
+    if constexpr (closes)
+      r.template segment<size::v>(size::v) = loops::accelerations(*this, loops_, at, v, bases, none);
+    else
+      r.template segment<size::v>(size::v) =
+          detail::accelerations_under<S>(this->chain(), at, detail::each<S, const S*>{v}, bases, none);
     if constexpr (size::z > 0) detail::internal_rates(this->chain(), at, v, bases, &r[2 * size::v]);
     return r;
   }
-  /// x' of (1), for integrators. If it throws, they try a shorter step, or report the time and the cause.
+  /// x' of (1), for integrators. If it throws, integrators try a shorter step, or report the time and the cause.
   rate operator()(const S& t, const state& x) const { return computeStateRate(t, x); }
   /// x' of a vector of dynamic size, which is checked first; `state_at` and `computeOutput` likewise.
   template <class X>
   requires(X::SizeAtCompileTime == Eigen::Dynamic) rate operator()(const S& t, const Eigen::MatrixBase<X>& x) const {
     return computeStateRate(t, this->checked(x.derived()));
   }
-  /// The derivatives of x' by displacements from x, which have as many numbers as x'
-  /// (models/detail/rate_derivatives.hpp): for states of numbers, J_ij = d x'_i / d x_j. Exact to rounding; inputs are
-  /// as set. Stiff methods use it.
+  /// The Jacobian of x': derivatives by displacements from x, square of the size of x'
+  /// (models/detail/rate_derivatives.hpp); without rotations J_ij = d x'_i / d x_j. Exact to rounding; inputs are as
+  /// set. Stiff methods use it.
   using jacobian_matrix = Eigen::Matrix<S, size::x_dot, size::x_dot>;
   /// False for chains with load-dependent friction and internal states, for which stiff methods use differences: the
   /// friction depends on accelerations, and so do these states.
-  static constexpr bool has_jacobian = size::z == 0 || !(detail::load_dependent_friction<typename E::core_type> || ...);
+  static constexpr bool has_jacobian =
+      !closes && (size::z == 0 || !(load_dependent_friction<typename E::core_type> || ...));
   jacobian_matrix jacobian(const S& t, const state& x) const requires(has_jacobian) {
     jacobian_matrix j;
     jacobian(t, x, j);
     return j;
   }
   void jacobian(const S& t, const state& x, jacobian_matrix& j) const requires(has_jacobian) { derive(t, x, j); }
-  /// (J B): `jacobian` and the derivatives of x' by inputs. Without a `jacobian`, all are computed by dual numbers.
-  auto jacobian_with_inputs(const S& t, const state& x) const {
+  /// (J B): `jacobian`, and the derivatives B of x' by inputs. Without `jacobian`, both are computed by dual numbers.
+  [[nodiscard]] auto jacobian_with_inputs(const S& t, const state& x) const {
     Eigen::Matrix<S, size::x_dot, size::x_dot + size::u> j;
     if constexpr (has_jacobian) {
       derive(t, x, j);
@@ -93,9 +141,9 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
     }
     return j;
   }
-  /// The generalized forces M a at x, N and Nm: those of gravity, elements and inputs, less Coriolis and centrifugal
+  /// The generalized forces M a at x, N and Nm: those of gravity, elements and inputs, minus Coriolis and centrifugal
   /// forces.
-  joint_vector<S, size::v> forces_at(const state& x, const S& t = S(0)) const {
+  [[nodiscard]] joint_vector<S, size::v> forces_at(const state& x, const S& t = S(0)) const {
     const S *q = x.data(), *v = q + size::q;
     const detail::configuration<S, wiring, const S*> at(q);
     const auto bases = bases_at(t, v + size::v);
@@ -104,11 +152,11 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
   }
 
   /// The number of elements that may lock a coordinate (models/modes.hpp).
-  static constexpr std::size_t lock_count = (std::size_t{detail::locks_coordinate<typename E::core_type>} + ... + 0);
+  static constexpr std::size_t lock_count = (std::size_t{locks_coordinate<typename E::core_type>} + ... + 0);
   /// The elements that may lock a coordinate, with their coordinates and modes.
   static constexpr auto locks() { return locks_of(std::index_sequence_for<E...>{}); }
   /// The holding forces that keep the present accelerations, N and Nm.
-  joint_vector<S, size::v> needed_forces(const S& t, const state& x) const {
+  [[nodiscard]] joint_vector<S, size::v> needed_forces(const S& t, const state& x) const {
     const S *q = x.data(), *v = q + size::q;
     const rate r = computeStateRate(t, x);
     const detail::configuration<S, wiring, const S*> at(q);
@@ -118,7 +166,7 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
                                          detail::given{at, numbers{v}, numbers{r.data() + size::v}, bases}, minus_one);
   }
   /// The largest holding force of an element, N or Nm.
-  S capacity(const S& t, const state& x, std::size_t element) const {
+  [[nodiscard]] S capacity(const S& t, const state& x, std::size_t element) const {
     auto s = make_state<S>(this->chain());
     if constexpr ((detail::locks_by_load<typename E::core_type> || ...))
       s = state_at(t, x);
@@ -128,7 +176,7 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
   }
 
   using base::input;
-  /// The value of an input: `model.input(motor) = 2.0`; for an input of three numbers a vector of Eigen.
+  /// The value of an input: `model.input(motor) = 2.0`. An input of three numbers is an Eigen vector.
   template <key_type Key>
   decltype(auto) input(const Key&) {
     constexpr int slot = wiring::template find<Key>();
@@ -144,7 +192,7 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
   }
 
   /// The state x of a state of the chain.
-  state getJointStates(const chain_state<S, wiring>& s) const {
+  [[nodiscard]] state getJointStates(const chain_state<S, wiring>& s) const {
     state x = this->make_x(positions(s), velocities(s));
     for (int i = 0; i < size::z; ++i) x[size::q + size::v + i] = s.template get<kind::internal>(i).z;
     return x;
@@ -170,11 +218,12 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
     }
   }
   /// A state of the chain at x, with all its frames, accelerations and forces.
-  auto state_at(const S& t, const state& x) const {
+  [[nodiscard]] auto state_at(const S& t, const state& x) const {
     auto s = make_state<S>(this->chain());
     setJointStates(t, x, s);
     const rate r = computeStateRate(t, x);
     set_accelerations(s, r.data() + size::v);
+    if constexpr (closes) loops::put_forces(*this, loops_, s);
     this->doMotion(s), this->clearForce(s), this->doForce(s);
     return s;
   }
@@ -185,7 +234,7 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
   }
 
   /// The output y: (q, v), or the function of `with_output`.
-  auto computeOutput(const S& t, const state& x) const {
+  [[nodiscard]] auto computeOutput(const S& t, const state& x) const {
     if constexpr (std::is_void_v<Output>) {
       return x.template head<size::q + size::v>().eval();
     } else {
@@ -198,9 +247,9 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
   }
   /// Whether the output is a function of `with_output`, not (q, v).
   static constexpr bool has_output() { return !std::is_void_v<Output>; }
-  /// The system in another scalar: in dual numbers its rates and outputs have derivatives.
+  /// The system in another scalar, such as dual numbers, with which rates and outputs have derivatives.
   template <class T>
-  auto in_scalar() const {
+  [[nodiscard]] auto in_scalar() const {
     const auto made = [this] {
       using other = manipulator_dynamics_model<chain_type, T, Output>;
       if constexpr (std::is_void_v<Output>) {
@@ -215,7 +264,7 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
   }
   /// The system with another output: `model.with_output([](const auto& s) { return s[tip].position.x; })`.
   template <class F>
-  auto with_output(const F& f) const {
+  [[nodiscard]] auto with_output(const F& f) const {
     manipulator_dynamics_model<chain_type, S, F> m(this->chain(), f);
     m.setInput(this->u_);
     return m;
@@ -228,7 +277,7 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
     std::size_t n = 0;
     const auto add = [&]<std::size_t J>() {
       using core = typename chain_type::template core_type<J>;
-      if constexpr (detail::locks_coordinate<core>) {
+      if constexpr (locks_coordinate<core>) {
         constexpr int row = wiring::freedom_of(kind::gen, wiring::slot(J, 0)).v;
         all[n++] = {J, row, size::q + row, size::q + size::v + wiring::slot(J, detail::kept_port<core>)};
       }
@@ -238,13 +287,17 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
     (void)done;
     return all;
   }
+  state started(state x) const {
+    if constexpr ((starts_in_place<typename E::core_type> || ...)) start_in_place(x, std::index_sequence_for<E...>{});
+    return x;
+  }
   template <std::size_t... I>
   void start_in_place(state& x, std::index_sequence<I...>) const {
     auto s = make_state<S>(this->chain());
     setJointStates(x, s), this->doMotion(s);
     const auto start = [&]<std::size_t J>() {
       using element_core = typename chain_type::template core_type<J>;
-      if constexpr (detail::starts_in_place<element_core>)
+      if constexpr (starts_in_place<element_core>)
         detail::stored_element<element_core, decltype(s), detail::by_index>{
             this->template core<J>(), s, {wiring::table.slot.data() + wiring::first[J]}}
             .switch_over(std::make_index_sequence<input_count<element_core>>{});
@@ -279,7 +332,7 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
     if constexpr (J::ColsAtCompileTime > 2 * size::v)
       detail::derive_signals(this->chain(), t, x, this->u_, of_accelerations, j);
   }
-  /// As in models/detail/rate_derivatives.hpp, all of it by dual numbers.
+  /// All derivatives of models/detail/rate_derivatives.hpp by dual numbers.
   template <class J>
   void derive_by_duals(const S& t, const state& x, J& j) const {
     using number = dual<S, 4>;
@@ -297,15 +350,17 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
     }
     for (const detail::freedom& f : this->freedoms()) detail::add_variation_of_pull_back<S>(f, at_x, j);
   }
-  /// At rest, with the signals of the chain.
+  /// Bases at rest, with the signals of the chain.
   auto bases_at(const S& t, const S* z) const {
     return detail::with_signals<wiring>(detail::base_under_gravity(this->chain()), t, this->u_.data(), z);
   }
   template <class, class, class>
   friend class manipulator_dynamics_model;
+  friend loops;
   template <class F>
   manipulator_dynamics_model(const chain_type& c, const F& f) : base(c), output_(f) {}
 
+  [[no_unique_address]] mutable typename detail::memory_of_loops<chain_type>::type loops_;
   struct no_output {};
   [[no_unique_address]] std::conditional_t<std::is_void_v<Output>, no_output, Output> output_;
 };

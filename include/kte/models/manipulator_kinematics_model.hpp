@@ -7,13 +7,13 @@
 namespace kte {
 
 /// A chain with its tools, the frames of interest: their poses, Jacobians and motions. It derives from the chain, so
-/// that it can be an element of larger chains and all algorithms apply.
+/// that all algorithms accept it and it can be an element of larger chains.
 ///
 ///   kte::manipulator_kinematics_model arm(chain, tool);
 ///   auto [R, p] = arm.getDependentPoses(q)[0];
 ///
-/// Jacobians and motions are in world axes, linear before angular, the frames stacked, as `jacobian(c, q, frame,
-/// in_world_axes)`.
+/// Jacobians and motions are in world axes, linear rows before angular ones, one frame after the other, like
+/// `jacobian(c, q, frame, in_world_axes)`.
 template <class Chain, key_type... Frames>
 class manipulator_kinematics_model : public Chain {
   static_assert(sizeof...(Frames) > 0, "kte: a kinematics model needs a frame that depends on the joints");
@@ -27,12 +27,12 @@ class manipulator_kinematics_model : public Chain {
   static constexpr std::array<std::string_view, sizeof...(Frames)> tools() { return {Frames::name...}; }
   /// The poses of the tools in the base.
   template <indexable Q>
-  auto getDependentPoses(const Q& q) const {
+  [[nodiscard]] auto getDependentPoses(const Q& q) const {
     return std::array{forward_kinematics(chain(), q, Frames{})...};
   }
   /// The Jacobian J of the tools, 6 rows for each.
   template <indexable Q>
-  auto getJacobianMatrix(const Q& q) const {
+  [[nodiscard]] auto getJacobianMatrix(const Q& q) const {
     Eigen::Matrix<value_of<Q>, rows, n> j;
     int row = 0;
     ((j.template middleRows<6>(row) = jacobian(chain(), q, Frames{}, in_world_axes), row += 6), ...);
@@ -41,7 +41,7 @@ class manipulator_kinematics_model : public Chain {
   /// J and its time derivative at the velocities v, by dual numbers, exact to rounding. The accelerations of the tools
   /// are J a + dJ/dt v.
   template <indexable Q, indexable V>
-  auto getJacobianMatrixAndDerivative(const Q& q, const V& v) const {
+  [[nodiscard]] auto getJacobianMatrixAndDerivative(const Q& q, const V& v) const {
     using matrix = Eigen::Matrix<value_of<Q>, rows, n>;
     const auto both = getJacobianMatrix(detail::moving_along(chain(), q, v));
     const std::pair<matrix, matrix> all{both.unaryExpr([](const auto& x) { return x.value; }),
@@ -51,7 +51,7 @@ class manipulator_kinematics_model : public Chain {
   }
   /// Velocities of the frames: J v.
   template <indexable Q, indexable V>
-  auto getDependentVelocities(const Q& q, const V& v) const {
+  [[nodiscard]] auto getDependentVelocities(const Q& q, const V& v) const {
     check_size<n>(v, "v");
     joint_vector<value_of<Q>, n> rates;
     for (std::size_t i = 0; i < std::size_t{n}; ++i) rates[static_cast<Eigen::Index>(i)] = v[i];
@@ -61,7 +61,7 @@ class manipulator_kinematics_model : public Chain {
   }
   /// Accelerations of the frames, classical, without gravity: J a + dJ/dt v.
   template <indexable Q, indexable V, indexable A>
-  auto getDependentAccelerations(const Q& q, const V& v, const A& a) const {
+  [[nodiscard]] auto getDependentAccelerations(const Q& q, const V& v, const A& a) const {
     using S = value_of<Q>;
     Eigen::Matrix<S, rows, 1> all;
     int row = 0;
@@ -75,10 +75,10 @@ class manipulator_kinematics_model : public Chain {
     return all;
   }
 
-  constexpr const Chain& chain() const { return *this; }
+  [[nodiscard]] constexpr const Chain& chain() const { return *this; }
 
  private:
-  /// Throws `bad_argument` that names the argument at fault, unless these numbers are finite.
+  /// Throws `bad_argument`, naming the argument at fault, unless these numbers are finite.
   template <class X, class Q, class V>
   static void check(const X& x, std::size_t count, const char* what, const Q& q, const V& v) {
     using S = value_of<Q>;

@@ -9,30 +9,31 @@
 #include <cstddef>
 #include <limits>
 
-/// Elements that hold coordinates (contract/coordinate_lock.hpp), in models. A model has
-///   locks()                   where they are
+/// Elements that lock coordinates (contract/coordinate_lock.hpp), in models. A model has
+///   locks()                   the elements that may lock a coordinate
 ///   computeStateRate(t, x), velocity_count()
-///   needed_forces(t, x)         inverse dynamics at the accelerations of x: of what is held, the force that holds it
+///   needed_forces(t, x)       inverse dynamics at the accelerations of x; for a locked coordinate, its holding force
+///   capacity(t, x, element)   the largest holding force
 ///   capacity(t, x, element)     how large that may be
 namespace kte {
 
 namespace detail {
 
-/// An element that may hold a coordinate: the places of its rate and of its mode in a state x.
+/// An element that may lock a coordinate: the positions of its rate and of its mode in a state x.
 struct lock_place {
   std::size_t element;
   int row;  ///< among degrees of freedom
   int rate, mode;
 };
 
-/// The first that holds the same coordinate: it keeps the mode for all of them, and has the events.
+/// The first element that locks the same coordinate. It keeps the mode for all of them, and has the events.
 template <class Model>
 lock_place leader(const Model& model, const lock_place& h) {
   for (const auto& other : model.locks())
     if (other.row == h.row) return other;
   return h;
 }
-/// By how much all that hold the coordinate of h can hold it together.
+/// The sum of the capacities of all elements that lock the coordinate of h.
 template <class Model, class T, class X>
 auto capacity_of_row(const Model& model, const T& t, const X& x, const lock_place& h) {
   typename X::Scalar most(0);
@@ -45,12 +46,13 @@ void set_mode(const Model& model, X& x, const lock_place& h, int m) {
   for (const auto& other : model.locks())
     if (other.row == h.row) x[other.mode] = typename X::Scalar(m);
 }
-/// The function that goes through zero where the mode changes: the rate of sliding; for a locked coordinate, with
-/// capacity F and force f,
+/// The function that passes through zero where the mode changes: for a sliding coordinate its rate; for a locked
+/// coordinate, with capacity F and holding force f,
 ///
 ///   F^2 - f^2          (1)
 ///
-/// but not zero: at the limit it is still locked, and an event detects only functions that were not zero before.
+/// It is never zero: at the limit the coordinate is still locked, and events only detect functions that were nonzero
+/// before.
 template <class Model, class T, class X>
 auto mode_function(const Model& model, const T& t, const X& x, const lock_place& h) {
   using S = typename X::Scalar;
@@ -63,13 +65,13 @@ auto mode_function(const Model& model, const T& t, const X& x, const lock_place&
   }
   return z == S(mode::sliding) ? S(x[h.rate]) : S(z * x[h.rate]);
 }
-/// Lets what is held go the way in which it is pulled.
+/// Releases a locked coordinate in the direction of its holding force.
 template <class Model, class X, class Forces>
 void let_go(const Model& model, X& x, const lock_place& h, const Forces& needed) {
   set_mode(model, x, h, needed[h.row] > typename X::Scalar(0) ? mode::backward : mode::forward);
 }
-/// Whether the mode of a coordinate without rate is not what happens; then it is changed: what is held by more than is
-/// there is let go, and what would be carried against its own friction is held.
+/// Makes the mode of a coordinate at rest consistent: releases it if the holding force exceeds the capacity, locks it
+/// if it would slide against its own friction. Returns whether the mode has changed.
 template <class Model, class T, class X>
 bool mend_mode(const Model& model, const T& t, X& x, const lock_place& h) {
   using S = typename X::Scalar;
@@ -77,7 +79,7 @@ bool mend_mode(const Model& model, const T& t, X& x, const lock_place& h) {
   const auto beyond = [&](const auto& needed) { return abs(S(needed[h.row])) > capacity_of_row(model, t, x, h); };
   const S z = x[h.mode];
   if (z == S(mode::held)) {
-    const auto needed = model.needed_forces(t, x);
+    const auto needed = model.needed_forces(t, x);  // NOLINT(performance-unnecessary-copy-initialization): overwritten
     if (!beyond(needed)) return false;
     let_go(model, x, h, needed);
     return true;
@@ -90,8 +92,9 @@ bool mend_mode(const Model& model, const T& t, X& x, const lock_place& h) {
   if (beyond(needed)) let_go(model, x, h, needed);
   return x[h.mode] != z;
 }
-/// Changes modes of what has no rate until all are as things happen: always the first that is not (the least-index rule
-/// of Murty, Linear Complementarity, 1988, section 3.2, which ends). What one does changes what the others need.
+/// Changes modes of coordinates at rest until all are consistent, always the first inconsistent one (the least-index
+/// rule of Murty, Linear Complementarity, 1988, section 3.2, which terminates). One change can affect the forces of the
+/// others.
 template <class Model, class T, class X>
 void find_modes(const Model& model, const T& t, X& x) {
   const auto next = [&] {
@@ -103,12 +106,12 @@ void find_modes(const Model& model, const T& t, X& x) {
   for (std::size_t i = 0; next(); ++i)
     if (i == most) raise<no_solution>("kte: no consistent set of sticking and sliding joints exists: friction jams");
 }
-/// At a zero of (1), or of the rate.
+/// Switches the mode at a zero of (1), or of the rate.
 template <class Model, class T, class X>
 void switch_mode(const Model& model, const T& t, X& x, const lock_place& h) {
   using S = typename X::Scalar;
   if (x[h.mode] == S(mode::held)) {
-    const auto needed = model.needed_forces(t, x);
+    const auto& needed = model.needed_forces(t, x);
     let_go(model, x, h, needed);
   } else {
     x[h.rate] = S(0);
@@ -117,8 +120,8 @@ void switch_mode(const Model& model, const T& t, X& x, const lock_place& h) {
   find_modes(model, t, x);
 }
 
-/// Where an integration begins, after an input, a parameter or the state has been changed by hand: the mode becomes
-/// what happens, where it is not. Says whether it was not.
+/// At the start of an integration, or after a manual change of an input, a parameter or the state: makes the mode
+/// consistent. Returns whether it was not.
 template <class Model, class T, class X>
 bool mend_at_start(const Model& model, const T& t, X& x, const lock_place& h) {
   using S = typename X::Scalar;
@@ -130,8 +133,8 @@ bool mend_at_start(const Model& model, const T& t, X& x, const lock_place& h) {
   find_modes(model, t, x);
   return true;
 }
-/// The consistent modes of other elements: `switched` is x after an event. A mode of 0 does not depend on the motion,
-/// and is always consistent.
+/// Makes the modes of other elements consistent. `switched`: x after an event. A mode of 0 does not depend on the
+/// motion and is always consistent.
 template <class X, class Switched>
 bool mend_internals(const Switched& switched, X& x, Eigen::Index first, Eigen::Index end) {
   using S = typename X::Scalar;
@@ -143,9 +146,9 @@ bool mend_internals(const Switched& switched, X& x, Eigen::Index first, Eigen::I
 
 }  // namespace detail
 
-/// The state x with consistent modes of all elements that may lock a coordinate: a coordinate at rest is locked, unless
-/// the holding force exceeds the capacity; else it slides in the direction of its rate. For the start of a simulation;
-/// then events switch the modes:
+/// The state x with consistent modes of all elements that may lock a coordinate. A coordinate at rest is locked, unless
+/// the holding force exceeds the capacity; otherwise it slides in the direction of its rate. Use it at the start of a
+/// simulation; events then switch the modes:
 ///
 ///   const auto x = kte::settled(model, 0.0, model.make_x(q, v));
 template <class Model, class T, class X>

@@ -51,12 +51,12 @@ class manipulator_dynamics_model<runtime_chain, double, void> : public state_spa
  public:
   using output_function = std::function<Eigen::VectorXd(const runtime_state&)>;
 
-  /// A model of a runtime chain. Throws `bad_wiring` as `runtime_chain::make_state`, and if an element locks a
+  /// A model of a runtime chain. Throws `bad_wiring` like `runtime_chain::make_state`, and if an element locks a
   /// coordinate that others move.
   explicit manipulator_dynamics_model(const runtime_chain& c);
 
   const rate& computeStateRate(double t, const state& x) const;
-  /// x' of (1), for integrators. If it throws, they try a shorter step, or report the time and the cause.
+  /// x' of (1), for integrators. If it throws, integrators try a shorter step, or report the time and the cause.
   const rate& operator()(double t, const state& x) const { return computeStateRate(t, x); }
 
   /// The derivatives of x' by displacements from x. `jacobian` returns whether they are available: for chains without
@@ -70,7 +70,7 @@ class manipulator_dynamics_model<runtime_chain, double, void> : public state_spa
   /// (J B): `jacobian` and the derivatives of x' by inputs, also with internal states. Throws `bad_argument` for a
   /// joint that only passes support.
   template <std::same_as<double> T>
-  jacobian_matrix jacobian_with_inputs(const T& t, const state& x) const {
+  [[nodiscard]] jacobian_matrix jacobian_with_inputs(const T& t, const state& x) const {
     setJointStates(t, x, s_);
     jacobian_matrix j;
     detail::derive_rates_by_inputs(chain(), s_, j);
@@ -94,7 +94,7 @@ class manipulator_dynamics_model<runtime_chain, double, void> : public state_spa
   }
 
   /// The state x of a state of the chain.
-  state getJointStates(const runtime_state& s) const;
+  [[nodiscard]] state getJointStates(const runtime_state& s) const;
   /// Stores the time, x and the inputs in a state of the chain. Frames are updated by the next doMotion.
   void setJointStates(double t, const state& x, runtime_state& s) const;
   /// Stores x and the inputs in a state of the chain; the time is unchanged.
@@ -102,35 +102,35 @@ class manipulator_dynamics_model<runtime_chain, double, void> : public state_spa
   /// The state of the chain at x, with all its frames, accelerations and forces; valid until the next call.
   const runtime_state& state_at(double t, const state& x) const { return own_state_at(t, x); }
 
-  Eigen::VectorXd computeOutput(double t, const state& x) const;
+  [[nodiscard]] Eigen::VectorXd computeOutput(double t, const state& x) const;
   /// The function that goes through zero where the law of element number `which` of the chain changes; 1 if it does
   /// not. For events: `element_events(model)`.
-  double switching(double t, const state& x, std::size_t which) const;
+  [[nodiscard]] double switching(double t, const state& x, std::size_t which) const;
   /// Updates the mode of the element after its law has changed.
   void switch_over(double t, state& x, std::size_t which) const;
   /// Makes the mode of the element consistent with the state, for the start of an integration. Returns whether it has
   /// changed.
   bool mend(double t, state& x, std::size_t which) const;
 
-  /// The generalized forces M a at x, N and Nm: those of gravity, elements and inputs, less Coriolis and centrifugal
+  /// The generalized forces M a at x, N and Nm: those of gravity, elements and inputs, minus Coriolis and centrifugal
   /// forces.
-  Eigen::VectorXd forces_at(const state& x, double t = 0) const;
+  [[nodiscard]] Eigen::VectorXd forces_at(const state& x, double t = 0) const;
 
-  // ---- of elements that may hold a coordinate: models/modes.hpp
-  const std::vector<detail::lock_place>& locks() const { return locks_; }
+  // ---- elements that may lock a coordinate: models/modes.hpp
+  [[nodiscard]] const std::vector<detail::lock_place>& locks() const { return locks_; }
   const Eigen::VectorXd& needed_forces(double t, const state& x) const;
-  double capacity(double t, const state& x, std::size_t element) const;
+  [[nodiscard]] double capacity(double t, const state& x, std::size_t element) const;
 
   /// Whether the output is a function of `with_output`, not (q, v).
-  bool has_output() const { return static_cast<bool>(output_); }
+  [[nodiscard]] bool has_output() const { return static_cast<bool>(output_); }
   /// The system with another output, a function of a state of the chain.
-  manipulator_dynamics_model with_output(output_function f) const {
+  [[nodiscard]] manipulator_dynamics_model with_output(output_function f) const {
     auto m = *this;
     m.output_ = std::move(f);
     return m;
   }
 
-  // ---- motion on the group, as of `state_space`
+  // ---- motion on the group, as in `state_space`
   /// out = x (+) d (integrators/motion_space.hpp).
   void displace(const state& x, const rate& d, state& out) const;
   /// Converts the rate r of the state to that of the displacement d.
@@ -140,27 +140,32 @@ class manipulator_dynamics_model<runtime_chain, double, void> : public state_spa
   /// The part of d lost in the rounding of out.
   void rounding(const state& x, const rate& d, const state& out, rate& rest) const;
 
-  // ---- of chains with loops (integrators/motion_space.hpp); of others these do nothing
+  // ---- chains with loops (integrators/motion_space.hpp); no effect for other chains
   /// Whether the chain has closures of loops.
-  bool has_loops() const { return detail::has_loops(chain()); }
-  /// Puts x = x0 (+) d on the loops, in positions and velocities, by the least change in kinetic energy; d goes with
-  /// it. Throws `bad_argument` that names the closure which does not close.
+  [[nodiscard]] bool has_loops() const { return detail::has_loops(chain()); }
+  /// Projects the positions and velocities of x = x0 (+) d onto the loops, by the least change in kinetic energy, and
+  /// updates d. Throws `bad_argument`, naming the closure that does not close.
   void settle(const state& x0, rate& d, state& x) const;
-  /// Takes out of a displacement from x0 what `settle` would.
+  /// Removes from a displacement from x0 the part that `settle` would remove.
   void tangential(const state& x0, rate& e) const;
-  /// Chooses the independent rows of closures for the step from x0. Throws `bad_argument` where it is off the loops.
+  /// Chooses the independent rows of closures for the step from x0. Throws `bad_argument` if x0 is off the loops.
   void begin_step(const state& x0) const;
+  /// Throws `bad_argument` where the step from x0 that has just been computed ends too near to a singular
+  /// configuration.
+  void check_end(const state& x0, const state& next) const;
   /// x on the loops, wherever it is. Throws `bad_argument` that names a closure which does not close from there:
   /// `assemble` goes a longer way.
   state on_loops(const state& x) const;
 
  private:
   int place_of_input(std::string_view name, kind k) const;
-  /// doMotion of the elements that keep them, and of what these depend on.
+  /// doMotion of the elements with internal states, and of those on which they depend.
   void rates_of_internals() const;
   runtime_state& own_state_at(double t, const state& x) const;
+  /// Of a chain with loops, at the own state.
+  const Eigen::VectorXd& accelerations_in_step() const;
 
-  // To work in, also through std::cref; who calls one model in two threads needs two.
+  // Working memory, also through std::cref: use one model per thread.
   mutable runtime_state s_;
   mutable rate rate_;
   mutable detail::own_memory loops_;  ///< the rows of closures of a step
@@ -170,23 +175,23 @@ class manipulator_dynamics_model<runtime_chain, double, void> : public state_spa
 manipulator_dynamics_model(const runtime_chain&)->manipulator_dynamics_model<runtime_chain>;
 
 namespace detail {
-/// `switching` of one element of a runtime chain.
+/// `switching` of one element of a runtime chain, with its reset.
 struct runtime_switching {
   const manipulator_dynamics_model<runtime_chain>* model;
   std::size_t element;
 
   double operator()(double t, const Eigen::VectorXd& x) const;
-  /// The reset.
+  /// The reset: switches the mode of the element.
   void switch_over(double t, Eigen::VectorXd& x) const;
-  /// What the integration begins with.
+  /// At the start of an integration: makes the mode of the element consistent.
   bool mend(double t, Eigen::VectorXd& x) const;
-  /// Numbers of a state, without those of a law.
+  /// The size of the state without the states of a law.
   Eigen::Index own() const { return model->nq() + model->dofs() + model->internals(); }
   std::string name() const;
 };
 }  // namespace detail
 
-/// As of a static chain (models/element_events.hpp), an event for each element whose law changes.
+/// The events of the elements of a runtime chain whose laws change; see models/element_events.hpp.
 [[nodiscard]] inline auto element_events(const manipulator_dynamics_model<runtime_chain>& model) {
   using reset = detail::switch_element<detail::runtime_switching>;
   std::vector<decltype(event(detail::runtime_switching{}).reset(reset{}))> all;
@@ -204,7 +209,7 @@ namespace kte {
 
 KTE_FUNCTION manipulator_dynamics_model<runtime_chain>::manipulator_dynamics_model(const runtime_chain& c)
     : base(c), s_(c.make_state()), rate_(rates()) {
-  if (detail::has_loops(c)) detail::check_loops(c, s_);
+  if (detail::has_loops(c)) detail::check_loops(detail::closures_of(c), s_);
   for (const int e : s_.tree().locks) {
     const auto& index = wiring().elements[static_cast<std::size_t>(e)].index;
     const int row = s_.tree().plan.row_of_gen[static_cast<std::size_t>(index[0])];
@@ -220,11 +225,17 @@ KTE_FUNCTION auto manipulator_dynamics_model<runtime_chain>::computeStateRate(do
   setJointStates(t, x, s_);
   rate_.head(dofs()) = velocities_of(x);
   if (detail::has_loops(chain()))
-    rate_.segment(dofs(), dofs()) = detail::accelerations_in_step(chain(), s_, loops_);
+    rate_.segment(dofs(), dofs()) = accelerations_in_step();
   else
     rate_.segment(dofs(), dofs()) = forward_dynamics(chain(), s_);
   rates_of_internals();
   return rate_;
+}
+KTE_FUNCTION const Eigen::VectorXd& manipulator_dynamics_model<runtime_chain>::accelerations_in_step() const {
+  detail::check_regular_tree(chain(), s_), detail::check_positions(s_);
+  const auto none = [](int) { return 0.0; };
+  return detail::constrained_accelerations(chain(), s_, none,
+                                           detail::rows_of_stage(detail::runtime_model_loops{*this, s_, loops_}));
 }
 KTE_FUNCTION bool manipulator_dynamics_model<runtime_chain>::jacobian(double t, const state& x,
                                                                       jacobian_matrix& j) const {
@@ -290,7 +301,7 @@ KTE_FUNCTION void manipulator_dynamics_model<runtime_chain>::setJointStates(cons
   }
 }
 KTE_FUNCTION runtime_state& manipulator_dynamics_model<runtime_chain>::own_state_at(double t, const state& x) const {
-  computeStateRate(t, x);  // leaves accelerations in the state
+  computeStateRate(t, x);  // sets the accelerations in the state
   doMotion(s_), clearForce(s_), doForce(s_);
   return s_;
 }
@@ -329,7 +340,7 @@ KTE_FUNCTION Eigen::VectorXd manipulator_dynamics_model<runtime_chain>::forces_a
 }
 KTE_FUNCTION const Eigen::VectorXd& manipulator_dynamics_model<runtime_chain>::needed_forces(double t,
                                                                                              const state& x) const {
-  computeStateRate(t, x);  // leaves accelerations in the state
+  computeStateRate(t, x);  // sets the accelerations in the state
   return inverse_dynamics(chain(), s_);
 }
 KTE_FUNCTION double manipulator_dynamics_model<runtime_chain>::capacity(double t, const state& x,
@@ -360,13 +371,16 @@ KTE_FUNCTION void manipulator_dynamics_model<runtime_chain>::rounding(const stat
 }
 
 KTE_FUNCTION void manipulator_dynamics_model<runtime_chain>::settle(const state& x0, rate& d, state& x) const {
-  if (detail::has_loops(chain())) detail::settle_on_loops(*this, s_, detail::step_from(*this, s_, loops_, x0), d, x);
+  if (detail::has_loops(chain())) detail::settle_on_loops(detail::runtime_model_loops{*this, s_, loops_}, x0, d, x);
 }
 KTE_FUNCTION void manipulator_dynamics_model<runtime_chain>::tangential(const state& x0, rate& e) const {
-  if (detail::has_loops(chain())) detail::make_tangential(detail::step_from(*this, s_, loops_, x0), e);
+  if (detail::has_loops(chain())) detail::make_tangential(detail::runtime_model_loops{*this, s_, loops_}, x0, e);
 }
 KTE_FUNCTION void manipulator_dynamics_model<runtime_chain>::begin_step(const state& x0) const {
-  if (detail::has_loops(chain())) detail::check_step(chain(), s_, detail::step_from(*this, s_, loops_, x0));
+  if (detail::has_loops(chain())) detail::check_step(detail::runtime_model_loops{*this, s_, loops_}, x0);
+}
+KTE_FUNCTION void manipulator_dynamics_model<runtime_chain>::check_end(const state& x0, const state&) const {
+  if (detail::has_loops(chain())) detail::check_step_end(detail::runtime_model_loops{*this, s_, loops_}, x0);
 }
 KTE_FUNCTION auto manipulator_dynamics_model<runtime_chain>::on_loops(const state& x) const -> state {
   state on = checked(x);

@@ -37,7 +37,7 @@ class inverse_dynamics_model<runtime_chain> : public unchanging_chain {
   }
 
  private:
-  mutable runtime_state s_;  // to work in
+  mutable runtime_state s_;  // working memory
 };
 inverse_dynamics_model(const runtime_chain&)->inverse_dynamics_model<runtime_chain>;
 
@@ -48,17 +48,17 @@ class manipulator_kinematics_model<runtime_chain> : public unchanging_chain {
   /// Throws `unknown_name` for a frame that the chain does not have.
   manipulator_kinematics_model(const runtime_chain& c, std::vector<std::string> frames);
 
-  const std::vector<std::string>& tools() const { return frames_; }
+  [[nodiscard]] const std::vector<std::string>& tools() const { return frames_; }
 
   template <indexable Q>
-  std::vector<pose<mat3<vec3<>>, vec3<>>> getDependentPoses(const Q& q) const {
+  [[nodiscard]] std::vector<pose<mat3<vec3<>>, vec3<>>> getDependentPoses(const Q& q) const {
     detail::take(*this, s_, q);
     std::vector<pose<mat3<vec3<>>, vec3<>>> poses;
     for (const auto& f : frames_) poses.push_back(forward_kinematics(*this, s_, f));
     return poses;
   }
   template <indexable Q>
-  Eigen::MatrixXd getJacobianMatrix(const Q& q) const {
+  [[nodiscard]] Eigen::MatrixXd getJacobianMatrix(const Q& q) const {
     detail::take(*this, s_, q);
     Eigen::MatrixXd j(6 * static_cast<Eigen::Index>(frames_.size()), dofs());
     Eigen::Index row = 0;
@@ -67,15 +67,15 @@ class manipulator_kinematics_model<runtime_chain> : public unchanging_chain {
   }
   /// Velocities of the frames: J v.
   template <indexable Q, indexable V>
-  Eigen::VectorXd getDependentVelocities(const Q& q, const V& v) const {
+  [[nodiscard]] Eigen::VectorXd getDependentVelocities(const Q& q, const V& v) const {
     detail::take(*this, s_, q, v);
-    const Eigen::VectorXd all = getJacobianMatrix(q) * velocities(s_);
+    Eigen::VectorXd all = getJacobianMatrix(q) * velocities(s_);
     detail::check_result(all, static_cast<std::size_t>(all.size()), [this] { detail::diagnose("a velocity", s_); });
     return all;
   }
   /// Accelerations of the frames, classical, without gravity: J a + dJ/dt v.
   template <indexable Q, indexable V, indexable A>
-  Eigen::VectorXd getDependentAccelerations(const Q& q, const V& v, const A& a) const {
+  [[nodiscard]] Eigen::VectorXd getDependentAccelerations(const Q& q, const V& v, const A& a) const {
     detail::take(*this, s_, q, v, a);
     Eigen::VectorXd all(6 * static_cast<Eigen::Index>(frames_.size()));
     Eigen::Index row = 0;
@@ -90,7 +90,7 @@ class manipulator_kinematics_model<runtime_chain> : public unchanging_chain {
 
  private:
   std::vector<std::string> frames_;
-  mutable runtime_state s_;  // to work in
+  mutable runtime_state s_;  // working memory
 };
 manipulator_kinematics_model(const runtime_chain&, std::vector<std::string>)
     ->manipulator_kinematics_model<runtime_chain>;

@@ -5,7 +5,7 @@
 namespace kte {
 
 namespace detail {
-/// How many numbers the parts of the states of a chain have; Eigen::Dynamic where only the chain itself knows.
+/// The sizes of the parts of the states of a chain; Eigen::Dynamic if they are known only at run time.
 template <class Chain>
 struct sizes_of_model {
   using wiring = typename Chain::wiring;
@@ -15,14 +15,14 @@ struct sizes_of_model {
   static constexpr bool only_numbers = [] {
     for (std::size_t i = 0; i < wiring::freedoms; ++i)
       if (wiring::table.free[i].what != kind::gen) return false;
-    return true;
+    return wiring::count(kind::loop) == 0;  // on loops, states move on a manifold
   }();
   static std::span<const freedom> freedoms(const Chain&) { return {wiring::table.free.data(), wiring::freedoms}; }
   static constexpr int nq(const Chain&) { return wiring::nq; }
   static constexpr int nv(const Chain&) { return wiring::dofs; }
   static constexpr int nu(const Chain&) { return wiring::nu; }
   static constexpr int count(const Chain&, kind k) { return wiring::count(k); }
-  /// visit(name, where it begins in u, how many numbers it has) for each input.
+  /// Calls visit(name, first index in u, size) for each input.
   template <class Visit>
   static void each_input(const Chain&, const Visit& visit) {
     for (std::size_t i = 0; i < std::size_t{wiring::table.signals}; ++i)
@@ -36,10 +36,10 @@ struct sizes_of_model {
 ///
 ///   x = (q, v, z)        positions, rates, internal states of elements         (1)
 ///   x' = (v, a, z')                                                            (2)
-///   u                    signals that no element writes, in order of their first appearance, but the time
+///   u                    signals that no element writes, in order of first appearance, except the time
 ///
-/// Where coordinates are rotations or poses, q holds quaternions, x' has fewer numbers than x, and integrators move on
-/// the group (integrators/motion_space.hpp). It derives from the chain, so that all algorithms apply.
+/// If coordinates are rotations or poses, q contains quaternions, x' has fewer numbers than x, and integrators move on
+/// the group (integrators/motion_space.hpp). The class derives from the chain, so that all algorithms accept it.
 template <class Chain, class S>
 class state_space : public Chain {
   using size = detail::sizes_of_model<Chain>;
@@ -51,25 +51,25 @@ class state_space : public Chain {
 
   explicit state_space(const Chain& c) : Chain(c), u_(input_vector::Zero(size::nu(c))) {}
 
-  const Chain& chain() const { return *this; }
-  /// How many internal states z there are.
-  int internals() const { return size::count(chain(), kind::internal); }
-  /// The coordinates, with their places in q and v.
-  std::span<const detail::freedom> freedoms() const { return size::freedoms(chain()); }
-  /// How many numbers v has, and a.
-  int velocity_count() const { return size::nv(chain()); }
-  /// How many numbers x has.
-  int state_size() const { return numbers_q() + velocity_count() + internals(); }
-  /// How many numbers x' has.
-  int rates() const { return 2 * velocity_count() + internals(); }
+  [[nodiscard]] const Chain& chain() const { return *this; }
+  /// The number of internal states z.
+  [[nodiscard]] int internals() const { return size::count(chain(), kind::internal); }
+  /// The coordinates, with their positions in q and v.
+  [[nodiscard]] std::span<const detail::freedom> freedoms() const { return size::freedoms(chain()); }
+  /// The size of v and a.
+  [[nodiscard]] int velocity_count() const { return size::nv(chain()); }
+  /// The size of x.
+  [[nodiscard]] int state_size() const { return numbers_q() + velocity_count() + internals(); }
+  /// The size of x'.
+  [[nodiscard]] int rates() const { return 2 * velocity_count() + internals(); }
 
   /// The state x of q and v, with z = 0 or as given. Throws `bad_argument` for wrong sizes.
   template <indexable Q, indexable V>
-  state make_x(const Q& q, const V& v) const {
+  [[nodiscard]] state make_x(const Q& q, const V& v) const {
     return make_x(q, v, Eigen::Matrix<S, size::z, 1>::Zero(internals()).eval());
   }
   template <indexable Q, indexable V, indexable Z>
-  state make_x(const Q& q, const V& v, const Z& z) const {
+  [[nodiscard]] state make_x(const Q& q, const V& v, const Z& z) const {
     const Eigen::Index at_v = numbers_q(), at_z = at_v + velocity_count(), end = at_z + internals();
     if constexpr (size::q != Eigen::Dynamic) {
       detail::check_configuration<Chain>(q), check_size<size::v>(v, "v");
@@ -86,17 +86,17 @@ class state_space : public Chain {
   }
   /// The positions q of x, as a view. Throws `bad_argument` for an x of wrong size.
   template <class X>
-  auto positions_of(const Eigen::MatrixBase<X>& x) const {
+  [[nodiscard]] auto positions_of(const Eigen::MatrixBase<X>& x) const {
     return checked(x.derived()).head(Eigen::fix<size::q>(numbers_q()));
   }
   /// The velocities v of x, as a view.
   template <class X>
-  auto velocities_of(const Eigen::MatrixBase<X>& x) const {
+  [[nodiscard]] auto velocities_of(const Eigen::MatrixBase<X>& x) const {
     return checked(x.derived()).segment(numbers_q(), Eigen::fix<size::v>(velocity_count()));
   }
   /// The internal states z of x, as a view.
   template <class X>
-  auto internals_of(const Eigen::MatrixBase<X>& x) const {
+  [[nodiscard]] auto internals_of(const Eigen::MatrixBase<X>& x) const {
     return checked(x.derived()).tail(Eigen::fix<size::z>(internals()));
   }
 
@@ -108,9 +108,9 @@ class state_space : public Chain {
     for (Eigen::Index i = 0; i < u_.size(); ++i) u_[i] = S(u[static_cast<std::size_t>(i)]);
   }
   /// The inputs u.
-  const input_vector& input() const { return u_; }
+  [[nodiscard]] const input_vector& input() const { return u_; }
 
-  // ---- motion on the group, where there are rotations
+  // ---- motion on the group, for chains with rotations
   /// out = x (+) d (integrators/motion_space.hpp).
   void displace(const state& x, const rate& d, state& out) const requires(!size::only_numbers) {
     out.resize(x.size());
@@ -135,7 +135,7 @@ class state_space : public Chain {
 
  protected:
   int numbers_q() const { return size::nq(chain()); }
-  /// x, which has as many numbers as a state.
+  /// x, after a check of its size.
   template <class X>
   const X& checked(const X& x) const {
     check_size(static_cast<std::size_t>(state_size()), x, "x", "numbers of a state");
@@ -156,7 +156,7 @@ class state_space : public Chain {
     detail::raise<bad_argument>("kte: an input" + (text.empty() ? " must be finite" : text));
   }
   static constexpr int vectors = size::v == Eigen::Dynamic ? Eigen::Dynamic : size::v + size::z;
-  /// v and z, or their rates.
+  /// v and z of a state, or their rates.
   template <class X>
   auto vectors_of(X& x) const {
     return x.tail(Eigen::fix<vectors>(velocity_count() + internals()));

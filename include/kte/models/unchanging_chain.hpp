@@ -4,7 +4,7 @@
 
 namespace kte {
 
-/// The runtime chain of a model, constant after the model was made, as the model has a state of it.
+/// The runtime chain of a model. It is constant, because the model has a state of it.
 class unchanging_chain : public runtime_chain {
  public:
   unchanging_chain(const runtime_chain& c) : runtime_chain(c) {}  // NOLINT(google-explicit-constructor)

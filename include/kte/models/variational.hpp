@@ -11,27 +11,27 @@
 
 namespace kte {
 
-/// A variational integrator of a mechanism, of order 2 or 4, with a fixed step h. It makes stationary the sum over the
-/// steps of
+/// A variational integrator of a mechanism, of order 2 or 4, with a fixed step h. It makes the sum over the steps of
 ///
 ///   h L(q_m, v)   with the middle q_m of a step and its velocity v       (1)
 ///
-/// where L is the kinetic less the potential energy of the chain. So it is symplectic: energy oscillates and does not
-/// drift. It conserves the momenta of symmetries to rounding, such as the linear and angular momentum of a floating
-/// mechanism. For coordinates that are numbers it is the midpoint rule in momenta:
+/// stationary, with the kinetic minus the potential energy L of the chain. It is therefore symplectic: energy
+/// oscillates and does not drift. It conserves the momenta of symmetries to rounding, such as the linear and angular
+/// momentum of a floating mechanism. For coordinates that are numbers it is the midpoint rule in momenta:
 ///
 ///   p = M(q_m) v,   p0, p1 = p -+ h/2 p',   p' = M_dot v + f(q_m, v)        (2)
 ///   q_m = q0 + h/2 v,   q1 = q0 + h v                                       (3)
 ///
-/// with f of `forces_at`: dampers and motors act by their force at the middle. For rotations see
-/// models/detail/momentum_transport.hpp. It is solved to rounding by iteration, for which h must be below about 1 over
-/// the fastest rate. The iteration starts from the v extrapolated from the last steps, with a matrix that starts as M
-/// and is updated from the changes (`secant_iteration`). Order 4: five steps of (1), of lengths
+/// with f of `forces_at`: dampers and motors act by their force at the midpoint. For rotations see
+/// models/detail/momentum_transport.hpp. The equations are solved to rounding by iteration, for which h must be below
+/// about 1 over the fastest rate. The iteration starts with v extrapolated from the last steps, and with M as a matrix
+/// that is updated from the changes (`secant_iteration`). Order 4: five steps of (1), of lengths
 ///
 ///   g h, g h, (1 - 4 g) h, g h, g h,   g = 1/(4 - 4^(1/3))                  (4)
 ///
-/// Between the ends of a step: cubics by the velocities at both, of order 3. For models of chains without internal
-/// states, static or, with kte/models/runtime_dynamics_model.hpp, runtime chains, which allocate in every step:
+/// Dense output: cubics by the velocities at both step ends, of order 3. The model may belong to a static chain or,
+/// with kte/models/runtime_dynamics_model.hpp, to a runtime chain, which allocates in every step. Chains with internal
+/// states are refused:
 ///
 ///   kte::variational4 solver(std::ref(model), 0.0, model.make_x(q, v), 0.01);
 ///
@@ -96,14 +96,14 @@ class variational : public fixed_step<variational<Order, F, X>, F, X> {
     using std::abs;
     return abs(S(h - length_)) < S(1e-6) * abs(h);
   }
-  /// v of a part of this step from those of the same part in the last ones: the polynomial through them, an h further.
+  /// Predicts v of a substep from the same substep of the last steps: the polynomial through them, at one h later.
   void guess(int part) {
     const auto& p = past_[static_cast<std::size_t>(part)];
     if (known_ == 2) v_ = 2 * p[0] - p[1];
     if (known_ == 3) v_ = 3 * (p[0] - p[1]) + p[2];
     if (known_ == 4) v_ = 4 * (p[0] + p[2]) - 6 * p[1] - p[3];
   }
-  /// One step of (1), a part of the whole: q in `next_` and p_.
+  /// One step of (1), a substep of the whole: updates q in `next_`, and p_.
   void advance_by(const S& h, int part) {
     const X start = this->next_;
     vector d = lost_q_, half = d, change = d;
@@ -153,7 +153,7 @@ class variational : public fixed_step<variational<Order, F, X>, F, X> {
     lost_p_ = change - (p_ - p);
   }
 
-  /// With rotations rates are no polynomial, but one of this degree is as close as rounding to a step of this method.
+  /// With rotations, rates are not polynomials, but a polynomial of this degree agrees with a step to rounding.
   static constexpr int degree() { return base::on_group ? 9 : 3; }
   void dense(const S& theta, X& x) const {
     const S h = this->time_ - this->previous_time_;
@@ -182,12 +182,13 @@ class variational : public fixed_step<variational<Order, F, X>, F, X> {
   static constexpr int remembered = 4, parts = Order == 2 ? 1 : 5;
   X middle_;
   detail::momenta_of<chain_type, S> masses_;
-  vector p_, v_;  ///< momenta at the present q; velocities of the last part, a guess for the next
-  std::array<std::array<vector, remembered>, parts> past_;  ///< velocities of each part in the last steps, newest first
-  int known_ = 0;                                           ///< of those, how many are known
-  S length_{0};                                             ///< of the last step
-  std::array<detail::secant_iteration<S, n>, Order == 2 ? 1 : 2> secants_;  ///< of each length of parts
-  vector lost_q_, lost_p_;                                                  ///< in rounding, as `fixed_step` has it
+  vector p_, v_;  ///< momenta at the present q; velocities of the last substep, as a guess for the next
+  std::array<std::array<vector, remembered>, parts>
+      past_;       ///< velocities of each substep in the last steps, newest first
+  int known_ = 0;  ///< number of known entries of past_
+  S length_{0};    ///< of the last step
+  std::array<detail::secant_iteration<S, n>, Order == 2 ? 1 : 2> secants_;  ///< one per length of substeps
+  vector lost_q_, lost_p_;                                                  ///< rounding errors, as in `fixed_step`
 };
 
 /// The variational integrator of order 2.

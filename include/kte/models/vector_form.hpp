@@ -11,8 +11,8 @@ namespace kte {
 ///
 ///   kte::adams solver(kte::vector_form(std::cref(model)), 0.0, model.make_x(q, v));
 ///
-/// Also for runtime chains, and where all coordinates are numbers. The length of a quaternion has no effect on the
-/// model; it drifts by the error of the integration. Throws `bad_argument` for a chain with closed loops.
+/// Accepts static and runtime chains, with or without rotations. The length of a quaternion has no effect on the model;
+/// it drifts by the integration error. Throws `bad_argument` for a chain with closed loops.
 template <class F>
 class vector_form {
   using model = detail::unwrapped_type<F>;

@@ -38,7 +38,7 @@ Eigen::Matrix<S, 6, 6> mass_block(const S& m, const vec3<S>& h, const sym3<S>& i
       -h.y, h.x, o, i.xz, i.yz, i.zz;  // (1)
   return b;
 }
-/// The rows, of six, of a frame of kind K.
+/// The rows, out of six, of a frame of kind K.
 template <kind K>
 constexpr auto rows_in_space() {
   if constexpr (K == kind::frame_2D)

@@ -17,18 +17,18 @@ class mass_matrix_calc<runtime_chain> {
  public:
   /// It owns a copy of the chain, and accepts the states of the chain.
   explicit mass_matrix_calc(runtime_chain c) : chain_(std::move(c)) { (void)chain_.wiring(); }
-  /// Fed with names, of inertias and of coordinates.
+  /// With the names of inertias and of coordinates.
   mass_matrix_calc(runtime_chain c, const std::vector<std::string>& on, const std::vector<std::string>& by)
       : mass_matrix_calc(std::move(c)) {
     for (const auto& n : on) *this << inertia_on(n);
     for (const auto& n : by) *this << moved_by(n);
   }
 
-  /// Throws `unknown_name`; `bad_argument` where there is no mass, or it has been fed already.
+  /// Throws `unknown_name`; `bad_argument` if there is no mass, or it was inserted before.
   mass_matrix_calc& operator<<(const inertia_on<>& x) {
     rollback feeding(*this);
     bool found = false;
-    for (const bool frame : {false, true}) {  // both may have the name
+    for (const bool frame : {false, true}) {  // both may have this name
       const kind k = chain_.wiring().kind_of(x.name, frame);
       if (is_frame(k) != frame) continue;
       const int index = chain_.wiring().find(x.name, k);
@@ -45,7 +45,7 @@ class mass_matrix_calc<runtime_chain> {
     inertias_.push_back(x.name);
     return feeding.kept();
   }
-  /// Throws `unknown_name`; `bad_argument` for what is no degree of freedom, or has been fed already.
+  /// Throws `unknown_name`; `bad_argument` for a name that is not a degree of freedom, or was inserted before.
   mass_matrix_calc& operator<<(const moved_by<>& x) {
     const kind k = chain_.wiring().kind_of(x.name, false);
     const int index = chain_.wiring().find(x.name, k);
@@ -77,13 +77,13 @@ class mass_matrix_calc<runtime_chain> {
     return feeding.kept();
   }
 
-  const runtime_chain& chain() const { return chain_; }
-  // What it was fed with, in that order: names of what has inertia, and of coordinates.
-  const std::vector<std::string>& inertias() const { return inertias_; }
-  const std::vector<std::string>& coordinates() const { return moved_by_; }
+  [[nodiscard]] const runtime_chain& chain() const { return chain_; }
+  // The inserted names, in order: inertias, and coordinates.
+  [[nodiscard]] const std::vector<std::string>& inertias() const { return inertias_; }
+  [[nodiscard]] const std::vector<std::string>& coordinates() const { return moved_by_; }
 
-  /// Where the columns stand in v.
-  std::vector<int> columns() const {
+  /// The indices of the columns in v.
+  [[nodiscard]] std::vector<int> columns() const {
     std::vector<int> all;
     for (const auto& f : coordinates_)
       for (int k = 0; k < nv_of(f.what); ++k) all.push_back(f.v + k);
@@ -91,19 +91,19 @@ class mass_matrix_calc<runtime_chain> {
   }
 
   /// T, dT/dt and M_c at the positions and rates of a state.
-  twist_shaping_result<> twist_shaping(runtime_state& s) const {
+  [[nodiscard]] twist_shaping_result<> twist_shaping(runtime_state& s) const {
     check(s);
     detail::check_state_velocities(s);
     return shaped(s, true);
   }
   /// M at the positions of a state.
-  Eigen::MatrixXd mass_matrix(runtime_state& s) const {
+  [[nodiscard]] Eigen::MatrixXd mass_matrix(runtime_state& s) const {
     check(s);
     detail::check_positions(s);
     return product(shaped(s, false), s);
   }
   /// M and dM/dt at its positions and rates.
-  mass_matrix_with_rate<> mass_matrix_and_rate(runtime_state& s) const {
+  [[nodiscard]] mass_matrix_with_rate<> mass_matrix_and_rate(runtime_state& s) const {
     const auto t = twist_shaping(s);
     const Eigen::MatrixXd half = t.rate.transpose() * t.masses * t.value;
     mass_matrix_with_rate<> m{product(t, s), half + half.transpose()};  // (1)
@@ -111,19 +111,19 @@ class mass_matrix_calc<runtime_chain> {
                          detail::diagnose_state{"a mass matrix", s});
     return m;
   }
-  // At q, or q and v, which are stored in the state.
+  // At q, or at q and v, which are stored in the state.
   template <indexable Q>
-  Eigen::MatrixXd mass_matrix(runtime_state& s, const Q& q) const {
+  [[nodiscard]] Eigen::MatrixXd mass_matrix(runtime_state& s, const Q& q) const {
     check(s);
     return detail::take(chain_, s, q).call([&] { return mass_matrix(s); });
   }
   template <indexable Q, indexable V>
-  mass_matrix_with_rate<> mass_matrix_and_rate(runtime_state& s, const Q& q, const V& v) const {
+  [[nodiscard]] mass_matrix_with_rate<> mass_matrix_and_rate(runtime_state& s, const Q& q, const V& v) const {
     check(s);
     return detail::take(chain_, s, q, v).call([&] { return mass_matrix_and_rate(s); });
   }
   template <indexable Q, indexable V>
-  twist_shaping_result<> twist_shaping(runtime_state& s, const Q& q, const V& v) const {
+  [[nodiscard]] twist_shaping_result<> twist_shaping(runtime_state& s, const Q& q, const V& v) const {
     check(s);
     return detail::take(chain_, s, q, v).call([&] { return twist_shaping(s); });
   }
@@ -135,7 +135,7 @@ class mass_matrix_calc<runtime_chain> {
     int index;
     Eigen::MatrixXd masses;
   };
-  /// What a feeding that throws has added is taken out again.
+  /// Removes what an insertion has added if it throws.
   class rollback {
    public:
     explicit rollback(mass_matrix_calc& of)
@@ -167,7 +167,7 @@ class mass_matrix_calc<runtime_chain> {
     throw bad_argument("kte: mass_matrix_calc: " + describe_element(*chain_.wiring().elements[e].element) +
                        " has a distributed mass");
   }
-  /// Whether it has a mass.
+  /// Adds an element; returns whether it has a mass.
   bool add_body(std::size_t e) {
     const auto& at = chain_.wiring().elements[e];
     if (at.rigid) return false;
@@ -175,18 +175,18 @@ class mass_matrix_calc<runtime_chain> {
     const auto n = at.element->numbers();
     if (!n.has_mass && n.is != detail::part::body && n.is != detail::part::weight) return false;
     if (std::any_of(bodies_.begin(), bodies_.end(), [e](const body& b) { return b.element == e; }))
-      throw bad_argument("kte: mass_matrix_calc: a mass is fed twice");
+      throw bad_argument("kte: mass_matrix_calc: a mass is added twice");
     detail::insert_by_kind(bodies_, body{e, at.ports[0].what, at.index[0], detail::mass_block(n, at.ports[0].what)});
     return true;
   }
   void add_coordinate(const detail::freedom& f) {
     if (std::any_of(coordinates_.begin(), coordinates_.end(), [&f](const auto& x) { return x.v == f.v; }))
-      throw bad_argument("kte: mass_matrix_calc: a coordinate is fed twice");
+      throw bad_argument("kte: mass_matrix_calc: a coordinate is added twice");
     detail::insert_by_kind(coordinates_, f);
   }
   void check(const runtime_state& s) const { detail::check_regular(chain_, s); }
 
-  /// At positions, and rates, that are good.
+  /// T, dT/dt and M_c at positions, and rates, that have been checked.
   twist_shaping_result<> shaped(runtime_state& s, bool rates) const {
     using namespace detail;
     const auto of = columns();

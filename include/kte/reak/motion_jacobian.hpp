@@ -8,8 +8,8 @@
 
 #include <array>
 
-/// Motion Jacobians as values: how the rates of one coordinate move a frame or another coordinate, and how that
-/// changes.
+/// Motion Jacobians as values: the derivative of the motion of a frame or coordinate by the rates of one coordinate,
+/// with its time derivative.
 namespace kte {
 
 /// The motion of a frame or coordinate per unit of one rate: `velocity` and `ang_velocity`, or `q_dot`, in axes of the
@@ -37,7 +37,7 @@ struct partial_motion<kind::frame_3D, S> {
 };
 
 namespace detail {
-/// As the kernel sees them: frames in the plane as in space, with typed zeros for what lies out of it.
+/// The form for kernels: planar frames as spatial frames, with typed zeros out of the plane.
 template <class U, class W>
 struct spatial_partial {
   U velocity;
@@ -56,7 +56,7 @@ constexpr const auto& spatial(const partial_motion<kind::frame_3D, S>& x) {
 }
 constexpr int rows_of_moved(kind k) { return k == kind::gen ? 1 : k == kind::frame_2D ? 3 : 6; }
 
-/// Numbers into rows i, i + 1 ... of a column.
+/// Writes numbers to rows i, i + 1 ... of a column.
 template <class Column, class S>
 void put_numbers(Column& c, int& i, const S& x) {
   c[i++] = x;
@@ -86,7 +86,7 @@ requires(is_coordinate(Joint) && !is_signal(Moved)) struct motion_jacobian {
   std::array<partial_motion<Moved, S>, std::size_t{columns}> column{};
 
   /// The Jacobian as a matrix.
-  matrix_type matrix() const {
+  [[nodiscard]] matrix_type matrix() const {
     return filled([](const auto& x, const auto& put) {
       if constexpr (Moved == kind::gen)
         put(x.q_dot);
@@ -95,7 +95,7 @@ requires(is_coordinate(Joint) && !is_signal(Moved)) struct motion_jacobian {
     });
   }
   /// The time derivative of `matrix()`.
-  matrix_type rate() const {
+  [[nodiscard]] matrix_type rate() const {
     return filled([](const auto& x, const auto& put) {
       if constexpr (Moved == kind::gen)
         put(x.q_dot_rate);
@@ -110,7 +110,7 @@ requires(is_coordinate(Joint) && !is_signal(Moved)) struct motion_jacobian {
   ///   u' = R^T (u + w x p),   w' = R^T w                                              (1)
   ///   du'/dt = R^T (du/dt + dw/dt x p) + w' x v - w_X x u',   dw'/dt = R^T dw/dt - w_X x w'          (2)
   template <class M>
-  motion_jacobian at(const M& m) const requires(Moved != kind::gen) {
+  [[nodiscard]] motion_jacobian at(const M& m) const requires(Moved != kind::gen) {
     motion_jacobian there;
     for (std::size_t k = 0; k < column.size(); ++k) {
       const auto x = detail::spatial(column[k]);

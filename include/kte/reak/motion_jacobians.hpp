@@ -25,7 +25,8 @@ Result motion_jacobian_from(const Matrix& value, const Matrix& rate, int first) 
   }
   return r;
 }
-/// How a generalized coordinate moves by the rates of all degrees of freedom, at a configuration in dual numbers.
+/// The derivatives of a generalized coordinate by the rates of all degrees of freedom, at a configuration in dual
+/// numbers.
 template <int Slot, class Chain, class Q>
 auto coordinate_row(const Chain& c, const Q& q) {
   using D = value_of<Q>;
@@ -75,7 +76,7 @@ auto motion_jacobian_of(const static_chain<Gravity, E...>& c, const Q& q, const 
 }
 
 namespace detail {
-/// Where the rates of a coordinate of kind K stand in v. Throws `unknown_name`, `bad_argument`.
+/// The first index in v of a coordinate of kind K. Throws `unknown_name`, `bad_argument`.
 inline int place_in_v(const runtime_chain& c, const name_or_handle& coordinate, kind k) {
   const int slot = coordinate.find(c.wiring(), k);
   for (const freedom& f : c.wiring().free)
@@ -83,7 +84,8 @@ inline int place_in_v(const runtime_chain& c, const name_or_handle& coordinate, 
   throw bad_argument("kte: '" + c.wiring().names[static_cast<std::size_t>(k)][static_cast<std::size_t>(slot)] +
                      "' is not a degree of freedom: its motion is given already");
 }
-/// How generalized coordinate i moves by the rates of all degrees of freedom. At positions and rates that are good.
+/// The derivatives of generalized coordinate i by the rates of all degrees of freedom, for positions and rates that
+/// have been checked.
 template <class S>
 jacobian_with_rate<Eigen::Matrix<S, 1, Eigen::Dynamic>> coordinate_row_with_rate(const runtime_chain& c,
                                                                                  basic_runtime_state<S>& s, int i) {
@@ -99,7 +101,7 @@ jacobian_with_rate<Eigen::Matrix<S, 1, Eigen::Dynamic>> coordinate_row_with_rate
   row.value.conservativeResize(s.dofs()), row.rate.conservativeResize(s.dofs());
   return row;
 }
-/// At positions and rates that are good.
+/// `motion_jacobian_of`, for positions and rates that have been checked.
 template <class Result, class S>
 Result motion_jacobian_at_state(const runtime_chain& c, basic_runtime_state<S>& s, const name_or_handle& coordinate,
                                 const name_or_handle& moved) {

@@ -8,7 +8,7 @@
 namespace kte {
 
 namespace detail {
-/// Elements, or degrees of freedom, of a chain by the order of their kinds.
+/// Elements, or degrees of freedom, of a chain in the order of their kinds.
 template <class Wiring>
 struct bodies_by_kind {
   static constexpr int order(std::size_t e) { return order_of(Wiring::what(e, 0)); }
@@ -19,7 +19,7 @@ struct coordinates_by_kind {
 };
 template <class By, std::size_t New, std::size_t... Fed>
 constexpr auto inserted(std::index_sequence<Fed...>) {
-  static_assert(((Fed != New) && ...), "kte: mass_matrix_calc: this mass or coordinate is fed twice");
+  static_assert(((Fed != New) && ...), "kte: mass_matrix_calc: this mass or coordinate is added twice");
   constexpr auto all = [] {
     std::array<std::size_t, sizeof...(Fed) + 1> a{Fed..., New};
     for (std::size_t i = sizeof...(Fed); i > 0 && By::order(a[i - 1]) > By::order(a[i]); --i) std::swap(a[i - 1], a[i]);
@@ -28,7 +28,7 @@ constexpr auto inserted(std::index_sequence<Fed...>) {
   return [&]<std::size_t... I>(std::index_sequence<I...>) { return std::index_sequence<all[I]...>{}; }
   (std::make_index_sequence<sizeof...(Fed) + 1>{});
 }
-/// Those of 0, 1 ... N - 1 that Wanted::of<I> is true for, in the same order behind those that have been fed.
+/// Appends those of 0, 1 ... N - 1 for which Wanted::of<I> is true, in order, to those that have been inserted.
 template <class By, class Wanted, std::size_t N, std::size_t I = 0, class Fed>
 constexpr auto inserted_all(Fed fed) {
   if constexpr (I == N)
@@ -53,7 +53,7 @@ class mass_matrix_calc<static_chain<Gravity, E...>, std::index_sequence<Body...>
 
   template <std::size_t I>
   static constexpr bool massive = [] {
-    static_assert(!detail::distributed_mass<core<I>>, "kte: mass_matrix_calc: this element has a distributed mass");
+    static_assert(!distributed_mass<core<I>>, "kte: mass_matrix_calc: this element has a distributed mass");
     return detail::has_mass<core<I>, double>;
   }();
   struct any_mass {
@@ -72,7 +72,7 @@ class mass_matrix_calc<static_chain<Gravity, E...>, std::index_sequence<Body...>
   struct mass_on {
     template <std::size_t I>
     static constexpr bool of = [] {
-      if constexpr (std::is_same_v<key<I>, Key> || (detail::distributed_mass<core<I>> && is_connected_to<I, Key>))
+      if constexpr (std::is_same_v<key<I>, Key> || (distributed_mass<core<I>> && is_connected_to<I, Key>))
         return massive<I>;
       else
         return false;
@@ -121,7 +121,7 @@ class mass_matrix_calc<static_chain<Gravity, E...>, std::index_sequence<Body...>
     return with(bodies{}, detail::inserted_all<by_coordinate, any_freedom, wiring::freedoms>(coordinates{}));
   }
 
-  /// Where the columns stand in v.
+  /// The indices of the columns in v.
   static constexpr std::array<int, std::size_t{size}> columns() {
     std::array<int, std::size_t{size}> all{};
     std::size_t i = 0;
@@ -136,7 +136,7 @@ class mass_matrix_calc<static_chain<Gravity, E...>, std::index_sequence<Body...>
 
   /// T, dT/dt and M_c.
   template <indexable Q, indexable V>
-  auto twist_shaping(const Q& q, const V& v) const {
+  [[nodiscard]] auto twist_shaping(const Q& q, const V& v) const {
     using namespace detail;
     using S = value_of<Q>;
     check_configuration<chain_type>(q), check_velocities<chain_type>(v);
@@ -147,12 +147,12 @@ class mass_matrix_calc<static_chain<Gravity, E...>, std::index_sequence<Body...>
     return t;
   }
   template <indexable Q>
-  auto mass_matrix(const Q& q) const {
+  [[nodiscard]] auto mass_matrix(const Q& q) const {
     return product(shaped(q), masses<value_of<Q>>());
   }
   /// M and dM/dt.
   template <indexable Q, indexable V>
-  auto mass_matrix_and_rate(const Q& q, const V& v) const {
+  [[nodiscard]] auto mass_matrix_and_rate(const Q& q, const V& v) const {
     using matrix = matrix_type<value_of<Q>>;
     const auto t = twist_shaping(q, v);
     const matrix half = t.rate.transpose() * t.masses * t.value;
@@ -164,7 +164,7 @@ class mass_matrix_calc<static_chain<Gravity, E...>, std::index_sequence<Body...>
   constexpr auto with(B, C) const {
     return kte::mass_matrix_calc<chain_type, B, C>(chain_);
   }
-  /// T in any scalar, of dual numbers too.
+  /// T in any scalar, including dual numbers.
   template <class Q>
   auto shaped(const Q& q) const {
     shaping_matrix<value_of<Q>> t;

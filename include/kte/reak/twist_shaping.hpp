@@ -8,11 +8,12 @@
 #include <string_view>
 #include <utility>
 
-/// The mass matrix of some bodies of a chain over some of its coordinates, by their Jacobians. (That of all, in O(n d)
-/// instead of O(n^3): dynamics/mass_matrix.hpp.)
+/// The mass matrix of selected bodies of a chain over selected coordinates, by Jacobians. (For all of them,
+/// dynamics/mass_matrix.hpp needs O(n d) operations instead of O(n^3).)
 namespace kte {
 
-/// The bodies on a frame, or the masses on a generalized coordinate, of that name: a key of a static chain, a text.
+/// Selects the bodies on a frame, or the masses on a generalized coordinate, by name: a key of a static chain, or a
+/// text.
 template <class Name = std::string>
 struct inertia_on {
   explicit inertia_on(std::string_view n) : name(n) {}
@@ -24,8 +25,8 @@ struct inertia_on<Key> {
 };
 template <key_type Key>
 inertia_on(const Key&) -> inertia_on<Key>;
-/// A coordinate, by its `name`, that is a degree of freedom, or several: a number, or that of a free or spherical
-/// joint.
+/// Selects a coordinate by its `name`: a number, or the coordinate of a free or spherical joint, which has several
+/// degrees of freedom.
 template <class Name = std::string>
 struct moved_by {
   explicit moved_by(std::string_view n) : name(n) {}
@@ -57,30 +58,31 @@ struct mass_matrix_with_rate {
   Matrix value, rate;
 };
 
-/// Fed with bodies and coordinates by name, in any order,
+/// Bodies and coordinates are inserted by name, in any order:
 ///
 ///   kte::mass_matrix_calc calc(arm);
 ///   calc << kte::inertia_on("upper_end") << kte::inertia_on("tool") << kte::moved_by("shoulder");
 ///   calc.mass_matrix(s);          // at the positions of a state of the chain
 ///
-/// or of a static chain, where what is fed is part of the type, so that sizes are fixed,
+/// For static chains the selection is part of the type, so that sizes are fixed:
 ///
 ///   const auto calc = kte::mass_matrix_calc(arm) << kte::inertia_on(tool) << kte::moved_by(shoulder);
 ///   calc.mass_matrix(q);
 ///
-/// gives, with T the motion Jacobians of the bodies' frames in their own axes, one below the other,
+/// With the motion Jacobians T of the bodies' frames, in their own axes, one below the other, the results are
 ///
 ///   M = T^T M_c T,   dM/dt = dT/dt^T M_c T + T^T M_c dT/dt          (1)
 ///
-/// Which coordinate moves what is found from the chain. Rows of T: generalized coordinates (1 each), frames in the
-/// plane (3: velocity, then angular velocity), in space (6). Columns, of T and M: generalized coordinates, poses in the
-/// plane (3), in space (6), rotations (3). In both, within a kind as they were fed. M_c has for a body of mass m, first
-/// moment h and inertia I about the origin of its frame the block
+/// Which coordinate moves which body follows from the chain. Rows of T: generalized coordinates (1 each), planar frames
+/// (3: velocity, then angular velocity), spatial frames (6). Columns of T and M: generalized coordinates, planar poses
+/// (3), spatial poses (6), rotations (3). Within a kind they are in the order of insertion. For a body of mass m, first
+/// moment h and inertia I about the origin of its frame, M_c has the block
 ///
 ///   ( m 1  -[h]x )
 ///   ( [h]x    I  )          (2)
 ///
-/// What is fed twice is refused, and what is no degree of freedom or has no mass; what has a distributed mass too.
+/// Throws `bad_argument` for duplicates, for names that are not degrees of freedom or have no mass, and for distributed
+/// masses.
 template <class Chain, class Bodies = std::index_sequence<>, class Coordinates = std::index_sequence<>>
 class mass_matrix_calc;
 

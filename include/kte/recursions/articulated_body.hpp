@@ -7,12 +7,12 @@
 
 #include <limits>
 
-/// The articulated-body algorithm (ABA; Featherstone 1983; 2008, section 7.3) on classical accelerations in axes of
-/// each body. A joint is free to move, or its acceleration is given.
+/// The articulated-body algorithm (ABA; Featherstone 1983; 2008, section 7.3), with classical accelerations in the axes
+/// of each body. A joint is free to move, or its acceleration is given.
 namespace kte::engine {
 
-/// What velocities alone make of the acceleration of a body: that of its parent less w x (w x p), in axes of the
-/// parent, plus (linear, angular) in axes of the body.
+/// The part of the acceleration of a body that depends on velocities only: `centripetal` is w x (w x p), in the axes of
+/// the parent; (linear, angular) are in the axes of the body.
 template <class W, class A, class C, class CL>
 struct bias_motion {
   using geometry = bias_motion;
@@ -24,7 +24,7 @@ struct bias_motion {
 template <class W, class A, class C, class CL>
 bias_motion(W, A, C, CL) -> bias_motion<W, A, C, CL>;
 
-/// Articulated inertia I^A and bias force p^A of a body and all beyond it: an acceleration a needs the wrench
+/// Articulated inertia I^A and bias force p^A of a body and all bodies beyond it: an acceleration a needs the wrench
 /// I^A a + p^A.
 template <class I, class W>
 struct articulated_body {
@@ -39,16 +39,17 @@ KTE_INLINE constexpr auto operator+(const articulated_body<I, W>& a, const artic
   return articulated_body{a.inertia + b.inertia, a.bias + b.bias};
 }
 
-/// Of an axis s, with D = s^T U + m of U = I^A s and a further mass m on its coordinate: U D^-1, u D^-1 of
-/// u = tau - s^T p^A, and D^-1.
+/// The factors of an axis s: U D^-1, u D^-1 and D^-1, with U = I^A s, D = s^T U + m, u = tau - s^T p^A, and a further
+/// mass m on its coordinate.
 template <class S>
 struct axis_factors {
   wrench<vec3<S>, vec3<S>> gain;
   S rate, inverse;
 };
 
-/// (1)  c = w x (w x p) seen from the parent; 2 (R^T w) x v_J + w_J x v_J, (R^T w) x w_J, each with dS/dt q_dot, and of
-///      joints that are not free with S q_ddot
+/// (1)  c = w x (w x p) in the axes of the parent; 2 (R^T w) x v_J + w_J x v_J, (R^T w) x w_J, each with dS/dt q_dot,
+/// and
+///      with S q_ddot for joints whose acceleration is given
 template <body B, class M, class S>
 KTE_INLINE constexpr auto bias_motion_of(const B& b, const M& parent, const S* rate, const S* change) {
   const auto& w = parent.ang_velocity;
@@ -68,7 +69,7 @@ KTE_INLINE constexpr auto bias_motion_of(const B& b, const M& parent, const S* r
     return bias_motion{w_in + w_j, cross(w, cross(w, b.position())), a, al};
   }
 }
-/// The wrench that a body needs at a velocity w and no acceleration.
+/// The wrench of a body at the angular velocity w and zero acceleration.
 template <class B, class W>
 KTE_INLINE constexpr auto velocity_wrench(const B& b, const W& w) {
   const auto& [mass, c, inertia, published] = b.inertia();
@@ -76,7 +77,7 @@ KTE_INLINE constexpr auto velocity_wrench(const B& b, const W& w) {
   return wrench{fresh(f), plus_cross(cross(w, inertia * w), c, f)};
 }
 
-/// A body whose joint is about to be eliminated along an axis.
+/// A body with its articulated inertia, before an axis of its joint is eliminated.
 template <class I, class W, class U, class G, class S>
 struct axis_elimination {
   using geometry = axis_elimination;
@@ -89,13 +90,13 @@ struct axis_elimination {
 template <class I, class W, class U, class G, class S>
 axis_elimination(I, W, U, G, S) -> axis_elimination<I, W, U, G, S>;
 
-/// The number of axis K, if nothing is left along it when it is eliminated; else -1.
+/// The component of axis K if its elimination leaves no inertia along it; otherwise -1.
 template <body_with_axes B, int K>
 inline constexpr int eliminated_component = [] {
   using axis = std::remove_cvref_t<decltype(std::declval<const B&>().template axis<K>())>;
   return typed_constant<decltype(std::declval<const B&>().template mass<K>())> ? unit_axis<axis> : -1;
 }();
-/// Without the components along axis K and all later ones that are eliminated.
+/// The inertia or wrench with zeros for axis K and all later axes that are eliminated.
 template <body_with_axes B, int K, class A>
 KTE_INLINE constexpr auto without_axes(const A& a) {
   if constexpr (K == B::axes) {
@@ -108,7 +109,7 @@ KTE_INLINE constexpr auto without_axes(const A& a) {
 ///
 ///   I' = I - U U^T D^-1,   p' = p + U u D^-1          (2)
 ///
-/// Along a unit axis without a further mass I' is nothing and p' is tau: so it is put, without rounding.
+/// Along a unit axis without a further mass, I' is exactly zero and p' is tau.
 template <int K, body_with_axes B, class Y, class V, class S>
 KTE_INLINE constexpr auto after_elimination(const B& b, const Y& y, const V& more, const S& force) {
   constexpr int n = eliminated_component<B, K>;
@@ -121,21 +122,21 @@ KTE_INLINE constexpr auto after_elimination(const B& b, const Y& y, const V& mor
     return articulated_body{without<n>(inertia), without<n>(bias) + wrench{force * s.linear, force * s.angular}};
   }
 }
-/// Below this, what moves along an axis is nothing but rounding of what does not: of a body of which these are the
-/// traces of the linear and angular parts of I^A.
+/// The threshold below which the inertia along an axis is only rounding error. `linear`, `angular`: the traces of the
+/// two parts of I^A.
 template <class S, class A, class I, class J>
 KTE_INLINE constexpr S least_inertia(const A& s, const I& linear, const J& angular) {
   return S(16) * std::numeric_limits<S>::epsilon() *
          as<S>(dot(s.linear, s.linear) * linear + dot(s.angular, s.angular) * angular);
 }
-/// Notes that an axis has nothing to move, d being what it moves: the first of all that are met, or -1.
+/// Notes the first axis without inertia; `first` is -1 before. d: the inertia along the axis.
 template <class S>
 KTE_INLINE constexpr void note(int& first, int axis, bool moves, const S&) {
   if (!moves) [[unlikely]]
     if (first < 0) first = axis;
 }
-/// Eliminates the axes of a joint from the last, one by one; the first is left to `seen_by_parent`, which bodies on
-/// bases do without. `unmoved` notes axes that have nothing to move.
+/// Eliminates the axes of a joint from the last to the first. The first is left to `seen_by_parent`, which bodies on
+/// bases do not need. `unmoved`: notes axes without inertia.
 template <int K, body_with_axes B, class I, class W, class L, class A, class Force, class S, class Unmoved>
 KTE_INLINE constexpr auto eliminate_axes(const B& b, const I& inertia, const W& bias, const L& linear, const A& angular,
                                          const Force& force, axis_factors<S>* factors, Unmoved& unmoved) {
@@ -157,7 +158,7 @@ KTE_INLINE constexpr auto eliminate_axes(const B& b, const I& inertia, const W& 
     return eliminate_axes<K - 1>(b, rest.inertia, rest.bias, linear, angular, force, factors, unmoved);
   }
 }
-/// I^A and p^A of a body about the origin of its parent and in its axes.
+/// I^A and p^A of a body about the origin of its parent and in the axes of the parent.
 template <body B, class I, class W, class A>
 KTE_INLINE constexpr auto pulled_back(const B& b, const articulated_body<I, W>& x, const A& centripetal) {
   const auto& p = b.position();
@@ -167,12 +168,12 @@ KTE_INLINE constexpr auto pulled_back(const B& b, const articulated_body<I, W>& 
       shifted(p, i),
       wrench{fresh(force), plus_cross(b.out(x.bias.torque) + transpose(i.coupling) * centripetal, p, force)}};
 }
-/// Whether a body is known to have no axes: a rigid link.
+/// Whether a body has no axes by its type: a rigid link.
 template <class B>
 inline constexpr bool without_joint = false;
 template <body_with_axes B>
 inline constexpr bool without_joint<B> = B::axes == 0;
-/// What a parent carries of a body.
+/// The articulated inertia and bias force of a body as its parent carries them.
 template <body B, class C, class Y, class Force>
 KTE_INLINE constexpr auto seen_by_parent(const B& b, const C& c, const Y& y, const Force& force) {
   constexpr std::integral_constant<int, 0> first{};
@@ -200,7 +201,7 @@ KTE_INLINE constexpr auto seen_by_parent(const B& b, const C& c, const Y& y, con
   }
 }
 
-/// The same, if the joint is free to move.
+/// `eliminate_axes` if the joint is free to move; otherwise x unchanged.
 template <body_with_axes B, class X, class Force, class S, class Unmoved>
 KTE_INLINE constexpr auto eliminated(const B& b, const X& x, const Force& force, axis_factors<S>* factors,
                                      Unmoved& unmoved) {
@@ -224,9 +225,9 @@ KTE_INLINE constexpr auto eliminated(const B& b, const X& x, const Force& force,
   }
 }
 
-/// The same of a joint of several unit axes that are known by number, all of them, on I^A as a matrix of 6 x 6. Where
-/// nothing goes to the parent (`ends`), an axis needs no more than the rows of those before it. Axes that are numbers are
-/// eliminated as they are.
+/// `eliminated` for a joint of several unit axes with numbers known at run time, with I^A as a matrix of 6 x 6. If
+/// nothing is passed on to the parent (`ends`), an axis needs only the rows of the axes before it. Axes given by
+/// numbers are eliminated unchanged.
 template <body B, class X, class Force, class S>
 auto eliminated_by_number(const B& b, const X& x, const Force& force, axis_factors<S>* factors, bool ends,
                           int& unmoved) {
@@ -269,7 +270,7 @@ auto eliminated_by_number(const B& b, const X& x, const Force& force, axis_facto
       for (int c = 0; c < 6; ++c) m[row][c] -= u[row] * gain[c];
     }
     factors[k] = {{{gain[0], gain[1], gain[2]}, {gain[3], gain[4], gain[5]}}, rate, inverse};
-    for (int c = 0; c < 6; ++c) m[n][c] = m[c][n] = S(0);  // nothing at all is left
+    for (int c = 0; c < 6; ++c) m[n][c] = m[c][n] = S(0);  // nothing is left
     p[n] = tau;
   }
   X left;
@@ -283,7 +284,8 @@ auto eliminated_by_number(const B& b, const X& x, const Force& force, axis_facto
 
 /// q_ddot = u D^-1 - (U D^-1)^T a',   a = a' + s q_ddot          (3)
 ///
-/// Along a unit axis without a further mass a is u D^-1 - (U D^-1)^T (rest of a'), whatever a' is.
+/// Along a unit axis without a further mass the component of a is u D^-1 - (U D^-1)^T (the other components of a'),
+/// whatever the component of a' is.
 template <int K, class S, body_with_axes B, class A>
 KTE_INLINE constexpr auto accelerated(const B& b, const axis_factors<S>* factors, const A& a, S* change) {
   if constexpr (K == B::axes) {
@@ -296,7 +298,7 @@ KTE_INLINE constexpr auto accelerated(const B& b, const axis_factors<S>* factors
     return accelerated<K + 1>(b, factors, without<n>(a) + x * s, change);
   }
 }
-/// The same of axes that are known by number, or are numbers.
+/// `accelerated` for axes with numbers known at run time, or given by numbers.
 template <class S, body B>
 void accelerate_by_number(const B& b, const axis_factors<S>* factors, motion_vector<vec3<S>, vec3<S>>& a, S* change) {
   for (int k = 0; !b.has_unit_axes() && k < b.axis_count(); ++k) {
@@ -331,15 +333,15 @@ KTE_INLINE constexpr auto accelerated_if_free(const B& b, const axis_factors<S>*
   }
 }
 
-/// Outward, (1), from the angular velocities of bases in `kept`.
+/// Outward recursion (1), from the angular velocities of the bases in `kept`.
 template <class Hand, class Driver, class Kept, class S>
 KTE_INLINE auto bias_motions(const Driver& d, const Kept& kept, const S* rate, const S* change) {
   return d.template outward<Hand>(kept, [=](const body auto& b, const auto& parent) KTE_INLINE_LAMBDA {
     return bias_motion_of(b, parent, rate + b.first(), change + b.first());
   });
 }
-/// Steps of (2): a body alone, with own(body, bias motion) for its p^A; its joint, with force(body)(k) on axis k; its
-/// parent.
+/// The steps of (2): a body alone, with own(body, bias motion) in its p^A; its joint, with force(body)(k) on axis k;
+/// its parent.
 template <class Own>
 struct articulated_alone {
   Own own;
@@ -369,7 +371,7 @@ struct articulated_to_parent {
     return seen_by_parent(b, m, y, force(b));
   }
 };
-/// Inward, (2), into `factors` of axes. `unmoved` notes axes that have nothing to move.
+/// Inward recursion (2); writes `factors` by axis. `unmoved`: notes axes without inertia.
 template <class Hand, class Driver, class Kept, class Biases, class Own, class Force, class S, class Unmoved>
 KTE_INLINE void articulate(const Driver& d, const Kept& kept, const Biases& biases, const Own& own, const Force& force,
                            axis_factors<S>* factors, Unmoved& unmoved) {
@@ -377,7 +379,7 @@ KTE_INLINE void articulate(const Driver& d, const Kept& kept, const Biases& bias
                                         joint_elimination<S, Force, Unmoved>{force, factors, unmoved},
                                         articulated_to_parent<Force>{force});
 }
-/// Articulated inertias alone: of a mechanism at rest, without loads and forces.
+/// Articulated inertias only: for a mechanism at rest, without loads and forces.
 struct rest {
   template <class B>
   KTE_INLINE constexpr auto operator()(const B&) const {
@@ -391,7 +393,7 @@ KTE_INLINE void articulate_at_rest(const Driver& d, const Kept& kept, axis_facto
       d, kept, kept_constant<bias_motion<zero3, zero3, zero3, zero3>>{},
       [](const auto&, const auto&) KTE_INLINE_LAMBDA { return no_wrench; }, rest{}, factors, unmoved);
 }
-/// Outward, (3): accelerations of all bodies, from those of bases in `kept`, and of axes.
+/// Outward recursion (3): accelerations of all bodies and axes, from the accelerations of the bases in `kept`.
 template <class S>
 struct acceleration_of_child {
   const axis_factors<S>* factors;

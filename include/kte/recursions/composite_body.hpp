@@ -3,7 +3,7 @@
 #include <kte/engine/body.hpp>
 #include <kte/frames/articulated.hpp>
 
-/// Composite inertias: of a body with all beyond it, as if their joints were locked (Featherstone 2008, section 6.2).
+/// Composite inertias: of a body and its subtree with locked joints (Featherstone 2008, section 6.2).
 namespace kte::engine {
 
 /// A composite inertia about the origin of the parent and in its axes.
@@ -14,7 +14,7 @@ KTE_INLINE constexpr auto inertia_seen_by_parent(const B& b, const I& i) {
   return composite{i.mass, h + i.mass * p,
                    kte::detail::shifted(b.out(i.inertia), p, h + kte::detail::half(i.mass) * p)};
 }
-/// Steps of composite inertias: what is fixed to a body or frame; nothing at the joint; to the parent.
+/// Steps of composite inertias: the inertia fixed to a body or frame; no change at the joint; to the parent.
 struct fixed_inertia {
   template <class B, class Kept>
   KTE_INLINE constexpr auto operator()(const B& b, const Kept&) const {
@@ -33,21 +33,21 @@ struct inertia_to_parent {
     return inertia_seen_by_parent(b, i);
   }
 };
-/// Inward: the composite inertias of all bodies, into `kept`; with `Bases` those of bases too, which must hold their
-/// own.
+/// Inward: writes the composite inertias of all bodies to `kept`; with `Bases` also those of bases, which must contain
+/// their own.
 template <bool Bases, class Hand, class Driver, class Kept>
 KTE_INLINE void composite_inertias(const Driver& d, const Kept& kept) {
   d.template inward<true, Hand, Bases>(kept, kept_constant<nothing>{}, fixed_inertia{}, same_inertia{},
                                        inertia_to_parent{});
 }
-/// The composite inertia of all that a frame carries, about its origin and in its axes; meet(body, inertia, place) is
-/// called of each body on it with what the body carries, and returns that.
+/// The composite inertia of a frame's subtree, about its origin and in its axes. meet(body, inertia, place) is called
+/// for each body on it with the inertia that the body carries, and returns it.
 template <class Frame, class Driver, class Meet = same_inertia>
 KTE_INLINE constexpr auto composite_inertia_of(const Driver& d, const Meet& meet = {}) {
   return d.template carried<Frame>(kept_constant<nothing>{}, fixed_inertia{}, meet, inertia_to_parent{});
 }
 
-/// put(i, j, s_i^T f) of the axes i of a body for a wrench f of axis j; then f goes on to the parent.
+/// Calls put(i, j, s_i^T f) for the axes i of a body and a wrench f of axis j; f is then passed to the parent.
 template <class Put>
 struct column_to_parent {
   const Put& put;
@@ -59,11 +59,11 @@ struct column_to_parent {
   }
 };
 /// The mass matrix (CRBA; Walker and Orin 1982; Featherstone 2008, section 6.2), while composite inertias I^c go
-/// inward: the wrench of a unit acceleration of an axis j goes on to the base, past axes i:
+/// inward: the wrench of a unit acceleration of an axis j goes to the base, past axes i:
 ///
 ///   M_ij = s_i^T (I^c_j s_j)          (1)
 ///
-/// A column is put.diagonal(j, M_jj) and put(i, j, M_ij) of each axis i that is met.
+/// A column consists of put.diagonal(j, M_jj), and put(i, j, M_ij) for each axis i on the path.
 template <class Put>
 struct mass_columns {
   const Put& put;

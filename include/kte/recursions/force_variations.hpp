@@ -3,14 +3,14 @@
 #include <kte/contract/joint.hpp>
 #include <kte/engine/body.hpp>
 
-/// First variations of inverse dynamics, one element at a time. A frame moves by A = (a, al) and w; whoever carries it
-/// pushes it by a wrench W. With everything beyond it left as it is,
+/// First variations of inverse dynamics, one element at a time. A frame moves by A = (a, al) and w under a wrench W. If
+/// everything beyond it is unchanged,
 ///
 ///   dW = I (da, dal) + B dw                                       (1)
 ///
-/// I: the composite inertia of what it carries. B: how W changes with w, one 3x3 matrix for the force and one for the
-/// torque. Linear velocities and positions do not matter, which makes (1) half of what it is on spatial vectors
-/// (Carpentier and Mansard, RSS 2018; Singh, Russo, Wensing, IEEE RA-L 2022), to which it is otherwise equal.
+/// I is the composite inertia of its subtree. B is the derivative of W by w: one 3x3 matrix for the force and one for
+/// the torque. Linear velocities and positions do not occur, so (1) needs half the operations of the equivalent on
+/// spatial vectors (Carpentier and Mansard, RSS 2018; Singh, Russo, Wensing, IEEE RA-L 2022).
 namespace kte::detail {
 
 /// B of (1).
@@ -49,13 +49,14 @@ KTE_INLINE constexpr auto centripetal_by_rate(const W& w, const R& r) {
   return dyad(w, r) - constant<2>{} * dyad(r, w) + diagonal_matrix(dot(w, r));
 }
 
-/// Of a body that turns by w: from W = (... + w x (w x h), ... + w x J w).
+/// B of a body that rotates by w, from W = (... + w x (w x h), ... + w x J w).
 template <class M, class H, class J, class W>
 KTE_INLINE constexpr auto gyration_of(const composite<M, H, J>& b, const W& w) {
   return gyration{centripetal_by_rate(w, b.moment), cross_matrix(w) * full(b.inertia) - cross_matrix(b.inertia * w)};
 }
 
-/// B seen from the base A of an element, in which its end stands at x and moves by v_B, w_B (in axes of the end), with
+/// B transformed to the base A of an element, whose end has the pose x and the velocities v_B, w_B (in axes of the
+/// end), with
 ///
 ///   dal_E = R^T dal_A + R^T dw_A x w_B                                                                     (2)
 ///   da_E = R^T (da_A + dal_A x p + K dw_A) + 2 R^T dw_A x v_B,   K = centripetal_by_rate(w_A, p)         (3)
@@ -91,8 +92,8 @@ KTE_INLINE constexpr auto varied_wrench(const C& c, const G& b, const V& d) {
   return wrench{w.force + b.force * d.ang_velocity, w.torque + b.torque * d.ang_velocity};
 }
 
-/// How the motion of the end of a joint changes where the end is displaced along axis s (in its own axes), that of the
-/// base being given. x: the motion of the joint; at_base: that of its base.
+/// The change of the motion of a joint's end if the end is displaced along axis s (in its own axes), for a given motion
+/// of its base. x: the motion of the joint; at_base: that of its base.
 template <class Motion, class Axis, class Base>
 KTE_INLINE constexpr auto by_displacement(const Motion& x, const Axis& s, const Base& at_base) {
   const auto t = transpose(x.rotation);
@@ -106,7 +107,7 @@ KTE_INLINE constexpr auto by_displacement(const Motion& x, const Axis& s, const 
                        constant<2>{} * cross(dw, x.velocity),
                    cross(al, s.ang_velocity) + cross(dw, x.ang_velocity)};
 }
-/// The same where the rate along s changes.
+/// The change of the motion of a joint's end if the rate along s changes.
 template <class Motion, class Axis, class Base>
 KTE_INLINE constexpr auto by_rate(const Motion& x, const Axis& s, const Base& at_base) {
   const auto w = transpose(x.rotation) * at_base.ang_velocity;
@@ -115,7 +116,7 @@ KTE_INLINE constexpr auto by_rate(const Motion& x, const Axis& s, const Base& at
       constant<2>{} * cross(w, s.velocity) + (cross(s.ang_velocity, x.velocity) + cross(x.ang_velocity, s.velocity)),
       cross(w, s.ang_velocity)};
 }
-/// A wrench at the end that is displaced with it along s: by how much it changes where it was.
+/// The change of a wrench at the end if it is displaced along s with the end.
 template <class Axis, class F, class T>
 KTE_INLINE constexpr auto by_displacement(const Axis& s, const wrench<F, T>& w) {
   return wrench{cross(s.ang_velocity, w.force), cross(s.ang_velocity, w.torque) + cross(s.velocity, w.force)};
@@ -140,7 +141,7 @@ template <class C, class G, class Axis>
 KTE_INLINE constexpr auto sensitivity_along(const C& c, const G& b, const Axis& s) {
   return sensitivity{accelerating_wrench(c, s), transpose(b.force) * s.velocity + transpose(b.torque) * s.ang_velocity};
 }
-/// The same number by the motion of the base A of an element: the transpose of (2) and (3).
+/// The sensitivity by the motion of the base A of an element: the transpose of (2) and (3).
 template <class Motion, class W, class Z>
 KTE_INLINE constexpr auto sensitivity_through(const Motion& x, const W& w, const Z& z) {
   const auto f = x.rotation * z.to_acceleration.force;
@@ -153,10 +154,10 @@ KTE_INLINE constexpr auto sensitivity_through(const Motion& x, const W& w, const
                      x.rotation * z.to_rate + by_k + (cross(w_b, t) + constant<2>{} * cross(v_b, f))};
 }
 
-/// How a body moves on its parent, and its parent.
+/// A body, its motion relative to its parent, and its parent.
 ///   relative()         the motion of its joint (frames/motion.hpp)
 ///   parent_motion()    w, a, al of the parent
-///   load()             the wrench that is felt from it and all beyond it: -W
+///   load()             the wrench that it and its subtree exert: -W
 template <class B>
 concept moving_body = engine::body_with_axes<B> && requires(const B& b) {
   b.relative(), b.parent_motion(), b.load();
@@ -167,7 +168,7 @@ KTE_INLINE constexpr auto axis_motion(const B& b) {
   return motion{zero3{}, no_rotation{}, s.linear, s.angular, zero3{}, zero3{}};
 }
 
-/// On the way to the base: changes of wrench by a displacement and a rate of axis j, and the sensitivity of its force.
+/// Passed to the base: the changes of the wrench by displacement and rate of axis j, and the sensitivity of its force.
 template <class Q, class V, class Z>
 struct axis_variation {
   Q by_q;
@@ -182,7 +183,7 @@ KTE_INLINE constexpr auto seen_by_parent(const B& b, const axis_variation<Q, V, 
   return axis_variation{transmit(at, x.by_q), transmit(at, x.by_v),
                         sensitivity_through(at, b.parent_motion().ang_velocity, x.force)};
 }
-/// Entries i, j and j, i for the axes i of a body that axis j meets on its way to the base.
+/// Entries i, j and j, i for the axes i of a body on the path of axis j to the base.
 template <class Put>
 struct variation_to_parent {
   const Put& put;
@@ -209,8 +210,8 @@ struct variation_to_parent {
     }
   }
 };
-/// Of each axis j of a body that carries c, column j and row j of the derivatives of forces by q, v and a, while they
-/// run to the base: put.by_q(i, j, x), put.by_v(i, j, x), put.by_a(i, j, x).
+/// For each axis j of a body that carries c: column j and row j of the derivatives of forces by q, v and a, along the
+/// path to the base: put.by_q(i, j, x), put.by_v(i, j, x), put.by_a(i, j, x).
 template <class Put>
 struct variation_columns {
   const Put& put;
@@ -245,7 +246,7 @@ struct variation_columns {
     }
   }
 };
-/// Steps of I and B: what is fixed to a frame, which has its motion in `more`; to the parent.
+/// Steps of I and B: the parts fixed to a frame, whose motion is in `more`; to the parent.
 struct turning_alone {
   template <class B, class Kept>
   KTE_INLINE constexpr auto operator()(const B& b, const Kept&) const {

@@ -2,21 +2,21 @@
 
 #include <kte/recursions/articulated_body.hpp>
 
-/// The inverse of the mass matrix from articulated inertias, in its innovations form (Rodriguez, Jain and
-/// Kreutz-Delgado, Int. J. Robotics Research 10, 1991; Jain, Robot and Multibody Dynamics, 2011, section 7.2): a unit
-/// force on axis j leaves e_ij on each axis i on the way to its base, and
+/// The inverse of the mass matrix from articulated inertias, in innovations form (Rodriguez, Jain and Kreutz-Delgado,
+/// Int. J. Robotics Research 10, 1991; Jain, Robot and Multibody Dynamics, 2011, section 7.2). A unit force on axis j
+/// has the innovation e_ij on each axis i on its path to the base, and
 ///
-///   (M^-1)_jk = sum_i e_ij D_i^-1 e_ik        over the axes i of the way of both          (1)
+///   (M^-1)_jk = sum_i e_ij D_i^-1 e_ik        over the axes i on both paths          (1)
 ///
-/// No sum is larger than the geometric mean of two numbers of the diagonal.
+/// No sum exceeds the geometric mean of two diagonal entries.
 namespace kte::engine {
 
-/// A load W at a body and force(k) on the axes of its joint: what is left on each axis, from the last on, put(k, e),
-/// and the load that is left:
+/// For a load W at a body and forces force(k) on the axes of its joint: the innovation of each axis, from the last on,
+/// by put(k, e), and the remaining load:
 ///
 ///   e_k = f_k + s_k^T W,   W' = W - U_k D_k^-1 e_k          (2)
 ///
-/// S, or several numbers at a time.
+/// Works on S, or on several numbers at a time.
 template <int K, body_with_axes B, class W, class Force, class S, class Put>
 KTE_INLINE constexpr auto load_beyond_axes(const B& b, const W& load, const Force& force,
                                            const axis_factors<S>* factors, const Put& put) {

@@ -3,11 +3,11 @@
 #include <kte/engine/body.hpp>
 #include <kte/math/rigid_body.hpp>
 
-/// The recursive Newton-Euler algorithm (RNEA; Luh, Walker, Paul 1980; Featherstone 2008, section 5.3), on classical
-/// accelerations in axes of each body.
+/// The recursive Newton-Euler algorithm (RNEA; Luh, Walker, Paul 1980; Featherstone 2008, section 5.3), with classical
+/// accelerations in the axes of each body.
 namespace kte::engine {
 
-/// The motion of a body at its origin, in its axes. Linear velocities are skipped where nothing needs them.
+/// The motion of a body at its origin, in its axes. Linear velocities are skipped if unused.
 template <class V, class W, class A, class AL>
 struct body_motion {
   using geometry = body_motion;
@@ -36,7 +36,7 @@ KTE_INLINE constexpr auto moved(const B& b, const M& parent, const S* rate, cons
                          ((constant<2>{} * cross(w_in, v_j) + cross(w_j, v_j)) + a_j),
                      b.in(al) + (cross(w_in, w_j) + al_j)};
 }
-/// The wrench on a body that makes its motion (Newton and Euler), at its origin:
+/// The wrench that gives a body its motion (Newton and Euler), at its origin:
 ///
 ///   f = m (a + al x c + w x (w x c)),   n = I al + w x I w + c x f          (4)
 template <class B, class M>
@@ -47,15 +47,15 @@ KTE_INLINE constexpr auto body_wrench(const B& b, const M& m) {
   return wrench{fresh(f), plus_cross(plus_cross(inertia * al, w, inertia * w), c, f)};
 }
 
-/// Outward, (1) to (3): the motions of all bodies at the rates and accelerations of all axes.
+/// Outward recursion (1) to (3): the motions of all bodies from the rates and accelerations of all axes.
 template <class Hand, class Driver, class Kept, class S>
 KTE_INLINE auto motions(const Driver& d, const Kept& kept, const S* rate, const S* change) {
   return d.template outward<Hand>(kept, [=](const body auto& b, const auto& parent) KTE_INLINE_LAMBDA {
     return moved(b, parent, rate + b.first(), change + b.first());
   });
 }
-/// Inward: what bodies need, own(body, motion), goes in along the tree, and of each axis its power on what its body
-/// carries comes into `force`.
+/// Inward recursion: the wrenches own(body, motion) are summed along the tree; `force` receives for each axis the power
+/// of the wrench that its joint transmits.
 template <bool Keep, class Driver, class Kept, class Motions, class Own, class S>
 KTE_INLINE void transmit(const Driver& d, const Kept& kept, const Motions& m, const Own& own, S* force) {
   d.template inward<Keep, wrench<vec3<S>, vec3<S>>, false>(
@@ -67,21 +67,21 @@ KTE_INLINE void transmit(const Driver& d, const Kept& kept, const Motions& m, co
       },
       [](const body auto& b, const auto&, const auto& w) KTE_INLINE_LAMBDA { return pulled_back(b, w); });
 }
-/// The same of bodies that move, less load(body) that acts on them.
+/// `transmit` for the inertial wrenches of moving bodies, minus the loads load(body) that act on them.
 template <bool Keep, class Driver, class Kept, class Motions, class Load, class S>
 KTE_INLINE void transmitted_forces(const Driver& d, const Kept& kept, const Motions& m, const Load& load, S* force) {
   transmit<Keep>(
       d, kept, m, [=](const auto& b, const auto& moves) KTE_INLINE_LAMBDA { return body_wrench(b, moves) - load(b); },
       force);
 }
-/// The same of loads alone.
+/// `transmit` for loads only.
 template <class Driver, class Kept, class Load, class S>
 KTE_INLINE void transmitted_loads(const Driver& d, const Kept& kept, const Load& load, S* force) {
   transmit<false>(
       d, kept, kept_constant<nothing>{}, [=](const auto& b, nothing) KTE_INLINE_LAMBDA { return no_wrench - load(b); },
       force);
 }
-/// In place of loads.
+/// Stands for no loads.
 struct no_load {
   template <class B>
   KTE_INLINE constexpr auto operator()(const B&) const {

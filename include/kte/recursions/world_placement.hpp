@@ -2,11 +2,11 @@
 
 #include <kte/engine/body.hpp>
 
-/// Where bodies stand in the world, and the axes of their joints there.
+/// The placements of bodies and joint axes in the world.
 namespace kte::engine {
 
-/// Of a body: its axes as columns of a matrix, its origin from that of its parent and from that of the world, in axes
-/// of the world.
+/// The placement of a body: its axes as columns of a matrix, its origin relative to that of its parent and to that of
+/// the world, in axes of the world.
 template <class R, class P, class Q>
 struct world_placement {
   using geometry = world_placement;
@@ -17,14 +17,14 @@ struct world_placement {
 template <class R, class P, class Q>
 world_placement(R, P, Q) -> world_placement<R, P, Q>;
 
-/// Outward: A_i = A R,   p_i = p + A r          of a body at R, r on a parent at A, p
+/// Outward: A_i = A R,   p_i = p + A r          for a body at R, r on a parent at A, p
 template <body B, class W>
 KTE_INLINE constexpr auto placed_in_world(const B& b, const W& parent) {
   const auto& a = parent.rotation;
   const auto step = a * b.position();
   return world_placement{mat3{b.in(a.x), b.in(a.y), b.in(a.z)}, step, parent.position + step};
 }
-/// The axes of a joint in axes of the world: A s_k, to axes[0], ...
+/// Writes the axes of a joint in axes of the world, A s_k, to axes[0], ...
 template <int K = 0, body_with_axes B, class R, class Axis>
 KTE_INLINE constexpr void axes_in_world(const B& b, const R& rotation, Axis* axes) {
   const auto s = b.template axis<K>();

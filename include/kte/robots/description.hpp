@@ -3,6 +3,7 @@
 #include <kte/elements/joint_motor.hpp>
 #include <kte/math/rigid_body.hpp>
 
+#include <array>
 #include <limits>
 #include <optional>
 #include <string>
@@ -17,7 +18,7 @@ struct robot_note {
   int line = 0;
   std::string text;
   std::string file{};           ///< the included file that it is in; empty for the robot's own
-  bool changes_motion = false;  ///< whether the robot in the file moves differently from the one that was read
+  bool changes_motion = false;  ///< whether the robot in the file moves differently from the robot that was read
 };
 
 /// A pose in the axes of the parent: `position`, m, and `rotation`.
@@ -46,7 +47,7 @@ struct robot_shape {
 struct robot_link {
   std::string name;
   int line = 0;
-  std::string file{};                    ///< as of notes
+  std::string file{};                    ///< name of the included file; empty for the robot's own
   std::optional<rigid_body<>> inertial;  ///< in the axes of the link; without it the link has no mass
   double gravity_compensation = 0;       ///< fraction of its weight compensated by a force at the centre of mass
   std::vector<robot_shape> visuals, collisions;
@@ -83,14 +84,14 @@ struct robot_joint {
 
   std::string name;
   int line = 0;
-  std::string file{};  ///< as of notes
+  std::string file{};  ///< name of the included file; empty for the robot's own
   kind is = kind::fixed;
   bool continuous = false;  ///< a revolute joint declared as unlimited in the file
   std::string parent, child;
   robot_pose origin;      ///< pose of the placement in the parent
   robot_pose child_pose;  ///< pose of the child in the moving side of the joint
   vec3<> axis{1, 0, 0};   ///< unit axis in the axes of the placement; for a planar joint the normal
-  double pitch = 0;       ///< of a screw joint, m/rad; its coordinate is the angle
+  double pitch = 0;       ///< for a screw joint, m/rad; its coordinate is the angle
   double lower = -none, upper = none, rate = none, effort = none;
   double soft_lower = -none, soft_upper = none;  ///< range at whose ends a safety controller begins to brake
   robot_joint_dynamics dynamics;
@@ -108,6 +109,34 @@ struct robot_joint {
   using enum robot_joint::kind;
   return j.is == revolute || j.is == prismatic || j.is == screw;
 }
+
+/// What closes a loop of links and joints: a closure between frames of two links (docs/loops.md), or between two
+/// joints. `kind`: points (coincident), frames (coincident), hinge, universal, cylindrical, sliding, point_on_line,
+/// point_on_plane, distance; joints; `is`: the kind of this closure. `name` and `line` as in the file.
+struct robot_closure {
+  enum class kind {
+    points,
+    frames,
+    hinge,
+    universal,
+    cylindrical,
+    sliding,
+    point_on_line,
+    point_on_plane,
+    distance,
+    joints
+  };
+  std::string name;
+  int line = 0;
+  std::string file{};  ///< as of notes
+  kind is = kind::points;
+  std::string link1, link2;            ///< of joints their names
+  robot_pose origin1, origin2;         ///< frames of the closure in the links
+  vec3<> axis{1, 0, 0};                ///< unit axis in axes of both frames; universal: of the first, plane: its normal
+  vec3<> axis2{0, 1, 0};               ///< universal: unit axis of the second frame
+  double length = 0;                   ///< distance, m
+  std::array<double, 5> polynomial{};  ///< of joints: q_1 = c_0 + c_1 q_2 + ... + c_4 q_2^4
+};
 
 /// The actuator of a joint: the gear ratio n, and the law of the actuator, before the gear. With its force f the force
 /// of the joint is n f; its position and rate are n times those of the joint. `name`, `line`: as in the file.
@@ -128,23 +157,25 @@ struct robot_configuration {
   std::vector<std::pair<std::string, std::vector<double>>> joints;
 };
 
-/// A robot as its file describes it: `name`, `links`, `joints`, fixed `frames`, `actuators` and named `configurations`.
+/// A robot as its file describes it: `name`, `links`, `joints`, `closures` of loops, fixed `frames`, `actuators` and
+/// named `configurations`.
 /// `to_robot` makes a chain of it.
 struct robot_description {
   std::string name;
   std::string source;  ///< name of the file in messages
   std::vector<robot_link> links;
   std::vector<robot_joint> joints;
+  std::vector<robot_closure> closures;
   std::vector<robot_frame> frames;
   std::vector<robot_actuator> actuators;
   std::vector<robot_configuration> configurations;
-  std::optional<vec3<>> gravity;     ///< of the file, m/s^2; empty if it has none
+  std::optional<vec3<>> gravity;     ///< in the file, m/s^2; empty if it has none
   std::vector<robot_note> not_read;  ///< contents of the file that the description does not have
   std::vector<robot_note> warnings;  ///< probable mistakes
 };
 
 namespace detail {
-/// "arm.urdf:37: ", or what of it is known.
+/// "arm.urdf:37: ", without the parts that are unknown.
 inline std::string place_text(const std::string& source, int line) {
   if (source.empty()) return line > 0 ? "line " + std::to_string(line) + ": " : "";
   return source + (line > 0 ? ":" + std::to_string(line) : "") + ": ";

@@ -10,13 +10,13 @@ namespace kte {
 ///   MJCF    <actuator> motor, position, velocity, general: gear, gains, ranges of commands and forces
 ///   URDF    <transmission>; for a file without one, and for SDF, one for each joint that is not a follower
 ///
-/// A command in MJCF is that of the actuator, else the force of the joint, after the gear. Forces are limited to the
-/// effort of the joint, if any. Damping, friction and armature are in the chain before. Motors that are not supported
-/// are listed in `warnings`, other contents in `not_read`. An input has the name of its actuator, or `JOINT.motor`
-/// where that has no name, or a coordinate has it.
+/// A command in MJCF is that of its actuator; otherwise it is the force of the joint, after the gear. Forces are
+/// limited to the effort of the joint, if there is one. Damping, friction and armature are already in the chain. Motors
+/// that are not supported are listed in `warnings`, other contents in `not_read`. An input has the name of its
+/// actuator, or `JOINT.motor` if the actuator has no name or a coordinate has the same one.
 ///
-/// Throws `bad_argument` for a robot that has motors, and for invalid options, `bad_parameter` for limits that do not
-/// fit the chain, and then has changed nothing.
+/// Throws `bad_argument` for a robot that already has motors and for invalid options, `bad_parameter` for limits that
+/// do not fit the chain; the robot is then unchanged.
 void add_motors(robot& r, const motor_options& options = {});
 
 }  // namespace kte

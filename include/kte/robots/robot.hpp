@@ -12,6 +12,7 @@ namespace kte {
 ///   limits          over v, from the file; infinite where it has none
 ///   soft_limits     limits with the narrower range of safety controllers, where the file has it
 ///   joints          the coordinates of joints that move, in the order of the file, including followers
+///   loops           names of the closures of loops, in the order of the file
 ///   shapes          visual and collision shapes
 ///   configurations  named configurations
 struct robot {
@@ -30,18 +31,19 @@ struct robot {
   /// A named configuration of the whole robot.
   struct configuration {
     std::string name;
-    std::vector<double> q;  ///< in the order of the chain
+    std::vector<double> q;  ///< in the order of the q of the chain
   };
   std::string name;
   runtime_chain chain;
   joint_limits<> limits, soft_limits;
   std::vector<std::string> joints;
+  std::vector<std::string> loops;
   std::vector<shape> shapes;
   std::vector<robot_actuator> actuators;  ///< actuators in the file
   std::vector<motor> motors;              ///< motors in the chain (`add_motors`)
   std::vector<configuration> configurations;
-  std::vector<robot_note> not_read;      ///< contents of the file that are not in the chain, with lines
-  std::vector<robot_note> warnings;      ///< first differences in motion from the file's robot, then probable mistakes
+  std::vector<robot_note> not_read;      ///< contents of the file that are not in the chain, with their lines
+  std::vector<robot_note> warnings;      ///< differences in motion from the robot of the file, then probable mistakes
   std::string file;                      ///< name of the file in messages; meshes are searched for around it
   std::vector<std::string> search_path;  ///< further folders: robot_options::search_path
 };

@@ -16,9 +16,9 @@ namespace kte {
 ///   runtime_chain c;
 ///   c << revolute_joint_2D("q", "base", "joint") << rigid_link_2D("joint", "tip", along_x(0.5));
 ///
-/// Elements, rules and passes are those of static chains. A static chain is appended as one element; of another runtime
-/// chain all elements are appended. Elements do not change after they are appended. A chain is a value and may be
-/// shared between threads, each with its own state. A chain that was moved from is empty.
+/// Elements, rules and passes are those of static chains. A static chain is appended as one element; of a runtime chain
+/// all elements are appended. Appended elements cannot be changed. A chain is a value; it can be shared between
+/// threads, each with its own state. A moved-from chain is empty.
 class runtime_chain : public kte_map {
  public:
   runtime_chain() = default;
@@ -33,7 +33,7 @@ class runtime_chain : public kte_map {
     return *this;
   }
 #ifdef KTE_EXTERN
-  ~runtime_chain() override;  // where it is, virtual functions are compiled
+  ~runtime_chain() override;  // the place of the virtual functions in the library
 #else
   ~runtime_chain() override = default;
 #endif
@@ -73,17 +73,17 @@ class runtime_chain : public kte_map {
   runtime_chain& operator<<(detail::refused) { return *this; }
   template <class T>
   requires(!std::is_class_v<T>) runtime_chain& operator<<(const T&) {
-    static_assert(detail::fit<T>, "kte: a chain is made of elements and of chains, and this is neither");
+    static_assert(detail::fit<T>, "kte: a chain consists of elements and chains; this argument is neither");
     return *this;
   }
   /// Appends an element, a static chain or a chain. The elements of a runtime chain are moved out of it; calls through
   /// other pointers to it throw `bad_argument`. Throws `bad_wiring`.
   runtime_chain& append(std::unique_ptr<kte_map> e);
 
-  /// Sets gravity, m/s^2, in the axes of the bases; a new state starts with bases accelerated against it. It holds for
-  /// the whole chain, whatever gravity its parts have. Without it the chain takes the gravity of the first appended
-  /// part with one other than zero, and rejects a different one (`bad_wiring`). A change invalidates states made
-  /// before. Throws `bad_parameter` unless it is finite.
+  /// Sets gravity, m/s^2, in axes of the bases; a new state starts with bases accelerated against it. It applies to the
+  /// whole chain, whatever gravity its parts have. Without this call, the chain takes the gravity of the first appended
+  /// part with nonzero gravity, and rejects parts with a different one (`bad_wiring`). A change invalidates existing
+  /// states. Throws `bad_parameter` unless it is finite.
   template <class X, class Y, class Z>
   runtime_chain& gravity(const vec3<X, Y, Z>& g) {
     detail::check_gravity(g);
@@ -101,16 +101,16 @@ class runtime_chain : public kte_map {
   vec3<> gravity() const override { return gravity_; }
 
   /// A handle of a frame, in the plane or in space, for calls that take a name. Throws `unknown_name`.
-  handle frame(std::string_view name) const { return handle_of(name, is_frame, "frame"); }
+  [[nodiscard]] handle frame(std::string_view name) const { return handle_of(name, is_frame, "frame"); }
   /// A handle of a coordinate of any kind. Throws `unknown_name`.
-  handle coordinate(std::string_view name) const { return handle_of(name, is_coordinate, "coordinate"); }
+  [[nodiscard]] handle coordinate(std::string_view name) const { return handle_of(name, is_coordinate, "coordinate"); }
   /// A handle of an input. Throws `unknown_name`.
-  handle input(std::string_view name) const {
+  [[nodiscard]] handle input(std::string_view name) const {
     return handle_of(
         name, [](kind k) { return k == kind::input; }, "input");
   }
   /// A handle of an internal state. Throws `unknown_name`.
-  handle internal(std::string_view name) const {
+  [[nodiscard]] handle internal(std::string_view name) const {
     return handle_of(
         name, [](kind k) { return k == kind::internal; }, "internal state");
   }
@@ -119,7 +119,7 @@ class runtime_chain : public kte_map {
   /// `bad_wiring` if an element acts on a coordinate by which nothing moves, `bad_argument` if S is not double and
   /// there are elements other than joints, links and bodies.
   template <class S = double>
-  basic_runtime_state<S> make_state() const;
+  [[nodiscard]] basic_runtime_state<S> make_state() const;
 
   void doMotion(runtime_state& s) const override {
     check(s);
@@ -140,7 +140,7 @@ class runtime_chain : public kte_map {
     std::vector<double> numbers;
   };
   /// The signals that elements write, in their order, computed by the last doMotion.
-  std::vector<output> outputs(const runtime_state& s) const;
+  [[nodiscard]] std::vector<output> outputs(const runtime_state& s) const;
 
   std::unique_ptr<kte_map> clone() const override { return std::make_unique<runtime_chain>(*this); }
   void for_each_element(const std::function<void(const kte_element&)>& visit) const override {
@@ -158,15 +158,15 @@ class runtime_chain : public kte_map {
   }
 
   /// The wiring of the chain. Throws `bad_argument` if the chain is part of another one.
-  const topology& wiring() const {
+  [[nodiscard]] const topology& wiring() const {
     if (use_ != use::whole) [[unlikely]]
       throw bad_argument("kte: this chain is part of another one: use the wiring and states of that one");
     return *topology_;
   }
   /// The number of degrees of freedom.
-  int dofs() const { return wiring().nv; }
+  [[nodiscard]] int dofs() const { return wiring().nv; }
   /// The number of entries in a configuration q.
-  int nq() const { return wiring().nq; }
+  [[nodiscard]] int nq() const { return wiring().nq; }
   /// Throws `bad_argument` unless the state was made for this chain as it is now.
   template <class S>
   void check(const basic_runtime_state<S>& s) const {
@@ -187,15 +187,16 @@ class runtime_chain : public kte_map {
   handle handle_of(std::string_view name, bool (*fits)(kind), const char* wanted) const;
   parts copies() const;
   vec3<> with_gravity_of(const vec3<>& part) const;
-  /// States hold the accelerations of bases against the gravity with which they were made.
+  /// States contain the accelerations of bases against the gravity with which they were made.
   void put_gravity(const vec3<>& g) {
     if (g == gravity_) return;
     if (use_ == use::whole) topology_.edit().layout = std::make_shared<char>();
     gravity_ = g;
   }
-  /// All or none: `all` is then moved from, or the chain is as before. (A span takes 200 templates more.)
+  /// Adds all parts or none: `all` is then moved from, or the chain is unchanged. (A span would instantiate 200 more
+  /// templates.)
   void add(std::unique_ptr<kte_map>* all, std::size_t count, const vec3<>& part);
-  /// All elements of a chain, which is then of no use; `owner` holds it. Or the chain is as before.
+  /// Takes all elements of a chain, which becomes unusable and is held by `owner`, or leaves this chain unchanged.
   void take(runtime_chain& c, std::unique_ptr<kte_map> owner);
   void swap(runtime_chain& o) noexcept {
     std::swap(elements_, o.elements_), std::swap(emptied_, o.emptied_), std::swap(topology_, o.topology_);
@@ -204,13 +205,13 @@ class runtime_chain : public kte_map {
   }
 
   parts elements_;
-  parts emptied_;  ///< chains that were appended, for those who still point to them
+  parts emptied_;  ///< appended chains, for callers that still point to them
   shared_topology topology_;
   vec3<> gravity_{};
   bool gravity_is_written_ = false;
   use use_ = use::whole;
 };
-/// The name that it has in ReaK.
+/// The name of this class in ReaK.
 using kte_map_chain = runtime_chain;
 
 template <class S>
@@ -225,7 +226,7 @@ basic_runtime_state<S> runtime_chain::make_state() const {
     if (t.writers[2][i] < 0) s.template get<kind::frame_3D>(static_cast<int>(i)).acceleration = up;
   return s;
 }
-/// `make_state<S>(c)` and `dofs(c)`, as for static chains.
+/// `make_state<S>(c)` and `dofs(c)`, with the names of static chains.
 template <class S = double>
 [[nodiscard]] basic_runtime_state<S> make_state(const runtime_chain& c) {
   return c.make_state<S>();
@@ -278,7 +279,7 @@ KTE_FUNCTION runtime_chain::parts runtime_chain::copies() const {
   all.reserve(elements_.size());
   for (const auto& e : elements_) {
     all.push_back(e->clone());
-    if (!all.back()) throw bad_argument("kte: clone() of a part of this chain gave a null pointer");
+    if (!all.back()) throw bad_argument("kte: clone() of a part of this chain returned a null pointer");
   }
   return all;
 }
@@ -305,7 +306,7 @@ KTE_FUNCTION void runtime_chain::add(std::unique_ptr<kte_map>* all, std::size_t 
   gravity_ = g;
 }
 KTE_FUNCTION void runtime_chain::take(runtime_chain& c, std::unique_ptr<kte_map> owner) {
-  // The fewer to the more, and no room is kept: a nest is as large as it is deep, not as its square.
+  // Moves the fewer to the more, without reserve, so that memory grows with the depth of nesting, not with its square.
   parts& more = emptied_.size() < c.emptied_.size() ? c.emptied_ : emptied_;
   parts& fewer = &more == &emptied_ ? c.emptied_ : emptied_;
   if (const std::size_t size = more.size() + fewer.size() + 1; size > more.capacity())

@@ -4,9 +4,9 @@
 
 namespace kte {
 
-/// Probable mistakes in a chain, as messages: a coordinate that moves several joints, and a degree of freedom that
-/// moves only masses on coordinates, if nothing else is connected to it, or its name is nearly that of the coordinate
-/// of a joint. Without findings the list is empty.
+/// Probable mistakes in a chain, as messages: a coordinate that moves several joints; and a degree of freedom that
+/// moves only masses on coordinates, if nothing else is connected to it, or if its name is similar to that of a joint
+/// coordinate. Empty without findings.
 [[nodiscard]] std::vector<std::string> check_chain(const runtime_chain& c);
 /// Probable mistakes in a static chain; see above.
 template <class Gravity, class... E>

@@ -6,9 +6,9 @@
 
 namespace kte::detail {
 
-/// What a runtime state has for elements with their own laws, in dual numbers: coordinates and frames, and bodies, on
-/// which the frames stand. It goes with a state of numbers, which has all else. A template, though of one scalar alone:
-/// headers that know it do not instantiate what is in it.
+/// The part of a runtime state in dual numbers, for elements with their own laws: coordinates, frames and bodies. It
+/// complements a state of numbers. A template, although for one scalar only, so that headers do not instantiate its
+/// members.
 template <class D>
 class basic_derivative_state {
  public:
@@ -36,7 +36,7 @@ class basic_derivative_state {
   }
   std::span<const freedom> freedoms() const { return freedoms_; }
   const runtime_tree<double>& tree() const { return *tree_; }
-  /// The wiring of the chain for which it was made.
+  /// The identity of the wiring for which it was made.
   const std::shared_ptr<const char>& layout() const { return layout_; }
 
  private:

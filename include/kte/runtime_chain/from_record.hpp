@@ -3,7 +3,7 @@
 #include <kte/contract/number_reader.hpp>
 #include <kte/runtime_chain/static_chain_map.hpp>
 
-/// From plain data into a static chain type.
+/// Converts plain data to a static chain type.
 namespace kte {
 
 namespace detail {

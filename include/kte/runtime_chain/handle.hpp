@@ -4,15 +4,15 @@
 
 namespace kte {
 
-/// Something of a runtime chain, looked up once: `const auto tool = arm.frame("tool")`. Calls take it wherever they
-/// take the name, and check that it is of the chain at hand, or of a copy. A chain to which something is appended, or
-/// whose gravity is changed, has others.
+/// An item of a runtime chain, looked up once: `const auto tool = arm.frame("tool")`. Calls accept it instead of a
+/// name, and check that it belongs to the chain or to a copy. Appending to the chain or changing its gravity
+/// invalidates handles.
 class handle {
  public:
-  /// What it is: a coordinate, a frame, an input, ...
-  kind what() const { return what_; }
+  /// The kind of the item: a coordinate, a frame, an input, ...
+  [[nodiscard]] kind what() const { return what_; }
   /// Its index among items of its kind.
-  int index() const { return index_; }
+  [[nodiscard]] int index() const { return index_; }
 
  private:
   friend class runtime_chain;

@@ -2,9 +2,9 @@
 
 #include <kte/contract/closure.hpp>
 #include <kte/contract/element_numbers.hpp>
+#include <kte/contract/joint_axis.hpp>
 #include <kte/contract/port.hpp>
 #include <kte/contract/record.hpp>
-#include <kte/contract/joint_axis.hpp>
 #include <kte/math/dual_number.hpp>
 
 #include <functional>
@@ -22,7 +22,7 @@ class basic_runtime_state;
 /// The state of a runtime chain in double.
 using runtime_state = basic_runtime_state<double>;
 namespace detail {
-/// In which derivatives go through elements, four directions at a time.
+/// The scalar of derivatives through elements, four directions at a time.
 using derivative_number = dual<double, 4>;
 template <class D>
 class basic_derivative_state;
@@ -30,7 +30,7 @@ using derivative_state = basic_derivative_state<derivative_number>;
 }  // namespace detail
 class topology;
 
-/// A kinetostatic transmission element of a runtime chain: an element, a static chain, or a chain of such.
+/// An element of a runtime chain: a kinetostatic transmission element, a static chain, or a chain.
 class kte_map {
  public:
   virtual ~kte_map() = default;
@@ -44,13 +44,13 @@ class kte_map {
   /// Transmits forces from output frames, and adds its own, to input frames.
   virtual void doForce(runtime_state&) const = 0;
 
-  /// A copy.
+  /// Returns a copy.
   virtual std::unique_ptr<kte_map> clone() const = 0;
-  /// Its gravity, m/s^2, which a chain takes when it is appended. Zero is none.
+  /// Its gravity, m/s^2, which a chain takes over when the part is appended. Zero means none.
   virtual vec3<> gravity() const { return {}; }
-  /// Calls `visit` for every single element in it, in order.
+  /// Calls `visit` for every element in it, in order.
   virtual void for_each_element(const std::function<void(const kte_element&)>& visit) const = 0;
-  /// The first part that records cannot hold, as it is neither an element nor a chain; null if there is none.
+  /// The first part that records cannot hold, because it is neither an element nor a chain; null if there is none.
   virtual const kte_map* unrecorded() const { return this; }
   /// Connects all its elements to a chain; called again if the chain is restored after a failure. Throws `bad_wiring`.
   virtual void connect(topology&) = 0;
@@ -68,7 +68,7 @@ class kte_element : public kte_map {
 
   virtual std::string_view type() const = 0;
   virtual std::span<const port> ports() const = 0;
-  /// The names that its ports are connected to.
+  /// The names at its ports.
   virtual std::span<const std::string> names() const = 0;
   /// Whether it holds functions of the program, which a record cannot hold.
   virtual bool holds_code() const = 0;
@@ -76,15 +76,15 @@ class kte_element : public kte_map {
   virtual double kinetic_energy(runtime_state&) const = 0;
   /// Its potential energy after doMotion, J, without that in gravity.
   virtual double potential_energy(runtime_state&) const = 0;
-  /// The function that goes through zero where its law changes, after doMotion; 1 if it never does.
+  /// The function that passes through zero where its law changes, after doMotion; 1 if it never changes.
   virtual double switching(runtime_state&) const = 0;
   /// Whether its law changes at events.
   virtual bool switches() const = 0;
 
-  /// What it is to the loops over body nodes (tree/body_node.hpp).
+  /// The data of the element for the loops over body nodes (tree/body_node.hpp).
   virtual detail::element_numbers<double> numbers() const = 0;
-  /// For a joint with varying axes: the pose of its end in its base at coordinates q, and its axes with their derivatives
-  /// (contract/varying_joint.hpp).
+  /// For a joint with varying axes: the pose of its end in its base at coordinates q, and its axes with their
+  /// derivatives (contract/varying_joint.hpp).
   virtual pose<mat3<vec3<>>, vec3<>> place_joint(const double* /*q*/, detail::joint_axis<double>* /*axes*/,
                                                  bool /*second*/) const {
     return {};
@@ -114,15 +114,36 @@ class kte_element : public kte_map {
 
   /// The number of rows of a closure (contract/closure.hpp); none for other elements.
   virtual closure_rows rows() const { return {}; }
-  /// The residual (order 0) of a closure of frames, or a derivative of it, for the motion of its second frame in its
-  /// first.
-  virtual void close_frames(const detail::closing_motion<double>&, int /*order*/, double* /*rows*/) const {}
+  /// For a closure of frames: its rows for the motion of its second frame in its first.
+  virtual void close_frames(const detail::closing_motion<double>&, detail::closing, double* /*rows*/) const {}
+  /// The residual, its second derivative and the wrenches of rows for several motions: `all_rows_of_closing` numbers a
+  /// motion.
+  virtual void close_frames(std::span<const detail::closing_motion<double>>, double* /*rows*/) const {}
   /// Whether a closed loop is not at the false solution of a rotation, half a turn off.
   virtual bool is_upright(const detail::closing_motion<double>&) const { return true; }
   /// The residual of a closure of coordinates at q with rates v, its derivatives by the coordinates, and its second
   /// derivative without accelerations.
   virtual std::array<double, 2> close_coordinates(const double* /*q*/, const double* /*v*/,
                                                   double* /*gradient*/) const {
+    return {};
+  }
+  /// The rows of a closure of frames in dual numbers.
+  virtual void close_frames(const detail::closing_motion<detail::derivative_number>&, detail::closing,
+                            detail::derivative_number* /*rows*/) const {}
+  /// The residual and the derivatives of a closure of coordinates in dual numbers.
+  virtual std::array<detail::derivative_number, 2> close_coordinates(const detail::derivative_number* /*q*/,
+                                                                     const detail::derivative_number* /*v*/,
+                                                                     detail::derivative_number* /*gradient*/) const {
+    return {};
+  }
+  /// Parameters of a closure with derivatives (contract/closure_parameters.hpp).
+  virtual std::span<const std::string_view> closure_parameters() const { return {}; }
+  /// The derivative of `close_frames` by a parameter.
+  virtual void frames_by_parameter(int /*parameter*/, const detail::closing_motion<double>&, detail::closing,
+                                   double* /*rows*/) const {}
+  /// The derivative of `close_coordinates` by a parameter.
+  virtual std::array<double, 2> coordinates_by_parameter(int /*parameter*/, const double* /*q*/, const double* /*v*/,
+                                                         double* /*gradient*/) const {
     return {};
   }
 };
@@ -134,7 +155,7 @@ class kte_element : public kte_map {
 }
 
 namespace detail {
-/// What an element says is wrong, with its name.
+/// Throws an error of an element with its name.
 template <class Error>
 [[noreturn, gnu::cold]] void raise_named(const kte_element& e, const Error& why) {
   std::string_view text = why.what();

@@ -1,4 +1,4 @@
 #pragma once
 
-/// The former name of this header.
+/// Former header name; use kte/runtime_chain/runtime_chain.hpp.
 #include <kte/runtime_chain/runtime_chain.hpp>

@@ -8,7 +8,7 @@
 
 namespace kte {
 
-/// The layout of a chain: the places of its coordinates in q and v.
+/// The layout of a chain: the positions of its coordinates in q and v.
 [[nodiscard]] inline std::vector<layout_entry<std::string>> layout(const runtime_chain& c) {
   std::vector<layout_entry<std::string>> table;
   for (const auto& f : c.wiring().free)

@@ -8,14 +8,14 @@
 #include <tuple>
 #include <utility>
 
-/// The passes of one element of a runtime chain in dual numbers, on copies of what it is connected to whose arithmetic
-/// is not inlined (math/out_of_line.hpp).
+/// The passes of one element of a runtime chain in dual numbers, on copies of its connected items whose arithmetic is
+/// not inlined (math/out_of_line.hpp).
 namespace kte::detail {
 
 template <class State>
 using out_of_line_of = out_of_line<typename State::scalar>;
 
-/// Thing i of kind K, without a load unless that is `kept`.
+/// A copy of item i of kind K, without its load unless `kept`.
 template <kind K, class State>
 [[gnu::noinline]] thing_of<K, out_of_line_of<State>> out_of_line_copy(const State& s, int i, bool kept) {
   auto copy = std::bit_cast<thing_of<K, out_of_line_of<State>>>(s.template get<K>(i));
@@ -27,7 +27,7 @@ template <kind K, class State>
   }
   return copy;
 }
-/// Gives back what a copy has for load.
+/// Adds the load of a copy to the item.
 template <kind K, class State>
 [[gnu::noinline]] void add_out_of_line_load(State& s, int i, const thing_of<K, out_of_line_of<State>>& copy) {
   auto& x = s.template get<K>(i);

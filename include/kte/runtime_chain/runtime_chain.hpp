@@ -1,7 +1,7 @@
 #pragma once
 
-/// Runtime chains, with the algorithms of all headers of dynamics that are included, before or after this one
-/// (docs/decisions/13-folders.md).
+/// Runtime chains, with the runtime parts of all included headers of dynamics, whether included before or after this
+/// one (docs/decisions/13-folders.md).
 #include <kte/runtime_chain/chain.hpp>
 
 #define KTE_RUNTIME_CHAINS

@@ -19,7 +19,7 @@ class own_memory {
  public:
   own_memory() = default;
   own_memory(const own_memory&) {}
-  own_memory& operator=(const own_memory&) {
+  own_memory& operator=(const own_memory&) {  // NOLINT(bugprone-unhandled-self-assignment)
     made_.reset();
     return *this;
   }
@@ -40,7 +40,7 @@ class own_memory {
 }  // namespace detail
 
 /// The state of a runtime chain: every coordinate, frame and input by name, and the working memory of the algorithms.
-/// It is a value; a state that was moved from is that of a chain without elements.
+/// It is a value; a moved-from state is that of an empty chain.
 ///
 ///   s.frame_2D("joint").position,  s.coordinate("q").q_ddot,  s.input("motor") = 2.0
 ///
@@ -116,7 +116,7 @@ class basic_runtime_state {
   pose_coord_3D<S>& pose_3D(const name_or_handle& name) { return at<kind::pose_3D>(*this, name); }
   const pose_coord_3D<S>& pose_3D(const name_or_handle& name) const { return at<kind::pose_3D>(*this, name); }
 
-  /// Generalized coordinate number i of those that are degrees of freedom. Throws `bad_argument` for an i out of range.
+  /// Generalized coordinate number i among the degrees of freedom. Throws `bad_argument` for an i out of range.
   gen_coord<S>& coordinate(int i) { return get<kind::gen>(free_coordinate(i)); }
   const gen_coord<S>& coordinate(int i) const { return get<kind::gen>(free_coordinate(i)); }
   /// The number of degrees of freedom.
@@ -139,8 +139,8 @@ class basic_runtime_state {
     detail::check_coordinate(i, static_cast<int>(free_coordinates_.size()));
     return free_coordinates_[static_cast<std::size_t>(i)];
   }
-  /// The wiring of a chain without elements, for states that were moved from: made with the first state, as there may
-  /// be no memory later.
+  /// The wiring of an empty chain, for moved-from states. It is made with the first state, because memory may be
+  /// exhausted later.
   static const std::shared_ptr<const tree_type>& no_tree() {
     static const auto none = std::make_shared<const tree_type>(detail::tree_of<parameter>(topology()));
     return none;
@@ -161,10 +161,11 @@ class basic_runtime_state {
   detail::loop_memory<parameter, S> work;
   detail::own_memory with_derivatives;
   detail::own_memory loops;
-  std::vector<S> before;  ///< q, v, a that a call has replaced, until it is known that it refuses nothing
+  std::vector<S> before;  ///< q, v, a that a call has replaced, until the call can no longer fail
 };
 
-// Not in the class, where they would be inline: of those that are, g++ also compiles what is `extern`.
+// Defined outside the class. Members defined in the class would be inline, and g++ also compiles inline members that
+// are `extern`.
 template <class S>
 basic_runtime_state<S>::basic_runtime_state(shared_topology t)
     : topology_(std::move(t)),

@@ -7,8 +7,7 @@
 
 namespace kte {
 
-/// The wiring of a chain, shared with its states. A change is made on a copy if it is shared. One that was moved from
-/// is that of a chain without elements.
+/// The wiring of a chain, shared with its states (copy on write). A moved-from object is the wiring of an empty chain.
 class shared_topology {
  public:
   shared_topology() : t_(empty()) {}
@@ -22,7 +21,7 @@ class shared_topology {
 
   const topology& operator*() const { return *t_; }
   const topology* operator->() const { return t_.get(); }
-  /// The wiring for a change; a copy if it is shared.
+  /// The wiring for a change; copied first if it is shared.
   topology& edit() {
     if (t_.use_count() > 1) t_ = std::make_shared<topology>(*t_);
     return *t_;

@@ -29,7 +29,7 @@ template <class Gravity, class... E>
   return r;
 }
 
-/// A static chain as one element of a runtime chain: its passes run unrolled, on frames of the runtime chain.
+/// A static chain as one element of a runtime chain. Its passes run unrolled, on items of the runtime state.
 template <class Chain>
 class static_chain_map final : public kte_map {
  public:
@@ -76,7 +76,7 @@ class static_chain_map final : public kte_map {
   }
 
  private:
-  /// The state of the runtime chain under the indices of the static one.
+  /// The state of the runtime chain, accessed by the indices of the static chain.
   struct mapped_state {
     using scalar = runtime_state::scalar;
     runtime_state& s;
@@ -89,7 +89,7 @@ class static_chain_map final : public kte_map {
 
   Chain chain_;
   std::vector<std::unique_ptr<kte_element>> elements_;
-  std::array<std::vector<int>, kinds> index_;  ///< by kind: index in the runtime chain of each thing of the static one
+  std::array<std::vector<int>, kinds> index_;  ///< by kind: index in the runtime chain of each item of the static chain
 };
 
 }  // namespace kte

@@ -30,40 +30,40 @@ class topology {
   /// An item of a chain: a coordinate, frame, signal or internal state, of the kind `what`.
   struct thing {
     kind what{};
-    int index = -1;         ///< among things of its kind; -1: there is none
-    int writer = -1;        ///< the element that writes it, or -1: given from outside
+    int index = -1;         ///< among items of its kind; -1: none
+    int writer = -1;        ///< the element that writes it, or -1: external
     bool declared = false;  ///< written by an element, or declared by base_gen, base_2D, base_3D
-    bool moves = false;     ///< for coordinates: an element moves by it, or it is given
+    bool moves = false;     ///< for coordinates: a joint moves by it, or its motion is prescribed
     explicit operator bool() const { return index >= 0; }
   };
   /// An `element` and its connections.
   struct connection {
     const kte_element* element = nullptr;
-    std::vector<int> index;         ///< of what each port is connected to
+    std::vector<int> index;         ///< index of the item at each port
     std::string_view type;          ///< of the element
     std::span<const port> ports;    ///< of the element
     bool rigid = false;             ///< whether it is a joint or a link
     bool distributed_mass = false;  ///< whether it has a mass between several ports
-    bool load = false;              ///< whether it is a load from outside
+    bool load = false;              ///< whether it is an external load
     bool closes = false;            ///< whether it closes a loop
     bool starts_in_place = false;   ///< whether its internal states follow from the position at the start of a motion
   };
 
-  std::array<std::vector<std::string>, kinds> names;  ///< of all things, by kind
+  std::array<std::vector<std::string>, kinds> names;  ///< names of all items, by kind
   std::vector<detail::freedom> free;                  ///< the coordinates that are degrees of freedom, in order
-  int nq = 0, nv = 0;                                 ///< numbers of a configuration; degrees of freedom
-  std::vector<std::size_t> quaternions;               ///< places of a configuration where one begins
+  int nq = 0, nv = 0;                                 ///< size of a configuration; number of degrees of freedom
+  std::vector<std::size_t> quaternions;               ///< positions of quaternions in a configuration
   std::vector<detail::outside_signal> signals;        ///< signals that no element writes, in order
-  int nu = 0;                                         ///< their numbers
+  int nu = 0;                                         ///< their total size
   std::vector<connection> elements;                   ///< in order
-  bool has_derivatives = true;                        ///< of all forces on coordinates alone
-  std::vector<int> keepers;                           ///< the elements that keep the internal states, in their order
-  std::array<std::vector<int>, kinds> writers;        ///< of all things, by kind: an element, or -1
+  bool has_derivatives = true;                        ///< whether all forces on coordinates alone have derivatives
+  std::vector<int> keepers;                           ///< the elements with internal states, in order
+  std::array<std::vector<int>, kinds> writers;        ///< for all items, by kind: an element, or -1
 
   /// Identity of the layout: equal for copies of a chain, new for every appended element.
   std::shared_ptr<const char> layout = std::make_shared<char>();
 
-  /// Connects an element. Throws `bad_wiring` and then has changed nothing; if memory runs out, call `cut`.
+  /// Connects an element. Throws `bad_wiring` without changes; if memory runs out, call `cut`.
   void connect(const kte_element* e, std::string_view type, std::span<const port> ports,
                std::span<const std::string> to);
   /// Sizes of all lists, for `cut`: names, free, quaternions, signals, elements, keepers, row, nq, nv, nu,
@@ -79,7 +79,7 @@ class topology {
   extent size() const;
   /// Removes the elements connected since these sizes, including a partly connected one. Allocates nothing.
   void cut(const extent& before) noexcept;
-  /// Throws `bad_wiring`, naming the element, if a coordinate has forces but nothing moves by it.
+  /// Throws `bad_wiring`, naming the element, if forces act on a coordinate by which nothing moves.
   void check_complete() const;
   /// An element in a message: "revolute_joint_3D (coordinate 'q', base 'a', end 'b')".
   std::string describe(const connection& c) const;
@@ -93,8 +93,8 @@ class topology {
                          detail::text_with_article(x[1].what) + ": which of them is meant?");
     return (x[0] ? x[0] : x[1]).what;
   }
-  /// The kind of the item with this name: a frame, or something else if `frame` is false; if there is only one of them,
-  /// that.
+  /// The kind of the item with this name: a frame, or something else if `frame` is false. If only one of them exists,
+  /// its kind.
   kind kind_of(std::string_view name, bool frame) const {
     const auto& x = named(name);
     return (x[frame] ? x[frame] : x[!frame]).what;
@@ -102,7 +102,7 @@ class topology {
   /// Kind and index of a frame; throws `unknown_name`.
   std::pair<kind, int> frame(std::string_view name) const {
     const thing& x = named(name)[1];
-    if (!x) return {kind::frame_3D, find(name, kind::frame_3D)};  // which says what it is
+    if (!x) return {kind::frame_3D, find(name, kind::frame_3D)};  // throws, naming the kind of the item
     return {x.what, x.index};
   }
   /// Index of a name; throws `unknown_name`.
@@ -123,14 +123,14 @@ class topology {
   void check(std::string_view type, std::span<const port> ports, std::span<const std::string> to) const;
   int add(const port& x, const std::string& name);
   static std::string text(kind k) { return std::string(to_string(k)); }
-  /// What a misspelt name may have meant (contract/nearest_name.hpp).
+  /// A suggestion for a misspelt name (contract/nearest_name.hpp).
   std::string instead(std::string_view name, kind k) const {
     const auto& known = names[static_cast<std::size_t>(k)];
     return detail::did_you_mean(name, known) + " (" + detail::list_of_names(known) + ")";
   }
   std::string did_you_mean(std::string_view name) const;
 
-  /// The items of a name: a frame at 1, another item at 0; one look-up finds both.
+  /// The items with a name: index 1 a frame, index 0 another item; one look-up finds both.
   using namesakes = std::array<thing, 2>;
   const namesakes& named(std::string_view name) const {
     const auto it = things_.find(name);
@@ -144,7 +144,7 @@ class topology {
   };
   std::unordered_map<std::string, namesakes, hash_of_text, std::equal_to<>> things_;
   bool base_known_ = false;
-  std::size_t row_ = 0;  ///< where the last row of generalized coordinates begins in `free`
+  std::size_t row_ = 0;  ///< first index of the last row of generalized coordinates in `free`
 };
 
 #ifdef KTE_FUNCTION
@@ -219,7 +219,7 @@ KTE_FUNCTION std::string topology::did_you_mean(std::string_view name) const {
 KTE_FUNCTION void topology::check(std::string_view type, std::span<const port> ports,
                                   std::span<const std::string> to) const {
   const auto refuse = [&](const std::string& why) { fail(type, ports, to, why); };
-  // The element that reads an item only this element writes is reported.
+  // Names the element that reads an item before this element writes it.
   const auto diagnose_reader = [&](const port& writes, const std::string& name) {
     const auto it = things_.find(name);
     const thing known = it == things_.end() ? thing{} : it->second[is_frame(writes.what)];
@@ -261,7 +261,8 @@ KTE_FUNCTION void topology::check(std::string_view type, std::span<const port> p
       case detail::problem::unknown:
         if (x.what == kind::internal)
           refuse("it reads the internal state '" + name + "', which no element before it keeps");
-        for (std::size_t q = p + 1; q < ports.size(); ++q) diagnose_reader(ports[q], to[q]);  // taken for the base
+        for (std::size_t q = p + 1; q < ports.size(); ++q)
+          diagnose_reader(ports[q], to[q]);  // it was taken for the base
         if (of_name != things_.end())
           refuse("'" + name + "' is " + detail::text_with_article(of_name->second[0].what) + ", not " +
                  detail::text_with_article(x.what) + ", and no element before it writes a frame of this name");

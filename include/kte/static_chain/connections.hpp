@@ -8,7 +8,7 @@
 #include <span>
 #include <utility>
 
-/// A static chain as `arrange` (tree/plan.hpp) and `dependencies_of` see it.
+/// A static chain in the form that `arrange` (tree/plan.hpp) and `dependencies_of` read.
 namespace kte::detail {
 
 template <class Chain, std::size_t I>
@@ -22,7 +22,7 @@ struct connections_of {
   };
   static constexpr std::size_t size = sizeof...(Core);
   std::array<element, size> all{
-      {{std::span<const port>(Core::ports), is_transmission<Core>, detail::distributed_mass<Core>}...}};
+      {{std::span<const port>(Core::ports), is_transmission<Core>, kte::distributed_mass<Core>}...}};
 
   constexpr std::size_t elements() const { return size; }
   constexpr std::span<const port> ports(std::size_t e) const { return all[e].ports; }
@@ -45,16 +45,16 @@ template <class Chain>
 using static_connections = typename connections_in<Chain>::type;
 template <class Wiring>
 struct static_lists {
-  /// Rows are two a port at most: none has more than six, of three ports.
+  /// There are at most two rows per port, because elements have at most six rows for three ports.
   template <class T>
   using list = short_list<T, 2 * Wiring::ports + 2>;
 };
 
-/// Whether an element writes a signal, or a frame without being a joint or link.
+/// Whether an element writes a signal, or writes a frame without being a joint or link.
 template <class Core>
 inline constexpr bool writes_freely = Core::ports.back().how == access::out && !is_transmission<Core> &&
                                       !is_coordinate(Core::ports.back().what);
-/// Whether an element writes a coordinate in another way than from one other.
+/// Whether an element writes a coordinate that is not a function of exactly one other.
 template <class Core>
 inline constexpr bool follows_freely = Core::ports.back().how == access::out&& is_coordinate(Core::ports.back().what) &&
                                        (port_count<Core> != 2 || Core::ports[0].what != kind::gen);
@@ -62,7 +62,7 @@ inline constexpr bool follows_freely = Core::ports.back().how == access::out&& i
 /// The connections of the elements of a chain.
 template <class Wiring, class... Core>
 struct shapes_of {
-  /// By element: whether it writes freely, and forces depend on it.
+  /// For each element: whether it writes freely and forces depend on it.
   static constexpr auto acts_freely = [] {
     std::array<bool, sizeof...(Core) + 1> x{};
     if constexpr ((writes_freely<Core> || ...)) {
@@ -72,17 +72,17 @@ struct shapes_of {
     }
     return x;
   }();
-  /// Whether some force reads positions, rotations or velocities of frames.
+  /// Whether a force reads positions, rotations or velocities of frames.
   static constexpr bool reads_positions = [] {
-    const bool reads[]{detail::reads_positions<Core>..., false}, freely[]{writes_freely<Core>..., false};
+    const bool reads[]{kte::reads_positions<Core>..., false}, freely[]{writes_freely<Core>..., false};
     for (std::size_t e = 0; e < sizeof...(Core); ++e)
       if (freely[e] ? acts_freely[e] : reads[e]) return true;
     return false;
   }();
-  /// Whether there is nothing in the chain that only the loops over body nodes know.
+  /// Whether no part of the chain requires the loops over body nodes.
   static constexpr bool common = [] {
-    const bool rare[]{(follows_freely<Core> || detail::distributed_mass<Core> || load_dependent_friction<Core> ||
-                       locks_coordinate<Core> || varying_axes<Core>)...,
+    const bool rare[]{(follows_freely<Core> || kte::distributed_mass<Core> || kte::load_dependent_friction<Core> ||
+                       kte::locks_coordinate<Core> || is_closure<Core> || kte::varying_axes<Core>)...,
                       false};
     for (std::size_t e = 0; e < sizeof...(Core); ++e)
       if (rare[e] || acts_freely[e]) return false;

@@ -5,10 +5,11 @@
 #include <type_traits>
 #include <utility>
 
-/// What calculations with a static chain keep for the next ones, where making it takes as long as they do.
+/// States that calculations with a static chain keep for the next call, because making them takes as long as the
+/// calculation.
 namespace kte::detail {
 
-/// Of chains that keep nothing: a state for each calculation.
+/// For chains that keep nothing: a new state for each calculation.
 template <bool Keeps>
 class kept_states {
  public:
@@ -18,8 +19,8 @@ class kept_states {
   }
 };
 
-/// A state that something keeps. All of them are in one list: constants are never destroyed (their destruction is
-/// `constexpr`, and left out), so what they kept goes when something else keeps a state at the same address.
+/// A kept state. All kept states are in one list. Constants are never destroyed (their destructor is `constexpr` and
+/// skipped), so their states are released when another object keeps a state at the same address.
 struct kept_state {
   kept_state(const void* k, const void* o) : kind(k), owner(o) {}
   kept_state(const kept_state&) = delete;
@@ -27,10 +28,10 @@ struct kept_state {
   virtual ~kept_state() = default;
   const void* const kind;
   const void* const owner;
-  kept_state* next = nullptr;  ///< of this owner
+  kept_state* next = nullptr;  ///< of the same owner
   kept_state* next_of_all = nullptr;
 
-  /// `first`: of what its owner keeps; nothing, if the owner is new.
+  /// `first`: the list of the owner; empty for a new owner.
   static void add(kept_state* x, std::atomic<kept_state*>& first) {
     const lock here;
     if (!first.load()) drop_all_of(x->owner);
@@ -68,8 +69,8 @@ struct kept_state {
   static inline kept_state* all = nullptr;
 };
 
-/// One state of each type, lent to one calculation at a time; to others, copies of it. May be used by several threads.
-/// What a chain keeps is never copied with it.
+/// One state of each type, lent to one calculation at a time; concurrent calculations get copies. Thread-safe. Copying
+/// a chain does not copy its kept states.
 template <>
 class kept_states<true> {
   using node = kept_state;
@@ -93,7 +94,7 @@ class kept_states<true> {
     loan(const loan&) = delete;
     loan& operator=(const loan&) = delete;
     ~loan() { const std::unique_ptr<State> another(from_.spare.exchange(state_.release())); }
-    operator State&() { return *state_; }
+    operator State&() { return *state_; }  // NOLINT(google-explicit-constructor)
 
    private:
     node_of<State>& from_;
@@ -119,7 +120,7 @@ class kept_states<true> {
   }
 
  private:
-  /// Nothing is kept by constants.
+  /// Constants keep nothing.
   constexpr void clear() {
     if (std::is_constant_evaluated()) return;
     if (first_.exchange(nullptr)) node::remove(this);

@@ -4,7 +4,7 @@
 
 #include <ostream>
 
-/// Where the coordinates of a chain stand in its vectors.
+/// The positions of the coordinates of a chain in its vectors q and v.
 namespace kte {
 
 /// The coordinate `name` of the kind `what`: q[q .. q + nq) of a configuration, v[v .. v + nv) of velocities,
@@ -27,7 +27,7 @@ struct layout_entry {
 };
 
 namespace detail {
-/// What every port of a chain is connected to, one after the other.
+/// The names at all ports of a chain, in order.
 template <class Wiring, class... E>
 constexpr auto names_at_ports() {
   std::array<std::string_view, Wiring::ports + 1> names{};
@@ -62,7 +62,7 @@ template <class Gravity, class... E>
   return table;
 }
 
-/// A line for every coordinate: "trunk  3D pose  q[0..6]  v[0..5]".
+/// One line per coordinate: "trunk  3D pose  q[0..6]  v[0..5]".
 template <class Table>
 requires requires { Table::value_type::nq; }
 std::ostream& print(std::ostream& out, const Table& table) {

@@ -18,7 +18,7 @@ constexpr void check_coordinate(int i, int count) {
 }  // namespace detail
 
 /// The state of a static chain: every coordinate, frame, input and internal state, by key. It is a value that passes
-/// change; the chain is constant. `dofs`: the number of degrees of freedom, `nq`: of numbers of q.
+/// change, while the chain is constant. `dofs`: the number of degrees of freedom; `nq`: the size of q.
 ///
 ///   s[joint].position,  s[q].q_ddot,  s[motor] = 2.0
 template <class Scalar, class Wiring>
@@ -38,7 +38,7 @@ class chain_state {
     return at(*this, Key{});
   }
 
-  /// A compile error with an explanation. The result only avoids further errors.
+  /// A compile error with an explanation. The return value only avoids follow-up errors.
   template <text_type Text>
   constexpr auto& operator[](const Text&) const {
     static_assert(detail::fit<Text>,
@@ -68,7 +68,7 @@ class chain_state {
   static constexpr auto& at(Self& s, Key) {
     constexpr int i = Wiring::template find<Key>();
     if constexpr (i < 0 && Wiring::elements == 0) {
-      return no_thing();  // an element was rejected, with its own message
+      return no_thing();  // the element was rejected with its own message
     } else {
       static_assert(i >= 0, "kte: this chain has nothing of this name");
       return s.template get<Key::what>(i < 0 ? 0 : i);

@@ -11,10 +11,10 @@
 #include <boost/hana/tuple.hpp>
 #include <boost/hana/unpack.hpp>
 
-/// Up to how many elements algorithms whose code grows faster than their number are unrolled: mass matrix, articulated
-/// bodies, derivatives. Passes and inverse dynamics are up to three times as many. Beyond that passes have a function
-/// for each type of element core, and algorithms are loops (dynamics/looped/static_chains.hpp). Like other options, the
-/// same in all units of a program.
+/// The largest number of elements for which algorithms with superlinear code size are unrolled: mass matrix,
+/// articulated bodies, derivatives. Passes and inverse dynamics are unrolled up to three times this number. Beyond it,
+/// passes have one function per type of element core, and algorithms are loops (dynamics/looped/static_chains.hpp).
+/// Like other options it must be equal in all units of a program.
 #if !defined(KTE_UNROLLED_ELEMENTS)
 #  define KTE_UNROLLED_ELEMENTS 48
 #endif
@@ -29,7 +29,7 @@ inline constexpr bool unrolls_all = Elements <= KTE_UNROLLED_ELEMENTS;
 }  // namespace detail
 
 /// A mechanism as a type: elements in order, connected by their keys, with a gravity. Build it with `kte::chain`.
-/// Immutable: constexpr where its numbers are, free to copy, safe to share between threads.
+/// Immutable; constexpr if its numbers are; can be copied, and shared between threads.
 ///
 /// Passes on a state (made by `make_state`):
 ///   doMotion    motion of all frames, front to back
@@ -43,14 +43,14 @@ class static_chain {
   using wiring = detail::wiring<E...>;
   /// The number of elements.
   static constexpr std::size_t size = sizeof...(E);
-  /// The number of degrees of freedom: of numbers of v, a, tau (their order: static_chain/layout.hpp).
+  /// The number of degrees of freedom: the size of v, a, tau (order: static_chain/layout.hpp).
   static constexpr int dofs = wiring::dofs;
-  /// The number of numbers of a configuration q: more than `dofs` where a coordinate is a rotation in space.
+  /// The size of a configuration q; larger than `dofs` if a coordinate is a rotation in space.
   static constexpr int nq = wiring::nq;
-  /// Whether forces of an element depend on positions, rotations or linear velocities of frames. Its core declares it
-  /// by `static constexpr bool reads_positions = true`. The fused algorithms compute them only then.
+  /// Whether forces of an element depend on positions, rotations or linear velocities of frames. The element core
+  /// declares this by `static constexpr bool reads_positions = true`. The fused algorithms compute them only then.
   static constexpr bool reads_positions = shapes::reads_positions;
-  /// Whether it has nothing that only the loops over body nodes know; whether all algorithms are unrolled for it.
+  /// Whether all algorithms can be unrolled for it; otherwise some need the loops over body nodes.
   static constexpr bool common = shapes::common;
   /// Whether algorithms are unrolled for this chain.
   static constexpr bool unrolled = detail::unrolls_all<size> && common;
@@ -74,10 +74,10 @@ class static_chain {
     backward([](const auto& x) { x.force(inputs_of(x)); }, s, std::index_sequence_for<E...>{});
   }
 
-  /// The signals that elements write (measures, controls), in their order, computed by the last doMotion; a signal of
-  /// three numbers is three numbers.
+  /// The signals that elements write (measures, controls), in order, computed by the last doMotion. A vector signal
+  /// contributes three numbers.
   template <class State>
-  constexpr auto outputs(const State& s) const {
+  [[nodiscard]] constexpr auto outputs(const State& s) const {
     check<State>();
     constexpr std::size_t n = (output_numbers<typename E::core_type> + ... + 0);
     std::array<typename State::scalar, n> y{};
@@ -104,19 +104,19 @@ class static_chain {
   /// A copy of the chain with gravity, m/s^2, in the axes of the base: `.gravity(along_z(-9.81))`. Gravity acts as the
   /// opposite acceleration of the base. Throws `bad_parameter` if it is not finite.
   template <class X, class Y, class Z>
-  constexpr auto gravity(const vec3<X, Y, Z>& g) const {
+  [[nodiscard]] constexpr auto gravity(const vec3<X, Y, Z>& g) const {
     detail::check_gravity(g);
     return static_chain<vec3<X, Y, Z>, E...>(elements_, g);
   }
   /// A copy of the chain with gravity, m/s^2: `.gravity({0, 0, -9.81})`.
-  constexpr auto gravity(const vec3<>& g) const { return gravity<double, double, double>(g); }
+  [[nodiscard]] constexpr auto gravity(const vec3<>& g) const { return gravity<double, double, double>(g); }
   template <class Number>
-  constexpr const static_chain& gravity(const Number&) const {
+  [[nodiscard]] constexpr const static_chain& gravity(const Number&) const {
     static_assert(detail::fit<Number>,
                   "kte: gravity is a vector in the axes of the base, m/s^2: .gravity(kte::along_z(-9.81))");
     return *this;
   }
-  constexpr const Gravity& gravity() const { return gravity_; }
+  [[nodiscard]] constexpr const Gravity& gravity() const { return gravity_; }
 
   /// All elements, in order.
   constexpr const boost::hana::tuple<E...>& elements() const { return elements_; }
@@ -195,11 +195,11 @@ template <class Core, class... Keys>
 constexpr auto as_elements(const element<Core, Keys...>& e) {
   return boost::hana::tuple<element<Core, Keys...>>(e);
 }
-/// Whether something can be part of a static chain.
+/// Checks that an argument can be part of a static chain.
 template <class E>
 struct check_part {
   static constexpr bool passed = requires(const E& e) { as_elements(e); };
-  static_assert(passed, "kte: a static chain is made of elements and of static chains, and this is neither");
+  static_assert(passed, "kte: a static chain consists of elements and static chains; this argument is neither");
 };
 template <>
 struct check_part<refused> {
@@ -211,7 +211,7 @@ struct check_part<named_element<Core>> {
                 "kte: a static chain is connected by keys; texts are for runtime chains: kte::runtime_chain");
   static constexpr bool passed = false;
 };
-/// A part's gravity, as a tuple of it or of nothing.
+/// The gravity of a part, as a tuple with it or an empty tuple.
 template <class Core, class... Keys>
 constexpr boost::hana::tuple<> gravities_of(const element<Core, Keys...>&) {
   return {};
@@ -248,7 +248,7 @@ inline constexpr auto make_chain = [](const auto&... e) {
 template <class... E>
 [[nodiscard]] constexpr auto chain(const E&... e) {
   constexpr bool flat = [] {
-    for (const bool single : {detail::is_element<E>..., true})  // no fold: clang limits those to 256
+    for (const bool single : {detail::is_element<E>..., true})  // not a fold, because clang limits those to 256
       if (!single) return false;
     return true;
   }();
@@ -282,7 +282,7 @@ template <class Scalar = double, class Gravity, class... E>
     if (wiring::writer(kind::frame_3D, i) < 0) s.template get<kind::frame_3D>(i).acceleration = up;
   return s;
 }
-/// The degrees of freedom of a chain: numbers of v, a, tau.
+/// The number of degrees of freedom of a chain: the size of v, a, tau.
 template <class Gravity, class... E>
 [[nodiscard]] constexpr int dofs(const static_chain<Gravity, E...>&) {
   return static_chain<Gravity, E...>::dofs;

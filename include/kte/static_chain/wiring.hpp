@@ -8,11 +8,11 @@
 #include <bit>
 #include <tuple>
 
-/// Who is connected to what, worked out once per chain at compile time. The one file of this library with bookkeeping
-/// in it: everything else asks its table.
+/// The connections of a chain, resolved once at compile time. This file contains all bookkeeping; all others read its
+/// table.
 namespace kte::detail {
 
-/// One port of one element, with the name it is connected to as a number.
+/// One port of one element, with its name as a number.
 struct port_use {
   kind what{};
   access how{};
@@ -20,15 +20,16 @@ struct port_use {
   std::uint64_t text{};  ///< the same number is the same text
 };
 
-/// The result. P ports and E elements are counted over the whole chain.
-///   slot[p]       index of what port p is connected to, among things of its kind
-///   count[k]      how many things of kind k there are
-///   writer[k][s]  the element that writes thing s of kind k, or -1 if it is given from outside
-///   free          the coordinates that are degrees of freedom, in order of first appearance; of each kind they are
-///                 the first things. nq and nv numbers altogether
-///   signal        the signals that come from outside, nu numbers altogether
-///   reader[k][s]  the last port through which a load comes on thing s of kind k, or -1; previous[p] is the one before
-///   element[p], load[p]   the element of port p, and the place of its load among the loads of that element
+/// The result. P ports and E elements are counted over the whole chain. A thing is a coordinate, frame, signal or
+/// internal state.
+///   slot[p]       index of the thing at port p, among things of its kind
+///   count[k]      number of things of kind k
+///   writer[k][s]  the element that writes thing s of kind k, or -1 if it is external
+///   free          the coordinates that are degrees of freedom, in order of first appearance; they come first among
+///                 the things of their kind. nq and nv: sizes of q and v
+///   signal        the external signals; nu: their total size
+///   reader[k][s]  the last port through which a load acts on thing s of kind k, or -1; previous[p] is the one before
+///   element[p], load[p]   the element of port p, and the index of its load among the loads of that element
 template <std::size_t P, std::size_t E>
 struct wiring_table {
   std::array<int, P + 1> slot{};
@@ -38,12 +39,12 @@ struct wiring_table {
   std::array<std::array<std::uint64_t, P + 1>, kinds> key{};
   std::array<std::array<int, P + 1>, kinds> reader{};
   std::array<int, P + 1> previous{}, element{}, load{};
-  std::array<bool, P + 1> angle{};  ///< by generalized coordinate: an element wants its sine and cosine
+  std::array<bool, P + 1> angle{};  ///< for generalized coordinates: whether an element needs sine and cosine
   std::array<freedom, P + 1> free{};
   int freedoms{}, nq{}, nv{};
-  std::array<outside_signal, P + 1> signal{};  ///< those that no element writes, in order of first appearance
+  std::array<outside_signal, P + 1> signal{};  ///< external signals, in order of first appearance
   int signals{}, nu{};
-  problem error = problem::none;  ///< the first one; of element bad_element, about its port bad_port
+  problem error = problem::none;  ///< the first error: of element bad_element, at its port bad_port
   std::size_t bad_element = E;
   std::size_t bad_port{};
 };
@@ -63,7 +64,7 @@ constexpr auto resolve(const std::array<port_use, P + 1>& use, const std::array<
   };
   for (std::size_t e = 0; e < E; ++e)
     for (int p = first[e]; p < first[e + 1]; ++p) element[p] = static_cast<int>(e);
-  // Equal texts find each other in a hash table: comparing all with all is too much for compilers beyond 200 elements.
+  // Equal texts are found by a hash table; pairwise comparison is too slow for compilers beyond 200 elements.
   constexpr std::size_t buckets = std::bit_ceil(2 * P + 2);
   std::array<int, buckets> bucket{};  // a first port plus one, or 0
   for (int p = 0; p < n; ++p) {
@@ -72,7 +73,8 @@ constexpr auto resolve(const std::array<port_use, P + 1>& use, const std::array<
     if (bucket[b] == 0) bucket[b] = p + 1;
     name[p] = bucket[b] - 1;
   }
-  // The rules, port by port. A name is known by its first port; a port that reads it before it is written is at fault.
+  // Checks the rules, port by port. The first port identifies a name. A port that reads a name before it is written is
+  // at fault.
   std::array<bool, P + 1> moves{};
   for (int p = 0; p < n; ++p) writer[p] = -1;
   const auto written_later = [&](int p) {
@@ -87,7 +89,7 @@ constexpr auto resolve(const std::array<port_use, P + 1>& use, const std::array<
     problem broken = rules.broken_by(use[p].what, use[p].how, {before < p, same, writer[before] >= 0});
     int reader = before;
     if (broken == problem::unknown && written_later(p)) broken = problem::read_before_written;
-    if (broken == problem::unknown)  // what was taken for the base may be what this element writes
+    if (broken == problem::unknown)  // this element may write what was taken for the base
       for (int q = p + 1; q < first[static_cast<std::size_t>(element[p]) + 1]; ++q)
         if (port::declares(use[q].how) && use[name[q]].what == use[q].what && name[q] < first[element[p]] &&
             writer[name[q]] < 0)
@@ -98,7 +100,7 @@ constexpr auto resolve(const std::array<port_use, P + 1>& use, const std::array<
   }
   for (int p = 0; p < n; ++p)
     if (is_coordinate(use[p].what) && writer[name[p]] < 0 && !moves[name[p]]) report(p, problem::moves_nothing);
-  // slots: coordinates that are degrees of freedom first, the rest in order of appearance
+  // Slots: degrees of freedom first, then other coordinates in order of appearance.
   for (int round = 0; round < 2; ++round)
     for (int p = 0; p < n; ++p) {
       if (name[p] != p) continue;
@@ -180,7 +182,7 @@ struct wiring {
     return resolve<ports, elements>(all, first);
   }();
 
-  /// Kind and index of what port `port` of element e is connected to.
+  /// Kind and index of the thing at port `port` of element e.
   static constexpr kind what(std::size_t e, std::size_t port) {
     return table.what[static_cast<std::size_t>(first[e]) + port];
   }
@@ -191,13 +193,13 @@ struct wiring {
   static constexpr int writer(kind k, int s) {
     return table.writer[static_cast<std::size_t>(k)][static_cast<std::size_t>(s)];
   }
-  /// Degrees of freedom, and numbers of a configuration.
+  /// The number of degrees of freedom, and the size of a configuration.
   static constexpr int dofs = table.nv;
   static constexpr int nq = table.nq;
   static constexpr std::size_t freedoms = static_cast<std::size_t>(table.freedoms);
   template <std::size_t I>
   static constexpr freedom free = table.free[I];
-  /// Of thing s of kind k; at.what is `input` if it is no degree of freedom.
+  /// The freedom of thing s of kind k; at.what is `input` if it is not a degree of freedom.
   static constexpr freedom freedom_of(kind k, int s) {
     for (std::size_t i = 0; i < freedoms; ++i)
       if (table.free[i].what == k && table.free[i].slot == s) return table.free[i];
@@ -207,14 +209,14 @@ struct wiring {
   static constexpr freedom at = freedom_of(K, Slot);
   template <kind K, int Slot>
   static constexpr bool is_free = at<K, Slot>.what == K&& is_coordinate(K);
-  /// Numbers of the input u; where that of a signal begins there. -1: an element writes it, or it is the time.
+  /// The size of u, and the first index of a signal in it; -1: an element writes it, or it is the time.
   static constexpr int nu = table.nu;
   static constexpr int input_place(kind k, int s) {
     for (int i = 0; i < table.signals; ++i)
       if (const auto& x = table.signal[static_cast<std::size_t>(i)]; x.what == k && x.slot == s) return x.u;
     return -1;
   }
-  /// Generalized coordinates that are degrees of freedom.
+  /// The number of generalized coordinates that are degrees of freedom.
   static constexpr int gen_dofs = [] {
     int n = 0;
     for (std::size_t i = 0; i < freedoms; ++i) n += table.free[i].what == kind::gen;
@@ -232,7 +234,7 @@ struct wiring {
   }
 };
 
-/// The rules of wiring for the first problem of a chain, if it has one: an element, and the name in question.
+/// The first wiring error of a chain, if any: the element, and the name in question.
 template <class Wiring, bool Bad, class... E>
 struct problem_of {
   using type = check_wiring<void, problem::none, void>;
@@ -244,7 +246,7 @@ struct problem_of<Wiring, true, E...> {
   static constexpr auto& table = Wiring::table;
   using bad = element_type<table.bad_element>;
   using key = key_of<bad, table.bad_port>;
-  /// Where else the chain has a key of this kind that may be meant, or `ports`.
+  /// The port with a similar key of this kind, which may be the intended one; `ports` if there is none.
   static constexpr std::size_t meant = [] {
     std::array<std::string_view, Wiring::ports> names{};
     std::size_t p = 0;
@@ -253,7 +255,7 @@ struct problem_of<Wiring, true, E...> {
     };
     (put(static_cast<const E*>(nullptr)), ...);
     constexpr bool asks = (table.error == problem::unknown || table.error == problem::moves_nothing) &&
-                          Wiring::ports < 200;  // beyond, clang gives up
+                          Wiring::ports < 200;  // clang fails beyond that
     return asks ? nearest_name(key::name, names) : names.size();
   }();
   template <std::size_t P, class Written>

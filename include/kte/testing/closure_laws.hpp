@@ -3,18 +3,18 @@
 #include <kte/contract/closure.hpp>
 #include <kte/testing/element_laws.hpp>
 
-/// Laws of closures of frames, yours too, as those of testing/element_laws.hpp. With `loads_are_opposite` of there,
-/// these are all that a closure has to keep.
+/// Laws of closures of frames, for closures of kte and of users, like those of testing/element_laws.hpp. Together with
+/// `loads_are_opposite` they are complete.
 namespace kte::testing {
 
 namespace detail {
-/// The rows that `rows(core, motion of frame2 in frame1)` gives, in numbers.
+/// The results of `rows(core, motion of frame2 in frame1)` as numbers.
 template <class S, class Core, class Rows>
 auto rows_of(trial<S, Core>& x, const Rows& rows) {
   const auto m = kte::detail::as_closing_motion<S>(relative(spatial(x.template at<0>()), spatial(x.template at<1>())));
   return kte::detail::rows_in_numbers<S>(rows(m));
 }
-/// Its residuals along the motion of both frames, derived.
+/// The derivatives of its residuals along the motion of both frames.
 template <class S, class Core>
 auto derived_residuals(trial<S, Core>& x, const Core& core) {
   return derivatives<S>([&](const S& t) {
@@ -41,7 +41,7 @@ S residual_ddot_is_derivative(const Element& e, Draw&& draw) {
     return detail::difference<S, given.size()>(detail::derived_residuals(x, e.core).second, given);
   });
 }
-/// The power of its loads is the sum of its forces times `residual_dot`: none where the loop stays closed.
+/// The power of its loads is the sum of its forces times `residual_dot`, and zero while the loop is closed.
 template <class S, class Element, class Draw>
 S loop_does_no_work(const Element& e, Draw&& draw) {
   return detail::worst_of_many<S>(e.core, draw, [&e](auto& x) {

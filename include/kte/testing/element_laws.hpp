@@ -3,21 +3,21 @@
 #include <kte/testing/detail/numeric.hpp>
 #include <kte/testing/detail/trial.hpp>
 
-/// Laws of mechanics that elements obey: yours too, if you test it by these. Each function tries one law on random
-/// motions and returns the largest violation, relative to the numbers in it; NaN if a number was none. They need no
-/// test framework:
+/// Laws of mechanics for elements of kte and of users. Each function tries one law on random motions and returns the
+/// largest violation, relative to the numbers in it; NaN if a number was NaN. No test framework is needed:
 ///
 ///   std::mt19937 engine;
 ///   const auto draw = [&] { return engine() * 0x1p-31 - 1; };                       // numbers in [-1, 1)
 ///   assert(kte::testing::power_is_kept<double>(my_joint("q", "base", "end"), draw) < 1e-14);
 ///
-/// S is the scalar. Laws with a derivative hold to some 10 eps^(2/3), which is 4e-10 for double, the others to a few
-/// eps. In S of many digits they hold to as many, if the element's parameters have them (a rotation is one only to its
-/// last digit). Laws of whole chains are in testing/file_round_trip.hpp and testing/static_is_runtime.hpp.
+/// S is the scalar. Laws with a derivative hold to about 10 eps^(2/3), which is 4e-10 for double, the others to a few
+/// eps. They hold to all digits of a multiprecision S if the parameters of the element have them (a rotation is
+/// orthonormal only to its last digit). Laws of whole chains are in testing/file_round_trip.hpp and
+/// testing/static_is_runtime.hpp.
 namespace kte::testing {
 
 namespace detail {
-/// The worst of 20 tries.
+/// The largest violation in 20 tries.
 template <class S, class Core, class Draw, class Violation>
 S worst_of_many(const Core& core, Draw& draw, const Violation& violation) {
   S worst(0);
@@ -49,7 +49,7 @@ void accelerate_randomly(T& thing, Draw& draw) {
                              [&draw](auto& a) { a = std::remove_cvref_t<decltype(a)>(draw()); });
   }
 }
-/// By port, nothing on signals.
+/// The loads by port; none on signals.
 template <class S, class Core>
 std::array<std::array<S, 6>, port_count<Core>> loads_of(trial<S, Core>& x) {
   std::array<std::array<S, 6>, port_count<Core>> all{};
@@ -60,7 +60,7 @@ std::array<std::array<S, 6>, port_count<Core>> loads_of(trial<S, Core>& x) {
   });
   return all;
 }
-/// Of doForce, less those that it puts without accelerations.
+/// The loads of doForce, minus those without accelerations.
 template <class S, class Core>
 auto loads_by_accelerations(trial<S, Core> x) {
   auto resting = x;
@@ -72,7 +72,7 @@ auto loads_by_accelerations(trial<S, Core> x) {
     for (std::size_t i = 0; i < 6; ++i) loads[p][i] = loads[p][i] - others[p][i];
   return loads;
 }
-/// The power of the loads of x, were its velocities the accelerations of y, and the same of sizes.
+/// The virtual power of the loads of x on the accelerations of y, and the sum of the absolute values of its terms.
 template <class S, class Core>
 std::pair<S, S> power_on_accelerations(trial<S, Core>& x, trial<S, Core>& y) {
   const auto loads = loads_of(x);
@@ -194,7 +194,7 @@ S distributed_mass_is_that_of_force(const Element& e, Draw&& draw) {
   return detail::worst_of_many<S>(e.core, draw, [&draw](auto& x) {
     x.for_each([](const port&, auto& thing) { detail::stop(thing); });
     const auto loads = detail::loads_by_accelerations(x);
-    auto y = x;  // the same place, another acceleration
+    auto y = x;  // equal positions, different accelerations
     y.for_each([&draw](const port&, auto& thing) { detail::accelerate_randomly(thing, draw); });
     x.clear(), y.clear();
     x.mass_force(), y.mass_force();

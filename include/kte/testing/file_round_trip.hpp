@@ -5,14 +5,14 @@
 
 #include <set>
 
-/// What a file holds of an element is all of it.
+/// Files contain everything about an element.
 namespace kte::testing {
 
 namespace detail {
-/// A chain of an element alone, behind declarations of what it reads.
+/// A chain with a single element, after declarations of what it reads.
 inline runtime_chain declared(const element_record& r, std::span<const port> ports, std::unique_ptr<kte_map> e) {
   runtime_chain c;
-  std::set<std::pair<bool, std::string>> known;  // names of frames live apart
+  std::set<std::pair<bool, std::string>> known;  // frames have their own namespace
   for (std::size_t p = 0; p < ports.size(); ++p) {
     const kind k = ports[p].what;
     const std::string& name = r.connections[p].name;
@@ -24,7 +24,7 @@ inline runtime_chain declared(const element_record& r, std::span<const port> por
   c.append(std::move(e));
   return c;
 }
-/// Whether an element cannot stand as a state has it: a linkage that does not close.
+/// Whether the element refuses the state, such as a linkage that does not close.
 inline bool refuses(const runtime_chain& c, runtime_state s) {
   try {
     c.doMotion(s);
@@ -35,9 +35,9 @@ inline bool refuses(const runtime_chain& c, runtime_state s) {
 }
 }  // namespace detail
 
-/// For elements that files can hold: from the record of the element the registry makes an element with an equal record,
-/// whose passes on random motions and loads give equal numbers, or reject the same motions. Returns 0 if so, else the
-/// share of different numbers; 1 if the record differs. Throws `bad_file` if the registry rejects the record.
+/// For elements that files can hold: the registry makes from the record of the element an element with an equal record.
+/// Its passes on random motions and loads give equal numbers, or reject the same motions. Returns 0 if so, otherwise
+/// the fraction of differing numbers; 1 if the record differs. Throws `bad_file` if the registry rejects the record.
 template <class Draw>
 double file_round_trip(const kte_element& e, const element_registry& registry, Draw&& draw) {
   const auto record = e.record();

@@ -8,11 +8,11 @@
 #include <kte/runtime_chain/runtime_chain.hpp>
 #include <kte/testing/detail/states.hpp>
 
-/// An element does in a static chain what it does in a runtime chain.
+/// An element behaves equally in static and runtime chains.
 namespace kte::testing {
 
 namespace detail {
-/// What port P of the element is connected to ('p'), and what carries that: its base ('b') and its pose ('x').
+/// The keys of a trial: the item at port P of the element ('p'), and of its carrier the base ('b') and the pose ('x').
 template <kind K, std::size_t P, char Role = 'p'>
 struct trial_key {
   static constexpr kind what = K;
@@ -30,8 +30,8 @@ constexpr auto weight_on() {
   else
     return inertia_gen(at, 0.7);
 }
-/// What carries port P of an element: frames float with a body on them, coordinates have a mass; joints and links stand
-/// on a base.
+/// The carrier of port P of an element: frames are on floating bodies, coordinates have a mass; joints and links are on
+/// a base.
 template <class Core, std::size_t P>
 constexpr auto carrier() {
   constexpr kind k = Core::ports[P].what;
@@ -66,7 +66,7 @@ constexpr auto carried(const Core& core, std::index_sequence<P...>) {
   else
     return e;
 }
-/// The elements of a static chain in a runtime chain.
+/// The elements of a static chain, appended one by one to a runtime chain.
 template <class Gravity, class... E>
 runtime_chain loose(const static_chain<Gravity, E...>& c) {
   runtime_chain r;
@@ -75,10 +75,10 @@ runtime_chain loose(const static_chain<Gravity, E...>& c) {
 }
 }  // namespace detail
 
-/// For elements in dynamics: connected only to floating bodies and masses on coordinates, in a static and in a runtime
-/// chain, the element gives equal motions, loads, forces of inverse dynamics and accelerations of forward dynamics, at
-/// random states. Returns the difference: rounding, which forward dynamics multiplies by the condition number of the
-/// mass matrix. Where the compiler fuses no products, results of passes are bit-identical.
+/// For elements supported by dynamics: in a static and in a runtime chain, connected only to floating bodies and masses
+/// on coordinates, the element gives equal motions, loads, forces of inverse dynamics and accelerations of forward
+/// dynamics, at random states. Returns the difference, which is rounding; forward dynamics multiplies it by the
+/// condition number of the mass matrix. If the compiler fuses no products, results of passes are bit-identical.
 template <class Core, class Draw>
 double static_is_runtime(const Core& core, Draw&& draw) requires requires {
   Core::ports;

@@ -6,7 +6,7 @@
 /// Forward dynamics of the body nodes of a tree by articulated bodies (recursions/articulated_body.hpp).
 namespace kte::tree {
 
-/// Which joints are free to move: is_free(number of a body node). The accelerations of others are given.
+/// Sets which joints are free to move: is_free(number of a body node). The accelerations of others are prescribed.
 template <class P, class S, class F>
 void set_free(const body_tree<P>& f, memory<P, S>& m, const F& is_free) {
   for (std::size_t i = 0; i < f.nodes.size(); ++i) {
@@ -15,8 +15,8 @@ void set_free(const body_tree<P>& f, memory<P, S>& m, const F& is_free) {
     m.plain[i] = m.is_free[i] && r.moves == joint::revolute && m.own_mass[static_cast<std::size_t>(r.first)] == P(0);
   }
 }
-/// What velocities alone make of the accelerations of all bodies, from `rate` and the motions of bases; of joints that
-/// are not free with their `acceleration`. What is returned knows which numbers are zero by the kind of joint.
+/// Bias accelerations of all bodies, from `rate` and the motions of bases; for prescribed joints with their
+/// `acceleration`. The type of the result has typed zeros by the kind of joint.
 template <class P, class S>
 auto bias_motions(const body_tree<P>& f, memory<P, S>& m) {
   for (std::size_t b = 0; b < static_cast<std::size_t>(f.bases); ++b)
@@ -25,9 +25,8 @@ auto bias_motions(const body_tree<P>& f, memory<P, S>& m) {
   return engine::bias_motions<bias_motion<S>>(engine::looped<articulated_bodies<P, S>>{bodies}, m.biases.data(),
                                               m.rate.data(), m.acceleration.data());
 }
-/// Articulated inertias and bias forces of all bodies under `force` on axes and `loads`, which are zero where no
-/// element acts on frames, into `factors`. Returns the first axis met that has nothing to move, or -1. After
-/// `bias_motions`.
+/// Articulated inertias and bias forces of all bodies under `force` on axes and `loads`, which are zero if no element
+/// acts on frames. Writes `factors`. Returns the first axis that moves no mass, or -1. Call `bias_motions` first.
 template <class P, class S, class Biases>
 int articulate(const body_tree<P>& f, memory<P, S>& m, const Biases& biases) {
   const articulated_bodies<P, S> bodies(f, m);
@@ -41,7 +40,7 @@ int articulate(const body_tree<P>& f, memory<P, S>& m, const Biases& biases) {
       m.factors.data(), unmoved);
   return unmoved;
 }
-/// The same of articulated inertias alone.
+/// As `articulate`, for articulated inertias only.
 template <class P, class S>
 int articulate_at_rest(const body_tree<P>& f, memory<P, S>& m) {
   const articulated_bodies<P, S> bodies(f, m);
@@ -50,7 +49,7 @@ int articulate_at_rest(const body_tree<P>& f, memory<P, S>& m) {
                              unmoved);
   return unmoved;
 }
-/// Accelerations of all bodies and axes, from the motions of bases. After `articulate`.
+/// Accelerations of all bodies and axes, from the motions of bases. Call `articulate` first.
 template <class P, class S, class Biases>
 void accelerate(const body_tree<P>& f, memory<P, S>& m, const Biases& biases) {
   using hand = engine::body_motion<skip, vec3<S>, vec3<S>, vec3<S>>;

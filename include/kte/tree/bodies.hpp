@@ -7,7 +7,7 @@
 /// The body nodes of a tree as bodies of recursions (engine/body.hpp), a type for each kind of joint.
 namespace kte::tree {
 
-/// Axes of joints. Of the body node they read what is no typed constant.
+/// The axes of a joint. They read the entries of the body node that are not typed constants.
 struct about_z {
   static constexpr int axes = 1;
   template <int, class P>
@@ -29,7 +29,7 @@ struct along_and_about_z {
     return engine::motion_vector{vec3{zero, zero, r.slides}, vec3{zero, zero, r.turns}};
   }
 };
-/// Joints that are free to move, with no masses on their coordinates; and others.
+/// Joints that are free to move without masses on their coordinates, and other joints.
 struct free_joint {
   static constexpr bool always = true, free = true;
   static constexpr zero_t mass{};
@@ -41,7 +41,7 @@ struct joint_with_rotor {
   P mass;
 };
 
-/// A body node where its joint transform has it.
+/// A body node with its joint transform.
 template <class Axes, class P, class S, class Freedom = free_joint>
 struct jointed_body {
   using scalar = S;
@@ -91,14 +91,14 @@ struct jointed_body {
     return x;
   }
 };
-/// The same of a joint of several unit axes, which are known by number, or of axes that are numbers.
+/// `jointed_body` for several unit axes with numbers known at run time, or for axes given by numbers.
 template <class P, class S>
 struct several_axes_body {
   using scalar = S;
   const body_node<P>& r;
   const joint_transform<S>& at;
   bool is_free = true;
-  const P* masses = nullptr;  ///< on its coordinates, if they are numbers
+  const P* masses = nullptr;  ///< masses on its coordinates, if there are any
 
   static constexpr bool always_free = false;
   KTE_INLINE bool free() const { return is_free; }
@@ -106,7 +106,7 @@ struct several_axes_body {
   KTE_INLINE int axis_count() const { return r.axes; }
   KTE_INLINE bool has_unit_axes() const { return r.moves == joint::several; }
   KTE_INLINE int axis_number(int k) const { return r.axis[static_cast<std::size_t>(k)]; }
-  KTE_INLINE const world_axis<S>& axis(int k) const { return at.axes[static_cast<std::size_t>(k)]; }
+  KTE_INLINE const world_axis<S>& axis(int k) const { return at.axis(k); }
   KTE_INLINE S mass(int k) const { return masses == nullptr ? S(0) : S(masses[k]); }
   KTE_INLINE auto along_axes(const S* x) const {
     engine::motion_vector<vec3<S>, vec3<S>> sum{};
@@ -142,11 +142,15 @@ struct several_axes_body {
     }
   }
   KTE_INLINE static constexpr skip in(skip) { return {}; }
-  KTE_INLINE vec3<S> in(const vec3<S>& u) const { return transpose(at.rotation) * placed<P, S>{r, at}.in_placement(u); }
-  KTE_INLINE vec3<S> out(const vec3<S>& u) const { return placed<P, S>{r, at}.out_placement(vec3<S>(at.rotation * u)); }
+  KTE_INLINE vec3<S> in(const vec3<S>& u) const {
+    return transpose(at.rotation()) * placed<P, S>{r, at}.in_placement(u);
+  }
+  KTE_INLINE vec3<S> out(const vec3<S>& u) const {
+    return placed<P, S>{r, at}.out_placement(vec3<S>(at.rotation() * u));
+  }
   template <class A>
   KTE_INLINE A out(const A& a) const {
-    return placed<P, S>{r, at}.out_placement(as<S>(turned_by(at.rotation, a)));
+    return placed<P, S>{r, at}.out_placement(as<S>(turned_by(at.rotation(), a)));
   }
 };
 /// The body without its joint.
@@ -158,7 +162,7 @@ struct rigid_node {
   KTE_INLINE const auto& composite() const { return r.weight; }
 };
 
-/// All body nodes of a tree, as engine/looped.hpp sees them.
+/// All body nodes of a tree, in the form of engine/looped.hpp.
 template <class P, class S>
 class tree_bodies {
  public:
@@ -190,7 +194,7 @@ class tree_bodies {
   int bases_, count_;
 };
 
-/// The same with one kind for all joints of one axis, where axes matter little.
+/// `tree_bodies` with one type for all joints of one axis, for algorithms that gain little from the axes.
 template <class P, class S>
 class one_axis_bodies : public tree_bodies<P, S> {
  public:
@@ -204,12 +208,15 @@ class one_axis_bodies : public tree_bodies<P, S> {
     f(several_axes_body<P, S>{this->nodes_[i], this->joint_transforms_[i]});
   }
 };
-/// The same with joints whose motion may be prescribed, and with masses on their coordinates.
+/// `tree_bodies` with joints whose motion may be prescribed, and with masses on their coordinates.
 template <class P, class S>
 class articulated_bodies : public tree_bodies<P, S> {
  public:
-  articulated_bodies(const body_tree<P>& f, const memory<P, S>& m)
-      : tree_bodies<P, S>(f, m.joint_transforms),
+  articulated_bodies(const body_tree<P>& f, const memory<P, S>& m) : articulated_bodies(f, m, m.joint_transforms) {}
+  /// In other positions.
+  articulated_bodies(const body_tree<P>& f, const memory<P, S>& m,
+                     const std::vector<joint_transform<S>>& joint_transforms)
+      : tree_bodies<P, S>(f, joint_transforms),
         free_(m.is_free.data()),
         plain_(m.plain.data()),
         mass_(m.own_mass.data()) {}

@@ -8,7 +8,7 @@
 #include <limits>
 #include <span>
 
-/// Body nodes of a chain, from the numbers of its joints, links and bodies.
+/// Makes the body nodes of a chain from the numbers of its joints, links and bodies.
 namespace kte::tree {
 
 template <class P>
@@ -28,17 +28,18 @@ struct body_tree_builder {
   static place_type link(const place_type& base, const detail::rigid_numbers<P>& x) {
     return {base.slot, compose(base.at, x.at_zero)};
   }
-  /// `row`: of its first axis. Body nodes are numbered as they come, bases before them by `finish`.
+  /// `row`: row of its first axis. Body nodes are numbered in the order of the calls; `finish` puts the bases before
+  /// them.
   place_type add_joint(const place_type& base, const detail::rigid_numbers<P>& x, kind what, int slot, int row,
                        bool is_free) {
     body_node<P> r;
     r.what = what, r.slot = slot, r.first = row, r.axes = nv_of(what), r.is_free = is_free, r.parent = base.slot;
-    const pose_type body = what == kind::gen ? axis_to_z(x, r) : canonical(x, what, r);  // in the end, at zero
+    const pose_type body = what == kind::gen ? axis_to_z(x, r) : canonical(x, what, r);  // finally at zero
     placements_.push_back(compose(base.at, compose(x.at_zero, body)));
     result.nodes.push_back(r);
     return {number_of(result.nodes.size() - 1), inverse(body)};
   }
-  /// A joint with varying axes, whose coordinates of kind `gen` have these slots and rows.
+  /// Adds a joint with varying axes; `slots` and `rows` are those of its generalized coordinates.
   place_type add_varying_joint(const place_type& base, int element, std::span<const int> slots,
                                std::span<const int> rows, bool is_free) {
     body_node<P> r;
@@ -50,7 +51,7 @@ struct body_tree_builder {
     varying_.back() = {{slots.begin(), slots.end()}, {rows.begin(), rows.end()}};
     return {number_of(result.nodes.size() - 1), nowhere()};
   }
-  /// Whether the joint added last moves as (1) or (2) of contract/rigid_numbers.hpp says.
+  /// Whether the joint added last moves by (1) or (2) of contract/rigid_numbers.hpp.
   bool moves_by_axes(const detail::rigid_numbers<P>& x, const place_type& end) const {
     const body_node<P>& r = result.nodes.back();
     pose_type moved = nowhere();
@@ -67,7 +68,7 @@ struct body_tree_builder {
       const P c = cos(angle), s = sin(angle);
       moved = {{{c, -s, P(0)}, {s, c, P(0)}, {P(0), P(0), P(1)}}, {P(0), P(0), r.slides * q}};
     }
-    // at zero the end stands at at_zero in the base; the body at at_zero end^-1
+    // at zero the end is at at_zero in the base, and the body at at_zero end^-1
     const pose_type y = compose(compose(compose(x.at_zero, inverse(end.at)), moved), end.at);
     const double least = 1e-8, rounding = 64 * static_cast<double>(std::numeric_limits<P>::epsilon());
     const P squared = static_cast<P>((std::max)(least * least, rounding * rounding));
@@ -86,14 +87,14 @@ struct body_tree_builder {
       to = together(to, moved);
     }
   }
-  /// A mass that moves by a law of its own.
+  /// Adds a mass that moves by its own law.
   void add_weight(const place_type& at, const composite<P, vec3<P>, sym3<P>>& c) {
     auto& to = is_node(at.slot) ? node_at(at.slot).weight : result.base_weight[static_cast<std::size_t>(at.slot)];
     const auto moved = transported(at.at.rotation, at.at.position, c);
     to = {to.mass + moved.mass, to.moment + moved.moment, to.inertia + moved.inertia};
   }
 
-  /// Orders the body nodes and splits their placements. `places`: of all frames.
+  /// Orders the body nodes and splits their placements. `places`: the places of all frames.
   body_tree<P> finish(std::array<std::vector<place_type>, 2> places) {
     order();
     for (auto& of_kind : places)
@@ -108,13 +109,13 @@ struct body_tree_builder {
   }
 
  private:
-  // Until the number of bases is known, body node i is slot -1 - i.
+  // The slot of body node i while the number of bases is unknown: -1 - i.
   static int number_of(std::size_t node) { return -1 - static_cast<int>(node); }
   static bool is_node(int slot) { return slot < 0; }
   static int index_of(int slot) { return -1 - slot; }
   body_node<P>& node_at(int slot) { return result.nodes[static_cast<std::size_t>(index_of(slot))]; }
 
-  /// Both bodies as one.
+  /// Two bodies merged into one.
   static rigid_body<P, vec3<P>, sym3<P>> together(const rigid_body<P, vec3<P>, sym3<P>>& a,
                                                   const rigid_body<P, vec3<P>, sym3<P>>& b) {
     const P mass = a.mass + b.mass;
@@ -131,12 +132,12 @@ struct body_tree_builder {
     using std::abs;
     return abs(x - P(1)) <= P(8) * std::numeric_limits<P>::epsilon();
   }
-  /// A rotation whose z is the unit vector n; axes are exchanged where n is one of them.
+  /// A rotation whose z is the unit vector n; a permutation of axes if n is one of them.
   static mat3<vec3<P>> rotation_to(const vec3<P>& n) {
     using std::abs;
     using std::sqrt;
     if (n.z == P(1)) return {{P(1), P(0), P(0)}, {P(0), P(1), P(0)}, {P(0), P(0), P(1)}};
-    // x of the new axes is normal to n and to the axis that is farthest from it
+    // x of the new axes is normal to n and to the axis with the smallest component of n
     const vec3<P> across = abs(n.x) <= abs(n.y) && abs(n.x) <= abs(n.z) ? vec3<P>{P(1), P(0), P(0)}
                            : abs(n.y) <= abs(n.z)                       ? vec3<P>{P(0), P(1), P(0)}
                                                                         : vec3<P>{P(0), P(0), P(1)};
@@ -144,7 +145,7 @@ struct body_tree_builder {
     const vec3<P> x = (P(1) / sqrt(P(dot(u, u)))) * u, y = cross(n, x);
     return {{x.x, y.x, n.x}, {x.y, y.y, n.y}, {x.z, y.z, n.z}};
   }
-  /// Where, in the end of a joint of one coordinate, the frame stands that moves along and about its own z.
+  /// For a joint of one coordinate: the pose in its end of the frame that moves along or about its own z.
   static pose_type axis_to_z(const detail::rigid_numbers<P>& x, body_node<P>& r) {
     using std::sqrt;
     const vec3<P>&v = x.linear[0], &w = x.angular[0];
@@ -165,7 +166,7 @@ struct body_tree_builder {
     r.axis[0] = 5;
     return {rotation_to(n), (P(1) / ww) * cross(w, v)};
   }
-  /// B^-1 of (2): the unit motions of a rotation or pose, given in the end.
+  /// B^-1 of (2): the unit motions of a rotation or pose, given in the axes of the end.
   static pose_type canonical(const detail::rigid_numbers<P>& x, kind what, body_node<P>& r) {
     r.moves = joint::several;
     const auto& w = x.angular;
@@ -173,7 +174,7 @@ struct body_tree_builder {
     if (what == kind::pose_2D) {
       r.axis = {0, 1, 5};
       const mat3<vec3<P>> b{{v[0].x, v[1].x, w[2].x}, {v[0].y, v[1].y, w[2].y}, {v[0].z, v[1].z, w[2].z}};
-      // the end stands at c in the body: v of the turn is z x c
+      // the end is at c in the body: v of the rotation is z x c
       const vec3<P> zc = transpose(b) * v[2];
       return inverse(pose_type{transpose(b), {zc.y, -zc.x, P(0)}});
     }
@@ -186,10 +187,10 @@ struct body_tree_builder {
     return inverse(pose_type{transpose(b), {-yc.z, xc.z, -xc.y}});
   }
 
-  /// Parents before children, the bodies beyond one in a row behind it, bases in front.
+  /// Orders parents before children, makes the bodies beyond each one contiguous, and puts bases first.
   void order() {
     const auto n = result.nodes.size();
-    std::vector<std::vector<int>> on(n);  // what stands on a body node
+    std::vector<std::vector<int>> on(n);  // children by body node
     std::vector<int> stack;
     position_.assign(n, -1);
     for (std::size_t i = n; i-- > 0;) {  // the stack gives the first child first
@@ -234,7 +235,7 @@ struct body_tree_builder {
       if (const int p = nodes[i].parent - result.bases; p >= 0 && p + 1 != static_cast<int>(i))
         nodes[static_cast<std::size_t>(p)].branches = true;
     for (std::size_t k = 0; k < result.row.size(); ++k) result.in_order &= result.row[k] == static_cast<int>(k);
-    for (std::size_t i = 0; i < n; ++i) {  // what is on the stack is done with when its last axis is passed
+    for (std::size_t i = 0; i < n; ++i) {  // a body leaves the stack when its last axis is passed
       for (; !stack.empty() && nodes[static_cast<std::size_t>(stack.back())].last <= nodes[i].first; stack.pop_back())
         result.inward.push_back(stack.back());
       stack.push_back(static_cast<int>(i));
@@ -243,7 +244,7 @@ struct body_tree_builder {
     result.nodes = std::move(nodes), placements_ = std::move(placements);
   }
 
-  /// What is given in axes that are then turned by t about z.
+  /// Expresses a pose in axes that are then rotated by t about z.
   static void turn_back(const turn<P>& t, pose_type& x) {
     x.rotation = rows_out_z(t.back(), x.rotation), x.position = in_z(t, x.position);
   }
@@ -251,15 +252,15 @@ struct body_tree_builder {
     r.body = {r.body.mass, in_z(t, r.body.com), out_z(t.back(), r.body.inertia)};
     r.weight = {r.weight.mass, in_z(t, r.weight.moment), out_z(t.back(), r.weight.inertia)};
   }
-  /// Euler's first angle: R z = (sin before, -cos before, .) sin tilt.
+  /// The first Euler angle: R z = (sin before, -cos before, .) sin tilt.
   static turn<P> before_of(const mat3<vec3<P>>& r) {
     using std::sqrt;
     if (r.x.z == P(0)) return {};
     const P length = sqrt(P(r.x.z * r.x.z + r.y.z * r.y.z));
     return {-r.y.z / length, r.x.z / length};
   }
-  /// (1) of tree/body_node.hpp. A z-joint whose first child needs `before` is turned by it instead, with all that is
-  /// fixed to its body.
+  /// Splits placements by (1) of tree/body_node.hpp. If the first child of a z-joint needs `before`, the joint is
+  /// rotated by it instead, together with everything fixed to its body.
   void split_placements() {
     const auto n = result.nodes.size();
     about_z_.assign(n, {});
@@ -293,7 +294,7 @@ struct body_tree_builder {
   struct varying_coordinates {
     std::vector<int> slots, rows;
   };
-  std::vector<varying_coordinates> varying_;  ///< of body nodes with such joints; empty for others
+  std::vector<varying_coordinates> varying_;  ///< by body node; empty for other joints
   std::vector<pose_type> placements_;
   std::vector<int> position_;
   std::vector<turn<P>> about_z_;

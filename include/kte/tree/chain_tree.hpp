@@ -7,27 +7,27 @@
 
 #include <algorithm>
 
-/// What the loops over body nodes need of a chain, worked out from its wiring and the numbers of its elements.
+/// The data that the loops over body nodes need of a chain, computed from its wiring and the numbers of its elements.
 namespace kte::detail {
 
-/// P: its numbers. Plan: of `arrange`, or a reference to one.
+/// P: the type of its numbers. Plan: the result of `arrange`, or a reference to one.
 template <class P, class Plan>
 class chain_tree {
  public:
   Plan plan;
   tree::body_tree<P> body_tree;
-  std::vector<int> slot_of_base;  ///< of plan.bases
+  std::vector<int> slot_of_base;  ///< by base of plan.bases
   struct rotor {
     int coordinate;
     P mass;
   };
-  std::vector<rotor> rotors;  ///< masses on generalized coordinates, and nothing more
-  std::vector<P> own_mass;    ///< of all elements on coordinates, by row
+  std::vector<rotor> rotors;  ///< masses on generalized coordinates
+  std::vector<P> own_mass;    ///< by row: the sum of all masses on coordinates
   bool has_own_mass = false;
-  bool only_bodies = false;  ///< a tree of degrees of freedom with nothing but bodies on it
-  std::vector<int> angles;   ///< body nodes of which sine and cosine are wanted
-  /// Elements that write coordinates, signals and frames before bodies can be placed; signals and frames after that:
-  /// those on which forces depend, in order.
+  bool only_bodies = false;  ///< whether the chain is a tree of degrees of freedom with bodies only
+  std::vector<int> angles;   ///< body nodes whose sine and cosine are used
+  /// Elements that write coordinates, signals and frames before bodies are placed (`followers`), and those that write
+  /// signals and frames, on which forces depend, after it (`late`), in order.
   std::vector<int> followers, late;
   tree::cluster_layout clusters;              ///< of coordinates that follow others; none in trees
   std::vector<int> on_coordinates;            ///< elements that act on coordinates alone, in order
@@ -41,14 +41,14 @@ class chain_tree {
   std::vector<std::pair<kind, int>> turned;   ///< coordinates whose sines or matrices are read, but by joints
   /// An element that is more than body nodes say, and why.
   struct exception {
-    int element = -1;  ///< none
+    int element = -1;  ///< -1: there is no such element
     const char* why = "";
     explicit operator bool() const { return element >= 0; }
   };
-  exception irregular;      ///< the first in its motion or its loads: passes alone know such chains
-  exception moves_unknown;  ///< the first in its motion
+  exception irregular;      ///< the first with an irregular motion or load: only passes support such chains
+  exception moves_unknown;  ///< the first with an irregular motion
 
-  /// `c` as for `arrange`; each_element(f): f(e, its `element_numbers<P>`) for all, in order.
+  /// `c`: as for `arrange`. each_element(f) calls f(e, its `element_numbers<P>`) for all elements in order.
   template <class Connections, class Each>
   chain_tree(const Connections& c, Plan p, const Each& each_element)
       : plan(std::forward<Plan>(p)),
@@ -108,7 +108,7 @@ class chain_tree {
 
   place& frame(kind k, int i) { return frames_[k == kind::frame_2D ? 0 : 1][static_cast<std::size_t>(i)]; }
 
-  /// Whether a frame is written by an element that is no joint or link, from others.
+  /// Whether a frame is written from other frames by an element that is not a joint or link.
   bool is_late(kind k, int i) const {
     return std::find(written.begin(), written.end(), std::pair{k, i}) != written.end();
   }
@@ -209,7 +209,7 @@ class chain_tree {
       }
     }
   }
-  /// A joint whose axes depend on its coordinates, which come before the base and the end.
+  /// Adds a joint whose axes depend on its coordinates; these precede the base and the end among the ports.
   template <class Index>
   void add_varying_joint(int number, std::span<const port> ports, const Index& index, builder& b) {
     const std::size_t count = ports.size() - 2;
@@ -246,8 +246,8 @@ class chain_tree {
     if (!moves_unknown) moves_unknown = {number, why};
   }
 
-  std::array<std::vector<place>, 2> frames_;  ///< until they are in the tree
-  dependencies<growing> depends_;             ///< the same
+  std::array<std::vector<place>, 2> frames_;  ///< until the tree is built
+  dependencies<growing> depends_;             ///< until the tree is built
   int dofs_;
 };
 

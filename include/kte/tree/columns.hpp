@@ -6,11 +6,13 @@
 #include <algorithm>
 #include <vector>
 
-/// What stands in a row for all axes beyond a body goes in along the tree together: processors take several at a time.
+/// Rows over all axes beyond a body, which are contiguous. They pass inward along the tree together, several axes per
+/// SIMD register.
 namespace kte::tree {
 
-/// Rows over axes. Bodies are visited from the last: before the axes beyond a body stand those that hold nothing yet.
-/// Registers that end where those of a body end may begin there; so they meet what has been stored as they load it.
+/// Rows over axes. Bodies are visited from the last to the first, so that the entries before those of a body are still
+/// unused. Registers that end at the last axis of a body may therefore begin before its first, and load what was stored
+/// last.
 template <class S>
 class axis_rows {
  public:
@@ -29,7 +31,7 @@ class axis_rows {
   std::vector<S> numbers_;
 };
 
-/// A wrench of some axes.
+/// The wrenches of several axes.
 template <class S>
 struct simd_wrench {
   vec3<simd<S>> force, torque;
@@ -38,7 +40,7 @@ struct simd_wrench {
     at.put(force.x, w.force.x), at.put(force.y, w.force.y), at.put(force.z, w.force.z);
     at.put(torque.x, w.torque.x), at.put(torque.y, w.torque.y), at.put(torque.z, w.torque.z);
   }
-  /// Their powers on the unit rate of a joint of one axis.
+  /// The powers of the wrenches on the unit rate of a joint of one axis.
   template <class P>
   KTE_INLINE void power_on(const body_node<P>& r, simd<S>& power) const {
     power = torque.z;
@@ -48,7 +50,7 @@ struct simd_wrench {
     power = s.linear.x * force.x + s.linear.y * force.y + s.linear.z * force.z;
     power += s.angular.x * torque.x + s.angular.y * torque.y + s.angular.z * torque.z;
   }
-  /// To axes and origin of the parent.
+  /// Transforms to the axes and origin of the parent.
   template <class P>
   KTE_INLINE void go_in(const body_node<P>& r, const joint_transform<S>& at) {
     const placed transform{r, at};
@@ -60,7 +62,7 @@ struct simd_wrench {
   }
 };
 
-/// Three rows as vectors.
+/// Loads three rows as vectors.
 template <class S>
 KTE_INLINE void load_vectors(vec3<simd<S>>& x, const S* from, std::size_t row) {
   load<S>(x.x, from), load<S>(x.y, from + row), load<S>(x.z, from + 2 * row);
@@ -70,13 +72,14 @@ KTE_INLINE void store_vectors(const vec3<simd<S>>& x, S* to, std::size_t row) {
   store<S>(x.x, to), store<S>(x.y, to + row), store<S>(x.z, to + 2 * row);
 }
 
-/// A wrench of every axis, at the origin and in axes of the body that it has come to.
+/// A wrench for every axis, at the origin and in the axes of the body that it has reached.
 template <class S>
 class wrench_rows {
  public:
   void resize(std::size_t axes) {
     rows_.resize(6, axes);
-    for (int c = 0; c < 6; ++c) std::fill_n(rows_[c] + axes, most_lanes, S(0));  // what registers read beyond the last
+    for (int c = 0; c < 6; ++c)
+      std::fill_n(rows_[c] + axes, most_lanes, S(0));  // entries that registers read beyond the last axis
   }
   KTE_INLINE const S* component(int c) const { return rows_[c]; }
   KTE_INLINE void set(int k, const dense_wrench<S>& w) {
@@ -96,19 +99,19 @@ class wrench_rows {
   KTE_INLINE void set_simd(int k, const simd_wrench<S>& w) {
     store_vectors(w.force, rows_[0] + k, rows_.stride()), store_vectors(w.torque, rows_[3] + k, rows_.stride());
   }
-  /// f(wrenches, the first of them) of axes from `first` up to `last`, which are changed by it. Registers end at
-  /// `last`.
+  /// Calls f(wrenches, first axis) for the axes from `first` up to `last`; f changes the wrenches. The last register
+  /// ends at `last`.
   template <class F>
   KTE_INLINE void change(int first, int last, const F& f) {
     for_each_simd_to<S>(last, first, [&](int k) KTE_INLINE_LAMBDA { change_simd(k, f); });
   }
-  /// The same with registers from `first`.
+  /// `change` with the first register beginning at `first`.
   template <class F>
   KTE_INLINE void change_from(int first, int last, const F& f) {
     for_each_simd<S>(first, last, [&](int k) KTE_INLINE_LAMBDA { change_simd(k, f); });
   }
-  /// The powers of wrenches from `first` up to `last` on the unit rate of axis a of a joint, as numbers of a row: of
-  /// this one, or of `to`.
+  /// The powers of the wrenches from `first` up to `last` on the unit rate of axis a of a joint, as a row: this one, or
+  /// `to`.
   template <class P>
   const S* powers_on(const body_node<P>& r, const joint_transform<S>& at, int a, int first, int last, S* to) const {
     if (r.moves == joint::several) return component(r.axis[static_cast<std::size_t>(a)]);
@@ -118,7 +121,7 @@ class wrench_rows {
       get_simd(k, w);
       simd<S> along;
       if (r.moves == joint::varying) [[unlikely]]
-        w.power_on(at.axes[static_cast<std::size_t>(a)], along);
+        w.power_on(at.axis(a), along);
       else
         w.power_on(r, along);
       store<S>(along, to + k);

@@ -8,7 +8,7 @@
 
 namespace kte::tree {
 
-/// Axes of all bodies in the world, their origins, and the axes of their joints; from those of bases.
+/// Computes the axes and origins of all bodies in the world, and the axes of their joints, from those of the bases.
 template <class P, class S>
 void place_in_world(const body_tree<P>& f, memory<P, S>& m) {
   const one_axis_bodies<P, S> bodies(f, m.joint_transforms);
@@ -16,7 +16,8 @@ void place_in_world(const body_tree<P>& f, memory<P, S>& m) {
                                            m.axes.data());
 }
 
-/// The inertia of each body with all that it carries, at its origin in its axes; with `Bases` those of bases in theirs.
+/// Computes the inertia of each body with all bodies that it carries, at its origin and in its axes; with `Bases` also
+/// those of the bases.
 template <bool Bases, class P, class S>
 void carry_bodies(const body_tree<P>& f, memory<P, S>& m) {
   if constexpr (Bases)
@@ -26,7 +27,7 @@ void carry_bodies(const body_tree<P>& f, memory<P, S>& m) {
                                                         m.carried.data());
 }
 
-/// The wrench that accelerates what a body carries along axis k of its joint, in axes of the body.
+/// The wrench that accelerates the bodies beyond axis k of a joint at its unit rate, in the axes of the body.
 template <class P, class S>
 KTE_INLINE dense_wrench<S> accelerating(const body_node<P>& r, const joint_transform<S>& at, int k,
                                         const dense_composite<S>& c) {
@@ -51,7 +52,7 @@ KTE_INLINE dense_wrench<S> accelerating(const body_node<P>& r, const joint_trans
   };
   if (r.moves == joint::revolute) return along(5);
   if (r.moves == joint::varying) {
-    const world_axis<S>& s = at.axes[static_cast<std::size_t>(k)];
+    const world_axis<S>& s = at.axis(k);
     return {mass * s.linear + cross(s.angular, h), i * s.angular + cross(h, s.linear)};
   }
   if (r.moves != joint::screw) return along(r.axis[static_cast<std::size_t>(k)]);
@@ -59,13 +60,13 @@ KTE_INLINE dense_wrench<S> accelerating(const body_node<P>& r, const joint_trans
   return {r.turns * turn.force + r.slides * slide.force, r.turns * turn.torque + r.slides * slide.torque};
 }
 
-/// The composite-rigid-body algorithm (CRBA; Featherstone 2008, section 6.2): with F the wrench that accelerates what
-/// is beyond axis k,
+/// The composite-rigid-body algorithm (CRBA; Featherstone 2008, section 6.2). With F the wrench that accelerates the
+/// bodies beyond axis k,
 ///
 ///   M_jk = s_j . F          for k and all axes j before it          (1)
 ///
-/// Bodies inward: the wrenches of all axes beyond a body go in together. Into rows over axes, from the diagonal on up
-/// to the last axis beyond it. After `carry_bodies`.
+/// The recursion is inward; the wrenches of all axes beyond a body pass on together. The result is in rows over axes,
+/// from the diagonal to the last axis beyond it. Call `carry_bodies` first.
 template <class P, class S>
 void masses(const body_tree<P>& f, const memory<P, S>& m, wrench_rows<S>& w, axis_rows<S>& rows) {
   w.resize(f.axes()), rows.resize(f.axes(), f.axes());

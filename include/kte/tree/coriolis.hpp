@@ -5,13 +5,13 @@
 
 #include <vector>
 
-/// The matrix C(q, v) of Coriolis and centrifugal forces that is made of Christoffel's symbols: dM/dt - 2 C is
-/// skew-symmetric, and C v are the forces (Echeandia, Wensing, J. Computational Nonlinear Dynamics 16(9), 2021,
-/// algorithm 1). All in axes of the world, at the origin of each body, so that nothing is lost where a chain stands far
-/// from that of the world.
+/// The matrix C(q, v) of Coriolis and centrifugal forces by Christoffel symbols: dM/dt - 2 C is skew-symmetric, and C v
+/// are the forces (Echeandia, Wensing, J. Computational Nonlinear Dynamics 16(9), 2021, algorithm 1). All quantities
+/// are in the axes of the world at the origin of each body, so that accuracy does not depend on the distance from the
+/// origin of the world.
 namespace kte::tree {
 
-/// A body with all that it carries: mass, moment h, inertia I; and the matrix B of (2) by P and N.
+/// A body with all bodies that it carries: mass, moment h, inertia I; and the matrix B of (2), given by P and N.
 template <class S>
 struct coriolis_body {
   dense_composite<S> carried{};
@@ -19,14 +19,14 @@ struct coriolis_body {
   mat3<vec3<S>> turning{};  ///< N
 };
 
-/// How an axis s changes that is constant in a body of velocity v, w:
+/// The rate of change of an axis s that is constant in a body of velocity v, w:
 ///
-///   ds/dt = v x s,   of linear part w x s_v + v x s_w and angular part w x s_w          (1)
+///   ds/dt:   linear part w x s_v + v x s_w,   angular part w x s_w          (1)
 template <class S>
 KTE_INLINE world_axis<S> change_of(const world_axis<S>& s, const vec3<S>& v, const vec3<S>& w) {
   return {cross(w, s.linear) + cross(v, s.angular), cross(w, s.angular)};
 }
-/// A body at that velocity, of which P is the momentum m v + w x h:
+/// A body at this velocity, with the momentum P = m v + w x h:
 ///
 ///   B s = (s_w x P,  N s_w),   N = ([w]x I - I [w]x - [I w]x) / 2 - [h]x [v]x          (2)
 template <class S>
@@ -35,18 +35,18 @@ KTE_INLINE coriolis_body<S> coriolis_of(const dense_composite<S>& own, const vec
   return {own, mass * v + cross(w, h), gyroscopic(vec3<S>(S(1) / S(2) * w), i) - cross_twice(h, v)};
 }
 
-/// With I^c and B^c of all that is beyond axis k, for k and all axes j before it,
+/// With I^c and B^c of all bodies beyond axis k, for k and all axes j before it,
 ///
 ///   C_jk = s_j . (I^c ds_k/dt + B^c s_k),   C_kj = ds_j/dt . (I^c s_k) + s_j . (B^c^T s_k)          (3)
 ///   M_jk = s_j . (I^c s_k)                                                                          (4)
 ///
-/// as put(j, k, C_jk, M_jk), once for each ordered pair of axes that move a body together. Wrenches f, n and B go in to
-/// the origin of the parent, which is d away, as
+/// by put(j, k, C_jk, M_jk), once for each ordered pair of axes that move a body together. Wrenches f, n and B pass
+/// inward to the origin of the parent, at the distance d, as
 ///
 ///   n + d x f,   N - [d]x [P]x          (5)
 ///
-/// `bodies`: those of (2), of each body alone; they are changed. `t` says of body i, parents first,
-///   parent(i), first(i), axes(i), step(i)     the body before, or -1; its axes; d
+/// `bodies`: the results of (2) for each body alone; they are changed. `t` gives for body i, parents first,
+///   parent(i), first(i), axes(i), step(i)     the parent, or -1; its axes; d
 template <class S, class Tree, class Put>
 void coriolis_terms(const Tree& t, const world_axis<S>* axes, const world_axis<S>* changes, coriolis_body<S>* bodies,
                     const Put& put) {
@@ -83,7 +83,7 @@ void coriolis_terms(const Tree& t, const world_axis<S>* axes, const world_axis<S
   }
 }
 
-/// Body nodes as such a tree.
+/// Body nodes in the form of such a tree.
 template <class P, class S>
 struct nodes_as_tree {
   const body_tree<P>& f;
@@ -95,8 +95,8 @@ struct nodes_as_tree {
   int axes(int i) const { return at(i).axes; }
   const vec3<S>& step(int i) const { return m.world[static_cast<std::size_t>(f.bases + i)].step; }
 };
-/// The same of body nodes. After `place_in_world`, with `rate`, and with the velocities of bases in `bodies`, in axes
-/// of the world.
+/// `coriolis_terms` for body nodes. Call `place_in_world` first, with `rate` and the velocities of bases in `bodies`,
+/// in the axes of the world.
 template <class P, class S, class Put>
 void coriolis_of_tree(const body_tree<P>& f, memory<P, S>& m, const Put& put) {
   std::vector<coriolis_body<S>> all(f.nodes.size());

@@ -5,25 +5,25 @@
 #include <array>
 #include <vector>
 
-/// What depends on what in a chain, beside joints and links.
+/// Dependencies in a chain other than those of joints and links.
 namespace kte::detail {
 
-/// When something is known.
+/// When a quantity is known.
 enum class level : unsigned char {
-  given,        ///< it comes from outside, or depends only on what does
-  coordinates,  ///< with the degrees of freedom
-  bodies        ///< when bodies are where the coordinates put them
+  given,        ///< external, or a function of external quantities
+  coordinates,  ///< a function of the degrees of freedom
+  bodies        ///< known after bodies are placed
 };
 
 template <template <class> class List>
 struct dependencies {
-  std::array<List<level>, kinds> of;  ///< things, by kind
-  List<char> matters;                 ///< of elements: whether a force depends on them
+  std::array<List<level>, kinds> of;  ///< of items, by kind
+  List<char> matters;                 ///< for each element: whether a force depends on it
 
   constexpr level at(kind k, int i) const { return of[static_cast<std::size_t>(k)][static_cast<std::size_t>(i)]; }
 };
 
-/// `Chain` as for `arrange` (tree/plan.hpp).
+/// `Chain`: as for `arrange` (tree/plan.hpp).
 template <template <class> class List, class Chain>
 constexpr dependencies<List> dependencies_of(const Chain& c) {
   const auto slot = [](auto& list, kind k, int i) -> auto& {

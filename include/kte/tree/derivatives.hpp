@@ -4,20 +4,21 @@
 
 namespace kte::tree {
 
-/// The derivatives of the forces on axes, with F what a body and all beyond it need (`transmit_wrenches`), in the
-/// notation of (1), (2) of tree/variations.hpp:
+/// The derivatives of the forces on axes. F is the wrench of a body and its subtree (`transmit_wrenches`); notation of
+/// (1), (2) of tree/variations.hpp:
 ///
-///   d tau_j / d q_i = s_j . (2B s_i' + M s_i'' + s_i x* F)     for axes j of bodies that body i stands on     (3)
+///   d tau_j / d q_i = s_j . (2B s_i' + M s_i'' + s_i x* F)     for axes j of ancestors of body i              (3)
 ///   d tau_i / d q_j = s_i . (2B s_j' + M s_j'')                and for axes of one body                      (4)
 ///   d tau_j / d v_i = s_j . (2B s_i + M mixed_i),   d tau_i / d v_j likewise,   d tau_j / d a_i = s_j . M s_i   (5)
 ///
-/// B and M of body i and all beyond it. To an observer by whom all pass at u more, 2B is
+/// B and M are those of body i with its subtree. For an observer relative to whom all bodies move faster by u, 2B
+/// increases by
 ///
 ///   force -2 m [u]x,   torque -2 [h]x [u]x          (6)
 ///
-/// more. Side by side go the wrenches F_q, F_v, F_a that (3) to (5) multiply by s_j, as they go in: T += p x F; and
-/// with them 2B^T s_i, which (4), (5) multiply by s_j' and s_j: it grows by 2 u x F_a. put(j, i, by_q, by_v, by_a):
-/// change of tau_j by coordinate i.
+/// The wrenches F_q, F_v, F_a that (3) to (5) multiply by s_j go inward side by side: T += p x F. With them goes 2B^T
+/// s_i, which (4), (5) multiply by s_j' and s_j; it increases by 2 u x F_a. put(j, i, by_q, by_v, by_a): derivatives of
+/// tau_j by coordinate i.
 template <class P, class S, class Put>
 void vary_forces(const body_tree<P>& f, const memory<P, S>& m, variation_memory<S>& v, const Put& put) {
   const std::size_t bases = static_cast<std::size_t>(f.bases);
@@ -45,7 +46,7 @@ void vary_forces(const body_tree<P>& f, const memory<P, S>& m, variation_memory<
       torque.x += b.torque.x.x * turning.x + b.torque.x.y * turning.y + b.torque.x.z * turning.z;
       torque.y += b.torque.y.x * turning.x + b.torque.y.y * turning.y + b.torque.y.z * turning.z;
       torque.z += b.torque.z.x * turning.x + b.torque.z.y * turning.y + b.torque.z.z * turning.z;
-      vectors pushing = force;  // with nothing beside F_a
+      vectors pushing = force;  // zero except F_a
       const auto power_on = [&](const spatial_motion<S>& s, bool slides, numbers& power) KTE_INLINE_LAMBDA {
         power = s.angular.x * torque.x + s.angular.y * torque.y + s.angular.z * torque.z;
         if (slides) power += s.linear.x * pushing.x + s.linear.y * pushing.y + s.linear.z * pushing.z;

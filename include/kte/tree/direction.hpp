@@ -4,8 +4,8 @@
 #include <kte/math/matrix.hpp>
 #include <kte/tree/simd.hpp>
 
-/// A vector in space of which nobody wants single components: in one register where four numbers fit in one, the last
-/// of them zero, else as three numbers.
+/// A vector in space whose components are not accessed: one register with the last of four numbers zero if four numbers
+/// fit, otherwise three numbers.
 namespace kte::tree {
 
 #if defined(KTE_HAS_SHUFFLES)
@@ -55,7 +55,7 @@ KTE_INLINE direction<S> crossed(const direction<S>& a, const direction<S>& b) {
     return cross(a, b);
   }
 }
-/// v and w as six numbers; added to what is there where several joints move by one coordinate and share a column.
+/// Writes v and w as six numbers; adds them if several joints move by one coordinate and share a column.
 template <bool Add, class S>
 KTE_INLINE void put_column(S* to, const direction<S>& v, const direction<S>& w) {
 #if defined(KTE_HAS_SHUFFLES)

@@ -5,29 +5,29 @@
 #include <kte/tree/newton_euler.hpp>
 #include <kte/tree/placement.hpp>
 
-/// Inverse dynamics in dual numbers D, for derivatives where elements have laws of their own: the recursion of
-/// recursions/newton_euler.hpp over bodies that joints move by derivatives alone.
+/// Inverse dynamics in dual numbers D, for the derivatives of elements with their own laws: the recursion of
+/// recursions/newton_euler.hpp, where joints move bodies by derivatives only.
 namespace kte::tree {
 
-/// Of a body, in its axes: how far its joint turns it, and from the origin of its parent to its own in axes of that.
-/// Turns have no value.
+/// The motion of a body by its joint, in its axes: `turn`, and `step` from the origin of the parent to its own in the
+/// axes of the parent. The value of a turn is zero.
 template <class D>
 struct dual_joint_transform {
   vec3<D> turn{}, step{};
-  vec3<D> turned{};  ///< in the world
-  joint_transform<D> in_duals{};  ///< of `varying` joints: axes and their derivatives
+  vec3<D> turned{};               ///< in the world
+  joint_transform<D> in_duals{};  ///< for `varying` joints: axes and their derivatives
 };
-/// Derivatives of motions and wrenches are those that their body sees, in axes that move with it: a joint changes
-/// nothing beyond it but what comes from before it.
+/// Derivatives of motions and wrenches are in axes that move with the body. A joint therefore changes only the
+/// quantities that come from the bodies before it.
 template <class D>
 struct dual_memory {
-  // From outside: how far joints move along their axes (of value nothing), rates and accelerations of axes.
+  // Input: displacements of joints along their axes (with the value 0), rates and accelerations of axes.
   std::vector<D> shift, rate, acceleration;
-  std::vector<D> force;                                   ///< on axes
-  std::vector<dual_joint_transform<D>> joint_transforms;  ///< of slots
-  std::vector<body_motion<D>> bodies;                     ///< likewise
-  std::vector<dense_wrench<D>> loads, wrenches;           ///< likewise
-  std::vector<world_place<D>> world;                      ///< likewise, but for steps
+  std::vector<D> force;                                   ///< by axis
+  std::vector<dual_joint_transform<D>> joint_transforms;  ///< by slot
+  std::vector<body_motion<D>> bodies;                     ///< by slot
+  std::vector<dense_wrench<D>> loads, wrenches;           ///< by slot
+  std::vector<world_place<D>> world;                      ///< by slot, without steps
 
   template <class P>
   explicit dual_memory(const body_tree<P>& f)
@@ -42,7 +42,7 @@ struct dual_memory {
         world(f.slots()) {}
 };
 
-// In functions of their own: dual numbers are long.
+// Separate functions, because the code of dual numbers is long.
 template <class D>
 [[gnu::noinline]] vec3<D> dual_cross(const vec3<D>& a, const vec3<D>& b) {
   return cross(a, b);
@@ -51,7 +51,7 @@ template <class S, class D>
 [[gnu::noinline]] vec3<D> product(const mat3<vec3<S>>& r, const vec3<D>& v) {
   return {dot(r.x, v), dot(r.y, v), dot(r.z, v)};
 }
-/// The values alone.
+/// The values without derivatives.
 template <class D, class S>
 vec3<D> constants(const vec3<S>& v) {
   if constexpr (std::is_same_v<S, D>)
@@ -64,7 +64,7 @@ mat3<vec3<D>> constants(const mat3<vec3<S>>& m) {
   return {constants<D>(m.x), constants<D>(m.y), constants<D>(m.z)};
 }
 
-/// Where a body stands in the world.
+/// Sets the place of a body in the world.
 template <class S, class D>
 void place_in_duals(const mat3<vec3<S>>& rotation, const vec3<D>& turned, world_place<D>& to) {
   const auto row = [&](const vec3<S>& axis) {
@@ -79,7 +79,7 @@ template <class P, class S>
 mat3<vec3<S>> rotation_in_parent(const placed<P, S>& at) {
   return {at.in(vec3<S>{S(1), S(0), S(0)}), at.in(vec3<S>{S(0), S(1), S(0)}), at.in(vec3<S>{S(0), S(0), S(1)})};
 }
-/// Bases where they are in plain numbers.
+/// Sets the places of bases from plain numbers.
 template <class P, class S, class D>
 void place_bases_in_duals(const body_tree<P>& f, const memory<P, S>& m, dual_memory<D>& d) {
   for (std::size_t b = 0; b < static_cast<std::size_t>(f.bases); ++b) {
@@ -91,7 +91,7 @@ void place_bases_in_duals(const body_tree<P>& f, const memory<P, S>& m, dual_mem
     place_in_duals(m.world[b].rotation, d.joint_transforms[b].turned, d.world[b]);
   }
 }
-/// A body node whose joint moves it by derivatives alone (engine/body.hpp): R = (1 + [turn]x), in axes of the body.
+/// A body node whose joint moves it by derivatives only (engine/body.hpp): R = (1 + [turn]x), in the axes of the body.
 template <class P, class S, class D>
 struct dual_body {
   using scalar = D;
@@ -143,22 +143,22 @@ struct dual_bodies {
   rigid_node<P> rigid(int i) const { return {at(i), f.bases + i}; }
 };
 
-/// The axes of a `varying` joint and their derivatives by coordinates, from those of one more order.
+/// The axes of a `varying` joint and their derivatives by coordinates, from derivatives of the next order.
 template <class P, class S, class D>
 void axes_in_duals(const body_node<P>& r, const joint_transform<S>& at, const D* shift,
                    std::vector<world_axis<D>>& axes) {
   const auto n = static_cast<std::size_t>(r.axes), count = n + n * n;
   axes.resize(count);
   for (std::size_t k = 0; k < count; ++k) {
-    const world_axis<S>& s = at.axes[k];
+    const world_axis<S>& s = at.axis(static_cast<int>(k));
     axes[k] = {constants<D>(s.linear), constants<D>(s.angular)};
     for (std::size_t j = 0; j < n; ++j) {
-      const world_axis<S>& by = at.axes[n + n * k + j];
+      const world_axis<S>& by = at.axis(static_cast<int>(n + n * k + j));
       axes[k] = {axes[k].linear + shift[j] * by.linear, axes[k].angular + shift[j] * by.angular};
     }
   }
 }
-/// Bodies to where derivatives of `shift` move them, after `place_in_world` in plain numbers, and with bases in place.
+/// Moves bodies by the derivatives of `shift`. Call `place_in_world` in plain numbers and place the bases first.
 template <class P, class S, class D>
 void place_bodies_in_duals(const body_tree<P>& f, const memory<P, S>& m, dual_memory<D>& d) {
   for (std::size_t i = 0; i < f.nodes.size(); ++i) {
@@ -169,8 +169,10 @@ void place_bodies_in_duals(const body_tree<P>& f, const memory<P, S>& m, dual_me
     transform.turn = {};
     const D* const shift = &d.shift[static_cast<std::size_t>(r.first)];
     along_axes(r, m.joint_transforms[i], shift, slide, transform.turn);
-    if (r.moves == joint::varying) [[unlikely]]
-      axes_in_duals(r, m.joint_transforms[i], shift, transform.in_duals.axes);
+    if (r.moves == joint::varying) [[unlikely]] {
+      transform.in_duals.more.resize(1);
+      axes_in_duals(r, m.joint_transforms[i], shift, transform.in_duals.more.front().axes);
+    }
     transform.step = constants<D>(m.joint_transforms[i].position) +
                      product(rotation_in_parent(placed{r, m.joint_transforms[i]}), slide);
     const vec3<D>& turned = d.joint_transforms[parent].turned;
@@ -180,7 +182,7 @@ void place_bodies_in_duals(const body_tree<P>& f, const memory<P, S>& m, dual_me
     place_in_duals(m.world[slot].rotation, transform.turned, d.world[slot]);
   }
 }
-/// As the functions of tree/newton_euler.hpp; derivatives of motions are those that bodies see.
+/// The motions of all bodies, as in tree/newton_euler.hpp; derivatives are in the axes of the bodies.
 template <class P, class S, class D>
 void move_in_duals(const body_tree<P>& f, const memory<P, S>& m, dual_memory<D>& d) {
   place_bodies_in_duals(f, m, d);
@@ -200,7 +202,7 @@ void transmit_in_duals(const body_tree<P>& f, const memory<P, S>& m, dual_memory
 
 namespace kte::engine {
 
-/// As `motion_of_frame` of tree/frame_motion.hpp.
+/// See `motion_of_frame` of tree/frame_motion.hpp.
 template <class S, int N, class P>
 auto motion_of_frame(const tree::world_place<dual<S, N>>& place, const tree::body_motion<dual<S, N>>& b,
                      const pose<mat3<vec3<P>>, vec3<P>>& at) {

@@ -4,8 +4,8 @@
 
 namespace kte::tree {
 
-/// A symmetric matrix over coordinates from rows over axes, each from the diagonal on: those of bodies beyond a joint,
-/// which have something in common with it, or of all. What lies beyond the coordinates asked for is left out.
+/// A symmetric matrix over coordinates from rows over axes, each from the diagonal on: those of the subtree of a joint,
+/// or of all. Axes beyond `coordinates` are omitted.
 template <class P, class S, class Matrix>
 void fill_symmetric(const body_tree<P>& f, int coordinates, const axis_rows<S>& rows, bool all, Matrix& m) {
   const int axes = static_cast<int>(f.axes());
@@ -17,7 +17,8 @@ void fill_symmetric(const body_tree<P>& f, int coordinates, const axis_rows<S>& 
     S* const x = m.data();
     for (const body_node<P>& r : f.nodes)
       for (int j = r.first; j < r.first + r.axes; ++j) {
-        // Pointers alone: of a loop with strides g++ makes several, which take longer to choose from than to run.
+        // Pointers only, because g++ makes several versions of a loop with strides, and selecting one takes longer than
+        // running it.
         const S* from = rows[j] + j;
         S* down = x + (j * axes + j);
         const S* const end = x + (all ? axes : r.last) * axes;
@@ -33,7 +34,7 @@ void fill_symmetric(const body_tree<P>& f, int coordinates, const axis_rows<S>& 
         if (a >= coordinates || b >= coordinates) continue;
         const S& mass = rows[j][k];
         m(a, b) += mass;
-        if (j != k) m(b, a) += mass;  // of shared coordinates both triangles meet on the diagonal
+        if (j != k) m(b, a) += mass;  // for shared coordinates both triangles meet on the diagonal
       }
 }
 

@@ -6,10 +6,10 @@
 #include <iterator>
 #include <limits>
 
-/// Whether numbers in a row are finite, by registers: of sums of numbers one by one g++ makes more shuffles than sums.
+/// Whether contiguous numbers are finite, by registers; g++ makes more shuffles than sums of a scalar loop.
 namespace kte::tree {
 
-/// The numbers of x if they stand in a row of S, a pointer; else nullptr.
+/// A pointer to the numbers of x if they are contiguous numbers S, otherwise nullptr.
 template <class S, class X>
 KTE_INLINE constexpr auto row_of(const X& x) {
   if constexpr (std::is_convertible_v<const X&, const S*>)
@@ -26,8 +26,8 @@ KTE_INLINE constexpr auto row_of(const X& x) {
 template <class X, class S>
 concept stands_in_row = std::is_same_v<decltype(row_of<S>(std::declval<const X&>())), const S*>;
 
-/// `factor` times the numbers are summed, and zero times that is zero unless one of the products is infinite or NaN (or
-/// the sum is). Those that do not fill two registers are read twice.
+/// Sums `factor` times the numbers; zero times the sum is zero unless a product (or the sum) is infinite or NaN.
+/// Numbers that do not fill two registers are read twice.
 template <class S>
 KTE_INLINE bool all_finite_times(const S& factor, const S* x, std::size_t n) {
   constexpr std::size_t count = simd_of<S>::count;
@@ -54,8 +54,8 @@ template <class S>
 KTE_INLINE bool all_finite_in_row(const S* x, std::size_t n) {
   return all_finite_times(S(0), x, n);
 }
-/// Whether all are finite and far from overflow: below 2^128 in double. For a few that are nearly as large it may say
-/// no.
+/// Whether all numbers are finite and far from overflow: below 2^128 in double. May return false for a few numbers that
+/// are nearly as large.
 template <class S>
 KTE_INLINE bool all_moderate_in_row(const S* x, std::size_t n) {
   using limits = std::numeric_limits<S>;

@@ -6,29 +6,29 @@
 
 namespace kte::tree {
 
-/// What `followed_masses` works with, besides `mass_memory`. The columns of bodies that still stand alone are in a row,
-/// those of the last one at its end.
+/// Working memory of `followed_masses`, in addition to `mass_memory`. The columns of bodies whose parents are still to
+/// come are contiguous, those of the last body at the end.
 template <class S>
 struct followed_memory {
   ratios<S> j;
-  std::vector<int> dof;    ///< of columns
-  std::vector<int> place;  ///< of degrees of freedom: their column of the body at hand, if it has one
-  std::vector<int> first;  ///< of body nodes: their first column; -1: nothing has come to them yet
+  std::vector<int> dof;    ///< by column
+  std::vector<int> place;  ///< by degree of freedom: its column for the current body, if there is one
+  std::vector<int> first;  ///< by body node: its first column; -1: none yet
 };
 
-/// The mass matrix over the degrees of freedom where coordinates follow them, in one pass over bodies: the composite
-/// rigid body algorithm with a wrench of every degree of freedom d that moves something beyond a body, in place of one
-/// of every axis,
+/// The mass matrix by degrees of freedom for chains with dependent coordinates, in one pass over bodies: the
+/// composite-rigid-body algorithm with one wrench for every degree of freedom d that moves something beyond a body,
+/// instead of one for every axis,
 ///
 ///   F_d = sum_k J_kd F_k,   M_cd = sum_j J_jc s_j . F_d, twice where k is beyond j          (1)
 ///
-/// so that neither time nor memory grow with the square of the number of axes. Into m; after `carry_bodies`.
+/// so that neither time nor memory grow with the square of the number of axes. Writes m; call `carry_bodies` first.
 template <class P, class S, class Matrix>
 void followed_masses(const body_tree<P>& f, const memory<P, S>& at, int dofs, followed_memory<S>& x, mass_memory<S>& y,
                      Matrix& m) {
   std::size_t columns = 0;
   for (const int row : f.row) columns += x.j.of(row).size();
-  constexpr std::size_t most_axes = 6;  // of a joint, whose wrenches stand behind the columns for a while
+  constexpr std::size_t most_axes = 6;  // of a joint; its wrenches are temporarily stored after the columns
   wrench_rows<S>& w = y.wrenches;
   w.resize(columns + most_axes), y.rows.resize(1, columns + most_axes);
   x.dof.resize(columns), x.place.assign(static_cast<std::size_t>(dofs), -1), x.first.assign(f.nodes.size(), -1);
@@ -51,7 +51,7 @@ void followed_masses(const body_tree<P>& f, const memory<P, S>& at, int dofs, fo
         dof[k] = d, w.set(k, load);
       }
     };
-    if (r.branches) {  // bodies on this one may follow the same
+    if (r.branches) {  // siblings on this body may follow the same degree of freedom
       const int end = last;
       last = first;
       for (int k = first; k < end; ++k) add(dof[k], w.get(k));
@@ -76,7 +76,7 @@ void followed_masses(const body_tree<P>& f, const memory<P, S>& at, int dofs, fo
       last = first;
       continue;
     }
-    for (int a = 0; a < r.axes; ++a) {  // of several axes each has one column, of its own or one before
+    for (int a = 0; a < r.axes; ++a) {  // each of several axes has one column, new or shared with an earlier axis
       const dense_wrench<S> load = w.get(own + a);
       for (const auto& [d, ratio] : ratios_of(a)) add(d, {ratio * load.force, ratio * load.torque});
     }

@@ -7,23 +7,23 @@
 
 namespace kte::tree {
 
-/// What M and its inverse work with.
+/// Working memory of M and its inverse.
 template <class S>
 struct mass_memory {
-  wrench_rows<S> wrenches;  ///< of every axis that is reached
+  wrench_rows<S> wrenches;  ///< by axis
   axis_rows<S> rows;
-  axis_rows<S> left;  ///< e_lk, of the axes l of one body
+  axis_rows<S> left;  ///< e_lk for the axes l of one body
 };
 
-/// The inverse of the mass matrix from articulated inertias. A unit force on axis k leaves e_lk on axis l of its own
-/// and of all bodies it stands on: with W the load that goes in, at first none,
+/// The inverse of the mass matrix from articulated inertias. A unit force on axis k leaves e_lk on axis l of its body
+/// and of all bodies before it. With W the load that passes inward, initially zero,
 ///
 ///   e_kk = 1,   e_lk = s_l . W,   W -= gain_l e_lk          (1)
 ///   M^-1 = E^T D^-1 E                                       (2)
 ///
-/// symmetric and positive by its form. (Jain, Robot and Multibody Dynamics, 2011, section 7.2.) Bodies inward: all W of
-/// axes beyond a body go in together. Into rows over axes, each from the diagonal on. After `articulate`; of joints
-/// that all move or rest.
+/// It is symmetric and positive definite by construction (Jain, Robot and Multibody Dynamics, 2011, section 7.2). The
+/// recursion is inward; all W of the axes beyond a body pass on together. The result is in rows over axes, each from
+/// the diagonal on. Call `articulate` first; all joints must be free or all at rest.
 template <class P, class S>
 void inverse_masses(const body_tree<P>& f, const memory<P, S>& m, mass_memory<S>& x) {
   wrench_rows<S>& w = x.wrenches;
@@ -108,8 +108,8 @@ void inverse_masses(const body_tree<P>& f, const memory<P, S>& m, mass_memory<S>
   }
 }
 
-/// The entry of the diagonal of M^-1 that belongs to axis `k` of body node `i`: by (2) the sum of e_lk D_l^-1 e_lk over
-/// the axes l from there to the base, by (1) one after the other. As `inverse_masses`.
+/// The diagonal entry of M^-1 for axis `k` of body node `i`: by (2) the sum of e_lk D_l^-1 e_lk over the axes l from
+/// there to the base, with e_lk computed one after the other by (1). Conditions as for `inverse_masses`.
 template <class P, class S>
 S inverse_mass_of_axis(const body_tree<P>& f, const memory<P, S>& m, std::size_t i, int k) {
   dense_wrench<S> load{};

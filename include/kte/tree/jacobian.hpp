@@ -5,8 +5,8 @@
 
 namespace kte::tree {
 
-/// The pose of a frame in its base, or in the body of slot `top` where it stands on that; the slot is returned. Only
-/// the body nodes on the way are read.
+/// The pose of a frame in its base, or in the body of slot `top` if that carries it. Returns the slot. Reads only the
+/// body nodes on the path.
 template <class P, class S>
 int pose_in_base(const body_tree<P>& f, const memory<P, S>& m, const frame_place<P>& frame, dense_pose<S>& x,
                  int top = -1) {
@@ -23,7 +23,7 @@ int pose_in_base(const body_tree<P>& f, const memory<P, S>& m, const frame_place
   return slot;
 }
 
-/// (1) of an axis that is given in axes of the body.
+/// (1) for an axis given in the axes of the body.
 template <class S, class Put>
 void column_of_axis(int k, const world_axis<S>& s, const mat3<direction<S>>& units, const direction<S>& p,
                     const Put& put) {
@@ -60,12 +60,12 @@ KTE_INLINE void columns_of_joint(const body_node<P>& r, const joint_transform<S>
       break;
     }
     case joint::varying:
-      for (int k = 0; k < r.axes; ++k)
-        column_of_axis<S>(r.first + k, at.axes[static_cast<std::size_t>(k)], units, p, put);
+      for (int k = 0; k < r.axes; ++k) column_of_axis<S>(r.first + k, at.axis(k), units, p, put);
   }
 }
-/// The joints from a frame to its base or `top`: visit(body node, its joint transform, the unit vectors of its body, its
-/// origin to that of the frame), in axes of the frame. Returns as `pose_in_base`.
+/// Visits the joints from a frame to its base or `top`: visit(body node, its joint transform, the unit vectors of its
+/// body, the vector from its origin to that of the frame), in the axes of the frame. Returns the slot, as
+/// `pose_in_base`.
 template <class P, class S, class N, class Visit>
 KTE_INLINE int each_joint_inward(const body_tree<P>& f, const memory<P, S>& m, const frame_place<N>& frame,
                                  dense_pose<S>& x, const Visit& visit, int top = -1) {
@@ -84,7 +84,7 @@ KTE_INLINE int each_joint_inward(const body_tree<P>& f, const memory<P, S>& m, c
   return slot;
 }
 /// The columns of the Jacobian of a frame in its own axes, from the frame to its base or `top` (Siciliano et al.,
-/// Robotics, 2009, section 3.1.3): put(k, v, w) as (1). Returns as `pose_in_base`.
+/// Robotics, 2009, section 3.1.3): put(k, v, w) as in (1). Returns the slot, as `pose_in_base`.
 template <class P, class S, class N, class Put>
 int jacobian_columns(const body_tree<P>& f, const memory<P, S>& m, const frame_place<N>& frame, dense_pose<S>& x,
                      const Put& put, int top = -1) {
@@ -94,12 +94,12 @@ int jacobian_columns(const body_tree<P>& f, const memory<P, S>& m, const frame_p
              const direction<S>& p) KTE_INLINE_LAMBDA { columns_of_joint<P, S>(r, at, units, p, put); },
       top);
 }
-/// The same in world axes: the columns of all joints on the way of a frame, from the frame to its base. Bodies outward,
-/// columns back. `base`: the axes of the base.
+/// The columns of the Jacobian of a frame in world axes, for all joints from the frame to its base. Bodies are placed
+/// outward, columns are computed inward. `base`: the axes of the base.
 template <class P, class S, class Put>
 void jacobian_columns_in_world(const body_tree<P>& f, memory<P, S>& m, const frame_place<P>& frame,
                                std::span<const int> way, const mat3<vec3<S>>& base, const Put& put) {
-  // What is written could be a vector's, for all that compilers know: these are not looked up again.
+  // Local copies: the compiler cannot exclude that `put` writes to the vectors.
   const body_node<P>* const nodes = f.nodes.data();
   const joint_transform<S>* const joint_transforms = m.joint_transforms.data();
   seen_body<S>* const seen = m.seen.data();
@@ -120,7 +120,7 @@ void jacobian_columns_in_world(const body_tree<P>& f, memory<P, S>& m, const fra
   }
 }
 
-/// The last body that two slots stand on, which may be one of them; -1 where they have different bases.
+/// The last body that carries both slots, which may be one of them; -1 if they have different bases.
 template <class P>
 int common_slot(const body_tree<P>& f, int a, int b) {
   while (a != b) {  // parents come first

@@ -5,14 +5,14 @@
 namespace kte::tree {
 
 /// The columns u, w of the Jacobian of a frame in its own axes with their time derivatives, from the frame to its base:
-/// put(k, u, w, du/dt, dw/dt). Where axes are constant in the body behind their joint a column changes only as the frame
-/// moves relative to that body, by V, W in axes of the frame (Featherstone 2008, section 2.10):
+/// put(k, u, w, du/dt, dw/dt). If axes are constant in the body that the joint moves, a column changes only by the
+/// velocity V, W of the frame relative to this body, in the axes of the frame (Featherstone 2008, section 2.10):
 ///
 ///   du/dt = u x W + w x V,   dw/dt = w x W          (1)
-///   V, W = sum u_i q_i', w_i q_i'  of the joints between the two          (2)
+///   V, W = sum u_i q_i', w_i q_i'  over the joints between the two          (2)
 ///
-/// Of axes that vary the column of their own change is added.
-/// `moves`: V, W relative to the base. Needs `rate`. Returns as `pose_in_base`.
+/// For varying axes the column of their change is added.
+/// `moves`: returns V, W relative to the base. Needs `rate`. Returns the slot, as `pose_in_base`.
 template <class P, class S, class Put>
 int jacobian_rate_columns(const body_tree<P>& f, const memory<P, S>& m, const frame_place<P>& frame, dense_pose<S>& x,
                           world_axis<S>& moves, const Put& put) {

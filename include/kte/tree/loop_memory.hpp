@@ -7,7 +7,7 @@
 
 namespace kte::detail {
 
-/// Working memory of the loops over body nodes, so that they allocate nothing but by the first call that needs it.
+/// Working memory of the loops over body nodes. Only the first call that needs a part of it allocates.
 template <class P, class S>
 struct loop_memory : tree::memory<P, S> {
   using vector = Eigen::Matrix<S, Eigen::Dynamic, 1>;
@@ -27,13 +27,13 @@ struct loop_memory : tree::memory<P, S> {
       return t.body_tree.nodes[i].is_free && !t.clusters.has(static_cast<int>(i));
     });
   }
-  vector forces;                 ///< what is given back: forces or accelerations
-  std::vector<S> kept;           ///< rates and accelerations that are put aside
+  vector forces;                 ///< results: forces or accelerations
+  std::vector<S> kept;           ///< rates and accelerations that are saved
   std::vector<char> prescribed;  ///< by row: whether its acceleration is given
   bool some_prescribed = false;
-  std::vector<char> wanted;  ///< by element: whether what is asked for depends on it
-  std::vector<S> friction;   ///< of `chain_tree::readers`
-  /// As large as M or larger: made by the first call that gives them.
+  std::vector<char> wanted;  ///< by element: whether the result depends on it
+  std::vector<S> friction;   ///< by element of `chain_tree::readers`
+  /// Of the size of M or larger; allocated by the first call that returns them.
   matrix mass, inverse;
   tree::mass_memory<S> masses;
   tree::followed_memory<S> followed;

@@ -4,13 +4,13 @@
 
 namespace kte::tree {
 
-/// Mass, and mass times position of the centre of mass.
+/// The mass, and the mass times the position of the centre of mass.
 template <class S>
 struct mass_moment {
   S mass{};
   vec3<S> moment{};
 };
-/// Of all bodies, in world axes. After `place_in_world`, `carry_bodies`.
+/// The mass moment of all bodies in world axes. Call `place_in_world` and `carry_bodies` first.
 template <class P, class S>
 mass_moment<S> weight_in_world(const body_tree<P>& f, const memory<P, S>& m) {
   mass_moment<S> sum;
@@ -21,7 +21,7 @@ mass_moment<S> weight_in_world(const body_tree<P>& f, const memory<P, S>& m) {
   }
   return sum;
 }
-/// put(k, momentum of the unit rate of axis k about a point, in world axes).
+/// Calls put(k, momentum at the unit rate of axis k about a point, in world axes).
 template <class P, class S, class Put>
 void momenta(const body_tree<P>& f, const memory<P, S>& m, const vec3<S>& about, const Put& put) {
   const std::size_t bases = static_cast<std::size_t>(f.bases);

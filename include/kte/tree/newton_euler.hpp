@@ -6,7 +6,7 @@
 /// Inverse dynamics of the body nodes of a tree (recursions/newton_euler.hpp).
 namespace kte::tree {
 
-/// The motions of all bodies from those of bases and axes. Linear velocities on request.
+/// The motions of all bodies from those of bases and axes, on request with linear velocities.
 template <bool Velocities, class P, class S>
 void move_bodies(const body_tree<P>& f, memory<P, S>& m) {
   using velocity = std::conditional_t<Velocities, vec3<S>, skip>;
@@ -15,8 +15,8 @@ void move_bodies(const body_tree<P>& f, memory<P, S>& m) {
   (void)engine::motions<hand>(engine::looped<tree_bodies<P, S>>{bodies}, m.bodies.data(), m.rate.data(),
                               m.acceleration.data());
 }
-/// What bodies need for motions that are known, less `loads`, goes in along the tree, into `wrenches`; of an axis its
-/// power into `force`.
+/// Body wrenches for known motions, minus `loads`, go inward to `wrenches`; their power on each axis is added to
+/// `force`.
 template <class P, class S, class Load>
 void transmit_wrenches(const body_tree<P>& f, memory<P, S>& m, const Load& load) {
   const tree_bodies<P, S> bodies(f, m.joint_transforms);
@@ -24,7 +24,7 @@ void transmit_wrenches(const body_tree<P>& f, memory<P, S>& m, const Load& load)
                                    engine::kept_array<body_motion<S>>{m.bodies.data() + f.bases}, load, m.force.data());
 }
 
-/// `loads` of the working memory, for `transmit_wrenches`.
+/// `loads` of the working memory, as an argument of `transmit_wrenches`.
 template <class S>
 struct load_of_slot {
   const dense_wrench<S>* loads;
@@ -33,7 +33,7 @@ struct load_of_slot {
     return loads[b.slot];
   }
 };
-/// The same of loads on bodies that need nothing else.
+/// `transmit_wrenches` for loads only, without body wrenches.
 template <class P, class S>
 void transmit_loads(const body_tree<P>& f, memory<P, S>& m) {
   const tree_bodies<P, S> bodies(f, m.joint_transforms);

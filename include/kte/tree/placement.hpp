@@ -2,10 +2,10 @@
 
 #include <kte/tree/memory.hpp>
 
-/// Components of a body in the axes of its parent, and back.
+/// Transforms components between the axes of a body and of its parent.
 namespace kte::tree {
 
-// Calls: joints of several axes are few, and would otherwise be in the code of all others.
+// Separate functions: joints of several axes are rare, and their code would be inlined into all others.
 template <class S, class L>
 [[gnu::noinline]] vec3<L> rotated(const mat3<vec3<S>>& r, const vec3<L>& u) {
   return {r.x.x * u.x + r.x.y * u.y + r.x.z * u.z, r.y.x * u.x + r.y.y * u.y + r.y.z * u.z,
@@ -15,37 +15,37 @@ template <class S>
 [[gnu::noinline]] vec3<S> rotated_back(const mat3<vec3<S>>& r, const vec3<S>& u) {
   return transpose(r) * u;
 }
-/// v in the axes in which the unit vectors are that are the rows of a matrix.
+/// v in the axes whose unit vectors are the rows of a matrix.
 template <class S, class Row>
 KTE_INLINE Row combined(const mat3<Row>& units, const vec3<S>& v) {
   return v.x * units.x + v.y * units.y + v.z * units.z;
 }
 
-/// A body node where its joint transform has it.
+/// A body node with its joint transform.
 template <class P, class S>
 struct placed {
   const body_node<P>& r;
   const joint_transform<S>& at;
 
-  /// To axes of the parent: vectors of numbers, or of lanes of them.
+  /// Transforms to the axes of the parent: vectors of numbers, or of lanes.
   template <class L>
   KTE_INLINE vec3<L> out(vec3<L> u) const {
     if (r.has_matrix()) [[unlikely]]
-      u = rotated(at.rotation, u);
+      u = rotated(at.rotation(), u);
     return out_placement(u);
   }
-  /// To axes of the body.
+  /// Transforms to the axes of the body.
   KTE_INLINE vec3<S> in(const vec3<S>& u) const {
     const vec3<S> x = in_placement(u);
     if (r.has_matrix()) [[unlikely]]
-      return rotated_back(at.rotation, x);
+      return rotated_back(at.rotation(), x);
     return x;
   }
-  /// R A: from the unit vectors of the body, as rows, to those of the parent; and back.
+  /// R A: from the unit vectors of the body, as rows, to those of the parent; and the inverse.
   template <class Row>
   KTE_INLINE mat3<Row> units_out(mat3<Row> a) const {
     if (r.has_matrix()) [[unlikely]]
-      a = turned(a, at.rotation);
+      a = turned(a, at.rotation());
     a = rows_out_x(r.tilt, rows_out_z(at.angle, a));
     return r.turned ? rows_out_z(r.before, a) : a;
   }
@@ -54,7 +54,7 @@ struct placed {
     if (r.turned) a = rows_out_z(r.before.back(), a);
     a = rows_out_z(at.angle.back(), rows_out_x(r.tilt.back(), a));
     if (r.has_matrix()) [[unlikely]]
-      a = turned(a, transpose(at.rotation));
+      a = turned(a, transpose(at.rotation()));
     return a;
   }
   KTE_INLINE dense_wrench<S> out(const dense_wrench<S>& w) const {
@@ -62,7 +62,7 @@ struct placed {
     return {f, out(w.torque) + cross(at.position, f)};
   }
 
-  /// Across the placement and a turn about z alone.
+  /// Transforms by the placement and a rotation about z only.
   KTE_INLINE vec3<S> in_placement(vec3<S> u) const {
     if (r.turned) u = in_z(r.before, u);
     return in_z(at.angle, in_x(r.tilt, u));
@@ -88,14 +88,14 @@ KTE_INLINE vec3<S> slid(const body_node<P>& r, const vec3<S>& d) {
   const vec3<S> x = out_x(r.tilt, out_z(r.after, d));
   return r.position + (r.turned ? out_z(r.before, x) : x);
 }
-/// Puts a z-joint at q, of which (turned) cosine and sine are known.
+/// Places a z-joint at q; `angle` is used if the joint rotates: cosine and sine.
 template <class P, class S>
 KTE_INLINE void place_on_z(const body_node<P>& r, const S& q, const turn<S>& angle, joint_transform<S>& at) {
   if (r.moves != joint::prismatic) at.angle = r.after * angle;
   if (r.moves != joint::revolute) at.position = slid(r, vec3<S>{S(0), S(0), r.slides * q});
 }
 
-/// The component along unit motion `n` of the axes of a body.
+/// The component of (linear, angular) along unit motion `n` of the axes of a body.
 template <class S>
 KTE_INLINE S& component(vec3<S>& linear, vec3<S>& angular, int n) {
   S* const components[]{&linear.x, &linear.y, &linear.z, &angular.x, &angular.y, &angular.z};
@@ -107,17 +107,17 @@ template <class S>
 KTE_INLINE S power_on(const world_axis<S>& s, const dense_wrench<S>& w) {
   return dot(s.linear, w.force) + dot(s.angular, w.torque);
 }
-/// dS/dt of axis k of a `varying` joint at these rates, in axes of the body.
+/// dS/dt of axis k of a `varying` joint at these rates, in the axes of the body.
 template <class P, class S>
 world_axis<S> rate_of_axis(const body_node<P>& r, const joint_transform<S>& at, int k, const S* rate) {
   world_axis<S> sum{};
   for (int j = 0; j < r.axes; ++j) {
-    const world_axis<S>& by = at.axes[static_cast<std::size_t>(r.axes + r.axes * k + j)];
+    const world_axis<S>& by = at.axis(r.axes + r.axes * k + j);
     sum = {sum.linear + rate[j] * by.linear, sum.angular + rate[j] * by.angular};
   }
   return sum;
 }
-/// What the rates of a joint, or their changes, make: x[0] .. of its axes, in axes of the body.
+/// The motion for the rates of a joint, or their changes: x[0], ... belong to its axes. In the axes of the body.
 template <class P, class S, class T>
 KTE_INLINE void along_axes(const body_node<P>& r, const joint_transform<S>& at, const T* x, vec3<T>& linear,
                            vec3<T>& angular) {
@@ -132,19 +132,19 @@ KTE_INLINE void along_axes(const body_node<P>& r, const joint_transform<S>& at, 
       linear.z += r.slides * x[0], angular.z += r.turns * x[0];
       break;
     case joint::several:
-      if (r.axes == 6)  // a pose: all of them, in order
+      if (r.axes == 6)  // a pose: all six, in order
         linear = linear + vec3{x[0], x[1], x[2]}, angular = angular + vec3{x[3], x[4], x[5]};
       else
         for (int k = 0; k < r.axes; ++k) component(linear, angular, r.axis[static_cast<std::size_t>(k)]) += x[k];
       break;
     case joint::varying:
       for (int k = 0; k < r.axes; ++k) {
-        const world_axis<S>& s = at.axes[static_cast<std::size_t>(k)];
+        const world_axis<S>& s = at.axis(k);
         linear = linear + x[k] * s.linear, angular = angular + x[k] * s.angular;
       }
   }
 }
-/// put(k, the power of a wrench on the unit rate of axis k of a joint) for its first `count` axes.
+/// Calls put(k, power of a wrench on the unit rate of axis k of a joint) for its first `count` axes.
 template <class P, class S, class Put>
 KTE_INLINE void powers_along(const body_node<P>& r, const joint_transform<S>& at, const dense_wrench<S>& w, int count,
                              const Put& put) {
@@ -164,7 +164,7 @@ KTE_INLINE void powers_along(const body_node<P>& r, const joint_transform<S>& at
       break;
     }
     case joint::varying:
-      for (int k = 0; k < count; ++k) put(k, power_on(at.axes[static_cast<std::size_t>(k)], w));
+      for (int k = 0; k < count; ++k) put(k, power_on(at.axis(k), w));
   }
 }
 

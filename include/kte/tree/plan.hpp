@@ -7,25 +7,25 @@
 #include <utility>
 #include <vector>
 
-/// Where coordinates and joints of a chain stand, for the loops over body nodes: of runtime chains, and of static
+/// The order of coordinates and joints of a chain for the loops over body nodes: for runtime chains, and for static
 /// chains that are not unrolled.
 namespace kte::detail {
 
-/// What `arrange` works out. List: std::vector, or `short_list` where a chain is known to the compiler.
+/// The result of `arrange`. List: std::vector, or `short_list` for chains known at compile time.
 template <template <class> class List>
 struct plan {
-  List<std::pair<kind, int>> bases;  ///< frames that no element writes, or only from what comes from outside
-  List<int> joint_row;               ///< by element: of a joint its first coordinate among all coordinates
-  List<int> row_of_gen;      ///< of generalized coordinates, among all coordinates: free ones first, then the others
-  List<int> jointless_dofs;  ///< of degrees of freedom that move no joint
-  int coordinates = 0;       ///< all of them
-  bool tree = true;          ///< no coordinate follows another or moves two joints, no mass is between two things
+  List<std::pair<kind, int>> bases;  ///< frames that no element writes, or only from input
+  List<int> joint_row;               ///< by element: for a joint the row of its first coordinate
+  List<int> row_of_gen;  ///< rows of generalized coordinates among all coordinates: free ones first, then the others
+  List<int> jointless_dofs;  ///< degrees of freedom that move no joint
+  int coordinates = 0;       ///< number of all coordinates
+  bool tree = true;          ///< no coordinate follows another or moves two joints, no mass is between two items
 };
 
-/// Works out the plan of a chain: `Chain` says
-///   elements(), ports(e), index(e, p), rigid(e)   its elements, what their ports are connected to, joints and links
-///   distributed_mass(e)                                    whether it has a mass between several ports
-///   count(k), writer(k, i)                        the things of kind k, and the element that writes one, or -1
+/// Computes the plan of a chain. `Chain` gives
+///   elements(), ports(e), index(e, p), rigid(e)   its elements, the items at their ports, joints and links
+///   distributed_mass(e)                           whether an element has a mass between several ports
+///   count(k), writer(k, i)                        the number of items of kind k; the element that writes item i, or -1
 ///   freedoms(), freedom_at(f), dofs()             its degrees of freedom
 template <template <class> class List, class Chain>
 constexpr plan<List> arrange(const Chain& c) {
@@ -35,7 +35,7 @@ constexpr plan<List> arrange(const Chain& c) {
     for (int i = 0; i < c.count(k); ++i)
       if (depends.at(k, i) == level::given) p.bases.push_back({k, i});
 
-  std::array<List<int>, kinds> row_of;  // of coordinates by kind; -1: no degree of freedom
+  std::array<List<int>, kinds> row_of;  // rows of coordinates by kind; -1: not a degree of freedom
   for (std::size_t k = 0; k < kinds; ++k) {
     if (!is_coordinate(static_cast<kind>(k))) continue;
     row_of[k].resize(static_cast<std::size_t>(c.count(static_cast<kind>(k))));

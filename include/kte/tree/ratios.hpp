@@ -6,11 +6,11 @@
 
 namespace kte::tree {
 
-/// How coordinates follow the degrees of freedom of a chain, by the rows of J that are not zero:
+/// The rates of all coordinates as functions of the degrees of freedom, by the non-zero rows of J:
 ///
-///   q_i' = sum_d J_id v_d + (motions that are given)          (1)
+///   q_i' = sum_d J_id v_d + (prescribed motions)          (1)
 ///
-/// Of a degree of freedom the row has one entry, of a coordinate with a given motion none.
+/// The row of a degree of freedom has one entry, that of a prescribed coordinate none.
 template <class S>
 class ratios {
  public:
@@ -20,12 +20,12 @@ class ratios {
   };
 
   void clear() { steps_.clear(); }
-  /// Coordinate `from` moves at `ratio` times the rate of `to`, among others. Followers come from the last on, the
-  /// steps of one after each other.
+  /// The rate of coordinate `from` includes `ratio` times that of `to`. Add followers from the last on, with all steps
+  /// of a follower together.
   void add(int to, int from, const S& ratio) { steps_.push_back({to, from, ratio}); }
   /// Whether no coordinate follows another.
   bool empty() const { return steps_.empty(); }
-  /// Rows from the steps.
+  /// Computes the rows from the steps.
   void finish(int dofs, int coordinates) {
     rows_.assign(static_cast<std::size_t>(coordinates), {});
     place_.resize(static_cast<std::size_t>(dofs));
@@ -51,7 +51,7 @@ class ratios {
       own.last = entries_.size();
     }
   }
-  /// (A span takes 200 templates more.)
+  /// (A span would instantiate 200 more templates.)
   struct range {
     const entry *first, *last;
     const entry* begin() const { return first; }
@@ -74,7 +74,7 @@ class ratios {
   std::vector<following> steps_;
   std::vector<entry> entries_;
   std::vector<row> rows_;           ///< of coordinates
-  std::vector<std::size_t> place_;  ///< of the entry of a degree of freedom in the row at hand, if it has one
+  std::vector<std::size_t> place_;  ///< position of the entry of a degree of freedom in the current row, if it has one
 };
 
 }  // namespace kte::tree

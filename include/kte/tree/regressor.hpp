@@ -9,15 +9,15 @@ namespace kte::tree {
 ///   m,  m c_x, m c_y, m c_z,  I_xx, I_xy, I_yy, I_xz, I_yz, I_zz          (1)
 template <class S>
 using per_parameter = std::array<S, 10>;
-/// Number i of those that a body has: in the plane four, m, m c_x, m c_y, I_zz; else all ten.
+/// Parameter i of a body with `count` parameters: in the plane four, m, m c_x, m c_y, I_zz; otherwise all ten.
 template <class S>
 KTE_INLINE const S& parameter_at(const per_parameter<S>& all, int i, int count) {
   constexpr std::array<std::size_t, 4> in_plane{0, 1, 2, 9};
   return all[count == 4 ? in_plane[static_cast<std::size_t>(i)] : static_cast<std::size_t>(i)];
 }
 
-/// The power of what a body needs for its motion x on a velocity v, u of its frame, by its inertial parameters. Newton
-/// and Euler are linear in them (Atkeson, An, Hollerbach 1986): with h = m c and I about the origin,
+/// The power of the body wrench for a motion x on a velocity v, u of its frame, by inertial parameters. The
+/// Newton-Euler equations are linear in them (Atkeson, An, Hollerbach 1986): with h = m c and I about the origin,
 ///
 ///   f = m a + al x h + w x (w x h),   n = I al + w x I w + h x a                                  (2)
 ///   v . f + u . n = m (v . a) + h . (v x al + (v x w) x w + a x u) + u . I al + (u x w) . I w      (3)
@@ -37,8 +37,8 @@ per_parameter<S> power_by_parameters(const Motion& x, const vec3<S>& v, const ve
           S(u.z * al.z + d.z * w.z)};
 }
 
-/// The forces on all axes for the motion of a body fixed to a frame, by its inertial parameters: put(k, y) for each
-/// axis k between the frame and its base, of which the rate moves the frame as its Jacobian says. After `move_bodies`.
+/// The forces on all axes for the motion of a body fixed to a frame, by inertial parameters: put(k, y) for each axis k
+/// between the frame and its base; y uses the column of axis k in the Jacobian of the frame. Call `move_bodies` first.
 template <class P, class S, class Put>
 void forces_by_parameters(const body_tree<P>& f, const memory<P, S>& m, const frame_place<P>& frame, const Put& put) {
   const body_motion<S>& b = m.bodies[static_cast<std::size_t>(frame.slot)];

@@ -5,7 +5,7 @@
 
 namespace kte::detail {
 
-/// A vector of at most N.
+/// A list of at most N items, without heap allocation.
 template <class T, std::size_t N>
 struct short_list {
   std::array<T, N> item{};

@@ -9,11 +9,11 @@
 #include <type_traits>
 #include <utility>
 
-/// As many numbers of a row as a register of the processor takes at once. Not packs (math/pack.hpp), which are scalars
-/// of their own with all that scalars can: this costs nothing to compile.
+/// As many contiguous numbers as fit into a register. Not packs (math/pack.hpp), which are scalars with all functions;
+/// this compiles faster.
 namespace kte::tree {
 
-/// `type` has +, -, * with itself and with S; of most scalars it is one number.
+/// `type` has +, -, * with itself and with S; for most scalars it is a single number.
 template <class S>
 struct simd_of {
   using type = S;
@@ -40,7 +40,7 @@ struct simd_of<float> {
 template <class S>
 using simd = typename simd_of<S>::type;
 
-/// The most numbers that stand in a register: so many may be read and written before and beyond a row.
+/// The most numbers in a register: this many numbers before and after a row may be read and written.
 inline constexpr std::size_t most_lanes = 8;
 
 /// Simd: simd<S>, or S itself.
@@ -58,8 +58,8 @@ KTE_INLINE void store(const Simd& x, S* to) {
   else
     std::memcpy(to, &x, sizeof x);
 }
-/// One place of a register. What is put there is blended in: a number that is stored by itself would have to reach
-/// memory before the register can be loaded.
+/// One lane of a register. A number is blended in, because a separate store would have to reach memory before the
+/// register can be loaded.
 template <class S>
 class simd_lane {
   static constexpr int count = static_cast<int>(simd_of<S>::count);
@@ -86,14 +86,14 @@ class simd_lane {
  private:
   decltype(std::declval<simd<S>>() < std::declval<simd<S>>()) mask_{};
 };
-/// f(k) for every register that ends at number `last` of a row or n, 2 n ... before it, down to `first`: the first of
-/// them, which comes first, perhaps begins before that.
+/// Calls f(k) for registers that end at number `last` of a row, or n, 2 n ... before it, down to `first`, in ascending
+/// order; the first register may begin before `first`.
 template <class S, class F>
 KTE_INLINE void for_each_simd_to(int last, int first, const F& f) {
   constexpr int n = static_cast<int>(simd_of<S>::count);
   for (int k = last - (last - first + n - 1) / n * n; k < last; k += n) f(k);
 }
-/// f(k) for every register from number `first` of a row up to `last`, the last of them perhaps beyond it.
+/// Calls f(k) for registers from number `first` of a row to `last`; the last register may extend beyond `last`.
 template <class S, class F>
 KTE_INLINE void for_each_simd(int first, int last, const F& f) {
   for (int k = first; k < last; k += static_cast<int>(simd_of<S>::count)) f(k);

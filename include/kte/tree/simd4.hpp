@@ -8,7 +8,7 @@
 #include <cstring>
 #include <type_traits>
 
-/// Four numbers that go the same way, in a register where the scalar has one so wide.
+/// Four numbers with common arithmetic, in one register if the scalar has a register of this width.
 namespace kte::tree {
 
 template <class S>
@@ -49,7 +49,8 @@ struct simd4_of<float> {
   typedef float type __attribute__((vector_size(16)));
 };
 #endif
-/// It has +, - and * with itself, * with S, and []. Handed on by reference: not all processors pass it in a register.
+/// It has +, - and * with itself, * with S, and []. Pass it by reference, because not all processors pass it in a
+/// register.
 template <class S>
 using simd4 = typename simd4_of<S>::type;
 

@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <span>
 
-/// Products with the inverse of a mass matrix that know which bodies stand on each other.
+/// Products with the inverse of a mass matrix that use the structure of the tree.
 namespace kte::tree {
 
-/// Rows from 0 to n; known to the compiler where n is a constant.
+/// Rows 0 to n, known at compile time if n is a constant.
 template <class Size>
 struct all_rows {
   Size n;
@@ -25,16 +25,15 @@ struct some_rows {
     for (const int k : rows) f(k);
   }
 };
-/// n x n by columns, as Eigen has them. Size: an int, or a constant.
+/// n x n matrices by columns, as in Eigen. Size: an int, or a constant.
 template <class S, class Size = int, class Rows = some_rows>
 struct solve_arguments {
   Size n;
   const S *inverse, *b, *c;
   S *x, *y;
-  Rows rows;  ///< of b and c that are anything
+  Rows rows;  ///< rows of b and c that may be non-zero
 };
-/// Rows from i on, and from `further` on, as many as go together, of columns j, j + 1 .. of X = -M^-1 B and
-/// Y = -M^-1 C.
+/// Rows from i on, and from `further` on, one register each, of columns j, j + 1 .. of X = -M^-1 B and Y = -M^-1 C.
 template <int Columns, bool Two, class Simd, class S, class Size, class Rows>
 KTE_INLINE void solve_block(const solve_arguments<S, Size, Rows>& s, int i, int further, int j) {
   Simd x[Columns]{}, y[Columns]{}, u[Columns]{}, v[Columns]{};
@@ -63,7 +62,7 @@ void solve_together(const solve_arguments<S, Size, Rows>& s, int j) {
     for (int i = 0; i < s.n; ++i) solve_block<Columns, false, S>(s, i, i, j);
     return;
   }
-  const int blocks = (s.n + count - 1) / count;  // the last goes back over some rows
+  const int blocks = (s.n + count - 1) / count;  // the last block overlaps the previous one
   const auto begin = [&s](int block) KTE_INLINE_LAMBDA { return (std::min)(block * count, s.n - count); };
   for (int k = 0; k + 1 < blocks; k += 2) solve_block<Columns, true, simd<S>>(s, begin(k), begin(k + 1), j);
   if (blocks % 2 != 0) solve_block<Columns, false, simd<S>>(s, begin(blocks - 1), 0, j);
@@ -87,8 +86,8 @@ void solve_columns(const solve_arguments<S, Size, Rows>& s, int first, int end) 
   }
 }
 
-/// X = -M^-1 B and Y = -M^-1 C for axes in order: a column of B and C has rows of bodies on the way to its own and
-/// beyond it. Bodies that stand one on the other have that in common. If `coupled`, columns are full.
+/// X = -M^-1 B and Y = -M^-1 C for axes in order: a column of B and C has rows of ancestors and descendants of its
+/// body. If `coupled`, columns are full.
 template <class P, class S>
 void solve_limbs(const body_tree<P>& f, bool coupled, std::vector<int>& rows, const S* inverse, const S* b, const S* c,
                  S* x, S* y) {

@@ -2,16 +2,17 @@
 
 #include <kte/math/matrix.hpp>
 
-/// Turns about x and z of vectors and matrices. Typed constants in them stay typed where a turn leaves them alone.
+/// Rotations about x and z of vectors and matrices. Typed constants that a rotation does not change stay typed.
 namespace kte::tree {
 
-/// By its cosine and sine. `out` takes components in turned axes to those in the axes before, `in` takes them back.
+/// A rotation by its cosine and sine. `out` transforms components from rotated axes to the previous axes, `in`
+/// transforms them back.
 template <class S>
 struct turn {
   S cos = S(1), sin = S(0);
   KTE_INLINE turn back() const { return {cos, -sin}; }
 };
-/// One after the other, about the same axis.
+/// The product of two rotations about one axis.
 template <class T, class S>
 KTE_INLINE turn<S> operator*(const turn<T>& a, const turn<S>& b) {
   return {a.cos * b.cos - a.sin * b.sin, a.sin * b.cos + a.cos * b.sin};
@@ -34,7 +35,7 @@ KTE_INLINE auto in_x(const turn<T>& t, const vec3<X, Y, Z>& u) {
   return vec3{u.x, t.cos * u.y + t.sin * u.z, t.cos * u.z - t.sin * u.y};
 }
 
-/// R A, of which the rows are turned.
+/// R A, which rotates the rows of A.
 template <class T, class Row>
 KTE_INLINE mat3<Row> rows_out_z(const turn<T>& t, const mat3<Row>& a) {
   return {t.cos * a.x - t.sin * a.y, t.sin * a.x + t.cos * a.y, a.z};
@@ -44,8 +45,8 @@ KTE_INLINE mat3<Row> rows_out_x(const turn<T>& t, const mat3<Row>& a) {
   return {a.x, t.cos * a.y - t.sin * a.z, t.sin * a.y + t.cos * a.z};
 }
 
-/// R A R^T. Squares of cosine and sine are not replaced by each other: quarter turns lose no digit of entries that are
-/// small beside others.
+/// R A R^T. Squares of cosine and sine are not substituted for each other, so quarter turns keep the digits of small
+/// entries.
 template <class T, class... A>
 KTE_INLINE auto out_z(const turn<T>& t, const sym3<A...>& a) {
   const T cc = t.cos * t.cos, ss = t.sin * t.sin, cs = t.cos * t.sin;

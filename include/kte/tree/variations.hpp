@@ -5,10 +5,9 @@
 #include <kte/tree/simd4.hpp>
 
 /// Derivatives of inverse dynamics (Singh, Russo and Wensing, Efficient analytical derivatives of rigid-body dynamics
-/// using spatial vector algebra, 2022), in world axes at the origin of each body. Spatial vectors: a motion is
-/// (linear, angular), the velocity of the point of the body at the origin and its rotation. Each body is seen by an
-/// observer who moves on with its origin at the speed that it has now, so that no large speed is ever subtracted from
-/// another.
+/// using spatial vector algebra, 2022), in world axes at the origin of each body. A spatial motion is (linear,
+/// angular): the velocity of the body's point at the origin, and its angular velocity. Each body has an observer who
+/// moves with its origin at its present velocity, so that no large velocities are subtracted from each other.
 namespace kte::tree {
 
 template <class S>
@@ -18,17 +17,17 @@ struct spatial_motion {
     return {a.linear + b.linear, a.angular + b.angular};
   }
 };
-/// The change of a motion b that moves with a.
+/// The rate of change of a motion b that moves with a.
 template <class S>
 KTE_INLINE spatial_motion<S> cross(const spatial_motion<S>& a, const spatial_motion<S>& b) {
   return {cross(a.angular, b.linear) + cross(a.linear, b.angular), cross(a.angular, b.angular)};
 }
 
-/// Of an axis s in a body that moves by v, whose parent moves by v_p, a_p (all at the origin of the body):
+/// For an axis s of a body with velocity v, whose parent has v_p, a_p (all at the origin of the body):
 ///
 ///   s' = v_p x s,   s'' = a_p x s + v_p x s',   mixed = s' + v x s          (1)
 ///
-/// side by side as what the forces need: (s'', mixed, s), and of angular parts s' too.
+/// stored side by side as the forces need them: (s'', mixed, s), and for angular parts also s'.
 template <class S>
 struct axis_variation {
   four_vectors<S> linear, angular;  ///< (s'', mixed, s, 0 or s')
@@ -42,11 +41,12 @@ struct axis_variation {
   }
   KTE_INLINE spatial_motion<S> axis() const { return {linear.get(2), angular.get(2)}; }
 };
-/// Of a body with all it carries: inertia M, and 2 B, which acts on angular parts alone,
+/// For a body with its subtree: inertia M, and 2 B, which acts on angular parts only,
 ///
 ///   B = (v x* M - M v x + (M v) x*) / 2          (2)
 ///
-/// `passing`: the speed u of its origin to the observer of its parent. `ways`: (p, p, p, 2 u), p the way of the origin.
+/// `passing`: the velocity u of its origin relative to the observer of its parent. `ways`: (p, p, p, 2 u), with the
+/// displacement p of the origin.
 template <class S>
 struct body_variation {
   vec3<S> ang_velocity, acceleration, ang_acceleration, passing;
@@ -80,7 +80,7 @@ struct variation_memory {
   std::vector<body_variation<S>> bodies;  ///< of slots
 };
 
-/// (1), (2) of each body alone. After `move_bodies`, `place_in_world`.
+/// (1), (2) for each body alone. Call `move_bodies`, `place_in_world` first.
 template <class P, class S>
 void start_variations(const body_tree<P>& f, const memory<P, S>& m, variation_memory<S>& v) {
   const std::size_t bases = static_cast<std::size_t>(f.bases);
@@ -116,7 +116,7 @@ void start_variations(const body_tree<P>& f, const memory<P, S>& m, variation_me
       const world_axis<S>& s = m.axes[static_cast<std::size_t>(k)];
       axis_variation<S>& x = v.axes[static_cast<std::size_t>(k)];
       const spatial_motion<S> axis{s.linear, s.angular};
-      if (r.moves == joint::revolute) {  // what is linear is nothing; w x s is s'
+      if (r.moves == joint::revolute) {  // linear parts are zero; w x s is s'
         const vec3<S> first = cross(w_p, s.angular);
         x.set({cross(a_p.linear, s.angular), cross(a_p.angular, s.angular) + cross(w_p, first)}, {{}, S(2) * first},
               axis, first);

@@ -8,7 +8,7 @@
 namespace kte {
 
 namespace detail {
-/// A scene with one row, and rows that go to a page.
+/// A scene with one row, whose rows are sent to a page.
 template <class Chain>
 class live_rows : public scene_recording<Chain> {
   using base = scene_recording<Chain>;
@@ -26,7 +26,7 @@ class live_rows : public scene_recording<Chain> {
   }
 
  private:
-  /// q and v of coordinates, and more.
+  /// The names of the columns: q and v of coordinates, and more.
   static std::vector<std::string> names(const Chain& chain, const std::vector<std::string>& more) {
     std::vector<std::string> all;
     for (const auto& e : layout(chain_in(chain)))

@@ -23,7 +23,7 @@ class live_server {
   /// Closes all pages.
   ~live_server();
 
-  /// The address, "http://127.0.0.1:41234/2f...c1/". It gives access to the page and its sliders: keep it secret, as a
+  /// The address, "http://127.0.0.1:41234/2f...c1/". It gives access to the page and its sliders; keep it secret like a
   /// password.
   const std::string& url() const;
   /// The number of open pages.
@@ -34,8 +34,8 @@ class live_server {
   void slider(std::string_view name, double lower, double upper, double value, std::string_view unit = "1");
   /// The value of a slider. Throws `unknown_name`.
   double value(std::string_view name) const;
-  /// The present pull of a page, for the elements `pull_2D`, `pull_3D` of the chain. Its stiffness gives the mass of
-  /// the mechanism a frequency of 9 rad/s.
+  /// The current pull of a page, for the elements `pull_2D`, `pull_3D` of the chain. Its stiffness is chosen for a
+  /// natural frequency of 9 rad/s of the mechanism.
   page_pull pull() const;
   /// Whether the page is paused; the program may use `wait`, or this.
   bool paused() const;
@@ -47,14 +47,14 @@ class live_server {
   double speed() const;
 
   /// Waits until the clock of the page is at t, s. The clock runs at `speed`, and stops while the page is paused. The
-  /// buttons Step and Reset let one call return. A t before the last one, and a late call, set the clock to t. Returns
-  /// false after `stop`.
+  /// buttons Step and Reset let one call return. If t is before the previous t, or the call is late, the clock is set
+  /// to t. Returns false after `stop`.
   bool wait(double t);
   /// Waits until a page is open. Returns false after `stop`.
   bool wait_for_page();
   /// Shows a text in the page, replacing the previous one.
   void say(std::string_view text);
-  /// Makes `wait` and `wait_for_page` return false from now on.
+  /// Makes `wait` and `wait_for_page` return false from this call on.
   void stop();
 
  protected:

@@ -11,7 +11,7 @@ struct page_options {
   std::string title{};  ///< if empty, the name of the robot or of the file
   /// Largest size of all meshes in a page, as text. Larger meshes are simplified, the largest first.
   std::size_t mesh_bytes = std::size_t{4} << 20;
-  /// Largest size of all recordings in a page, as text. Longer ones keep every second row, third row, ...
+  /// Largest size of all recordings in a page, as text. Longer recordings keep every second row, third row, ...
   std::size_t recording_bytes = std::size_t{8} << 20;
 };
 

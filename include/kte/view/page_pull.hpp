@@ -6,7 +6,7 @@
 
 namespace kte {
 
-/// A pull by a page: a spring and a damper from a point of a frame to a target.
+/// A pull by the user of a page: a spring and a damper from a point of a frame to a target.
 struct page_pull {
   std::string frame{};   ///< its name; empty: nothing is pulled
   vec3<> point{};        ///< in the frame, m

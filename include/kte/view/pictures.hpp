@@ -7,7 +7,8 @@
 #include <kte/view/svg/topology.hpp>
 
 /// Pictures for papers in SVG, of chains, robots and recordings (docs/pictures.md). Needs the library kte::view, which
-/// makes scenes. For a `scene`, and for plots of tables, kte/view/svg/picture.hpp and kte/view/svg/plot.hpp suffice.
+/// makes scenes. For a `scene`, and for plots of tables, kte/view/svg/picture.hpp and kte/view/svg/plot.hpp are
+/// sufficient.
 namespace kte {
 
 /// Units of the coordinates and columns of a mechanism, by name: `kte::plot(run, {"elbow"}, {.units =
@@ -26,8 +27,8 @@ template <drawable Chain>
   return units_of(scene_of(chain));
 }
 
-/// Draws a mechanism as SVG into a file: a recording, a chain with all coordinates zero, or a chain that moves as a
-/// table.
+/// Draws a mechanism as SVG to a file: a recording, a chain with all coordinates zero, or a chain moved by the rows of
+/// a table.
 inline void write_picture(const std::filesystem::path& file, const recorded_scene& r, const picture_options& o = {}) {
   write_picture(file, r.contents(), o);
 }
@@ -40,7 +41,7 @@ void write_picture(const std::filesystem::path& file, const Chain& chain, const 
                    const picture_options& o = {}) {
   write_picture(file, scene_of(chain, numbers), o);
 }
-/// Draws a recording, or a chain that moves as a table, as an animated SVG into a file.
+/// Draws a recording, or a chain moved by the rows of a table, as an animated SVG to a file.
 inline void write_moving_picture(const std::filesystem::path& file, const recorded_scene& r,
                                  const picture_options& o = {}) {
   write_moving_picture(file, r.contents(), o);
@@ -50,7 +51,7 @@ void write_moving_picture(const std::filesystem::path& file, const Chain& chain,
                           const picture_options& o = {}) {
   write_moving_picture(file, scene_of(chain, numbers), o);
 }
-/// Draws the topology of a chain as SVG into a file.
+/// Draws the topology of a chain as SVG to a file.
 template <drawable Chain>
 void write_topology(const std::filesystem::path& file, const Chain& chain, const topology_options& o = {}) {
   write_topology(file, scene_of(chain), o);

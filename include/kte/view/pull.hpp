@@ -7,7 +7,7 @@
 
 #include <string_view>
 
-/// How bodies of a running simulation are pulled by the pointer in a page (docs/live.md).
+/// Elements by which the pointer in a page pulls bodies of a running simulation (docs/live.md).
 namespace kte {
 
 namespace core {
@@ -16,8 +16,8 @@ namespace core {
 ///
 ///   F = k (R^T (t - p) - r) - c (v + w x r),  T = r x F          (1)
 ///
-/// In the plane, the parts of r and t out of the plane are ignored. The pull belongs to the program, which may change
-/// it at any time.
+/// In the plane, out-of-plane components of r and t are ignored. The program owns the `page_pull` and may change it at
+/// any time.
 template <kind Dim, class Name>
 struct pull : no_parameters {
   static constexpr type_name type{"pull", Dim};
@@ -49,7 +49,7 @@ struct pull : no_parameters {
 
 }  // namespace core
 
-/// An element by which a page pulls `frame`, a key or a text, in the plane, while `by` names it; `by` must outlive the
+/// An element that pulls `frame`, a key or a text, in the plane while `by` names this frame. `by` must outlive the
 /// chain.
 template <class F>
 [[nodiscard]] constexpr auto pull_2D(const F& frame, const page_pull& by) {
@@ -59,7 +59,7 @@ template <class F>
     return connect(core::pull<kind::frame_2D, std::string>{{}, &by, std::string(frame)}, frame);
   }
 }
-/// An element by which a page pulls `frame`, a key or a text, in space; see `pull_2D`.
+/// An element that pulls `frame`, a key or a text, in space; see `pull_2D`.
 template <class F>
 [[nodiscard]] constexpr auto pull_3D(const F& frame, const page_pull& by) {
   if constexpr (key_type<F>) {
@@ -69,7 +69,7 @@ template <class F>
   }
 }
 
-/// The chain with such an element on each frame that a joint moves.
+/// The chain with a pull element on each frame that a joint moves.
 [[nodiscard]] inline runtime_chain with_pulls(runtime_chain c, const page_pull& by) {
   for (const kind k : {kind::frame_2D, kind::frame_3D}) {
     const auto at = static_cast<std::size_t>(k);

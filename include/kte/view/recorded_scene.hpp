@@ -9,17 +9,17 @@
 namespace kte {
 
 namespace detail {
-/// A thing in a state: a frame or a coordinate.
+/// A frame or coordinate of a state.
 struct thing_place {
   kind what;
   int slot;
 };
-/// What of a row of a table goes into a thing of a state before it is drawn.
+/// The columns of a table that determine a frame or coordinate of a state.
 struct thing_source {
   kind what;
   int slot;
-  std::vector<const std::vector<double>*> columns;  ///< none: the time
-  bool rates = false;                               ///< of a coordinate
+  std::vector<const std::vector<double>*> columns;  ///< empty: the time
+  bool rates = false;                               ///< whether they are rates of a coordinate
 };
 struct replay_plan {
   std::vector<thing_source> sources;
@@ -36,7 +36,7 @@ class recorded_scene {
  protected:
   recorded_scene(const detail::chain_parts& chain, const recording_options& options);
 
-  /// Where to read a row from.
+  /// The frames and coordinates from which a row is read.
   const std::vector<detail::thing_place>& tracked() const { return tracked_; }
   const std::vector<detail::thing_place>& freedoms() const { return freedoms_; }
   const std::vector<detail::thing_place>& signals() const { return signals_; }
@@ -45,9 +45,9 @@ class recorded_scene {
   /// without columns, `bad_argument` for invalid numbers and times.
   detail::replay_plan replay(const detail::chain_parts& chain, const table& numbers);
 
-  /// A row to be filled.
+  /// The row to fill.
   scene_row& blank() { return row_; }
-  /// Takes the row.
+  /// Adds the row at time t.
   void add(double t);
 
  private:
@@ -55,9 +55,9 @@ class recorded_scene {
   std::vector<detail::thing_place> tracked_, freedoms_, signals_;
   std::vector<detail::recorded> cells_;
   scene_row row_;
-  bool broken_ = false;                ///< whether there were numbers that are not finite
-  bool knows_v_ = true;                ///< whether there are velocities
-  std::vector<bool> unknown_signals_;  ///< of a table
+  bool broken_ = false;                ///< whether a number was not finite
+  bool knows_v_ = true;                ///< whether velocities are known
+  std::vector<bool> unknown_signals_;  ///< for tables
 };
 
 }  // namespace kte

@@ -17,7 +17,7 @@ const tolerances<double> tight{.absolute = 1e-10, .relative = 1e-10};
 
 }  // namespace
 
-TEST_CASE("ARKODE: the table is the one that was asked for, explicit or implicit", "[both]") {
+TEST_CASE("ARKODE: the table is that of the argument, explicit or implicit", "[both]") {
   kte::sundials::explicit_runge_kutta verner(bell, 0.0, start, tight, ARKODE_VERNER_8_5_6);
   kte::sundials::implicit_runge_kutta trbdf2(bell, 0.0, start, {}, ARKODE_TRBDF2_3_3_2);
   verner.integrate(1), trbdf2.integrate(1);

@@ -59,7 +59,7 @@ struct andrews {
   struct arm {
     vector n;
     S d, dd;
-    /// What stands so far along it and so far to the left.
+    /// The point at distance `along` on it, and `left` to the left.
     point operator()(const S& along, const S& left = S(0)) const {
       const vector p = along * n + left * left_of(n);
       return {p, d * left_of(p), dd * left_of(p) - d * d * p};

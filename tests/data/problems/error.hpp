@@ -6,7 +6,7 @@
 /// Initial value problems with known solutions, for tests and benchmarks of integrators.
 namespace kte::problems {
 
-/// What is known of a solution at a time: its numbers to all digits that are known, at most 30.
+/// The known values of a solution at a time, to at most 30 digits.
 template <int N>
 struct known {
   long double time;

@@ -9,7 +9,7 @@
 
 namespace evaluate {
 
-/// What is printed for each state, by the names of `--ops`.
+/// The operations of `--ops`, which are printed for each state.
 struct operations {
   bool id = true, fd = true, m = true, g = false, h = false, energy = true, com = true, did = false, dfd = false;
   bool asked = false;  ///< whether a table without the columns that they need is refused

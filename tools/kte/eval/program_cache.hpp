@@ -18,7 +18,7 @@ inline std::filesystem::path cache_folder() {
     if (value && std::filesystem::path(value).is_absolute()) return std::filesystem::path(value) / below / "kte";
   }
   throw kte::bad_argument(
-      "kte: --static keeps programs below $XDG_CACHE_HOME or $HOME, and neither is an absolute path");
+      "kte: --static keeps programs below $XDG_CACHE_HOME or $HOME: set one of them to an absolute path");
 }
 
 /// 64 bits in 16 digits.
@@ -34,8 +34,8 @@ class program_cache {
   explicit program_cache(std::filesystem::path folder) : folder_(std::move(folder)) { make_private_folder(folder_); }
 
   std::filesystem::path path_of(const std::string& name) const { return folder_ / name; }
-  /// A program that is there and of which no byte has changed, open: what is run is what was looked at. None if it is
-  /// not there, or damaged. Throws `bad_file` if it is a link, or may be another's.
+  /// Opens a program if it exists and no byte has changed. The descriptor ensures that the checked file is run. None if
+  /// it is not there, or damaged. Throws `bad_file` if it is a link, or may be another's.
   descriptor find(const std::string& name) const {
     auto file = open_private(path_of(name));
     if (file.get() < 0) return file;

@@ -50,7 +50,7 @@ class output {
   bool has_names_ = false;
 };
 
-/// What is printed for each state, by a model of a robot (runtime_model.hpp, static_model.hpp).
+/// Prints the results for each state, by a model of a robot (runtime_model.hpp, static_model.hpp).
 template <class Model>
 class row_writer {
   using S = typename Model::scalar;

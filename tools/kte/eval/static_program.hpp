@@ -87,11 +87,11 @@ inline int run_static(const evaluated_robot& r, const options& o) {
       compile(words, folder);
     });
     file = cache.find(name);
-    if (file.get() < 0) throw kte::bad_file("kte: " + program + " was damaged as soon as it was made");
+    if (file.get() < 0) throw kte::bad_file("kte: " + program + " was damaged right after it was written");
   }
   const auto end =
       run_child(program, {o.states.string(), o.ops, o.derivatives ? "1" : "0"}, STDOUT_FILENO, true, file.get());
-  if (!end.confirmed) throw kte::bad_file("kte: " + program + " has not done its work: it ended " + end.how);
+  if (!end.confirmed) throw kte::bad_file("kte: " + program + " failed: it ended " + end.how);
   return end.code;
 }
 

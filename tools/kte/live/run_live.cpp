@@ -68,7 +68,7 @@ int run_live(const live_settings& o) {
   inputs->show(page);
   interrupted.calls([&page] { page.stop(); });
   kte::detail::write_standard_output(page.url() + '\n');
-  say("the page is at the address above, for who knows it; Ctrl-C ends");
+  say("the page is at the address above, for everyone who knows it; Ctrl-C ends");
   std::optional<way_to_page> way;
   if (o.open) open_if_possible(way.emplace(page.url()).file());
 

@@ -13,7 +13,7 @@ namespace kte_tool {
 /// The chain with a force on each of its coordinates of one number, as their own inputs.
 struct driven_chain {
   kte::runtime_chain chain;
-  std::vector<std::string> force_of;  ///< over v: the input; empty where there is none
+  std::vector<std::string> force_of;  ///< over v: the name of the input, or empty
 
   explicit driven_chain(const kte::runtime_chain& c) : chain(c), force_of(static_cast<std::size_t>(c.dofs())) {
     const auto registry = kte::element_registry::standard();
@@ -47,7 +47,7 @@ inline int place_of_input(const plant::model_type& m, const std::string& name) {
 ///
 ///   tau = kp (q* - q) + kd (v* - v) + g(q)          (1)
 ///
-/// v* is that of the table, or the slope of q*; g, the forces against gravity, is left out unless wanted. Gains that
+/// v* is that of the table, or the slope of q*; g, the forces against gravity, is optional. Gains that
 /// are not given are those of a critically damped oscillator of 10 rad/s with the largest mass that the coordinate
 /// feels at the start and at targets: kp = 100 M_ii, kd = 20 M_ii.
 class pd_control {

@@ -37,7 +37,7 @@ std::unique_ptr<plant_solver> method(plant& p, const plant::state& x, const How&
   return std::make_unique<plant_method<solver>>(p, [&] { return solver(std::ref(p), 0.0, x, how); });
 }
 
-/// The same of multistep methods, which move states as vectors.
+/// A solver of a multistep method, for which states are vectors.
 template <template <class, class> class Method, class How>
 std::unique_ptr<plant_solver> vector_method(plant& p, const plant::state& x, const How& how) {
   using form = kte::vector_form<std::reference_wrapper<plant>>;

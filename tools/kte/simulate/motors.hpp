@@ -7,7 +7,7 @@
 
 namespace kte_tool {
 
-/// Adds the motors of a robot's file to its chain. What is odd about them goes to standard error.
+/// Adds the motors of a robot's file to its chain. Writes warnings about them to standard error.
 inline void take_motors(mechanism& m) {
   const auto before = m.robot.warnings.size();
   kte::add_motors(m.robot);

@@ -27,7 +27,7 @@ using run_observer = std::function<void(double t, const plant::state& x)>;
 class plant_solver {
  public:
   virtual ~plant_solver() = default;
-  /// To a time, with events where the laws of elements change; tells an observer all so many s, also of both ends.
+  /// To a time, with events where the laws of elements change; calls an observer every `every` s, and at both ends.
   /// Throws what integrators throw.
   virtual void advance(double end, double every, const run_observer& observe) = 0;
   virtual double time() const = 0;

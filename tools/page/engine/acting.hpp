@@ -32,9 +32,9 @@ class acting {
     set_accelerations(state_, accelerations_);
     pass();
   }
-  /// Of what was recorded: v, and the numbers of inputs, vectors and internal states. What is not known is NaN, and so
-  /// are loads that depend on it; so are accelerations where something else acted (free = false). Throws `bad_argument`
-  /// for wrong sizes.
+  /// Loads of a recorded state: v, and the numbers of inputs, vectors and internal states. Unknown loads are NaN, and
+  /// so are loads that depend on it; so are accelerations where something else acted (free = false). Throws
+  /// `bad_argument` for wrong sizes.
   template <indexable Q, indexable V, indexable Signals>
   void at(double t, const Q& q, const V& v, const Signals& signals, bool free = true) {
     if (v.size() != static_cast<std::size_t>(model_.dofs()) || signals.size() != signal_count())

@@ -81,7 +81,7 @@ KTE_EXPORT(kte_buffer) double* room(std::size_t bytes) {
   return buffer.data();
 }
 
-/// A model file's text, of so many bytes in the buffer.
+/// The text of a model file, of `bytes` bytes in the buffer.
 KTE_EXPORT(kte_load) int load(std::size_t bytes) {
   return guarded([&] {
     auto fresh = std::make_unique<player>(text(bytes));
@@ -101,7 +101,7 @@ KTE_EXPORT(kte_track) int track() {
   const auto all = std::exchange(names, {});
   return guarded([&] { loaded().track(all); });
 }
-/// q, of so many numbers, to poses.
+/// From q, of `count` numbers, to poses.
 KTE_EXPORT(kte_poses) int poses(std::size_t count) {
   return guarded([&] {
     const auto& all = loaded().shown().poses(numbers(0, count));
@@ -110,11 +110,11 @@ KTE_EXPORT(kte_poses) int poses(std::size_t count) {
   });
 }
 
-/// q and v, of so many numbers each, to accelerations.
+/// From q and v, of nq and nv numbers, to accelerations.
 KTE_EXPORT(kte_accelerations) int accelerations(std::size_t nq, std::size_t nv) {
   return guarded([&] { put(buffer.data(), loaded().shown().accelerations(numbers(0, nq), numbers(nq, nv))); });
 }
-/// The same, to begin with.
+/// Starts the simulation.
 KTE_EXPORT(kte_start) int start(std::size_t nq, std::size_t nv) {
   return guarded([&] { loaded().start(numbers(0, nq), numbers(nq, nv)); });
 }
@@ -140,7 +140,7 @@ KTE_EXPORT(kte_state) int state() {
     put(put(to, x.head(m.nq() + m.dofs())), signals);
   });
 }
-/// q, v and signals, of so many numbers each, at a time to the loads in the mechanism: how many they are; of each the
+/// From q, v and signals, with their sizes, at a time to the loads in the mechanism: their number; of each the
 /// element, 1 on a frame and 0 on a coordinate, which of these, a force and a torque; of each track the reaction, a
 /// force and a torque; the accelerations. Without v and signals: at rest. Not free: where something else acted too.
 KTE_EXPORT(kte_loads) int loads(std::size_t nq, std::size_t nv, std::size_t signals, double t, int free) {
@@ -151,14 +151,14 @@ KTE_EXPORT(kte_loads) int loads(std::size_t nq, std::size_t nv, std::size_t sign
                   : p.loads(t, numbers(0, nq), numbers(nq, nv), numbers(nq + nv, signals), free != 0));
   });
 }
-/// The same of the simulation as it is now.
+/// `kte_loads` for the present state of the simulation.
 KTE_EXPORT(kte_loads_now) int loads_now() {
   return guarded([] { put_loads(loaded().loads_now()); });
 }
 /// The time of the simulation, s.
 KTE_EXPORT(kte_time) double time_reached() { return playing && playing->is_running() ? playing->running().time() : 0; }
 
-/// The frame's name is the one of the last `kte_name`, or there is none.
+/// The name of the frame is that of the last `kte_name`, or empty.
 KTE_EXPORT(kte_pull)
 int pull(double px, double py, double pz, double tx, double ty, double tz, double stiffness, double damping) {
   auto all = std::exchange(names, {});

@@ -12,7 +12,7 @@
 
 namespace kte::page {
 
-/// The mechanism of a model file: poses of its frames, energies, and its chain with forces of whoever looks at it.
+/// The mechanism of a model file: poses of its frames, energies, and its chain with the forces of the viewer.
 class mechanism {
  public:
   /// A model file's text in JSON. Throws `bad_file` and what chains throw.
@@ -54,7 +54,7 @@ class mechanism {
     rate_ = model_.computeStateRate(0, model_.make_x(q, v)).segment(model_.dofs(), model_.dofs());
     return rate_;
   }
-  /// Of the mechanism alone, J.
+  /// The energies of the mechanism alone, J.
   energies<double> energy_at(double t, const Eigen::VectorXd& x) {
     put(t, x);
     return energy(chain_, state_);

@@ -6,7 +6,7 @@
 
 namespace kte::page {
 
-/// A mechanism and its simulation, with what whoever looks at it does to it.
+/// A mechanism and its simulation, with the actions of the viewer.
 class player {
  public:
   explicit player(std::string_view json) : shown_(json) {}
@@ -37,7 +37,7 @@ class player {
   /// Pulls a frame, or where it has no name none. Throws `unknown_name`, `bad_argument`.
   void pull(const page_pull& by) {
     check(by);
-    if (!by.frame.empty()) shown_.chain().frame(by.frame);
+    if (!by.frame.empty()) (void)shown_.chain().frame(by.frame);
     const bool same = by.frame == pull_.frame;
     pull_ = by;
     if (!same) rebuild();
@@ -66,7 +66,7 @@ class player {
     at_rest_->at(0, m.make_x(q, Eigen::VectorXd::Zero(m.dofs()).eval()));
     return *at_rest_;
   }
-  /// Of the simulation as it is now, with the pull and the damping.
+  /// The loads at the present state of the simulation, with the pull and the damping.
   const acting& loads_now() {
     const auto& s = running();
     if (!simulated_) simulated_.emplace(shown_.acting_in(shown_.modelled(with_pull_and_damping())));

@@ -19,7 +19,7 @@ class arkode : public explicit_form<arkode<Table, F, X>, F, X> {
   using typename base::S;
 
   /// f(t, x), start time, s, start state, tolerances, table. Throws `bad_argument` for tolerances that are not
-  /// positive, for a start that is not finite, and for a table that SUNDIALS has not.
+  /// positive, for a start that is not finite, and for a table that SUNDIALS does not have.
   template <class V>
   arkode(F f, const S& t0, const Eigen::MatrixBase<V>& x0, const tolerances<S>& tol, Table table)
       : base(std::move(f), t0, x0, tol), memory_(detail::made(create())) {
@@ -31,7 +31,8 @@ class arkode : public explicit_form<arkode<Table, F, X>, F, X> {
     this->require(ARKStepSetMaxStep(m, tol.largest_step));
     if constexpr (implicit) {
       this->require(ARKStepSetTableNum(m, table, ARKODE_ERK_NONE));
-      // No slopes that are f at what Newton's method gives: they multiply its error by the stiffness.
+      // Slopes are deduced from Newton's method. Evaluating f at its solution would multiply its error by the
+      // stiffness.
       this->require(ARKStepSetDeduceImplicitRhs(m, SUNTRUE));
       this->require(ARKStepSetInterpolantType(m, ARK_INTERP_LAGRANGE));
       linear_.emplace(this->y_.get(), this->context_.get());
@@ -46,14 +47,14 @@ class arkode : public explicit_form<arkode<Table, F, X>, F, X> {
   void* memory() { return memory_.get(); }
 
  private:
-  // ARKODE cannot be started again in the other direction, so it always goes forward, in s t with s = 1 or -1.
+  // ARKODE cannot reverse its direction, so it always integrates forward in s t, with s = 1 or -1.
   double sign() const { return this->backward_ ? -1 : 1; }
 
   static int signed_slope(realtype st, N_Vector y, N_Vector out, void* self) {
     const double s = static_cast<arkode*>(self)->sign();
     const int flag = base::right_hand_side(s * st, y, out, self);
     detail::numbers<X>(out) *= s;
-    return implicit ? flag : (std::min)(flag, 0);  // told of NaN, ARKODE stops; else no error is small enough for it
+    return implicit ? flag : (std::min)(flag, 0);  // ARKODE stops at NaN; otherwise it reduces the step without end
   }
   static int signed_jacobian(realtype st, N_Vector y, N_Vector f, SUNMatrix out, void* self, N_Vector a, N_Vector b,
                              N_Vector c) {

@@ -8,7 +8,7 @@
 
 namespace kte::sundials {
 
-/// CVODE: linear multistep methods of variable order, `Lmm` CV_BDF or CV_ADAMS.
+/// CVODE: linear multistep methods of variable order. `Lmm`: CV_BDF or CV_ADAMS.
 template <int Lmm, class F, class X>
 class cvode : public explicit_form<cvode<Lmm, F, X>, F, X> {
   using base = explicit_form<cvode, F, X>;

@@ -4,12 +4,12 @@
 
 namespace kte::sundials {
 
-/// Integrators of SUNDIALS of x' = f(t, x): f and its Jacobian, as CVODE and ARKODE call them.
+/// Integrators of SUNDIALS for x' = f(t, x), with callbacks for f and its Jacobian as in CVODE and ARKODE.
 ///
 ///   J_ij = d f_i / d x_j          (1)
 ///
-/// is f.jacobian(t, x, J) where f has that, returning nothing: J a square matrix of the right size, filled by f.
-/// Otherwise SUNDIALS takes differences, one evaluation a column.
+/// J is f.jacobian(t, x, J) if f has it, with return type void: f fills the square matrix J of the right size.
+/// Otherwise SUNDIALS computes differences, with one evaluation per column.
 template <class Method, class F, class X>
 class explicit_form : public integrator<Method, F, X> {
   using base = integrator<Method, F, X>;

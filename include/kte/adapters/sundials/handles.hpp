@@ -11,7 +11,7 @@
 #include <sunnonlinsol/sunnonlinsol_fixedpoint.h>
 #include <type_traits>
 
-/// Owners of what SUNDIALS allocates, and its numbers as those of Eigen.
+/// Owners of objects allocated by SUNDIALS, and its vectors as Eigen maps.
 namespace kte::sundials::detail {
 
 template <auto Free>
@@ -21,7 +21,7 @@ struct freed_by {
     Free(p);
   }
 };
-/// For the functions that take a pointer to the pointer.
+/// For deleters that take a pointer to the pointer.
 template <auto Free>
 struct freed_by_address {
   template <class T>
@@ -39,7 +39,7 @@ using matrix_handle = handle<SUNMatrix, freed_by<SUNMatDestroy>>;
 using linear_solver_handle = handle<SUNLinearSolver, freed_by<SUNLinSolFree>>;
 using nonlinear_solver_handle = handle<SUNNonlinearSolver, freed_by<SUNNonlinSolFree>>;
 
-/// What a function of SUNDIALS has made; it gives a null pointer where memory is short.
+/// Checks the result of a SUNDIALS constructor, which is null if memory is exhausted.
 template <class T>
 T* made(T* p) {
   if (p == nullptr) throw std::bad_alloc();

@@ -8,7 +8,7 @@
 namespace kte::sundials {
 
 namespace detail {
-/// A residual in the place of a right-hand side, for what integrators share. Nothing calls it as such.
+/// A residual in the role of a right-hand side, for code that integrators share. It is never called as one.
 template <class R>
 struct implicit_form {
   R residual;
@@ -71,14 +71,14 @@ class ida : public integrator<ida<R, X>, detail::implicit_form<R>, X> {
   /// x' at `time()`.
   const X& derivative() const { return x_dot_; }
 
-  /// Continues from another time, state and derivative. Throws as the constructor.
+  /// Continues from another time, state and derivative. Throws what the constructor throws.
   template <class V, class W>
   void restart(const S& t, const Eigen::MatrixBase<V>& x, const Eigen::MatrixBase<W>& x_dot) {
     const X derivative = checked(x_dot);
     base::restart(t, x);
     x_dot_ = derivative;
   }
-  /// Returns to a time of the last step, with the derivative of its dense output there: for an observer that stops at a
+  /// Returns to a time of the last step, with the derivative of the dense output there, when an observer stops at a
   /// sample.
   template <class V>
   void restart(const S& t, const Eigen::MatrixBase<V>& x) {

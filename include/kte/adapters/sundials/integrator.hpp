@@ -10,13 +10,13 @@
 #include <cstdlib>
 #include <limits>
 
-/// Integrators of SUNDIALS with the outward interface of those of kte: Hindmarsh et al., SUNDIALS: Suite of nonlinear
-/// and differential/algebraic equation solvers, ACM Trans. Math. Softw. 31 (2005), 363-396.
+/// Integrators of SUNDIALS with the interface of kte's integrators: Hindmarsh et al., SUNDIALS: Suite of nonlinear and
+/// differential/algebraic equation solvers, ACM Trans. Math. Softw. 31 (2005), 363-396.
 namespace kte::sundials {
 
 /// Base of the integrators of SUNDIALS. It can be neither copied nor moved: SUNDIALS keeps its address.
 ///
-/// The size of the error e of a step from x is that of SUNDIALS:
+/// The norm of the error e of a step from x is that of SUNDIALS:
 ///
 ///   |e| = sqrt(1/n sum_i (w_i e_i)^2),   w_i = 1 / (absolute_i + relative_i |x_i|)          (1)
 ///
@@ -27,17 +27,17 @@ namespace kte::sundials {
 ///
 ///   initialize()                starts again from `time_` and `y_`
 ///   begin_with(h)               sets the length h of the next step
-///   take_step(t_end, reached)   one step towards t_end, not beyond it: stores the state in `y_` and its time in
-///   `reached` dense_at(t, y)              the state y at a time of the last step
+///   take_step(t_end, reached)   one step towards t_end, not beyond: stores the state in `y_` and its time in `reached`
+///   dense_at(t, y)              the state y at a time of the last step
 ///
-/// and `counted()`, the counts since `initialize`, and `flag_name(flag)`, allocated by malloc.
+/// and `counted()`, the counts since `initialize`, and `flag_name(flag)`, a text allocated by malloc.
 template <class Method, class F, class X>
 class integrator : public kte::integrator<Method, F, X> {
   using base = kte::integrator<Method, F, X>;
   friend base;
   static_assert(std::is_same_v<typename X::Scalar, double> && std::is_same_v<realtype, double>,
                 "kte: SUNDIALS computes in double here: the state must be a vector of double");
-  static_assert(!base::on_group, "kte: SUNDIALS adds states: for states with rotations take an integrator of kte");
+  static_assert(!base::on_group, "kte: SUNDIALS adds states: for states with rotations use an integrator of kte");
 
  public:
   using typename base::S;
@@ -64,11 +64,11 @@ class integrator : public kte::integrator<Method, F, X> {
   }
   ~integrator() = default;
 
-  /// A vector of SUNDIALS with the numbers of x, not a copy of them.
+  /// A SUNDIALS vector that refers to the numbers of x.
   detail::vector_handle vector_of(X& x) const {
     return detail::vector_handle(detail::made(N_VMake_Serial(x.size(), x.data(), context_.get())));
   }
-  /// (1), as SUNDIALS asks for it.
+  /// (1), as a callback of SUNDIALS.
   static int weights(N_Vector y, N_Vector w, void* self) {
     const integrator& me = *static_cast<Method*>(self);
     const tolerances<S>& tol = me.tolerances_;
@@ -76,12 +76,12 @@ class integrator : public kte::integrator<Method, F, X> {
     auto out = detail::numbers<X>(w);
     for (Eigen::Index i = 0; i < x.size(); ++i) {
       const S size = tol.absolute[i] + tol.relative[i] * std::abs(x[i]);
-      if (!(size > 0)) return -1;  // SUNDIALS knows no error of 0
+      if (!(size > 0)) return -1;  // SUNDIALS does not accept an error of 0
       out[i] = 1 / size;
     }
     return 0;
   }
-  /// What a user function tells SUNDIALS of its result: a number that is not finite may be cured by a shorter step.
+  /// The return value of a user function for SUNDIALS: a number that is not finite may be avoided by a shorter step.
   template <class M>
   int judged(const M& result) {
     if (kte::detail::all_finite(result)) return 0;
@@ -91,11 +91,11 @@ class integrator : public kte::integrator<Method, F, X> {
     finite_ = false;
     return 1;
   }
-  /// Throws `bad_argument` for a setting that SUNDIALS refuses.
+  /// Throws `bad_argument` for a setting that SUNDIALS rejects.
   void require(int flag) const {
     if (flag < 0) kte::detail::raise<bad_argument>("kte: " + reason_of(flag));
   }
-  /// Throws what a user function has thrown, and `integration_failure` for a flag that means that.
+  /// Throws the exception of a user function, or `integration_failure` for a flag of failure.
   void check(int flag) const {
     relay_.rethrow();
     if (flag < 0)
@@ -103,7 +103,7 @@ class integrator : public kte::integrator<Method, F, X> {
                  failure_reason::other);
   }
 
-  /// Tells SUNDIALS the present time and state.
+  /// Passes the present time and state to SUNDIALS.
   void restart_solver() {
     N_VSetArrayPointer(this->x_.data(), y_.get());
     accountant_.restart();
@@ -111,13 +111,13 @@ class integrator : public kte::integrator<Method, F, X> {
     check(method().initialize());
     if (tolerances_.initial_step != S(0)) require(method().begin_with(tolerances_.initial_step));
   }
-  /// To be called after all that costs something.
+  /// Updates the statistics; called after all expensive calls.
   void count() { tries_ += 1 + accountant_.add(method().counted(), this->statistics_); }
 
   detail::context_handle context_ = detail::make_context();
   detail::vector_handle y_;
-  mutable detail::relay relay_;  ///< f may be called to interpolate, too
-  bool backward_ = false;        ///< the direction of time
+  mutable detail::relay relay_;  ///< also used by interpolation, which may call f
+  bool backward_ = false;        ///< whether time runs backward
 
  private:
   void start(const S& t_end) {
@@ -125,16 +125,16 @@ class integrator : public kte::integrator<Method, F, X> {
     if ((t_end < this->time_) == backward_) return;
     backward_ = !backward_;
     fresh_ = true;
-    this->previous_time_ = this->time_;  // the last step is gone
+    this->previous_time_ = this->time_;  // the last step is invalid
   }
   void advance(const S& t_end) {
-    this->previous_time_ = this->time_;  // the last step is gone
+    this->previous_time_ = this->time_;  // the last step is invalid
     if (fresh_ && is_lost(t_end)) return skip_to(t_end);
     if (fresh_) restart_solver();
     if (tries_ >= tolerances_.max_steps) [[unlikely]]
       this->fail("max_steps = " + std::to_string(tolerances_.max_steps) + " steps are used up",
                  failure_reason::too_many_steps);
-    fresh_ = true;  // until the step is done: after a failure nothing of SUNDIALS is trusted
+    fresh_ = true;  // until the step succeeds; after a failure the memory of SUNDIALS is not used
     prepare();
     S reached = this->time_;
     N_VSetArrayPointer(this->next_.data(), y_.get());
@@ -159,12 +159,12 @@ class integrator : public kte::integrator<Method, F, X> {
     finite_ = true;
     relay_.clear_message();
   }
-  /// Whether the way to t is a few ulp of the time.
+  /// Whether t is within a few ulp of the present time.
   bool is_lost(const S& t) const {
     using std::abs;
     return abs(t - this->time_) <= 4 * std::numeric_limits<S>::epsilon() * (std::max)(abs(this->time_), abs(t));
   }
-  /// Where SUNDIALS does not start, as the end is too close. The state changes less than by the rounding of t.
+  /// For an end so close that SUNDIALS does not start. The state changes by less than the rounding of t.
   void skip_to(const S& t_end) {
     this->next_ = this->x_;
     this->accept(t_end);
@@ -181,8 +181,8 @@ class integrator : public kte::integrator<Method, F, X> {
   tolerances<S> tolerances_;
   detail::accountant accountant_;
   long long tries_ = 0;
-  bool fresh_ = true;   ///< SUNDIALS knows nothing of the present state
-  bool finite_ = true;  ///< all results of user functions in this step
+  bool fresh_ = true;   ///< whether SUNDIALS must be initialized with the present state
+  bool finite_ = true;  ///< whether all results of user functions in this step were finite
 };
 
 }  // namespace kte::sundials

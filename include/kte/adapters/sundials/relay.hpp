@@ -6,12 +6,12 @@
 
 namespace kte::sundials::detail {
 
-/// Carries exceptions of user functions past the C code of SUNDIALS, through which they must not be thrown, and keeps
-/// the last message of SUNDIALS, which would else be printed.
+/// Carries exceptions of user functions across the C code of SUNDIALS, which they must not unwind, and stores the last
+/// message of SUNDIALS, which would otherwise be printed.
 class relay {
  public:
-  /// body(): 0, or positive for an error that a shorter step may cure. What it throws is kept, and SUNDIALS told to
-  /// stop: a negative number.
+  /// Calls body(), which returns 0, or a positive number for an error that a shorter step may avoid. Stores an
+  /// exception, and returns a negative number, which stops SUNDIALS.
   template <class Body>
   int guard(const Body& body) noexcept {
     try {
@@ -22,7 +22,7 @@ class relay {
     }
   }
   bool has_exception() const { return thrown_ != nullptr; }
-  /// Throws what was kept, if anything.
+  /// Throws the stored exception, if any.
   void rethrow() {
     if (thrown_) std::rethrow_exception(std::exchange(thrown_, nullptr));
   }

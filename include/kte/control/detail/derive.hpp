@@ -7,7 +7,7 @@
 #include <limits>
 #include <type_traits>
 
-/// Derivatives of functions by states and inputs: in dual numbers, or by differences.
+/// Derivatives of functions by states and inputs: by dual numbers, or by differences.
 namespace kte::detail {
 
 template <class S>
@@ -15,7 +15,8 @@ using matrix_of = Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>;
 template <class S>
 using column = Eigen::Matrix<S, Eigen::Dynamic, 1>;
 
-/// Whether F is a class whose call is a template, as of a lambda with `const auto&`: then it takes dual numbers.
+/// Whether F is a class whose call operator is a template, such as a lambda with `const auto&`, which accepts dual
+/// numbers.
 template <class F>
 inline constexpr bool takes_any_numbers = std::is_class_v<unwrapped_type<F>> && !requires {
   &unwrapped_type<F>::operator();
@@ -37,7 +38,7 @@ column<T> column_of_numbers(const Y& y) {
   }
 }
 
-/// x with lane i along its number first + i, if it has one.
+/// x, with lane i displaced along number first + i, if there is one.
 template <class Number, class X>
 auto moved_numbers(const X& x, int first) {
   Eigen::Matrix<Number, X::RowsAtCompileTime, 1> moved = x.template cast<Number>();
@@ -53,7 +54,7 @@ void check_derivatives(const matrix_of<S>& j, const char* of) {
     raise<bad_argument>(std::string("kte: linearize: a derivative of ") + of + " is not finite there");
 }
 
-/// dy/dx of y = f(x along directions `first` on), `count` of them, in dual numbers.
+/// dy/dx of y = f(x displaced along `count` directions from `first` on), by dual numbers.
 template <class S, class F>
 matrix_of<S> derive_in_duals(int rows, int count, const F& f) {
   using number = dual<S, 4>;
@@ -65,11 +66,12 @@ matrix_of<S> derive_in_duals(int rows, int count, const F& f) {
   }
   return j;
 }
-/// dy/dx by central differences of order 4, of y = f(j, h), x moved by h along direction j, of magnitude size(j):
+/// dy/dx by central differences of order 4, for y = f(j, h), with x displaced by h along direction j, whose scale is
+/// size(j):
 ///
 ///   (8 (f(h) - f(-h)) - (f(2h) - f(-2h)))/(12 h),   h = eps^(1/5) size(j)          (1)
 ///
-/// with an error of some eps^(4/5) (3e-13 in double) of y and of its fifth derivative, in units of size(j).
+/// with an error of about eps^(4/5) (3e-13 in double) of y and of its fifth derivative, in units of size(j).
 template <class S, class Size, class F>
 matrix_of<S> derive_by_differences(int rows, int count, const Size& size, const F& f) {
   using std::pow;
@@ -87,7 +89,7 @@ S size_of_number(const S& x) {
   using std::abs;
   return abs(x) < S(1) ? S(1) : S(abs(x));
 }
-/// x moved by h along number j of its displacement.
+/// x displaced by h along number j of its displacement.
 template <class X>
 X displaced_along(std::span<const freedom> freedoms, int rates, const X& x, int j, const typename X::Scalar& h) {
   using S = typename X::Scalar;

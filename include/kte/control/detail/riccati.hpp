@@ -13,12 +13,12 @@
 #include <optional>
 #include <string>
 
-/// Algebraic Riccati equations: control/riccati.hpp. In real numbers alone: what Eigen has for complex ones takes a
-/// minute to compile.
+/// Algebraic Riccati equations, see control/riccati.hpp. Real numbers only, because Eigen's complex decompositions take
+/// a minute to compile.
 namespace kte::detail {
 
 inline Eigen::MatrixXd symmetric_part(const Eigen::MatrixXd& m) { return (m + m.transpose()) / 2; }
-/// What rounding adds to an n x n matrix of this norm, with room.
+/// A bound of the rounding errors in an n x n matrix of this norm.
 inline double rounding_of(Eigen::Index n, double norm) {
   return 16 * static_cast<double>(n) * std::numeric_limits<double>::epsilon() * norm;
 }
@@ -27,7 +27,7 @@ inline std::string text_of(const std::complex<double>& z) {
   std::snprintf(both, sizeof both, "%.6g %+.6gi", z.real(), z.imag());
   return both;
 }
-/// The smallest pivot of a complex matrix re + i im, which is small where its rank is not full.
+/// The smallest pivot of a complex matrix re + i im, which is small if the rank is not full.
 inline double smallest_pivot(const Eigen::MatrixXd& re, const Eigen::MatrixXd& im) {
   Eigen::MatrixXd both(2 * re.rows(), 2 * re.cols());
   both << re, -im, im, re;
@@ -37,11 +37,11 @@ inline Eigen::VectorXcd eigenvalues_of(const Eigen::MatrixXd& m) {
   return Eigen::EigenSolver<Eigen::MatrixXd>(m, false).eigenvalues();
 }
 
-/// A problem that fits, without N: with R = L L',
+/// A balanced problem without N. With R = L L',
 ///
 ///   G = B R^-1 B',   A - B R^-1 N',   Q - N R^-1 N'          (1)
 ///
-/// in coordinates D^-1 x, D of powers of two, that make rows and columns of the Hamiltonian matrix alike:
+/// in coordinates D^-1 x, where D consists of powers of two that balance rows and columns of the Hamiltonian matrix:
 ///
 ///   D^-1 A D,   D^-1 G D^-1,   D Q D,   X = D^-1 X_balanced D^-1
 struct riccati_problem {
@@ -49,7 +49,7 @@ struct riccati_problem {
   Eigen::MatrixXd A, G, Q;
   Eigen::VectorXd D;
 
-  /// `least`: refuses costs that are not the least anywhere.
+  /// `least`: refuses costs without a minimum.
   riccati_problem(const char* who, const Eigen::MatrixXd& a, const Eigen::MatrixXd& b, const Eigen::MatrixXd& q,
                   const Eigen::MatrixXd& r, const Eigen::MatrixXd& n, bool least = false)
       : name(std::string("kte: ") + who + ": ") {
@@ -89,8 +89,8 @@ struct riccati_problem {
   }
   Eigen::Index size() const { return A.rows(); }
 
-  /// Throws `no_solution` where inputs do not reach an eigenvalue z of A which does not decay: rank [A - z, G] < n, up
-  /// to `tolerance` (Popov, Belevitch, Hautus).
+  /// Throws `no_solution` if inputs do not reach an eigenvalue z of A that does not decay: rank [A - z, G] < n, up to
+  /// `tolerance` (Popov, Belevitch, Hautus).
   template <class Stays>
   void refuse_unreached(const Stays& stays, double tolerance) const {
     Eigen::MatrixXd re(size(), 2 * size()), im = Eigen::MatrixXd::Zero(size(), 2 * size());
@@ -104,12 +104,12 @@ struct riccati_problem {
                            text_of(z));
     }
   }
-  /// Why there is no solution.
+  /// Throws `no_solution` with the reason.
   template <class Stays>
   [[noreturn]] void fail(const Stays& stays, const std::string& why) const {
     const double root = std::sqrt(std::numeric_limits<double>::epsilon());
     refuse_unreached(stays, root * (A.norm() + G.norm()));
-    raise<no_solution>(name + why + ", as where a mode that neither grows nor decays does not count in Q");
+    raise<no_solution>(name + why + ", for example because Q does not weight a mode that neither grows nor decays");
   }
 
  private:
@@ -140,7 +140,7 @@ struct riccati_problem {
   }
 };
 
-/// X = A'X (1 + G X)^-1 A + Q by structured doubling; nothing where it does not converge.
+/// Solves X = A'X (1 + G X)^-1 A + Q by structured doubling; empty if it does not converge.
 inline std::optional<Eigen::MatrixXd> by_doubling(Eigen::MatrixXd a, Eigen::MatrixXd g, Eigen::MatrixXd x) {
   const Eigen::Index n = a.rows();
   for (int i = 0; i < 60 && x.allFinite(); ++i) {
@@ -154,11 +154,11 @@ inline std::optional<Eigen::MatrixXd> by_doubling(Eigen::MatrixXd a, Eigen::Matr
   }
   return {};
 }
-/// The same of A'X + X A - X G X + Q = 0, whose solution is that of a problem in discrete time,
+/// Solves A'X + X A - X G X + Q = 0 by the equivalent problem in discrete time, with structured doubling,
 ///
 ///   W = (A - c)' + Q (A - c)^-1 G,   1 + 2c W^-T,   2c (A - c)^-1 G W^-1,   2c W^-1 Q (A - c)^-1          (2)
 ///
-/// with c so large that A - c and W are regular: Chu, Fan and Lin, Linear Algebra Appl. 396 (2005).
+/// with c large enough that A - c and W are regular (Chu, Fan and Lin, Linear Algebra Appl. 396, 2005).
 inline std::optional<Eigen::MatrixXd> by_cayley_doubling(const Eigen::MatrixXd& a, const Eigen::MatrixXd& g,
                                                          const Eigen::MatrixXd& q) {
   const Eigen::Index n = a.rows();
@@ -184,7 +184,7 @@ inline Eigen::MatrixXd solve_continuous(const riccati_problem& p) {
       p.fail(stays, axis + ", " + text_of({0, z.imag()}));
   auto x = by_cayley_doubling(p.A, p.G, p.Q);
   if (!x) p.fail(stays, axis);
-  // A_c' E + E A_c = -residual(X),  X + E the next
+  // Newton-Kleinman: A_c' E + E A_c = -residual(X), next X + E
   Eigen::MatrixXd best = *x;
   for (double last = std::numeric_limits<double>::infinity(); x;) {
     const Eigen::MatrixXd closed = p.A - p.G * *x;

@@ -14,10 +14,10 @@
 #include <tuple>
 #include <utility>
 
-/// How a batch of states goes through a function of packs.
+/// Processes a batch of states by a function of packs.
 namespace kte::batch::detail {
 
-/// The first state that has no answer, and why.
+/// The first state without a result, and the reason.
 class failure {
  public:
   void at(std::size_t state, const error& e) {
@@ -43,7 +43,7 @@ class failure {
   std::string what_;
 };
 
-// One copy of the code for all states, or compilers could round one state differently from another.
+// One copy of the code for all states, because compilers could round one state differently from another.
 #if defined(__GNUC__) && !defined(__clang__)
 #  define KTE_ONE_COPY noinline, noclone
 #else
@@ -55,7 +55,7 @@ class failure {
 #  define KTE_FLATTEN , flatten
 #endif
 
-/// `Function` of a chain and of inputs with In numbers a state each, giving Out numbers a state.
+/// `Function` of a static chain, with In numbers per state of each input, and Out numbers per state of the result.
 template <class Function, class Chain, class P, std::size_t Out, std::size_t... In>
 class job {
   using T = typename P::value_type;
@@ -66,7 +66,7 @@ class job {
   job(const Chain& chain, std::size_t count, T* out, const inputs& in)
       : chain_(chain), count_(count), out_(out), in_(in) {}
 
-  /// Tasks of some microseconds.
+  /// The number of tasks, of a few microseconds each.
   std::size_t tasks() const { return (count_ + chunk - 1) / chunk; }
   void operator()(std::size_t task) {
     std::size_t first = task * chunk;
@@ -93,8 +93,8 @@ class job {
   inputs from(std::size_t first, std::index_sequence<I...>) const {
     return {in_[I] + first * In...};
   }
-  /// The chain is copied so that compilers know that nothing changes it, and prepare its parameters once and not for
-  /// each pack.
+  /// The chain is copied, so that compilers know that nothing changes it, and prepare its parameters once instead of
+  /// for each pack.
   __attribute__((KTE_ONE_COPY KTE_FLATTEN)) static void packs(const Chain& shared_chain, const inputs& in, T* out,
                                                               std::size_t count, std::size_t& done) {
     const Chain chain = shared_chain;
@@ -108,7 +108,7 @@ class job {
     scatter<Out>(Function{}(chain, std::get<I>(x)...).data(), out + first * Out);
   }
 
-  /// Up to w states, the last one repeated; if they have no answer together, then each alone.
+  /// Evaluates up to w states, repeating the last. If they have no result together, evaluates each separately.
   [[gnu::cold, gnu::noinline]] void states(std::size_t first, std::size_t count) {
     std::array<T, w * Out> out;
     std::tuple<std::array<T, w * In>...> in;

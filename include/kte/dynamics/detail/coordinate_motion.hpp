@@ -3,7 +3,7 @@
 #include <kte/dynamics/detail/diagnose.hpp>
 #include <kte/frames/rigid_motion.hpp>
 
-/// How one coordinate moves by its rates: numbers, rotations, poses.
+/// The pose and rates of one coordinate: a number, a rotation, or a pose.
 namespace kte::detail {
 
 template <class S, class X>
@@ -14,14 +14,14 @@ template <class S, class X>
 constexpr unit_quaternion<S> quaternion_from(const X& x, std::size_t i) {
   return normalized(S(x[i]), S(x[i + 1]), S(x[i + 2]), S(x[i + 3]));
 }
-/// The pose of a coordinate, at place i of q; a rotation alone has no position, a pose in the plane turns about z.
+/// The pose of a coordinate, from index i of q. A rotation has position zero; a planar pose rotates about z.
 template <class S, class Q>
 constexpr pose<unit_quaternion<S>, vec3<S>> pose_from(kind k, const Q& q, std::size_t i) {
   if (k == kind::rotation_3D) return {quaternion_from<S>(q, i), {}};
   if (k == kind::pose_3D) return {quaternion_from<S>(q, i + 3), vector_from<S>(q, i)};
   return {to_quaternion(vec3<S>{S(0), S(0), S(q[i + 2])}), {S(q[i]), S(q[i + 1]), S(0)}};
 }
-/// The rates of a coordinate, at place i of v, linear and angular.
+/// The rates of a coordinate, from index i of v, linear and angular.
 template <class S, class V>
 constexpr std::pair<vec3<S>, vec3<S>> rates_from(kind k, const V& v, std::size_t i) {
   if (k == kind::rotation_3D) return {{}, vector_from<S>(v, i)};

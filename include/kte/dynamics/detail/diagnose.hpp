@@ -12,10 +12,10 @@
 #include <span>
 #include <vector>
 
-/// Which argument made a result that is not finite. Nothing of this is on the way of results that are.
+/// Finds the argument that made a result non-finite. Finite results do not pass through this code.
 namespace kte::detail {
 
-/// A vector of arguments: 'q', or 'v', 'a', 'tau', which are laid out alike.
+/// A vector of arguments: 'q', or 'v', 'a', 'tau', which share a layout.
 struct argument {
   const char* name;
   std::span<const double> numbers;
@@ -25,7 +25,7 @@ struct argument {
 /// "v[2] of 'elbow' is 1e+160"
 template <class Layout>
 std::string describe_number(const Layout& layout, const argument& x, std::size_t i) {
-  // Not by +: g++ 12 warns about it at -O3 without a cause.
+  // Operator + causes spurious warnings of g++ 12 at -O3.
   std::string text(x.name);
   text.append("[").append(std::to_string(i)).append("]");
   for (const auto& e : layout) {
@@ -35,7 +35,8 @@ std::string describe_number(const Layout& layout, const argument& x, std::size_t
   }
   return text.append(" is ").append(number(x.numbers[i]));
 }
-/// The first number that is not finite, else the largest if it is too large for its square. Empty: neither.
+/// The first number that is not finite, otherwise the largest number if its square overflows; empty if there is
+/// neither.
 template <class Layout>
 std::string culprit(const Layout& layout, std::initializer_list<argument> arguments) {
   const argument* where = nullptr;
@@ -67,7 +68,7 @@ template <class Layout>
   }
 }
 
-/// Whether S has numbers to name: real ones, and packs of them.
+/// Whether S has numbers to report: real scalars, and packs of them.
 template <class S>
 inline constexpr bool has_plain_numbers = std::is_convertible_v<S, double> || requires {
   S::lanes;
@@ -89,7 +90,7 @@ double plain_number(const X& x) {
     }
     return largest;
   } else {
-    return 0;  // with derivatives: no one number to name
+    return 0;  // dual numbers are not reported
   }
 }
 /// x[0] ... x[n-1].
@@ -104,14 +105,14 @@ template <class X>
 std::vector<double> plain_numbers(const X& x) {
   return plain_numbers(x.data(), static_cast<std::size_t>(x.size()));
 }
-/// Throws `bad_argument` for a time that is not finite.
+/// Throws `bad_argument` if the time is not finite.
 template <class T>
 [[gnu::cold]] void raise_if_time_is_non_finite(const char* what, const T& dt) {
   const double x = plain_number(dt);
   if (!std::isfinite(x)) raise<bad_argument>("kte: " + std::string(what) + " is not finite: dt is " + number(x));
 }
 
-/// A signal from outside, one number or three.
+/// Throws `bad_argument` for an external signal, one number or three, that is not finite.
 template <class X>
 [[gnu::cold]] void raise_if_signal_is_non_finite(const char* what, std::string_view name, const X& x) {
   const auto check = [&](const char* part, const auto& number_of_it) {
@@ -133,7 +134,7 @@ template <class X>
   }
 }
 
-/// The name of the coordinate that row i of v belongs to.
+/// The name of the coordinate of row i of v.
 template <class Layout>
 std::string_view name_of_row(const Layout& layout, int i) {
   for (const auto& e : layout)
@@ -142,26 +143,26 @@ std::string_view name_of_row(const Layout& layout, int i) {
 }
 /// Diagnoses a coordinate whose mass overflows, though no argument is too large.
 [[noreturn, gnu::cold]] inline void raise_non_finite_mass(std::string_view coordinate) {
-  raise<bad_argument>(
-      std::string("kte: a mass is not finite: what '")
-          .append(coordinate)
-          .append("' moves is too heavy, or too far away, or infinitely fast (a loop on its dead centre)"));
+  raise<bad_argument>(std::string("kte: a mass is not finite: the bodies moved by '")
+                          .append(coordinate)
+                          .append("' are too heavy, too far away, or infinitely fast (a loop at its dead centre)"));
 }
 /// Diagnoses a coordinate whose load-dependent friction has no consistent accelerations.
 [[noreturn, gnu::cold]] inline void raise_jammed(std::string_view coordinate) {
-  raise<no_solution>(std::string("kte: load-dependent friction jams at '")
-                         .append(coordinate)
-                         .append("': no accelerations go with it, or several, or so nearly none that half their digits "
-                                 "are lost; a smaller coefficient of friction, or a bearing of less radius, has some"));
+  raise<no_solution>(
+      std::string("kte: load-dependent friction jams at '")
+          .append(coordinate)
+          .append("': the accelerations have no solution, or several, or lose half their digits; use a smaller "
+                  "coefficient of friction or bearing radius"));
 }
-/// Where nothing more is known.
+/// The reason if nothing else is known: the arguments are too large.
 struct too_large {
   const char* what;
   [[noreturn, gnu::cold]] void operator()() const {
     raise<bad_argument>(std::string("kte: ").append(what).append(" is not finite: an argument is too large"));
   }
 };
-/// The first row of a matrix in which a number is not finite, a column at a time; else -1.
+/// The first row of a matrix with a number that is not finite, column by column; otherwise -1.
 template <class Matrix>
 int first_non_finite(const Matrix& m) {
   const auto n = static_cast<int>(m.rows());
@@ -173,11 +174,11 @@ int first_non_finite(const Matrix& m) {
   return -1;
 }
 
-// ---- of static chains
+// ---- static chains
 
-// ---- the numbers of v or a: at<i>()
+// ---- the numbers of v or a, by at<i>()
 
-/// From something with operator[].
+/// Numbers from an object with operator[].
 template <class S, class V>
 struct each {
   const V& v;
@@ -201,7 +202,7 @@ template <class... E>
 struct layout_of_wiring<wiring<E...>> {
   static constexpr auto table = layout_of<wiring<E...>, E...>();
 };
-/// The names of the signals from outside, as the table of the wiring has them.
+/// The names of the external signals, from the table of the wiring.
 template <class Wiring>
 struct signals_of_wiring;
 template <class... E>
@@ -217,7 +218,7 @@ struct signals_of_wiring<wiring<E...>> {
     return list;
   }();
 };
-/// Throws `bad_argument` that names a signal that is not finite, if one of those that are given is.
+/// Throws `bad_argument`, naming the signal, if an external signal is not finite.
 template <class Wiring, class Given>
 [[gnu::cold, gnu::noinline]] void diagnose_signals(const char* what, const Given& g) {
   const auto one = [&]<std::size_t I>() {
@@ -251,7 +252,7 @@ template <class Wiring, class Q, class V, class A>
     raise_if_no_rotation(layout, {x.data(), nq});
   raise_not_finite(what, layout, {{"q", {x.data(), nq}, true}, {"v", {y.data(), n}}, {a_name, {z.data(), n}}});
 }
-/// Diagnoses a mass matrix without a factorization, at coordinate `row`: there is no mass, or it is not finite.
+/// Diagnoses a mass matrix without factorization, at coordinate `row`: its mass is zero, or not finite.
 template <class Wiring, class Q>
 [[noreturn, gnu::cold, gnu::noinline]] void diagnose_mass(int row, bool finite, Q q) {
   const auto& layout = layout_of_wiring<Wiring>::table;
@@ -265,7 +266,7 @@ template <class Wiring, class Matrix, class Q>
 [[gnu::cold, gnu::noinline]] void diagnose_non_finite(const Matrix& m, Q q) {
   if (const int row = first_non_finite(m); row >= 0) diagnose_mass<Wiring>(row, false, q);
 }
-/// The check by bits (dynamics/unrolled/articulated.hpp), for the last row, whose joint carries no other.
+/// Diagnoses the bits of dynamics/unrolled/articulated.hpp, for the last row, whose joint carries no other joint.
 template <class Wiring, class Q>
 [[noreturn, gnu::cold, gnu::noinline]] void diagnose_axes(std::uint64_t nothing, std::uint64_t non_finite, Q q) {
   const int last = static_cast<int>(std::bit_width(nothing)) - 1;
@@ -287,14 +288,14 @@ template <class Wiring, class Q>
   raise_not_finite(what, layout, {{"from", {x.data(), n}, true}, {"to", {y.data(), n}, true}});
 }
 
-/// Throws `bad_argument` with the cause unless x[0] ... x[n-1] are finite: no algorithm returns NaN silently.
+/// Throws `bad_argument` with the cause unless x[0] ... x[n-1] are finite, so that no algorithm returns NaN.
 template <class X, class Diagnose>
 KTE_INLINE constexpr void check_result(const X& x, std::size_t n, const Diagnose& why) {
   if (!all_finite(x, n)) [[unlikely]]
     why();
 }
-/// Calls `why` unless an inverse is finite: none of its numbers is larger than the largest of its diagonal. (Nor is one
-/// of a mass matrix, but on the way to it.)
+/// Calls `why` unless an inverse is finite: no entry exceeds the largest diagonal entry. (The same holds for a mass
+/// matrix, but not for intermediate results.)
 template <class Matrix, class Diagnose>
 KTE_INLINE void check_inverse(const Matrix& m, const Diagnose& why) {
   using S = typename Matrix::Scalar;

@@ -6,7 +6,7 @@
 /// Internal states of elements in fused evaluations.
 namespace kte::detail {
 
-/// A base at rest, and signals from memory: inputs as they stand in u.
+/// A base at rest, with signals from memory: inputs from u.
 template <class Wiring, class Base, class S>
 struct base_with_signals : Base {
   S time;
@@ -45,7 +45,7 @@ struct base_in_motion : Base {
   }
 };
 
-/// Whether element I sees only what comes from outside: degrees of freedom and signals.
+/// Whether element I reads external items only: degrees of freedom and signals.
 template <class Chain, std::size_t I>
 inline constexpr bool sees_coordinates_only = [] {
   using core = typename Chain::template core_type<I>;
@@ -57,7 +57,7 @@ inline constexpr bool sees_coordinates_only = [] {
   return true;
 }();
 
-/// What elements see of degrees of freedom and signals from outside.
+/// The items that elements read: degrees of freedom and external signals.
 template <class Chain, class Given>
 class outside {
   using types = flow_types<Chain, Given>;
@@ -73,7 +73,7 @@ class outside {
  private:
   const Given& given_;
 };
-/// What they see of all that a chain moves. There are no accelerations.
+/// The items that elements read when a chain moves. There are no accelerations.
 template <class Chain, class Given>
 struct inside : unrolled_motion<Chain, Given> {
   using unrolled_motion<Chain, Given>::unrolled_motion;
@@ -84,7 +84,7 @@ struct inside : unrolled_motion<Chain, Given> {
   }
 };
 
-/// z_dot[i] of every internal state i, at what elements see.
+/// Computes z_dot[i] of every internal state i.
 template <class Chain, class Seen, class S>
 class internal_rates_of {
   using wiring = typename Chain::wiring;
@@ -119,7 +119,7 @@ class internal_rates_of {
   const Seen& seen_;
   S* z_dot_;
 };
-/// Whether all elements with internal states see only what comes from outside; whether some signal is of accelerations.
+/// Whether all elements with internal states read external items only; whether a signal depends on accelerations.
 template <class Chain, class Elements = std::make_index_sequence<Chain::size>>
 struct kept_states_of;
 template <class Chain, std::size_t... I>

@@ -11,10 +11,10 @@
 #include <tuple>
 #include <vector>
 
-/// The elements of a chain in which joints are locked.
+/// The elements of a chain after joints are locked.
 namespace kte::detail {
 
-/// The pose of a link in the plane and in space, of a type that links have.
+/// The pose of a link in the plane and in space, with the type that links have.
 template <kind Dim, class M>
 constexpr auto link_at(const M& m) {
   if constexpr (Dim == kind::frame_2D) {
@@ -26,9 +26,13 @@ constexpr auto link_at(const M& m) {
   }
 }
 
-/// Goes through the elements of a runtime chain, in order, at a configuration.
+/// Visits the elements of a runtime chain in order, at a configuration.
 class chain_reduction {
-  enum lock_state : char { free = 0, as_locked, as_constant };  ///< gone; or there again, as a constant
+  enum lock_state : char {
+    free = 0,
+    as_locked,
+    as_constant
+  };  ///< as_locked: removed; as_constant: added again as a constant
   template <class Lists>
   static auto& at(Lists& lists, kind k, int i) {
     return lists[static_cast<std::size_t>(k)][static_cast<std::size_t>(i)];
@@ -41,7 +45,7 @@ class chain_reduction {
     take(c, state_, q);
     for (std::size_t k = 0; k < kinds; ++k) locked_[k].resize(c.wiring().names[k].size());
   }
-  /// Throws `unknown_name`, `bad_argument`.
+  /// Locks a coordinate or joint. Throws `unknown_name`, `bad_argument`.
   void lock(std::string_view name) {
     const topology& t = chain_.wiring();
     const kind k = t.kind_of(name, false);
@@ -71,14 +75,16 @@ class chain_reduction {
       const bool is = is_coordinate(e.ports[p].what) && at(locked_, e.ports[p].what, e.index[p]) != free;
       any |= is, all &= is;
     }
-    if (follows) e.element->doMotion(state_);  // where joints read it
+    if (follows) e.element->doMotion(state_);  // before joints read it
     if (!any) {
       to.append(e.element->clone());
     } else if (e.rigid) {
-      const auto coordinates = std::size_t(std::count_if(e.ports.begin(), e.ports.end(), [](const port& p) { return is_coordinate(p.what); }));
+      const auto coordinates = std::size_t(
+          std::count_if(e.ports.begin(), e.ports.end(), [](const port& p) { return is_coordinate(p.what); }));
       for (std::size_t p = 0; p < coordinates; ++p)
         if (at(locked_, e.ports[p].what, e.index[p]) == free)
-          throw bad_argument("kte: " + describe_element(*e.element) + " has several coordinates: lock all of them or none");
+          throw bad_argument("kte: " + describe_element(*e.element) +
+                             " has several coordinates: lock all of them or none");
       add_link(e, to);
     } else if (follows && all) {
       at(locked_, kind::gen, e.index[last]) = as_locked;
@@ -87,12 +93,13 @@ class chain_reduction {
       to.append(e.element->clone());
     }
   }
-  /// Masses that cannot move, and what holds that which is locked; `all`: it is connected to nothing else.
+  /// Whether an element is not needed: a mass that cannot move, or a lock of a locked coordinate. `all`: it is
+  /// connected to nothing else.
   bool needless(const topology::connection& e, bool all) const {
     const auto n = e.element->numbers();
     return (all && n.has_mass) || (n.locks_coordinate && at(locked_, e.ports[0].what, e.index[0]) != free);
   }
-  /// The pose of a joint is that of its end when its base stands at the origin.
+  /// The pose of a joint equals that of its end if its base is at the origin.
   void add_link(const topology::connection& e, runtime_chain& to) {
     const std::size_t at_end = e.ports.size() - 1, at_base = at_end - 1;
     const auto& base = name(e.ports[at_base].what, e.index[at_base]);
@@ -107,7 +114,7 @@ class chain_reduction {
       to << connect(link_at<kind::frame_3D>(state_.get<kind::frame_3D>(e.index[at_end])), base, end);
     }
   }
-  /// A locked coordinate that an element acts on stands at a constant distance from nothing.
+  /// Replaces a locked coordinate that an element acts on by one at a constant value.
   void keep_constant(kind k, int i, runtime_chain& to) {
     if (!is_coordinate(k) || at(locked_, k, i) != as_locked) return;
     if (k != kind::gen)
@@ -119,7 +126,7 @@ class chain_reduction {
 
   const runtime_chain& chain_;
   runtime_state state_;
-  std::array<std::vector<lock_state>, kinds> locked_;  ///< of things, by kind
+  std::array<std::vector<lock_state>, kinds> locked_;  ///< by kind of item
 };
 
 template <class Locked, class Core, class... Keys>
@@ -129,13 +136,13 @@ inline constexpr bool reads_key = [] {
     if (same) return true;
   return false;
 }();
-/// Whether only joints reads what is to be locked.
+/// Whether only joints read the locked coordinates.
 template <class Locked, class Element>
 inline constexpr bool locks_cleanly = true;
 template <class Locked, class Core, class... Keys>
 inline constexpr bool locks_cleanly<Locked, element<Core, Keys...>> =
     is_transmission<Core> || !reads_key<Locked, Core, Keys...>;
-/// Whether a key is that of a degree of freedom, or of several.
+/// Whether a key names a degree of freedom, or several.
 template <class Key, class Wiring>
 inline constexpr bool is_freedom = [] {
   constexpr int slot = Wiring::template find<Key>();
@@ -162,11 +169,11 @@ struct static_reduction {
       static_assert(rule<Core, void, (0 + ... + reads_key<Locked, Core, Keys...>) == n>,
                     "kte: this joint has several coordinates: lock all of them or none");
       using keys = std::tuple<Keys...>;
-      const auto m = relative_at(e.core, tuple_of_coordinates<Core>([this]<std::size_t K>() {
-                                   using key = std::tuple_element_t<K, keys>;
-                                   return position_only(
-                                       motion_of<types, key::what, wiring::template find<key>()>(chain, given));
-                                 }));
+      const auto m =
+          relative_at(e.core, tuple_of_coordinates<Core>([this]<std::size_t K>() {
+                        using key = std::tuple_element_t<K, keys>;
+                        return position_only(motion_of<types, key::what, wiring::template find<key>()>(chain, given));
+                      }));
       return connect(link_at<Core::ports.back().what>(m), std::tuple_element_t<sizeof...(Keys) - 2, keys>{},
                      std::tuple_element_t<sizeof...(Keys) - 1, keys>{});
     }

@@ -6,7 +6,7 @@
 /// The algorithms of dynamics/relative_motion.hpp.
 namespace kte {
 
-/// The motion of a frame in another, in numbers.
+/// The motion of a frame in another frame, as numbers.
 template <class S>
 using dense_motion = motion<vec3<S>, mat3<vec3<S>>, vec3<S>, vec3<S>, vec3<S>, vec3<S>>;
 
@@ -26,7 +26,7 @@ dense_motion<S> checked_motion(const dense_motion<S>& a, const dense_motion<S>& 
   return x;
 }
 
-/// How many elements two branches have in common, from their base on.
+/// The number of elements that two branches share, from the base on.
 template <class A, class B>
 inline constexpr std::size_t common_length = [] {
   std::size_t n = 0;
@@ -37,7 +37,7 @@ template <class Chain, class Frame>
 inline constexpr bool moved_by_joints = moves_rigidly<Chain, Frame::what, frame_slot<Frame, Chain>()>;
 template <class Chain, class Frame>
 using branch_of = branch<Chain, Frame::what, frame_slot<Frame, Chain>()>;
-/// Where the end of a branch stands in that of its element N - 1.
+/// The pose of the end of a branch in the end of its element N - 1.
 template <class Branch, std::size_t N, class Chain, class Given>
 KTE_INLINE constexpr auto pose_beyond(const Chain& c, const Given& g) {
   if constexpr (N == Branch::length) {
@@ -46,13 +46,13 @@ KTE_INLINE constexpr auto pose_beyond(const Chain& c, const Given& g) {
     return compose(element_pose<Branch::elements[N]>(c, g), pose_beyond<Branch, N + 1>(c, g));
   }
 }
-/// Where the end of B stands in that of A, by the elements between them alone.
+/// The pose of B in A. Only the elements between them are evaluated.
 template <class A, class B, class Chain, class Given>
 KTE_INLINE constexpr auto pose_in_frame(const Chain& c, const Given& g) {
   constexpr std::size_t n = common_length<A, B>;
   return compose(inverse(pose_beyond<A, n>(c, g)), pose_beyond<B, n>(c, g));
 }
-/// Columns of the joints between A and B alone: what moves both does not move one in the other.
+/// Columns of the joints between A and B. Joints that move both frames do not contribute.
 template <class S, class Chain, class Given, class A, class B>
 class local_relative_jacobian : columns<S, Chain, Given> {
   using base = columns<S, Chain, Given>;
@@ -70,7 +70,7 @@ class local_relative_jacobian : columns<S, Chain, Given> {
   }
 
  private:
-  /// B stands at x in the end of element N - 1 of a branch.
+  /// B has the pose x in the end of element N - 1 of a branch.
   template <class Branch, std::size_t N, class X, class Sign>
   KTE_INLINE void inward(const X& x, Sign sign) {
     if constexpr (N > common) {
@@ -86,9 +86,9 @@ class local_relative_jacobian : columns<S, Chain, Given> {
   }
 };
 
-// ---- of runtime chains
+// ---- runtime chains
 
-/// Where B stands in A, after `place_bodies`, by what is between them alone; `common`: of their slots.
+/// The pose of B in A, from the bodies between them; call `place_bodies` first. `common`: the last common slot.
 template <class S>
 tree::dense_pose<S> pose_between(const runtime_chain& c, basic_runtime_state<S>& s, const runtime_frame& b,
                                  const runtime_frame& a, int common) {
@@ -103,9 +103,9 @@ template <class S>
 int common_slot_of(const basic_runtime_state<S>& s, const runtime_frame& b, const runtime_frame& a) {
   const auto& f = s.tree().body_tree;
   const int of = f.frame(b.what, b.index).slot, in = f.frame(a.what, a.index).slot;
-  return of < 0 || in < 0 ? -1 : tree::common_slot(f, in, of);  // those that follow others are in none
+  return of < 0 || in < 0 ? -1 : tree::common_slot(f, in, of);  // frames that follow others have no slot
 }
-/// At positions that are good.
+/// As `relative_pose`, for positions that have been checked.
 template <class S>
 tree::dense_pose<S> relative_pose_of(const runtime_chain& c, basic_runtime_state<S>& s, const runtime_frame& b,
                                      const runtime_frame& a) {
@@ -120,7 +120,7 @@ dense_motion<S> relative_motion_of(const runtime_chain& c, basic_runtime_state<S
   const auto all = [](const auto& m) { return in_numbers<S>(m); };
   return checked_motion(with_motion(s, a, all), with_motion(s, b, all), diagnose_state{"a motion", s});
 }
-/// At positions that are good.
+/// As `relative_jacobian`, for positions that have been checked.
 template <class S>
 basic_runtime_jacobian<S> relative_jacobian_of(const runtime_chain& c, basic_runtime_state<S>& s,
                                                const runtime_frame& b, const runtime_frame& a) {
@@ -132,7 +132,7 @@ basic_runtime_jacobian<S> relative_jacobian_of(const runtime_chain& c, basic_run
   place_bodies(runtime_elements{c}, s);
   const auto seen =
       compose(tree::dense_pose<S>{as<S>(at_a.at.rotation), as<S>(at_a.at.position)}, pose_between(c, s, b, a, common));
-  const tree::frame_place<S> b_on_a{at_a.slot, plain_pose<S>(seen)};  // B as a frame in the body of A
+  const tree::frame_place<S> b_on_a{at_a.slot, plain_pose<S>(seen)};  // B as a frame of the body of A
   basic_runtime_jacobian<S> j = basic_runtime_jacobian<S>::Zero(6, t.plan.coordinates);
   const auto add = [&](const S& sign) {
     return [&j, &f, sign](int k, const tree::direction<S>& u, const tree::direction<S>& w) {

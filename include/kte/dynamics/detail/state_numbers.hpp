@@ -7,7 +7,7 @@
 namespace kte {
 
 namespace detail {
-/// visit(coordinate, freedom) for the coordinates of a state that are degrees of freedom.
+/// Calls visit(coordinate, freedom) for the degrees of freedom of a state.
 template <class State, class Visit>
 KTE_INLINE constexpr void for_each_freedom(State& s, const Visit& visit) {
   using wiring = typename std::remove_const_t<State>::wiring;
@@ -20,8 +20,8 @@ KTE_INLINE constexpr void for_each_freedom(State& s, const Visit& visit) {
   };
   all(std::make_index_sequence<wiring::freedoms>{});
 }
-/// Whether a state may have things of kind K. States of static chains know, and nothing is instantiated for what they
-/// have not.
+/// Whether a state may have items of kind K. For static chains this is known at compile time, and nothing is
+/// instantiated for other kinds.
 template <class State, kind K>
 inline constexpr bool may_have = [] {
   if constexpr (requires { typename State::wiring; }) {
@@ -30,7 +30,7 @@ inline constexpr bool may_have = [] {
     return true;
   }
 }();
-/// visit(coordinate `slot` of kind k), which is a rotation in space or a pose.
+/// Calls visit for coordinate `slot` of kind k, which is a spatial rotation or a pose.
 template <class State, class Visit>
 KTE_INLINE void with_turning_coordinate(State& s, kind k, int slot, const Visit& visit) {
   switch (k) {
@@ -44,7 +44,7 @@ KTE_INLINE void with_turning_coordinate(State& s, kind k, int slot, const Visit&
       if constexpr (may_have<State, kind::pose_3D>) visit(s.template get<kind::pose_3D>(slot));
   }
 }
-/// visit(coordinate `slot` of kind k).
+/// Calls visit for coordinate `slot` of kind k.
 template <class State, class Visit>
 KTE_INLINE void with_coordinate(State& s, kind k, int slot, const Visit& visit) {
   if (k != kind::gen)
@@ -52,7 +52,7 @@ KTE_INLINE void with_coordinate(State& s, kind k, int slot, const Visit& visit) 
   else if constexpr (may_have<State, kind::gen>)
     visit(s.template get<kind::gen>(slot));
 }
-/// visit(frame `index` of kind k).
+/// Calls visit for frame `index` of kind k.
 template <class State, class Visit>
 KTE_INLINE void with_frame(State& s, kind k, int index, const Visit& visit) {
   if (k == kind::frame_2D) {
@@ -61,7 +61,7 @@ KTE_INLINE void with_frame(State& s, kind k, int index, const Visit& visit) {
     if constexpr (may_have<State, kind::frame_3D>) visit(s.template get<kind::frame_3D>(index));
   }
 }
-/// `for_each_freedom` in a loop, for states that list their `freedoms()`.
+/// `for_each_freedom` as a loop, for states with a list `freedoms()`.
 template <class State, class Visit>
 void for_each_listed_freedom(State& s, const Visit& visit) {
   const auto all = s.freedoms();
@@ -77,7 +77,7 @@ void for_each_listed_freedom(State& s, const Visit& visit) {
     }
   }
 }
-/// Which numbers of a coordinate, and where they begin in a vector.
+/// Which vector a number belongs to: q, v, a, or forces.
 enum class vector_of { q, v, a, f };
 template <vector_of Which, class C, class Visit>
 KTE_INLINE constexpr void visit_numbers(C& c, const Visit& visit) {
@@ -95,7 +95,7 @@ template <vector_of Which>
 KTE_INLINE constexpr std::size_t begin_of(const freedom& at) {
   return static_cast<std::size_t>(Which == vector_of::q ? at.q : at.v);
 }
-/// Numbers of x into a coordinate.
+/// Stores numbers of x in a coordinate.
 template <vector_of Which, class C, class X>
 void put(C& c, const freedom& at, const X& x) {
   auto i = begin_of<Which>(at);

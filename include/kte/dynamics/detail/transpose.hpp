@@ -9,8 +9,8 @@
 #include <cstring>
 #include <utility>
 
-/// States, each with its numbers in a row, to packs with a number of all states, and back. Done number by number this
-/// took half as long as inverse dynamics of a robot with seven joints.
+/// Converts states, each with contiguous numbers, to packs with one number of all states, and back. Done number by
+/// number, this took half as long as inverse dynamics of a robot with seven joints.
 namespace kte::batch::detail {
 
 #if defined(KTE_HAS_SHUFFLES)
@@ -22,17 +22,18 @@ struct vector_of {
 template <class T, std::size_t W>
 using vector = typename vector_of<T, W>::type;
 
-/// Squares of L x L numbers, transposed in registers of W lanes, W/L of them side by side.
+/// Squares of L x L numbers, transposed in registers of W lanes, with W/L squares side by side.
 template <class T, std::size_t W, std::size_t L>
 struct squares {
   using V = vector<T, W>;
   using lanes = std::make_index_sequence<W>;
   using rows = std::make_index_sequence<L>;
 
-  /// From rows that are `row` numbers apart: v[j] holds rows j, j + L, j + 2 L ...
+  /// Loads from rows with a distance of `row` numbers: v[j] has rows j, j + L, j + 2 L ...
   KTE_INLINE static void load(const T* p, std::size_t row, std::array<V, L>& v) { load(p, row, v, rows{}); }
   KTE_INLINE static void store(const std::array<V, L>& v, T* p, std::size_t row) { store(v, p, row, rows{}); }
-  /// By Eklundh, IEEE Trans. Computers C-21, 1972: exchanges the off-diagonal blocks of size 1, then of size 2, 4 ...
+  /// Transposes by Eklundh's method (IEEE Trans. Computers C-21, 1972): exchanges off-diagonal blocks of size 1, 2, 4
+  /// ...
   KTE_INLINE static void transpose(std::array<V, L>& v) { exchange<1>(v); }
 
  private:
@@ -93,7 +94,7 @@ struct squares {
   }
 };
 
-/// Columns first, first + L ... of N; the last square is moved to the left, that it does not stick out.
+/// Columns first, first + L ... of N. The last square is moved left to end at N.
 template <class P, std::size_t N>
 struct columns {
   using T = typename P::value_type;
@@ -134,7 +135,7 @@ template <class P>
 inline constexpr bool by_squares = false;
 #endif
 
-/// N numbers of each of P::lanes states, to N packs and back.
+/// Converts N numbers of each of P::lanes states to N packs, and back.
 template <std::size_t N, class P>
 KTE_INLINE void gather(const typename P::value_type* states, P* x) {
 #if defined(KTE_HAS_SHUFFLES)

@@ -3,11 +3,11 @@
 #include <kte/dynamics/looped/mass_matrix.hpp>
 #include <kte/tree/derivatives.hpp>
 
-/// Derivatives of inverse dynamics as loops over body nodes. For all `Elements` and states of
+/// Derivatives of inverse dynamics as loops over body nodes, for all `Elements` and states of
 /// dynamics/looped/inverse_dynamics.hpp.
 namespace kte::detail {
 
-/// Derivatives of what must be applied, after `forces_on_coordinates`: into `of_forces`, but for tau.
+/// Writes the derivatives of the generalized forces to `of_forces`, except tau; call `forces_on_coordinates` first.
 template <class Elements, class State>
 void derive_forces(const Elements& c, State& s) {
   using S = typename State::scalar;
@@ -15,7 +15,7 @@ void derive_forces(const Elements& c, State& s) {
   auto& w = s.work;
   auto& r = w.of_forces;
   const Eigen::Index n = s.dofs();
-  // Of bodies alone the same entries are written each time: the others stay zero.
+  // Chains of bodies only always write the same entries; the others stay zero.
   if (!s.tree().only_bodies || r.by_a.rows() != n) r.by_q.setZero(n, n), r.by_v.setZero(n, n), r.by_a.setZero(n, n);
   w.variations.axes.resize(f.axes()), w.variations.bodies.resize(f.slots());
   place_in_world(s);
@@ -27,9 +27,9 @@ void derive_forces(const Elements& c, State& s) {
                     [=](int j, int k, const S& by_q, const S& by_v, const S& by_a) KTE_INLINE_LAMBDA {
                       Eigen::Index at = k * n + j;
                       if (!by_axes) {
-                        if (row[j] >= n || row[k] >= n) return;  // a coordinate that is given
+                        if (row[j] >= n || row[k] >= n) return;  // a prescribed coordinate
                         at = row[k] * n + row[j];
-                        if (shared) {  // of joints that move by one coordinate
+                        if (shared) {  // joints share a coordinate
                           q[at] += by_q, v[at] += by_v, a[at] += by_a;
                           return;
                         }

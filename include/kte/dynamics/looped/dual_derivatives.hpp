@@ -8,7 +8,7 @@ namespace kte {
 
 namespace detail {
 
-/// A configuration that moves along velocity number `direction` of a coordinate: lane `lane` of its numbers.
+/// Displaces a coordinate along number `direction` of its velocities, as lane `lane` of its numbers.
 template <class S, int N>
 void displace(freedom f, int direction, std::size_t lane, std::span<dual<S, N>> x) {
   std::array<S, 6> unit{};
@@ -21,8 +21,8 @@ void displace(freedom f, int direction, std::size_t lane, std::span<dual<S, N>> 
   for (std::size_t k = 0; k < count; ++k) x[first + k].derivative[lane] = rate[k];
 }
 
-/// Directions that are derived by at once: along degrees of freedom from `first` on, of the configuration, v or a; or
-/// along those of the colours from `first` on, where a force depends on one of each colour at most.
+/// Directions that are derived together: along degrees of freedom from `first` on, of q, v or a; or along all degrees
+/// of freedom of the colours from `first` on, if each force depends on at most one of each colour.
 struct directions {
   vector_of by;
   int first;
@@ -30,8 +30,8 @@ struct directions {
 
   int lane(int row) const { return (colour != nullptr ? colour[row] : row) - first; }
 };
-/// Derivatives of tau = evaluate(directions), which reads q, v and a as dual numbers, by q and v, and by a where
-/// `by_a`: as many directions at a time as they have, into `r`.
+/// Writes the derivatives of tau = evaluate(directions), a function of q, v and a in dual numbers, by q, v, and a if
+/// `by_a`, to `r`, as many directions at a time as dual numbers have.
 template <class S, int N, class Evaluate, class Result>
 void derive_by_duals(std::span<const freedom> freedoms, std::span<dual<S, N>> q, std::span<dual<S, N>> v,
                      std::span<dual<S, N>> a, bool by_a, const Evaluate& evaluate, Result& r) {
@@ -60,8 +60,8 @@ void derive_by_duals(std::span<const freedom> freedoms, std::span<dual<S, N>> q,
     }
 }
 
-/// Derivatives of inverse dynamics by q and v of a static chain of any elements; by a too where friction depends on
-/// what joints carry. by_a is else the mass matrix.
+/// Derivatives of inverse dynamics by q and v of a static chain of any elements, and by a if friction depends on loads.
+/// Otherwise by_a is the mass matrix.
 template <class S, class Chain, class Base, class Q, class V, class A>
 void dual_derivatives(const Chain& c, const Base& base, const Q& q, const V& v, const A& a,
                       inverse_dynamics_result<S, Chain::dofs>& r) {

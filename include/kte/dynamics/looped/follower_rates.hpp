@@ -5,15 +5,15 @@
 
 #include <vector>
 
-/// How ratios of coordinates that follow others change.
+/// Time derivatives of the ratios of dependent coordinates.
 namespace kte::detail {
 
-/// The time derivative of `ratio_of` by the coordinate on a port. Where the followed coordinates move at rates v, what
-/// follows them is accelerated by
+/// The time derivative of `ratio_of` by the coordinate on a port. If the followed coordinates move at rates v, the
+/// follower has the acceleration
 ///
 ///   A(v) = sum_ij f_ij v_i v_j,   so   d/dt f_i = sum_j f_ij v_j = (A(v + e_i h) - A(v - e_i h)) / (4 h)          (1)
 ///
-/// exactly, for A is quadratic; with h of the size of v, or anything where nothing moves.
+/// This is exact, because A is quadratic; h has the size of v, or any size if nothing moves.
 template <class Elements, class State>
 auto ratio_rate_of(const Elements& c, State& s, int follower, std::size_t port) {
   using S = typename State::scalar;
@@ -38,11 +38,11 @@ auto ratio_rate_of(const Elements& c, State& s, int follower, std::size_t port) 
   };
   h = select(h == S(0), S(1), h);
   const S rate = (acceleration_at(h) - acceleration_at(-h)) / (S(4) * h);  // (1)
-  for (std::size_t p = ports.size(); p-- > 0;)  // two ports may be one coordinate; the first has all
+  for (std::size_t p = ports.size(); p-- > 0;)  // if two ports have one coordinate, the first counts for both
     if (ports[p].what == kind::gen) coordinate(p) = before.back(), before.pop_back();
   return rate;
 }
-/// As `pull_back_followers`, with the rates of ratios: add(to, from, ratio, its time derivative).
+/// `pull_back_followers` with the rates of ratios: calls add(to, from, ratio, rate of the ratio).
 template <class Elements, class State, class Add>
 void pull_back_followers_with_rates(const Elements& c, State& s, const Add& add) {
   for_each_followed(c, s, [&](int follower, std::size_t port, int to, int from) {

@@ -8,8 +8,8 @@
 
 #include <span>
 
-/// Forward dynamics as loops over body nodes, in the working memory of a state, which has its coordinates and bases and
-/// is found good. For all `Elements` and states of dynamics/looped/inverse_dynamics.hpp.
+/// Forward dynamics as loops over body nodes, in the working memory of a state whose coordinates and bases are set and
+/// checked. For all `Elements` and states of dynamics/looped/inverse_dynamics.hpp.
 namespace kte::detail {
 
 /// Which accelerations are given, by row; none where nothing is said. Joints of others are free to move.
@@ -34,8 +34,8 @@ void check_jointless_masses(const Elements& c, const State& s) {
         [[unlikely]]
       c.diagnose_mass(s, row, true);
 }
-/// Forces tau(i), and those of the elements, to accelerations in `forces`, by articulated bodies (ABA): in trees.
-/// Accelerations of rows that are `prescribed` are those of the state.
+/// Accelerations from the forces tau(i) and those of the elements, written to `forces`, by ABA; for trees. Rows that
+/// are `prescribed` keep the accelerations of the state.
 template <class Elements, class State, class Tau>
 void accelerate_articulated(const Elements& c, State& s, const Tau& tau, std::span<const char> prescribed) {
   using S = typename State::scalar;
@@ -56,7 +56,7 @@ void accelerate_articulated(const Elements& c, State& s, const Tau& tau, std::sp
     w.force[k] = t.body_tree.row[k] < s.dofs() ? w.forces[t.body_tree.row[k]] : S(0);
   if (const int bad = tree::articulate(t.body_tree, w, biases); bad >= 0) [[unlikely]]
     diagnose_axis(c, s, bad);
-  if (!t.on_frames.empty() || !t.late.empty()) take_rates(s);  // accelerations of what is not free to move
+  if (!t.on_frames.empty() || !t.late.empty()) take_rates(s);  // accelerations of prescribed joints
   tree::accelerate(t.body_tree, w, biases);
   for (std::size_t k = 0; k < t.body_tree.row.size(); ++k)
     if (t.body_tree.row[k] < s.dofs()) w.forces[t.body_tree.row[k]] = w.acceleration[k];
@@ -73,7 +73,7 @@ void accelerate_articulated(const Elements& c, State& s, const Tau& tau, std::sp
   }
 }
 
-/// Forward dynamics of any chain by factorization of its mass matrix.
+/// Forward dynamics of any chain, by factorization of its mass matrix.
 template <class Elements, class State, class Tau>
 void accelerate_by_mass(const Elements& c, State& s, const Tau& tau, std::span<const char> prescribed) {
   using S = typename State::scalar;
@@ -94,7 +94,7 @@ void accelerate_by_mass(const Elements& c, State& s, const Tau& tau, std::span<c
     if (prescribed[static_cast<std::size_t>(i)]) a[i] = given[i];
   solve_partly_known(s.work.mass, a, prescribed, fail);
 }
-/// Whether accelerations of some coordinates of a joint are prescribed, but not of all.
+/// Whether the accelerations of some but not all coordinates of a joint are prescribed.
 template <class State>
 bool some_of_joint_prescribed(const State& s, std::span<const char> prescribed) {
   const auto& f = s.tree().body_tree;
@@ -129,7 +129,7 @@ void accelerate_with_friction(const Elements& c, State& s, const Tau& tau, std::
   iterate_friction(c, s, [&] {
     for_each_listed_freedom(s, [&](auto& x, const freedom& at) { put<vector_of::a>(x, at, given); });
     for (int i = 0; i < s.dofs(); ++i) all[i] = tau(i);
-    for (std::size_t k = 0; tree && k < readers.size(); ++k)  // of others M needs it on all coordinates, at once
+    for (std::size_t k = 0; tree && k < readers.size(); ++k)  // with M, friction is needed on all coordinates together
       if (const int row = s.tree().plan.joint_row[static_cast<std::size_t>(readers[k])]; row < s.dofs())
         all[row] += s.work.friction[k];
     const auto applied = [&all](int i) { return all[i]; };
@@ -138,13 +138,13 @@ void accelerate_with_friction(const Elements& c, State& s, const Tau& tau, std::
   });
 }
 
-/// visit(element, row of the coordinate that it holds).
+/// Calls visit(element, row of the coordinate that it holds).
 template <class Elements, class State, class Visit>
 void for_each_held(const Elements& c, State& s, const Visit& visit) {
   for (const int e : s.tree().locks)
     if (c.holds(e, s)) visit(e, s.tree().plan.row_of_gen[static_cast<std::size_t>(c.index(e, 0))]);
 }
-/// Forward dynamics with locked coordinates, which have no acceleration.
+/// Forward dynamics with locked coordinates, whose accelerations are zero.
 template <class Elements, class State, class Tau>
 void accelerate_by_tree(const Elements& c, State& s, const Tau& tau, std::span<const char> prescribed) {
   std::vector<char> rows;

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-/// Friction that depends on what joints carry, in the loops over body nodes. `Elements` and states as in
+/// Load-dependent friction of joints in the loops over body nodes. `Elements` and states as in
 /// dynamics/looped/inverse_dynamics.hpp.
 namespace kte::detail {
 
@@ -18,15 +18,15 @@ template <class Elements, class State>
       s, t.body_tree.row[static_cast<std::size_t>(t.body_tree.nodes[static_cast<std::size_t>(slot)].first)]);
 }
 
-/// Accelerations where joints have friction by what they carry: sweep() computes them with the friction x in the
-/// working memory, and of them the friction follows again. Solves
+/// Accelerations with load-dependent friction of joints. sweep() computes accelerations with the friction x in the
+/// working memory; friction(a) follows from them. Solves
 ///
 ///   r(x) = friction(a(x)) - x = 0          (1)
 ///
-/// to rounding, by Broyden's first method (Math. Comp. 19 (1965)); where that goes astray at the kink of a joint that
-/// carries nothing, by Newton's with differences and shortened steps. Where r' is so near to singular that x loses half
-/// its digits, |r'^-1| |x| > |x| / sqrt(eps), joints are about to jam (Painleve 1895), and on the other side of that
-/// there is no x: throws `no_solution` for both, with the first coordinate where it is so.
+/// to rounding by Broyden's first method (Math. Comp. 19 (1965)). If it diverges at the kink of an unloaded joint,
+/// Newton's method with differences and shortened steps is used. If r' is so close to singular that x loses half its
+/// digits, |r'^-1| |x| > |x| / sqrt(eps), joints are about to jam (Painleve 1895); beyond that point there is no x.
+/// Throws `no_solution` in both cases, with the first such coordinate.
 template <class Elements, class State, class Sweep>
 class friction_iteration {
   using S = typename State::scalar;
@@ -64,7 +64,7 @@ class friction_iteration {
       const vector step = -times_inverse(r_), before = r_;
       x_ += step;
       evaluate();
-      if (!all(largest(step) <= S(S(4096) * eps * largest(x_)))) learn(step, before);  // r - before is no rounding
+      if (!all(largest(step) <= S(S(4096) * eps * largest(x_)))) learn(step, before);  // r - before exceeds rounding
     }
     return false;
   }
@@ -95,7 +95,7 @@ class friction_iteration {
     return false;
   }
 
-  /// r at x.
+  /// Evaluates r at x.
   void evaluate() {
     std::copy(x_.begin(), x_.end(), s_.work.friction.begin());
     sweep_();
@@ -103,7 +103,7 @@ class friction_iteration {
     Eigen::Index i = 0;
     for_each_friction(c_, s_, [&](const auto&, const S& f) { r_[i] = f - x_[i], ++i; });
   }
-  /// Broyden's step of r'^-1, by Sherman and Morrison. After steps along all axes it is that of differences.
+  /// Broyden's update of r'^-1, by the Sherman-Morrison formula. After steps along all axes it equals differences.
   void learn(const vector& step, const vector& before) {
     const vector gone = times_inverse(vector(r_ - before));
     S along(0);
@@ -135,7 +135,7 @@ class friction_iteration {
     for (const S& i : y) most = select(most < S(abs(i)), S(abs(i)), most);
     return most;
   }
-  vector times_inverse(const vector& y) const {  // Eigen's products are not for packs
+  vector times_inverse(const vector& y) const {  // Eigen's products do not support packs
     vector product = vector::Zero(n_);
     for (Eigen::Index i = 0; i < n_; ++i)
       for (Eigen::Index j = 0; j < n_; ++j) product[i] += inverse_(i, j) * y[j];

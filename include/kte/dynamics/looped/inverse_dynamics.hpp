@@ -5,20 +5,20 @@
 #include <kte/tree/composite.hpp>
 #include <kte/tree/newton_euler.hpp>
 
-/// Between the state of a chain and the loops over body nodes: the forces of elements, and inverse dynamics. State: as
-/// `runtime_state`, of a runtime chain or of a static one that is not unrolled. `Elements` says of element e
+/// Connects the state of a chain to the loops over body nodes: the forces of elements, and inverse dynamics. State:
+/// like `runtime_state`, for runtime chains and for static chains that are not unrolled. `Elements` has for element e
 ///   move(e, s), push(e, s)          its doMotion and doForce
-///   ports(e), index(e, p)           what it is connected to; written(e): what its last port is connected to
+///   ports(e), index(e, p)           its ports and their items; written(e): the item at its last port
 ///   derive(e, s)                    derivatives of its forces (contract/force_derivatives.hpp)
-///   mass_loads(e, s)                loads of a mass between several ports, for accelerations alone
+///   mass_loads(e, s)                loads of a mass between several ports, due to accelerations only
 ///   holds(e, s)                     whether it holds its coordinate
 ///   place_joint(e, q, axes, second) the pose and axes of a joint with varying axes (contract/varying_joint.hpp)
-///   friction(e, s, wrench)          of a joint that carries a wrench at its end
-///   diagnose_mass(s, row, finite)      throws: a mass of coordinate `row` that cannot be used
-///   diagnose_friction(s, row)          throws: friction of coordinate `row` that jams
+///   friction(e, s, wrench)          the friction of a joint that carries a wrench at its end
+///   diagnose_mass(s, row, finite)   throws: the mass of coordinate `row` is unusable
+///   diagnose_friction(s, row)       throws: the friction of coordinate `row` jams
 namespace kte::detail {
 
-/// No forces on coordinates.
+/// Sets the forces on coordinates to zero.
 template <class State>
 void clear_coordinates(State& s) {
   for (std::size_t i = 0; i < s.tree().plan.row_of_gen.size(); ++i)
@@ -28,10 +28,11 @@ void clear_coordinates(State& s) {
   });
 }
 
-/// Which elements count: all; all, but with load-dependent friction as it is in the working memory; bodies.
+/// The elements that act: all; all, with the load-dependent friction stored in the working memory; bodies.
 enum class acting { all, with_given_friction, bodies };
 
-/// What acts on coordinates, and followers, which hand on what is on them: from the last.
+/// Applies the elements that act on coordinates, and followers, which transmit the forces on them; from the last to the
+/// first.
 template <class Elements, class State>
 void push_on_coordinates(const Elements& c, State& s, acting who) {
   const auto& t = s.tree();
@@ -47,8 +48,8 @@ void push_on_coordinates(const Elements& c, State& s, acting who) {
   pass_on(-1);
 }
 
-/// friction(element, row of its coordinate, force on it) of the joints whose friction depends on what they carry, after
-/// `transmit_wrenches`.
+/// Calls friction(element, row of its coordinate, force on it) for joints with load-dependent friction. Call
+/// `transmit_wrenches` first.
 template <class Elements, class State, class F>
 void for_each_friction(const Elements& c, State& s, const F& f) {
   using S = typename State::scalar;
@@ -62,8 +63,7 @@ void for_each_friction(const Elements& c, State& s, const F& f) {
   }
 }
 
-/// The forces of virtual power on the coordinates for the motion of bodies, into the state, where there is nothing
-/// else.
+/// Writes the generalized forces due to the motion of bodies to the state, for chains with bodies only.
 template <class State>
 void forces_of_moved_bodies(State& s) {
   const auto& t = s.tree();
@@ -79,7 +79,7 @@ void forces_of_moved_bodies(State& s) {
       each_axis<vector_of::f>(s, r, [&w](auto& f, std::size_t i) { f = -w.force[i]; });
   }
 }
-/// Inverse dynamics at the rates of the state, without accelerations of coordinates.
+/// Inverse dynamics at the rates of the state, for zero accelerations of coordinates.
 template <class Elements, class State>
 void bias_forces_of_bodies(const Elements& c, State& s) {
   auto& w = s.work;
@@ -89,9 +89,9 @@ void bias_forces_of_bodies(const Elements& c, State& s) {
   forces_of_moved_bodies(s);
 }
 
-/// Inverse dynamics (RNEA): the forces of virtual power on the coordinates, into the state. At rates and accelerations
-/// of the state; of bodies alone, with bases that are accelerated or not. `moved`: forward dynamics has just been, of
-/// what is in the state, and where there are only bodies they are in place and move as they do.
+/// Inverse dynamics (RNEA): writes the generalized forces on the coordinates to the state, at its rates and
+/// accelerations, for bases that are accelerated or not. `moved`: forward dynamics was just called for this state, so
+/// that bodies of chains with bodies only have their places and motions.
 template <class Elements, class State>
 void forces_on_coordinates(const Elements& c, State& s, acting who, bool accelerated_bases = true, bool moved = false) {
   using S = typename State::scalar;
@@ -135,7 +135,7 @@ void forces_on_coordinates(const Elements& c, State& s, acting who, bool acceler
   push_on_coordinates(c, s, who);
 }
 
-/// After that, what must be applied for the motion to happen, into `forces` of the working memory.
+/// Then writes the forces to apply for this motion to `forces` of the working memory.
 template <class State>
 void take_generalized_forces(State& s) {
   const auto& t = s.tree();

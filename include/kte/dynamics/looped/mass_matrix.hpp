@@ -3,11 +3,11 @@
 #include <kte/dynamics/looped/rare_shapes.hpp>
 #include <kte/tree/fill_symmetric.hpp>
 
-/// What coordinates that follow others count for, and the mass matrix, as loops over body nodes. For all `Elements` and
-/// states of dynamics/looped/inverse_dynamics.hpp.
+/// Projection of dependent coordinates, and the mass matrix, as loops over body nodes, for all `Elements` and states of
+/// dynamics/looped/inverse_dynamics.hpp.
 namespace kte::detail {
 
-/// The change of what a follower writes by a coordinate that it follows: of q_dot, when that has a rate of one.
+/// The derivative of a dependent coordinate by a followed coordinate: its rate if the followed rate is one.
 template <class Elements, class State, class Coordinate>
 auto ratio_of(const Elements& c, State& s, int follower, Coordinate& followed) {
   using S = typename State::scalar;
@@ -22,8 +22,8 @@ auto ratio_of(const Elements& c, State& s, int follower, Coordinate& followed) {
   followed = before, end = end_before;
   return ratio;
 }
-/// visit(follower, port, row of what it follows there, row of what it writes), from the last follower; of two ports
-/// that lead to one coordinate for the first, as rates by a coordinate have both.
+/// Calls visit(follower, port, row of the followed coordinate, row of the dependent coordinate), from the last follower
+/// on. If two ports have one coordinate, only for the first, because rates include both.
 template <class Elements, class State, class Visit>
 void for_each_followed(const Elements& c, const State& s, const Visit& visit) {
   const auto& t = s.tree();
@@ -39,7 +39,7 @@ void for_each_followed(const Elements& c, const State& s, const Visit& visit) {
     }
   }
 }
-/// Rows and columns of followers count for what they follow too, from the last: x_b += ratio x_e.
+/// Adds rows and columns of dependent coordinates to those of the followed ones, from the last on: x_b += ratio x_e.
 template <class Elements, class State, class Add>
 void pull_back_followers(const Elements& c, State& s, const Add& add) {
   for_each_followed(c, s, [&](int follower, std::size_t port, int to, int from) {
@@ -47,7 +47,7 @@ void pull_back_followers(const Elements& c, State& s, const Add& add) {
   });
 }
 
-/// The mass matrix (CRBA), into the working memory.
+/// The mass matrix (CRBA), in the working memory.
 template <class Elements, class State>
 void mass_of_coordinates(const Elements& c, State& s) {
   using S = typename State::scalar;

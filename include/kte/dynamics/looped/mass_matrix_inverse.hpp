@@ -4,11 +4,11 @@
 #include <kte/kernels/invert_general.hpp>
 #include <kte/tree/fill_symmetric.hpp>
 
-/// Inverses of the mass matrix as loops over body nodes. For all `Elements` and states of
+/// Inverses of the mass matrix as loops over body nodes, for all `Elements` and states of
 /// dynamics/looped/inverse_dynamics.hpp.
 namespace kte::detail {
 
-/// How accelerations answer forces where coordinates are held: the inverse of the other rows of M, else zeros.
+/// Derivatives of accelerations by forces with locked coordinates: the inverse of the other rows of M, and zeros.
 template <class Elements, class State, class Matrix>
 void invert_free_rows(const Elements& c, State& s, Matrix& inverse) {
   using S = typename State::scalar;
@@ -23,7 +23,7 @@ void invert_free_rows(const Elements& c, State& s, Matrix& inverse) {
   for_each_held(c, s, [&inverse](int, int row) { inverse(row, row) = S(0); });
 }
 
-/// The inverse with load-dependent friction: of dtau/da, which is not symmetric.
+/// The inverse with load-dependent friction: that of dtau/da, which is not symmetric.
 template <class Elements, class State, class Matrix>
 void invert_free_rows_with_friction(const Elements& c, State& s, const Matrix& by_a, Matrix& inverse) {
   using S = typename State::scalar;
@@ -39,7 +39,7 @@ void invert_free_rows_with_friction(const Elements& c, State& s, const Matrix& b
   for_each_held(c, s, [&inverse](int, int row) { inverse(row, row) = S(0); });
 }
 
-/// The inverse of the mass matrix of a tree, after articulated inertias, whose loads are used up.
+/// The inverse of the mass matrix of a tree, after articulated inertias. Overwrites the loads.
 template <class State, class Matrix>
 void invert_articulated(State& s, Matrix& inverse) {
   using S = typename State::scalar;
@@ -50,7 +50,7 @@ void invert_articulated(State& s, Matrix& inverse) {
   for (const int row : s.tree().plan.jointless_dofs)
     inverse(row, row) = S(1) / s.tree().own_mass[static_cast<std::size_t>(row)];
 }
-/// Articulated inertias of a tree at rest, under no forces.
+/// Articulated inertias of a tree at rest without forces.
 template <class Elements, class State>
 void articulate_at_rest(const Elements& c, State& s) {
   const auto& t = s.tree();
@@ -67,7 +67,7 @@ void articulate_and_invert(const Elements& c, State& s, Matrix& inverse) {
   articulate_at_rest(c, s);
   invert_articulated(s, inverse);
 }
-/// Its diagonal alone, in time and memory linear in the axes, times the depth of the tree.
+/// The diagonal of the inverse, with time and memory linear in the number of axes times the depth of the tree.
 template <class Elements, class State>
 std::vector<typename State::scalar> inverse_mass_diagonal(const Elements& c, State& s) {
   using S = typename State::scalar;

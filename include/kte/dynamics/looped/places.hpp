@@ -5,23 +5,23 @@
 #include <kte/tree/chain_tree.hpp>
 #include <kte/tree/loop_memory.hpp>
 
-/// Coordinates of a state to the bodies of its body nodes, and bases. State and `Elements`: as in
+/// Sets body nodes and bases from the coordinates of a state. State and `Elements`: as in
 /// dynamics/looped/inverse_dynamics.hpp.
 namespace kte::detail {
 
-/// visit(coordinate of a body node).
+/// Calls visit(coordinate of a body node).
 template <class State, class P, class Visit>
 KTE_INLINE void with_coordinate(State& s, const tree::body_node<P>& r, const Visit& visit) {
   with_coordinate(s, r.what, r.slot, visit);
 }
-/// visit(coordinate, its axis) of a joint whose coordinates are numbers.
+/// Calls visit(coordinate, its axis) for a joint whose coordinates are numbers.
 template <class State, class P, class Visit>
 void each_number(State& s, const tree::body_node<P>& r, const Visit& visit) {
   const auto& slots = s.tree().body_tree.coordinate;
   for (auto k = static_cast<std::size_t>(r.first); k < static_cast<std::size_t>(r.first + r.axes); ++k)
     visit(s.template get<kind::gen>(slots[k]), k);
 }
-/// The numbers that come with the axes of a body node.
+/// Calls number(x, k) for each number x that belongs to axis k of a body node.
 template <vector_of Which, class State, class P, class Number>
 KTE_INLINE void each_axis(State& s, const tree::body_node<P>& r, const Number& number) {
   if (r.moves == tree::joint::varying) [[unlikely]]
@@ -40,26 +40,26 @@ template <class Elements, class State>
   }
   for (const auto& [k, slot] : s.tree().turned) with_coordinate(s, k, slot, [](auto& x) { update_angle(x); });
 }
-/// What is written before bodies can be placed, and sines and matrices of coordinates that elements read beside those
-/// of joints: in few chains anything.
+/// Computes the quantities that must be known before bodies are placed, and the sines and matrices that elements other
+/// than joints read. Few chains have any.
 template <class Elements, class State>
 KTE_INLINE void bring_up_to_date(const Elements& c, State& s) {
   if (!s.tree().followers.empty() || !s.tree().turned.empty()) [[unlikely]]
     move_followers(c, s);
 }
 
-/// Puts a joint of several axes where its coordinate is.
+/// Places a joint of several axes at its coordinate.
 template <class State, class P, class S>
 void place_several(State& s, const tree::body_node<P>& r, tree::joint_transform<S>& at) {
   with_coordinate(s, r, [&](auto& c) {
     if constexpr (!requires { c.q; }) {
       if constexpr (!State::has_sines) update_angle(c);
       at.position = tree::slid(r, as<S>(spatial(c).position));
-      at.rotation = as<S>(matrix(spatial(c).rotation));
+      at.more.front().rotation = as<S>(matrix(spatial(c).rotation));
     }
   });
 }
-/// The sine and cosine by which a body node turns, where angles are not gathered.
+/// The sine and cosine of the angle of a body node, without a precomputed table.
 template <class State, class P>
 auto turn_of(State& s, const tree::body_node<P>& r) {
   using S = typename State::scalar;
@@ -70,7 +70,7 @@ auto turn_of(State& s, const tree::body_node<P>& r) {
   const S angle = r.turns * c.q;
   return tree::turn<S>{cos(angle), sin(angle)};
 }
-/// Puts joints that turn about z, by number of their body node, where their coordinates are.
+/// Places joints that rotate about z, given by the numbers of their body nodes, at their coordinates.
 template <class State>
 void place_turning(State& s, std::span<const int> joints) {
   using S = typename State::scalar;
@@ -97,17 +97,18 @@ void place_turning(State& s, std::span<const int> joints) {
           place(i, tree::turn<S>{cosine, sine});
         });
 }
-/// Puts a joint with varying axes where its coordinates are; on request with second derivatives of axes.
+/// Places a joint with varying axes at its coordinates; on request with second derivatives of axes.
 template <class Elements, class State, class P, class S>
 [[gnu::noinline]] void place_varying(const Elements& c, State& s, const tree::body_node<P>& r,
                                      tree::joint_transform<S>& at, bool second = false) {
   std::array<S, 6> q{};
   each_number(s, r, [&](const auto& x, std::size_t k) { q[k - static_cast<std::size_t>(r.first)] = x.q; });
-  at.axes.resize((std::max)(at.axes.size(), count_of_axes(r.axes, second)));
-  const tree::dense_pose<S> x = c.place_joint(r.element, q.data(), at.axes.data(), second);
-  at.position = tree::slid(r, x.position), at.rotation = x.rotation;
+  auto& [rotation, axes] = at.more.front();
+  axes.resize((std::max)(axes.size(), count_of_axes(r.axes, second)));
+  const tree::dense_pose<S> x = c.place_joint(r.element, q.data(), axes.data(), second);
+  at.position = tree::slid(r, x.position), rotation = x.rotation;
 }
-/// The same of one that does not turn, or about several axes.
+/// Places a joint that does not rotate, or rotates about several axes.
 template <class Elements, class State, class P, class S>
 void place_other(const Elements& c, State& s, const tree::body_node<P>& r, tree::joint_transform<S>& at) {
   if (r.moves == tree::joint::several)
@@ -137,7 +138,7 @@ void place_bodies(const Elements& c, State& s) {
   place_bodies_by_coordinates(c, s);
 }
 
-/// The same of a slot and all that it stands on: its way to the base, which is returned. Followers: of all.
+/// Places the body of a slot and all bodies before it. Returns this path to the base. Followers: all.
 template <class Elements, class State>
 std::span<const int> place_ancestors(const Elements& c, State& s, int slot) {
   bring_up_to_date(c, s);
@@ -172,7 +173,7 @@ void take_rates(State& s) {
   }
 }
 
-/// visit(motion of a base as kernels see it, its slot).
+/// Calls visit(motion of a base in the form of kernels, its slot).
 template <class State, class Visit>
 void for_each_base(State& s, const Visit& visit) {
   const auto& t = s.tree();

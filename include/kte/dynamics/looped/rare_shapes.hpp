@@ -2,11 +2,10 @@
 
 #include <kte/dynamics/looped/inverse_dynamics.hpp>
 
-/// What few chains have, in the loops over body nodes: distributed masses. `Elements` and states as in
-/// dynamics/looped/inverse_dynamics.hpp.
+/// Distributed masses in the loops over body nodes. `Elements` and states as in dynamics/looped/inverse_dynamics.hpp.
 namespace kte::detail {
 
-/// Rates and accelerations of all degrees of freedom, put aside; they are zero until this goes.
+/// Saves rates and accelerations of all degrees of freedom and sets them to zero; restores them when destroyed.
 template <class State>
 class motion_aside {
  public:
@@ -29,7 +28,7 @@ class motion_aside {
   Eigen::Matrix<typename State::scalar, Eigen::Dynamic, 1> v_, a_;
 };
 
-/// The forces of distributed masses on the degrees of freedom, at rest under the accelerations of the state.
+/// The forces of distributed masses on the degrees of freedom, at rest, under the accelerations of the state.
 template <class Elements, class State>
 void forces_of_distributed_masses(const Elements& c, State& s) {
   const auto& t = s.tree();
@@ -47,11 +46,11 @@ void forces_of_distributed_masses(const Elements& c, State& s) {
     each_axis<vector_of::f>(s, r, [&w](auto& f, std::size_t k) { f -= w.force[k]; });
   push_on_coordinates(c, s, acting::bodies);
 }
-/// Their part of the mass matrix, by columns: the forces that unit accelerations need,
+/// Their contribution to the mass matrix, by columns: the forces due to unit accelerations,
 ///
 ///   M = sum J^T M_e J          (1)
 ///
-/// with M_e of an element over its ports. After `place_bodies`.
+/// with M_e of an element over its ports. Call `place_bodies` first.
 template <class Elements, class State, class Matrix>
 void add_distributed_masses(const Elements& c, State& s, Matrix& m) {
   using S = typename State::scalar;
@@ -64,11 +63,11 @@ void add_distributed_masses(const Elements& c, State& s, Matrix& m) {
     forces_of_distributed_masses(c, s);
     read_listed_numbers<vector_of::f>(s, forces);
   };
-  forces_at(none);  // not zero where a motion is given
+  forces_at(none);  // not zero if a motion is prescribed
   for (int j = 0; j < s.dofs(); ++j) {
     a[j] = S(1);
     forces_at(f);
-    for (int i = j; i < s.dofs(); ++i) {  // the other triangle is the same but for rounding
+    for (int i = j; i < s.dofs(); ++i) {  // the other triangle differs by rounding only
       const S mass = none[i] - f[i];
       m(i, j) += mass;
       if (i != j) m(j, i) += mass;

@@ -7,13 +7,13 @@
 #include <kte/dynamics/looped/static_state.hpp>
 #include <kte/dynamics/unrolled/tree.hpp>
 
-/// The algorithms on static chains that are not unrolled: the loops over body nodes that runtime chains have. `Given`:
-/// dynamics/unrolled/given.hpp. Body nodes and memory are made by the first call and kept by chains too large to
-/// unroll; with scalars that are functions, by each call.
+/// Algorithms on static chains that are not unrolled, by the loops over body nodes of runtime chains. `Given`:
+/// dynamics/unrolled/given.hpp. The first call makes body nodes and memory, which chains too large to unroll keep; with
+/// functions as scalars each call makes them.
 namespace kte::detail {
 
-/// What elements do in the loops over body nodes: one function for each type of element core, however many elements
-/// there are of it, on chains of any kind.
+/// The steps of elements in the loops over body nodes: one function for each type of element core, whatever the number
+/// of elements and the chain.
 template <class Core>
 using inputs_of = std::make_index_sequence<input_count<Core>>;
 template <class Core, class State>
@@ -45,7 +45,7 @@ struct derivative_step {
   }
 };
 
-/// The elements of a chain that do something there, as an index_sequence.
+/// The elements of a chain with an effect in a step, as an index_sequence.
 template <class Chain, class Elements = std::make_index_sequence<Chain::size>>
 struct acting_elements;
 template <class Chain, std::size_t... E>
@@ -67,7 +67,7 @@ inline constexpr auto steps_of = []<std::size_t... I>(std::index_sequence<I...>)
 }
 (typename acting_elements<Chain>::type{});
 
-/// The elements of a static chain in the loops over body nodes.
+/// The elements of a static chain for the loops over body nodes.
 template <class Chain, class Given>
 struct static_elements {
   const Chain& chain;
@@ -90,7 +90,7 @@ struct static_elements {
   void derive(int e, State& s) const {
     run<derivative_step>(e, s);
   }
-  // Parts of chains of rare shapes only: not instantiated for others.
+  // Used only by rare chains; not instantiated for others.
   template <class State>
   void mass_loads(int e, State& s) const {
     if constexpr (!Chain::common) run<mass_step>(e, s);
@@ -132,7 +132,7 @@ struct static_elements {
   }
 
  private:
-  /// f<e>(core of element e).
+  /// Calls f<e>(core of element e).
   template <class F>
   void with_core(int e, const F& f) const {
     [&]<std::size_t... I>(std::index_sequence<I...>) {
@@ -149,11 +149,11 @@ struct static_elements {
 template <class Chain, class Given>
 static_elements(const Chain&, const Given&) -> static_elements<Chain, Given>;
 
-/// Whether it may be that only passes know a chain.
+/// Whether a chain may have elements that only passes support.
 template <class Chain>
 inline constexpr bool may_need_passes = !Chain::common || !std::is_void_v<first_element<Chain, has_own_loads>>;
 
-/// Throws `bad_argument` where an element turns out to be more than body nodes hold.
+/// Throws `bad_argument` for elements that body nodes cannot represent.
 template <class Chain, class State>
 void check_regular(const Chain&, const State& s) {
   if (!s.tree().irregular) [[likely]]
@@ -166,7 +166,7 @@ void check_regular(const Chain&, const State& s) {
   raise<bad_argument>(std::string("kte: ").append(name).append(s.tree().irregular.why));
 }
 
-/// Inverse dynamics at what is given: the forces of virtual power on all degrees of freedom, times `sign`.
+/// Inverse dynamics at the given quantities: the generalized forces on all degrees of freedom, times `sign`.
 template <class Chain, class Given, class State, class Sign>
 auto take_forces(const Chain& c, const Given& g, State& s, Sign sign) {
   s.take(g);
@@ -175,7 +175,7 @@ auto take_forces(const Chain& c, const Given& g, State& s, Sign sign) {
     if (by_passes) c.doMotion(s), c.clearForce(s), c.doForce(s);
   if (!by_passes) {
     check_regular(c, s);
-    // Without names for messages, so that it is the same for whatever is given.
+    // Without names for messages, so that there is one instance for all `Given`.
     forces_on_coordinates(static_elements<Chain, nothing>{c, {}}, s, acting::all);
   }
   joint_vector<typename State::scalar, Chain::dofs> f;
@@ -199,8 +199,8 @@ joint_matrix<S, Chain::dofs> mass_by_tree(const Chain& c, const Given& g) {
   return s.work.mass;
 }
 
-/// Accelerations under forces `tau`. A degree of freedom with a given acceleration (not a typed zero in `Given`) keeps
-/// it.
+/// Accelerations under the forces `tau`. A degree of freedom whose acceleration is given (not a typed zero in `Given`)
+/// keeps it.
 template <class Chain, class Given, class State, class Tau>
 void accelerate_static(const Chain& c, const Given& g, State& s, const Tau& tau) {
   static constexpr auto prescribed = []<int... I>(std::integer_sequence<int, I...>) {
@@ -235,7 +235,7 @@ void accelerations_and_inverse_by_tree(const Chain& c, const Given& g, const joi
     invert_free_rows(static_elements{c, g}, s, s.work.inverse);
   inverse = s.work.inverse;
 }
-/// How accelerations answer forces, from dtau/da.
+/// The derivatives of accelerations by forces, from dtau/da.
 template <class S, class Chain, class Given>
 void invert_by_tree(const Chain& c, const Given& g, const joint_matrix<S, Chain::dofs>& by_a,
                     joint_matrix<S, Chain::dofs>& inverse) {
@@ -262,8 +262,8 @@ void derivatives_by_tree(const Chain& c, const Given& g, Result& r) {
   r.by_q = s.work.of_forces.by_q, r.by_v = s.work.of_forces.by_v, r.by_a = s.work.of_forces.by_a;
 }
 
-/// f(elements, state) of an algorithm that is a loop over body nodes for chains of all sizes: what comes from outside
-/// is in the state.
+/// Calls f(elements, state) for an algorithm that is a loop over body nodes for chains of all sizes. The state has the
+/// given quantities.
 template <class S, class Chain, class Given, class F>
 auto by_tree(const Chain& c, const Given& g, const F& f) {
   auto lent = c.kept.template borrow<static_state<S, Chain>>(c);

@@ -7,10 +7,10 @@
 #include <kte/tree/chain_tree.hpp>
 #include <kte/tree/loop_memory.hpp>
 
-/// The state of a static chain for the algorithms that are loops over body nodes.
+/// The state of a static chain for algorithms that are loops over body nodes.
 namespace kte::detail {
 
-/// What the numbers of a core add up to, by type.
+/// The scalar of the parameters of a core, as the type of their sum.
 template <class Core>
 auto parameters_in(const Core& core) {
   const auto in_pose = [](const auto& x) {
@@ -43,7 +43,7 @@ inline constexpr bool has_plain_parameters = []<std::size_t... I>(std::index_seq
   return true;
 }
 (std::make_index_sequence<Chain::size>{});
-/// P of the body nodes of a chain in calculations with S: derivatives by parameters are kept.
+/// The scalar P of the body nodes of a chain in calculations with S; derivatives by parameters are kept.
 template <class S, class Chain, class Plain = plain_scalar<S>>
 using tree_number = std::conditional_t<has_plain_parameters<Plain, Chain>, Plain, S>;
 
@@ -62,7 +62,7 @@ class static_state {
               [&c](const auto& each) { each_element(c, each, std::make_index_sequence<Chain::size>{}); }),
         work(tree_, dofs(), Chain::size) {}
 
-  /// Takes all that comes from outside (dynamics/unrolled/given.hpp).
+  /// Copies all given quantities (dynamics/unrolled/given.hpp).
   template <class Given>
   void take(const Given& g) {
     take_coordinates(g, std::make_index_sequence<wiring::freedoms>{});
@@ -84,7 +84,7 @@ class static_state {
   static constexpr int dofs() { return wiring::dofs; }
   static std::span<const freedom> freedoms() { return {wiring::table.free.data(), wiring::freedoms}; }
   const tree_type& tree() const { return tree_; }
-  /// Whether the sine of generalized coordinate i is in place: not where it comes from nobody who was asked for it.
+  /// Whether the sine of generalized coordinate i is set; false if the coordinate was not computed.
   static bool has_sine(int i) {
     return wiring::angle(i) || static_plan<Chain>.row_of_gen[static_cast<std::size_t>(i)] >= dofs();
   }
@@ -95,7 +95,7 @@ class static_state {
     const int done[]{(each(I, numbers_of<parameter>(c.template core<I>())), 0)..., 0};
     (void)done;
   }
-  /// Numbers that nobody asked for are zero.
+  /// Copies a number; quantities that were not computed become zero.
   template <class To, class From>
   static void take_number(To& to, const From& from) {
     if constexpr (std::is_same_v<From, skip>) {
@@ -156,7 +156,7 @@ class static_state {
     const int done[]{(get<kind::internal>(I).z = as<S>(g.template internal<I>()), 0)..., 0};
     (void)done;
   }
-  /// x, or what stands for it where nobody asked.
+  /// Returns x, or the other value if x was not computed.
   template <class X, class Other>
   static const auto& known(const X& x, const Other& otherwise) {
     if constexpr (std::is_same_v<X, skip>) {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <utility>
 
-/// Frames that elements touch: their motion from that of bodies, and loads back. State and `Elements`: as in
+/// Frames that elements act on: their motion from that of bodies, and loads back. State and `Elements`: as in
 /// dynamics/looped/inverse_dynamics.hpp.
 namespace kte::detail {
 
@@ -14,7 +14,7 @@ template <class State>
 void clear_frame(State& s, kind k, int index) {
   with_frame(s, k, index, [](auto& x) { clear_load(x); });
 }
-/// A frame where its body has it.
+/// Sets the motion of a frame from that of its body.
 template <class State>
 void place_frame(State& s, kind k, int index, bool accelerated) {
   using S = typename State::scalar;
@@ -22,7 +22,7 @@ void place_frame(State& s, kind k, int index, bool accelerated) {
   const auto& at = t.body_tree.frame(k, index);
   const auto& b = s.work.bodies[static_cast<std::size_t>(at.slot)];
   const auto& place = s.work.world[static_cast<std::size_t>(at.slot)];
-  if (at.slot < t.body_tree.bases) {  // its own motion is in the state, unless it is fixed to the base by links
+  if (at.slot < t.body_tree.bases) {  // the state has its motion, unless links fix it to the base
     if (std::find(t.plan.bases.begin(), t.plan.bases.end(), std::pair{k, index}) != t.plan.bases.end()) {
       clear_frame(s, k, index);
       return;
@@ -43,18 +43,18 @@ void place_frame(State& s, kind k, int index, bool accelerated) {
     clear_load(x);
   });
 }
-/// Frames that elements act on.
+/// Sets the motion of all frames that elements act on.
 template <class State>
 void place_touched_frames(State& s, bool accelerated) {
   for (const auto& [k, index] : s.tree().touched) place_frame(s, k, index, accelerated);
 }
-/// Frames and signals that elements write when bodies are in place.
+/// Frames and signals that elements write after bodies are placed.
 template <class Elements, class State>
 void move_late(const Elements& c, State& s) {
   for (const int e : s.tree().late) c.move(e, s);
   for (const auto& [k, index] : s.tree().written) clear_frame(s, k, index);
 }
-/// What elements put on frames, into `loads` of the bodies that they are on.
+/// Adds the loads of elements on frames to `loads` of their bodies.
 template <class State>
 void take_frame_loads(State& s) {
   using S = typename State::scalar;

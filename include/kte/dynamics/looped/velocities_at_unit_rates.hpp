@@ -6,7 +6,7 @@
 /// Jacobians of frames that follow others, by their velocities.
 namespace kte::detail {
 
-/// Columns by velocity(), which is linear in `rates`, at unit rates.
+/// Columns of a Jacobian by velocity(), which is linear in `rates`, at unit rates.
 template <class S, class J, class Rates, class Velocity>
 void put_velocities_at_unit_rates(J& j, Rates& rates, const Velocity& velocity) {
   for (Eigen::Index k = 0; k < j.cols(); ++k) {
@@ -17,7 +17,7 @@ void put_velocities_at_unit_rates(J& j, Rates& rates, const Velocity& velocity) 
     rate = S(0);
   }
 }
-/// The velocities of a frame that has motion m, in its own axes or in those of the world.
+/// The velocities of a frame with motion m, in its own axes or in those of the world.
 template <class S, class Motion>
 linear_angular<S> velocities_of(const Motion& m, bool world) {
   const vec3<S> v = as<S>(m.velocity), w = as<S>(m.ang_velocity);

@@ -16,7 +16,7 @@ void check_masses(const basic_runtime_state<S>& s, const runtime_matrix<S>& m) {
   if (!tree::all_finite_in_row(m.data(), static_cast<std::size_t>(m.size()))) [[unlikely]]
     diagnose_mass(s, first_non_finite(m), false);
 }
-/// At positions that are good, under the forces that are `kept`.
+/// Forward dynamics at positions that have been checked, under the stored forces (`kept`).
 template <class S>
 const runtime_vector<S>& accelerations_under_kept(const runtime_chain& c, basic_runtime_state<S>& s,
                                                   std::span<const char> prescribed) {
@@ -29,11 +29,11 @@ const runtime_vector<S>& accelerations_under_kept(const runtime_chain& c, basic_
   write_numbers<vector_of::a>(s, s.work.forces, "a");
   return s.work.forces;
 }
-/// Forward dynamics under applied(i). Accelerations of rows that are `prescribed` are those of the state.
+/// Forward dynamics under applied(i). Rows in `prescribed` take their accelerations from the state.
 template <class S, class Tau>
 const runtime_vector<S>& accelerations_under(const runtime_chain& c, basic_runtime_state<S>& s, const Tau& applied,
                                              std::span<const char> prescribed = {}) {
-  for (int i = 0; i < s.dofs(); ++i)  // what is applied may be a result that the state holds
+  for (int i = 0; i < s.dofs(); ++i)  // `applied` may refer to a result that the state holds
     s.work.kept[static_cast<std::size_t>(i)] = applied(i);
   return accelerations_under_kept(c, s, prescribed);
 }
@@ -46,7 +46,7 @@ inline runtime_frame find_frame(const runtime_chain& c, const name_or_handle& fr
   const auto [k, index] = frame.frame_of(c.wiring());
   return {k, index};
 }
-/// doMotion of an element, after that of all that it depends on, each once.
+/// doMotion of an element, after that of all elements on which it depends, each once.
 template <class S>
 void move_element(const topology& t, basic_runtime_state<S>& s, int element) {
   const auto at = [](auto& x, int e) -> auto& { return x[static_cast<std::size_t>(e)]; };
@@ -65,7 +65,7 @@ void move_element(const topology& t, basic_runtime_state<S>& s, int element) {
   for (int e = first; e <= element; ++e)
     if (std::exchange(at(wanted, e), 0)) at(t.elements, e).element->doMotion(s);
 }
-/// The element that writes a frame, if any.
+/// The element that writes a frame, or none.
 template <class S>
 void move(const topology& t, basic_runtime_state<S>& s, const runtime_frame& x) {
   const int writer = t.writers[static_cast<std::size_t>(x.what)][static_cast<std::size_t>(x.index)];
@@ -77,11 +77,11 @@ template <class S>
 void refuse_following(const runtime_chain& c, const basic_runtime_state<S>& s, const runtime_frame& x) {
   if (s.tree().body_tree.frame(x.what, x.index).slot >= 0) [[likely]]
     return;
-  throw bad_argument("kte: this algorithm takes frames that joints and links move, and '" +
+  throw bad_argument("kte: this algorithm supports only frames that joints and links move, and '" +
                      c.wiring().names[static_cast<std::size_t>(x.what)][static_cast<std::size_t>(x.index)] +
                      "' follows others");
 }
-/// f(motion) of a frame in its present state.
+/// Calls f(motion) for a frame in its present state.
 template <class S, class F>
 auto with_motion(basic_runtime_state<S>& s, const runtime_frame& x, const F& f) {
   return x.what == kind::frame_2D ? f(spatial(s.template get<kind::frame_2D>(x.index)))

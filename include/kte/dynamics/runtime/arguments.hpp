@@ -7,10 +7,10 @@
 #include <tuple>
 #include <type_traits>
 
-/// The arguments of the algorithms on runtime chains.
+/// Checking and storing the arguments of algorithms on runtime chains.
 namespace kte::detail {
 
-/// visit(c) for generalized coordinates that are given from outside, by base_gen.
+/// Calls visit(c) for generalized coordinates that base_gen declares (prescribed motion).
 template <class State, class Visit>
 void for_each_given_coordinate(State& s, const Visit& visit) {
   const auto& plan = s.tree().plan;
@@ -20,7 +20,7 @@ void for_each_given_coordinate(State& s, const Visit& visit) {
     if (plan.row_of_gen[i] >= s.dofs() && writers[i] < 0) visit(s.template get<kind::gen>(static_cast<int>(i)));
 }
 
-/// Whether positions can be computed with.
+/// Checks whether positions are finite and quaternions not zero.
 class position_check {
  public:
   template <class S>
@@ -32,7 +32,7 @@ class position_check {
     visit_q(c, [this](const auto& x) { this->number(x); });
     if constexpr (requires { c.rotation; }) rotation(c.rotation.w, c.rotation.x, c.rotation.y, c.rotation.z);
   }
-  /// A quaternion of any length but zero.
+  /// Accepts a quaternion of any length but zero.
   template <class S>
   void rotation(const S& w, const S& x, const S& y, const S& z) {
     using std::abs;
@@ -45,7 +45,7 @@ class position_check {
   bool good_ = true;
 };
 
-/// Throws `bad_argument` that names the number at fault, of one vector of arguments for a state.
+/// Throws `bad_argument`, naming the number of one argument vector that is not finite.
 template <class S, class X>
 [[noreturn, gnu::cold, gnu::noinline]] void diagnose_argument(const char* what, const basic_runtime_state<S>& s,
                                                               const X& x, const char* name, int n,
@@ -58,7 +58,7 @@ template <class S, class X>
   raise_not_finite(what, layout, {{name, all, configuration}});
 }
 
-/// The arguments in a state.
+/// Checks the positions that are stored in a state.
 template <class S>
 void check_positions(const basic_runtime_state<S>& s) {
   position_check all;
@@ -80,10 +80,10 @@ void check_state_velocities(const basic_runtime_state<S>& s) {
   check_state(
       s, [](const auto& c, const auto& f) { visit_v(c, f); }, "kte: a velocity is not finite");
 }
-/// Whether n numbers are finite as numbers of S.
+/// Whether n numbers are finite after conversion to S.
 template <class S, class X>
 KTE_INLINE bool all_finite_as(const X& x, std::size_t n) {
-  // Of arrays g++ 12 takes a loop to a number that it does not know for one beyond their end.
+  // Bounded arrays: g++ 12 warns of reads beyond the end for loops of unknown length.
   if constexpr (std::is_bounded_array_v<X>) n = std::extent_v<X>;
   if constexpr (requires { std::tuple_size<X>::value; }) n = std::tuple_size_v<X>;
   if constexpr (tree::stands_in_row<X, S>) {
@@ -93,7 +93,7 @@ KTE_INLINE bool all_finite_as(const X& x, std::size_t n) {
     return all(sum == S(0));
   }
 }
-/// Whether they are finite and far from overflow; of numbers that take long to look at it says no.
+/// Whether all numbers are finite and far from overflow. Returns false for numbers that are expensive to inspect.
 template <class S, class X>
 KTE_INLINE bool all_moderate_as(const X& x, std::size_t n) {
   if constexpr (std::is_floating_point_v<S> && tree::stands_in_row<X, S>)
@@ -101,13 +101,13 @@ KTE_INLINE bool all_moderate_as(const X& x, std::size_t n) {
   else
     return false;
 }
-/// Throws by `why` unless the forces or accelerations that a state returns are finite.
+/// Calls `why`, which throws, unless the forces or accelerations that a state returns are finite.
 template <class S, class Diagnose>
 KTE_INLINE void check_result(const basic_runtime_state<S>& s, const Diagnose& why) {
   if (!tree::all_finite_in_row(s.work.forces.data(), static_cast<std::size_t>(s.dofs()))) [[unlikely]]
     why();
 }
-/// Checks a vector for a state. Returns whether all numbers are moderate.
+/// Checks a position vector for a state. Returns whether all numbers are moderate.
 template <class S, indexable Q>
 KTE_INLINE bool check_positions(const basic_runtime_state<S>& s, const Q& q) {
   check_configuration(s.nq(), s.dofs(), q);
@@ -123,15 +123,15 @@ KTE_INLINE bool check_positions(const basic_runtime_state<S>& s, const Q& q) {
   return moderate;
 }
 
-/// What a call is not given.
+/// Placeholder for an argument that a call does not have.
 struct not_given {};
 
-/// Accelerations that are not given either, but that the call will put into the state.
+/// Placeholder for accelerations that the call itself will store in the state.
 struct found_later {};
 template <class X>
 inline constexpr bool is_put = !std::is_same_v<X, not_given> && !std::is_same_v<X, found_later>;
 
-/// Of rates, accelerations or forces. Gives whether all are moderate.
+/// Checks rates, accelerations or forces. Returns whether all are moderate.
 template <class S, class X>
 KTE_INLINE bool check_numbers(const basic_runtime_state<S>& s, const X& x, const char* name, const char* what) {
   if constexpr (is_put<X>) {
@@ -147,13 +147,13 @@ KTE_INLINE bool check_numbers(const basic_runtime_state<S>& s, const X& x, const
   }
 }
 
-/// Numbers of a state that a call replaces, to be put back where it refuses: q, v and a where these are true.
+/// Numbers of a state that a call replaces (q, v, a where true), saved to restore them if the call throws.
 template <class S, bool Q, bool V, bool A>
 struct replaced_numbers {
   basic_runtime_state<S>& state;
-  bool kept;  ///< in `before` of the state
+  bool kept;  ///< saved in `before` of the state
 
-  /// visit(number) for those of a coordinate.
+  /// Calls visit(number) for each number of a coordinate.
   template <class C, class Visit>
   KTE_INLINE static void each(C& c, const Visit& visit) {
     if constexpr (Q) visit_q(c, visit);
@@ -170,7 +170,7 @@ struct replaced_numbers {
     for_each_listed_freedom(state,
                             [&old](auto& c, const freedom&) { each(c, [&old](S& number) { number = *old++; }); });
   }
-  /// The result of body(). If it throws, the state is unchanged.
+  /// Returns body(). If it throws, the state is unchanged.
   template <class Body>
   KTE_INLINE decltype(auto) call(const Body& body) const {
     try {
@@ -182,13 +182,13 @@ struct replaced_numbers {
   }
 };
 
-/// When a call keeps what it replaces in a state.
+/// When a call saves the numbers that it replaces.
 enum class keeping {
   always,
   if_needed  ///< in calls that take no longer than that would matter, and that trees of bodies refuse for no reason but
              ///< large arguments (and signals or bases in the state that are none)
 };
-/// What `take` replaces. (Not `auto`: to find that, users of kte::compiled would instantiate it.)
+/// The numbers that `take` replaces. (Not `auto`, which users of kte::compiled would instantiate.)
 template <class S, class V, class A>
 using replaced_by = replaced_numbers<S, true, is_put<V>, !std::is_same_v<A, not_given>>;
 
@@ -221,7 +221,7 @@ replaced_by<S, V, A> take(const runtime_chain& c, basic_runtime_state<S>& s, con
   }
   return replaced;
 }
-/// Before a call that puts accelerations into a state and then may still refuse.
+/// Saves the accelerations before a call that overwrites them and can still fail.
 template <class S>
 replaced_numbers<S, false, false, true> keep_accelerations(basic_runtime_state<S>& s) {
   const replaced_numbers<S, false, false, true> replaced{s, true};

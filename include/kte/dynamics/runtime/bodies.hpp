@@ -8,7 +8,7 @@ namespace kte {
 
 namespace detail {
 
-/// Puts accelerations, and on request velocities, of a state aside for as long as it lives.
+/// Saves the accelerations, and on request the velocities, of a state, and restores them when destroyed.
 template <class S>
 class rates_aside {
  public:
@@ -57,34 +57,35 @@ void forces_of_bodies(const runtime_chain& c, basic_runtime_state<S>& s, bool ac
   forces_on_coordinates(runtime_elements{c}, s, acting::bodies, accelerated_bases);
 }
 
-/// The inertias of bodies with all they carry, and axes, in the world.
+/// Composite inertias of subtrees and joint axes, in the world.
 template <class S>
 void carry_bodies(const runtime_chain& c, basic_runtime_state<S>& s) {
   place_bodies(runtime_elements{c}, s);
   place_in_world(s);
   tree::carry_bodies<true>(s.tree().body_tree, s.work);
 }
-/// The motion of chains of bodies only.
+/// The motion of a chain with bodies only.
 template <class S>
 void carry(const runtime_chain& c, basic_runtime_state<S>& s) {
   refuse_distributed_masses(c, s);
   carry_bodies(c, s);
 }
-/// visit(row of an axis among all coordinates, momentum of its unit rate about a point of the world).
+/// Calls visit(row, momentum) for each axis: its row among all coordinates, and the momentum of its unit rate about a
+/// point of the world.
 template <class S, class F>
 void for_each_momentum(basic_runtime_state<S>& s, const vec3<S>& about, const F& visit) {
   const auto& f = s.tree().body_tree;
   tree::momenta(f, s.work, about,
                 [&](int k, const tree::dense_wrench<S>& h) { visit(f.row[static_cast<std::size_t>(k)], h); });
 }
-/// Coordinates that are given rest.
+/// Sets the rates of prescribed coordinates to zero.
 template <class S>
 void rest_given_coordinates(basic_runtime_state<S>& s) {
   for (const auto& r : s.tree().body_tree.nodes)
     if (r.is_number() && !r.is_free && s.made_for()->writers[0][static_cast<std::size_t>(r.slot)] < 0)
       s.work.rate[static_cast<std::size_t>(r.first)] = s.work.acceleration[static_cast<std::size_t>(r.first)] = S(0);
 }
-/// visit(motion, slot) of bases that elements move as signals say. Those that are given from outside rest.
+/// Calls visit(motion, slot) for bases that elements move by signals. Other bases are set to rest.
 template <class S, class Visit>
 void for_each_moved_base(basic_runtime_state<S>& s, const Visit& visit) {
   const auto& t = s.tree();
@@ -95,7 +96,7 @@ void for_each_moved_base(basic_runtime_state<S>& s, const Visit& visit) {
     with_frame(s, k, index, [&](const auto& x) { visit(spatial(x), slot); });
   }
 }
-/// Momentum about a point of the world, after `carry`; coordinates that are given rest.
+/// Momentum about a point of the world; call `carry` first. Prescribed coordinates are at rest.
 template <class S>
 tree::dense_wrench<S> momentum_of_coordinates(basic_runtime_state<S>& s, const vec3<S>& about) {
   const auto& f = s.tree().body_tree;

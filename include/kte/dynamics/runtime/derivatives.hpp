@@ -6,12 +6,12 @@
 /// Derivatives of inverse and forward dynamics of runtime chains, in the memory of a state.
 namespace kte::detail {
 
-/// Whether the derivatives of the forces of a chain are known element by element.
+/// Whether all elements of a chain provide the derivatives of their forces.
 template <class S>
 bool is_known_by_elements(const runtime_chain& c, const basic_runtime_state<S>& s) {
   const auto& t = s.tree();
-  return t.body_tree.varying.empty() && t.on_frames.empty() && t.followers.empty() && t.late.empty() && t.readers.empty() &&
-         c.wiring().has_derivatives;
+  return t.body_tree.varying.empty() && t.on_frames.empty() && t.followers.empty() && t.late.empty() &&
+         t.readers.empty() && c.wiring().has_derivatives;
 }
 template <class S>
 const inverse_dynamics_result<S, Eigen::Dynamic>& forces_derived(const runtime_chain& c, basic_runtime_state<S>& s,
@@ -24,14 +24,14 @@ const inverse_dynamics_result<S, Eigen::Dynamic>& forces_derived(const runtime_c
       derive_forces(runtime_elements{c}, s);
     else
       derive_forces_by_duals(c, s);
-  } else {  // joints, links and bodies alone
+  } else {  // joints, links and bodies only
     derive_forces(runtime_elements{c}, s);
   }
   r.tau = s.work.forces;
   check_result(r.tau, static_cast<std::size_t>(s.dofs()), [&s] { diagnose("a force", s); });
   return r;
 }
-/// After forward dynamics: (1) of detail/static_derivatives.hpp.
+/// Derivatives of forward dynamics, after forward dynamics: (1) of dynamics/unrolled/derivatives.hpp.
 template <class S>
 const forward_dynamics_result<S, Eigen::Dynamic>& accelerations_derived(const runtime_chain& c,
                                                                         basic_runtime_state<S>& s) {

@@ -4,11 +4,11 @@
 #include <kte/dynamics/runtime/algorithms.hpp>
 #include <kte/runtime_chain/derivative_state.hpp>
 
-/// Derivatives of inverse dynamics of runtime chains by dual numbers, for forces between frames or coordinates that
-/// follow others. Templates, though of double only, so that they are compiled only if called.
+/// Derivatives of inverse dynamics of runtime chains by dual numbers, for forces between frames and for coordinates
+/// that follow others. Templates, although for double only, so that they are compiled only if they are called.
 namespace kte::detail {
 
-/// A state with derivatives of the same chain.
+/// The state with derivatives of a chain, in the memory of its state.
 template <std::same_as<double> S, class State = basic_derivative_state<dual<S, derivative_number::variables>>>
 State& state_with_derivatives(const runtime_chain& c, basic_runtime_state<S>& s) {
   const topology& t = c.wiring();
@@ -17,7 +17,7 @@ State& state_with_derivatives(const runtime_chain& c, basic_runtime_state<S>& s)
   if (d.layout() != t.layout) d = make();
   return d;
 }
-/// All that is given from outside, as constants, and q, v and a.
+/// Copies all external quantities as constants, and q, v and a.
 template <std::same_as<double> S, class D>
 void take_given(basic_runtime_state<S>& s, basic_derivative_state<D>& d) {
   const auto take = [](auto& to, const auto& x) {
@@ -49,8 +49,8 @@ void take_given(basic_runtime_state<S>& s, basic_derivative_state<D>& d) {
   read_listed_numbers<vector_of::a>(s, d.a);
 }
 
-/// How far the coordinates of joints move them along their axes, in axes of the body, and their rates. Rotations and
-/// poses, which are always free, move along `moving`.
+/// Displacements of joints along their axes, in body axes, and their rates. Rotations and poses, which are always free,
+/// move along `moving`.
 template <class D>
 void take_shifts(basic_derivative_state<D>& d, const directions& moving) {
   auto& w = d.work;
@@ -71,18 +71,23 @@ void take_shifts(basic_derivative_state<D>& d, const directions& moving) {
     each_axis<vector_of::a>(d, r, [&w](const D& x, std::size_t k) { w.acceleration[k] = x; });
   }
 }
-/// Coordinates to q, v, a of the state with derivatives.
+/// Copies q, v, a of the state with derivatives to its coordinates.
 template <class D>
 void put_coordinates(basic_derivative_state<D>& d) {
   for_each_listed_freedom(d, [&d](auto& x, const freedom& at) {
     put<vector_of::q>(x, at, d.q), put<vector_of::v>(x, at, d.v), put<vector_of::a>(x, at, d.a);
   });
 }
+/// No loads on bodies and coordinates but those of elements.
+struct no_more_loads {
+  template <class D>
+  void operator()(const basic_derivative_state<D>&) const {}
+};
 /// Inverse dynamics at q, v, a of the state with derivatives, with bases in place: what must be applied, into its
-/// `forces`.
-template <class Elements, std::same_as<double> S, class D>
+/// `forces`. more(d), when bodies have moved, may add `loads` of bodies and forces on coordinates.
+template <class Elements, std::same_as<double> S, class D, class More = no_more_loads>
 void inverse_dynamics_in_duals(const Elements& elements, const basic_runtime_state<S>& s, basic_derivative_state<D>& d,
-                               const directions& moving) {
+                               const directions& moving, const More& more = {}) {
   const auto& t = s.tree();
   put_coordinates(d);
   bring_up_to_date(elements, d);
@@ -98,7 +103,10 @@ void inverse_dynamics_in_duals(const Elements& elements, const basic_runtime_sta
     move_late(elements, d);
     for (auto e = t.on_frames.rbegin(); e != t.on_frames.rend(); ++e) elements.push(*e, d);
     take_frame_loads(d);
+  } else if constexpr (!std::is_same_v<More, no_more_loads>) {
+    std::fill(d.work.loads.begin(), d.work.loads.end(), tree::dense_wrench<D>{});
   }
+  more(d);
   tree::transmit_in_duals(t.body_tree, s.work, d.work);
   for (const auto& r : t.body_tree.nodes)
     each_axis<vector_of::f>(d, r, [&d](auto& f, std::size_t k) { f -= d.work.force[k]; });
@@ -111,8 +119,8 @@ void inverse_dynamics_in_duals(const Elements& elements, const basic_runtime_sta
   for (auto& f : d.forces) f = -f;
 }
 
-/// By q and v at what the state has, into `of_forces`; by_a is the mass matrix, where friction depends on what joints
-/// carry it is derived too. After inverse dynamics.
+/// Derivatives by q and v at the state, written to `of_forces`; call inverse dynamics first. by_a is the mass matrix,
+/// minus the derivatives of load-dependent friction.
 template <std::same_as<double> S>
 void derive_forces_by_duals(const runtime_chain& c, basic_runtime_state<S>& s) {
   auto& r = s.work.of_forces;

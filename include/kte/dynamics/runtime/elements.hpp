@@ -7,10 +7,10 @@
 
 #include <algorithm>
 
-/// The elements of a runtime chain in the loops over body nodes.
+/// Access of the loops over body nodes to the elements of a runtime chain.
 namespace kte::detail {
 
-/// Elements are those of the given chain: a state may have been made for another copy of it.
+/// The elements come from the given chain, because the state may belong to another copy of it.
 struct runtime_elements {
   const runtime_chain& chain;
 
@@ -35,7 +35,7 @@ struct runtime_elements {
   derivative_number friction(int e, derivative_state& s, const tree::dense_wrench<derivative_number>& end) const {
     return element(e).derive_friction(s, end);
   }
-  // States of other scalars are for chains in which nothing is left for elements to do.
+  // States of other scalars belong to chains whose elements need no further calls.
   template <class State>
   void move(int, State&) const {}
   template <class S>
@@ -66,7 +66,7 @@ struct runtime_elements {
   }
 };
 
-/// Throws `bad_argument` unless the state is of this chain, which is no part of another.
+/// Throws `bad_argument` unless the state belongs to this chain and the chain is not part of another.
 template <class S>
 void check_whole(const runtime_chain& c, const basic_runtime_state<S>& s) {
   (void)c.wiring();
@@ -79,7 +79,7 @@ template <class Exception>
 }
 /// Whether a chain has closures of loops.
 inline bool has_loops(const runtime_chain& c) { return c.wiring().count(kind::loop) > 0; }
-/// Rejects a chain that only passes support.
+/// Throws for a chain that only the passes support.
 template <class S>
 void check_regular_tree(const runtime_chain& c, const basic_runtime_state<S>& s) {
   check_whole(c, s);
@@ -95,13 +95,13 @@ inline void refuse_loops(const runtime_chain& c, const char* instead = "") {
   throw bad_argument("kte: this algorithm does not know closures of loops, as " + describe_element(*first->element) +
                      instead);
 }
-/// `check_regular_tree` for algorithms that support trees only.
+/// `check_regular_tree`, and refuses closures of loops.
 template <class S>
 void check_regular(const runtime_chain& c, const basic_runtime_state<S>& s) {
   check_regular_tree(c, s);
   refuse_loops(c);
 }
-/// Rejects a chain whose motion only passes support.
+/// Throws for a chain whose motion only the passes support.
 template <class S>
 void check_motion(const runtime_chain& c, const basic_runtime_state<S>& s) {
   check_whole(c, s);
@@ -109,7 +109,7 @@ void check_motion(const runtime_chain& c, const basic_runtime_state<S>& s) {
     refuse_chain(c, s.tree().moves_unknown);
 }
 
-/// Inverse dynamics, into the state. `moved`: as for `forces_on_coordinates`.
+/// Inverse dynamics, with the result in the state. `moved`: as for `forces_on_coordinates`.
 template <class S>
 void coordinate_forces(const runtime_chain& c, basic_runtime_state<S>& s, bool moved = false) {
   check_whole(c, s);

@@ -18,8 +18,8 @@ using basic_runtime_jacobian = Eigen::Matrix<S, 6, Eigen::Dynamic>;
 using runtime_jacobian = basic_runtime_jacobian<double>;
 
 namespace detail {
-/// Columns of all coordinates over the degrees of freedom: those of followers count for what they follow, those of
-/// coordinates that are given are left out.
+/// Adds the columns of followers, times their ratios, to the columns of the degrees of freedom that they follow, and
+/// drops those of prescribed coordinates.
 template <class S>
 Eigen::Matrix<S, 6, Eigen::Dynamic> folded(const runtime_chain& c, basic_runtime_state<S>& s,
                                            Eigen::Matrix<S, 6, Eigen::Dynamic> a) {
@@ -28,7 +28,7 @@ Eigen::Matrix<S, 6, Eigen::Dynamic> folded(const runtime_chain& c, basic_runtime
                       [&a](int to, int from, const S& ratio) { a.col(to) += ratio * a.col(from); });
   return a.leftCols(s.dofs());
 }
-/// The Jacobian of a frame that follows others.
+/// The Jacobian of a frame that follows others, by unit rates.
 template <class S>
 basic_runtime_jacobian<S> jacobian_by_rates(const runtime_chain& c, basic_runtime_state<S>& s, const runtime_frame& x,
                                             bool world) {
@@ -41,7 +41,7 @@ basic_runtime_jacobian<S> jacobian_by_rates(const runtime_chain& c, basic_runtim
     move(c.wiring(), s, x);
     return with_motion(s, x, [world](const auto& m) { return velocities_of<S>(m, world); });
   };
-  const auto at_rest = velocity();  // not zero, if bases move
+  const auto at_rest = velocity();  // not zero if bases move
   put_velocities_at_unit_rates<S>(j, rates, [&]() -> linear_angular<S> {
     const auto [linear, angular] = velocity();
     return {linear - at_rest.linear, angular - at_rest.angular};
@@ -49,13 +49,14 @@ basic_runtime_jacobian<S> jacobian_by_rates(const runtime_chain& c, basic_runtim
   write_numbers<vector_of::v>(s, v, "v");
   return j;
 }
-/// The first number of a Jacobian in memory, and the way from one column to the next, in numbers.
+/// A pointer to the first number of a Jacobian, and the stride between its columns.
 template <class S>
 struct columns_of_six {
   S* begin;
   Eigen::Index stride;
 };
-/// Zeros, but in the columns of the axes of body nodes on a way to a base, which stand in order.
+/// Writes zeros to all columns except those of the axes of body nodes on the way to a base. `way` is in ascending
+/// order.
 template <class P, class S>
 void clear_beside(const tree::body_tree<P>& f, std::span<const int> way, const columns_of_six<S>& j, int columns) {
   const auto clear = [&j](int first, int end) KTE_INLINE_LAMBDA {
@@ -71,7 +72,7 @@ void clear_beside(const tree::body_tree<P>& f, std::span<const int> way, const c
   }
   clear(0, columns);
 }
-/// At positions that are good; of all degrees of freedom.
+/// Writes the Jacobian over all degrees of freedom, at positions that have been checked.
 template <class S>
 void write_jacobian(const runtime_chain& c, basic_runtime_state<S>& s, const runtime_frame& x, bool world,
                     const columns_of_six<S>& to) {
@@ -109,13 +110,13 @@ void write_jacobian(const runtime_chain& c, basic_runtime_state<S>& s, const run
   assign(folded(c, s, std::move(all)));
 }
 
-/// A matrix of the caller's, or a part of one.
+/// A matrix of the caller, or a block of one.
 template <class J>
 concept matrix_like = requires(J& j) {
   j.rows();
   j.cols();
 };
-/// Whether a matrix gets the size it needs.
+/// Whether a matrix can be resized.
 template <class J>
 inline constexpr bool grows = std::is_base_of_v<Eigen::PlainObjectBase<J>, J>&& J::ColsAtCompileTime ==
                                   Eigen::Dynamic &&
@@ -134,7 +135,7 @@ void put_jacobian(const runtime_chain& c, basic_runtime_state<S>& s, const runti
                     int(J::InnerStrideAtCompileTime) == 1,
                 "kte: a Jacobian needs writable memory stored by columns: a matrix, 6 rows of one or a map");
   if constexpr (grows<J>)
-    if (j.rows() != 6 || j.cols() != s.dofs()) j.resize(6, s.dofs());  // which divides, whatever the size is
+    if (j.rows() != 6 || j.cols() != s.dofs()) j.resize(6, s.dofs());  // the check avoids a division in resize
   write_jacobian(c, s, x, world, columns_of_six<S>{j.data(), j.outerStride()});
 }
 template <class S>

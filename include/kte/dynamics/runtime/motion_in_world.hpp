@@ -2,10 +2,10 @@
 
 #include <kte/dynamics/runtime/algorithms.hpp>
 
-/// How frames of runtime chains are accelerated in the world, where states have gravity as an acceleration of bases.
+/// Accelerations of frames of runtime chains in the world. States represent gravity as an acceleration of bases.
 namespace kte::detail {
 
-/// The acceleration of a base, without gravity g until this goes. Then it is to the bit what it was.
+/// Removes gravity g from the acceleration of a base, and restores the exact value when destroyed.
 template <class Frame>
 class base_without_gravity {
  public:
@@ -23,8 +23,8 @@ class base_without_gravity {
   decltype(Frame::acceleration) kept_;
 };
 
-/// `move` of a frame, with bases i, i + 1, ... of kind K and all of kinds after it without gravity. One call a base, so
-/// that nothing is allocated.
+/// `move` of a frame, with bases i, i + 1, ... of kind K and all of later kinds without gravity. Recurses once per
+/// base, so nothing is allocated.
 template <kind K, class S>
 void move_without_gravity(const runtime_chain& c, basic_runtime_state<S>& s, const runtime_frame& x,
                           std::size_t i = 0) {
@@ -41,12 +41,13 @@ void move_without_gravity(const runtime_chain& c, basic_runtime_state<S>& s, con
   }
 }
 
-/// f(position, rotation, velocities and accelerations) of a frame that is moved to the state's coordinates, without
-/// gravity. A frame that joints and links move has the whole of it in its acceleration,
+/// Calls f(position, rotation, velocities and accelerations) for a frame at the state's coordinates, without gravity.
+/// For a frame that joints and links move, gravity is subtracted from its acceleration,
 ///
 ///   a + R^T g          (1)
 ///
-/// one that follows others may have a part: its way is gone once without.
+/// For a frame that follows others, only part of gravity may be included; its motion is computed with bases without
+/// gravity.
 template <class S, class F>
 auto with_motion_in_world(const runtime_chain& c, basic_runtime_state<S>& s, const runtime_frame& x, const F& f) {
   static_assert(goes_through_passes<S>);
@@ -60,7 +61,7 @@ auto with_motion_in_world(const runtime_chain& c, basic_runtime_state<S>& s, con
   }
   move_without_gravity<kind::frame_2D>(c, s, x);
   const auto result = with_motion(s, x, f);
-  move(c.wiring(), s, x);  // so that frames of the state are as everywhere
+  move(c.wiring(), s, x);  // leaves the frames of the state as usual
   return result;
 }
 

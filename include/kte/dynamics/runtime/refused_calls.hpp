@@ -1,5 +1,5 @@
 #pragma once
-#pragma GCC system_header  // compilers then say nothing about the macros
+#pragma GCC system_header  // suppresses warnings about the macros
 
 #include <kte/detail/call.hpp>
 #include <kte/frames/motion.hpp>
@@ -7,13 +7,13 @@
 #include <kte/math/eigen.hpp>
 #include <kte/static_chain/static_chain.hpp>
 
-/// What algorithms say to calls that are meant for a chain of the other kind, in one sentence. No call that is right
-/// fits one of these.
+/// Compile errors, one sentence each, for calls that are meant for a chain of the other kind. Valid calls never select
+/// these overloads.
 namespace kte {
 
 class runtime_chain;
 
-// The last argument is the type of the result, which only keeps compilers from saying more.
+// The last argument is the return type; it only prevents follow-up errors.
 #define KTE_ASKED_BY_NAME(algorithm, arguments, ...)                                                                  \
   template <class Gravity, class... E, class... A>                                                                    \
   requires(text_type<A> || ...) auto algorithm(const static_chain<Gravity, E...>&, const A&...) {                     \

@@ -4,10 +4,10 @@
 #include <kte/dynamics/detail/state_numbers.hpp>
 #include <kte/runtime_chain/runtime_state.hpp>
 
-/// The numbers of a runtime state as vectors, and which of them is at fault.
+/// The numbers of a runtime state as vectors, and errors that name a number of it.
 namespace kte {
 
-/// Numbers of a runtime chain.
+/// A vector of numbers of a runtime chain.
 template <class S>
 using runtime_vector = Eigen::Matrix<S, Eigen::Dynamic, 1>;
 /// A matrix of a runtime chain, dofs x dofs or another dynamic size.
@@ -37,7 +37,7 @@ std::vector<layout_entry<>> layout_of_state(const basic_runtime_state<S>& s) {
                       f.q, nq_of(f.what), f.v, nv_of(f.what)});
   return layout;
 }
-/// Throws `bad_argument` that names a signal from outside that is not finite, if one is.
+/// Throws `bad_argument`, naming the external signal, if an external signal is not finite.
 template <class S>
 [[gnu::cold]] void diagnose_signals(const char* what, const basic_runtime_state<S>& s) {
   for (const auto& signal : s.made_for()->signals) {
@@ -49,7 +49,7 @@ template <class S>
       raise_if_signal_is_non_finite(what, name, s.template get<kind::input>(signal.slot));
   }
 }
-/// Throws `bad_argument` that names the number at fault, of those in the state and of `tau`.
+/// Throws `bad_argument`, naming the first number that is not finite, in the state or in `tau`.
 template <class S>
 [[noreturn, gnu::cold]] void diagnose(const char* what, const basic_runtime_state<S>& s,
                                       const runtime_vector<S>& tau = {}) {
@@ -59,12 +59,12 @@ template <class S>
   if (has_plain_numbers<S>) raise_if_no_rotation(layout, q);
   diagnose_signals(what, s);
   if (tau.size() == 0) raise_not_finite(what, layout, {{"q", q, true}, {"v", v}, {"a", a}});
-  // Under forces accelerations are given only of hybrid dynamics.
+  // Under forces, accelerations are arguments of hybrid dynamics only.
   if (!culprit(layout, {{"q", q, true}, {"v", v}, {"tau", f}}).empty())
     raise_not_finite(what, layout, {{"q", q, true}, {"v", v}, {"tau", f}});
   raise_not_finite(what, layout, {{"a", a}});
 }
-/// As a function, of a result: throws as `diagnose` does.
+/// A function object that calls `diagnose` for a result.
 template <class S>
 struct diagnose_state {
   const char* what;
@@ -73,7 +73,7 @@ struct diagnose_state {
 };
 template <class S>
 diagnose_state(const char*, const basic_runtime_state<S>&) -> diagnose_state<S>;
-/// As on static chains: a mass of coordinate `row` that cannot be used.
+/// Throws `singular_mass_matrix` for the mass of coordinate `row`.
 template <class S>
 [[noreturn, gnu::cold]] void diagnose_mass(const basic_runtime_state<S>& s, int row, bool finite) {
   const auto layout = layout_of_state(s);
@@ -87,8 +87,8 @@ template <class S>
 
 #ifdef KTE_EXTERN
 namespace detail {
-/// Only there for the alignment at which the library was compiled: what it allocates by another (-march) could not be
-/// freed. Where linking fails here, options differ.
+/// Makes linking fail if the library was compiled with another alignment (-march), because memory that it allocates
+/// could then not be freed. If linking fails here, use the same options for library and program.
 template <int Alignment>
 void compiled_for_alignment() {}
 KTE_EXTERN template void compiled_for_alignment<EIGEN_MAX_ALIGN_BYTES>();

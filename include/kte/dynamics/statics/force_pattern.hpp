@@ -6,14 +6,14 @@
 #include <numeric>
 #include <vector>
 
-/// Which degrees of freedom of a runtime chain change the forces on which, known from its wiring, so that derivatives
-/// of forces are sparse.
+/// The sparsity of derivatives of forces of a runtime chain, from its wiring: which degrees of freedom affect the
+/// forces on which.
 namespace kte::detail {
 
-/// A body is moved by the coordinates between it and the base, and its weight acts on all of them; what is between two
-/// frames acts on the coordinates of both. So the pattern is symmetric, a union of cliques. Columns of one colour have
-/// no row in common: one direction gives the derivatives by all of them (Curtis, Powell, Reid, J. Inst. Maths Applics
-/// 13, 1974). Nodes in a row need three colours for each of their freedoms, however many they are.
+/// The coordinates between a body and the base move the body, and its weight acts on all of them. A force between two
+/// frames acts on the coordinates of both. The pattern is therefore symmetric, a union of cliques. Columns of one
+/// colour have no row in common, so one direction gives the derivatives by all of them (Curtis, Powell, Reid, J. Inst.
+/// Maths Applics 13, 1974). A row of beams needs three colours per degree of freedom of a node, for any length.
 struct force_pattern {
   std::vector<std::vector<int>> rows;  ///< of each column, in order
   std::vector<int> colour;             ///< of each column
@@ -22,7 +22,7 @@ struct force_pattern {
   int size() const { return static_cast<int>(rows.size()); }
 };
 
-/// The cliques of a chain, each in order. One with all coordinates: nothing more is known.
+/// The cliques of a chain, each sorted. A single clique with all coordinates means that nothing more is known.
 class force_cliques {
  public:
   force_cliques(const runtime_chain& c, const runtime_state& s) : chain_{c}, state_(s) {
@@ -96,7 +96,7 @@ inline force_pattern pattern_of_forces(const runtime_chain& c, const runtime_sta
     std::sort(rows.begin(), rows.end());
     rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
   }
-  std::vector<int> taken(n, -1);  // by colour: the last column that cannot have it
+  std::vector<int> taken(n, -1);  // by colour: the last column that it is excluded for
   for (std::size_t j = 0; j < n; ++j) {
     for (const int i : x.rows[j])
       for (const int k : x.rows[static_cast<std::size_t>(i)])

@@ -6,11 +6,11 @@
 
 namespace kte::detail {
 
-/// The elements of a chain, loads from outside times a factor.
+/// The elements of a chain, with external loads times a factor.
 struct loaded_elements : runtime_elements {
   double factor;
 
-  /// What a controller writes is no load from outside.
+  /// A signal that a controller writes is not an external load.
   bool is_load(int e) const {
     const auto& c = connection(e);
     bool outside = c.load;

@@ -7,11 +7,11 @@
 
 #include <limits>
 
-/// Newton's method on tau(q, p) = 0 of detail/static_problem.hpp.
+/// Newton's method on tau(q, p) = 0 of statics/problem.hpp.
 namespace kte::detail {
 
-/// Scales of the numbers of a step: rotations 1, lengths the distance over which the frames of the chain are spread at
-/// the present q.
+/// Scales of the numbers of a step: 1 for rotations; for lengths the size of the box around all frames at the present
+/// q.
 inline Eigen::VectorXd weights_of_steps(static_problem& f, const Eigen::VectorXd& q, double p) {
   f.forces(q, p);
   const double length = f.extent();
@@ -27,18 +27,16 @@ inline Eigen::VectorXd weights_of_steps(static_problem& f, const Eigen::VectorXd
   return w;
 }
 
-/// A row of the equations that lets p move: of a step (d, dp) normal . d + by_parameter dp = 0.
+/// An additional row that lets p vary: a step (d, dp) satisfies normal . d + by_parameter dp = 0.
 struct path_plane {
   Eigen::VectorXd normal;
   double by_parameter;
 };
 
-/// K, or with a plane
+/// Factors of K, or with a plane of
 ///
 ///   | K       d tau/dp     |
 ///   | normal  by_parameter |
-///
-/// as factors.
 class tangent_factors {
  public:
   bool factor(static_problem& f, const Eigen::VectorXd& q, double p, const path_plane* plane) {
@@ -51,7 +49,7 @@ class tangent_factors {
     lu_.factorize(*m);
     return lu_.info() == Eigen::Success;
   }
-  /// The step to which Newton's method leads from forces tau; the last number is dp.
+  /// The Newton step for forces tau. Its last number is dp.
   Eigen::VectorXd step(const Eigen::VectorXd& tau) {
     const Eigen::Index n = tau.size();
     Eigen::VectorXd right = Eigen::VectorXd::Zero(lu_.rows());
@@ -84,18 +82,18 @@ class tangent_factors {
 
   Eigen::SparseLU<sparse_matrix, Eigen::COLAMDOrdering<int>> lu_;
   sparse_matrix bordered_;
-  Eigen::Index analyzed_ = -1;  ///< rows of what was
+  Eigen::Index analyzed_ = -1;  ///< rows of the pattern that was analyzed
 };
 
-/// Newton's method with steps by `integrate`. Whether a step is good is judged by what the same factors make of the
-/// forces after it, K^-1 tau, which is a motion: forces themselves grow by all that the beams of a step are strained,
-/// though the next step takes that back (Deuflhard, Newton Methods for Nonlinear Problems, 2004, 3.3).
+/// Newton's method with steps by `integrate`. A step is judged by the simplified Newton step after it, K^-1 tau with
+/// the same factors, not by forces, because stretched beams have large forces that the next step removes (Deuflhard,
+/// Newton Methods for Nonlinear Problems, 2004, 3.3).
 class static_newton {
  public:
   static_newton(static_problem& f, Eigen::VectorXd weights, double tolerance, int most)
       : f_(f), weights_(std::move(weights)), tolerance_(tolerance), most_(most) {}
 
-  /// The largest part of a step; of p it does not count.
+  /// The largest number of a step, without dp.
   double size_of(const Eigen::VectorXd& step) const {
     double most = 0;
     for (Eigen::Index i = 0; i < weights_.size(); ++i) {
@@ -109,8 +107,8 @@ class static_newton {
   int left() const { return most_ - iterations_; }
   tangent_factors& factors() { return factors_; }
 
-  /// Newton's method from q and p, which are then the solution, or unchanged. `near`: by full steps, which must be
-  /// short and few; else damped.
+  /// Newton's method from q and p, which become the solution, or remain unchanged. `close`: full steps, which must be
+  /// short and few; otherwise damped steps.
   bool solve(Eigen::VectorXd& q, double& p, bool close, const path_plane* plane = nullptr) {
     Eigen::VectorXd at = q, tau = f_.forces(q, p);
     double at_p = p, before = std::numeric_limits<double>::infinity();
@@ -135,8 +133,8 @@ class static_newton {
   }
 
  private:
-  static constexpr double longest = 0.7;  ///< step, rad
-  static constexpr int longest_way = 20;  ///< in steps
+  static constexpr double longest = 0.7;  ///< step size, rad
+  static constexpr int longest_way = 20;  ///< steps
 
   bool move_damped(const Eigen::VectorXd& q, double p, const Eigen::VectorXd& step, double size, Eigen::VectorXd& tau) {
     for (double part = (std::min)(1.0, longest / size); part > 1e-6; part /= 2)
@@ -144,14 +142,14 @@ class static_newton {
     return false;
   }
 
-  /// From where a step leads into `moved_`, and the forces there. False: none are known there.
+  /// Computes the result of a step, `moved_`, and the forces there. Returns false if the forces are undefined.
   bool move(const Eigen::VectorXd& q, double p, const Eigen::VectorXd& step, Eigen::VectorXd& tau) {
     try {
       const Eigen::VectorXd to = f_.displaced(q, step.head(f_.size()));
       tau = f_.forces(to, p + step[f_.size()]);
       moved_ = to, moved_p_ = p + step[f_.size()];
       return true;
-    } catch (const bad_argument&) {  // what is far away may be none: a beam whose ends meet
+    } catch (const bad_argument&) {  // forces may be undefined far away: a beam whose ends meet
       return false;
     }
   }
@@ -163,7 +161,7 @@ class static_newton {
   tangent_factors factors_;
 };
 
-/// The coordinate that moves most where K is singular, as far as rounding tells; empty where it is not.
+/// The coordinate that moves most along the null space of K; empty if K is regular to rounding.
 inline std::string coordinate_not_held(static_problem& f, const Eigen::VectorXd& q, double p) {
   sparse_matrix k = f.tangent(q, p);
   const double most = largest_number(k);

@@ -27,9 +27,9 @@ inline double largest_number(const sparse_matrix& m) {
   return most;
 }
 
-/// tau(q, p) = `static_forces`, with p the load factor: accelerations of bases, which are gravity, elements that are
-/// loads, and wrenches that are given times p; or, where it has a name, an input or a coordinate that is given. On
-/// request some forces are left to hold the chain, (1 - p) times. In its own state, at rest.
+/// tau(q, p) = `static_forces` with a parameter p. By default p is the load factor: accelerations of bases (gravity),
+/// elements that are loads, and given wrenches are multiplied by p. If p has a name, it is an input or a prescribed
+/// coordinate. On request, forces (1 - p) times those at the start hold the chain. Has its own state, at rest.
 class static_problem {
  public:
   static_problem(const runtime_chain& c, const runtime_state& s, const std::vector<external_wrench>& loads,
@@ -56,7 +56,7 @@ class static_problem {
   const runtime_state& state() const { return state_; }
   const force_pattern& pattern() const { return pattern_; }
   bool by_load() const { return parameter_.first == kind::frame_3D; }
-  /// The size of the box about all frames, where the last forces were, m; 1 where they are in one place.
+  /// The size of the box around all frames at the last evaluation, m; 1 if they coincide.
   double extent() {
     place_in_world(state_);
     Eigen::Array3d low = Eigen::Array3d::Constant((std::numeric_limits<double>::max)()), high = -low;
@@ -71,19 +71,19 @@ class static_problem {
     const double size = (high - low).maxCoeff();
     return size > 0 ? size : 1;
   }
-  /// Forces that hold the chain, (1 - p) times.
+  /// Sets the forces that hold the chain, times (1 - p).
   void hold(Eigen::VectorXd forces) { held_ = std::move(forces); }
 
   /// tau(q, p). Throws `bad_argument` where it is not finite.
   const Eigen::VectorXd& forces(const Eigen::VectorXd& q, double p);
-  /// d tau / dp: exact of a load factor, in which tau is linear, else by central differences.
+  /// d tau / dp: exact for the load factor, in which tau is linear; otherwise by central differences.
   Eigen::VectorXd forces_by_parameter(const Eigen::VectorXd& q, double p) {
     const double h = by_load() ? 1.0 : 6e-6 * (1 + std::abs(p));
     const Eigen::VectorXd after = forces(q, p + h);
     return (after - forces(q, p - h)) / (2 * h);
   }
-  /// q after a step: bodies first slide and then turn. On the screw of both a beam would be shortened by more
-  /// than its bending does, and be pushed, where what is stretched is a good place to go on from.
+  /// q after a step in which bodies first translate and then rotate. A screw motion would shorten a beam by more than
+  /// its bending does and compress it; Newton's method continues better from a stretched beam.
   Eigen::VectorXd displaced(const Eigen::VectorXd& q, const Eigen::VectorXd& step) const {
     Eigen::VectorXd slide = Eigen::VectorXd::Zero(step.size());
     for (const freedom& x : state_.freedoms()) {
@@ -92,9 +92,9 @@ class static_problem {
     }
     return integrate(chain_, integrate(chain_, q, slide, 1.0), step - slide, 1.0);
   }
-  /// d tau / dq along the numbers of v, of steps on which bodies first slide and then turn (`displaced`) and in axes
-  /// that do not turn with them, so that it is the second derivative of a potential, if there is one, also where there
-  /// are forces: symmetric. To what is derived in axes of bodies, with forces f and torques t there, comes
+  /// d tau / dq along the numbers of v, for steps of `displaced`, in axes that do not rotate during the step. For
+  /// forces with a potential it is the second derivative, and symmetric even if forces are not zero. With the forces f
+  /// and torques t at q, it is the derivative in body axes plus
   ///
   ///   w x f of rows of forces,  w x t / 2 of rows of torques          (1)
   const sparse_matrix& tangent(const Eigen::VectorXd& q, double p) {
@@ -132,7 +132,7 @@ class static_problem {
         k == kind::gen && given && state_.tree().plan.row_of_gen[static_cast<std::size_t>(i)] >= state_.dofs();
     if (!is_input && !is_coordinate)
       throw bad_argument("kte: '" + std::string(name) +
-                         "' is no parameter: that is an input from outside, or a coordinate that is given (base_gen)");
+                         "' is not a parameter: parameters are external inputs and declared coordinates (base_gen)");
     parameter_ = {k, i};
   }
   loaded_elements elements(double p) const { return {{chain_}, by_load() ? p : 1.0}; }
@@ -152,7 +152,7 @@ class static_problem {
       });
   }
 
-  /// (1)
+  /// Adds (1).
   void add_turning(const freedom& x, const Eigen::VectorXd& tau) {
     if (x.what == kind::pose_2D) {
       tangent_.coeffRef(x.v, x.v + 2) -= tau[x.v + 1], tangent_.coeffRef(x.v + 1, x.v + 2) += tau[x.v];
@@ -176,7 +176,7 @@ class static_problem {
     tangent_.resize(n, n);
     tangent_.setFromTriplets(all.begin(), all.end());
   }
-  /// visit(row, column, number in it).
+  /// Calls visit(row, column, entry) for each entry.
   template <class Visit>
   void each_entry(const Visit& visit) {
     double* number = tangent_.valuePtr();
@@ -184,13 +184,13 @@ class static_problem {
       for (const int i : pattern_.rows[static_cast<std::size_t>(j)]) visit(i, j, *number++);
   }
   void take_known();
-  /// By dual numbers, all columns of a colour at once.
+  /// Computes derivatives by dual numbers, all columns of a colour at once.
   void derive(const loaded_elements& elements);
 
   runtime_chain chain_;
   runtime_state state_;
   std::vector<base_acceleration> bases_;
-  std::pair<kind, int> parameter_{kind::frame_3D, -1};  ///< a frame: the load factor
+  std::pair<kind, int> parameter_{kind::frame_3D, -1};  ///< frame_3D: the load factor
   force_pattern pattern_;
   sparse_matrix tangent_;
   Eigen::VectorXd held_;

@@ -18,8 +18,8 @@ namespace kte {
 /// the numbers of v.
 struct tangent_stability {
   double stiffness = 0;  ///< the smallest eigenvalue, N/m and Nm/rad
-  int unstable = 0;      ///< number of negative eigenvalues: of unstable directions
-  double asymmetry = 0;  ///< the largest number of K - K^T, relative to that of K: 0 where all forces have a potential
+  int unstable = 0;      ///< number of negative eigenvalues, which is the number of unstable directions
+  double asymmetry = 0;  ///< largest entry of |K - K^T| relative to |K|; 0 if all forces have a potential
   /// Whether all eigenvalues are positive.
   bool stable() const { return stiffness > 0; }
 };
@@ -27,8 +27,8 @@ struct tangent_stability {
 #ifdef KTE_FUNCTION
 namespace detail {
 
-/// Eigenvalues of a symmetric matrix A by its factors A - shift = L D L^T, whose D has as many negative numbers as A
-/// has eigenvalues below the shift (Sylvester).
+/// Eigenvalues of a symmetric matrix A by factorizations A - shift = L D L^T. The number of negative entries of D is
+/// the number of eigenvalues of A below the shift (Sylvester).
 class symmetric_spectrum {
  public:
   explicit symmetric_spectrum(const sparse_matrix& a) : a_(a) {
@@ -46,11 +46,11 @@ class symmetric_spectrum {
       factors_.factorize(a_);
       return factors_.info() == Eigen::Success;
     };
-    for (double nudge = 1e-15 * bound_; !factor(); nudge *= 10) shift -= nudge;  // where a pivot is exactly 0
+    for (double nudge = 1e-15 * bound_; !factor(); nudge *= 10) shift -= nudge;  // if a pivot is exactly 0
     return static_cast<int>((factors_.vectorD().array() < 0).count());
   }
-  /// The smallest eigenvalue, by inverse iteration from below, where no eigenvalue is. Its Rayleigh quotient is that of
-  /// the inverse, which loses nothing where the matrix has much larger ones.
+  /// The smallest eigenvalue, by inverse iteration with a shift below all eigenvalues. The Rayleigh quotient is that of
+  /// the inverse, which keeps its digits if the matrix has much larger eigenvalues.
   double smallest() {
     double low = below_all();
     Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(a_.rows(), 1, 2).normalized(), y;
@@ -71,7 +71,7 @@ class symmetric_spectrum {
   }
 
  private:
-  /// A shift below all eigenvalues, near the smallest, and the factors for it.
+  /// Finds a shift below all eigenvalues, near the smallest, and factorizes with it.
   double below_all() {
     if (below(0) == 0) return 0;
     double low = -bound_, high = -1e-16 * bound_;

@@ -10,7 +10,8 @@
 /// Forward dynamics of static chains by articulated bodies (recursions/articulated_body.hpp).
 namespace kte::detail {
 
-/// The axes of joints whose accelerations are asked for: in `Given` they are typed zeros. Those of others are given.
+/// The axes of joints whose accelerations are unknown: those whose accelerations in `Given` are typed zeros. Others are
+/// prescribed.
 template <class Chain, class Given>
 struct axes_free_under : axes_of_dofs<Chain> {
   template <std::size_t I>
@@ -26,11 +27,12 @@ struct axes_free_under : axes_of_dofs<Chain> {
   static constexpr int axes = is_free<I> ? joint_dofs<core_of<Chain, I>> : 0;
 };
 
-/// Which axes have nothing to move: a bit for each row, the last for all from the 64th on. (Branches at each joint take
+/// Axes that move no mass: a bit for each row, the last bit for all rows from 64 on. (Branches at each joint would take
 /// longer.)
 struct unmoved_axes {
   std::uint64_t all = 0;
-  std::uint64_t non_finite = 0;  ///< what they move is not finite; of those behind one that moves nothing, neither
+  std::uint64_t non_finite =
+      0;  ///< axes whose inertia is not finite, including those inward of an axis that moves nothing
 };
 template <class S>
 KTE_INLINE constexpr void note(unmoved_axes& x, int axis, bool moves, const S& moved) {
@@ -39,7 +41,8 @@ KTE_INLINE constexpr void note(unmoved_axes& x, int axis, bool moves, const S& m
   x.non_finite |= all(moved * S(0) == S(0)) ? 0 : here;
 }
 
-/// What an element puts that has several ports; that of one with a single port is made when it is wanted.
+/// Whether the loads of an element with several ports are computed early. Loads of elements with one port are computed
+/// when needed.
 template <class Core>
 inline constexpr bool puts_early = !is_transmission<Core> && (port_count<Core> > 1);
 template <class Types, std::size_t I>
@@ -53,7 +56,7 @@ struct early_loads<Types, I> {
   typename Types::template loads<I>::type value{};
 };
 
-/// Of a joint or link: forces on its axes, and the accelerations that the rates make.
+/// The drive of a joint or link: forces on its axes, and the bias acceleration due to rates.
 template <class Forces, class Bias>
 struct joint_drive {
   Forces forces;
@@ -61,7 +64,7 @@ struct joint_drive {
 };
 template <class Forces, class Bias>
 joint_drive(Forces, Bias) -> joint_drive<Forces, Bias>;
-/// As the recursion asks for them.
+/// A body as the recursion reads it.
 struct force_of_body {
   template <class B>
   KTE_INLINE constexpr auto operator()(const B& b) const {
@@ -145,7 +148,7 @@ class articulated_chain<S, Chain, Given, std::index_sequence<E...>>
   template <std::size_t I>
   using core_t = typename types::template core<I>;
 
-  /// The motion that the rates make.
+  /// Computes the motion due to rates.
   KTE_INLINE constexpr articulated_chain(const Chain& c, const Given& g) : motion_type(c, g) {}
 
   /// Accelerations under forces `tau`. Throws `singular_mass_matrix`, and `bad_argument` for NaN.
@@ -168,11 +171,11 @@ class articulated_chain<S, Chain, Given, std::index_sequence<E...>>
           return engine::body_motion{skip{}, skip{}, engine::fresh(x.acceleration), engine::fresh(x.ang_acceleration)};
         },
         bias_of_body{}, factors_.data(), a.data());
-    check_moved();  // not on the way: compilers would move what comes before it behind it
+    check_moved();  // last, because compilers would reorder code across it
     check_accelerations<wiring>(a, this->given_, tau);
   }
 
-  /// Load Index of element I, which is on thing Slot of kind K.
+  /// Load Index of element I, on item Slot of kind K.
   template <kind K, int Slot, std::size_t I, std::size_t Index>
   KTE_INLINE constexpr auto load() const {
     if constexpr (is_transmission<core_t<I>>) {
@@ -184,7 +187,7 @@ class articulated_chain<S, Chain, Given, std::index_sequence<E...>>
           this->chain_.template core<I>().doForce(this->template get<K, Slot, types::template shown<I, 0>>()));
     }
   }
-  /// The force on axis K of joint I, and the mass on its coordinate besides what it moves.
+  /// The force on axis K of joint I, and the own mass of its coordinate.
   template <std::size_t I, int K>
   KTE_INLINE constexpr auto force_on_axis(const vector& tau) const {
     constexpr kind k = coordinate_kind<core_t<I>>;
@@ -201,12 +204,12 @@ class articulated_chain<S, Chain, Given, std::index_sequence<E...>>
       diagnose_axes<wiring>(unmoved_.all, unmoved_.non_finite, this->given_.at.q);
   }
 
-  // ---- what elements put on frames and coordinates
+  // ---- loads of elements on frames and coordinates
   template <std::size_t I>
   using early = early_loads<types, I>;
   template <std::size_t I, std::size_t... P>
   KTE_INLINE constexpr void push(std::index_sequence<P...>) {
-    // No force depends on what writes freely here: what it puts is nothing, as it is made.
+    // No force depends on freely written items here, so their loads are zero.
     if constexpr (puts_early<core_t<I>> && early<I>::usable && !writes_freely<core_t<I>>)
       static_cast<early<I>&>(*this).value = this->chain_.template core<I>().doForce(
           this->template get<types::template what<I, P>, wiring::slot(I, P), types::template shown<I, P>>()...);
@@ -219,7 +222,7 @@ class articulated_chain<S, Chain, Given, std::index_sequence<E...>>
     }
     (std::make_index_sequence<loads_on<wiring, K, Slot>.size()>{});
   }
-  /// The accelerations of joint I that are given.
+  /// Stores the prescribed accelerations of joint I.
   template <std::size_t I>
   KTE_INLINE constexpr void put_given(vector& a) const {
     if constexpr (is_free_joint<Chain, I> && !axes::template is_free<I>)
@@ -228,7 +231,7 @@ class articulated_chain<S, Chain, Given, std::index_sequence<E...>>
         a[row] = this->given_.a.template at<row>();
       });
   }
-  /// A degree of freedom that moves no joint, only a mass of its own.
+  /// A degree of freedom that moves no joint, only its own mass.
   template <std::size_t F>
   static constexpr bool moves_no_joint() {
     constexpr bool is_joint[]{is_transmission<core_t<E>>...};

@@ -8,15 +8,15 @@
 /// The joints and links of a static chain as bodies of recursions (engine/body.hpp), by type.
 namespace kte::detail {
 
-/// A frame: what engine/unrolled.hpp goes from and to.
+/// A frame: the start or end of a recursion in engine/unrolled.hpp.
 template <kind K, int Slot>
 struct frame_place {
   static constexpr kind what = K;
   static constexpr int slot = Slot;
 };
 
-/// Which axes a recursion knows. Of joints whose coordinates are degrees of freedom; of all joints, those of followers
-/// in rows after the degrees of freedom.
+/// The axes in a recursion: those of joints whose coordinates are degrees of freedom; or those of all joints, followers
+/// in the rows after the degrees of freedom.
 template <class Chain>
 struct axes_of_dofs {
   template <std::size_t I>
@@ -37,13 +37,13 @@ struct axes_of_joints {
   static constexpr int row = row_of_coordinate<coordinate_kind<core_of<Chain, I>>, wiring::slot(I, 0)>;
 };
 
-/// A joint or link of a chain in its present position. Its type says what it is, but not which one: steps of recursions
-/// are instantiated once for all joints that are alike. It holds what numbers are made from, as g++ would keep copies
-/// of poses and motions in memory.
-///   C      the type of its coordinate, or where it is taken from; `engine::nothing` of a link
-///   Axes   how many of its axes are known here; without them its motion is given
-///   M      a mass on its coordinate, besides what it moves
-///   More   what else a recursion asks for
+/// A joint or link of a chain in its current position. The type describes the joint but does not identify it, so that
+/// the steps of recursions are instantiated once for all joints of equal type. It stores the inputs of poses and
+/// motions, because g++ would keep copies of the results in memory.
+///   C      the type of its coordinate, or of its source; `engine::nothing` for a link
+///   Axes   the number of its axes in the recursion; 0: its motion is given
+///   M      a further mass on its coordinate
+///   More   further data of a recursion
 template <class S, class Core, class C, int Axes, class M, class More>
 struct typed_body {
   using scalar = S;
@@ -87,7 +87,7 @@ struct typed_body {
       return relative_at(core, coordinate());
     }
   }
-  // Of recursions that ask for these (recursions/force_variations.hpp).
+  // For recursions with this data (recursions/force_variations.hpp).
   KTE_INLINE constexpr const auto& parent_motion() const requires requires(const More& m) { m.parent; }
   { return more.parent; }
   KTE_INLINE constexpr const auto& load() const requires requires(const More& m) { m.load; }
@@ -110,14 +110,14 @@ struct typed_body {
   }
 };
 
-/// The coordinate of joint I: a rotation or a pose, of which a copy would stay in memory.
+/// Reads the coordinate of joint I, a rotation or a pose, without a copy in memory.
 template <class Motion, std::size_t I>
 struct coordinate_of_joint {
   const Motion& motion;
   KTE_INLINE constexpr decltype(auto) taken() const { return motion.template joint_coordinate<I>(); }
 };
 
-/// An element that is fixed to a frame, or none at all: its mass, about the origin, and what else a recursion asks for.
+/// An element fixed to a frame, or none: its mass, about the origin, and further data of a recursion.
 template <class S, class Core, class More>
 struct fixed_part {
   const Core& core;
@@ -133,8 +133,8 @@ requires(!has_mass<Core, S>) struct fixed_part<S, Core, More> {
 struct no_element {};
 inline constexpr no_element nothing_fixed{};
 
-/// The joints and links of a chain that moves as `Motion` (unrolled_motion) says. Of a joint without axes here the
-/// motion is given.
+/// The joints and links of a chain that moves by `Motion` (unrolled_motion). For a joint without axes here the motion
+/// is given.
 template <class S, class Motion, class Axes>
 class typed_bodies {
  protected:
@@ -182,7 +182,7 @@ class typed_bodies {
   static constexpr auto none() { return none_with(engine::nothing{}); }
 
  protected:
-  /// With more(), which is made in its place.
+  /// Returns the body with more(), which is constructed in place.
   template <std::size_t I, class M, class MakeMore>
   KTE_INLINE constexpr auto body_with(const M& mass, const MakeMore& more) const {
     using More = decltype(more());
@@ -195,7 +195,7 @@ class typed_bodies {
     }();
     constexpr int axes = Axes::template axes<I>;
     const auto& core = motion_.chain().template core<I>();
-    static_assert(rule<core_t<I>, void, coordinates_of<core_t<I>> < 2 || consecutive_rows<I>()>,
+    static_assert(rule < core_t<I>, void, coordinates_of<core_t<I>><2 || consecutive_rows<I>()>,
                   "kte: the coordinates of this joint of several are not consecutive degrees of freedom, as this "
                   "algorithm needs: name them first in this joint, or use a runtime chain");
     if constexpr (coordinates_of<core_t<I>> == 0) {

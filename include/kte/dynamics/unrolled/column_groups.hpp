@@ -4,7 +4,7 @@
 #include <kte/dynamics/unrolled/tree.hpp>
 #include <kte/tree/solve_limbs.hpp>
 
-/// Products with the inverse of a mass matrix that leave out rows of which the wiring says that they are nothing.
+/// Products with the inverse of a mass matrix that omit rows that the wiring determines to be zero.
 namespace kte::detail {
 
 /// Columns from `first` to `end`, with the same rows.
@@ -20,8 +20,8 @@ struct column_groups {
   std::array<column_group<N>, N> group{};
 };
 
-/// Which coordinates change the forces on each other: those of joints that stand one on the other, and those that an
-/// element on coordinates has in common.
+/// Which coordinates affect the forces on each other: those of joints on one path to the base, and those that an
+/// element on coordinates couples.
 template <class Chain, std::size_t... E>
 constexpr auto couplings(std::index_sequence<E...>) {
   using wiring = typename Chain::wiring;
@@ -49,7 +49,7 @@ constexpr auto couplings(std::index_sequence<E...>) {
   }
   return couples;
 }
-/// The rows of each column, or all where derivatives are not `Known` element by element.
+/// The rows of each column; all rows if derivatives are not `Known` element by element.
 template <class Chain, bool Known>
 constexpr auto group_columns() {
   constexpr std::size_t n{Chain::dofs};
@@ -71,7 +71,7 @@ constexpr auto group_columns() {
   }
   return groups;
 }
-/// X = -M^-1 B and Y = -M^-1 C, of derivatives B, C of the forces of a chain.
+/// X = -M^-1 B and Y = -M^-1 C, for derivatives B, C of the forces of a chain.
 template <class Chain, bool Known, class Matrix, class X>
 void solve_by_groups(const Matrix& inverse, const Matrix& b, const Matrix& c, X& x, X& y) {
   using S = typename Matrix::Scalar;

@@ -12,8 +12,8 @@ using six_by_dofs = Eigen::Matrix<S, 6, N>;
 
 namespace detail {
 
-/// The joints and coordinates of a chain as `Given`, and a matrix that takes what the unit rates of joints cause: all
-/// six rows, or the three linear ones.
+/// The joints and coordinates of a chain at `Given`, and a matrix for the effects of unit rates: all six rows, or the
+/// three linear ones.
 template <class S, class Chain, class Given, int Rows = 6>
 class columns {
  public:
@@ -27,7 +27,7 @@ class columns {
 
   template <std::size_t I>
   static constexpr bool moves_by_coordinate = coordinates_of<core_t<I>> > 0;
-  /// A joint or link in its present position.
+  /// The pose of a joint or link at its current position.
   template <std::size_t I>
   KTE_INLINE constexpr auto pose_of_element() const {
     static_assert(is_transmission<core_t<I>>,
@@ -49,7 +49,7 @@ class columns {
   KTE_INLINE constexpr auto axis() const {
     return axis_of<N>(chain_.template core<I>(), coordinate_of<I>());
   }
-  /// f<N>() for each axis of joint I.
+  /// Calls f<N>() for each axis of joint I.
   template <std::size_t I, class F>
   KTE_INLINE static constexpr void for_each_axis(const F& f) {
     if constexpr (moves_by_coordinate<I>) {
@@ -60,11 +60,11 @@ class columns {
       each(std::make_integer_sequence<int, joint_dofs<core_t<I>>>{});
     }
   }
-  /// What the unit rate of axis N of joint I causes. A joint whose coordinate follows another counts for that one, by
-  /// the chain rule; joints that share a coordinate add up.
+  /// Adds the effect of the unit rate of axis N of joint I. For a dependent coordinate it is added to the leading
+  /// coordinates by the chain rule; effects of joints that share a coordinate add up.
   template <std::size_t I, int N, class L, class A>
   KTE_INLINE void put(const L& linear, const A& angular) {
-    if constexpr (coordinates_of<core_t<I>> > 1)
+    if constexpr (coordinates_of < core_t < I >>> 1)
       put_on<kind::gen, wiring::slot(I, N), 0>(linear, angular);
     else
       put_on<coordinate_kind<core_t<I>>, wiring::slot(I, 0), N>(linear, angular);
@@ -77,7 +77,7 @@ class columns {
   }
   template <std::size_t I>
   KTE_INLINE constexpr auto coordinate_of() const {
-    if constexpr (coordinates_of<core_t<I>> > 1) {
+    if constexpr (coordinates_of < core_t < I >>> 1) {
       return tuple_of_coordinates<core_t<I>>(
           [this]<std::size_t K>() { return this->template coordinate<kind::gen, wiring::slot(I, K)>(); });
     } else {
@@ -102,7 +102,7 @@ class columns {
       });
     }
   }
-  /// What a follower makes of the unit rate of port P.
+  /// The rate of a follower for the unit rate of the coordinate at port P.
   template <std::size_t W, int P, std::size_t... I>
   KTE_INLINE constexpr auto rate_of_follower(std::index_sequence<I...>) const {
     return chain_.template core<W>().doMotion(at_rate<W, I, I == std::size_t{P}>()...).q_dot;
@@ -121,7 +121,7 @@ class columns {
   template <class X>
   KTE_INLINE static void put_number(S& to, const X& x) {
     if constexpr (is_tree_of_joints<Chain>) {
-      to = as<S>(x);  // once
+      to = as<S>(x);  // converted once
     } else if constexpr (!std::is_same_v<X, zero_t>) {
       to = as<S>(to + x);
     }

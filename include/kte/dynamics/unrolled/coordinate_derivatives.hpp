@@ -3,7 +3,7 @@
 #include <kte/contract/coordinate_variation.hpp>
 #include <kte/dynamics/unrolled/given.hpp>
 
-/// Derivatives of the forces that elements put on generalized coordinates: springs, dampers, masses.
+/// Derivatives of the forces of elements on generalized coordinates: springs, dampers, masses.
 namespace kte::detail {
 
 template <class S, class Chain, class Given>
@@ -17,7 +17,7 @@ class coordinate_derivatives {
   const Given& given;
   matrix &by_q, &by_v, &by_a;
 
-  /// Subtracts the derivatives of the forces of all such elements: tau is what they do not give.
+  /// Subtracts the derivatives of these forces, because tau is the force that elements do not provide.
   KTE_INLINE void subtract() const { elements(std::make_index_sequence<Chain::size>{}); }
 
  private:
@@ -42,7 +42,7 @@ class coordinate_derivatives {
   template <std::size_t I, std::size_t P>
   static constexpr int row = wiring::template at<kind::gen, wiring::slot(I, P)>.v;
 
-  /// Whether port L leads to the coordinate of a port before it: `seen` then varies both at once.
+  /// Whether port L has the coordinate of an earlier port; `seen` then varies both together.
   template <std::size_t I, std::size_t L>
   static constexpr bool is_again() {
     for (std::size_t before = 0; before < L; ++before)
@@ -50,7 +50,7 @@ class coordinate_derivatives {
         return true;
     return false;
   }
-  /// By the coordinate at port L.
+  /// Derivatives by the coordinate at port L.
   template <std::size_t I, std::size_t L, std::size_t... P>
   KTE_INLINE void by_port(std::index_sequence<P...>) const {
     if constexpr (free<I, L> && !is_again<I, L>()) {

@@ -6,7 +6,7 @@
 /// The Coriolis matrix of static chains that are trees of joints.
 namespace kte::detail {
 
-/// The joints of a chain, in order: each is an element, and stands on another or on a base.
+/// The joints of a chain, in order: the element of each, and the joint or base on which it is.
 template <class Chain>
 struct joints_of {
   static constexpr auto& steps = tree_steps<Chain>;
@@ -15,7 +15,7 @@ struct joints_of {
     for (std::size_t e = 0; e < Chain::size; ++e) n += steps[e].axes > 0;
     return n;
   }();
-  /// The joint at which an element stands, or is; -1: a base.
+  /// The joint that carries an element, or is the element; -1: a base.
   static constexpr auto joint_at = [] {
     std::array<int, Chain::size + 1> at{};
     int joints = 0;
@@ -32,7 +32,7 @@ struct joints_of {
     return e;
   }();
 };
-/// As tree/coriolis.hpp wants them.
+/// The joints in the form that tree/coriolis.hpp reads.
 template <class S, class Chain>
 struct joints_as_tree {
   using joints = joints_of<Chain>;
@@ -46,7 +46,7 @@ struct joints_as_tree {
   const vec3<S>& step(int i) const { return way[static_cast<std::size_t>(i)]; }
 };
 
-/// Every frame, joint and body once, by its type; then the loops over numbers.
+/// Evaluates every frame, joint and body once, by type; then loops over numbers.
 template <class S, class Chain, class Given>
 class unrolled_coriolis {
   using types = flow_types<Chain, Given>;
@@ -56,7 +56,7 @@ class unrolled_coriolis {
   using core_t = typename types::template core<I>;
   static constexpr auto& steps = tree_steps<Chain>;
   static constexpr std::size_t axes = steps[Chain::size].first;
-  /// Of axes.
+  /// The row of each axis.
   static constexpr auto row = [] {
     std::array<int, axes + 1> rows{};
     for (std::size_t e = 0; e < Chain::size; ++e)
@@ -74,7 +74,7 @@ class unrolled_coriolis {
     tree::coriolis_terms(joints_as_tree<S, Chain>{way_}, axes_.data(), changes_.data(), bodies_.data(),
                          [&m](int j, int k, const S& c_jk, const S&) KTE_INLINE_LAMBDA {
                            const int to = row[static_cast<std::size_t>(j)], by = row[static_cast<std::size_t>(k)];
-                           if (to < Chain::dofs && by < Chain::dofs) m(to, by) = c_jk;  // else one that is given
+                           if (to < Chain::dofs && by < Chain::dofs) m(to, by) = c_jk;  // otherwise prescribed
                          });
     return m;
   }
@@ -84,7 +84,7 @@ class unrolled_coriolis {
   KTE_INLINE constexpr decltype(auto) at_port() const {
     return motion_.template get<types::template what<I, P>, wiring::slot(I, P)>();
   }
-  /// What is fixed to a frame, without what joints move.
+  /// The inertia fixed to a frame, without the bodies that joints move.
   template <kind K, int Slot, std::size_t... N>
   KTE_INLINE constexpr auto fixed_to(std::index_sequence<N...>) const {
     return (no_mass + ... + part<loads_on<wiring, K, Slot>[N].element>());
@@ -105,7 +105,7 @@ class unrolled_coriolis {
       return no_mass;
     }
   }
-  /// From the joint or base before to the end of element I, in axes of the world.
+  /// From the previous joint or base to the end of element I, in axes of the world.
   template <int I>
   KTE_INLINE constexpr auto way_to() const {
     constexpr std::size_t e{I}, base = port_count<core_t<e>> - 2;
@@ -140,7 +140,7 @@ class unrolled_coriolis {
 
   const Chain& chain_;
   const unrolled_motion<Chain, Given> motion_;
-  // Of joints and axes; each has one more, so that there is one.
+  // For joints and axes; one more than their number, so that the arrays are not empty.
   std::array<vec3<S>, joints::count + 1> way_;
   std::array<tree::world_axis<S>, axes + 1> axes_, changes_;
   std::array<tree::coriolis_body<S>, joints::count + 1> bodies_;

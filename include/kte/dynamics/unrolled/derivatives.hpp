@@ -11,7 +11,7 @@
 /// Derivatives of inverse and forward dynamics of static chains.
 namespace kte::detail {
 
-/// Whether the derivatives of a chain are known element by element.
+/// Whether all elements of a chain provide their derivatives.
 template <class Chain>
 inline constexpr bool is_analytical =
     is_tree_of_joints<Chain>&& Chain::common&&[]<std::size_t... I>(std::index_sequence<I...>) {
@@ -22,10 +22,10 @@ inline constexpr bool is_analytical =
 }
 (std::make_index_sequence<Chain::size>{});
 
-/// At q, v and a, with bases and inputs as given.
+/// The derivatives at q, v and a, with given bases and inputs.
 template <class S, class Chain, class At, class Base, class Q, class V, class A>
 KTE_INLINE auto derivatives_at(const Chain& c, const At& at, const Base& base, const Q& q, const V& v, const A& a) {
-  static_assert(sizeof(check_loads_of<Chain>) > 0);
+  static_assert(sizeof(check_loads_of<Chain>) > 0 && sizeof(check_closures_of<Chain>) > 0);
   inverse_dynamics_result<S, Chain::dofs> r;
   if constexpr (is_analytical<Chain>) {
     const given g{at, each<S, V>{v}, each<S, A>{a}, base};
@@ -50,7 +50,7 @@ KTE_INLINE auto derivatives_at(const Chain& c, const At& at, const Base& base, c
 ///
 ///   da/dq = -M^-1 dtau/dq,   da/dv = -M^-1 dtau/dv,   da/dtau = M^-1          (1)
 ///
-/// with dtau/da for M where friction depends on what joints carry, and so on accelerations.
+/// with dtau/da instead of M if friction depends on what joints carry, and so on accelerations.
 template <class S, class Chain, class At, class Base, class Q, class V>
 KTE_INLINE auto forward_derivatives_at(const Chain& c, const At& at, const Base& base, const Q& q, const V& v,
                                        const joint_vector<S, Chain::dofs>& tau) {

@@ -5,7 +5,7 @@
 /// Energies of static chains, element by element.
 namespace kte::detail {
 
-/// Sum over the elements of a chain of f<I>(), which may be a typed zero.
+/// The sum over the elements of a chain of f<I>(), which may be a typed zero.
 template <class Chain, class F>
 KTE_INLINE constexpr auto sum_over_elements(const F& f) {
   return [&f]<std::size_t... I>(std::index_sequence<I...>) KTE_INLINE_LAMBDA {
@@ -26,7 +26,7 @@ KTE_INLINE auto kinetic_energy_at(const Chain& c, const At& at, const V& v) {
       const auto see = [&m]<std::size_t Port>() KTE_INLINE_LAMBDA -> decltype(auto) {
         return m.template get<types::template what<I, Port>, Chain::wiring::slot(I, Port)>();
       };
-      if constexpr (requires { core.kinetic_energy(see.template operator()<P>()...); }) {
+      if constexpr (has_kinetic_energy<core_of<Chain, I>, decltype(see.template operator()<P>())...>) {
         return core.kinetic_energy(see.template operator()<P>()...);
       } else {
         return zero;
@@ -36,7 +36,7 @@ KTE_INLINE auto kinetic_energy_at(const Chain& c, const At& at, const V& v) {
   });
 }
 
-/// Of gravity, and of the elements that have a potential, of which only the anchors are evaluated.
+/// The potential energy of gravity and of elements. For the latter only their anchors are evaluated.
 template <class S, class Chain, class At>
 KTE_INLINE auto potential_energy_at(const Chain& c, const At& at) {
   const given g{at, same<skip>{}, same<skip>{}, base_with_pose};
@@ -48,13 +48,13 @@ KTE_INLINE auto potential_energy_at(const Chain& c, const At& at) {
         return motion_of<types, types::template what<I, Port>, Chain::wiring::slot(I, Port)>(c, g);
       };
       const auto own = [&]() KTE_INLINE_LAMBDA {
-        if constexpr (requires { core.potential_energy(see.template operator()<P>()...); }) {
+        if constexpr (has_potential_energy<core_of<Chain, I>, decltype(see.template operator()<P>())...>) {
           return core.potential_energy(see.template operator()<P>()...);
         } else {
           return zero;
         }
       }();
-      if constexpr (requires { core.first_moment(see.template operator()<P>()...); }) {
+      if constexpr (has_first_moment<core_of<Chain, I>, decltype(see.template operator()<P>())...>) {
         return own - dot(c.gravity(), core.first_moment(see.template operator()<P>()...));
       } else {
         return own;

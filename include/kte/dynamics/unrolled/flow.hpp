@@ -6,13 +6,13 @@
 #include <kte/static_chain/connections.hpp>
 #include <kte/static_chain/static_chain.hpp>
 
-/// What flows between the elements of a static chain in one pass: the types of frames, coordinates and loads that are
+/// Data flow between the elements of a static chain in one pass: the types of frames, coordinates and loads, which are
 /// local variables (dynamics/unrolled/passes.hpp).
 namespace kte::detail {
 
 struct nothing {};
 
-/// The place of the first false one; the last is.
+/// The index of the first false entry; the last entry is false.
 template <std::size_t N>
 constexpr std::size_t first_false(const bool (&x)[N]) {
   std::size_t i = 0;
@@ -20,12 +20,12 @@ constexpr std::size_t first_false(const bool (&x)[N]) {
   return i;
 }
 
-/// Where a load is put on something: load `index` of element `element`.
+/// A load on an item: load `index` of element `element`.
 struct load_place {
   std::size_t element;
   std::size_t index;
 };
-/// The loads on thing Slot of kind K, last element first: the order in which doForce meets them.
+/// The loads on item Slot of kind K, last element first, in the order of doForce.
 template <class Wiring, kind K, int Slot>
 inline constexpr auto loads_on = [] {
   constexpr auto& t = Wiring::table;
@@ -43,11 +43,11 @@ inline constexpr auto loads_on = [] {
   return places;
 }();
 
-/// Whether an element core writes something by doMotion; that is then its last port.
+/// Whether an element core writes an item in doMotion; it is then at its last port.
 template <class Core>
 inline constexpr bool has_output = Core::ports[port_count<Core> - 1].how == access::out;
 
-/// A coordinate whose sine and cosine are wanted, written by an element.
+/// A coordinate written by an element, with its sine and cosine.
 template <class Q, class QD, class QDD, class C, class S>
 KTE_INLINE constexpr auto with_angle(const coordinate<Q, QD, QDD, C, S>& c) {
   if constexpr (variable<Q>) {
@@ -69,9 +69,9 @@ struct with_angle_if<true, C> {
   using type = decltype(with_angle(std::declval<const C&>()));
 };
 
-/// What an element sees of a thing.
+/// Which quantities of an item an element reads.
 enum class view { whole, no_accelerations, rates };
-/// By an element that knows no accelerations, or where only rates are wanted: then frames have none.
+/// The view of an element that reads no accelerations, or of an evaluation without them: frames then have none.
 constexpr view view_of(kind k, bool knows_none, bool rates_only) {
   if (is_signal(k)) return view::whole;
   if (knows_none) return view::no_accelerations;
@@ -95,7 +95,7 @@ struct viewed_type<view::whole, T> {
   using type = T;
 };
 
-/// Whether positions, and on request rates, of what an element sees are evaluated.
+/// Whether the positions, and on request rates, that an element reads are evaluated.
 template <bool Rates, class X>
 inline constexpr bool is_known = !has_skip<X>;
 template <bool Rates, class Q, class QD, class QDD, class C, class S>
@@ -104,14 +104,14 @@ template <bool Rates, class P, class R, class V, class W, class A, class AL>
 inline constexpr bool is_known<Rates, motion<P, R, V, W, A, AL>> =
     !has_skip<P> && !has_skip<R> && (!Rates || (!has_skip<V> && !has_skip<W>));
 
-/// The elements of a chain that write something, as an index_sequence.
+/// The elements of a chain that write items, as an index_sequence.
 template <class Chain, class Elements = std::make_index_sequence<Chain::size>>
 struct writing;
 template <class Chain, std::size_t... E>
 struct writing<Chain, std::index_sequence<E...>>
     : numbers_where<std::array<bool, sizeof...(E) + 1>{has_output<core_of<Chain, E>>...}> {};
 
-/// The types of what flows in one evaluation of a chain; `Given` is explained at `unrolled_passes`.
+/// The types of the data flow in one evaluation of a chain; `Given` is explained at `unrolled_passes`.
 template <class Chain, class Given>
 struct flow_types {
   using wiring = typename Chain::wiring;
@@ -126,7 +126,7 @@ struct flow_types {
   template <std::size_t I>
   static constexpr int output_slot = wiring::slot(I, port_count<core<I>> - 1);
 
-  /// What comes from outside.
+  /// External items.
   template <kind K, int Slot>
   KTE_INLINE static constexpr decltype(auto) given(const Given& g) {
     if constexpr (K == kind::input) {
@@ -146,17 +146,17 @@ struct flow_types {
   template <kind K, int Slot>
   static constexpr int writer = K == kind::internal ? -1 : wiring::writer(K, Slot);
 
-  /// Whether element I writes a coordinate that turns a joint: it gets its sine and cosine.
+  /// Whether element I writes a coordinate that turns a joint, which needs its sine and cosine.
   template <std::size_t I>
   static constexpr bool turns = output_kind<I> == kind::gen&& wiring::angle(output_slot<I>);
 
-  /// What doMotion of element I gives; there is none if it writes nothing. A pass has these as its bases: tuples, whose
-  /// constructors and functions compilers have to make for each chain, cost more than all else.
+  /// The result of doMotion of element I; empty if it writes nothing. Results are bases of a pass, because the
+  /// constructors and functions of tuples, which compilers instantiate for each chain, cost more than everything else.
   template <std::size_t I, class Inputs = inputs<I>>
   struct written {
     using type = nothing;
   };
-  /// What the kernels see of a thing.
+  /// An item as kernels see it.
   template <kind K, int Slot>
   struct thing {
     using type = typename written<std::size_t{writer<K, Slot>}>::type;
@@ -165,7 +165,7 @@ struct flow_types {
   requires(writer<K, Slot> < 0) struct thing<K, Slot> {
     using type = std::remove_cvref_t<decltype(given<K, Slot>(std::declval<const Given&>()))>;
   };
-  /// How element I sees what port P leads to.
+  /// The view of element I on the item at port P.
   template <std::size_t I, std::size_t P>
   static constexpr view shown = view_of(what<I, P>, writes_signal<core<I>> && !reads_accelerations<core<I>>,
                                         Given::rates_only);
@@ -178,7 +178,8 @@ struct flow_types {
     using type = typename with_angle_if<turns<I>, std::remove_cvref_t<moved>>::type;
     type value;
   };
-  /// What doMotion gives of an element that writes freely: it is asked only where all is known that it may read.
+  /// The result of doMotion of an element that writes freely. It is evaluated only if everything that it may read is
+  /// known.
   template <std::size_t I, class... Seen>
   KTE_INLINE static constexpr auto written_freely(const core<I>& element, const Seen&... x) {
     if constexpr ((is_known<writes_signal<core<I>>, Seen> && ...)) {
@@ -198,10 +199,10 @@ struct flow_types {
                                                                  std::declval<const seen<I, P>&>()...));
     type value;
   };
-  /// The numbers of the loads on a thing.
+  /// The indices of the loads on an item.
   template <kind K, int Slot>
   using readers = std::make_index_sequence<loads_on<wiring, K, Slot>.size()>;
-  /// The sum of the loads on a thing, and what doForce of element I gives.
+  /// The sum of the loads on an item, and the result of doForce of element I.
   template <kind K, int Slot>
   struct total;
   template <std::size_t I, class Inputs = inputs<I>>
@@ -224,7 +225,8 @@ struct flow_types {
   template <std::size_t I, std::size_t... P>
   requires(has_output<core<I>> && !writes_signal<core<I>>) struct loads<I, std::index_sequence<P...>> {
     using load = typename total<output_kind<I>, output_slot<I>>::type;
-    /// One that writes a frame freely and carries nothing hands nothing on, where positions are left out.
+    /// Whether loads can be evaluated, and whether the element pulls them back: a freely written frame without bodies
+    /// has none if positions are omitted.
     static constexpr bool usable = true, pulls_back = !writes_freely<core<I>> ||
                                                       !std::is_same_v<load, std::remove_cvref_t<decltype(no_wrench)>> ||
                                                       (is_known<false, seen<I, P>> && ...);
@@ -240,7 +242,8 @@ struct flow_types {
     using type = typename put<pulls_back>::type;
     type value;
   };
-  /// The rule that element I, the first whose forces depend on what is left out, has broken; none is where I is `size`.
+  /// The rule that the first element I whose forces depend on omitted quantities has violated; I is `size` if there is
+  /// none.
   template <std::size_t I>
   struct need {
     using type = check_need<void, true>;

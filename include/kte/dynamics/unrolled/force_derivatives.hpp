@@ -7,14 +7,14 @@
 /// Derivatives of inverse dynamics of static chains (recursions/force_variations.hpp).
 namespace kte::detail {
 
-/// Of a joint or link: the motion of its parent, and what is felt from it.
+/// A joint or link with the motion of its parent, and the wrench that it exerts.
 template <class Parent, class Load>
 struct body_in_motion {
   Parent parent;
   Load load;
 };
 
-/// Of what is fixed to a frame: the motion of that.
+/// An inertia fixed to a frame, with the motion of the frame.
 template <class Motion>
 struct frame_in_motion {
   Motion motion;
@@ -75,7 +75,7 @@ class unrolled_force_derivatives : public unrolled_passes<Chain, Given> {
  public:
   using matrix = joint_matrix<S, Chain::dofs>;
 
-  /// Puts the derivatives into matrices of zeros.
+  /// Adds the derivatives to matrices of zeros.
   KTE_INLINE unrolled_force_derivatives(const Chain& c, const Given& g, matrix& by_q, matrix& by_v, matrix& by_a)
       : passes(c, g) {
     using bodies_type = moving_bodies<S, passes, axes_of_dofs<Chain>>;

@@ -6,16 +6,17 @@
 #include <kte/math/quaternion.hpp>
 #include <kte/math/sincos.hpp>
 
-/// What comes from outside into a fused evaluation: see `unrolled_passes`.
+/// External arguments of a fused evaluation: see `unrolled_passes`.
 namespace kte::detail {
 
-/// Where a configuration has angles whose sine and cosine are wanted, and quaternions.
+/// The positions in q of angles whose sine and cosine are needed, and of quaternions.
 template <class Wiring>
 struct turning {
   struct list {
     std::size_t count{};
-    std::array<std::size_t, std::size_t{Wiring::nq} + 1> place{};   ///< in q, of number n
-    std::array<std::size_t, std::size_t{Wiring::nq} + 1> number{};  ///< of place i, if it is one of them
+    std::array<std::size_t, std::size_t{Wiring::nq} + 1> place{};  ///< index in q of angle or quaternion n
+    std::array<std::size_t, std::size_t{Wiring::nq} + 1>
+        number{};  ///< number of the angle or quaternion at index i, if any
     constexpr void add(int i) {
       number[static_cast<std::size_t>(i)] = count;
       place[count++] = static_cast<std::size_t>(i);
@@ -41,7 +42,7 @@ struct turning {
   }();
 };
 
-/// Three of them.
+/// Three numbers as a vector.
 template <int I, class V>
 KTE_INLINE auto vector_at(const V& v) {
   return vec3{v.template at<I>(), v.template at<I + 1>(), v.template at<I + 2>()};
@@ -60,7 +61,7 @@ struct configuration {
     turn(std::make_index_sequence<turns::quaternions.count>{});
   }
 
-  /// Throws `bad_argument` unless all are finite numbers, and quaternions not 0.
+  /// Throws `bad_argument` unless all numbers are finite and quaternions are not 0.
   KTE_INLINE void check() const {
     check(std::make_integer_sequence<int, Wiring::nq>{});
     check_rotations(std::make_index_sequence<turns::quaternions.count>{});
@@ -125,7 +126,7 @@ struct configuration {
 
 // ---- frames that no element writes
 
-/// All of them alike.
+/// All bases have this motion.
 template <class M>
 struct same_base {
   M m;
@@ -153,11 +154,11 @@ struct same_base {
 };
 template <class M>
 same_base(M) -> same_base<M>;
-/// As they are in a state; so are signals and coordinates declared by base_gen.
+/// Bases with the motion in a state; also its signals and coordinates declared by base_gen.
 template <class State>
 struct base_of_state {
   const State& s;
-  /// Throws `bad_argument` unless the positions of coordinates that are given are finite numbers.
+  /// Throws `bad_argument` unless the positions of prescribed coordinates are finite.
   KTE_INLINE void check() const {
     using wiring = typename State::wiring;
     for (int i = wiring::gen_dofs; i < wiring::count(kind::gen); ++i)
@@ -187,7 +188,7 @@ struct base_of_state {
   }
 };
 
-/// Only the positions of coordinates that are given from outside, and frames of which `Motion` is known.
+/// Only the positions of prescribed coordinates, and frames whose `Motion` is known.
 template <class Base, class Motion>
 struct only_positions {
   const Base& base;
@@ -217,8 +218,7 @@ struct only_positions {
 template <class Base, class Motion>
 only_positions(const Base&, Motion) -> only_positions<Base, Motion>;
 
-/// A base at rest under gravity. Positions and linear velocities are left out unless an element of the chain reads
-/// them.
+/// A base at rest under gravity. Positions and linear velocities are omitted unless an element of the chain reads them.
 template <class Chain>
 KTE_INLINE constexpr auto base_under_gravity(const Chain& c) {
   if constexpr (Chain::reads_positions) {
@@ -228,9 +228,9 @@ KTE_INLINE constexpr auto base_under_gravity(const Chain& c) {
   }
 }
 
-/// All that comes from outside: positions, rates, bases. Where `RatesOnly`, elements see frames without accelerations:
-/// what doMotion gives as acceleration is then only what the velocities make, and what doForce gives has no inertial
-/// force of accelerations.
+/// All external arguments: positions, rates, bases. With `RatesOnly`, elements see frames without accelerations:
+/// accelerations from doMotion are then those due to velocities, and loads from doForce have no inertial forces of
+/// accelerations.
 template <class At, class V, class A, class Base, bool RatesOnly = false>
 struct given {
   static constexpr bool rates_only = RatesOnly;
@@ -267,7 +267,7 @@ struct given {
 template <class At, class V, class A, class Base>
 given(const At&, V, A, Base) -> given<At, V, A, Base>;
 
-/// Throws `bad_argument` that names the argument at fault, unless x[0] ... x[n-1], which come of `g`, are finite.
+/// Throws `bad_argument`, naming the argument at fault, unless the results x[0] ... x[n-1] of `g` are finite.
 template <class Wiring, class X, class Given>
 KTE_INLINE void check_forces(const X& x, const Given& g) {
   check_result(x, std::size_t{Wiring::dofs}, [&]() KTE_INLINE_LAMBDA {
@@ -280,7 +280,7 @@ KTE_INLINE void check_accelerations(const X& x, const Given& g, const Tau& tau) 
   using forces = each<typename Tau::Scalar, Tau>;
   check_result(x, std::size_t{Wiring::dofs}, [&]() KTE_INLINE_LAMBDA {
     if constexpr (Wiring::table.signals > 0) diagnose_signals<Wiring>("an acceleration", g.bases);
-    const Tau copy = tau;  // so that nothing holds tau itself in memory
+    const Tau copy = tau;  // so that tau itself need not live in memory
     diagnose<Wiring>("an acceleration", g.at.q, g.v, forces{copy}, "tau");
   });
 }

@@ -3,12 +3,12 @@
 #include <kte/dynamics/frame_motion.hpp>
 #include <kte/dynamics/unrolled/other_loads.hpp>
 
-/// Frames that elements write which are no joints or links, in algorithms that carry bodies from the tips of a static
-/// chain to its bases: those of a motion that is given stand as bases do, others may carry no body.
+/// Frames written by elements other than joints and links, in algorithms that carry bodies from tips to bases of a
+/// static chain. Frames with a given motion act as bases; others may not carry bodies.
 namespace kte::detail {
 
-/// By element: whether a body stands on the frame that it writes, or beyond, and whether that frame rests whatever the
-/// coordinates are.
+/// For each element: whether the frame that it writes, or its subtree, has a body, and whether this frame is
+/// independent of coordinates.
 template <class Chain>
 struct frames_written {
   static constexpr auto table = [] {
@@ -43,18 +43,18 @@ struct frames_written {
   }();
 };
 
-/// Whether an element moves a frame as signals or internal states say.
+/// Whether an element moves a frame by signals or internal states.
 template <class Core>
 inline constexpr bool takes_a_motion = writes_freely<Core>&& is_frame(Core::ports.back().what) && [] {
   for (const auto& p : Core::ports)
     if (is_signal(p.what)) return true;
   return false;
 }();
-/// Whether element I writes a frame that stands as a base does, with bodies on it: all inputs are zero, so it rests.
+/// Whether element I writes a frame with bodies that acts as a base. All inputs are zero, so it is at rest.
 template <class Chain, std::size_t I>
 inline constexpr bool is_given_base = takes_a_motion<core_of<Chain, I>>&& frames_written<Chain>::table.rests[I] &&
                                       frames_written<Chain>::table.carries[I];
-/// Whether algorithms of bodies may pass over element I, which is no joint, link or body.
+/// Whether body algorithms may skip element I, which is neither joint, link nor body.
 template <class Chain, std::size_t I>
 inline constexpr bool may_be_passed_over =
     !writes_freely<core_of<Chain, I>> || !is_frame(core_of<Chain, I>::ports.back().what) ||
@@ -67,7 +67,7 @@ template <class Chain, std::size_t... I>
 struct given_bases<Chain, std::index_sequence<I...>>
     : numbers_where<std::array<bool, sizeof...(I) + 1>{is_given_base<Chain, I>...}> {};
 
-/// An element that an algorithm of bodies passes over.
+/// A core that replaces a skipped element.
 template <class Chain, std::size_t I>
 struct pass_over {
   static_assert(may_be_passed_over<Chain, I>,
@@ -75,7 +75,7 @@ struct pass_over {
                 "bodies by coordinates to be a kte::transmission");
 };
 
-/// The elements of a chain in an algorithm of bodies.
+/// The elements of a chain in a body algorithm.
 template <class Chain, class Elements = std::make_index_sequence<Chain::size>>
 struct passed_over;
 template <class Chain, std::size_t... I>
@@ -83,8 +83,8 @@ struct passed_over<Chain, std::index_sequence<I...>> {
   static_assert(((sizeof(pass_over<Chain, I>) > 0) && ...));
 };
 
-/// Bases at rest: as `few` of their motion as joints and links ask for, or whole where elements of rare shapes may read
-/// positions.
+/// Bases at rest: with the quantities that joints and links read (`few`), or all quantities if elements of rare shapes
+/// may read positions (`whole`).
 template <class Chain, class Few, class Whole = decltype(base_at_rest)>
 KTE_INLINE constexpr auto rest_base_of(const Few& few, const Whole& whole = base_at_rest) {
   if constexpr (Chain::common) {

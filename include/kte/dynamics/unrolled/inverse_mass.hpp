@@ -21,8 +21,8 @@ struct resting_bodies : typed_bodies<S, Chain, Axes> {
   }
 };
 
-/// The inverse of the mass matrix of a static chain (recursions/inverse_mass.hpp). Axes that stand one on the other
-/// share a register (unit_forces.hpp).
+/// The inverse of the mass matrix of a static chain (recursions/inverse_mass.hpp). Axes on one path to the base share a
+/// register (unit_forces.hpp).
 template <class S, class Chain, class Given, class Elements = std::make_index_sequence<Chain::size>>
 class inverted_mass;
 
@@ -36,8 +36,8 @@ class inverted_mass<S, Chain, Given, std::index_sequence<E...>> : articulated_ch
   template <std::size_t I>
   using core_t = typename types::template core<I>;
 
-  /// Whether a wrench in numbers S is one in S again beyond element I: with parameters of other precision it is not,
-  /// and registers hold numbers of one kind.
+  /// Whether a wrench in numbers S remains in S beyond element I. It does not for parameters of other precision, and
+  /// registers hold numbers of one type.
   using bodies_type = resting_bodies<S, base, axes>;
   template <std::size_t I>
   static constexpr bool keeps_numbers() {
@@ -66,7 +66,7 @@ class inverted_mass<S, Chain, Given, std::index_sequence<E...>> : articulated_ch
     columns(d, m);
     this->check_moved();
   }
-  /// The same after accelerations under forces `tau`, which go the same way up the tree.
+  /// As `invert`, after accelerations under forces `tau`, which share the outward recursion.
   template <class Matrix>
   KTE_INLINE void accelerate_and_invert(const vector& tau, vector& a, Matrix& m) {
     this->accelerate(tau, a);
@@ -84,7 +84,7 @@ class inverted_mass<S, Chain, Given, std::index_sequence<E...>> : articulated_ch
       m(Row, Row) = S(1) / mass;
     });
   }
-  /// The loads that the forces of group G make, from its tip to the base, and what they leave on axes.
+  /// The loads due to the forces of group G, from its tip to the base, and their components on axes.
   template <std::size_t G, class Driver>
   KTE_INLINE void load_group(const Driver& d) {
     d.template to_base<std::size_t{forces.group[G].tip}>(
@@ -101,7 +101,7 @@ class inverted_mass<S, Chain, Given, std::index_sequence<E...>> : articulated_ch
           return engine::pulled_back(b, beyond);
         });
   }
-  /// f(row, mass) of each degree of freedom that moves no joint.
+  /// Calls f(row, mass) for each degree of freedom that moves no joint.
   template <class F>
   KTE_INLINE void each_jointless_mass(const F& f) const {
     for_each_number<int{wiring::freedoms}>([&]<int N>() KTE_INLINE_LAMBDA {
@@ -114,7 +114,7 @@ class inverted_mass<S, Chain, Given, std::index_sequence<E...>> : articulated_ch
 
   template <std::size_t N>
   using rows = std::array<std::array<S, N>, std::size_t{Chain::dofs}>;
-  rows<forces.groups * width> left_, rate_;  ///< e_ij and D_i^-1 e_ij: row i, the column of j
+  rows<forces.groups * width> left_, rate_;  ///< e_ij and D_i^-1 e_ij: row i, column j
 };
 
 }  // namespace kte::detail

@@ -13,7 +13,7 @@ struct branch {
   using wiring = typename Chain::wiring;
   template <std::size_t I>
   using core_t = typename Chain::template core_type<I>;
-  /// The frame that element I starts from, of its own kind; links and joints have it on their last port but one.
+  /// The parent frame of element I, of the kind of its frame; for links and joints it is at their last port but one.
   static constexpr std::array<int, Chain::size + 1> base_of = []<std::size_t... I>(std::index_sequence<I...>) {
     return std::array<int, Chain::size + 1>{
         wiring::slot(I, port_count<core_t<I>> < 2 ? 0 : port_count<core_t<I>> - 2)..., 0};
@@ -41,7 +41,7 @@ class unrolled_jacobian : columns<S, Chain, Given> {
   using base::base;
   using typename base::matrix_type;
 
-  /// From the frame, which stands at x in the end of element N - 1 of the branch, to its base.
+  /// From the frame, at pose x in the end of element N - 1 of the branch, inward to its base.
   template <std::size_t N = path::length, class X = pose<no_rotation, zero3>>
   KTE_INLINE void inward(const X& x = {}) {
     if constexpr (N > 0) {
@@ -54,7 +54,7 @@ class unrolled_jacobian : columns<S, Chain, Given> {
       inward<N - 1>(compose(this->template pose_of_element<i>(), x));
     }
   }
-  /// From the base to the frame, of which it returns the position; x is where the end of element N - 1 stands.
+  /// From the base to the frame; returns its position. x: pose of the end of element N - 1.
   template <std::size_t N = 0, class X = pose<no_rotation, zero3>>
   KTE_INLINE auto outward(const X& x = {}) {
     if constexpr (N == path::length) {
@@ -73,7 +73,7 @@ class unrolled_jacobian : columns<S, Chain, Given> {
   }
 };
 
-/// Whether only links and joints are on the way from a base to a frame.
+/// Whether all elements between a base and a frame are links and joints.
 template <class Chain, kind K, int Slot>
 inline constexpr bool moves_rigidly = [] {
   constexpr int w = Chain::wiring::writer(K, Slot);
@@ -85,7 +85,7 @@ inline constexpr bool moves_rigidly = [] {
     return moves_rigidly<Chain, K, Chain::wiring::slot(std::size_t{w}, port_count<core_of<Chain, std::size_t{w}>> - 2)>;
   }
 }();
-/// Of a frame that follows others.
+/// The Jacobian of a frame that follows others.
 template <bool World, class S, class Frame, class Chain, class At>
 auto jacobian_by_rates(const Chain& c, const At& at) {
   six_by_dofs<S, Chain::dofs> j;
@@ -97,7 +97,7 @@ auto jacobian_by_rates(const Chain& c, const At& at) {
   return j;
 }
 
-/// Of one that does not.
+/// The Jacobian of a frame moved by joints and links.
 template <bool World, class S, class Frame, class Chain, class At>
 KTE_INLINE auto jacobian_along(const Chain& c, const At& at) {
   const given g{at, same<skip>{}, same<skip>{}, base_with_pose};

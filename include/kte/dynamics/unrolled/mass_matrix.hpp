@@ -9,13 +9,12 @@
 /// The mass matrix of static chains (recursions/composite_body.hpp).
 namespace kte::detail {
 
-/// Entries of a mass matrix of zeros, by column. Two joints may share a coordinate, so entries add up; where they
-/// cannot
+/// Entries of a mass matrix of zeros, by column. Joints may share a coordinate, so entries are added; if they cannot
 /// (`Once`), each is written once, and summed while it is in a register.
 template <class S, int N, bool Once>
 struct mass_entries {
   joint_matrix<S, N>& m;
-  S &column, &sum;  ///< of the entries of a column, and of all columns before it
+  S &column, &sum;  ///< sums of the entries of a column, and of all previous columns
   template <class T>
   KTE_INLINE constexpr void diagonal(int j, const T& x) const {
     sum += column, column = S(0);
@@ -40,8 +39,8 @@ struct mass_entries {
   }
 };
 
-/// Over all coordinates of a chain: the degrees of freedom first, then followers. `Given` has positions without rates
-/// and bases of `skip`.
+/// The mass matrix over all coordinates of a chain: degrees of freedom first, then dependent coordinates. `Given` has
+/// positions, without rates, and bases of `skip`.
 template <class S, class Chain, class Given>
 class unrolled_mass {
   using types = flow_types<Chain, Given>;
@@ -66,7 +65,7 @@ class unrolled_mass {
     coordinate_masses(std::make_index_sequence<Chain::size>{});
     if constexpr (!written_once) sum_ = detail::zero_or_nan(M.data(), static_cast<std::size_t>(M.size()));
   }
-  /// 0 if all numbers are finite, unless they are near to overflow.
+  /// 0 if all numbers are finite, unless they are close to overflow.
   KTE_INLINE S zero_or_nan() const { return sum_ * S(0); }
 
  private:
@@ -91,7 +90,7 @@ class unrolled_mass {
     return once;
   }();
 
-  // ---- coordinates: their own masses, and followers
+  // ---- coordinates: their own masses, and dependent coordinates
   template <std::size_t... I>
   KTE_INLINE void coordinate_masses(std::index_sequence<I...>) {
     const int done[]{(coordinate_mass<Chain::size - 1 - I>(), 0)..., 0};
@@ -105,10 +104,9 @@ class unrolled_mass {
     } else if constexpr (has_mass<core_t<I>, S>) {
       M(b, b) = as<S>(M(b, b) + chain_.template core<I>().template mass<S>());
     } else if constexpr (has_output<core_t<I>> && types::template output_kind<I> == kind::gen) {
-      constexpr int e =
-          axes::template row_of_coordinate<kind::gen, types::template output_slot<I>>;  // q_e' = ratio q_b': both its
-                                                                                        // row and column
-      const auto& q_b = motion_.template get<kind::gen, wiring::slot(I, 0)>();          // count for b too
+      // q_e' = ratio q_b': its row and column count for b too
+      constexpr int e = axes::template row_of_coordinate<kind::gen, types::template output_slot<I>>;
+      const auto& q_b = motion_.template get<kind::gen, wiring::slot(I, 0)>();
       const auto ratio = chain_.template core<I>().doMotion(unit_rate<kind::gen, 0>(q_b)).q_dot;
       for (int c = 0; c < coordinates; ++c) M(b, c) = as<S>(M(b, c) + ratio * M(e, c));
       for (int c = 0; c < coordinates; ++c) M(c, b) = as<S>(M(c, b) + ratio * M(c, e));
@@ -121,7 +119,7 @@ class unrolled_mass {
   const unrolled_motion<Chain, Given> motion_;
 };
 
-/// A function of its own: only a variable of its outermost block is made where the caller wants it.
+/// A separate function, because only a variable of the outermost block is constructed in place.
 template <class S, class Chain, class Given>
 KTE_INLINE auto unrolled_mass_matrix(const Chain& c, const Given& g, S& zero_or_nan) {
   using mass_type = unrolled_mass<S, Chain, Given>;
@@ -133,7 +131,7 @@ KTE_INLINE auto unrolled_mass_matrix(const Chain& c, const Given& g, S& zero_or_
     return joint_matrix<S, Chain::dofs>(m.template block<Chain::dofs, Chain::dofs>(0, 0));
   }
 }
-/// The mass matrix over the degrees of freedom. Of the bases only coordinates that are given matter.
+/// The mass matrix over the degrees of freedom. Bases matter only for prescribed coordinates.
 template <class S, class Chain, class Positions, class Base>
 KTE_INLINE auto mass_matrix_at(const Chain& c, const Positions& at, const Base& base) {
   static_assert(sizeof(check_loads_of<Chain>) > 0);
@@ -150,7 +148,7 @@ KTE_INLINE auto mass_matrix_at(const Chain& c, const Positions& at, const Base& 
       return stored;
     }
   }();
-  if (!all(zero_or_nan == S(0))) [[unlikely]]  // it may be NaN though all is well
+  if (!all(zero_or_nan == S(0))) [[unlikely]]  // NaN is possible for valid results
     diagnose_non_finite<typename Chain::wiring>(m, at.q);
   return m;
 }

@@ -4,11 +4,11 @@
 #include <kte/dynamics/unrolled/given_bases.hpp>
 #include <kte/recursions/composite_body.hpp>
 
-/// Masses of static chains, their centre and their momentum.
+/// Mass, centre of mass and momentum of static chains.
 namespace kte::detail {
 
-/// f<Frame>(x) of all that bodies stand on without a joint to it: bases, where x is no motion at all, and frames of a
-/// motion that is given, where x is that, from bases which have one origin and one set of axes.
+/// The sum of f<Frame>(x) over all frames that act as bases. For bases x is no motion; for frames with a given motion x
+/// is that motion, relative to bases with common origin and axes.
 template <class Motion, class F>
 KTE_INLINE constexpr auto sum_over_grounds(const Motion& m, const F& f) {
   using wiring = typename Motion::wiring;
@@ -39,7 +39,7 @@ KTE_INLINE constexpr auto sum_over_grounds(const Motion& m, const F& f) {
 
 inline constexpr same_base base_of_nothing{motion{skip{}, skip{}, skip{}, skip{}, skip{}, skip{}}};
 
-/// The composite inertia of a chain about the origin of its bases and in their axes, (1) and (2) of `centre_of_mass`.
+/// The composite inertia of a chain about the origin of its bases, in their axes: (1) and (2) of `centre_of_mass`.
 template <class S, class Chain, class At>
 KTE_INLINE auto weight_of(const Chain& c, const At& at) {
   const given g{at, same<skip>{}, same<skip>{}, base_with_pose};
@@ -66,7 +66,7 @@ KTE_INLINE vec3<S> divided_by_mass(const M& mass, const X& sum, const Diagnose& 
   return r;
 }
 
-/// The sum of the loads that a pass has put on bases, which have one origin and one set of axes.
+/// The sum of the loads of a pass on bases, which have common origin and axes.
 template <class Pass>
 KTE_INLINE auto load_on_bases(const Pass& pass) {
   using wiring = typename Pass::chain_type::wiring;
@@ -85,7 +85,7 @@ KTE_INLINE auto load_on_bases(const Pass& pass) {
   (std::make_integer_sequence<int, wiring::count(kind::frame_2D)>{},
    std::make_integer_sequence<int, wiring::count(kind::frame_3D)>{});
 }
-/// The sum of the momenta of all bodies at rest bases, at their origin and in their axes.
+/// The sum of the momenta of all bodies with bases at rest, about their origin and in their axes.
 template <class S, class Chain, class At, class V>
 KTE_INLINE auto momentum_at_base(const Chain& c, const At& at, const V& v) {
   const given g{at, v, same<skip>{}, rest_base_of<Chain>(base_with_velocity)};

@@ -5,8 +5,8 @@
 
 namespace kte::detail {
 
-/// The momentum that the unit rate of each axis of a joint makes, in axes of the bases and about a point, as a column:
-/// (2) of `centroidal_momentum_matrix`. Of three rows the linear ones, to which the point is nothing.
+/// The momentum of the unit rate of each joint axis, in axes of the bases and about a point, as a column: (2) of
+/// `centroidal_momentum_matrix`. With three rows only the linear rows, which do not depend on the point.
 template <class S, class Chain, class Given, int Rows = 6>
 class momentum_columns : columns<S, Chain, Given, Rows> {
   using base = columns<S, Chain, Given, Rows>;

@@ -5,7 +5,7 @@
 
 #include <utility>
 
-/// Elements that put no loads.
+/// Elements without loads.
 namespace kte::detail {
 
 template <kind K>
@@ -20,7 +20,7 @@ constexpr auto no_load() {
 template <class Core>
 struct no_loads;
 
-/// An element that puts no loads.
+/// A core without loads.
 template <class Core>
 struct no_load_core {
   static constexpr auto& type = Core::type;
@@ -33,7 +33,7 @@ struct no_load_core {
 
  private:
   friend no_loads<Core>;
-  /// Its inputs that are no signals.
+  /// Whether each port takes a load: ports that are not signals.
   static constexpr auto takes_load = [] {
     std::array<bool, port_count<Core>> is{};
     for (std::size_t p = 0; p < input_count<Core>; ++p) is[p] = !is_signal(Core::ports[p].what);
@@ -46,7 +46,7 @@ struct no_load_core {
   }
 };
 
-/// The type of what it puts.
+/// The type of its loads.
 template <class Core>
 struct no_loads {
   using type = decltype(no_load_core<Core>::none(typename no_load_core<Core>::loaded{}));

@@ -2,10 +2,10 @@
 
 #include <kte/dynamics/unrolled/tree.hpp>
 
-/// A chain in which some elements put other loads, for the passes to be used on.
+/// A chain whose elements have other loads, for reuse of the passes.
 namespace kte::detail {
 
-/// Puts its momentum where a body puts its force: that of its mass m, moment h and inertia I about the origin,
+/// A core with the momentum of a body instead of its force; for mass m, moment h and inertia I about the origin:
 ///
 ///   (m v + w x h,  I w + h x v)          (1)
 template <class S, class Core>
@@ -22,7 +22,7 @@ struct momentum_of {
 template <class Core>
 inline constexpr bool is_body = has_mass<Core, double>&& is_frame(Core::ports[0].what);
 
-/// Only bodies have forces.
+/// Selects the forces of bodies only.
 struct bodies_alone {
   template <class Core>
   KTE_INLINE static constexpr decltype(auto) of(const Core& core) {
@@ -33,7 +33,7 @@ struct bodies_alone {
     }
   }
 };
-/// Bodies have momenta, and nothing else puts a load.
+/// Selects the momenta of bodies; other elements have no loads.
 template <class S>
 struct momenta {
   template <class Core>

@@ -2,11 +2,12 @@
 
 #include <kte/dynamics/unrolled/flow.hpp>
 
-/// The passes of a static chain on frames that are local variables: the fused algorithms are made of these. Each frame
-/// has its own type, with typed constants and `skip` where nothing is to be computed, and lives in registers.
+/// The passes of a static chain on frames that are local variables, from which the fused algorithms are built. Each
+/// frame has its own type, with typed constants, and `skip` for quantities that are not computed, and is kept in
+/// registers.
 namespace kte::detail {
 
-/// The motion of a chain on local variables. `Given` says what comes from outside:
+/// The motion of a chain in local variables. `Given` provides the inputs:
 ///   given.template coordinate<K, i>()  coordinate i of kind K, which is a degree of freedom (or several)
 ///   given.template fixed<i>()          coordinate i, which no element writes and which is no degree of freedom
 ///   given.template base<K, i>()        frame i of kind K, which no element writes
@@ -31,7 +32,7 @@ class unrolled_motion<Chain, Given, std::index_sequence<E...>>
     const int done[]{(static_cast<written<E>&>(*this).value = move<E>(typename types::template inputs<E>{}), 0)..., 0};
     (void)done;
   }
-  /// Thing Slot of kind K: a coordinate, a frame, an input.
+  /// Item Slot of kind K: a coordinate, a frame or an input.
   template <kind K, int Slot, view V = view::whole>
   KTE_INLINE constexpr decltype(auto) get() const {
     constexpr int writer = types::template writer<K, Slot>;
@@ -44,17 +45,17 @@ class unrolled_motion<Chain, Given, std::index_sequence<E...>>
     }
   }
 
-  /// The coordinate of joint I; of several a tuple.
+  /// The coordinate of joint I; a tuple for several.
   template <std::size_t I>
   KTE_INLINE constexpr decltype(auto) joint_coordinate() const {
     using core = typename types::template core<I>;
-    if constexpr (coordinates_of<core> > 1) {
+    if constexpr (coordinates_of < core >> 1) {
       return tuple_of_coordinates<core>([this]<std::size_t K>() { return get<kind::gen, wiring::slot(I, K)>(); });
     } else {
       return get<coordinate_kind<core>, wiring::slot(I, 0)>();
     }
   }
-  /// Joint or link I in its present position, without rates.
+  /// The pose of joint or link I at its current position.
   template <std::size_t I>
   KTE_INLINE constexpr auto joint_pose() const {
     if constexpr (coordinates_of<typename types::template core<I>> == 0) {
@@ -63,13 +64,13 @@ class unrolled_motion<Chain, Given, std::index_sequence<E...>>
       return relative_at(chain_.template core<I>(), position_only(joint_coordinate<I>()));
     }
   }
-  /// Axis N of joint I, in axes of its end.
+  /// Axis N of joint I, in the axes of its end.
   template <std::size_t I, int N>
   KTE_INLINE constexpr auto joint_axis() const {
     return axis_of<N>(chain_.template core<I>(), joint_coordinate<I>());
   }
   KTE_INLINE constexpr const Chain& chain() const { return chain_; }
-  /// The sum of the masses on coordinate Slot of kind K alone, kg or kg m^2.
+  /// The sum of the masses on coordinate Slot of kind K, kg or kg m^2.
   template <class S, kind K, int Slot>
   KTE_INLINE constexpr auto mass_on_coordinate() const {
     return mass_on_coordinate<S, K, Slot>(std::make_index_sequence<loads_on<wiring, K, Slot>.size()>{});
@@ -106,12 +107,12 @@ class unrolled_motion<Chain, Given, std::index_sequence<E...>>
   }
 };
 
-/// Motion, then forces, of a chain on local variables.
+/// Motion, then forces, of a chain in local variables.
 template <class Chain, class Given, class Elements = std::make_index_sequence<Chain::size>>
 class unrolled_passes;
 
-/// Loads are its bases from the last element to the first: none of their types has to wait for a long row of others, as
-/// compilers limit the depth of templates.
+/// The loads are its base classes from the last element to the first. Types are therefore complete without deep
+/// recursion, because compilers limit the depth of templates.
 template <class Chain, class Given, std::size_t... E>
 class unrolled_passes<Chain, Given, std::index_sequence<E...>>
     : public unrolled_motion<Chain, Given>, flow_types<Chain, Given>::template loads<Chain::size - 1 - E>... {
@@ -130,7 +131,7 @@ class unrolled_passes<Chain, Given, std::index_sequence<E...>>
                      0};
     (void)done;
   }
-  /// The sum of the loads that elements have put on thing Slot of kind K.
+  /// The sum of the loads of elements on item Slot of kind K.
   template <kind K, int Slot>
   KTE_INLINE constexpr auto load() const {
     return sum<K, Slot>(typename types::template readers<K, Slot>{});
@@ -164,7 +165,7 @@ class unrolled_passes<Chain, Given, std::index_sequence<E...>>
   }
 
  public:
-  /// A rule about what elements need. Functions that users call ask for it, so that little stands above its sentence.
+  /// A rule about the needs of elements. Public functions check it, so that its message appears near the top.
   using need = typename types::template need<first_false({loads<E>::usable..., false})>::type;
 };
 

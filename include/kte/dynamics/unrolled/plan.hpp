@@ -7,18 +7,18 @@
 #include <kte/static_chain/static_chain.hpp>
 #include <kte/tree/plan.hpp>
 
-/// The order of work on a static chain.
+/// The order of evaluation of a static chain.
 namespace kte::detail {
 
 template <class Chain>
 inline constexpr auto static_plan =
     arrange<static_lists<typename Chain::wiring>::template list>(static_connections<Chain>{});
 
-/// Whether algorithms are unrolled: not for scalars whose operations are functions, where loops over body nodes
-/// (dynamics/looped/static_chains.hpp) are as fast and compile in a tenth of the time
-/// (docs/decisions/02-compile-time.md). Of dual numbers of those that are a few instructions: a small chain in dual
-/// numbers, as variational integrators evaluate it, would else spend nine tenths of its time on building its tree. Nor
-/// of chains that have what only those loops know (static_chain/connections.hpp).
+/// Whether algorithms are unrolled. Scalars whose operations are functions use loops over body nodes
+/// (dynamics/looped/static_chains.hpp), which are as fast and compile in a tenth of the time
+/// (docs/decisions/02-compile-time.md). Dual numbers of machine scalars are unrolled, because a small chain, as
+/// variational integrators evaluate it, would spend nine tenths of its time on building its tree. Chains that only the
+/// loops support are not unrolled (static_chain/connections.hpp).
 template <class S>
 inline constexpr bool is_a_few_instructions = std::is_floating_point_v<S> || requires {
   S::lanes;
@@ -30,7 +30,7 @@ inline constexpr bool is_unrolled = Chain::unrolled&& is_a_few_instructions<S>;
 template <class Chain, class S>
 inline constexpr bool has_unrolled_passes = unrolls_passes<Chain::size>&& is_a_few_instructions<S>;
 
-/// The things of kind K that come from outside and are no degrees of freedom, as an index_sequence.
+/// The external items of kind K that are not degrees of freedom, as an index_sequence.
 template <class Wiring, kind K>
 inline constexpr auto is_given = [] {
   std::array<bool, std::size_t{Wiring::count(K)} + 1> is{};
@@ -42,7 +42,7 @@ inline constexpr auto is_given = [] {
 template <class Wiring, kind K>
 using given_things = typename numbers_where<is_given<Wiring, K>>::type;
 
-/// f<K, Slot>() for every frame that no element writes.
+/// Calls f<K, Slot>() for every frame that no element writes.
 template <class Wiring, class F>
 KTE_INLINE void for_each_base(const F& f) {
   const auto all =

@@ -8,13 +8,13 @@
 /// The regressor of static chains.
 namespace kte::detail {
 
-/// How many inertial parameters an element has.
+/// The number of inertial parameters of an element.
 template <class Core>
 inline constexpr int parameter_count = Core::ports[0].what == kind::gen        ? has_mass<Core, double>
                                        : !is_rigid_body<Core>                  ? 0
                                        : Core::ports[0].what == kind::frame_2D ? 4
                                                                                : 10;
-/// The columns of the elements of a chain; at its end how many there are.
+/// The first column of each element of a chain, and at the end the number of columns.
 template <class Chain>
 inline constexpr auto first_parameter = []<std::size_t... I>(std::index_sequence<I...>) {
   std::array<int, Chain::size + 1> first{parameter_count<core_of<Chain, I>>..., 0};
@@ -26,7 +26,7 @@ inline constexpr auto first_parameter = []<std::size_t... I>(std::index_sequence
 template <class Chain>
 inline constexpr int parameters_of = first_parameter<Chain>.back();
 
-/// f<I>() for the elements of a chain, in order.
+/// Calls f<I>() for the elements of a chain, in order.
 template <class Chain, class F>
 KTE_INLINE constexpr void for_each_element(const F& f) {
   [&f]<std::size_t... I>(std::index_sequence<I...>) KTE_INLINE_LAMBDA {
@@ -36,8 +36,8 @@ KTE_INLINE constexpr void for_each_element(const F& f) {
   (std::make_index_sequence<Chain::size>{});
 }
 
-/// Of a joint or link: the element whose end is its base, or -1; its axes, of which the first is number `first` of all,
-/// and the rows of its coordinates.
+/// A joint or link: the element whose end is its base, or -1; the number of its first axis among all axes; the rows of
+/// its coordinates.
 struct tree_step {
   int below = -1, axes = 0;
   std::array<int, 6> row{};
@@ -65,15 +65,15 @@ inline constexpr auto tree_steps = [] {
   return steps;
 }();
 
-/// Matrices that are too large for the stack have their columns on the heap. (A limit of 0 is none.)
+/// Whether matrices fit on the stack; larger ones have their columns on the heap. (Limit 0: none.)
 template <int N, int P, class S>
 inline constexpr bool fits_on_stack = EIGEN_STACK_ALLOCATION_LIMIT == 0 ||
                                       sizeof(S) * N* P <= EIGEN_STACK_ALLOCATION_LIMIT;
 template <class S, int N, int P>
 using regressor_matrix = Eigen::Matrix<S, N, fits_on_stack<N, P, S> ? P : Eigen::Dynamic>;
 
-/// Every frame, joint and body once, by its type, in world axes; then for each body a loop over numbers, for on a chain
-/// of n bodies there are n^2 / 2 ways.
+/// Computes every frame, joint and body once, by its type, in world axes, and then for each body a loop over numbers,
+/// because a chain of n bodies has n^2 / 2 pairs of joint and body.
 template <class S, class Chain, class Given>
 class unrolled_regressor {
   using types = flow_types<Chain, Given>;
@@ -100,7 +100,7 @@ class unrolled_regressor {
   KTE_INLINE constexpr decltype(auto) at_port() const {
     return motion_.template get<types::template what<I, P>, wiring::slot(I, P)>();
   }
-  /// What a joint or link adds to the way of a frame, and the axes of a joint at its end.
+  /// Adds a joint or link to the path of a frame, and the axes of a joint at its end.
   template <std::size_t I>
   KTE_INLINE void place() {
     if constexpr (is_transmission<core_t<I>>) {
@@ -131,7 +131,7 @@ class unrolled_regressor {
                                            as<S>(matrix(frame.rotation)), x, first_parameter<Chain>[I]);
     }
   }
-  /// Of a body on the end of an element, in the axes R^T of its frame, as (1) of `jacobian`.
+  /// Adds the columns of a body at the end of an element, in the axes R^T of its frame, as in (1) of `jacobian`.
   template <int Count>
   void add_body(int element, const mat3<vec3<S>>& r, const tree::body_motion<S>& x, int first) {
     const mat3<vec3<S>> t = transpose(r);
@@ -142,12 +142,13 @@ class unrolled_regressor {
         const auto& s = axes_[at.first + static_cast<std::size_t>(k)];
         const vec3<S> v = t * (s.linear + cross(s.angular, way)), u = t * s.angular;
         const auto all = tree::power_by_parameters(x, v, u);
-        for (int i = 0; i < Count; ++i) y_(at.row[static_cast<std::size_t>(k)], first + i) += tree::parameter_at(all, i, Count);
+        for (int i = 0; i < Count; ++i)
+          y_(at.row[static_cast<std::size_t>(k)], first + i) += tree::parameter_at(all, i, Count);
       }
       way = step_[static_cast<std::size_t>(element)] + way;
     }
   }
-  /// The row of a coordinate that follows another counts for that one too: q_end' = ratio q_base'.
+  /// Adds the row of a dependent coordinate to that of its leading coordinate: q_end' = ratio q_base'.
   template <std::size_t I>
   KTE_INLINE void pull_back() {
     if constexpr (has_output<core_t<I>> && core_t<I>::ports[0].what == kind::gen &&
@@ -161,14 +162,15 @@ class unrolled_regressor {
 
   const Chain& chain_;
   const unrolled_motion<Chain, Given> motion_;
-  std::array<vec3<S>, Chain::size + 1> step_;                           ///< from the base of an element to its end
+  std::array<vec3<S>, Chain::size + 1> step_;                           ///< by element: from its base to its end
   std::array<tree::world_axis<S>, steps[Chain::size].first + 1> axes_;  ///< of all joints
   matrix_type& y_;
 };
 
 template <class S, class Chain, class At, class V, class A, class Base>
 auto regressor_of(const Chain& c, const At& at, const V& v, const A& a, const Base& base) {
-  static_assert(sizeof(check_loads_of<Chain>) > 0 && sizeof(check_bodies_of<Chain>) > 0);
+  static_assert(sizeof(check_loads_of<Chain>) > 0 && sizeof(check_bodies_of<Chain>) > 0 &&
+                sizeof(check_closures_of<Chain>) > 0);
   at.check(), base.check();
   const given g{at, v, a, base};
   using pass = unrolled_regressor<S, Chain, std::remove_const_t<decltype(g)>>;

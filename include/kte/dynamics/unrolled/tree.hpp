@@ -4,7 +4,7 @@
 #include <kte/dynamics/unrolled/passes.hpp>
 #include <kte/dynamics/unrolled/plan.hpp>
 
-/// What the algorithms that run along the tree of joints of a chain ask of it.
+/// The properties of a chain for algorithms along the tree of its joints.
 namespace kte::detail {
 
 /// Whether a chain is a tree of joints: only links and joints move frames, no coordinate follows another or moves two
@@ -23,7 +23,7 @@ inline constexpr bool is_free_joint = [] {
   }
 }();
 
-/// The first element for which `Is<core>` holds; void where there is none.
+/// The first element for which `Is<core>` holds; void if there is none.
 template <class Chain, template <class> class Is>
 constexpr auto find_element() {
   constexpr std::size_t first = []<std::size_t... I>(std::index_sequence<I...>) {
@@ -45,25 +45,35 @@ struct has_own_loads : std::bool_constant<!loads_by_relative<Core> || !power_dua
 template <class Core>
 struct has_distributed_mass : std::bool_constant<distributed_mass<Core>> {};
 template <class Core>
+struct closes_loop : std::bool_constant<is_closure<Core>> {};
+template <class Core>
 struct is_load_dependent : std::bool_constant<load_dependent_friction<Core>> {};
 
-/// Whether joints have friction by what they carry.
+/// Whether joints have load-dependent friction.
 template <class Chain>
 inline constexpr bool has_load_dependent_friction =
     !Chain::common && !std::is_void_v<first_element<Chain, is_load_dependent>>;
 
-/// Of algorithms that would leave such things out.
+/// Checks algorithms that omit such loads.
 template <class Chain, class Core = first_element<Chain, has_own_loads>>
 using check_loads_of = check_loads<Core, std::is_void_v<Core>>;
 template <class Chain, class Core = first_element<Chain, has_distributed_mass>>
 using check_bodies_of = check_bodies<Core, std::is_void_v<Core>>;
+template <class Chain, class Core = first_element<Chain, closes_loop>>
+using check_closures_of = check_closures<Core, std::is_void_v<Core>>;
+/// Whether a static chain has closures.
+template <class Chain>
+inline constexpr bool has_closures = !Chain::common && !std::is_void_v<first_element<Chain, closes_loop>>;
+/// Accelerations of chains with closures: kte/loops.hpp.
+template <class Chain>
+struct static_loops;
 
-/// Of an element: its axes that are degrees of freedom, in the rows from the first on; the element that it stands on,
-/// or -1.
+/// The place of an element: its axes that are degrees of freedom, in contiguous rows from the first on; the preceding
+/// element, or -1.
 struct joint_place {
   int row = 0, axes = 0, below = -1;
 };
-/// Of element I; of a joint that is not free to move the axes are none.
+/// The place of element I; a joint that is not free to move has no axes.
 template <class Chain, std::size_t I, bool IsFree>
 constexpr joint_place joint_place_of() {
   using core = core_of<Chain, I>;

@@ -7,17 +7,17 @@
 
 #include <algorithm>
 
-/// Unit forces on the axes of a tree that go down to its base side by side, in the lanes of a register.
+/// Unit forces on the axes of a tree, which go to the base side by side in the lanes of a register.
 namespace kte::detail {
 
-/// Whether a wrench has nothing but numbers S and typed constants.
+/// Whether a wrench consists of numbers S and typed constants.
 template <class S, class W>
 inline constexpr bool is_wrench_of = false;
 template <class S, class... F, class... T>
 inline constexpr bool is_wrench_of<S, wrench<vec3<F...>, vec3<T...>>> =
     ((typed_constant<F> || std::is_same_v<F, S>)&&...) && ((typed_constant<T> || std::is_same_v<T, S>)&&...);
 
-/// Axes on one way down, at most `Width` of them, of a tree of N degrees of freedom.
+/// At most `Width` axes on one path to the base, of a tree with N degrees of freedom.
 template <std::size_t Width, std::size_t N>
 struct force_group {
   int tip = 0;  ///< the element farthest from the base
@@ -33,7 +33,7 @@ struct unit_forces {
   std::size_t groups = 0;
   std::array<force_group<Width, N>, N> group{};
 
-  /// How many rows the ways of two groups have in common, from the base.
+  /// The number of rows that the paths of two groups share, from the base on.
   constexpr std::size_t shared(std::size_t g, std::size_t h) const {
     const auto &a = group[g], &b = group[h];
     std::size_t n = 0;
@@ -55,8 +55,8 @@ struct unit_forces {
   }
 };
 
-/// From the tips inward: a group takes what is left on the way to the base. Elements stand on earlier ones; the last of
-/// `places` is none.
+/// Forms groups from the tips inward: a group takes the remaining axes on its path to the base. Elements come after
+/// their parents; the last entry of `places` is empty.
 template <std::size_t Width, std::size_t N, std::size_t E>
 constexpr unit_forces<Width, N> side_by_side(const std::array<joint_place, E>& places) {
   unit_forces<Width, N> f;
@@ -84,8 +84,8 @@ constexpr unit_forces<Width, N> side_by_side(const std::array<joint_place, E>& p
   return f;
 }
 
-/// The numbers of (1) of recursions/inverse_mass.hpp between the axes of groups G and H of `Forces`, from e and D^-1 e:
-/// row i, a register of columns for each group.
+/// The terms (1) of recursions/inverse_mass.hpp between the axes of groups G and H of `Forces`, from e and D^-1 e. Row
+/// i has one register of columns per group.
 template <const auto& Forces, std::size_t G, std::size_t H, class Rows, class Matrix>
 KTE_INLINE void sum_answers_between(const Rows& left, const Rows& rate, Matrix& inverse) {
   using S = typename Matrix::Scalar;

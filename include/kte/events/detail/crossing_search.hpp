@@ -7,25 +7,25 @@
 
 namespace kte::detail {
 
-/// Whether g, known at times along a step, changes its sign, and where first: also twice between two of them.
+/// Finds the first sign change of g, given at times along a step, including two sign changes between two times.
 ///
-/// On an interval with values y_0 ... y_4 stands the quartic through them. It has at most as many roots as its
-/// Bernstein coefficients b_0 ... b_4 change signs, and an even number less: none and one are certain. Otherwise the
-/// interval is halved, with new values of g. How far g may be from the quartic is measured on the interval of twice the
-/// length,
+/// Each interval with values y_0 ... y_4 has a quartic through them. Its number of roots is at most the number of sign
+/// changes of its Bernstein coefficients b_0 ... b_4, and differs from it by an even number; zero and one are therefore
+/// certain. Otherwise the interval is halved, with new values of g. The error of the quartic is measured on the
+/// interval of twice the length,
 ///
 ///   e = max |g - quartic through y_0, y_2, y_4, y_6, y_8|  at the values in between                     (1)
 ///
-/// and a coefficient b_1, b_2, b_3 within e of zero has no sign. With a smooth g the quartic of the half is closer, by
-/// 32.
+/// and a coefficient b_1, b_2, b_3 within e of zero has no sign. If g is smooth, halving reduces the error by a factor
+/// of 32.
 ///
-/// Until g has left zero after a crossing, it has the sign of where it goes as long as it is within `noise` of zero.
+/// After a crossing, while g is within `noise` of zero, it has the sign of the side to which it goes.
 template <class S>
 class crossing_search {
  public:
   using values = std::array<S, 9>;
 
-  /// side: the sign of g at the start, -1 or 1. depth: how often intervals are halved.
+  /// side: the sign of g at the start, -1 or 1. depth: maximum number of bisections.
   crossing_search(crossing wanted, int side, const S& noise, int depth)
       : wanted_(wanted), side_(side), noise_(noise), depth_(depth) {}
 
@@ -36,21 +36,21 @@ class crossing_search {
     for (const S& v : y) scale_ = abs(v) < scale_ ? scale_ : S(abs(v));
     return split(g, a, b, y, depth_);
   }
-  /// Whether g leaves this side in the given direction as time goes from a to b.
+  /// Whether g leaves this side in the requested direction as time goes from a to b.
   bool is_wanted(bool forward) const {
     return wanted_ == crossing::both || (wanted_ == crossing::rising) == ((side_ < 0) == forward);
   }
 
   /// The sign of g at the end of the search: at b, or before the crossing.
   int side() const { return side_; }
-  /// When g has just left its side;
+  /// The time at which g has just left its side.
   const S& time() const { return time_; }
-  /// how far from zero it may still be by rounding.
+  /// The distance from zero that rounding may cause at this time.
   const S& next_noise() const { return next_noise_; }
   /// 0 once g has left zero.
   const S& noise() const { return noise_; }
 
-  /// The time of the value i of n.
+  /// The time of value i of n.
   static S time_of(const S& a, const S& b, int i, int n) { return i == n ? b : S(a + (b - a) * S(i) / S(n)); }
 
  private:
@@ -79,7 +79,7 @@ class crossing_search {
         return split(g, a, b, finer, depth - 1);
     }
   }
-  /// By the values alone.
+  /// Decides by the values alone.
   template <class G>
   bool walk(G& g, const S& a, const S& b, const five& y) {
     for (int i = 0; i < 4; ++i)
@@ -88,7 +88,7 @@ class crossing_search {
         return true;
     return false;
   }
-  /// The one crossing between a and b.
+  /// Locates the only crossing between a and b.
   template <class G>
   bool leave(G& g, const S& a, const S& b, const S& ya, const S& yb) {
     if (!is_wanted(a < b)) {
@@ -108,7 +108,7 @@ class crossing_search {
     return true;
   }
 
-  /// The roots of the quartic, where b_1 to b_3 within e of zero may have either sign.
+  /// Bounds for the number of roots of the quartic, where b_1 to b_3 within e of zero may have either sign.
   roots count(const five& y, const S& e) const {
     const auto b = inner_bernstein(y);
     bool crossed = false, doubt = false;
@@ -133,7 +133,7 @@ class crossing_search {
   int side_;
   S noise_;
   int depth_;
-  int intervals_ = 512;  ///< that may still be halved: a g of mere noise would never end
+  int intervals_ = 512;  ///< remaining bisections; bounds the work for a noisy g
   S time_{}, next_noise_{}, scale_{0};
 };
 

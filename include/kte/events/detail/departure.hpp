@@ -5,21 +5,22 @@
 
 namespace kte::detail {
 
-/// The sign of a value, -1 or 1; within `noise` of zero what it was before.
+/// The sign of a value, -1 or 1; within `noise` of zero the previous sign.
 template <class S>
 int sign_of(const S& y, const S& noise, int before) {
   return y > noise ? 1 : y < -noise ? -1 : before;
 }
 
-/// The side to which g goes from zero at the time a, and a time at which it is there; side 0 if it stays at zero to b.
+/// The side to which g departs from zero at the time a, and a time at which it is there. The side is 0 if g stays at
+/// zero until b.
 template <class S>
 struct departure {
   int side;
   S time;
 };
-/// Tries times ever further from a: 4 eps |a|, four times that, ... A flight of the length T is seen at one between T/4
-/// and T. The dense output rounds in proportion to the distance from a, so g counts from noise + 16 eps (t - a)
-/// |g(b)| / (b - a) on.
+/// Tries times at increasing distances from a: 4 eps |a|, four times that, ... A flight of duration T is detected at a
+/// time between T/4 and T. The dense output rounds in proportion to the distance from a, so g must exceed noise + 16
+/// eps (t - a) |g(b)| / (b - a).
 template <class S, class G>
 departure<S> depart(G&& g, const S& a, const S& b, const S& noise) {
   using std::abs;

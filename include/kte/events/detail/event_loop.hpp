@@ -7,9 +7,9 @@
 
 namespace kte::detail {
 
-/// Integrates with events: takes a step, searches its dense output for crossings, handles them in the order of time. An
-/// event that acts ends the step there and restarts the solver. Where a function of an event throws, or the observer
-/// before an event, the solver stands before what could not be handled, and finds it again.
+/// Integrates with events: takes a step, searches its dense output for crossings, handles them in order of time. An
+/// event that acts ends the step there and restarts the solver. If an event function throws, or the observer before an
+/// event, the solver stays before the event and finds it again.
 template <class Solver, class List, class Observer>
 class event_loop {
   using watch = event_watch<Solver, List>;
@@ -45,8 +45,8 @@ class event_loop {
  private:
   using return_path = way_back<Solver, S, X>;
 
-  /// Modes of elements that are not what happens, since inputs or the state have been changed before: events at the
-  /// start. A g that only is beyond zero there is none.
+  /// Events at the start: modes of elements that are inconsistent because inputs or the state have been changed. A g
+  /// that is merely beyond zero is not an event.
   void mend_start() {
     const S t = solver_.time();
     bool any = false;
@@ -75,12 +75,12 @@ class event_loop {
     if (!one_is_stuck(back) && !handle_crossings(back)) end_step(back);
     back.arrived();
   }
-  /// All until t has been handled.
+  /// Finishes everything until t.
   void keep(const S& t, const X& x) {
     safe_time_ = t;
     safe_ = x;
   }
-  /// To the state x_, which is as fast as before.
+  /// Restarts at the state x_, with a step of similar length.
   void restart(const S& t) {
     if constexpr (requires { solver_.restart(t, x_, keep_step); }) {
       solver_.restart(t, x_, keep_step);
@@ -100,12 +100,12 @@ class event_loop {
     obey(kte::stop);
     observer_.settle(solver_);
   }
-  /// What an observer has said.
+  /// Obeys the result of an observer.
   void obey(bool goes_on) {
     if (!goes_on) record_.stop(stop_reason::observer, 0, {});
   }
 
-  /// Says whether the step has ended before its end.
+  /// Returns whether the step has ended early.
   bool handle_crossings(return_path& back) {
     for (bool first = true; watch_.find_next(); first = false) {
       bool acts = false;
@@ -183,14 +183,15 @@ class event_loop {
     e.on_reset(t, x_);
     check_state(e, k, t, "reset");
   }
-  /// The state after an event.
+  /// Checks the state after an event.
   template <class E>
   void check_state(const E& e, std::size_t k, const S& t, const char* maker) const {
     for (Eigen::Index i = 0; i < x_.size(); ++i)
       if (!is_finite(S(x_[i]))) [[unlikely]]
         watch::refuse(e, k, t, maker, " makes the state not finite", failure_reason::not_finite, i);
   }
-  /// The next step is not much longer than the time between the last two actions: so ever faster ones are resolved.
+  /// Limits the next step to a small multiple of the time between the last two actions, so that accelerating sequences
+  /// are resolved.
   void go_on_after(const S& t) {
     const S since = watch::distance(t, last_action_);
     if (since > S(0)) pace_ = since;
@@ -199,7 +200,7 @@ class event_loop {
     go_for(is_near ? t_end_ : t < t_end_ ? S(t + 4 * pace_) : S(t - 4 * pace_));
   }
 
-  /// Where a reset did not send g back, there is rest, from the start of the step on.
+  /// If a reset did not send g back, the state counts as at rest, from the start of the step on.
   bool one_is_stuck(return_path& back) {
     bool any = false;
     watch_.for_each([&](auto&, status& s, std::size_t) { any = any || s.stuck; });

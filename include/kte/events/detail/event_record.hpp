@@ -14,14 +14,14 @@ class event_record {
 
   event_record(List& events, const X& x) : events_(events), latest_{0, S(0), x, x, false, {}} {}
 
-  /// An event happens: at first with the state before it,
+  /// Begins an event, with the state before it.
   void before(std::size_t k, std::string_view name, const S& t, const X& x) {
     latest_.event = k;
     latest_.name = name;
     latest_.time = t;
     latest_.before = x;
   }
-  /// then with the one after it, by `reset` or `rest`.
+  /// Completes it, with the state after `reset` or `rest`.
   void after(const X& x, bool rest) {
     latest_.after = x;
     latest_.rest = rest;
@@ -33,7 +33,7 @@ class event_record {
     if (++report_.count > events_.settings.most) stop(stop_reason::zeno, latest_.event, latest_.name);
   }
 
-  /// The first reason counts.
+  /// Stops the integration; the first reason is kept.
   void stop(stop_reason why, std::size_t k, std::string_view name) {
     if (stopped_) return;
     stopped_ = true;

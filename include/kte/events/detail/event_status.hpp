@@ -4,38 +4,38 @@
 
 namespace kte::detail {
 
-/// The status of an event. A side is the sign of g: -1 or 1; 0 where it follows only from the motion.
+/// The status of an event. A side is the sign of g, -1 or 1, or 0 if only the motion determines it.
 template <class S>
 struct event_status {
   S value{};     ///< g at the start of the step
-  S noise{0};    ///< up to this |g| may be rounding: since the last crossing, until g has left zero
+  S noise{0};    ///< |g| up to this may be rounding, since the last crossing until g has left zero
   int side = 0;  ///< at the start of the step
-  int from = 0;  ///< after a reset of a one-sided event: the side that it has to come back to; 0: nothing due
+  int from = 0;  ///< after a reset of a one-sided event: the side to which it must return; 0: none
   S last_reset{};
   bool has_reset = false, rested = false;
 
-  int reached = 0;       ///< side up to which the step has been searched: at its end, or before the crossing found
-  S noise_there{0};      ///< `noise` there
-  bool shared = false;   ///< searched by the values that are taken for all events together
-  bool stuck = false;    ///< a reset did not send g back
-  bool found = false;    ///< a crossing
-  bool happens = false;  ///< it is the next one
+  int reached = 0;       ///< side at which the search has ended: at the end of the step, or before the crossing found
+  S noise_there{0};      ///< `noise` at that time
+  bool shared = false;   ///< whether its values are computed together with those of other events
+  bool stuck = false;    ///< whether a reset did not send g back
+  bool found = false;    ///< whether a crossing was found
+  bool happens = false;  ///< whether it is the next crossing
   S time{}, next_noise{};
 
-  /// At the end of a step: g is y.
+  /// At the end of a step, where g is y.
   void renew(const S& y) {
     value = y;
     side = sign_of(y, noise_there, reached);
     noise = sign_of(y, noise_there, 0) != 0 ? S(0) : noise_there;
     if (side != 0) from = 0;
   }
-  /// Where another event has ended the step.
+  /// At the end of a step that another event has ended.
   void renew_elsewhere(const S& y) {
     noise_there = noise;
     if (noise == S(0)) reached = 0;  // the state may have jumped
     renew(y);
   }
-  /// At its crossing, which has ended the step: g is y.
+  /// At its crossing, which has ended the step; g is y.
   void renew_at_crossing(const S& y) {
     noise = next_noise;
     value = y;

@@ -4,7 +4,7 @@
 
 namespace kte::detail {
 
-/// Looks for the events in the last step of a solver, one after the other.
+/// Finds the events in the last step of a solver, one after the other.
 template <class Solver, class List>
 class event_watch : public watched_events<Solver, List> {
   using base = watched_events<Solver, List>;
@@ -26,8 +26,8 @@ class event_watch : public watched_events<Solver, List> {
     search_shared();
     if (end_ == t_end_) this->for_each([&](auto& e, status& s, std::size_t k) { look_at_end(e, s, k); });
   }
-  /// The next crossing of the step: the events k that `happens`, at the time `next()`. Those that cannot be told apart
-  /// happen together, when the last of them is beyond zero.
+  /// The next crossing of the step: the events k that `happens`, at the time `next()`. Events whose times cannot be
+  /// distinguished happen together, when the last of them is beyond zero.
   bool find_next() {
     bool any = false;
     for (const status& s : this->status_)
@@ -41,7 +41,7 @@ class event_watch : public watched_events<Solver, List> {
     return true;
   }
   const S& next() const { return next_; }
-  /// Goes on with the step after a crossing that has not ended it.
+  /// Continues the search after a crossing that has not ended the step.
   template <class E>
   void pass(E& e, status& s, std::size_t k) {
     s.found = false;
@@ -54,7 +54,7 @@ class event_watch : public watched_events<Solver, List> {
     using std::abs;
     return abs(S(a - b));
   }
-  /// What times near t are rounded by.
+  /// The rounding error of times near t.
   S resolution(const S& t) const {
     using std::abs;
     const S size = abs(t), since = distance(t, start_);
@@ -72,10 +72,10 @@ class event_watch : public watched_events<Solver, List> {
   static void found(status& s, const S& t) {
     s.found = true;
     s.time = t;
-    s.next_noise = (std::numeric_limits<S>::min)();  // not 0: g has just been there
+    s.next_noise = (std::numeric_limits<S>::min)();  // not 0, because g was just zero
   }
 
-  /// An event at zero is searched from where it has left it; the others together.
+  /// Searches an event at zero from where it has left zero, and the others together.
   template <class E>
   void set_out(E& e, status& s, std::size_t k) {
     s.reached = s.side;
@@ -87,11 +87,11 @@ class event_watch : public watched_events<Solver, List> {
     const auto left = depart(this->along(e, k), begin_, end_, s.noise);
     s.stuck = left.side != 0 && s.from == -left.side;
     if (left.side == 0 || s.stuck) return;
-    if (s.side == -left.side && is_wanted(e, s)) return found(s, begin_);  // the step before has ended at zero
+    if (s.side == -left.side && is_wanted(e, s)) return found(s, begin_);  // the previous step has ended at zero
     s.reached = left.side;
     search_from(e, s, k, left.time);
   }
-  /// Takes the states along the step once for all.
+  /// Computes the states along the step once for all events.
   void search_shared() {
     const int pieces = this->settings().pieces;
     for (int p = 0; p < pieces; ++p) {
@@ -131,7 +131,7 @@ class event_watch : public watched_events<Solver, List> {
     s.noise_there = in.noise();
     s.next_noise = in.next_noise();
   }
-  /// Zero at the end of a step is judged by the next step; at the end of all it is a crossing.
+  /// A zero at the end of a step is decided by the next step; at the end of the integration it is a crossing.
   template <class E>
   void look_at_end(E& e, status& s, std::size_t k) {
     if (s.found || s.reached == 0 || s.noise_there != S(0) || this->value(e, k, end_, this->solver_.state()) != S(0))

@@ -4,11 +4,11 @@
 
 namespace kte::detail {
 
-/// The quartic through the values y_0 ... y_4 at even distances lies, between them, within the hull of its Bernstein
-/// coefficients. These are y_0, the three that this function gives, and y_4:
+/// The quartic through values y_0 ... y_4 at equal distances lies, between them, within the hull of its Bernstein
+/// coefficients. These are y_0, the three results of this function, and y_4:
 ///
 ///   b_1 = (-13 y_0 + 48 y_1 - 36 y_2 + 16 y_3 - 3 y_4) / 12
-///   b_2 = (13 y_0 - 64 y_1 + 120 y_2 - 64 y_3 + 13 y_4) / 18,   b_3 as b_1 mirrored
+///   b_2 = (13 y_0 - 64 y_1 + 120 y_2 - 64 y_3 + 13 y_4) / 18,   b_3 like b_1, mirrored
 ///
 /// Farouki, The Bernstein polynomial basis, Comput. Aided Geom. Design 29 (2012), 3; solved for values at i/4.
 template <class S>
@@ -18,7 +18,7 @@ std::array<S, 3> inner_bernstein(const std::array<S, 5>& y) {
           S((-13 * y[4] + 48 * y[3] - 36 * y[2] + 16 * y[1] - 3 * y[0]) / 12)};
 }
 
-/// How far the values y_1, y_3, y_5, y_7 are at most from the quartic through y_0, y_2, y_4, y_6, y_8.
+/// The largest distance of the values y_1, y_3, y_5, y_7 from the quartic through y_0, y_2, y_4, y_6, y_8.
 template <class S>
 S quartic_misfit(const std::array<S, 9>& y) {
   const auto outer = [](const S& a, const S& b, const S& c, const S& d, const S& e) {

@@ -11,17 +11,18 @@ struct sign_change {
   S before, f_before, after, f_after;
 };
 
-/// A root of f between a and b, where f(a) > 0 and f(b) <= 0; a may lie on either side of b. Ends where before and
-/// after are within 2 eps |x|, or at f = 0.
+/// A root of f between a and b, where f(a) > 0 and f(b) <= 0; a may be on either side of b. Ends when `before` and
+/// `after` are within 2 eps |x|, or at f = 0.
 ///
-/// Inverse quadratic interpolation through the last three points where those are monotonic enough, else bisection:
-/// Chandrupatla, Adv. Eng. Softw. 28 (1997), 145-149. With one addition that bounds the number of steps, by four for
-/// each bit: bisection too where three steps have not halved the interval.
+/// Inverse quadratic interpolation through the last three points if they are sufficiently monotonic, otherwise
+/// bisection (Chandrupatla, Adv. Eng. Softw. 28 (1997), 145-149). An addition bounds the number of steps to four per
+/// bit: bisection also after three steps that have not halved the interval.
 template <class S, class F>
 sign_change<S> find_sign_change(F&& f, const S& a, const S& fa, const S& b, const S& fb) {
   using std::abs;
   const S eps = std::numeric_limits<S>::epsilon(), smallest = eps * eps * abs(S(b - a));
-  S x = b, fx = fb, y = a, fy = fa, z = y, fz = fy;  // x: the newest; y: across the root; z: the one before
+  S x = b, fx = fb, y = a, fy = fa, z = y,
+    fz = fy;  // x: the newest; y: on the other side of the root; z: the previous one
   S t = S(0.5), goal = abs(S(b - a)) / 2;
   for (int steps = 0; fx != S(0); ++steps) {
     const S width = abs(S(y - x)), ax = abs(x), ay = abs(y), tolerance = eps * (ax < ay ? ay : ax) + smallest;

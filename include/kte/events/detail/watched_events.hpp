@@ -49,7 +49,7 @@ class watched_events {
                                    std::to_string(k) + quoted(name_of(e)) + why,
                                when, reason, std::string(name_of(e)), component);
   }
-  /// As it was `named`, else as its function says.
+  /// The name given by `named`, otherwise that of its function.
   template <class E>
   static auto name_of(const E& e) {
     if constexpr (requires { e.function.name(); }) {

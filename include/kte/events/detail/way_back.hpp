@@ -2,8 +2,8 @@
 
 namespace kte::detail {
 
-/// Puts a solver back to a time and state where a function throws that looks at the step after them, or acts in it:
-/// unless `arrived`, when this ends. Built without exceptions, it does nothing.
+/// Restores a solver to a time and state if the scope is left by an exception before `arrived` is set. Without
+/// exceptions enabled, it does nothing.
 template <class Solver, class S, class X>
 class way_back {
  public:

@@ -7,8 +7,8 @@
 
 namespace kte::detail {
 
-/// What an Adams method knows of the past: slopes f_0 (the newest), f_1, ... at the times t_0, t_1, ... with any
-/// spacing, kept as modified divided differences:
+/// The history of an Adams method: slopes f_0 (the newest), f_1, ... at the times t_0, t_1, ... with any spacing, as
+/// modified divided differences:
 ///
 ///   phi_0 = f_0,   phi_j = (t_0 - t_1) ... (t_0 - t_j) f[t_0, ..., t_j]                              (1)
 ///
@@ -18,15 +18,15 @@ namespace kte::detail {
 ///   mean = sum_{j<k} g_j beta_j phi_j                                                               (3)
 ///   g_j = int_0^1 prod_{i<j} (1 - u h / (t - t_i)) du                                               (4)
 ///
-/// With the slope f at t in the history, its differences are
+/// After adding the slope f at t to the history, its differences are
 ///
 ///   phi'_0 = f,   phi'_{j+1} = phi'_j - beta_j phi_j                                                (5)
 ///
-/// The mean of P over a time s from t_1 on is
+/// The mean of P over a time s from t_1 is
 ///
 ///   sum_{j<k} phi_j int_0^1 prod_{i<j} (t_1 + s u - t_i) / (t_0 - t_{i+1}) du                       (6)
 ///
-/// Vectors have zeros added so that they are blocks of `width` numbers: sums of many are made in registers.
+/// Vectors are padded with zeros to blocks of `width` numbers, so that long sums are computed in registers.
 ///
 /// Hairer, Norsett and Wanner, Solving Ordinary Differential Equations I, 1993, III.5; Shampine and Gordon, Computer
 /// Solution of Ordinary Differential Equations, 1975, chapter 5.
@@ -51,20 +51,20 @@ class adams_differences {
   }
   /// Forgets all slopes but the newest.
   void forget() { known_ = 1; }
-  /// How many slopes are known.
+  /// The number of known slopes.
   int known() const { return known_; }
   auto newest() const { return difference(0); }
   /// phi_j of (1), for j < known().
   auto difference(int j) const { return of_state(phi_[at(j)]); }
-  /// g_j and beta_j of the step that was aimed at, for j <= k + 1 and j <= k, and below known() + 1 and known().
+  /// g_j and beta_j of the step prepared by `aim`, for j <= k + 1 and j <= k, and below known() + 1 and known().
   const S& g(int j) const { return g_[j]; }
   const S& beta(int j) const { return beta_[j]; }
-  /// (2) and (3) of that step.
+  /// (2) and (3) for this step.
   auto slope() const { return of_state(slope_); }
   auto mean() const { return of_state(mean_); }
 
-  /// Prepares a step to t by a prediction with k slopes: (2), (3), (4). Slopes that not even order k + 1 needs then are
-  /// forgotten.
+  /// Prepares a step to t by a prediction with k slopes: (2), (3), (4). Slopes beyond the needs of order k + 1 are
+  /// dropped.
   void aim(const S& t, int k) {
     if (known_ > k + 1) known_ = k + 1;
     const coefficients since = t - times_, growth = since * inverse_span_;
@@ -82,7 +82,7 @@ class adams_differences {
         });
     for (Eigen::Index r = 0; r < slope_.size(); r += width) {
       block p = block::Zero(), m = block::Zero();
-      for (int j = k - 1; j >= 0; --j) {  // small ones first
+      for (int j = k - 1; j >= 0; --j) {  // small terms first
         const block d = block_of(phi_[at(j)], r);
         p += beta_[j] * d;
         m += of_mean[j] * d;
@@ -91,10 +91,10 @@ class adams_differences {
       block_of(mean_, r) = m;
     }
   }
-  /// The slope f at the time aimed at, for `append`: some time before that, as processors wait where they read wide
-  /// what was just written in narrow pieces.
+  /// Stores the slope f at the time of `aim`, for `append`. Call it early, because processors wait if they read in wide
+  /// registers what was just written in narrow ones.
   void offer(const X& f) { of_state(offered_) = f; }
-  /// Appends what was offered, at the time aimed at: (5).
+  /// Appends the slope of `offer`, at the time of `aim`: (5).
   void append(const S& t) {
     const int kept = known_ < most ? known_ : most - 1;
     for (Eigen::Index r = 0; r < slope_.size(); r += width) {
@@ -111,7 +111,7 @@ class adams_differences {
     times_[0] = t;
     known_ = kept + 1;
   }
-  /// mean = (6) with k slopes, of the last step. Exact as s goes to 0.
+  /// mean = (6) with k slopes, for the last step. Exact as s goes to 0.
   void interpolate(const S& s, int k, X& mean) const {
     mean.setZero();
     rule_.average_products(
@@ -133,8 +133,7 @@ class adams_differences {
   static constexpr int padded_rows = rows == Eigen::Dynamic ? Eigen::Dynamic : static_cast<int>(padded(rows));
   using column = Eigen::Matrix<S, padded_rows, 1>;
   using block = Eigen::Array<S, width, 1>;
-  /// One number a slope, and some more. Those of slopes that are not known come from times before, so that dividing by
-  /// them all is no error.
+  /// One number per slope, padded. Times of unknown slopes are chosen earlier, so that no division is by zero.
   using coefficients = Eigen::Array<S, 16, 1>;
 
   static std::size_t at(int j) { return static_cast<std::size_t>(j); }

@@ -9,24 +9,23 @@
 
 namespace kte::detail {
 
-/// The squares of the norms e of the errors of a step of order k, and of what they would be with the orders beside it;
-/// infinite where that is not known. An error of order k is as h^(k+1), so the step that brings it to one half is,
-/// times the last one,
+/// The squared norms e of the errors of a step of order k, and of the neighbouring orders; infinite if unknown. An
+/// error of order k is proportional to h^(k+1), so the step with an error of one half is the last step times
 ///
 ///   f_k = (1 / (2 e_k))^(1/(k+1))                          (1)
 ///
-/// The order with the largest is taken. A method with a history prefers equal steps, so one grows by 1.2 to 2 or not at
-/// all, and is 0.5 to 0.9 of the last one if it shrinks.
+/// The order with the largest f_k is chosen. Methods with a history prefer equal steps: a step grows by 1.2 to 2 or not
+/// at all, and shrinks to 0.5 to 0.9 of the last one.
 template <class S>
 struct adams_errors {
   S same;
   S lower = std::numeric_limits<S>::infinity();
   S higher = lower;
 
-  /// Not with the tolerances, but with what is more by this factor, squared.
+  /// Replaces the tolerances as the unit of errors by a multiple of them. `square`: the factor, squared.
   void compare_with(const S& square) { same /= square, lower /= square, higher /= square; }
 
-  /// The step after one of this length was accepted, for which `proposed` had been chosen; sets its order.
+  /// The length of the next step after an accepted step, for which `proposed` had been chosen; sets its order.
   KTE_INLINE S next_step(const S& length, const S& proposed, int& order) const {
     float f = log_factor(same, order);
     const float fewer = log_factor(lower, order - 1), more = log_factor(higher, order + 1);
@@ -37,9 +36,9 @@ struct adams_errors {
     }
     const S next = f < 0 ? length * factor(-1, f, log_09) : f < log_12 ? length : length * factor(0, f, 1);
     if (proposed <= length || proposed <= next) return next;
-    return proposed < 10 * length ? proposed : S(10 * length);  // cut short, which says nothing about the next
+    return proposed < 10 * length ? proposed : S(10 * length);  // a step cut short says nothing about the next
   }
-  /// The step after one of this length was rejected; sets its order.
+  /// The length of the next try after a rejected step; sets its order.
   S shorter_step(const S& length, int& order) const {
     const float f = log_factor(same, order);
     if (lower < same) --order;
@@ -47,9 +46,9 @@ struct adams_errors {
   }
 
  private:
-  static constexpr float log_10 = 3.3219281f, log_12 = 0.2630344f, log_09 = -0.1520031f;  // to base 2, as all here
+  static constexpr float log_10 = 3.3219281f, log_12 = 0.2630344f, log_09 = -0.1520031f;  // base 2
 
-  /// 2^x, but not of an x out of this range; of `least` for an x that is not a number.
+  /// 2^x for x in the range; the bound for other x; 2^least for NaN.
   KTE_INLINE static S factor(float least, float x, float most) {
     return S(std::exp2(x > most ? most : x > least ? x : least));
   }

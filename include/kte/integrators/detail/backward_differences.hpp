@@ -21,7 +21,7 @@ class backward_differences {
  public:
   static constexpr int most = 5;  ///< degree of the polynomial
 
-  /// The history of the line from x with the slope times the step.
+  /// Starts with the line through x with this slope times the step.
   template <class X, class D>
   void start(const X& x, const D& difference) {
     columns_.setZero(x.size(), most + 3);
@@ -53,8 +53,8 @@ class backward_differences {
       out += b * columns_.col(j);
     }
   }
-  /// The next state differs by d from what (2) says; then D^{k+1} of it is d. Gives also D^{k+2}, if this is the second
-  /// time with the same k and h.
+  /// The next state differs by d from its prediction (2); d is then its D^{k+1}. Also computes D^{k+2} if k and h are
+  /// those of the previous call.
   template <class X>
   void add(int k, const X& d) {
     columns_.col(k + 2) = d - columns_.col(k + 1);
@@ -74,9 +74,9 @@ class backward_differences {
  private:
   using square = Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic, 0, most, most>;
 
-  /// The matrix R(r) U of (3): of row j, column i.
+  /// The matrix R(r) U of (3), row j, column i.
   static square changes(int k, const S& r) { return values(k, r).lazyProduct(values(k, S(1))); }
-  /// b_j(-m r): row j, column m, from 1.
+  /// b_j(-m r), row j, column m, from 1.
   static square values(int k, const S& r) {
     square b(k, k);
     for (int m = 1; m <= k; ++m) {

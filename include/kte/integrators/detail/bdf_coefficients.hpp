@@ -7,7 +7,7 @@
 
 namespace kte {
 
-/// Which formula `bdf` integrates by.
+/// The family of formulas of `bdf`.
 enum class bdf_formula {
   numerical_differentiation,  ///< NDF: steps longer by 26 % at orders 1 to 3, 12 % at order 4, none at 5
   backward_differentiation    ///< BDF: more stable at orders 3 and 4
@@ -21,9 +21,9 @@ namespace detail {
 ///   d = c f(t_{n+1}, p + d) - sum_{j=1}^k w_j D^j x_n,   c = h / ((1 - kappa) g_k),   w_j = c g_j / h    (2)
 ///   C_k = kappa g_k + 1 / (k + 1)                                                                        (3)
 ///
-/// (2) is (1) solved for d = D^{k+1} x_{n+1}. The error that a step adds is C_k d. With kappa = 0 these are the BDF;
-/// else the NDF, whose kappa makes C_k smaller for less stability: A-stable at orders 1 and 2; at orders 3, 4, 5 stable
-/// within 80, 66, 51 degrees of the negative real axis, where the BDF have 86, 73, 51.
+/// (2) is (1) solved for d = D^{k+1} x_{n+1}. The local error of a step is C_k d. kappa = 0 gives the BDF. The NDF have
+/// a smaller C_k and less stability: A-stable at orders 1 and 2; at orders 3, 4, 5 stable within 80, 66, 51 degrees of
+/// the negative real axis (BDF: 86, 73, 51).
 ///
 /// Shampine and Reichelt, The MATLAB ODE Suite, SIAM J. Sci. Comput. 18 (1997), section 2.
 template <class S>
@@ -47,8 +47,8 @@ class bdf_coefficients {
   S slope(int k) const { return 1 / leading_[at(k)]; }
   /// w_j.
   S history(int k, int j) const { return harmonic_[at(j)] / leading_[at(k)]; }
-  /// The largest w h at which an oscillation of w rad/s without damping grows by less than 2e-4 a step, or not at all:
-  /// the largest root of (1) for f = i w x. Infinite at orders 1 and 2.
+  /// The largest w h at which an undamped oscillation of w rad/s grows by less than 2e-4 per step: the largest root of
+  /// (1) for f = i w x. Infinite at orders 1 and 2.
   static S stable_angle(int k) {
     return k < 3 ? std::numeric_limits<S>::infinity() : k == 3 ? S(0.2) : k == 4 ? S(0.3) : S(0.7);
   }

@@ -4,23 +4,23 @@
 
 namespace kte::detail {
 
-/// An order, and the change of the step with it.
+/// An order, and the factor of the step for it.
 template <class S>
 struct order_choice {
   int order;
   S factor;
 };
 
-/// The next order and step after equal steps of order k: the order q among k - 1, k, k + 1 of the longest step, up to
-/// `most`. error(q) gives e_q, the size of the error with order q: at most 1 where it is within the tolerances;
-/// stable(q) the longest step, times the present one, that order q may take (`bdf_coefficients::stable_angle`).
+/// The next order and step after equal steps of order k: the order q among k - 1, k, k + 1 with the longest step, up to
+/// `most`. error(q) is e_q, the norm of the error at order q (at most 1 within the tolerances). stable(q) is the
+/// longest stable step at order q, relative to the present one (`bdf_coefficients::stable_angle`).
 ///
 ///   r_q = (b e_q)^(-1/(q + 1)),   b = 6,   10 for q = k + 1;   0.2 to min(10, stable(q))                  (1)
 ///
-/// Where that binds order k > 3, order 2 is considered, too.
+/// If this limits an order k > 3, order 2 is also considered.
 ///
-/// The margins b make rejected steps rare, and changes to a higher order reluctant. Steps stay where they could grow by
-/// less than 1.3: a change costs a factorization, and the wait for k + 1 equal steps. They shrink before they fail.
+/// The margins b make rejected steps rare, and increases of the order reluctant. A step that could grow by less than
+/// 1.3 stays, because a change costs a factorization and k + 1 equal steps. Steps shrink before they fail.
 ///
 /// The margins are those of Brown, Byrne and Hindmarsh, VODE: a variable-coefficient ODE solver, SIAM J. Sci. Stat.
 /// Comput. 10 (1989).
@@ -44,7 +44,7 @@ order_choice<S> choose_order(int k, int most, const Size& error, const Stable& s
   return best;
 }
 
-/// By how much a step of order k shrinks whose error was too large: (1), 0.1 to 0.7.
+/// The factor of the step at order k after its error was too large: (1), 0.1 to 0.7.
 template <class S>
 S shrink_step(int k, const S& error) {
   using std::pow;

@@ -12,7 +12,7 @@ namespace kte {
 ///
 ///   (I - c J) D = c f(t + h, p + d) - sum_j w_j D^j x - d,   d <- d + D                      (1)
 ///
-/// The Jacobian J stays until they converge badly, the matrix as long as the order and the step do.
+/// The Jacobian J is kept until the iterations converge slowly; the matrix is kept as long as order and step.
 template <class Method, class F, class X>
 class bdf_step : public implicit_integrator<Method, F, X> {
   using base = implicit_integrator<Method, F, X>;
@@ -33,14 +33,14 @@ class bdf_step : public implicit_integrator<Method, F, X> {
     slope_is_known_ = true;
     return slope_;
   }
-  /// A history of the present state and slope only, for steps h and order 1.
+  /// A history of the present state and slope only, with step h and order 1.
   void begin_history(const S& h) {
     differences_.start(this->x_, h * slope_now());
     h_ = h;
     order_ = 1;
     equal_steps_ = 0;
   }
-  /// Another step; but a difference of less than 1/100 that is lost in the rounding of times is none.
+  /// Sets another step length, unless it differs by less than 1/100 due to the rounding of times.
   void change_step(const S& h) {
     using std::abs;
     const S difference = abs(S(h - h_));
@@ -58,7 +58,8 @@ class bdf_step : public implicit_integrator<Method, F, X> {
     matrix_is_known_ = false;
   }
 
-  /// (1), until `end`; the solution is left in `next_`. Says whether that was possible; otherwise `obstacle_` says why.
+  /// Solves (1) for the time `end`; the solution is in `next_`. Returns whether this was possible; otherwise
+  /// `obstacle_` says why.
   bool solve_formula(const S& end) {
     using std::abs;
     if (!jacobian_is_known_) renew_jacobian();
@@ -69,7 +70,7 @@ class bdf_step : public implicit_integrator<Method, F, X> {
     correction_.setZero();
     this->next_ = predicted_;
     const S rounding = size(std::numeric_limits<S>::epsilon() * this->x_) + abs(c_) * floor_.size();
-    newton_.begin(S(0.05), rounding);  // a small part of the error that a step may have
+    newton_.begin(S(0.05), rounding);  // a small part of the permitted error
     auto progress = detail::newton::go_on;
     while (progress == detail::newton::go_on) {
       this->evaluate(end, this->next_, change_);
@@ -83,8 +84,7 @@ class bdf_step : public implicit_integrator<Method, F, X> {
       obstacle_ = this->next_is_finite() ? detail::diverging : detail::not_finite;
     return progress == detail::newton::converged;
   }
-  /// How many times the tolerances the error of a try is compared with. What rounding makes of f, W^-1 takes back to
-  /// what that does to the solution.
+  /// The factor on the tolerances for the error of a try. W^-1 maps the rounding error of f to that of the solution.
   S level_of_rounding(const S& error) {
     if (error <= S(1) && floor_.is_below()) return S(1);
     const auto norm = [&](const auto& r) {
@@ -102,11 +102,11 @@ class bdf_step : public implicit_integrator<Method, F, X> {
     return oscillation_ == S(0) ? std::numeric_limits<S>::infinity()
                                 : S(detail::bdf_coefficients<S>::stable_angle(q) / oscillation_);
   }
-  /// The error of the step that is solved.
+  /// The error of the step that has been solved.
   S error() const { return size(formulas_.error(order_) * correction_); }
-  /// The error of the step that ends with `next_`, had it been of order q, which is the present one or one beside it.
+  /// The error of the step that ends with `next_` if it had order q, the present order or a neighbour.
   S error(int q) const { return size(formulas_.error(q) * differences_[q + 1]); }
-  /// The state `next_` belongs to the history from now on.
+  /// Adds the state `next_` to the history.
   void extend_history() {
     differences_.add(order_, correction_);
     this->next_ = differences_[0];
@@ -114,14 +114,14 @@ class bdf_step : public implicit_integrator<Method, F, X> {
     slope_is_known_ = jacobian_is_new_ = false;
   }
 
-  detail::backward_differences<S, X::RowsAtCompileTime> differences_;  ///< of the states until now, h apart
-  rate slope_, change_;                                                ///< f now, if it is known; D of (1)
+  detail::backward_differences<S, X::RowsAtCompileTime> differences_;  ///< of the states until now, with spacing h
+  rate slope_, change_;                                                ///< f at the present state, if known; D of (1)
   S h_{0};                                                             ///< with its sign
   int order_ = 1;
-  int equal_steps_ = 0;        ///< how many steps were of this order and length
+  int equal_steps_ = 0;        ///< number of steps with this order and length
   detail::obstacle obstacle_;  ///< why (1) could not be solved
   bool slope_is_known_ = false, jacobian_is_known_ = false;
-  bool jacobian_is_new_ = false;  ///< J is that of the present state
+  bool jacobian_is_new_ = false;  ///< whether J is that of the present state
 
  private:
   bool factorize_for(const S& c) {
@@ -144,8 +144,8 @@ class bdf_step : public implicit_integrator<Method, F, X> {
   detail::newton_progress<S> newton_;
   detail::rounding_floor<S> floor_;
   rate correction_, predicted_, history_;  ///< d, p and the sum of (1)
-  S oscillation_{0};                       ///< the fastest that is weakly damped, rad/s, by J
-  S c_{0};                                 ///< of the matrix
+  S oscillation_{0};                       ///< the fastest weakly damped oscillation of J, rad/s
+  S c_{0};                                 ///< c of the factorized matrix
   bool matrix_is_known_ = false;
 };
 

@@ -5,13 +5,13 @@
 
 namespace kte::detail {
 
-/// Dense output for which the s stages of a step are not enough. More stages, which no step needs, and a polynomial:
+/// Dense output that needs more than the s stages of a step: additional stages, and a polynomial:
 ///
 ///   k_i = f(t + c_i h, x + h sum_{j<i} a_ij k_j),   i > s                                           (1)
 ///   p(theta) = sum_l p_l theta^l,   p_l = sum_i d_li k_i                                            (2)
 ///
-/// Made once a step, when it is first asked for times between the ends. A `Tableau` may have an `extension` with
-/// `stages`, `c`, `a` of those stages, and `dense` (d_l). Without one this is empty.
+/// Computed once per step, when a time between step ends is first requested. A `Tableau` may have an `extension` with
+/// `stages`, `c`, `a` of these stages, and `dense` (d_l). Without one this class is empty.
 template <class Tableau, class Rate>
 class continuous_extension {
  public:
@@ -31,10 +31,10 @@ class continuous_extension<Tableau, Rate> {
 
   explicit continuous_extension(const Rate& zero) { p_.fill(zero); }
 
-  /// There is a new step.
+  /// Discards the stages, for a new step.
   void forget() { made_ = false; }
-  /// (1) and (2) for the step h from t, unless they are there. k: all stages, those of the step being known.
-  /// slope(t, d, k): the rate k of the displacement d from the start of the step. Says whether the result is finite.
+  /// (1) and (2) for the step h from t, if not yet computed. k: all stages; those of the step are given.
+  /// slope(t, d, k): the rate k of the displacement d from the start of the step. Returns whether the result is finite.
   template <class Slopes, class Slope>
   bool make(const S& t, const S& h, Slopes& k, const Slope& slope) {
     if (made_) return true;

@@ -5,7 +5,7 @@
 
 namespace kte::detail {
 
-/// `error_norm` of several errors of one step, with one division a component.
+/// `error_norm` of several errors of one step, with one division per component.
 template <class X>
 class error_weights {
  public:
@@ -23,7 +23,7 @@ class error_weights {
       inverse_[i] = S(1) / S(absolute_[i] + relative_[i] * (before < after ? after : before));
     }
   }
-  /// The square of the norm of e by the last weights, which are those of these states.
+  /// The squared norm of e by the last weights, which must be those of x0 and x1.
   template <class E>
   KTE_INLINE S square(const E& e, const X& x0, const X& x1) const {
     const S mean = sum_by_packets(e.cwiseProduct(inverse_).cwiseAbs2()) * share_;
@@ -37,7 +37,7 @@ class error_weights {
  private:
   tolerances<S> tolerances_;
   X absolute_, relative_, inverse_;
-  S share_;  ///< of a component
+  S share_;  ///< weight of each component in the mean
 };
 
 }  // namespace kte::detail

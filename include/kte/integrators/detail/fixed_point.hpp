@@ -9,8 +9,8 @@ enum class iteration { converged, too_long, no_number };
 /// Iterates y = g(y) to rounding error: until the change no longer falls and is below 1e-3 of the square root of
 /// epsilon, relative to y. A contraction by a factor c then leaves an error of about epsilon / (1 - c).
 ///
-/// step() does one iteration and returns the size of the change, relative. A change that is not finite is g's own, but
-/// where y has more than doubled before: that overflows because the iteration diverges.
+/// step() does one iteration and returns the relative size of the change. A change that is not finite is attributed to
+/// g, unless y has more than doubled before: then the iteration diverges.
 template <class S, class Step>
 iteration iterate(const Step& step, int most = 60) {
   using std::sqrt;

@@ -5,15 +5,15 @@
 #include <type_traits>
 #include <utility>
 
-/// Who is told of an integration. They say whether to go on:
+/// Receivers of the progress of an integration. Each call returns whether to continue:
 ///
 ///   start(solver)           once
-///   step(solver)            the last step holds to its end
-///   before(solver, t, x)    the last step holds to an event that ends it, with the state x
+///   step(solver)            the last step is valid to its end
+///   before(solver, t, x)    the last step is valid to an event that ends it, with the state x
 ///   after(solver, t, x)     the state after a reset
 ///
-///   settle(solver)          after a no: puts the solver where it was said, unless that is the end of the step or the
-///                           event; says whether it did
+///   settle(solver)          after a call has returned false: moves the solver to the requested time, unless that is
+///                          the end of the step or the event; returns whether it did
 namespace kte::detail {
 
 struct no_observer {
@@ -39,7 +39,7 @@ struct no_observer {
   }
 };
 
-/// Calls an observer; what it returns counts where that is a bool.
+/// Calls an observer. Returns its result if that is a bool, otherwise true.
 template <class Observer, class S, class X>
 bool tell(Observer& observer, const S& t, const X& x) {
   if constexpr (std::is_same_v<std::invoke_result_t<Observer&, const S&, const X&>, bool>) {
@@ -80,7 +80,7 @@ class step_observer {
   Observer& observer_;
 };
 
-/// At the times of samples, and before and after resets.
+/// Calls an observer at the times of samples, and before and after resets.
 template <class Samples, class S, class X, class Observer>
 class sample_observer {
  public:
@@ -137,7 +137,7 @@ class sample_observer {
   Observer& observer_;
 };
 
-/// An observer that follows by itself, such as `solution`.
+/// An observer that is a receiver itself, such as `solution`.
 template <class Observer>
 concept follower = requires {
   typename Observer::follows_steps;

@@ -6,7 +6,7 @@
 
 namespace kte::detail {
 
-/// The mean of polynomials over 0 < u < 1 by the rule of Gauss and Legendre with n = 8 nodes, exact to degree 15:
+/// The mean of a polynomial over 0 < u < 1 by the Gauss-Legendre rule with n = 8 nodes, exact to degree 15:
 ///
 ///   int_0^1 p(u) du = sum_m w_m p(u_m),   u_m = (1 + z_m) / 2,   w_m = 1 / ((1 - z_m^2) P_n'(z_m)^2)          (1)
 ///
@@ -22,14 +22,14 @@ class gauss_rule {
     constexpr std::array zeros{0.1834346424956498, 0.5255324099163290, 0.7966664774136267, 0.9602898564975363};
     for (int m = 0; m < nodes / 2; ++m) {
       S z = static_cast<S>(zeros[static_cast<std::size_t>(m)]), slope;
-      for (int i = 0; i < 3; ++i) z -= legendre(z, slope) / slope;  // to 100 digits
+      for (int i = 0; i < 3; ++i) z -= legendre(z, slope) / slope;  // Newton's method, to 100 digits
       legendre(z, slope);
       left_[m] = (1 - z) / 2, right_[m] = (1 + z) / 2;
       weights_[m] = 1 / ((1 - z * z) * slope * slope);
     }
   }
 
-  /// Calls take(j, m) with the mean m of the product of the first j factors a(i) + b(i) u, for j = 0 to last.
+  /// Calls take(j, m) with the mean m of the product of the first j factors a(i) + b(i) u, for j = 0, ..., last.
   template <class A, class B, class Take>
   void average_products(int last, const A& a, const B& b, const Take& take) const {
     half left = weights_, right = weights_;
@@ -53,7 +53,7 @@ class gauss_rule {
     return p;
   }
 
-  half left_, right_, weights_;  ///< of the nodes below and above 1/2
+  half left_, right_, weights_;  ///< for the nodes below and above 1/2
 };
 
 }  // namespace kte::detail

@@ -2,8 +2,8 @@
 
 namespace kte::detail {
 
-/// The cubic that starts at 0 with the slope f0 and is d with the slope f1 after a step h, at the fraction theta, as an
-/// Eigen expression of d, f0 and f1:
+/// The cubic with value 0 and slope f0 at the start of a step h, and value d and slope f1 at its end, at the fraction
+/// theta, as an Eigen expression of d, f0 and f1:
 ///
 ///   theta d + theta (theta - 1) [(1 - 2 theta) d + (theta - 1) h f0 + theta h f1]
 ///
@@ -13,7 +13,7 @@ auto hermite_cubic(const S& theta, const S& h, const D& d, const R& f0, const R&
   const S r = S(1) - theta, rt = r * theta;
   return (theta + rt * (theta - r)) * d + (rt * r * h) * f0 - (rt * theta * h) * f1;
 }
-/// Its slope.
+/// The derivative of `hermite_cubic` by time.
 template <class S, class D, class R>
 auto hermite_slope(const S& theta, const S& h, const D& d, const R& f0, const R& f1) {
   const S r = S(1) - theta;

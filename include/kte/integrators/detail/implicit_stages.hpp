@@ -5,18 +5,18 @@
 
 namespace kte {
 
-/// One implicit stage after the other, for methods whose diagonal is constant. The displacement d of a stage, from the
-/// start of the step, and the slope k there:
+/// Implicit stages solved one after the other, for methods with a constant diagonal. With the displacement d of a stage
+/// from the start of the step, and the slope k there:
 ///
 ///   d = b + c k,   k = f(t, x + d)                                                                   (1)
 ///
-/// by simplified Newton iterations, until D is below a part of the tolerances:
+/// by simplified Newton iterations, until D is below a fraction of the tolerances:
 ///
 ///   W D = r,   r = b + c f(t, x + d) - d,   W = I - c J,   d <- d + D                                (2)
 ///
-/// J stays from step to step until they converge badly, W as long as c does, within 1/100. So the rate of convergence
-/// is not better than that, whatever it was when J was new. The slope at the solution is not evaluated, so that the
-/// error of D is not multiplied by the stiffness:
+/// J is kept from step to step until the iterations converge slowly; W is kept while c changes by less than 1/100. The
+/// rate of convergence is therefore not below 1/100, even with a new J. The slope at the solution is not evaluated,
+/// because stiffness would amplify the error of D:
 ///
 ///   k = f + J D = f + (D - r) / c                                                                    (3)
 ///
@@ -30,7 +30,7 @@ class implicit_stages : public implicit_integrator<Method, F, X> {
   using typename base::S;
 
  protected:
-  /// newton_tolerance: the part of the tolerances that (2) may leave.
+  /// newton_tolerance: the fraction of the tolerances that may remain in (2).
   implicit_stages(F f, const S& t0, const X& x0, const tolerances<S>& tol, const S& newton_tolerance)
       : base(std::move(f), t0, x0, tol), newton_tolerance_(newton_tolerance) {
     d_ = stage_slope_ = residual_ = correction_ = this->no_rate();
@@ -39,18 +39,18 @@ class implicit_stages : public implicit_integrator<Method, F, X> {
   bool jacobian_is_known() const { return jacobian_is_known_; }
   /// Whether J is that of the present state.
   bool jacobian_is_new() const { return jacobian_is_new_; }
-  /// At a start: discards all data of f.
+  /// For a start: discards all data of f.
   void forget_jacobian() { jacobian_is_known_ = jacobian_is_new_ = false; }
-  /// After a step: J is that of the state before.
+  /// After a step: J is that of the previous state.
   void keep_jacobian() { jacobian_is_new_ = false; }
-  /// slope: f at the present time and state; not (3), or differences would be wrong.
+  /// slope: f at the present time and state (not (3), which would make differences wrong).
   void renew_jacobian(const rate& slope) {
     this->differentiate(slope);
     jacobian_is_known_ = jacobian_is_new_ = true;
     matrix_c_ = S(0);
   }
 
-  /// Makes W ready for stages with c; what is in the way, or nothing.
+  /// Factorizes W for stages with c. Returns the obstacle, if any.
   detail::obstacle prepare_stages(const S& c) {
     using std::abs;
     if (abs(S(c - matrix_c_)) <= abs(matrix_c_) / 100) return {};
@@ -58,8 +58,8 @@ class implicit_stages : public implicit_integrator<Method, F, X> {
     matrix_c_ = this->factorize(c) ? c : S(0);
     return matrix_c_ == S(0) ? detail::singular : detail::obstacle{};
   }
-  /// Solves (1) at the time t, from a guess of k; what is in the way, or nothing. Leaves k, d_, and the slope as a rate
-  /// of the state in `stage_slope_`.
+  /// Solves (1) at the time t, starting from k. Returns the obstacle, if any. The results are k, d_, and the slope as a
+  /// rate of the state in `stage_slope_`.
   detail::obstacle solve_stage(const S& t, const S& c, const rate& b, rate& k) {
     d_ = b + c * k;
     newton_.begin(newton_tolerance_, size(std::numeric_limits<S>::epsilon() * this->magnitudes(this->x_)));
@@ -88,7 +88,7 @@ class implicit_stages : public implicit_integrator<Method, F, X> {
     }
   }
 
-  /// The norm of a displacement in terms of the tolerances.
+  /// The norm of a displacement relative to the tolerances.
   template <class E>
   S size(const E& e) const {
     const auto& sizes = this->magnitudes(this->x_);
@@ -102,7 +102,7 @@ class implicit_stages : public implicit_integrator<Method, F, X> {
   S newton_tolerance_;
   detail::newton_progress<S> newton_;
   rate residual_, correction_;
-  S matrix_c_{0};  ///< c that W is for; 0: for none
+  S matrix_c_{0};  ///< the c of W; 0 if there is no W
   bool jacobian_is_known_ = false, jacobian_is_new_ = false;
 };
 

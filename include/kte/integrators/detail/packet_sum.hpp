@@ -6,8 +6,8 @@
 
 namespace kte::detail {
 
-/// The sum of the numbers of a column, four at a time: packets, which clang++ does not make of `sum_by_four`. Not
-/// Eigen's sum: g++ 12 warns about it in Eigen's headers for AVX-512.
+/// The sum of the numbers of a column by packets of four, which clang++ does not generate for `sum_by_four`. Eigen's
+/// own sum causes warnings of g++ 12 in Eigen's headers for AVX-512.
 template <class E>
 KTE_INLINE typename E::Scalar sum_by_packets(const Eigen::DenseBase<E>& column) {
   using S = typename E::Scalar;

@@ -5,28 +5,27 @@
 
 namespace kte::detail {
 
-/// What of the errors of steps is rounding, which shorter steps do not cure. As times and states are rounded, f is off
-/// by about
+/// The part of step errors that is due to rounding, and that shorter steps do not reduce. Because times and states are
+/// rounded, f has an error of about
 ///
 ///   d = f(t + eps |t|, x + eps |x|) - f(t, x)          (1)
 ///
-/// and the error of a step of length h by h c d, where c is the share that the method has of it; implicit methods see
-/// W^-1 d, which is what a stiff system makes of d. Where that is more
-/// than the tolerances, errors are compared with it.
+/// and a step of length h an error of h c d, with a factor c of the method. For implicit methods d is replaced by W^-1
+/// d, its effect on a stiff system. If this exceeds the tolerances, errors are compared with it instead.
 ///
-/// Beyond 1e5 eps |f|, f may have jumped between the two times or states; or it is what is left of large terms, as of a
-/// controlled system that comes to rest. Then (1) is the least of three differences: over the rounding, over one to the
-/// other side, and from one rounding away to two. A jump is in two of them at most.
+/// Beyond 1e5 eps |f|, f may have jumped between the two times or states, or it is the difference of large terms, as in
+/// a controlled system that comes to rest. (1) is then the smallest of three differences: over one rounding forward,
+/// over one backward, and from one rounding to two. A jump affects at most two of them.
 template <class S>
 class rounding_floor {
  public:
-  /// Whether errors of at most 1 are what they seem.
+  /// Whether rounding is below the tolerances.
   bool is_below() const { return size_ == S(0); }
-  /// The norm of (1), where errors are more than they seem.
+  /// The norm of (1), if it exceeds the tolerances.
   const S& size() const { return size_; }
-  /// How many times the tolerances an error of a try is compared with. reach: h c; `tries`: until now; slope():
-  /// the norm of f; rounding(i, j): that of f j roundings away less f i of them away, an evaluation for each that is
-  /// not 0, asked for after rejections, and seldom.
+  /// The factor on the tolerances for the error of a try. reach: h c. `tries`: the number of tries so far. slope(): the
+  /// norm of f. rounding(i, j): the norm of the difference of f between i and j roundings away, one evaluation for each
+  /// nonzero index. It is called only after rejections, and seldom.
   template <class Slope, class Rounding>
   S level(const S& error, const S& reach, long long tries, const Slope& slope, const Rounding& rounding) {
     if (tries - measured_ >= (S(1) < error ? patience_ : 32)) {
@@ -45,12 +44,12 @@ class rounding_floor {
   /// The larger of a and b; a if b is NaN.
   static S least(const S& a, const S& b) { return b < a ? b : a; }
 
-  S size_{0};                 ///< the norm of (1) where it matters
-  long long measured_ = -64;  ///< tries until it was measured
-  int patience_ = 64;         ///< tries until a rejection makes it measured again
+  S size_{0};                 ///< the norm of (1), if it exceeds the tolerances
+  long long measured_ = -64;  ///< number of tries at the last measurement
+  int patience_ = 64;         ///< tries until a rejection triggers a new measurement
 };
 
-/// How far a k-th difference of numbers is off that are each off by something else of size 1:
+/// The error of a k-th difference of numbers with independent errors of size 1:
 ///
 ///   sqrt(sum_j binomial(k, j)^2) = sqrt(binomial(2 k, k))          (2)
 inline double rounding_of_difference(int k) {

@@ -6,13 +6,13 @@
 
 namespace kte::detail {
 
-/// Makes a fixed-point iteration x <- x + g(x) converge faster, for g(x) = 0: the change is s = B g with
+/// Accelerates a fixed-point iteration x <- x + g(x) for g(x) = 0. The change is s = B g with
 ///
 ///   B <- B + (s - B y)(s^T B) / (s^T B y),   y = g(x) - g(x + s),   B = 1 at first          (1)
 ///
-/// so that B becomes what the last changes say of -(dg/dx)^-1; it is kept for the next problem, which is almost the
-/// same. Where changes do not fall by half, B becomes 1 for the rest of the problem. B stays 1 for more than 16
-/// numbers, and for vectors of dynamic size.
+/// so that B approximates -(dg/dx)^-1 from the last changes. B is kept for the next problem, which is similar. If
+/// changes do not halve, B is 1 for the rest of the problem. B stays 1 for more than 16 numbers, and for vectors of
+/// dynamic size.
 ///
 /// Broyden, Math. Comp. 19 (1965), his first method.
 template <class S, int N>
@@ -21,14 +21,14 @@ class secant_iteration {
   using vector = Eigen::Matrix<S, N, 1>;
 
  public:
-  /// Another problem; `afresh`: like none before.
+  /// Begins another problem. `afresh`: discards B.
   void begin(bool afresh) {
     if (afresh || plain_) b_.setIdentity();
     plain_ = has_last_ = false;
   }
-  /// The iteration again, with B = 1.
+  /// Restarts the iteration with B = 1.
   void begin_plainly() { plain_ = true, has_last_ = false; }
-  /// g becomes s; size: of x.
+  /// Replaces g by s. size: the size of x.
   template <class V>
   void improve(V& g, const S& size) {
     if constexpr (learns) {

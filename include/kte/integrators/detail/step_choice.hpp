@@ -8,7 +8,7 @@
 
 namespace kte::detail {
 
-/// The obstacle to a step; without one the text is null.
+/// The reason why a step is not possible; the text is null if it is.
 struct obstacle {
   const char* text = nullptr;
   failure_reason reason = failure_reason::not_finite;
@@ -18,36 +18,36 @@ inline constexpr obstacle not_finite{"the next state or its derivative is not a 
 inline constexpr obstacle diverging{"Newton's iterations do not converge", failure_reason::no_convergence};
 inline constexpr obstacle singular{"the matrix of Newton's iterations is singular", failure_reason::singular_matrix};
 
-/// What came of trying a step.
+/// The result of trying a step.
 template <class S>
 struct attempt {
-  S error;  ///< its norm, or the square; at most 1: accepted. Not finite: there is no new state, because of the
-            ///< obstacle
+  S error;  ///< its norm, or the square; accepted if at most 1. Not finite: there is no new state, because of
+            ///< `obstacle`
   detail::obstacle obstacle = not_finite;
-  S next{0};  ///< length of the next step, or try, that the method proposes; 0: by the error
+  S next{0};  ///< length of the next step, or try, that the method proposes; 0: chosen by the error
 };
 
-/// Chooses the steps of an integrator by their errors, and lands on the end without a tiny last step.
+/// Chooses the steps of an integrator by their errors, and reaches the end without a tiny last step.
 template <class S>
 class step_choice {
  public:
-  /// The order of the error in h. A step that could grow, but by less than keep_below times, stays: a factorization of
-  /// its matrix then stays too.
+  /// order_of_error: of the error in h. A step that could grow by less than the factor keep_below is kept, with the
+  /// factorization of its matrix.
   explicit step_choice(int order_of_error, const S& keep_below = S(1))
       : order_of_error_(order_of_error), control_(order_of_error), keep_below_(keep_below) {}
 
-  /// A new `integrate`, of n components.
+  /// For a new `integrate` with n components.
   void start(const tolerances<S>& tol, Eigen::Index n) {
     tries_ = 0;
     within_reach_ = tol.are_within_reach(n);
   }
-  /// The length that is proposed for the next step.
+  /// The proposed length of the next step.
   const S& proposed() const { return step_; }
-  /// The step with the sign of the direction from t to t_end.
+  /// The proposed step, with the sign of the direction from t to t_end.
   S proposed(const S& t, const S& t_end) const { return t_end < t ? S(-step_) : step_; }
 
-  /// Chooses the first step from t to t_end. f0: slope at t; sizes: of the state; slope_after(h): slope after an Euler
-  /// step h; fail(why, reason): does not return.
+  /// Chooses the first step from t to t_end. f0: slope at t. sizes: of the state. slope_after(h): slope after an Euler
+  /// step h. fail(why, reason): throws.
   template <class R, class X, class Slope, class Fail>
   void choose_first(const S& t, const S& t_end, const tolerances<S>& tol, const R& f0, const X& sizes,
                     const Slope& slope_after, const Fail& fail) {
@@ -70,8 +70,8 @@ class step_choice {
     control_ = step_controller<S>(order_of_error_);
   }
 
-  /// Tries steps from t towards t_end until one is accepted, and says where it ends. sizes(): of the state at t;
-  /// try_step(end): an `attempt`; rejected: counts those; fail as above.
+  /// Tries steps from t towards t_end until one is accepted; returns its end. sizes(): of the state at t.
+  /// try_step(end): an `attempt`. rejected: incremented for each rejected try. fail: as above.
   template <class Sizes, class Try, class Fail>
   S take(const S& t, const S& t_end, const tolerances<S>& tol, const Sizes& sizes, long long& rejected,
          const Try& try_step, const Fail& fail) {
@@ -81,7 +81,7 @@ class step_choice {
     const S rest = abs(S(t_end - t)), least = least_step(t, rest);
     attempt<S> tried{S(0)};
     for (bool again = false;; again = true) {
-      const bool last = rest <= stretched(tol);  // no tiny last step: stretched by 1/100, or the rest halved
+      const bool last = rest <= stretched(tol);  // avoids a tiny last step: stretches by 1/100, or halves the rest
       const S h = last ? rest : rest < 2 * step_ ? S(rest / 2) : step_;
       if (!last && (h < least || step_ < tol.smallest_step)) [[unlikely]]
         fail(too_short(step_ < tol.smallest_step ? step_ : h, tol.smallest_step, tried), reason_of(tried));
@@ -103,7 +103,7 @@ class step_choice {
   [[gnu::noinline]] void check_reach(const tolerances<S>& tol, const X& sizes, const Fail& fail) const {
     if (const std::string why = tol.out_of_reach(sizes); !why.empty()) fail(why, failure_reason::out_of_reach);
   }
-  /// Not shorter and not longer than is wished.
+  /// h within the smallest and largest step.
   static S within(const S& h, const tolerances<S>& tol) {
     return h < tol.smallest_step                              ? tol.smallest_step
            : tol.largest_step != S(0) && tol.largest_step < h ? tol.largest_step
@@ -113,13 +113,12 @@ class step_choice {
     const S h = S(1.01) * step_;
     return tol.largest_step != S(0) && tol.largest_step < h ? tol.largest_step : h;
   }
-  /// The step after an accepted one of length h, whose error asks for a change by `factor`.
+  /// The step after an accepted step of length h, whose error suggests a change by `factor`.
   S after(const S& h, const S& factor) const {
     const S next = h * (S(1) < factor && factor < keep_below_ ? S(1) : factor);
     return h < step_ && next < step_ ? step_ : next;  // a step cut short says nothing about the next
   }
-  /// The shortest step: a few ulp of the time; with `rest` left to go, more than nothing at time 0, and no number with
-  /// fewer digits than others.
+  /// The shortest step: a few ulp of the time. At time 0, a fraction of `rest`, and never a subnormal number.
   static S least_step(const S& time, const S& rest) {
     using std::abs;
     const S eps = std::numeric_limits<S>::epsilon(), t = abs(time), at_zero = eps * rest;
@@ -139,9 +138,9 @@ class step_choice {
   int order_of_error_;
   step_controller<S> control_;
   S keep_below_;
-  S step_{0};  ///< length proposed for the next step
+  S step_{0};  ///< proposed length of the next step
   long long tries_ = 0;
-  bool within_reach_ = true;  ///< the tolerances, for all states
+  bool within_reach_ = true;  ///< whether the tolerances are within reach for all states
 };
 
 }  // namespace kte::detail

@@ -8,7 +8,7 @@ namespace kte {
 
 namespace detail {
 
-/// `error_norm` where it is not finite: once more, without components whose w_i is 0.
+/// `error_norm` if it is not finite: computed again, without components with w_i = 0.
 template <class S, class E, class X>
 [[gnu::cold, gnu::noinline]] S error_norm_without_zeros(const tolerances<S>& tol, const E& e, const X& x0,
                                                         const X& x1) {
@@ -23,11 +23,11 @@ template <class S, class E, class X>
   return sqrt(S(sum / S(static_cast<double>(e.size()))));
 }
 
-/// The size of an error e of a step from x0 to x1: at most 1 where it is within the tolerances.
+/// The norm of the error e of a step from x0 to x1, which is at most 1 within the tolerances:
 ///
 ///   |e| = sqrt(1/n sum_i (e_i / w_i)^2),   w_i = absolute_i + relative_i max(|x0_i|, |x1_i|)      (1)
 ///
-/// without those that are and stay 0 where the absolute tolerance is 0.
+/// Components that are and stay 0, with an absolute tolerance of 0, are excluded.
 ///
 /// Hairer, Norsett and Wanner, Solving Ordinary Differential Equations I, 1993, II.4, (4.10), (4.11).
 template <class S, class E, class X>
@@ -45,13 +45,13 @@ S error_norm(const tolerances<S>& tol, const E& e, const X& x0, const X& x1) {
   return sqrt(S(sum / S(static_cast<double>(e.size()))));
 }
 
-/// The factor from one step to the next where the error of a step is of order h^k, err_n being the norm (1) of its
-/// error and err_{n-1} that of the accepted step before it:
+/// The factor from one step to the next, for a step error of order h^k. err_n is the norm (1) of the error, err_{n-1}
+/// that of the previous accepted step:
 ///
 ///   accepted:  0.9 err_n^-(1/k - 3/4 beta) err_{n-1}^beta,  0.2 to 10, at most 1 after a rejection      (2)
 ///   rejected:  0.9 err_n^-(1/k),  0.2 to 1                                                              (3)
 ///
-/// with beta = 1/(5 k): a proportional-integral controller. The same book, II.4 (4.13) and II.5; Gustafsson 1991.
+/// with beta = 1/(5 k): a proportional-integral controller (Hairer, Norsett and Wanner, II.4 (4.13); Gustafsson 1991).
 template <class S>
 class step_controller {
  public:
@@ -65,7 +65,7 @@ class step_controller {
     previous_ = e < S(1e-4) ? S(1e-4) : e;
     return clamp(factor, after_rejection ? S(1) : S(10));
   }
-  /// Also for an error that is not a number.
+  /// Accepts NaN.
   S rejected(const S& error) const {
     using std::pow;
     return is_finite(error) ? clamp(S(S(0.9) * pow(error, S(-1 / k_))), S(1)) : S(0.2);  // (3)
@@ -78,14 +78,14 @@ class step_controller {
   S previous_ = S(1e-4);
 };
 
-/// A first step that cannot be far wrong, from the derivatives f0 at the start and f1 after a small Euler step h0.
-/// d0, d1, d2: norms of x0, of f0, and of (f1 - f0) / h0, by (1) with x1 = x0.
+/// A first step of about the right size, from the derivatives f0 at the start and f1 after a small Euler step h0. d0,
+/// d1, d2: norms (1), with x1 = x0, of x0, of f0, and of (f1 - f0) / h0.
 ///
-///   h0 = 0.01 d0 / d1,   1e-6 where d0 or d1 is below 1e-5                                       (4)
-///   h1 = (0.01 / max(d1, d2))^(1/k),   max(1e-6, h0 / 1000) where d1 and d2 are below 1e-15      (5)
+///   h0 = 0.01 d0 / d1,   1e-6 if d0 or d1 is below 1e-5                                          (4)
+///   h1 = (0.01 / max(d1, d2))^(1/k),   max(1e-6, h0 / 1000) if d1 and d2 are below 1e-15         (5)
 ///   h = min(100 h0, h1)                                                                          (6)
 ///
-/// The same book, II.4, "starting step size".
+/// Hairer, Norsett and Wanner, Solving Ordinary Differential Equations I, 1993, II.4, "starting step size".
 template <class S>
 S trial_step(const S& d0, const S& d1) {
   return d0 < S(1e-5) || d1 < S(1e-5) ? S(1e-6) : S(S(0.01) * d0 / d1);  // (4)

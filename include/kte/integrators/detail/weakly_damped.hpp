@@ -8,18 +8,18 @@
 
 namespace kte::detail {
 
-/// The fastest oscillation of x' = J x that is hardly damped: the largest |lambda|, rad/s, of the eigenvalues with
+/// The fastest weakly damped oscillation of x' = J x: the largest |lambda|, rad/s, of the eigenvalues with
 ///
 ///   |Im lambda| > 10 |Re lambda|,   |lambda| > sqrt(eps) |J|          (1)
 ///
-/// 0 if there are none. Smaller ones may be rounding, also that of a Jacobian by differences. For other scalars than
-/// those of the machine 0, too.
+/// Returns 0 if there is none. Smaller eigenvalues may be rounding errors, also of a Jacobian by differences. Returns 0
+/// for scalars other than machine types.
 template <class Matrix, bool Known = std::is_floating_point_v<typename Matrix::Scalar>>
 class weakly_damped {
   using S = typename Matrix::Scalar;
 
  public:
-  /// Of n components.
+  /// For n components.
   explicit weakly_damped(Eigen::Index n) : schur_(n) {}
 
   S fastest(const Matrix& j) {

@@ -18,20 +18,20 @@ template <class S>
 using angle_pairs = detail::short_list<angle_pair<S>, 8>;
 
 namespace detail {
-/// Equal but for what double roots leave, or for `unknown`, rad.
+/// Whether two angles are equal, up to the error of double roots, or up to `unknown`, rad.
 template <class S>
 bool same_angle(const solved_angle<S>& p, const solved_angle<S>& q, double unknown = 0) {
   return std::abs(double_of(S(p.cos - q.cos))) + std::abs(double_of(S(p.sin - q.sin))) <= (std::max)(1e-9, unknown);
 }
 
-/// Puts pairs in order and names them. Bit 0 of a slot comes in: whether the determinant of the derivatives is
-/// negative, which does not change along a motion, but through a double root. The bits above count pairs of one sign by
-/// the first angle from -pi: these change where an angle passes half a turn. (No names could stay: there are arms that
-/// go from one answer to another of the same sign with no double root on the way; Wenger, Uniqueness Domains and
-/// Regions of Feasible Paths for Cuspidal Manipulators, IEEE Transactions on Robotics 20, 2004.)
+/// Sorts pairs and assigns their slots. Bit 0 of a slot is given: whether the determinant of the derivatives is
+/// negative, which changes only through a double root. Higher bits number the pairs of one sign by their first angle,
+/// from -pi; these change if an angle passes half a turn. (No numbering could be invariant: some arms move between
+/// solutions of the same sign without a double root on the way; Wenger, Uniqueness Domains and Regions of Feasible
+/// Paths for Cuspidal Manipulators, IEEE Transactions on Robotics 20, 2004.)
 template <class S>
 void name_slots(angle_pairs<S>& all) {
-  const auto place = [](const solved_angle<S>& t) {  // grows with the angle
+  const auto place = [](const solved_angle<S>& t) {  // increases with the angle
     return t.sin < S(0) ? double_of(t.cos) - 1 : 1 - double_of(t.cos);
   };
   std::sort(all.item.begin(), all.item.begin() + static_cast<std::ptrdiff_t>(all.size()),

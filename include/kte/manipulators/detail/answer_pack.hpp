@@ -4,8 +4,8 @@
 
 namespace kte::detail {
 
-/// The number of solutions of an arm that are computed at once, and their type: doubles and floats four at a time in a
-/// pack, other scalars one at a time. Packs of poses have a pose in each element already.
+/// The number of solutions of an arm that are computed together, and their type: doubles and floats four at a time in a
+/// pack, other scalars one at a time. Packs of poses already have one pose per lane.
 template <class S>
 struct answer_pack {
   using type = S;
@@ -17,7 +17,7 @@ struct answer_pack<S> {
   using type = pack<S, 4>;
   static constexpr std::size_t count = 4;
 };
-/// As many as a register has are taken from and put into rows of answers, which are padded to full ones.
+/// Loads one register from, or stores it to, rows of solutions, which are padded to full registers.
 template <class S>
 typename answer_pack<S>::type load_pack(const S* x) {
   if constexpr (answer_pack<S>::count == 1)
@@ -33,12 +33,12 @@ void store_pack(const typename answer_pack<S>::type& x, S* to) {
     x.store(to);
 }
 
-/// Whether a scalar has several poses in it.
+/// Whether a scalar contains several poses.
 template <class S>
 inline constexpr bool is_pack = requires {
   S::lanes;
 };
-/// A T, of packs one for each lane.
+/// A T; for packs one T per lane.
 template <class S, class T>
 struct one_for_each_lane {
   using type = T;

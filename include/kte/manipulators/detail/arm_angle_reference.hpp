@@ -5,12 +5,12 @@
 
 namespace kte::detail {
 
-/// What is added to an arm angle from a reference to have the stereographic one, of an arm with its wrist at
+/// The offset from an arm angle with the given reference to the stereographic arm angle, for an arm with its wrist at
 /// `position`: for the first axis, h1, the angle of
 ///
 ///   e = (w^ x h1) x w^          (1)
 ///
-/// from e_x of detail/srs_axes.hpp (the common reference: Shimizu et al. 2008). 0 where e has no direction.
+/// from e_x of detail/srs_axes.hpp (the common reference: Shimizu et al. 2008). 0 if e vanishes.
 template <class S>
 S to_stereographic(const arm_structure& s, const vec3<S>& position, arm_angle_from reference) {
   if (reference == arm_angle_from::stereographic) return S(0);

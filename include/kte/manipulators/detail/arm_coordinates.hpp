@@ -3,10 +3,10 @@
 #include <kte/dynamics/detail/diagnose.hpp>
 #include <kte/manipulators/manipulator.hpp>
 
-/// What numerical inverse kinematics asks of static and of runtime manipulators by one name.
+/// Common names for coordinates of static and runtime manipulators, for numerical inverse kinematics.
 namespace kte::detail {
 
-/// How many numbers v and q have, where that is known when compiling; else -1, as Eigen has it.
+/// The sizes of v and q if known at compile time; otherwise -1 (Eigen::Dynamic).
 template <class Arm>
 inline constexpr int arm_dofs = -1;
 template <class Chain, key_type... Tools>
@@ -25,7 +25,7 @@ constexpr std::size_t dofs_of(const Arm& arm) {
   }
 }
 
-/// Numbers of a configuration.
+/// The size of a configuration.
 template <class Arm>
 constexpr std::size_t numbers_of(const Arm& arm) {
   if constexpr (arm_numbers<Arm> >= 0) {
@@ -35,7 +35,7 @@ constexpr std::size_t numbers_of(const Arm& arm) {
   }
 }
 
-/// visit(freedom) for the degrees of freedom, in their order.
+/// Calls visit(freedom) for the degrees of freedom, in their order.
 template <class Arm, class Visit>
 constexpr void for_each_freedom_of(const Arm& arm, const Visit& visit) {
   if constexpr (arm_dofs<Arm> >= 0) {
@@ -45,7 +45,7 @@ constexpr void for_each_freedom_of(const Arm& arm, const Visit& visit) {
   }
 }
 
-/// Throws `bad_argument` that names the coordinate at fault unless q is a configuration of finite numbers.
+/// Throws `bad_argument`, naming the coordinate, unless q is a configuration of finite numbers.
 template <class Arm, class Q>
 void check_configuration_of(const Arm& arm, const Q& q, const char* name) {
   const std::size_t n = numbers_of(arm);
@@ -53,14 +53,14 @@ void check_configuration_of(const Arm& arm, const Q& q, const char* name) {
   if (!all_finite(q, n)) [[unlikely]]
     raise_not_finite("a coordinate", layout(arm), {{name, plain_numbers(q, n), true}});
 }
-/// Rejects rates or accelerations.
+/// Rejects invalid rates or accelerations.
 template <class Arm, class V>
 void check_rates_of(const Arm& arm, const V& v, const char* name, const char* what) {
   check_size(dofs_of(arm), v, name);
   if (!all_finite(v, dofs_of(arm))) [[unlikely]]
     raise_not_finite(what, layout(arm), {{name, plain_numbers(v, dofs_of(arm))}});
 }
-/// Rejects twists, six numbers for each tool.
+/// Rejects invalid twists, six numbers for each tool.
 template <class Arm, class T>
 void check_twists_of(const Arm& arm, const T& twist, const char* name, const char* what) {
   const auto& tools = arm.tools();
@@ -81,7 +81,7 @@ void check_twists_of(const Arm& arm, const T& twist, const char* name, const cha
                       ": only coordinates that are numbers can have limits of position here; limits of rates may be "
                       "given for all");
 }
-/// Limits of position are those of coordinates that are numbers.
+/// Rejects position limits of rotations and poses; only coordinates that are numbers have them.
 template <class Arm>
 void check_limits_of_poses(const Arm& arm) {
   const auto& limits = arm.limits();

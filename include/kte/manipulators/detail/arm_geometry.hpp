@@ -6,12 +6,12 @@
 
 #include <array>
 
-/// An arm as the axes of its joints, on which the closed forms of inverse kinematics work.
+/// An arm as the axes of its joints, for the closed forms of inverse kinematics.
 namespace kte::detail {
 
-/// The joints between a base and a tool, in their order, where all coordinates are zero, in axes of the base: joint i
-/// turns about the line through `point[i]` along the unit vector `axis[i]`, or slides along it. Products of
-/// exponentials (Brockett, Robotic Manipulators and the Product of Exponentials Formula, 1984):
+/// The joints between a base and a tool, in order, at coordinates zero, in axes of the base: joint i rotates about the
+/// line through `point[i]` along the unit vector `axis[i]`, or slides along it. Product of exponentials (Brockett,
+/// Robotic Manipulators and the Product of Exponentials Formula, 1984):
 ///
 ///   pose of the tool = exp(joint 1, q_1) ... exp(joint n, q_n) tool          (1)
 struct arm_geometry {
@@ -20,12 +20,12 @@ struct arm_geometry {
   int n = 0;
   std::array<vec3<>, most> axis{}, point{};
   std::array<bool, most> slides{};
-  std::array<int, most> in_q{}, in_v{};  ///< where the coordinate is in q and in v
+  std::array<int, most> in_q{}, in_v{};  ///< positions of the coordinate in q and v
   pose<mat3<vec3<>>, vec3<>> tool{mat3<vec3<>>{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, vec3<>{0, 0, 0}};
-  /// A body that moves freely, without joints: its pose in `placement` is the coordinate at in_q[0].
+  /// For a free body without joints, its pose in `placement` is the coordinate at in_q[0].
   enum class freely : unsigned char { not_at_all, in_plane, in_space } moves = freely::not_at_all;
   pose<mat3<vec3<>>, vec3<>> placement = tool;
-  /// Why it is none of these, or nothing: "has a joint that ...".
+  /// Why an element is unsupported, or null: "has a joint that ...".
   const char* refused = nullptr;
 
   constexpr void add(const vec3<>& h, const vec3<>& p, bool sliding, int q, int v) {
@@ -43,7 +43,7 @@ struct arm_geometry {
   }
 };
 
-/// The arm from the tool to the base: its pose is the inverse.
+/// The arm from the tool to the base; its pose is the inverse.
 constexpr arm_geometry reversed(const arm_geometry& a) {
   arm_geometry r = a;
   r.tool = inverse(a.tool);
@@ -55,7 +55,7 @@ constexpr arm_geometry reversed(const arm_geometry& a) {
   }
   return r;
 }
-/// Joints `first` to `last` of it alone, with the tool.
+/// Joints `first` to `last` alone, with the tool.
 constexpr arm_geometry part_of(const arm_geometry& a, int first, int last) {
   arm_geometry r;
   r.tool = a.tool;
@@ -66,7 +66,7 @@ constexpr arm_geometry part_of(const arm_geometry& a, int first, int last) {
   return r;
 }
 
-/// exp(joint i, t): x -> R x + p. `turn` has the cosine and sine of t.
+/// exp(joint i, t): x -> R x + p. `turn`: cosine and sine of t.
 template <class S, class Angle>
 constexpr pose<mat3<vec3<S>>, vec3<S>> joint_pose(const arm_geometry& a, std::size_t i, const S& t, const Angle& turn) {
   const vec3<S> h = as<S>(a.axis[i]), o = as<S>(a.point[i]);

@@ -9,17 +9,17 @@
 
 namespace kte {
 
-/// Families of arms with closed-form inverse kinematics; `none`: another arm.
+/// Families of arms with closed-form inverse kinematics; `none`: no closed form.
 enum class arm_family : std::uint8_t {
   none,
   planar_3R,           ///< three parallel axes, and a tool in their plane
   scara,               ///< two parallel axes and a slide along them, in either order, and perhaps a third axis
   spherical_wrist,     ///< axes 4, 5, 6 meet in a point
-  spherical_shoulder,  ///< axes 1, 2, 3 do
+  spherical_shoulder,  ///< axes 1, 2, 3 meet in a point
   three_parallel,      ///< three axes in a row, with 5 and 6 (or 1 and 2) beyond them
   srs,                 ///< seven axes; the first three meet, and the last three
   offset_7R,           ///< seven axes that are one of these with the first or the last locked
-  on_track,            ///< six that are, on a slide or with one at the tool
+  on_track,            ///< six axes with a closed form, on a slide or with a slide at the tool
   free_body            ///< a coordinate that is the pose of a body, and no joints
 };
 
@@ -27,7 +27,7 @@ enum class arm_family : std::uint8_t {
 
 namespace kte::detail {
 
-/// Which formulas (detail/closed_form.hpp).
+/// The formulas to use (detail/solve_closed_form.hpp).
 enum class closed_form : std::uint8_t {
   none,
   planar,
@@ -49,15 +49,15 @@ constexpr double root_of(double x) {
 }
 constexpr double length_of(const vec3<>& v) { return root_of(dot(v, v)); }
 constexpr vec3<> direction_of(const vec3<>& v) { return (1 / length_of(v)) * v; }
-/// v without its part along a unit vector.
+/// v without its component along a unit vector.
 constexpr vec3<> normal_part(const vec3<>& v, const vec3<>& unit) { return v - dot(v, unit) * unit; }
-/// A unit vector normal to one.
+/// A unit vector normal to a given one.
 constexpr vec3<> any_normal(const vec3<>& u) {
   const double x = u.x * u.x, y = u.y * u.y, z = u.z * u.z;
   return direction_of(cross(u, x <= y && x <= z ? vec3<>{1, 0, 0} : y <= z ? vec3<>{0, 1, 0} : vec3<>{0, 0, 1}));
 }
 
-/// How the axes of joints lie to each other.
+/// The relative placement of the axes of joints.
 struct axes_of {
   const arm_geometry& arm;
 
@@ -65,7 +65,7 @@ struct axes_of {
   constexpr const vec3<>& p(int i) const { return arm.point[static_cast<std::size_t>(i)]; }
   /// The sine of the angle between two axes.
   constexpr double sine(int i, int j) const { return length_of(cross(h(i), h(j))); }
-  /// The point nearest to two axes that are not parallel, and how far they pass by each other, m.
+  /// The point closest to two axes that are not parallel, and their distance, m.
   struct meeting {
     vec3<> at{};
     double miss = 1e300;
@@ -77,7 +77,7 @@ struct axes_of {
     const vec3<> a = p(i) + (dot(cross(d, h(j)), n) / nn) * h(i), b = p(j) + (dot(cross(d, h(i)), n) / nn) * h(j);
     return {0.5 * (a + b), length_of(a - b)};
   }
-  /// Of three axes: where the two that are farthest from parallel meet.
+  /// For three axes: the point where the two that are farthest from parallel meet.
   constexpr meeting meet(int i, int j, int k) const {
     const double ij = sine(i, j), jk = sine(j, k), ik = sine(i, k);
     const bool first = ij >= jk && ij >= ik, second = jk >= ik;
@@ -89,7 +89,7 @@ struct axes_of {
   }
 };
 
-/// `tolerance` of arms, if it makes sense.
+/// The tolerance, after a check of its range.
 constexpr double checked_tolerance(double tolerance) {
   if (!(tolerance > 0 && tolerance < 0.1))
     raise<bad_parameter>(
@@ -99,29 +99,29 @@ constexpr double checked_tolerance(double tolerance) {
   return tolerance;
 }
 
-/// An arm with what the formulas need of it. Joints i of `arm` turn by t_i = sign_i q_i about its axes, origins of
-/// joints that meet moved to where they do.
+/// An arm with the data that the formulas need. Joint i of `arm` rotates by t_i = sign_i q_i about its axis. Origins of
+/// joints whose axes meet are moved to their common point.
 struct arm_structure {
   arm_family family = arm_family::none;
   closed_form form = closed_form::none;
   bool backwards = false;  ///< `arm` goes from the tool to the base
-  int held = -1;           ///< joint that must be held first, the first or the last
+  int held = -1;           ///< joint that must be locked first: the first or the last; -1: none
   arm_geometry original, arm;
   std::array<double, arm_geometry::most> sign{1, 1, 1, 1, 1, 1, 1, 1};
   double reach = 0;
-  /// Within which axes count as parallel, rad, and as meeting, of the reach.
+  /// Tolerance for parallel axes, rad, and for meeting axes, relative to the reach.
   static constexpr double strict = 1e-9;
   double tolerance = strict;
 
   constexpr const vec3<>& h(int i) const { return arm.axis[static_cast<std::size_t>(i)]; }
   constexpr const vec3<>& p(int i) const { return arm.point[static_cast<std::size_t>(i)]; }
-  /// Joint k of `arm` is this one of `original`.
+  /// Joint k of `arm` is joint(k) of `original`.
   constexpr std::size_t joint(std::size_t k) const {
     return (backwards ? static_cast<std::size_t>(arm.n - 1) - k : k) + (held == 0 ? 1 : 0);
   }
 };
 
-/// From the first joint that turns to the tool, from one to the next.
+/// The sum of the distances from the first revolute joint to the tool, joint by joint.
 constexpr double reach_of(const arm_geometry& a) {
   double sum = 0;
   vec3<> to = a.tool.position;
@@ -130,7 +130,7 @@ constexpr double reach_of(const arm_geometry& a) {
   return sum;
 }
 
-/// Axis i along axis j, if it is against it.
+/// Reverses axis i if it points against axis j.
 constexpr void align(arm_structure& s, int i, int j) {
   const auto k = static_cast<std::size_t>(i);
   if (dot(s.h(i), s.h(j)) < 0) s.arm.axis[k] = -s.arm.axis[k], s.sign[k] = -s.sign[k];
@@ -139,7 +139,7 @@ constexpr void put_points(arm_structure& s, int first, int last, const vec3<>& a
   for (int i = first; i <= last; ++i) s.arm.point[static_cast<std::size_t>(i)] = at;
 }
 
-/// Six axes in the order of `s.arm`; which formulas they fit.
+/// For six axes in the order of `s.arm`: whether formulas exist; selects them.
 constexpr bool fits_six(arm_structure& s, double most_rad, double most_m) {
   const axes_of a{s.arm};
   const auto wrist = a.meet(3, 4, 5);
@@ -150,7 +150,7 @@ constexpr bool fits_six(arm_structure& s, double most_rad, double most_m) {
       align(s, 2, 1);
       s.form = closed_form::wrist_parallel;
     } else {
-      // Where two of the first axes meet, one angle is alone in an equation (quartic_subproblems.hpp).
+      // If two of the first axes meet, one equation contains a single angle (quartic_subproblems.hpp).
       if (const auto first = a.meet(0, 1); first.miss <= most_m)
         put_points(s, 0, 1, first.at);
       else if (const auto second = a.meet(1, 2); second.miss <= most_m)
@@ -187,7 +187,7 @@ constexpr arm_family family_of(closed_form form, bool backwards) {
   }
 }
 
-/// Of either direction, the one with the simpler formulas.
+/// Selects the direction, from base to tool or reversed, with the simpler formulas.
 constexpr bool fits_six_either_way(arm_structure& s, const arm_geometry& arm, double most_rad, double most_m) {
   arm_structure there = s, back = s;
   there.arm = arm, back.arm = reversed(arm), back.backwards = true;
@@ -209,7 +209,7 @@ constexpr bool fits_srs(arm_structure& s, double most_m) {
     return false;
   s.arm = s.original;
   put_points(s, 0, 2, shoulder.at), put_points(s, 4, 6, wrist.at);
-  // The elbow where axis 4 is nearest to the shoulder.
+  // The elbow is the point of axis 4 closest to the shoulder.
   const vec3<> h = s.h(3), e = s.p(3) + dot(shoulder.at - s.p(3), h) * h;
   if (length_of(e - shoulder.at) <= most_m || length_of(normal_part(wrist.at - e, h)) <= most_m) return false;
   put_points(s, 3, 3, e);
@@ -252,7 +252,7 @@ constexpr arm_structure structure_of(const arm_geometry& arm, double tolerance =
   arm_structure s;
   s.original = arm, s.arm = arm, s.reach = reach_of(arm), s.tolerance = tolerance;
   if (arm.refused == nullptr && arm.moves != arm_geometry::freely::not_at_all) {
-    s.reach = 1 + length_of(arm.tool.position);  // tolerances are relative to it
+    s.reach = 1 + length_of(arm.tool.position);  // tolerances are relative to the reach
     s.form = closed_form::free_body, s.family = arm_family::free_body;
   }
   if (!(s.reach * s.reach < std::numeric_limits<double>::infinity())) {

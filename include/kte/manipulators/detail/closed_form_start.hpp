@@ -8,8 +8,8 @@
 
 namespace kte::detail {
 
-/// Where all that is needed of the only tool of an arm is a pose, and the arm has a closed form: puts the answer within
-/// limits that is nearest to q into q. False if there is none.
+/// If the only goal is a pose of the only tool, and the arm has a closed form: replaces q by the nearest solution
+/// within limits. Returns false if there is none.
 template <class Arm, class Goals, class Q>
 bool start_at_closed_form(const Arm&, const Goals&, Q&) {
   return false;

@@ -18,7 +18,7 @@ S half_squares(const Goals& goals, const At& at) {
   return sum.half;
 }
 
-/// The box of steps from a configuration: limits, and at most 1 rad of what turns a tool.
+/// The box of steps from a configuration: limits, and at most 1 rad for coordinates that rotate a tool.
 template <class At, class V>
 void put_box(const At& at, V& lower, V& upper) {
   using S = typename At::scalar;
@@ -37,11 +37,11 @@ void put_box(const At& at, V& lower, V& upper) {
   });
 }
 
-/// The step of (1) of `descend` in the box; what it promises.
+/// The step of (1) of `descend` in the box, and its predicted decrease.
 template <class S, int N>
 struct promised_step {
   joint_vector<S, N> d;
-  S less;     ///< of half the squares
+  S less;     ///< decrease of half the squares
   bool held;  ///< some coordinate stays at its limit
 };
 template <class At, class S, int N>
@@ -74,15 +74,14 @@ struct descent {
   bool done, held;
 };
 
-/// Levenberg-Marquardt in the tangent of the configuration: steps
+/// Levenberg-Marquardt in the tangent space of the configuration: steps
 ///
-///   minimise  |J d - e|_W^2 + mu |d|^2  within limits,   mu = lambda |e|_W^2                       (1)
+///   minimize  |J d - e|_W^2 + mu |d|^2  within limits,   mu = lambda |e|_W^2                       (1)
 ///
-/// with mu that vanishes with the errors (Sugihara, IEEE Trans. Robotics 27, 2011), lambda by the gain ratio of the
+/// with mu that vanishes with the errors (Sugihara, IEEE Trans. Robotics 27, 2011), and lambda by the gain ratio of the
 /// step within limits and Nielsen's rule (Madsen, Nielsen, Tingleff: Methods for Non-Linear Least Squares Problems,
-/// 2004). It ends
-/// when done(), when a step promises less than `stall` of what there is, when it has not come down to half in
-/// `patience` steps, or after `most`.
+/// 2004). It ends when done() holds, when the predicted decrease of a step is below `stall` of the sum, when the sum
+/// has not halved in `patience` steps, or after `most` steps.
 template <class At, class Goals, class Done>
 descent descend(At& at, const Goals& goals, int most, int patience, double stall, const Done& done) {
   using S = typename At::scalar;

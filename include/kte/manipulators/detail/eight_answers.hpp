@@ -4,7 +4,7 @@
 
 namespace kte::detail {
 
-/// The numbers of two choices in each of `lanes` of the four ways from `way` on: 0 or 1.
+/// The two binary choices of each of `lanes` combinations of the four, starting at `way`: 0 or 1.
 template <class L, class S>
 struct packed_ways {
   static constexpr std::size_t lanes = answer_pack<S>::count;
@@ -20,9 +20,10 @@ struct packed_ways {
   }
 };
 
-/// Answers of three choices between two, in the order of their branches; `first`, `second`, `third` are the bits of the
-/// choices. `begin(f)` is what is to be known of the first choice, the second of its two where f holds;
-/// `end(begun, s)` has both answers of the third by that and the second. As many ways at a time as registers take.
+/// Solutions with three binary choices, in the order of their branches; `first`, `second`, `third` are the bits of the
+/// choices. `begin(f)` computes what depends on the first choice, taking the second alternative where f holds.
+/// `end(begun, s)` returns both alternatives of the third choice for this and the second choice. As many combinations
+/// at a time as fit into registers.
 template <class S, class Begin, class End>
 raw_answers<S> eight_answers(std::size_t joints, branch_bit first, branch_bit second, branch_bit third,
                              const Begin& begin, const End& end) {
@@ -47,7 +48,7 @@ raw_answers<S> eight_answers(std::size_t joints, branch_bit first, branch_bit se
       put(both[b].slide, out.slide), put(both[b].free, out.free);
     }
   };
-  constexpr unsigned together = lanes == 1 ? 2 : 4;  // ways with one beginning
+  constexpr unsigned together = lanes == 1 ? 2 : 4;  // combinations that share one beginning
   for (unsigned way = 0; way < 4; way += together) {
     const packed_ways<L, S> one(way);
     const auto begun = begin(one.is_one(one.first));

@@ -9,8 +9,8 @@
 
 namespace kte {
 
-/// Arm angles psi, lower <= psi <= upper, at which an answer of a branch has all joints within limits. `upper` is above
-/// pi where they go on behind -pi.
+/// Arm angles psi, lower <= psi <= upper, at which a solution of a branch has all joints within limits. `upper` exceeds
+/// pi if the interval continues beyond -pi.
 struct arm_angle_interval {
   unsigned branch = 0;
   double lower = 0, upper = 0;
@@ -23,8 +23,8 @@ struct limits_by_joint {
   std::array<double, arm_geometry::most> lower{}, upper{};
 };
 
-/// psi where x.R03 y = c, which is (1) of subproblems.hpp, for R03 = w v^T + cos psi (e_x f^T + e_y g^T) + sin psi (e_y
-/// f^T - e_x g^T).
+/// Adds the psi with x.R03 y = c, by (1) of subproblems.hpp, for R03 = w v^T + cos psi (e_x f^T + e_y g^T) + sin psi
+/// (e_y f^T - e_x g^T).
 template <class List>
 void add_crossings(const elbow_side<double>& side, const vec3<>& x, const vec3<>& y, double c, List& all) {
   const double xw = dot(x, side.w), xe = dot(x, side.ex), xn = dot(x, side.ey);
@@ -35,10 +35,9 @@ void add_crossings(const elbow_side<double>& side, const vec3<>& x, const vec3<>
   all.push_back(t.minus.value());
 }
 
-/// All psi at which a joint of shoulder or wrist may pass a limit (Shimizu et al. 2008), or is singular, with L the
-/// limit:
+/// All psi at which a joint of shoulder or wrist may pass a limit L (Shimizu et al. 2008), or is singular:
 ///
-///   q1 = L:  h2.R(h1, -L) R03 h3 = h2.h3        q5 = L:  the same of R47 = R34^T R03^T R07
+///   q1 = L:  h2.R(h1, -L) R03 h3 = h2.h3        q5 = L:  likewise for R47 = R34^T R03^T R07
 ///   q2 = L:  h1.R03 h3 = h1.R(h2, L) h3         q6 = L
 ///   q3 = L:  h1.R03 R(h3, -L) h2 = h1.h2        q7 = L          (1)
 template <class List>
@@ -79,7 +78,7 @@ void add_all_crossings(const arm_structure& s, const elbow_side<double>& side, c
 /// Eight branches, between at most 34 crossings.
 using arm_angle_list = short_list<arm_angle_interval, 8 * 36>;
 
-/// Between neighbouring crossings nothing changes: the middle of each interval is tried.
+/// Between neighbouring crossings nothing changes, so the middle of each interval is tested.
 inline arm_angle_list feasible_angles(const arm_structure& s, const rotation_matrix<double>& R07,
                                       const vec3<>& position, const limits_by_joint& limits) {
   constexpr double pi = std::numbers::pi;
@@ -124,7 +123,7 @@ inline arm_angle_list feasible_angles(const arm_structure& s, const rotation_mat
   return out;
 }
 
-/// The arm angle of a posture, by joint.
+/// The arm angle of a posture, given by joint.
 template <class S>
 S arm_angle_at(const arm_structure& s, const vec3<S>& position, const by_joint<S>& q) {
   const auto sides = elbow_sides(s, position);

@@ -8,16 +8,16 @@
 #include <kte/manipulators/ik_answers.hpp>
 #include <kte/manipulators/manipulator.hpp>
 
-/// What inverse kinematics is asked of, and answers as users get them.
+/// Arguments of inverse kinematics, and solutions in the form that users get.
 namespace kte::detail {
 
-/// Where coordinates are that nobody asks for.
+/// The values of coordinates that do not move the tool.
 template <class S, class Arm>
 auto starting_configuration(const Arm& arm) {
   return neutral_configuration(arm).template cast<S>().eval();
 }
 
-/// Does not compile where the type of a static arm says that it has no closed form, whatever its numbers are.
+/// Fails to compile if the type of a static arm rules out a closed form for all its numbers.
 template <class Chain, key_type First, key_type... More>
 constexpr void refuse_by_type(const manipulator<Chain, tool_keys<First, More...>>&) {
   static_assert(sizeof...(More) == 0,
@@ -31,7 +31,7 @@ constexpr void refuse_by_type(const manipulator<Chain, tool_keys<First, More...>
 template <class Arm>
 constexpr void refuse_by_type(const Arm&) {}
 
-/// Throws unless this arm has a closed form.
+/// Throws unless the arm has a closed form.
 template <class Arm>
 void check_closed_form(const Arm& arm) {
   if (arm.tools().size() != 1)
@@ -50,7 +50,7 @@ by_joint<S> raw_angles(const arm_geometry& arm, const Q& q) {
   return t;
 }
 
-/// Puts angles within limits where they can be, which `within` says: 1 or 0.
+/// Moves angles into the limits where possible; `within` is 1 where it succeeds, otherwise 0.
 template <class Arm, class S, class Q>
 void put_within_limits(const Arm& arm, const arm_structure& s, const Q& start, solved_answers<S>& solved,
                        typename solved_answers<S>::row& within) {
@@ -68,14 +68,14 @@ void put_within_limits(const Arm& arm, const arm_structure& s, const Q& start, s
     }
   }
 }
-/// Bits of v for those of joints.
+/// Bits over v for bits over joints.
 inline unsigned bits_of_v(const arm_structure& s, unsigned joints) {
   unsigned bits = 0;
   for (std::size_t k = 0; k < static_cast<std::size_t>(s.arm.n); ++k)
     if (joints >> k & 1u) bits |= 1u << s.original.in_v[s.joint(k)];
   return bits;
 }
-/// The free coordinates by the formulas; for packs per element.
+/// The coordinates that the formulas report as free; for packs per lane.
 template <class S>
 auto free_coordinates(const arm_structure& s, const S& joints) {
   for_each_lane<S, unsigned> bits{};
@@ -89,7 +89,7 @@ auto free_coordinates(const arm_structure& s, const S& joints) {
   return bits;
 }
 
-/// Throws where packs of poses have no formulas.
+/// Throws if there are no formulas for packs of poses.
 template <class S>
 void check_packs(const arm_structure& s) {
   if constexpr (is_pack<S>)
@@ -99,7 +99,7 @@ void check_packs(const arm_structure& s) {
           "equations of degree four and no tolerance; take the poses of this one by one");
 }
 
-/// All answers as users get them: with limits, in the order of q.
+/// All solutions in the form that users get: with limits, in the order of q.
 template <class Arm, class S, class Q>
 ik_answers<Q> all_finished(const Arm& arm, const arm_structure& s, const plain_pose_of<S>& x, const Q& start,
                            const S& extra) {
@@ -136,7 +136,8 @@ template <class Arm>
 void check_arm_angle(const Arm& arm) {
   check_closed_form(arm);
   if (arm.family() != arm_family::srs)
-    raise<bad_argument>("kte: this arm has no arm angle: of its axes, not the first and the last three meet");
+    raise<bad_argument>(
+        "kte: this arm has no arm angle: its first three axes and its last three axes must each meet in a point");
 }
 template <class Arm>
 limits_by_joint limits_of_joints(const Arm& arm) {
@@ -148,7 +149,7 @@ limits_by_joint limits_of_joints(const Arm& arm) {
   }
   return limits;
 }
-/// The structure of an arm of seven joints with one of them locked.
+/// The structure of an arm with seven joints with one of them locked.
 template <class Arm>
 arm_structure structure_locked(const Arm& arm, std::string_view coordinate) {
   check_closed_form(arm);

@@ -6,8 +6,8 @@
 
 namespace kte::detail {
 
-/// Puts the body of a tool, which moves freely, to where the tool is at x: its coordinate is placement^-1 x tool^-1, of
-/// that what the plane has. Returns what is missing.
+/// Sets the pose of a free body such that its tool is at x: the coordinate is placement^-1 x tool^-1, projected into
+/// the plane for planar bodies. Returns the remaining error.
 template <class S, class Q>
 pose_gap<S> place_free_body(const arm_geometry& arm, const plain_pose_of<S>& x, Q& q) {
   const auto scaled = [](const auto& y) { return plain_pose_of<S>{as<S>(y.rotation), as<S>(y.position)}; };
@@ -27,7 +27,7 @@ pose_gap<S> place_free_body(const arm_geometry& arm, const plain_pose_of<S>& x, 
   return gap_between(plain_pose_of<S>(compose(placement, compose(body, tool))), x);
 }
 
-/// Whether its position is within limits, and in the plane its angle, which turns by whole turns for it.
+/// Whether the position is within limits, and in the plane also the angle, after adding whole turns.
 template <class Limits, class Start, class Q>
 bool free_body_within(const arm_geometry& arm, const Limits& limits, const Start& start, Q& q) {
   const bool flat = arm.moves == arm_geometry::freely::in_plane;

@@ -7,7 +7,7 @@
 
 namespace kte::detail {
 
-/// By how much a goal is missed, m and rad.
+/// The errors of a goal, m and rad.
 template <class S>
 struct goal_miss {
   S linear, angular;
@@ -46,7 +46,7 @@ struct tool_place<manipulator<Chain, tool_keys<Tools...>>, Tool> {
   static_assert(value < sizeof...(Tools), "kte: this manipulator has no tool of this name");
 };
 
-/// A manipulator at a configuration: where its tools are and how they move.
+/// A manipulator at a configuration: the poses and Jacobians of its tools.
 template <class Arm, class S>
 class arm_at {
  public:
@@ -78,7 +78,7 @@ class arm_at {
   }
 
   const Arm& arm;
-  S length;  ///< by which rad count as m
+  S length;  ///< m per rad in errors
   configuration q;
   std::conditional_t<(arm_tools<Arm> < 0), std::vector<pose<mat3<vec3<S>>, vec3<S>>>,
                      std::array<pose<mat3<vec3<S>>, vec3<S>>, std::size_t(arm_tools<Arm> < 0 ? 0 : arm_tools<Arm>)>>
@@ -86,7 +86,7 @@ class arm_at {
   Eigen::Matrix<S, rows, n> jacobian;
 };
 
-/// Half the weighted sum of squares of all errors of goals; and the same with
+/// Half the weighted sum of squares of all errors of goals; and with derivatives
 ///
 ///   g = J^T W e,   H = J^T W J                                                        (1)
 template <class S>
@@ -112,7 +112,7 @@ struct normal_equations {
     half += w * e * e / S(2);
   }
   S half = S(0);
-  joint_matrix<S, N> h;  // its lower triangle
+  joint_matrix<S, N> h;  // only the lower triangle
   joint_vector<S, N> g;
 
  private:

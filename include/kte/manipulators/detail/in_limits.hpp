@@ -5,8 +5,7 @@
 
 namespace kte::detail {
 
-/// The whole number nearest to x, |x| < 2^51 (of floats 2^22), and the least that is not below x; a number without
-/// derivatives.
+/// The integer nearest to x, |x| < 2^51 (float: 2^22), and the smallest integer not below x; without derivatives.
 template <class S>
 S nearest_whole(const S& x) {
   if constexpr (is_pack<S>) {
@@ -22,8 +21,8 @@ S whole_above(const S& x) {
   return select(n < x, S(n + S(1)), n);
 }
 
-/// Turns an angle by whole turns to within limits, nearest to `start`; returns whether it is within limits. An angle
-/// beyond a limit by rounding is moved onto it. A slide is unchanged.
+/// Adds whole turns to an angle to bring it within limits, nearest to `start`; returns whether it is within limits. An
+/// angle beyond a limit by rounding is moved onto it. Slides are unchanged.
 template <class S>
 truth<S> bring_within(double lower, double upper, bool slides, const S& start, S& t) {
   const S pi = half_turn<S>(), turn = S(2) * pi, away = t - start, low = S(lower), high = S(upper);

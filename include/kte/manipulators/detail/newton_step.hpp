@@ -4,11 +4,11 @@
 
 namespace kte::detail {
 
-/// Six equations, and what they are to be.
+/// Six linear equations with their right-hand sides.
 template <class S>
 using six_equations = std::array<std::array<S, 7>, 6>;
 
-/// x of M x = b by elimination with the largest pivots; false where one is below `least`.
+/// Solves M x = b by elimination with complete pivoting; returns false if a pivot is below `least`.
 template <class S>
 bool solve_six(six_equations<S>& m, std::array<S, 6>& x, double least = 1e-12) {
   for (std::size_t c = 0; c < 6; ++c) {
@@ -30,8 +30,8 @@ bool solve_six(six_equations<S>& m, std::array<S, 6>& x, double least = 1e-12) {
   return true;
 }
 
-/// J d = e of six joints at t, from the one after the first `held` on, e = (p_d - p, the vector of the antisymmetric
-/// part of R_d R^T); lengths in units of `reach`.          (1)
+/// The equations J d = e for six joints at t, from joint `first` on. e = (p_d - p, the axial vector of R_d R^T);
+/// lengths in units of `reach`.          (1)
 template <class S>
 six_equations<S> towards_pose(const arm_geometry& arm, std::size_t first,
                               const pose<rotation_matrix<S>, vec3<S>>& wanted, const by_joint<S>& t, double reach) {
@@ -58,7 +58,7 @@ six_equations<S> towards_pose(const arm_geometry& arm, std::size_t first,
   return m;
 }
 
-/// One of Newton's steps of (1), if no angle goes farther than `most`, rad: of an answer that is there but for
+/// One Newton step of (1), if no angle changes by more than `most`, rad: for a solution that is accurate up to
 /// rounding.
 template <class S>
 void newton_step(six_equations<S> m, std::size_t first, by_joint<S>& t, double most) {
@@ -70,8 +70,8 @@ void newton_step(six_equations<S> m, std::size_t first, by_joint<S>& t, double m
   for (std::size_t k = 0; k < 6; ++k) t[first + k] += step[k];
 }
 
-/// A step where J is nearly singular, (J^T J + mu) d = J^T e with mu = |e|/1000 (Levenberg, Marquardt): at a double
-/// root each step leaves a quarter of e, near one it becomes Newton's.
+/// A damped step for a nearly singular J, (J^T J + mu) d = J^T e with mu = |e|/1000 (Levenberg, Marquardt). At a double
+/// root each step leaves a quarter of e; away from it the steps become Newton's.
 template <class S>
 void damped_step(const six_equations<S>& m, std::size_t first, by_joint<S>& t) {
   const double eps = double_of(std::numeric_limits<S>::epsilon());

@@ -4,8 +4,8 @@
 
 namespace kte::detail {
 
-/// Two or three parallel axes, and perhaps a slide along them (planar arms, SCARA). w is the point on the last of three
-/// axes, of two that of the tool:
+/// Two or three parallel axes, optionally with a slide along them (planar arms, SCARA). w is the point on the last of
+/// three axes; for two axes, that of the tool:
 ///
 ///   q1, q2:  R(h, q1)(p12 + R(h, q2) p23) = w - p1, normal to h
 ///   d = h.(position - that at d = 0);   q3 = angle of the tool about h - q1 - q2          (1)

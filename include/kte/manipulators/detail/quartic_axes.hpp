@@ -5,7 +5,7 @@
 
 namespace kte::detail {
 
-/// Axes 4, 5, 6 through the point w from joint 1, axes 1, 2, 3 anyhow, by subproblem 5:
+/// Axes 4, 5, 6 meet in the point w from joint 1; axes 1, 2, 3 are arbitrary. By subproblem 5:
 ///
 ///   R(h1, -q1) w - p12 = R(h2, q2)(p23 + R(h3, q3) p34);   q4..q6 of axes that meet          (1)
 template <class S>
@@ -29,9 +29,9 @@ raw_answers<S> wrist_and_three_axes(const arm_structure& s, const rotation_matri
 ///   h.R(h1, -q1) w = h.(p12 + p23 + p34 + p45) + h.R(h5, q5) p56
 ///   h.R(h1, -q1) R06 h6 = h.R(h5, q5) h6;   R(h6, q6) y = R(h5, -q5) h,  y = R06^T R(h1, q1) h          (2)
 ///
-/// Where h6 is nearly along h, cosines of the angle between them know little of it, and of two answers, which differ by
-/// half a turn of q6. There the last of (2) itself is solved, normal to h6, with the first of (2) along it
-/// (detail/three_axes_loop.hpp).
+/// If h6 is nearly along h, the cosine of the angle between them is inaccurate, and so are two solutions that differ by
+/// half a turn of q6. Then the last equation of (2) is solved directly: its component normal to h6, and the first
+/// equation along it (detail/three_axes_loop.hpp).
 template <class S>
 short_list<three_solved_angles<S>, 8> around_parallel_axes(const arm_structure& s, const rotation_matrix<S>& R06,
                                                            const vec3<S>& w) {
@@ -53,7 +53,7 @@ short_list<three_solved_angles<S>, 8> around_parallel_axes(const arm_structure& 
   for (const auto& t : subproblem6<S>({{{unit * l1.cos, unit * l1.sin}, {a1.cos, a1.sin}}},
                                       {{{-unit * l5.cos, -unit * l5.sin}, {-a5.cos, -a5.sin}}},
                                       {S(unit * (offset + l5.constant - l1.constant)), S(a5.constant - a1.constant)})) {
-    // At an angle of 1e-3 cosines know it to 1e-13, which Newton's steps mend at the end.
+    // At an angle of 1e-3 the cosine gives it to 1e-13, which Newton's steps refine at the end.
     const S cosine = a5.constant + a5.cos * t.second.cos + a5.sin * t.second.sin;
     if (S(1) - cosine * cosine < S(1e-6)) {
       loop().add_closed(t.first, t.second, t.slot, all);
@@ -65,8 +65,8 @@ short_list<three_solved_angles<S>, 8> around_parallel_axes(const arm_structure& 
   return all;
 }
 
-/// The parallel axes from there, with p45 + R(h5, q5) p56 instead of p45. Where h6 is along h, q6 is free, or within
-/// reach, as in (3) of detail/six_axes.hpp.
+/// Solves for the parallel axes, with p45 + R(h5, q5) p56 instead of p45. If h6 is along h, q6 is free, or restricted
+/// by reach, as in (3) of detail/six_axes.hpp.
 template <class S>
 raw_answers<S> parallel_and_two_axes(const arm_structure& s, const rotation_matrix<S>& R06, const vec3<S>& position,
                                      const joint_turns<S>& seed) {
@@ -86,9 +86,9 @@ raw_answers<S> parallel_and_two_axes(const arm_structure& s, const rotation_matr
     const vec3<S> a = turned(h1, -t1, w) - p12, p45 = as<S>(s.p(4) - s.p(3)) + turned(h5, t5, p56);
     const vec3<S> y = transpose(R16) * as<S>(h), off = normal_to(h6, y);
     const S size = sqrt(dot(off, off)), noise = S(24 * std::numeric_limits<S>::epsilon());
-    if (size < S(4e8) * noise) {  // beyond, reach is missed by less than 1e-8
+    if (size < S(4e8) * noise) {  // beyond, the reach is violated by less than 1e-8
       const bool free = !(size > noise);
-      if (free) x.free = S(46), t6 = seed.at(5), t14 = t14_of(t6);  // with q6 go q2, q3, q4
+      if (free) x.free = S(46), t6 = seed.at(5), t14 = t14_of(t6);  // q2, q3, q4 change with q6
       const S unknown = S(4) * noise / size;                        // of turned axes
       if (const auto way = way_into_reach(s, normal_to(h, a), t14, p45, free, unknown); way.sin != S(0))
         t6 = t6 + (dot(y, as<S>(h6)) > S(0) ? -way : way), t14 = t14_of(t6);

@@ -12,7 +12,7 @@ namespace kte::detail {
 template <class S>
 using by_joint = std::array<S, arm_geometry::most>;
 
-/// Angles of joints by sine and cosine: their values are taken many at a time.
+/// Joint angles by sine and cosine; their values are computed many at a time.
 template <class S>
 struct joint_turns {
   by_joint<S> sine, cosine;
@@ -33,22 +33,21 @@ joint_turns<S> turns_of(const by_joint<S>& t) {
   return x;
 }
 
-/// What the closed forms give of one answer, or of several in the lanes of a pack: turns of the joints of
-/// `arm_structure::arm`.
+/// One solution of the closed forms, or several in the lanes of a pack: angles of the joints of `arm_structure::arm`.
 template <class S>
 struct raw_answer {
   joint_turns<S> turn;
   S slide;  ///< of the joint that slides, m
-  S free;   ///< as a number, for lanes have no bits: 2^i of each joint i that could be anything
+  S free;   ///< a number, because lanes have no bits: the sum of 2^i over the free joints i
 };
-/// 2^i + ... where a condition holds.
+/// The sum of 2^i over `joints` where the condition holds, otherwise 0.
 template <class S>
 S free_if(const truth<S>& condition, unsigned joints) {
   return select(condition, S(joints), S(0));
 }
 
-/// All answers, what they have of one joint side by side, as registers take it: rows that are padded to full registers
-/// with the last answer.
+/// All solutions, with the values of one joint in adjacent memory: rows that are padded to full registers with the last
+/// solution.
 template <class S>
 struct raw_answers {
   static constexpr std::size_t most = 16;
@@ -59,7 +58,7 @@ struct raw_answers {
   row slide, free;
   std::array<unsigned, most> branch;
 
-  /// One more; beyond `most` it is left out.
+  /// Adds a solution; ignored beyond `most`.
   void add(const raw_answer<S>& x, unsigned name, std::size_t joints) {
     if (size == most) return;
     for (std::size_t i = size; i < padded(size + 1); ++i) {
@@ -73,7 +72,7 @@ struct raw_answers {
     return (n + lanes - 1) / lanes * lanes;
   }
 };
-/// Bits of `branch`: set for the second answer.
+/// Bits of `branch`, set for the second alternative.
 enum branch_bit : unsigned { shoulder_bit = 1, elbow_bit = 2, wrist_bit = 4 };
 
 template <class S>
@@ -92,8 +91,8 @@ rotation_matrix<S> turned_matrix(const K& k, const solved_angle<S>& t, const rot
 ///   q5:  R(h5, q5) h6 = R(h4, -q4) u
 ///   q6:  R(h6, q6) v = R(h5, -q5) R(h4, -q4) R v          (1)
 ///
-/// each from what those before it leave. So the pose is right to rounding also where q4 is not known to any digit, as
-/// for q5 = 0; there q4 is what `otherwise` says, and half a turn more.
+/// Each equation uses the results of the previous ones. The pose is therefore accurate to rounding even where q4 is
+/// undetermined, as for q5 = 0; there q4 is `otherwise`, or half a turn from it.
 template <class S>
 struct meeting_axes {
   const arm_structure& s;
@@ -106,7 +105,7 @@ struct meeting_axes {
     first = subproblem4(vec3<>(-h(0)), u, h(1), S(dot(as<S>(h(1)), as<S>(h(2)))), otherwise);
   }
   const vec3<>& h(int k) const { return s.h(i + k); }
-  /// The other joints by one of the angles of the first.
+  /// Computes the other joints for one of the two values of q4.
   void put(const solved_angle<S>& q4, raw_answer<S>& x) const {
     const auto k = static_cast<std::size_t>(i);
     const auto q5 = subproblem1(h(1), as<S>(h(2)), turned(h(0), -q4, u));
@@ -114,7 +113,7 @@ struct meeting_axes {
     x.turn.put(k, q4), x.turn.put(k + 1, q5), x.turn.put(k + 2, q6);
   }
 };
-/// Both answers of the joints from i on to `x`.
+/// Both solutions of joints i, i+1, i+2, added to `x`.
 template <class S>
 std::array<raw_answer<S>, 2> both_of_meeting_axes(const arm_structure& s, int i, const rotation_matrix<S>& R,
                                                   raw_answer<S> x, const joint_turns<S>& seed) {
@@ -125,7 +124,7 @@ std::array<raw_answer<S>, 2> both_of_meeting_axes(const arm_structure& s, int i,
   return {x, y};
 }
 
-/// pi, with all digits of the scalar.
+/// pi, in the precision of the scalar.
 template <class S>
 S half_turn() {
   using std::atan2;
@@ -137,7 +136,7 @@ S half_turn() {
     return atan2(S(0), S(-1));
   }
 }
-/// In (-pi, pi], of an angle that is less than three half turns.
+/// An angle of less than three half turns, moved to (-pi, pi].
 template <class S>
 S wrapped(const S& t) {
   const S pi = half_turn<S>();

@@ -10,9 +10,9 @@
 
 namespace kte::detail {
 
-/// The joints between the base and a frame of a runtime chain, where the state is at zero. From its body nodes: their
-/// order, and which coordinates they have; the axes from the Jacobian at zero. Column (v, w) of a joint that turns,
-/// with the origin of the frame at p, is w x (p - o) and w for any o on its axis, of which the nearest to p is
+/// The joints between the base and a frame of a runtime chain whose state has coordinates zero. Their order and
+/// coordinates are those of the body nodes, the axes come from the Jacobian at zero. A revolute joint has the column
+/// (v, w); with the origin of the frame at p, v = w x (p - o) for any o on its axis. The o closest to p is
 ///
 ///   o = p + w x v          (1)
 arm_geometry geometry_of(const runtime_chain& c, runtime_state& s, const std::string& frame);

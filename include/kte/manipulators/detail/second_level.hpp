@@ -4,13 +4,13 @@
 
 namespace kte::detail {
 
-/// Goals of the second level with what freedom the first leave, from a configuration at which these are met: steps
+/// Attains goals of the second level within the freedom that the first leave, starting where the first are met: steps
 ///
-///   minimise  k |J_1 d - e_1|^2 + |J_2 d - e_2|^2 + mu |d|^2  within limits,   k = 1e8 tr H_2/tr H_1            (1)
+///   minimize  k |J_1 d - e_1|^2 + |J_2 d - e_2|^2 + mu |d|^2  within limits,   k = 1e8 tr H_2/tr H_1            (1)
 ///
-/// which stay in the null space of J_1 to 1e-8, each followed by a descent of the first goals alone, and taken if the
-/// second have become better and the first are no worse. `met` asks for
-/// more than the tolerance of the first: their errors would be gains of the second. Returns iterations.
+/// stay in the null space of J_1 to 1e-8. Each is followed by a descent of the first goals alone, and accepted if the
+/// second goals have improved and the first are not worse. `met` must be stricter than the tolerance of the first
+/// goals, because otherwise their errors would be traded for gains of the second. Returns the number of iterations.
 template <class At, class First, class Second, class Met>
 int use_freedom(At& at, const First& first, const Second& second, int most, const Met& met) {
   using S = typename At::scalar;

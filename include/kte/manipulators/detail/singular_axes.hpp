@@ -4,13 +4,13 @@
 
 namespace kte::detail {
 
-/// Whether an arm is singular in every posture, as one of which four axes meet in a point, or two are the same: whether
-/// the columns of its Jacobian
+/// Whether an arm is singular in every posture, because four axes meet in a point or two coincide: whether the columns
+/// of its Jacobian
 ///
-///   (o_i x h_i / reach, h_i) of joints that turn,  (h_i, 0) of those that slide          (1)
+///   (o_i x h_i / reach, h_i) for revolute joints,  (h_i, 0) for slides          (1)
 ///
-/// depend on each other, to 1e-9, in one posture that has nothing special: cosines and sines of angles that no builder
-/// of arms thinks of. By elimination with the largest pivots of all.
+/// are linearly dependent, to 1e-9, in one generic posture, whose sines and cosines no real arm is designed for. By
+/// elimination with complete pivoting.
 constexpr bool singular_everywhere(const arm_geometry& arm, double reach) {
   struct direction {
     double cos, sin;

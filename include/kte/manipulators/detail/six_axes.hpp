@@ -5,7 +5,7 @@
 
 namespace kte::detail {
 
-/// The part of v normal to a unit vector.
+/// The component of v normal to a unit vector.
 template <class S>
 vec3<S> normal_to(const vec3<>& unit, const vec3<S>& v) {
   const vec3<S> u = as<S>(unit);
@@ -51,7 +51,8 @@ raw_answers<S> wrist_and_parallel(const arm_structure& s, const rotation_matrix<
   return eight_answers<S>(6, shoulder_bit, elbow_bit, wrist_bit, begin, end);
 }
 
-/// The angle nearest to 0 with a cos t + b sin t within [least, most]; if there is none, the one with the least error.
+/// The angle nearest to 0 with a cos t + b sin t within [least, most]; if there is none, the one with the smallest
+/// error.
 template <class S>
 solved_angle<S> nearest_within(const S& a, const S& b, const S& least, const S& most) {
   const truth<S> within = both<truth<S>>(!(a > most), !(a < least));
@@ -60,8 +61,8 @@ solved_angle<S> nearest_within(const S& a, const S& b, const S& least, const S& 
   return chosen(within, solved_angle<S>{}, chosen(border.minus.cos > border.plus.cos, border.minus, border.plus));
 }
 
-/// Axes 2, 3, 4 parallel to h, axes 5 and 6 through the point w from joint 1 (arms of Universal Robots). R0i turns by
-/// the joints up to i:
+/// Axes 2, 3, 4 are parallel to h, axes 5 and 6 meet in the point w from joint 1 (arms of Universal Robots). R0i is the
+/// product of the rotations of joints 1 to i:
 ///
 ///   q1:      h.R(h1, -q1) w = h.(p12 + p23 + p34 + p45);     y = R06^T R(h1, q1) h
 ///   q6:      h5.R(h6, q6) y = h5.h
@@ -69,14 +70,15 @@ solved_angle<S> nearest_within(const S& a, const S& b, const S& least, const S& 
 ///   t14 = q2 + q3 + q4:  R(h, t14) = R(h1, -q1) R06 R(h6, -q6) R(h5, -q5)
 ///   q2, q3:  R(h, q2)(p23 + R(h, q3) p34) = R(h1, -q1) w - p12 - R(h, t14) p45          (2)
 ///
-/// Where h6 is along h, q6 is free, but not everywhere within reach: the last side has the square
+/// If h6 is along h, q6 is free, but not all values are within reach. The third side of the triangle has the square
 ///
-///   |a - R(h, t) c|^2 = |a|^2 + |c|^2 - 2 (a.c cos t + a.(h x c) sin t),   t = -+ (q6 - that of seed),  c = R(h, t14)
-///   p45          (3)
+///   |a - R(h, t) c|^2 = |a|^2 + |c|^2 - 2 (a.c cos t + a.(h x c) sin t),   t = -+ (q6 - q6 of seed),  c = R(h, t14)
+///   p45
+///         (3)
 ///
-/// of which the lengths of two links are the borders. q6 is then within them, nearest to `seed`. Next to that, q6 is
-/// known to `rounding / sin q5` only, and as near as that to the borders they are kept to as well. Here is the way to
-/// go in t, or 0 where q6 is not `free` and that is farther than q6 is `unknown`.
+/// bounded by the lengths of the two links. q6 is the value within these bounds nearest to `seed`. Near that posture q6
+/// is known to `rounding / sin q5` only, so the bounds are also enforced within that margin. Returns the required
+/// change of t, or 0 if q6 is not `free` and the change exceeds the uncertainty `unknown` of q6.
 template <class S>
 solved_angle<S> way_into_reach(const arm_structure& s, const vec3<S>& a, const solved_angle<S>& t14, const vec3<S>& p45,
                                const truth<S>& free, const S& unknown) {
@@ -92,7 +94,7 @@ solved_angle<S> way_into_reach(const arm_structure& s, const vec3<S>& a, const s
   return chosen(free, way, chosen(close, way, solved_angle<S>{}));
 }
 
-/// q2, q3, q4 of three parallel axes when the joints before and behind are known: both answers.
+/// Both solutions of q2, q3, q4 of three parallel axes, given the joints before and after.
 template <class S>
 std::array<raw_answer<S>, 2> both_of_parallel_axes(const arm_structure& s, const vec3<S>& to_wrist,
                                                    const solved_angle<S>& t14, raw_answer<S> x, const vec3<S>& p45,
@@ -131,7 +133,7 @@ raw_answers<S> parallel_and_meeting(const arm_structure& s, const rotation_matri
     b.a = turned(h1, -t1, w) - p12, b.y = transpose(b.R16) * as<L>(h);
     b.q6 = subproblem4(h6, b.y, h5, L(dot(h5, h)), start.at(5));
     b.x.turn.put(0, t1);
-    b.x.free = free_if<L>(q1.free, 1u) + free_if<L>(b.q6.free, 46u);  // with q6 go q2, q3, q4
+    b.x.free = free_if<L>(q1.free, 1u) + free_if<L>(b.q6.free, 46u);  // q2, q3, q4 change with q6
     return b;
   };
   const auto end = [&](begun b, const truth<L>& flipped) {

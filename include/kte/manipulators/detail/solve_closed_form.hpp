@@ -9,7 +9,7 @@
 
 namespace kte::detail {
 
-/// What the formulas work on: the turn of all joints of `arm` together, and where the origin of the last is.
+/// The pose for the formulas: the rotation of all joints of `arm` together, and the position of the last origin.
 template <class S>
 struct arm_goal {
   rotation_matrix<S> R;
@@ -21,7 +21,7 @@ arm_goal<S> goal_of(const arm_structure& s, const plain_pose_of<S>& x) {
   return {R, x.position - R * as<S>(s.arm.tool.position - s.p(s.arm.n - 1))};
 }
 
-/// The part of `arm_structure::arm` that is needed with the locked joint at `value`.
+/// The pose for the joints of `arm_structure::arm`, with the locked joint at `value`.
 template <class S>
 plain_pose_of<S> pose_for_formulas(const arm_structure& s, plain_pose_of<S> x, const S& value,
                                    const solved_angle<S>& turn) {
@@ -58,18 +58,19 @@ raw_answers<S> answers_by_formulas(const arm_structure& s, const plain_pose_of<S
   return {};
 }
 
-/// All answers by joint of `arm_structure::original`: rad in [-pi, pi], m. Rows as those of `raw_answers`.
+/// All solutions, by joint of `arm_structure::original`: rad in [-pi, pi], m. Rows as in `raw_answers`.
 template <class S>
 struct solved_answers {
   using row = typename raw_answers<S>::row;
 
   postures<S> at;
-  row position, rotation;  ///< by which the tool is away, m and rad
-  row free;                ///< 2^i of joints i of `arm_structure::arm` that could be anything
+  row position, rotation;  ///< errors of the tool, m and rad
+  row free;                ///< sum of 2^i over the free joints i of `arm_structure::arm`
   std::array<unsigned, raw_answers<S>::most> branch;
 };
 
-/// The result of the formulas, by joint of `original`; the locked joint is at `value`, with sine and cosine `turn`.
+/// Stores the results of the formulas, by joint of `original`. The locked joint is at `value`, with sine and cosine
+/// `turn`.
 template <class S>
 void put_postures(const arm_structure& s, const raw_answers<S>& raw, const S& value, const solved_angle<S>& turn,
                   postures<S>& all) {
@@ -94,15 +95,15 @@ void put_postures(const arm_structure& s, const raw_answers<S>& raw, const S& va
   }
 }
 
-/// Whether answers need `polish`: where roots of equations of degree four are worse than rounding, and where axes are
-/// not quite as formulas have them (a tolerance was given).
+/// Whether solutions need `polish`: roots of equations of degree four are less accurate than rounding, and axes may
+/// deviate from the formulas (if a tolerance was given).
 constexpr bool is_loose(const arm_structure& s) { return s.tolerance > arm_structure::strict && s.original.n >= 6; }
 constexpr bool is_rough(const arm_structure& s) {
   return is_loose(s) || s.form == closed_form::wrist_general || s.form == closed_form::parallel_general;
 }
 
-/// Newton's steps for answer a, as long as they bring nearer: next to double roots with damping. And where axes are not
-/// quite as formulas have them, more of them, and longer.
+/// Newton steps for solution a, as long as they reduce the error; with damping near double roots. If axes deviate from
+/// the formulas, more and longer steps.
 template <class S>
 void polish(const arm_structure& s, const plain_pose_of<S>& wanted, solved_answers<S>& all, std::size_t a) {
   const bool loose = is_loose(s);
@@ -132,8 +133,7 @@ void polish(const arm_structure& s, const plain_pose_of<S>& wanted, solved_answe
   all.position[a] = gap.position, all.rotation[a] = gap.rotation;
 }
 
-/// All answers of an arm; angles that are free are as in `seed`. `extra` is the arm angle, or the value of the joint
-/// that is held.
+/// All solutions of an arm. Free angles are those of `seed`. `extra`: the arm angle, or the value of the locked joint.
 template <class S>
 solved_answers<S> solve_closed_form(const arm_structure& s, const plain_pose_of<S>& wanted, const by_joint<S>& seed,
                                     const S& extra) {

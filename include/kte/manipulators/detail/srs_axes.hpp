@@ -2,20 +2,20 @@
 
 #include <kte/manipulators/detail/six_axes.hpp>
 
-/// Arms of seven axes; axes 1, 2, 3 meet in the shoulder and 5, 6, 7 in the wrist (Shimizu, Kakuya, Yoon, Kitagaki and
-/// Kosuge, Analytical Inverse Kinematic Computation for 7-DOF Redundant Manipulators With Joint Limits, IEEE
+/// Arms with seven axes: axes 1, 2, 3 meet in the shoulder, and 5, 6, 7 in the wrist (Shimizu, Kakuya, Yoon, Kitagaki
+/// and Kosuge, Analytical Inverse Kinematic Computation for 7-DOF Redundant Manipulators With Joint Limits, IEEE
 /// Transactions on Robotics 24, 2008; Elias and Wen, Redundancy Parameterization and Inverse Kinematics of 7-DOF
 /// Revolute Manipulators, 2023).
 namespace kte::detail {
 
-/// The triangle of shoulder, elbow and wrist, of one of the two elbows: where it is at psi = 0, and what it is in axes
-/// of link 3. w^ points from the shoulder to the wrist:
+/// The triangle of shoulder, elbow and wrist, for one of the two elbow angles: at psi = 0, and in axes of link 3. w^
+/// points from the shoulder to the wrist:
 ///
-///   e_x = ((w^ - t) x r) x w^, normalised          (1)   stereographic: without direction only where w^ = t
+///   e_x = ((w^ - t) x r) x w^, normalized          (1)   stereographic: undefined only if w^ = t
 ///   the elbow is on the side  e(psi) = cos psi e_x + sin psi (w^ x e_x)          (2)
 ///   R03 = (w^, e, w^ x e) (v^, f, v^ x f)^T          (3)
 ///
-/// v^ and f are w^ and e in axes of link 3. t points against axis 1, where arms have their pedestals.
+/// v^ and f are w^ and e in axes of link 3. t points against axis 1, to the pedestal of most arms.
 template <class S>
 struct elbow_side {
   solved_angle<S> q4;
@@ -42,7 +42,7 @@ vec3<S> unit_vector_along(const vec3<S>& v, const vec3<S>& otherwise) {
   return chosen(some, vec3<S>((S(1) / select(some, n, S(1))) * v), otherwise);
 }
 
-/// The side of the first of the elbow's angles, where l1.(h x v) < 0, or of the second.
+/// The side for the first elbow angle, where l1.(h x v) < 0, or for the second.
 template <class S>
 elbow_side<S> elbow_side_of(const arm_structure& s, const vec3<S>& position, const truth<S>& second) {
   const vec3<>& h = s.h(3);
@@ -64,14 +64,15 @@ elbow_side<S> elbow_side_of(const arm_structure& s, const vec3<S>& position, con
   x.g = cross(x.v, x.f);
   return x;
 }
-/// Both.
+/// The sides of both elbow angles.
 template <class S>
 std::array<elbow_side<S>, 2> elbow_sides(const arm_structure& s, const vec3<S>& position) {
   const truth<S> second = S(0) < S(1);
   return {elbow_side_of(s, position, truth<S>(!second)), elbow_side_of(s, position, second)};
 }
 
-/// R07 and the place of the wrist for one arm angle psi: q1..q3 from R03, q5..q7 from R47 = (R03 R34)^T R07.
+/// All joints for one arm angle psi, from R07 and the position of the wrist: q1..q3 from R03, q5..q7 from R47 = (R03
+/// R34)^T R07.
 template <class S>
 raw_answers<S> shoulder_and_wrist(const arm_structure& s, const rotation_matrix<S>& R07, const vec3<S>& position,
                                   const solved_angle<S>& psi, const joint_turns<S>& seed) {

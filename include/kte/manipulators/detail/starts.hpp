@@ -8,7 +8,7 @@
 
 namespace kte::detail {
 
-/// Numbers in [0, 1), the same on every machine (splitmix64: Steele, Lea, Flood, OOPSLA 2014).
+/// Uniform random numbers in [0, 1), equal on all machines (splitmix64: Steele, Lea, Flood, OOPSLA 2014).
 class even_numbers {
  public:
   explicit even_numbers(std::uint64_t seed) : state_(seed) {}
@@ -34,8 +34,8 @@ void clamp_to_limits(const Arm& arm, X& q) {
   });
 }
 
-/// A random configuration within limits; without limits, within half a turn, pi metres, of `from`; poses within half a
-/// turn and `away` metres.
+/// A random configuration within limits. Coordinates without limits are within half a turn, or pi metres, of `from`;
+/// poses within half a turn and `away` metres.
 template <class Arm, class X>
 X somewhere(const Arm& arm, const X& from, double away, even_numbers& random) {
   using S = typename X::Scalar;
@@ -62,8 +62,8 @@ X somewhere(const Arm& arm, const X& from, double away, even_numbers& random) {
   return q;
 }
 
-/// What counts as the size of a manipulator, m: the largest distance of a tool from the axes that turn it, in some
-/// configurations; 1 where nothing turns.
+/// The size of a manipulator, m: the largest distance of a tool from the axes that rotate it, over some configurations;
+/// 1 if nothing rotates.
 template <class S, class Arm, class X>
 S reach_of(const Arm& arm, const X& q) {
   even_numbers random(1);

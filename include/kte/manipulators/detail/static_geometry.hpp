@@ -5,7 +5,7 @@
 
 namespace kte::detail {
 
-/// Whether element I is a body that moves freely, by a coordinate that is its pose.
+/// Whether element I is a free body, whose coordinate is its pose.
 template <std::size_t I, class Chain>
 constexpr bool floats() {
   using core_t = typename Chain::template core_type<I>;
@@ -20,7 +20,7 @@ constexpr bool floats() {
       return false;
   }
 }
-/// Why an element cannot be between the base and the tool, where its type alone says so; else nothing.
+/// Why an element cannot be between the base and the tool, if its type alone decides this; otherwise null.
 template <std::size_t I, class Chain>
 constexpr const char* refused_by_type() {
   using core_t = typename Chain::template core_type<I>;
@@ -39,7 +39,7 @@ constexpr const char* refused_by_type() {
   }
 }
 
-/// Element I where its coordinate is zero: no sines are requested, so that it is known while compiling.
+/// Adds element I at coordinate zero. Avoids sines, so that it can be evaluated at compile time.
 template <std::size_t I, class Chain>
 constexpr void add_element(const Chain& c, pose<mat3<vec3<>>, vec3<>>& x, arm_geometry& arm) {
   using core_t = typename Chain::template core_type<I>;
@@ -71,8 +71,8 @@ constexpr void add_element(const Chain& c, pose<mat3<vec3<>>, vec3<>>& x, arm_ge
   }
 }
 
-/// Whether the elements between the base and a frame are such that a closed form is there for some axes: three, four,
-/// six or seven joints of one degree of freedom, and links.
+/// Whether the elements between the base and a frame may have a closed form: three, four, six or seven joints with one
+/// degree of freedom, and links.
 template <class Frame, class Chain>
 constexpr bool may_have_closed_form() {
   using path = branch<Chain, Frame::what, frame_slot<Frame, Chain>()>;

@@ -8,12 +8,12 @@ namespace kte {
 template <class S>
 struct three_solved_angles {
   solved_angle<S> first, second, third;
-  unsigned slot;  ///< identifies the solution; two that differ in bit 0 only become equal at a double solution
+  unsigned slot;  ///< identifies the solution; two that differ only in bit 0 coincide at a double solution
 };
 
 namespace detail {
 
-/// A point by an angle, centre + cos t along + sin t across.
+/// A point on a circle: centre + cos t along + sin t across.
 template <class S>
 struct turning_point {
   vec3<S> centre, along, across;
@@ -22,20 +22,20 @@ struct turning_point {
   vec3<S> rate(const solved_angle<S>& t) const { return t.cos * across - t.sin * along; }
   S squares() const { return dot(centre, centre) + dot(along, along) + dot(across, across); }
 };
-/// from + R(k, t) p
+/// The circle from + R(k, t) p.
 template <class S>
 turning_point<S> point_turned(const vec3<S>& from, const vec3<S>& k, const vec3<S>& p) {
   const vec3<S> fixed = dot(k, p) * k;
   return {from + fixed, p - fixed, cross(k, p)};
 }
 
-/// b(t1) = R(k2, t2) a(t3), of which t1 and t3 are known, but from squares: with n what the points have normal to k2,
-/// to rounding/n. Where they pass by axis 2 that is not enough, and two answers, of which t2 is half a turn apart, have
-/// nearly the same t1 and t3, or were taken for one. From what the loop lacks,
+/// Refines b(t1) = R(k2, t2) a(t3). t1 and t3 come from squares and have errors of rounding/n, with the component n of
+/// the points normal to k2. Near axis 2 this is not enough: two solutions whose t2 differ by half a turn have nearly
+/// the same t1 and t3, or were merged. With the residual of the loop
 ///
 ///   d = b - R2 a,  r its direction normal to k2,  c1 = db/dt1,  c3 = R2 da/dt3,
 ///
-/// Newton's steps: u.c1 dt1 - u.c3 dt3 = -u.d for u = k2 and u = r; then t2 again.          (1)
+/// Newton's steps solve u.c1 dt1 - u.c3 dt3 = -u.d for u = k2 and u = r; t2 is then computed again.          (1)
 template <class S>
 struct three_axes_loop {
   turning_point<S> b, a;
@@ -51,7 +51,7 @@ struct three_axes_loop {
     const vec3<S> side = cross(k2, start.a);
     const auto add = [&](const place& x) {
       const vec3<S> arm = cross(k2, x.a);
-      const double moved = std::sqrt(double_of(S(dot(arm, arm)) / size));  // by a turn of 1 rad about axis 2
+      const double moved = std::sqrt(double_of(S(dot(arm, arm)) / size));  // by a rotation of 1 rad about axis 2
       if (!knows(out, x.t, 64 * eps / moved) && out.size() < 8) out.push_back(x.t);
     };
     if (!(double_of(S(dot(side, side))) <= 1e-10 * size)) return add(found);
@@ -66,10 +66,10 @@ struct three_axes_loop {
  private:
   struct place {
     three_solved_angles<S> t;
-    vec3<S> a, b, d;  ///< the points, and what they lack
+    vec3<S> a, b, d;  ///< the points, and their difference
   };
   vec3<S> gap(const place& x) const { return x.b - turned(k2, x.t.second, x.a); }
-  /// Whether t is one of `all`, whose t2 is `unknown`.
+  /// Whether t is in `all`, with t2 uncertain by `unknown`.
   static bool knows(const list& all, const three_solved_angles<S>& t, double unknown) {
     for (const auto& x : all)
       if (same_angle(x.first, t.first) && same_angle(x.third, t.third) && same_angle(x.second, t.second, unknown))

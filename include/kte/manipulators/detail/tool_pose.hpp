@@ -2,13 +2,13 @@
 
 #include <kte/manipulators/detail/raw_answers.hpp>
 
-/// Where a tool is, of one posture and of many, and how far that is from where it is needed.
+/// The pose of a tool, for one posture or many, and its distance from the desired pose.
 namespace kte::detail {
 
 template <class S>
 using plain_pose_of = pose<rotation_matrix<S>, vec3<S>>;
 
-/// The pose of the tool at t, by joint of the arm: products of exponentials.
+/// The pose of the tool at joint angles t: product of exponentials.
 template <class S>
 plain_pose_of<S> tool_pose(const arm_geometry& arm, const by_joint<S>& t) {
   const auto turn = turns_of(t);
@@ -26,12 +26,12 @@ plain_pose_of<S> tool_pose(const arm_geometry& arm, const by_joint<S>& t) {
   return x;
 }
 
-/// m and rad between two poses.
+/// The distance of two poses, m and rad.
 template <class S>
 struct pose_gap {
   S position, rotation;
 };
-/// With F the norm of Frobenius, the angle between two rotations is 2 asin(F(R1 - R2) / sqrt 8).          (1)
+/// The angle between two rotations, with the Frobenius norm F, is 2 asin(F(R1 - R2) / sqrt 8).          (1)
 template <class S>
 pose_gap<S> gap_of_squares(const S& position, const S& rotation) {
   using std::asin;
@@ -51,7 +51,7 @@ pose_gap<S> gap_between(const plain_pose_of<S>& a, const plain_pose_of<S>& b) {
   return gap_of_squares(S(dot(d, d)), S(dot(m.x, m.x) + dot(m.y, m.y) + dot(m.z, m.z)));
 }
 
-/// Several postures, all numbers of one joint side by side: rows that are padded to full registers.
+/// Several postures, with the values of one joint in adjacent memory: rows that are padded to full registers.
 template <class S>
 struct postures {
   using row = typename raw_answers<S>::row;
@@ -64,7 +64,7 @@ struct postures {
     for (std::size_t i = 0; i < x.size(); ++i) x[i] = t[i][a];
     return x;
   }
-  /// The pose of the tool of each, by its sines and cosines, and what that misses.
+  /// Computes the tool poses of all postures by their sines and cosines, and their errors.
   void look_at_gaps(const arm_geometry& arm, const plain_pose_of<S>& wanted, row& position, row& rotation) const {
     using L = typename answer_pack<S>::type;
     const plain_pose_of<L> there{as<L>(wanted.rotation), as<L>(wanted.position)};

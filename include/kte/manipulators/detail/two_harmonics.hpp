@@ -24,8 +24,8 @@ struct two_harmonics {
   }
 
   using angles = short_list<double, 64>;
-  /// All zeros in [-pi, pi), also where f touches zero within `touch`: the zeros of a function lie between those of its
-  /// derivative. A sixteenth of a turn is taken to have at most one zero of the third.
+  /// All zeros in [-pi, pi), including points where |f| has a minimum below `touch`. The zeros of a function lie
+  /// between those of its derivative. The third derivative is assumed to have at most one zero per sixteenth of a turn.
   angles zeros(double touch) const {
     constexpr int parts = 16;
     angles found;
@@ -39,7 +39,7 @@ struct two_harmonics {
   }
 
  private:
-  /// Where derivative D changes its sign: Newton's steps, by halves where they leave the interval.
+  /// The zero of derivative D in an interval: Newton's method, with bisection if a step leaves the interval.
   template <std::size_t D>
   point zero_between(double lower, double upper, bool rises) const {
     point p = at((lower + upper) / 2);
@@ -52,7 +52,7 @@ struct two_harmonics {
     }
     return p;
   }
-  /// Zeros of f where derivative D + 1 has no zero.
+  /// Zeros of f in an interval in which derivative D + 1 has no zero.
   template <std::size_t D>
   void look_between(const point& a, const point& b, double touch, angles& found) const {
     const bool changes = (a.y[D] < 0) != (b.y[D] < 0);
@@ -60,7 +60,7 @@ struct two_harmonics {
       if (changes)
         found.push_back(zero_between<0>(a.t, b.t, a.y[0] < 0).t);
       else if (std::abs(b.y[0]) <= touch)
-        found.push_back(b.t);  // possibly found twice: subproblem 6 takes equal roots once
+        found.push_back(b.t);  // possibly found twice: subproblem 6 merges equal roots
     } else if (changes) {
       const point p = zero_between<D>(a.t, b.t, a.y[D] < 0);
       look_between<D - 1>(a, p, touch, found), look_between<D - 1>(p, b, touch, found);

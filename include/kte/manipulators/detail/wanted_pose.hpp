@@ -14,7 +14,7 @@ template <class X, class Y, class Z>
 const vec3<X, Y, Z>& in_space(const vec3<X, Y, Z>& p) {
   return p;
 }
-/// A pose of the plane or of space, as users have it, in space.
+/// A planar or spatial pose as a spatial pose.
 template <class Rotation, class Position>
 auto spatial(const pose<Rotation, Position>& x) {
   const auto p = in_space(x.position);
@@ -22,9 +22,9 @@ auto spatial(const pose<Rotation, Position>& x) {
   return plain_pose_of<S>{as<S>(matrix(x.rotation)), as<S>(p)};
 }
 
-/// A pose that can be asked for. The rotation is brought nearer to orthonormal, by two steps of R (3 - R^T R) / 2,
-/// unless it is to rounding. Throws `bad_argument` for what is not finite, and for a matrix that is not orthonormal to
-/// 1e-6 (in float to a thousand rounding errors) and right-handed.
+/// A valid pose. The rotation is orthonormalized by two steps of R (3 - R^T R) / 2, unless it is orthonormal to
+/// rounding. Throws `bad_argument` for numbers that are not finite, and for a matrix that is not right-handed and
+/// orthonormal to 1e-6 (float: to a thousand rounding errors).
 template <class S>
 plain_pose_of<S> checked_pose(plain_pose_of<S> x) {
   auto& R = x.rotation;

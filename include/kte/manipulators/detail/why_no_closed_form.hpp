@@ -8,7 +8,7 @@
 
 namespace kte::detail {
 
-/// What the axes of an arm miss, for people.
+/// A text that says why the axes of an arm have no closed form.
 std::string why_no_closed_form(const arm_structure& s);
 
 }  // namespace kte::detail

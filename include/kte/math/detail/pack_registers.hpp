@@ -11,12 +11,12 @@
 #  include <xsimd/xsimd.hpp>
 #endif
 
-/// What a pack is made of: vectors of the compiler, as long as a register of the CPU; or plain numbers, where xsimd or
-/// a register short enough is missing. Both have the same operators, and the functions below.
+/// The registers of a pack: compiler vectors with the size of a CPU register, or plain numbers if xsimd or a register
+/// of suitable size is missing. Both have the same operators and the functions below.
 ///
-/// All of it is built in or inlined at once. A function that g++ inlines later is at first a call that may keep the
-/// addresses it is given: with the operators of xsimd and std, the analysis of what points where took five minutes for
-/// forward dynamics of seven joints.
+/// Everything is built in or inlined immediately. A function that g++ inlines later is first a call that may keep its
+/// addresses: with the operators of xsimd and std, pointer analysis took five minutes for forward dynamics of seven
+/// joints.
 namespace kte::detail {
 
 /// Instead of an architecture of xsimd: one number is one register.
@@ -25,7 +25,7 @@ struct plain_registers {};
 template <class T>
 using bits_of = std::conditional_t<sizeof(T) == 8, std::uint64_t, std::uint32_t>;
 
-// clang makes one instruction of a product and a sum in one expression, and only if asked to in others; g++ in all.
+// clang fuses products and sums within an expression, and across expressions only on request; g++ always does.
 #if defined(__clang__)
 #  define KTE_FUSED _Pragma("clang fp contract(fast)")
 #else
@@ -63,7 +63,7 @@ struct negative {
 };
 #undef KTE_FUSED
 
-/// The functions that have no operator.
+/// Functions without an operator.
 template <class T, class Arch>
 struct pack_register {
   using type = T;
@@ -85,7 +85,7 @@ struct pack_register {
 
 #if __has_include(<xsimd/xsimd.hpp>) && !defined(KTE_NO_XSIMD)
 
-/// Arithmetic by the operators of the compiler, comparisons and what is rare by xsimd.
+/// Arithmetic by compiler operators; comparisons and rare functions by xsimd.
 template <class T, class Arch>
 requires(!std::is_same_v<Arch, plain_registers>) struct pack_register<T, Arch> {
   using batch = xsimd::batch<T, Arch>;

@@ -3,15 +3,15 @@
 #include <kte/dynamics/configuration_space.hpp>
 #include <kte/static_chain/wiring.hpp>
 
-/// Configurations as displacements from another, for integrators (integrators/motion_space.hpp). For a coordinate with
-/// a rotation R and a position p, and d = (u, phi):
+/// Configurations as displacements from another configuration, for integrators (integrators/motion_space.hpp). For a
+/// coordinate with a rotation R and a position p, and d = (u, phi):
 ///
 ///   R(d) = R exp [phi]x,   p(d) = p + R u                                                  (1)
 ///   phi' = w + phi x w / 2 + D phi x (phi x w),   D = (1 - t/2 cot(t/2))/t^2, t = |phi|    (2)
 ///   u' = exp([phi]x) v                                                                     (3)
 ///
-/// v and w in the axes of the moving frame. By (3) a body in free flight has a constant u'. (2) is the inverse of the
-/// derivative of the exponential, singular where a step turns by 2 pi. For numbers q(d) = q + d, d' = v.
+/// v and w are in axes of the moving frame. By (3), u' is constant for a body in free flight. (2) is the inverse of the
+/// derivative of the exponential, which is singular where a step rotates by 2 pi. For numbers q(d) = q + d, d' = v.
 namespace kte::detail {
 
 template <class S, class Q, class D, class Out>
@@ -33,7 +33,7 @@ void displace_one(const freedom& f, const Q& q, const D& d, Out& out) {
   put_quaternion(out, with_position ? f.q + 3 : f.q, from.rotation * to_quaternion(phi));
 }
 
-/// The quaternion of a rotation vector less 1, to its own rounding.
+/// The quaternion of a rotation vector minus 1, with full relative accuracy.
 template <class S>
 unit_quaternion<S> quaternion_less_one(const vec3<S>& phi) {
   const S tt = dot(phi, phi), half = S(1) / S(2);
@@ -43,8 +43,8 @@ unit_quaternion<S> quaternion_less_one(const vec3<S>& phi) {
   const auto v = tiny ? vec3<S>((half - tt / S(48) * (S(1) - tt / S(80))) * phi) : vec3<S>{c.x, c.y, c.z};
   return {-dot(v, v) / (S(1) + w), v.x, v.y, v.z};
 }
-/// What of d was lost where q(d) was rounded to `to`, for the displacement from there. With a, b the quaternions of
-/// both and c that of phi, and but for what is along b, its length:
+/// The part of d that was lost when q(d) was rounded to `to`, for the displacement from there. With the quaternions a,
+/// b of both configurations and c of phi, up to the component along b, which is the length error:
 ///
 ///   2 Im(b* ((a - b) + a (c - 1))),   R_b^T ((p - p_b) + R u)          (4)
 template <class S, class Q, class D, class To, class Rest>
@@ -67,7 +67,7 @@ void rounding_of_one(const freedom& f, const Q& q, const D& d, const To& to, Res
     rest[f.v + 2] = lost.z;
   }
   const std::size_t k = turns_only ? i : i + 3;
-  // As it was rounded: made again of length 1 it would be rounded again. One that a user gave may have any length.
+  // Used as rounded: normalizing it would round it again. Quaternions of users may have any length.
   const unit_quaternion<S> given{S(q[k]), S(q[k + 1]), S(q[k + 2]), S(q[k + 3])};
   const S square = given.w * given.w + given.x * given.x + given.y * given.y + given.z * given.z;
   const bool is_unit = square < S(1.001) && square > S(0.999);
@@ -79,7 +79,7 @@ void rounding_of_one(const freedom& f, const Q& q, const D& d, const To& to, Res
   put_vector(rest, turns_only ? f.v : f.v + 3, as<S>(S(2) * vec3<S>{r.x, r.y, r.z}));
 }
 
-/// (2) and (3): the rates r become those of d.
+/// (2) and (3): converts the rates r to those of d.
 template <class S, class D, class R>
 void pull_back_one(const freedom& f, const D& d, R& r) {
   if (f.what == kind::gen) return;
@@ -99,7 +99,8 @@ void pull_back_one(const freedom& f, const D& d, R& r) {
              as<S>(w + half * turned + unturned_shift(dot(phi, phi)) * cross(phi, turned)));  // (2)
 }
 
-/// How large the numbers of a displacement are where they are not small: lengths as the position, angles 1 rad.
+/// The sizes of the numbers of a configuration, per number of a displacement: lengths those of the position, angles 1
+/// rad.
 template <class S, class Q, class M>
 void magnitudes_of(const freedom& f, const Q& q, M& m) {
   const auto i = static_cast<std::size_t>(f.q);
@@ -115,7 +116,7 @@ void magnitudes_of(const freedom& f, const Q& q, M& m) {
   for (int k = 0; k < (f.what == kind::pose_2D ? 2 : 3); ++k) m[f.v + k] = length;
 }
 
-/// The derivative of (2) and (3) by d at d = 0, where the rates are r: -[v]x and -[w]x / 2. To be added to J.
+/// Adds to J the derivative of (2) and (3) by d at d = 0, at rates r: -[v]x and -[w]x / 2.
 template <class S, class R, class J>
 void add_variation_of_pull_back(const freedom& f, const R& r, J& jacobian) {
   if (f.what == kind::gen) return;

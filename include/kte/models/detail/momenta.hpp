@@ -3,7 +3,7 @@
 #include <kte/dynamics/momentum.hpp>
 #include <kte/models/state_space.hpp>
 
-/// What variational integrators ask of the masses of a chain.
+/// Generalized momenta of a chain, for variational integrators.
 namespace kte::detail {
 
 /// Momenta of a static chain. Arguments are not stored.
@@ -19,9 +19,9 @@ class momenta_of {
 
   /// p = M(q) v.
   vector at(const Chain& c, const S* q, const vector& v) const { return generalized_momenta(c, q, v); }
-  /// p and its rate M_dot v, as q moves by v.
+  /// p and its rate M_dot v along v.
   auto along(const Chain& c, const S* q, const vector& v) const { return generalized_momenta_along(c, q, v); }
-  /// p becomes M(q)^-1 p. Throws `singular_mass_matrix`.
+  /// Replaces p by M(q)^-1 p. Throws `singular_mass_matrix`.
   void solve(const Chain& c, const S* q, vector& p) const {
     auto m = mass_matrix(c, q);
     solve_in_place(m, p,

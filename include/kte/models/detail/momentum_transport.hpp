@@ -2,17 +2,17 @@
 
 #include <kte/models/detail/displacement.hpp>
 
-/// Momenta over a step h of a variational integrator, with velocities (v, w) at its middle in the axes there, and
+/// Momenta over a step h of a variational integrator, with velocities (v, w) at the midpoint, in axes there, and
 /// momenta p = (g, l), linear and angular. From the variation of h L(q_m, v, w) with q_m = q0 (+) d/2, q1 = q0 (+) d:
 ///
 ///   d = h (E^-1 v, w),   E = exp [-phi]x,  phi = h w/2                                    (1)
 ///   K = p' - (g x w, l x w)     at the middle                                             (2)
 ///   g = E g0 + h/2 K_g,   l = J(2 phi) (l0 + h E^-1 K_l) - h/2 J(phi)^T K_l               (3)
-///   p1 = E (E p0 + h K)         by which K = 0 turns them with the axes, and no more      (4)
+///   p1 = E (E p0 + h K)         so that K = 0 only rotates them with the axes             (4)
 ///   J(x) = 1 - b [x]x + c [x]x^2,  b = (1 - cos t)/t^2,  c = (t - sin t)/t^3,  t = |x|    (5)
 ///
-/// Numbers are lengths that do not turn. As Kobilarov and Marsden, Discrete geometric optimal control on Lie groups,
-/// IEEE Trans. Robotics 27 (2011), III, for rotations with positions as displacement.hpp has them.
+/// Coordinates that are numbers are lengths without rotation. Kobilarov and Marsden, Discrete geometric optimal control
+/// on Lie groups, IEEE Trans. Robotics 27 (2011), III; here for rotations with positions as in displacement.hpp.
 namespace kte::detail {
 
 template <class S>
@@ -45,7 +45,7 @@ vec3<S> derivative_of_exponential(const vec3<S>& x, const vec3<S>& y) {
   const auto turned = cross(x, y);
   return as<S>(y - b * turned + c * cross(x, turned));
 }
-/// exp([x]x) y - y, with the digits of a small x.
+/// exp([x]x) y - y, accurate for small x.
 template <class S>
 vec3<S> change_by_turning(const vec3<S>& x, const vec3<S>& y) {
   const S tt = dot(x, x);
@@ -54,7 +54,7 @@ vec3<S> change_by_turning(const vec3<S>& x, const vec3<S>& y) {
   return as<S>((S(1) - tt * c) * turned + b * cross(x, turned));  // sin(t)/t = 1 - t^2 c
 }
 
-/// What one coordinate does in one step.
+/// One step of one coordinate.
 template <class S>
 class momentum_step {
  public:
@@ -68,7 +68,7 @@ class momentum_step {
     if (is_number()) return void(d[f_.v] = h_ * v_.linear.x);
     write_rates<S>(f_, {as<S>(h_ * (v_.linear + change_by_turning(phi_, v_.linear))), as<S>(h_ * v_.angular)}, d);
   }
-  /// (2): p' becomes K.
+  /// (2): replaces p' by K.
   template <class P, class R>
   void subtract_turning(const P& p, R& rate) const {
     if (is_number()) return;
@@ -76,7 +76,7 @@ class momentum_step {
     write_rates<S>(f_, {as<S>(r.linear - cross(x.linear, v_.angular)), as<S>(r.angular - cross(x.angular, v_.angular))},
                    rate);
   }
-  /// (3): p0 becomes the momentum at the middle.
+  /// (3): replaces p0 by the momentum at the midpoint.
   template <class P, class R>
   void to_middle(const R& K, P& p) const {
     const S half = h_ / S(2);
@@ -88,7 +88,7 @@ class momentum_step {
     const auto l = as<S>(derivative_of_exponential(twice, l0) - half * derivative_of_exponential(back, k.angular));
     write_rates<S>(f_, {g, l}, p);
   }
-  /// (4) less p0.
+  /// (4) minus p0.
   template <class P, class R, class Change>
   void change(const R& K, const P& p0, Change& change) const {
     if (is_number()) return void(change[f_.v] = h_ * K[f_.v]);
@@ -109,8 +109,8 @@ class momentum_step {
   vec3<S> phi_{};
 };
 
-/// The rates r of d become those of the configuration, the inverse of `pull_back_one`: w = J(phi) phi',
-/// v = exp(-[phi]x) u'.
+/// Converts the rates r of d to those of the configuration, the inverse of `pull_back_one`: w = J(phi) phi', v =
+/// exp(-[phi]x) u'.
 template <class S, class D, class R>
 void push_forward_one(const freedom& f, const D& d, R& r) {
   const auto phi = read_rates<S>(f, d).angular;

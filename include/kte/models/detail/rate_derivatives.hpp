@@ -14,15 +14,15 @@
 ///   (J B) = | A_q  A_v  A_z  A_u |   V: of the rate of dq, `add_variation_of_pull_back`          (1)
 ///           | Z_q  Z_v  Z_z  Z_u |
 ///
-/// A_q and A_v by `forward_dynamics_derivatives`; A_z = M^-1 dr/dz with r = f - M a at constant a, and A_u likewise, dr
-/// and Z by dual numbers.
+/// A_q and A_v are those of `forward_dynamics_derivatives`. A_z = M^-1 dr/dz with r = f - M a at constant a, and
+/// likewise A_u; dr and Z by dual numbers.
 namespace kte::detail {
 
-/// The state x with lane i along number first + i of d.
+/// The state x, with lane i displaced along number first + i of d.
 template <class Number, class X>
 auto moved_along(std::span<const freedom> freedoms, int rates, const X& x, int first) {
   Eigen::Matrix<Number, X::RowsAtCompileTime, 1> moved = x.template cast<Number>();
-  const int longer = static_cast<int>(x.size()) - rates;  // by what q has more numbers than v
+  const int longer = static_cast<int>(x.size()) - rates;  // q may have more numbers than v
   const int last = (std::min)(first + Number::variables, rates);
   int positions = 0;
   for (const freedom& f : freedoms) {
@@ -36,7 +36,7 @@ auto moved_along(std::span<const freedom> freedoms, int rates, const X& x, int f
   return moved;
 }
 
-/// Of coordinates and accelerations, from the derivatives of accelerations; z at rest.
+/// Writes the blocks of coordinates and accelerations, from the derivatives of accelerations, with z at rest.
 template <class Freedoms, class Rate, class Accelerations, class J>
 void put_rate_derivatives(const Freedoms& freedoms, const Rate& v, const Accelerations& a, J& jacobian) {
   const Eigen::Index n = a.by_q.rows();
@@ -47,8 +47,8 @@ void put_rate_derivatives(const Freedoms& freedoms, const Rate& v, const Acceler
   jacobian.block(n, n, n, n) = a.by_v;
 }
 
-/// A_z, Z and, as far as J has columns, A_u and Z_u of a static chain, four directions at a time; `a` has accelerations
-/// and their derivatives.
+/// Writes A_z, Z and, if J has these columns, A_u and Z_u of a static chain, four directions at a time. `a` contains
+/// accelerations and their derivatives.
 template <class S, class Chain, class X, class U, class Accelerations, class J>
 void derive_signals(const Chain& c, const S& t, const X& x, const U& u, const Accelerations& a, J& jacobian) {
   constexpr int lanes = 4, n = Chain::dofs;

@@ -6,11 +6,11 @@
 #include <kte/models/detail/rate_derivatives.hpp>
 #include <kte/runtime_chain/runtime_chain.hpp>
 
-/// (J B) of models/detail/rate_derivatives.hpp for runtime chains. Templates, though of double only, so that they are
-/// compiled only if called.
+/// (J B) of models/detail/rate_derivatives.hpp for runtime chains. Templates, although for double only, so that they
+/// are compiled only if they are called.
 namespace kte::detail {
 
-/// Column j of (J B) as a direction of a state with derivatives: along q, v, z, u; accelerations along `a`.
+/// Seeds column j of (J B) as the direction of a state with derivatives: along q, v, z, u; accelerations along `a`.
 template <std::same_as<double> S, class D, class Column>
 void seed_direction(const runtime_chain& c, basic_derivative_state<D>& d, int j, std::size_t lane, const Column& a) {
   const topology& t = c.wiring();
@@ -37,7 +37,7 @@ void seed_direction(const runtime_chain& c, basic_derivative_state<D>& d, int j,
   }
 }
 
-/// How far the derivatives of a rotation R turn it, in the world: R' = [turned]x R.
+/// The angular derivative of a rotation R, in world axes: R' = [turned]x R.
 template <class S, int N>
 vec3<dual<S, N>> turning_of(const mat3<vec3<dual<S, N>>>& rotation) {
   vec3<dual<S, N>> turned{};
@@ -52,7 +52,7 @@ vec3<dual<S, N>> turning_of(const mat3<vec3<dual<S, N>>>& rotation) {
   }
   return turned;
 }
-/// Bases, with derivatives where elements move them.
+/// Sets the bases, with derivatives if elements move them.
 template <std::same_as<double> S, class D>
 void place_bases(const runtime_chain& c, const basic_runtime_state<S>& s, basic_derivative_state<D>& d) {
   const auto& t = s.tree();
@@ -71,7 +71,7 @@ void place_bases(const runtime_chain& c, const basic_runtime_state<S>& s, basic_
     });
   }
 }
-/// doMotion with derivatives of the elements that keep internal states, and of what these depend on, after inverse
+/// doMotion with derivatives, of the elements with internal states and those on which they depend; call after inverse
 /// dynamics.
 template <class D>
 void move_keepers(const runtime_chain& c, basic_derivative_state<D>& d) {
@@ -99,7 +99,7 @@ void move_keepers(const runtime_chain& c, basic_derivative_state<D>& d) {
   }
 }
 
-/// (J B) at what the state has, under no other forces. Throws as `forward_dynamics_derivatives`.
+/// (J B) at the state, without external forces. Throws what `forward_dynamics_derivatives` throws.
 template <std::same_as<double> S>
 void derive_rates_by_inputs(const runtime_chain& c, basic_runtime_state<S>& s, runtime_matrix<S>& j) {
   const topology& t = c.wiring();
@@ -120,7 +120,7 @@ void derive_rates_by_inputs(const runtime_chain& c, basic_runtime_state<S>& s, r
     put_coordinates(d);
     bring_up_to_date(runtime_elements{c}, d);
     place_bases(c, s, d);
-    // Shifts of rotations go with their directions, numbers with themselves.
+    // Rotations are displaced along their directions, numbers along themselves.
     inverse_dynamics_in_duals(runtime_elements{c}, s, d, directions{vector_of::q, first});
   };
   const auto each_group = [&](int begin, const auto& visit) {

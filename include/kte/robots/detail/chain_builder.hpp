@@ -2,6 +2,7 @@
 
 #include <kte/robots/detail/physical.hpp>
 #include <kte/robots/detail/robot_forces.hpp>
+#include <kte/robots/detail/robot_loops.hpp>
 #include <kte/robots/detail/robot_results.hpp>
 
 namespace kte::detail {
@@ -23,6 +24,7 @@ class chain_builder {
     for (const auto& s : tree_.steps()) append_joint(s);
     forces_.append_spring_dampers(tree_);
     append_frames();
+    append_closures();
     out_.chain = std::move(to_.chain());
     list_joints(out_, d_), list_shapes(out_, d_);
     read_limits(out_, d_, tree_), read_configurations(out_, d_);
@@ -46,7 +48,7 @@ class chain_builder {
     to_.append(free_joint_3D(o_.base_coordinate, o_.world, root));
   }
 
-  /// The bodies of links; of links fixed to others, on request, added to theirs.
+  /// Collects the bodies of links; on request those of fixed links are merged into their parents' bodies.
   void gather_bodies() {
     for (std::size_t i = 0; i < bodies_.size(); ++i) bodies_[i] = d_.links[i].inertial;
     if (!o_.fold_fixed) return;
@@ -71,7 +73,7 @@ class chain_builder {
     }
     to_.append(inertia_3D(l.name, b));
   }
-  /// A force at the centre of mass, against a part of the weight.
+  /// Appends a force at the centre of mass that compensates a part of the weight.
   void append_compensation(const robot_link& l) {
     if (l.gravity_compensation == 0 || !l.inertial || l.inertial->mass == 0) return;
     const auto centre = l.inertial->com == vec3<>{} ? l.name : to_.fresh(l.name + ".com");
@@ -79,15 +81,15 @@ class chain_builder {
     to_.append(constant_force_3D(centre, (0.0 - l.gravity_compensation * l.inertial->mass) * gravity(), vec3<>{}));
   }
 
-  /// The pose of the child in the parent of a fixed joint.
+  /// The pose of the child of a fixed joint in its parent.
   robot_pose place_of(const robot_tree::step& s) const {
     const auto& j = joint(s);
     const auto place = j.origin * j.child_pose;
     return s.reversed ? inverse_of(place) : place;
   }
 
-  /// X_child = origin J(q) child_pose; turned round X_parent = child_pose^-1 J(q)^-1 origin^-1, where J^-1 is J about
-  /// the opposite axis.
+  /// X_child = origin J(q) child_pose; reversed, X_parent = child_pose^-1 J(q)^-1 origin^-1, where J^-1 is J about the
+  /// opposite axis.
   void append_joint(const robot_tree::step& s) {
     const auto& j = joint(s);
     const auto& from = s.reversed ? j.child : j.parent;
@@ -127,6 +129,16 @@ class chain_builder {
     }
   }
 
+  void append_closures() {
+    robot_loops loops(to_, d_, tree_);
+    for (const auto& c : d_.closures)
+      if (o_.closures)
+        out_.loops.push_back(loops.append(c));
+      else
+        out_.warnings.push_back(
+            {c.line, "closure '" + c.name + "': its loop is open: robot_options::closures", c.file, true});
+  }
+
   void append_moving(const robot_joint& j, const std::string& from, const std::string& to, const robot_pose& placement,
                      const vec3<>& n) {
     const auto placed = [&](const auto& e) { to_.append(e.at(placement.position, placement.rotation)); };
@@ -142,7 +154,7 @@ class chain_builder {
     if (j.is == kind::planar) return placed(planar_joint_3D(j.name, from, to));
     return placed(free_joint_3D(j.name, from, to));
   }
-  /// A coordinate that follows must be written before it is read.
+  /// Appends a follower, after the joints that it follows if these are followers themselves.
   void append_mimic(const robot_joint& j) {
     std::vector<const robot_joint*> following;
     for (const auto* k = &j; k->mimic && followers_.insert(k->name).second;
@@ -155,7 +167,7 @@ class chain_builder {
   const robot_description& d_;
   const robot_options& o_;
   robot_tree tree_;
-  std::vector<std::optional<rigid_body<>>> bodies_;  ///< by links
+  std::vector<std::optional<rigid_body<>>> bodies_;  ///< by link
   robot out_;
   robot_elements to_;
   robot_forces forces_;

@@ -8,7 +8,7 @@
 
 namespace kte::detail {
 
-/// Reads links and joints out of a chain, from the records of its elements.
+/// Reads the links and joints of a chain from the records of its elements.
 class chain_reader {
  public:
   chain_reader(const runtime_chain& c, const std::string& name) : record_(record_of(c)) {
@@ -63,7 +63,7 @@ class chain_reader {
     return d_.links[known->second];
   }
 
-  /// Whether it is a link, a joint or a body.
+  /// Reads a link, a joint or a body; false for other elements.
   bool frame(const element_record& e) {
     static const std::map<std::string, kind, std::less<>> joints{
         {"rigid_link_3D", kind::fixed},          {"revolute_joint_3D", kind::revolute},
@@ -101,7 +101,7 @@ class chain_reader {
     if (it == joints_.end()) refuse(e, "its coordinate '" + coordinate + "' does not belong to a joint");
     return d_.joints[it->second];
   }
-  /// Of springs and dampers from a coordinate at rest.
+  /// The joint of a spring or damper between a coordinate and its rest value.
   robot_joint& joint_from_rest(const element_record& e) {
     if (!rest_.contains(to(e, "anchor1"))) refuse(e, "its anchor1 is not at rest: links and joints cannot say that");
     return joint(e, to(e, "anchor2"));
@@ -146,9 +146,44 @@ class chain_reader {
         d_.not_read.push_back({0, "joint '" + to(e, "coordinate") +
                                       "': a description has no rate over which friction changes its sign, here " +
                                       detail::number(rate)});
-    } else if (!free_turning(e) && !compensation(e)) {
-      refuse(e, "it is not a link, joint or body, or damping or friction of a joint");
+    } else if (!closure(e) && !free_turning(e) && !compensation(e)) {
+      refuse(e, "it is not a link, joint, body or closure in space, or damping or friction of a joint");
     }
+  }
+  /// Whether it closes a loop.
+  bool closure(const element_record& e) {
+    using closing = robot_closure::kind;
+    static const std::map<std::string, closing> closures{{"coincident_points_3D", closing::points},
+                                                         {"coincident_frames_3D", closing::frames},
+                                                         {"hinge_3D", closing::hinge},
+                                                         {"universal_3D", closing::universal},
+                                                         {"cylindrical_3D", closing::cylindrical},
+                                                         {"sliding_3D", closing::sliding},
+                                                         {"point_on_line_3D", closing::point_on_line},
+                                                         {"point_on_plane_3D", closing::point_on_plane},
+                                                         {"distance_3D", closing::distance},
+                                                         {"coupled_coordinates", closing::joints},
+                                                         {"coupled_by_polynomial", closing::joints}};
+    const auto is = closures.find(e.type);
+    if (is == closures.end()) return false;
+    robot_closure c;
+    c.name = to(e, "loop"), c.is = is->second;
+    if (c.is == closing::joints) {
+      c.link1 = joint(e, to(e, "coordinate1")).name, c.link2 = joint(e, to(e, "coordinate2")).name;
+      c.polynomial = {number(e, "c0"), number(e, "c1"), number(e, "c2"), number(e, "c3"), number(e, "c4")};
+      if (e.type == "coupled_coordinates") {
+        if (number(e, "factor1") == 0) refuse(e, "its factor1 is 0: a polynomial of the second joint cannot say that");
+        c.polynomial = {number(e, "constant") / number(e, "factor1"),
+                        0.0 - number(e, "factor2") / number(e, "factor1")};
+      }
+    } else {
+      c.link1 = to(e, "frame1"), c.link2 = to(e, "frame2"), c.length = number(e, "length");
+      for (const char* name : {"axis", "axis1", "normal"})
+        if (!numbers(e, name).empty()) c.axis = vector(e, name);
+      if (!numbers(e, "axis2").empty()) c.axis2 = vector(e, "axis2");
+    }
+    d_.closures.push_back(std::move(c));
+    return true;
   }
   /// Whether it is a spring or damper of a ball, or the damping of a free body: a torque, and then a force.
   bool free_turning(const element_record& e) {
@@ -173,7 +208,7 @@ class chain_reader {
     if (r.size() != 9) return robot_pose{}.rotation;
     return {{r[0], r[1], r[2]}, {r[3], r[4], r[5]}, {r[6], r[7], r[8]}};
   }
-  /// Whether it is a force at the centre of mass of a link against its weight.
+  /// Reads a force that compensates the weight of a link at its centre of mass; false for other elements.
   bool compensation(const element_record& e) {
     if (e.type != "constant_force_3D" || vector(e, "torque") != vec3<>{}) return false;
     const auto at = to(e, "frame");
@@ -187,14 +222,14 @@ class chain_reader {
     }
     return false;
   }
-  /// Whether a frame is that of the centre of mass of a link.
+  /// Whether a frame is at the centre of mass of a link.
   bool stands_at(const std::string& frame, const robot_link& l) const {
     if (frame == l.name) return l.inertial->com == vec3<>{};
     for (const auto& j : d_.joints)
       if (j.is == kind::fixed && j.parent == l.name && j.child == frame) return j.origin.position == l.inertial->com;
     return false;
   }
-  /// Fixed joints have no coordinate to be named after.
+  /// Names the fixed joints, which have no coordinate to give them a name.
   void name_fixed() {
     for (auto& j : d_.joints) {
       if (j.is != kind::fixed) continue;

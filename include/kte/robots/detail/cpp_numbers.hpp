@@ -10,8 +10,8 @@
 #include <optional>
 #include <span>
 
-/// Numbers of records as C++: the shortest that are the same doubles, and of vectors and rotations those that are exact
-/// zeros and ones as typed constants. Names are whole, from the global namespace on, so that no other name hides them.
+/// Numbers of records as C++: the shortest digits that give the same doubles; vectors and rotations of exact zeros and
+/// ones become typed constants. Names are fully qualified, so that no other name hides them.
 namespace kte::detail {
 
 /// "0.36", "2.0", "-::std::numeric_limits<double>::infinity()"
@@ -26,7 +26,7 @@ inline std::string cpp_number(double x) {
 inline std::string cpp_entry(double x) {
   return x == 0 ? "::kte::zero" : x == 1 ? "::kte::one" : x == -1 ? "::kte::minus_one" : cpp_number(x);
 }
-/// "{a, b, c}" of plain numbers or of entries.
+/// "{a, b, c}" of numbers or entries.
 template <class Text>
 std::string cpp_list(std::span<const double> values, const Text& text) {
   std::string s = "{";
@@ -50,7 +50,7 @@ inline std::string cpp_vector(std::span<const double> v) {
       return std::string("::kte::along_") + "xyz"[i] + "(" + cpp_number(v[i]) + ")";
   return "::kte::vec3" + cpp_list(v, cpp_entry);
 }
-/// xx xy xz yy yz zz; none of them as a one: those of inertias are measured.
+/// The entries xx xy xz yy yz zz; zeros are typed, but never ones: inertias are measured.
 inline std::string cpp_symmetric(std::span<const double> v) {
   const auto entry = [](double x) { return x == 0 ? std::string("::kte::zero") : cpp_number(x); };
   if (v[1] == 0 && v[2] == 0 && v[4] == 0)
@@ -66,7 +66,7 @@ inline std::string cpp_matrix(std::span<const double> v) {
   return s + "}";
 }
 
-/// A turn that is typed, by its name or as a product of two of those.
+/// A typed rotation, by its name or as a product of two, if it is one.
 inline std::optional<std::string> cpp_turn(std::span<const double> v) {
   struct named {
     const char* name;
@@ -91,7 +91,7 @@ inline std::optional<std::string> cpp_turn(std::span<const double> v) {
   return {};
 }
 inline std::string cpp_rotation(std::span<const double> v) { return cpp_turn(v).value_or(cpp_matrix(v)); }
-/// In the plane.
+/// A rotation in the plane.
 inline std::string cpp_plane_rotation(std::span<const double> v) {
   const double c = v[0], s = v[3];
   if (c == 1 && s == 0) return "::kte::no_rotation{}";
@@ -100,7 +100,7 @@ inline std::string cpp_plane_rotation(std::span<const double> v) {
   return "::kte::rotation_2D{" + cpp_number(c) + ", " + cpp_number(s) + "}";
 }
 
-/// A body, of the parameters mass, com and inertia.
+/// A body from the parameters mass, com and inertia.
 inline std::string cpp_body(double mass, std::span<const double> com, std::span<const double> inertia, bool in_plane) {
   const bool at_origin = com[0] == 0 && com[1] == 0 && com[2] == 0;
   const std::string at = at_origin ? "" : ", " + cpp_vector(com);

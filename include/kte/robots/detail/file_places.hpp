@@ -6,18 +6,18 @@
 #include <system_error>
 #include <vector>
 
-/// Where files are that a robot's file names.
+/// Searches for the files that the file of a robot refers to.
 namespace kte::detail {
 
-/// The path in a URI: what is behind `model://`, `package://`, `file://`, or all of it.
+/// The path in a URI: the part after `model://`, `package://` or `file://`, or the whole text.
 inline std::string path_in_uri(std::string_view uri) {
   for (const std::string_view scheme : {"model://", "package://", "file://"})
     if (uri.starts_with(scheme)) return std::string(uri.substr(scheme.size()));
   return std::string(uri);
 }
 
-/// Where a name may lead that a file in `folder` has: there, in the folders around it and in their folders `models`,
-/// and then in those of a search path. An absolute one only to itself.
+/// The paths to try for a file name in a file of `folder`: that folder, its parents and their folders `models`, then
+/// the folders of the search path. An absolute name has one path only.
 inline std::vector<std::filesystem::path> file_places(const std::string& name, const std::filesystem::path& folder,
                                                       const std::vector<std::string>& search_path) {
   using std::filesystem::path;

@@ -6,8 +6,8 @@
 
 namespace kte::detail {
 
-/// A name with letters, digits and single underscores alone: all else becomes one underscore, but for those at the
-/// ends, and digits in front get an `n`.
+/// A name of letters, digits and single underscores: other characters become one underscore, or nothing at the ends,
+/// and a leading digit gets the prefix `n`.
 inline std::string plain_name(std::string_view name) {
   const auto is_letter = [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
@@ -24,8 +24,8 @@ inline std::string plain_name(std::string_view name) {
   return s;
 }
 
-/// Names as identifiers of C++, each once, which end with an underscore: so does no word of the language, no name of
-/// this library or std, and no macro that is known. Where two become the same the later one has a number.
+/// Unique names as C++ identifiers. They end with an underscore, unlike keywords, the names of this library and of std,
+/// and known macros. If two names become equal, the later one gets a number.
 class identifier_list {
  public:
   std::string make(std::string_view name) {
@@ -39,8 +39,7 @@ class identifier_list {
   std::set<std::string> taken_;
 };
 
-/// The identifier of a robot: its name, which gets an underscore behind only where it is a word of the language or one
-/// that C libraries have as a macro.
+/// The identifier of a robot: its name, with an underscore only if it is a keyword or a macro of C libraries.
 inline std::string robot_identifier(std::string_view name) {
   static constexpr std::string_view words =
       " alignas alignof and and_eq asm auto bitand bitor bool break case catch char char16_t char32_t char8_t class"
@@ -57,7 +56,7 @@ inline std::string robot_identifier(std::string_view name) {
   return s;
 }
 
-/// A text in quotes, as C++ has it.
+/// A text as a C++ string literal.
 inline std::string cpp_text(std::string_view text) {
   std::string s = "\"";
   for (const char c : text) {

@@ -6,7 +6,7 @@
 #include <bit>
 #include <cmath>
 
-/// Meshes in files of bytes, least significant byte first.
+/// Reads meshes from binary files, least significant byte first.
 namespace kte::detail {
 
 inline vec3<> take_vertex(byte_reader& in) {
@@ -17,7 +17,7 @@ inline vec3<> take_vertex(byte_reader& in) {
   return {x, y, z};
 }
 
-/// Binary STL: 80 bytes of title, the number n of facets, and 50 bytes a facet.
+/// Binary STL: a title of 80 bytes, the number n of facets, and 50 bytes for each facet.
 inline triangle_mesh read_binary_stl(byte_reader in) {
   triangle_mesh mesh;
   const std::uint64_t size = in.size();

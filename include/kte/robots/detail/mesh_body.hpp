@@ -6,41 +6,42 @@
 
 namespace kte::detail {
 
-/// What of a mesh has mass.
-///   legacy  what the faces enclose, as MuJoCo 2.2.2 takes it by default: too much where the mesh is not convex
-///   exact   what the faces enclose
+/// The mass distribution of a mesh.
+///   legacy  the volume enclosed by the faces, as MuJoCo 2.2.2 computes it by default: too large for concave meshes
+///   exact   the volume enclosed by the faces
 ///   convex  the convex hull of the vertices
-///   shell   the faces, of the same mass an area everywhere
+///   shell   the faces, with the same mass per area everywhere
 enum class mesh_inertia { legacy, exact, convex, shell };
 
-/// What a mesh is at density 1.
+/// Volume, centre of mass and moments of a mesh of density 1.
 struct mesh_moments {
-  double amount = 0;  ///< volume, m^3; of a shell area, m^2
+  double amount = 0;  ///< volume, m^3; for a shell the area, m^2
   vec3<> centre{};    ///< of mass, m
-  sym3<> second{};    ///< S of (2) about the centre, in the axes of the mesh, m^5 or m^4
-  sym3<> inertia{};   ///< the same as an inertia (3)
+  sym3<> second{};    ///< S, the sum of (2) about the centre, in the axes of the mesh, m^5 or m^4
+  sym3<> inertia{};   ///< inertia (3) about the centre
 };
 
-/// Volume, centre of mass and inertia of a mesh. Face i and an apex p make a pyramid of volume V_i; a, b, c are its
-/// vertices as seen from p, and s = a + b + c:
+/// Volume, centre of mass and inertia of a mesh. Face i and an apex p form a pyramid of volume V_i; a, b, c are the
+/// vertices of the face relative to p, and s = a + b + c:
 ///
 ///   V_i = a . (b x c)/6,   integral of r dV = V_i s/4                        (1)
 ///   integral of r r^T dV = V_i/20 (s s^T + a a^T + b b^T + c c^T)            (2)
 ///   I = tr(S) 1 - S,   S the sum of (2)                                      (3)
 ///
-/// with r from p. The first p is the centroid of the faces, weighted by their areas; (1) then gives the centre of mass.
-/// Taken once more from there, (1) gives the volume and (3) the inertia: neither cancels, however far the mesh is from
-/// its origin. Of a closed surface the sums over all faces are exact, whatever p. Of an open one they are what MuJoCo
-/// computes (`open_edge` of mesh_edges.hpp tells which it is).
-///   legacy  takes |V_i|; then the volume is that of the box of equal inertia, with half edges h along the principal
-///           axes, and S and I grow in the ratio of this volume to that of (1):
+/// with r relative to p. The first apex is the centroid of the faces, weighted by area, and (1) gives the centre of
+/// mass. A second pass with the apex there gives the volume by (1) and the inertia by (3): neither suffers from
+/// cancellation, however far the mesh is from its origin. For a closed surface the sums over all faces are exact for
+/// any p. For an open one they equal those of MuJoCo (`open_edge` of mesh_edges.hpp tells which it is).
+///   legacy  uses |V_i|; the volume is then that of the box of equal inertia, with half edges h along the principal
+///           axes, and S and I are scaled by the ratio of this volume to that of (1):
 ///             h_x^2 = 3 S_xx/V,   volume = 8 h_x h_y h_z                     (4)
-///   shell   has triangles of area A_i in place of pyramids: A_i s/3 for (1), A_i/12 for V_i/20 in (2)
-/// A mesh without faces is its convex hull. Throws `bad_argument` where the mesh has no volume or area, or a negative
-/// one (faces that point inwards, unless legacy), indices out of range, or numbers not finite or too large.
+///   shell   uses triangles of area A_i instead of pyramids: A_i s/3 in (1), A_i/12 instead of V_i/20 in (2)
+/// A mesh without faces stands for its convex hull. Throws `bad_argument` if the volume or area is zero or negative
+/// (faces that point inwards, except with legacy), if an index is out of range, or if a number is not finite or too
+/// large.
 mesh_moments moments_of(const triangle_mesh& mesh, mesh_inertia kind);
 
-/// The body of this density, kg/m^3, or kg/m^2 of a shell, in the axes of the mesh.
+/// The rigid body of a mesh with this density, kg/m^3, or kg/m^2 for a shell, in the axes of the mesh.
 rigid_body<> mesh_body(const triangle_mesh& mesh, mesh_inertia kind, double density);
 
 }  // namespace kte::detail
@@ -87,7 +88,7 @@ inline mesh_sums sums_about(const vec3<>& apex, const triangle_mesh& mesh, mesh_
 [[noreturn]] inline void fail_large_mesh() {
   raise<bad_argument>("kte: the numbers of the mesh are too large for its mass properties");
 }
-/// Throws unless there is more volume than what rounding makes of a flat mesh.
+/// Throws unless the volume exceeds the rounding error of a flat mesh.
 inline void check_volume(double volume, double least) {
   if (!std::isfinite(volume) || !std::isfinite(least)) fail_large_mesh();
   if (!(std::abs(volume) > least)) raise<bad_argument>("kte: the mesh has no volume");
@@ -95,7 +96,7 @@ inline void check_volume(double volume, double least) {
     raise<bad_argument>("kte: the mesh has a volume of " + number(volume) + " m^3: its faces point inwards");
 }
 
-/// Half edges (4), the shortest first. S gives those of needles to all digits, which I does not.
+/// Half edges (4), the shortest first. For needles S has them with all digits, I has not.
 inline vec3<> equal_box(const sym3<>& second, double amount) {
   const auto [x, y, z] = principal_moments(scaled(3 / amount, second));
   return {std::sqrt((std::max)(0.0, z)), std::sqrt((std::max)(0.0, y)), std::sqrt((std::max)(0.0, x))};  // (4)
@@ -111,7 +112,7 @@ KTE_FUNCTION mesh_moments moments_of(const triangle_mesh& mesh, mesh_inertia kin
   if (!(surface.amount > 0)) raise<bad_argument>("kte: the faces of the mesh have no area");
   double size = 0;
   for (const auto& v : mesh.vertices) size = (std::max)({size, std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-  const double tiny = 1e-300;  // whose inverse is finite
+  const double tiny = 1e-300;  // its inverse is finite
   const double least = shell ? tiny : (std::max)(tiny, 1e-15 * surface.amount * size);
 
   vec3<> centre = start + (1 / surface.amount) * surface.first;

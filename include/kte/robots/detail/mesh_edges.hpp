@@ -7,11 +7,11 @@
 
 namespace kte::detail {
 
-/// Throws `bad_argument` unless all numbers are finite and all indices are those of vertices.
+/// Throws `bad_argument` unless all numbers are finite and all indices are valid.
 void check_mesh(const triangle_mesh& mesh);
 
-/// Says where a surface is open or its faces are turned differently: at an edge through which not as many faces run in
-/// one direction as in the other. Empty for closed surfaces. Vertices at the same place are one.
+/// Describes an edge where the surface is open or its faces are oriented differently: more faces run along the edge in
+/// one direction than in the other. Empty for closed surfaces. Vertices at the same position count as one.
 std::string open_edge(const triangle_mesh& mesh);
 
 }  // namespace kte::detail

@@ -8,14 +8,14 @@
 
 namespace kte::detail {
 
-/// Reads a mesh by the extension of its file, in any case:
-///   .stl  binary or text, told apart by size and content
-///   .obj  of Wavefront: vertices and polygons, as fans of triangles; the rest is skipped
-///   .msh  of MuJoCo: int32 nvertex, nnormal, ntexcoord, nface, then float32 and int32 numbers of all these
+/// Reads a mesh in the format given by the extension of its file, in upper or lower case:
+///   .stl  binary or text, distinguished by size and content
+///   .obj  Wavefront: vertices, and polygons, which become fans of triangles; the rest is skipped
+///   .msh  MuJoCo: int32 nvertex, nnormal, ntexcoord, nface, then these numbers of float32 and int32 data
 /// Throws `bad_file` with byte, line or facet: for other extensions, files of the wrong size, vertices that are not
 /// finite, indices out of range, meshes without vertices, and files of more than 1 GiB.
 triangle_mesh read_mesh(const std::filesystem::path& path);
-/// A mesh from the bytes of a file; `path` gives the extension, and the name for messages.
+/// Reads a mesh from the bytes of a file; `path` gives the extension and names the file in messages.
 triangle_mesh parse_mesh(const std::filesystem::path& path, std::string_view bytes);
 
 }  // namespace kte::detail

@@ -5,26 +5,27 @@
 
 namespace kte::detail {
 
-/// A shape instead of a mesh.
+/// The shape that replaces a mesh.
 struct fitted_geom {
   robot_pose pose;  ///< in the mesh
-  vec3<> half{};  ///< sphere: radius; capsule, cylinder: radius, half length along z; box, ellipsoid: half edges, axes
+  vec3<> half{};    ///< sphere: radius; capsule, cylinder: radius, half length along z; box, ellipsoid: half axes
 };
 
-/// Fits a sphere, capsule, cylinder, ellipsoid or box to a mesh, as MuJoCo does. Its axes are the principal axes of the
-/// mesh, that of the largest moment of inertia first, and z along the longest side. From the box of equal inertia at
-/// the centre of mass, with half edges a, b, c (mesh_body.hpp (4)):
+/// Fits a sphere, capsule, cylinder, ellipsoid or box to a mesh, as MuJoCo does. The axes are the principal axes of the
+/// mesh, first the axis of the largest moment of inertia, so that z is along the longest side. The shape follows from
+/// the box of equal inertia at the centre of mass, with half edges a, b, c (mesh_body.hpp (4)):
 ///   box, ellipsoid  a, b, c
 ///   cylinder        radius (a + b)/2, half length c
 ///   capsule         radius r = (a + b)/2, half length c - r/2
 ///   sphere          radius (a + b + c)/3
-/// With `aabb` from the bounding box in these axes, at its centre, about all vertices (x, y, z as seen from there):
+/// With `aabb` it follows from the bounding box in these axes, about the centre of the box, for all vertices (x, y, z
+/// from this centre):
 ///   box, ellipsoid  half edges of the bounding box
 ///   cylinder        radius max sqrt(x^2 + y^2), half length c
 ///   capsule         radius r of the cylinder, half length max |z| - sqrt(r^2 - x^2 - y^2)
 ///   sphere          radius max sqrt(x^2 + y^2 + z^2)
-/// (MuJoCo 2.2.2 has the sizes of these last, but puts them at wrong places: it leaves the centre of mass and the
-/// principal axes out of the position.) Throws `bad_argument` for other shapes, and as `moments_of`.
+/// (MuJoCo 2.2.2 computes these sizes but places the shapes wrongly: it omits the centre of mass and the principal
+/// axes.) Throws `bad_argument` for other shapes, and under the conditions of `moments_of`.
 fitted_geom fit_mesh(const triangle_mesh& mesh, mesh_inertia kind, robot_shape::form form, bool aabb);
 
 }  // namespace kte::detail
@@ -36,8 +37,8 @@ fitted_geom fit_mesh(const triangle_mesh& mesh, mesh_inertia kind, robot_shape::
 
 namespace kte::detail {
 
-/// Columns are the principal axes, that of the largest moment of inertia, which is the smallest of S, first. Products
-/// that may be of rounding are 0, so that they do not turn the axes of bodies with equal moments.
+/// The principal axes as columns: first the axis of the largest moment of inertia, which is the smallest of S. Products
+/// within rounding error are taken as 0, so that bodies with equal moments keep their axes.
 inline mat3<vec3<>> principal_axes(const sym3<>& second) {
   const auto& s = second;
   const auto product = [](double xy, double xx, double yy) {
@@ -55,7 +56,7 @@ inline mat3<vec3<>> principal_axes(const sym3<>& second) {
   return without_minus_zero(transpose(mat3<vec3<>>{x, y, cross(x, y)}));
 }
 
-/// Sizes that hold all points.
+/// The sizes of a shape that contains all points; `box`: half edges of their bounding box.
 inline vec3<> bounding_size(robot_shape::form form, const std::vector<vec3<>>& points, const vec3<>& box) {
   using shape = robot_shape::form;
   if (form == shape::box || form == shape::ellipsoid) return box;

@@ -10,19 +10,19 @@
 namespace kte::detail {
 
 /// The convex hull of points, by Quickhull (Barber, Dobkin and Huhdanpaa, ACM Transactions on Mathematical Software 22,
-/// 1996): a facet takes in the farthest of the points that see it, instead of all facets which that point sees. Who
-/// sees what is decided exactly (orientation.hpp), so that points on planes, edges and other points, and points that
-/// are nearly there, do no harm; the rest is in doubles. Facets wait in a queue: from a stack one side of a prism with
-/// many corners would be refined before the other has any, by facets whose number is quadratic.
+/// 1996): of the points outside of a facet the farthest is added, and new facets replace those that it sees. Visibility
+/// is decided exactly (orientation.hpp), so that points on or near planes, edges and other points are harmless; the
+/// remaining computations are in doubles. Facets wait in a queue. With a stack, one side of a prism with many corners
+/// would be refined before the others, with a quadratic number of facets.
 class hull_builder {
  public:
   explicit hull_builder(const std::vector<vec3<>>& points) : points_(scaled(points)) {}
 
-  /// Faces with indices of the points; throws `bad_argument` where all points are in a plane.
+  /// The faces as indices of the points; throws `bad_argument` if all points are in a plane.
   std::vector<std::array<std::uint32_t, 3>> build() {
     begin();
-    for (std::size_t next = 0; next < pending_.size(); ++next) {
-      const auto f = pending_[next];
+    for (std::size_t next = 0; next < pending_.size();) {  // grows in take_in
+      const auto f = pending_[next++];
       if (!facets_[f].gone && !facets_[f].seen_by.empty()) take_in(farthest(f), f);
     }
     std::vector<std::array<std::uint32_t, 3>> faces;
@@ -30,25 +30,25 @@ class hull_builder {
       if (!f.gone) faces.push_back(f.corners);
     return faces;
   }
-  /// How many facets were made for it.
+  /// The number of facets created so far.
   std::size_t made() const { return facets_.size(); }
 
  private:
   using index = std::uint32_t;
   struct facet {
     std::array<index, 3> corners{};     ///< counterclockwise from outside
-    std::array<index, 3> neighbours{};  ///< beyond the edges from corner k to corner k + 1
+    std::array<index, 3> neighbours{};  ///< neighbour k shares the edge from corner k to corner k + 1
     std::vector<index> seen_by{};
     bool gone = false;
-    index visit = 0;  ///< the last point that looked at it
+    index visit = 0;  ///< the last point for which it was visited
     bool visible = false;
   };
-  /// An edge between what a point sees and what it does not.
+  /// An edge between visible and hidden facets.
   struct border {
     index from, to, beyond;
   };
 
-  /// Of size 1, by a power of two; what is too small for exact products is 0.
+  /// The points scaled by a power of two to about 1; coordinates too small for exact products become 0.
   static std::vector<vec3<>> scaled(std::vector<vec3<>> points) {
     double size = 0;
     for (const auto& p : points) size = (std::max)({size, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
@@ -75,7 +75,7 @@ class hull_builder {
     return best;
   }
 
-  /// A tetrahedron as large as is easily found.
+  /// Begins with a large tetrahedron, found in linear time.
   void begin() {
     const auto squared = [](const vec3<>& v) { return dot(v, v); };
     const auto flat = [] { raise<bad_argument>("kte: the mesh has no volume: its vertices are in one plane"); };
@@ -98,8 +98,8 @@ class hull_builder {
       return f;
     });
   }
-  /// Gives each point to a facet from `first` on that it sees, which `seen` finds; of what is inside it gives the count
-  /// of all facets.
+  /// Assigns each point to a facet from `first` on that it sees, by `seen`, which returns the number of all facets for
+  /// points inside.
   template <class F>
   void share(const std::vector<index>& points, index first, const F& seen) {
     for (const auto p : points)
@@ -107,9 +107,10 @@ class hull_builder {
     for (auto f = first; f < facets_.size(); ++f)
       if (!facets_[f].seen_by.empty()) pending_.push_back(f);
   }
-  /// Of the facets from `first` on, a fan about an apex, one that a point sees, or else the count of all. A point that
-  /// sees neither of the two at the edge from the apex to corner 0 is in their wedge, which planes from that edge to
-  /// the corners cut into sectors: in sector k the fan is facet k. Bisection finds the sector.
+  /// A facet that a point sees among those from `first` on, which form a fan about an apex; the number of all facets if
+  /// there is none. A point that sees neither of the two facets at the edge from the apex to corner 0 is in their
+  /// wedge, which the planes through that edge and the corners divide into sectors: the point can see facet k only in
+  /// sector k. Bisection finds the sector.
   index seen_of_fan(index point, index first) const {
     const auto none = static_cast<index>(facets_.size());
     for (const index f : {first, none - 1})
@@ -135,7 +136,7 @@ class hull_builder {
     std::vector<index> orphans;
     const auto rim = horizon(point, seen, orphans);
     const auto first = static_cast<index>(facets_.size()), n = static_cast<index>(rim.size());
-    for (index k = 0; k < n; ++k) {  // a fan about the point, in the order of the rim
+    for (index k = 0; k < n; ++k) {  // a fan about the point, in the order of the horizon
       const auto& [from, to, beyond] = rim[k];
       facets_.push_back({{from, to, point}, {beyond, first + (k + 1) % n, first + (k + n - 1) % n}});
       auto& other = facets_[beyond];
@@ -144,7 +145,7 @@ class hull_builder {
     }
     share(orphans, first, [&](index p) { return seen_of_fan(p, first); });
   }
-  /// Removes the facets that the point sees and gives the edges around them, one after the other.
+  /// Removes the facets that the point sees and returns the edges around them in order.
   std::vector<border> horizon(index point, index seen, std::vector<index>& orphans) {
     std::vector<border> rim;
     struct step {

@@ -4,8 +4,8 @@
 
 namespace kte::detail {
 
-/// OBJ of Wavefront: lines "v x y z", with a weight or a colour behind or none, and "f i j k ..." with indices from 1,
-/// or from -1 back from the last vertex so far; i stands alone or as i/t, i//n, i/t/n. Other lines are skipped.
+/// Reads Wavefront OBJ: lines "v x y z", optionally followed by a weight or a colour, and "f i j k ..." with indices
+/// from 1, or from -1 backwards from the last vertex so far; i is alone or i/t, i//n, i/t/n. Other lines are skipped.
 class obj_reader {
  public:
   explicit obj_reader(const mesh_text& in) : in_(in) {}
@@ -20,13 +20,13 @@ class obj_reader {
       }
     } while (in_.next_line());
     if (mesh_.vertices.empty()) in_.bad("the mesh has no vertices");
-    for (std::size_t i = 0; i < mesh_.faces.size(); ++i)  // faces may stand before their vertices
+    for (std::size_t i = 0; i < mesh_.faces.size(); ++i)  // faces may precede their vertices
       for (const auto index : mesh_.faces[i]) check(index < mesh_.vertices.size(), lines_[i], index + std::int64_t{1});
     return std::move(mesh_);
   }
 
  private:
-  /// The next word of the line, up to a comment.
+  /// The next word of the line, without comments.
   std::string_view word() {
     const auto w = in_.word();
     return w.starts_with('#') ? std::string_view{} : w;

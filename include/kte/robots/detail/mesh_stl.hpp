@@ -5,8 +5,8 @@
 
 namespace kte::detail {
 
-/// Text begins with "solid" and has no byte 0. Titles of binary files begin with that word as well, but are filled up
-/// with zeros, or have zeros in the numbers that follow.
+/// Text begins with "solid" and has no zero byte. The title of a binary file may begin with "solid" as well, but zero
+/// bytes follow, in the title or in the numbers.
 inline bool is_text_stl(std::string_view bytes) {
   const auto first = bytes.find_first_not_of(" \t\r\n");
   if (first == bytes.npos || !same_word(bytes.substr(first, 5), "solid")) return false;
@@ -36,7 +36,7 @@ class text_stl {
  private:
   void facet(std::string_view first) {
     check(first, "facet"), check(in_.next_word(), "normal");
-    for (int k = 0; k < 3; ++k) in_.next_word();  // of facets without area it may be NaN
+    for (int k = 0; k < 3; ++k) in_.next_word();  // the normal, which may be NaN for facets without area
     check(in_.next_word(), "outer"), check(in_.next_word(), "loop");
     const auto n = static_cast<std::uint32_t>(mesh_.vertices.size());
     for (int k = 0; k < 3; ++k) {

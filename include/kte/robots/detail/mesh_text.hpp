@@ -9,7 +9,7 @@
 
 namespace kte::detail {
 
-/// Whether a word is `lower`, whatever the case of its letters.
+/// Whether a word equals `lower` regardless of case.
 constexpr bool same_word(std::string_view word, std::string_view lower) {
   if (word.size() != lower.size()) return false;
   for (std::size_t i = 0; i < word.size(); ++i)
@@ -17,7 +17,7 @@ constexpr bool same_word(std::string_view word, std::string_view lower) {
   return true;
 }
 
-/// Takes words off the lines of a text with a mesh; all errors are `bad_file` with path and line.
+/// Reads the words of a text mesh line by line; all errors are `bad_file` with path and line.
 class mesh_text {
  public:
   mesh_text(const std::filesystem::path& path, std::string_view text) : path_(path), rest_(text) {}
@@ -28,7 +28,7 @@ class mesh_text {
   }
   [[noreturn]] void bad(const std::string& what) const { bad_at(line_, what); }
 
-  /// The next word of this line; empty at its end. A backslash at the end of a line joins the next one to it.
+  /// The next word of this line; empty at its end. A backslash at the end of a line joins the next line.
   std::string_view word() {
     for (;;) {
       std::size_t n = 0;
@@ -51,14 +51,14 @@ class mesh_text {
     rest_.remove_prefix(n + 1), ++line_;
     return true;
   }
-  /// The next word, in whatever line; empty at the end of the text.
+  /// The next word on any line; empty at the end of the text.
   std::string_view next_word() {
     auto w = word();
     while (w.empty() && next_line()) w = word();
     return w;
   }
 
-  /// A finite number, with or without a sign.
+  /// The finite number of a word, with or without a sign.
   double number(std::string_view w, const char* what) const {
     double x = 0;
     const auto digits = w.starts_with('+') ? w.substr(1) : w;

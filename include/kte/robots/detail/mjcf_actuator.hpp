@@ -5,11 +5,11 @@
 
 namespace kte::detail {
 
-/// The law of an actuator of MJCF,
+/// Reads the law of an actuator of MJCF,
 ///
 ///   f = a u + b0 + b1 x + b2 x_dot          (1)
 ///
-/// and what of it is not modelled, if anything.
+/// and notes the part of it that is not modelled.
 inline void read_mjcf_law(const xml_item& x, robot_actuator& a) {
   auto& law = a.law;
   const auto kind = x.name();
@@ -40,7 +40,7 @@ inline void read_mjcf_law(const xml_item& x, robot_actuator& a) {
   }
 }
 
-/// An actuator of MJCF; without a joint it acts on something else.
+/// Reads an actuator of MJCF. The result has no `joint` if it acts on something else.
 inline robot_actuator read_mjcf_actuator(const xml_item& x, const mjcf_scope& in) {
   robot_actuator a{x.has("name") ? in.named(x.text("name")) : "", x.line(), {}};
   for (const auto* of : {"jointinparent", "joint"})  // equivalent for joints of one coordinate

@@ -9,8 +9,8 @@
 
 namespace kte::detail {
 
-/// The classes of defaults of a file in MJCF. All <default> at the top are the class "main", by whatever names; a class
-/// begins with what the class around it has until then.
+/// The classes of defaults of a file in MJCF. All <default> elements at the top form the class "main", whatever their
+/// names; a class begins with the values that the enclosing class has at that point.
 class mjcf_classes {
  public:
   explicit mjcf_classes(const xml_item& root) {
@@ -22,8 +22,8 @@ class mjcf_classes {
   }
 
   bool has(const std::string& name) const { return main_.contains(name) || classes_.contains(name); }
-  /// The element with the attributes that its class gives it: its own, or else `around`. Empty attributes are as none.
-  /// `kind`: the elements whose defaults apply, its own unless told.
+  /// The element with the attributes of its class: the class that it names, otherwise `around`. Empty attributes count
+  /// as missing. `kind`: the elements whose defaults apply, by default its own.
   xml_item resolved(const xml_item& x, const std::string& around, const std::string& kind = {}) const {
     const auto own = cleaned(x);
     const auto name = own.text_or("class", around.empty() ? "main" : around.c_str());
@@ -41,14 +41,14 @@ class mjcf_classes {
     const std::string *attribute, *before;
   };
 
-  /// All actuators share their defaults, and all tendons.
+  /// The kind of an element for defaults: all actuators share one, and all tendons.
   static std::string kind_of(const std::string& element) {
     if (element == "spatial" || element == "fixed") return "tendon";
     static constexpr std::array actuators{"motor",  "position", "velocity", "intvelocity", "damper",
                                           "muscle", "cylinder", "adhesion", "plugin"};
     return std::find(actuators.begin(), actuators.end(), element) != actuators.end() ? "general" : element;
   }
-  /// Takes in a <default>, and the classes in it. Gives what it changed, in order.
+  /// Adds a <default> and the classes in it. Returns the changes in order, with the values before.
   std::vector<change> add(const xml_item& x, const std::string& name = {}) {
     std::vector<change> changes;
     ++now_;
@@ -70,7 +70,7 @@ class mjcf_classes {
 
   std::map<std::string, xml_defaults::moment, std::less<>> classes_{{"main", 0}};
   std::set<std::string, std::less<>> main_{"main"};
-  mutable std::map<std::string, xml_defaults, std::less<>> kinds_;  ///< by elements; they forget what they have listed
+  mutable std::map<std::string, xml_defaults, std::less<>> kinds_;  ///< by element; mutable for `take_writers`
   mutable xml_defaults none_;
   xml_defaults::moment now_ = 0;
 };

@@ -6,14 +6,14 @@
 
 namespace kte::detail {
 
-/// A geom of MJCF: a shape, and the body that it is if there is no other.
+/// A geom of MJCF: its shape, its sizes, and whether it collides.
 struct mjcf_geom {
   robot_shape shape;
   bool collides = true;
-  vec3<> half{};  ///< sizes as MJCF has them
+  vec3<> half{};  ///< sizes as MJCF defines them
 };
 
-/// The form and place of a geom. With `fromto` it reaches from one point to another.
+/// Reads the form and pose of a geom. With `fromto` it extends from one point to another.
 inline mjcf_geom read_geom(const xml_item& x, const mjcf_scope& in) {
   using form = robot_shape::form;
   mjcf_geom g;
@@ -59,7 +59,7 @@ inline mjcf_geom read_geom(const xml_item& x, const mjcf_scope& in) {
   return g;
 }
 
-/// The body that a geom is, in axes of the link, from its mass or its density; of planes and fields none.
+/// The rigid body of a geom in the axes of the link, from its mass or its density; none for planes and height fields.
 inline std::optional<rigid_body<>> body_of_geom(const xml_item& x, const mjcf_geom& g) {
   using form = robot_shape::form;
   if (g.shape.is == form::plane || g.shape.is == form::none) return {};

@@ -10,9 +10,9 @@
 
 namespace kte::detail {
 
-/// Puts what the files of <include file="..."/> hold instead of these elements, whatever their roots are called. Names
-/// of files are relative to the folder of the robot's file, or else of the file that includes them. As in MuJoCo a file
-/// is included once, which also bounds what is read.
+/// Replaces elements <include file="..."/> by the contents of the files, whatever their root elements. File names are
+/// relative to the folder of the robot's file, otherwise to the folder of the including file. As in MuJoCo a file is
+/// included at most once, which also bounds the size.
 class mjcf_includes {
  public:
   mjcf_includes(robot_description& d, const std::filesystem::path& folder, xml_parser parse)

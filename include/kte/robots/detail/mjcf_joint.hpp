@@ -4,7 +4,7 @@
 
 namespace kte::detail {
 
-/// A range, if there is one: by its own flag, or as the compiler says because it is written.
+/// A range, if it is in force: by its own flag, or with autolimits because it is written.
 inline std::optional<std::pair<double, double>> mjcf_range(const xml_item& x, const char* range, const char* limited,
                                                            const mjcf_settings& settings) {
   const auto on = keyword(x, limited, {"auto", "true", "false"});
@@ -16,7 +16,7 @@ inline std::optional<std::pair<double, double>> mjcf_range(const xml_item& x, co
   return std::pair{r[0], r[1]};
 }
 
-/// Position and axis of a hinge or slide, and `ref`, its coordinate at the configuration of the file.
+/// Sets the placement and axis of a hinge or slide, and its coordinate `ref` at the configuration of the file.
 inline void place_mjcf_joint(const xml_item& x, const mjcf_scope& in, robot_joint& j, double ref) {
   j.origin.position = in.place.position + in.place.rotation * x.vector_or("pos", {});
   j.child_pose.position = vec3<>{} - j.origin.position;
@@ -44,7 +44,7 @@ inline robot_joint_dynamics mjcf_joint_dynamics(const xml_item& x, double rest) 
   return y;
 }
 
-/// A joint of MJCF, in the axes of its body. `usual_name` is for one that has none.
+/// Reads a joint of MJCF, in the axes of its body. A joint without a name is called `usual_name`.
 inline robot_joint read_mjcf_joint(const xml_item& x, const mjcf_scope& in, const std::string& usual_name) {
   using kind = robot_joint::kind;
   static const std::map<std::string, kind, std::less<>> types{

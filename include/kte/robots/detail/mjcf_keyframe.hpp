@@ -4,15 +4,15 @@
 
 namespace kte::detail {
 
-/// How many numbers of q a joint has in MJCF: of a free one the position, then the quaternion w, x, y, z.
+/// The number of entries of q of a joint in MJCF; a free joint has its position, then the quaternion w, x, y, z.
 inline std::size_t numbers_of_q(const robot_joint& j) {
   using kind = robot_joint::kind;
   return j.is == kind::fixed ? 0 : j.is == kind::floating ? 7 : j.is == kind::spherical ? 4 : 1;
 }
 
-/// A <key> as a configuration: its qpos has the numbers of all joints in the order of the bodies, each before what it
-/// carries, as the joints of the description are. Quaternions get length 1, and those of length 0 are no rotation, as
-/// in MuJoCo.
+/// Reads a <key> as a configuration. Its qpos has the numbers of all joints in the order of the bodies, parents first,
+/// which is the order of joints in the description. Quaternions are normalized; a quaternion of length 0 stands for no
+/// rotation, as in MuJoCo.
 inline void read_mjcf_keyframe(const xml_item& x, robot_description& d) {
   x.only({}, {"name", "qpos"});
   if (!x.has("qpos")) return;

@@ -7,7 +7,7 @@
 
 namespace kte::detail {
 
-/// The <inertial> of a body, in the axes of the body.
+/// Reads the <inertial> of a body, in the axes of the body.
 inline rigid_body<> read_mjcf_inertial(const mjcf_settings& settings, const xml_item& written) {
   const auto x = settings.classes().cleaned(written);
   x.only({}, {"pos", "quat", "axisangle", "euler", "xyaxes", "zaxis", "mass", "diaginertia", "fullinertia"});
@@ -25,7 +25,7 @@ inline rigid_body<> read_mjcf_inertial(const mjcf_settings& settings, const xml_
   return moved_body(settings.place(x), b);
 }
 
-/// An inertia whose principal moments are at least so large.
+/// The inertia with principal moments raised to at least `least`.
 inline sym3<> with_least_moment(const sym3<>& i, double least) {
   Eigen::Matrix3d m;
   m << i.xx, i.xy, i.xz, i.xy, i.yy, i.yz, i.xz, i.yz, i.zz;
@@ -36,9 +36,9 @@ inline sym3<> with_least_moment(const sym3<>& i, double least) {
   return {k(0, 0), k(0, 1), k(0, 2), k(1, 1), k(1, 2), k(2, 2)};
 }
 
-/// What the compiler's rules make of the bodies of these links: masses and principal moments are at
-/// least so large (boundmass, boundinertia), impossible moments become their mean (balanceinertia), and all
-/// are multiplied so that masses add up (settotalmass), in this order.
+/// Applies the rules of the compiler to the bodies of these links, in this order: masses and principal moments are
+/// raised to their minima (boundmass, boundinertia), unphysical moments become their mean (balanceinertia), and all are
+/// scaled to the total mass (settotalmass).
 inline void apply_mass_rules(const mjcf_mass_rules& rules, robot_description& d,
                              const std::vector<std::size_t>& bodies) {
   auto& links = d.links;

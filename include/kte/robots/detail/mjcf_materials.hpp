@@ -4,10 +4,10 @@
 
 namespace kte::detail {
 
-/// The colours of the materials among the assets of files in MJCF.
+/// The colours of the material assets of files in MJCF.
 class mjcf_materials {
  public:
-  /// Four numbers at most; none of a material that has no colour or is not there.
+  /// The colour of a material, at most four numbers; none if the material or its colour is missing.
   const std::vector<double>& rgba(const std::string& name, const mjcf_model& model) {
     auto& of_model = known_[&model];
     if (of_model.empty()) {

@@ -8,9 +8,9 @@
 
 namespace kte::detail {
 
-/// The meshes among the assets of files in MJCF, each read once, and only if its mass or its size is requested.
+/// The mesh assets of files in MJCF, each read once, and only if its mass or its size is needed.
 class mjcf_meshes {
-  /// Says for which geom a mesh has no body.
+  /// Calls f; errors name the geom that needs the mesh.
   template <class F>
   static auto guarded(const xml_item& geom, const F& f) {
     try {
@@ -21,7 +21,7 @@ class mjcf_meshes {
   }
 
  public:
-  /// What makes the mesh of a geom a shape: file and scale, as far as the assets know it.
+  /// Sets the file and scale of a mesh geom, as far as the assets give them.
   void describe(const xml_item& geom, mjcf_model& model, robot_shape& s) {
     const auto* a = asset(model, geom.text("mesh"));
     if (!a) return geom.not_read("there is no mesh '" + excerpt(geom.text("mesh")) + "' among the assets");
@@ -30,7 +30,7 @@ class mjcf_meshes {
       if (a->has(reference)) geom.not_read(std::string("its shape is without the ") + reference + " of its mesh");
     if (a->has("file")) s.mesh = path_of(*a, model).generic_string();
   }
-  /// The body of a geom that is a mesh, in the axes of the mesh.
+  /// The body of a mesh geom in the axes of the mesh.
   rigid_body<> body(const xml_item& geom, mjcf_model& model) {
     const auto kind = kind_of(geom, model);
     const auto* const a = asset(model, geom.text("mesh"));
@@ -48,14 +48,14 @@ class mjcf_meshes {
     const auto& i = unit.inertia;
     return {k * unit.mass, unit.com, {k * i.xx, k * i.xy, k * i.xz, k * i.yy, k * i.yz, k * i.zz}};
   }
-  /// Gives a geom of another form than a mesh the place and sizes that fit its mesh.
+  /// Sets the pose and sizes of a geom of another form so that it fits its mesh.
   void fit(const xml_item& geom, const mjcf_scope& in, mjcf_geom& g) {
     const auto& mesh = read(geom, *in.model);
     const auto kind = kind_of(geom, *in.model);
     const auto fitted =
         guarded(geom, [&] { return fit_mesh(mesh, kind, g.shape.is, in.model->settings.fits_boxes()); });
     if (in.model->settings.fits_boxes())
-      geom.warn("fitaabb: it stands where its mesh is; MuJoCo 2.2.2 puts it elsewhere");
+      geom.warn("fitaabb: it is placed at its mesh; MuJoCo 2.2.2 places it elsewhere");
     const double k = geom.number_or("fitscale", 1);
     g.half = k * fitted.half, g.shape.origin = in.model->settings.place(geom) * fitted.pose;
   }
@@ -113,11 +113,11 @@ class mjcf_meshes {
     if (!a.has("vertex"))
       a.fail("it has no file and no vertex: the mass of what a plugin or a builtin makes is not read");
     const auto v = a.list("vertex");
-    if (v.size() % 3 != 0) a.fail("vertex must have three numbers a vertex, got " + std::to_string(v.size()));
+    if (v.size() % 3 != 0) a.fail("vertex must have three numbers per vertex, got " + std::to_string(v.size()));
     for (std::size_t i = 0; i < v.size(); i += 3) mesh.vertices.push_back({v[i], v[i + 1], v[i + 2]});
     if (!a.has("face")) return mesh;
     const auto f = a.list("face");
-    if (f.size() % 3 != 0) a.fail("face must have three numbers a face, got " + std::to_string(f.size()));
+    if (f.size() % 3 != 0) a.fail("face must have three numbers per face, got " + std::to_string(f.size()));
     for (std::size_t i = 0; i < f.size(); i += 3) {
       auto& face = mesh.faces.emplace_back();
       for (std::size_t k = 0; k < 3; ++k) {
@@ -130,7 +130,7 @@ class mjcf_meshes {
     return mesh;
   }
 
-  /// The body at density 1, and where its surface is open.
+  /// The body at density 1, and the edge where its surface is open.
   struct unit_body {
     rigid_body<> body;
     std::string edge;

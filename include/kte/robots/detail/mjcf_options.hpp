@@ -4,8 +4,8 @@
 
 namespace kte::detail {
 
-/// The options of a file, and its flags, which may disable gravity, springs, dampers and dry friction, and make
-/// warnings of contact and equality needless. The last of repeated options is used.
+/// Reads the options of a file and its flags, which may disable gravity, springs, dampers and dry friction, and with
+/// contact or equality disabled suppress their warnings. The last value of a repeated option is used.
 inline void read_mjcf_options(const xml_item& root, robot_description& d, mjcf_unread& unread) {
   bool gravity = true, springs = true, dampers = true, friction = true, equality = true, contact = true;
   const auto flag = [](const xml_item& f, const char* name, bool& on) {

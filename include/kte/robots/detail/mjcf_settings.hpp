@@ -5,16 +5,16 @@
 
 namespace kte::detail {
 
-/// What the <compiler> of MJCF says of masses after the bodies are read.
+/// The rules of <compiler> for masses, applied after the bodies are read.
 struct mjcf_mass_rules {
   double least_mass = 0, least_moment = 0;  ///< boundmass, boundinertia
-  double total = -1;                        ///< settotalmass; none below 0
+  double total = -1;                        ///< settotalmass; negative: none
   bool balance = false;                     ///< balanceinertia
-  bool fuse = false;                        ///< fusestatic: bodies that stand still are none
+  bool fuse = false;                        ///< fusestatic: static bodies are merged
   bool any() const { return least_mass > 0 || least_moment > 0 || total > 0; }
 };
 
-/// Refuses elements that write an orientation in several ways, as MuJoCo does; fullinertia is one of them.
+/// Rejects elements that write an orientation in several ways, as MuJoCo does; fullinertia counts as an orientation.
 inline void check_orientations(const xml_item& x) {
   const char* first = nullptr;
   for (const auto* way : {"quat", "axisangle", "euler", "xyaxes", "zaxis", "fullinertia"}) {
@@ -26,8 +26,8 @@ inline void check_orientations(const xml_item& x) {
   for (const auto& c : x.children()) check_orientations(c);
 }
 
-/// The settings of a whole file in MJCF: those of the compiler and the classes of defaults. Several <compiler> count as
-/// one; the last of repeated attributes is used.
+/// The settings of a file in MJCF: those of the compiler and the classes of defaults. Several <compiler> elements act
+/// as one; the last value of a repeated attribute is used.
 class mjcf_settings {
  public:
   mjcf_settings(const xml_item& root, const robot_options& o) : options_(o), classes_(root) {
@@ -37,24 +37,24 @@ class mjcf_settings {
   const mjcf_classes& classes() const { return classes_; }
   double angle(double x) const { return degrees_ ? x * (std::numbers::pi / 180) : x; }
   bool limits_by_range() const { return auto_limits_; }
-  /// Whether geoms make the mass of a body.
+  /// Whether the mass of a body comes from its geoms.
   bool from_geoms(bool has_inertial) const { return from_geoms_ == "auto" ? !has_inertial : from_geoms_ == "true"; }
-  /// Whether geoms of a group count for masses.
+  /// Whether geoms of a group contribute to masses.
   bool counts(double group) const { return group >= groups_[0] && group <= groups_[1]; }
   const mjcf_mass_rules& masses() const { return masses_; }
-  /// Whether places are in axes of the world, wherever they are written.
+  /// Whether poses are in the axes of the world (coordinate="global").
   bool in_world() const { return in_world_; }
   const std::string& mesh_folder() const { return mesh_folder_.empty() ? asset_folder_ : mesh_folder_; }
   bool strips_paths() const { return strip_path_; }
   bool exact_meshes() const { return exact_meshes_; }
   bool fits_boxes() const { return fit_boxes_; }
-  /// Whether geoms that nothing collides with are none.
+  /// Whether geoms that do not collide are discarded.
   bool discards_visuals() const { return discard_; }
   const robot_options& options() const { return options_; }
 
-  /// Position, and rotation by quat, axisangle, euler, xyaxes or zaxis.
+  /// The pose of an element: pos, and the rotation by quat, axisangle, euler, xyaxes or zaxis.
   robot_pose place(const xml_item& x) const { return {x.vector_or("pos", {}), rotation(x)}; }
-  /// Of three angles, in the order of eulerseq.
+  /// The rotation of three Euler angles in the order of eulerseq.
   mat3<vec3<>> rotation_of_euler(const xml_item& x, const vec3<>& e) const {
     mat3<vec3<>> r{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     for (std::size_t i = 0; i < 3; ++i) {
@@ -62,7 +62,7 @@ class mjcf_settings {
       const double a = angle(i == 0 ? e.x : i == 1 ? e.y : e.z);
       note_near_quarter(x, a, options_);
       const auto turn = turn_about((c | 32) - 'x', a, options_.quarter_turn_tolerance);
-      r = c >= 'x' ? r * turn : turn * r;  // small letters turn with the frame
+      r = c >= 'x' ? r * turn : turn * r;  // lower case: about axes that turn with the frame
     }
     return without_minus_zero(r);
   }
@@ -81,7 +81,7 @@ class mjcf_settings {
       c.fail("eulerseq must be three of x, y, z, X, Y, Z, got '" + excerpt(sequence_) + "'");
     if (c.has("coordinate")) in_world_ = keyword(c, "coordinate", {"local", "global"}) == "global";
     if (c.text_or("alignfree", "false") == "true")
-      c.warn("alignfree is not read: coordinates of free bodies are those of their own axes");
+      c.warn("alignfree is not read: coordinates of free bodies are in the axes of the body");
     if (c.has("inertiafromgeom")) from_geoms_ = keyword(c, "inertiafromgeom", {"auto", "true", "false"});
     truth("autolimits", auto_limits_), truth("strippath", strip_path_), truth("balanceinertia", masses_.balance);
     truth("exactmeshinertia", exact_meshes_), truth("fitaabb", fit_boxes_);
@@ -96,7 +96,8 @@ class mjcf_settings {
     if (groups_.size() != 2) c.fail("inertiagrouprange must have two numbers, got " + std::to_string(groups_.size()));
   }
 
-  /// Where the element has one of these and its class another, it is the first of this order, as in MuJoCo.
+  /// The rotation of an element. If the element has one of these attributes and its class another, the first in this
+  /// order is used, as in MuJoCo.
   mat3<vec3<>> rotation(const xml_item& x) const {
     if (x.has("euler")) return rotation_of_euler(x, x.vector("euler"));
     if (x.has("zaxis")) return shortest_turn_of_z_to(unit_direction(x, x.vector("zaxis")));

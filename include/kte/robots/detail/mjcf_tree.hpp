@@ -8,7 +8,7 @@
 
 namespace kte::detail {
 
-/// A file in MJCF and the models that it attaches, each with its own settings.
+/// A file in MJCF or a model that it attaches, with its own settings.
 struct mjcf_model {
   xml_node root;
   robot_description& d;
@@ -18,28 +18,27 @@ struct mjcf_model {
       : root(std::move(r)), d(to), folder(std::move(in)), settings({root, to}, o) {}
 };
 
-/// Where elements of MJCF stand while a body is read: those of <frame>, <replicate> and <attach> in what is around
-/// them.
+/// The context of an element of MJCF within its body, from the enclosing <frame>, <replicate> and <attach>.
 struct mjcf_scope {
   mjcf_model* model;
   robot_pose place{};              ///< in the axes of the body
   std::string around{};            ///< the class of defaults
-  std::string prefix{}, suffix{};  ///< of names
+  std::string prefix{}, suffix{};  ///< added to names
   std::string named(const std::string& name) const { return prefix + name + suffix; }
 };
 
-/// An element of a body, and how it stands there.
+/// An element of a body, and its context.
 struct mjcf_child {
   xml_item x;
   mjcf_scope in;
 };
 
-/// The elements of a body as if <frame>, <replicate> and <attach> had been written out.
+/// The elements of a body with <frame>, <replicate> and <attach> expanded.
 class mjcf_tree {
  public:
   mjcf_tree(robot_description& d, const robot_options& o, xml_parser parse) : d_(d), options_(o), parse_(parse) {}
 
-  /// The robot's own file.
+  /// The model of the robot's own file.
   mjcf_model& top(const xml_node& root) { return load(root, std::filesystem::path(d_.source).parent_path()); }
 
   std::vector<mjcf_child> children(const xml_item& x, const mjcf_scope& in) {
@@ -48,7 +47,7 @@ class mjcf_tree {
     return all;
   }
   const std::deque<mjcf_model>& models() const { return models_; }
-  /// The models that were attached, with the prefixes of their names.
+  /// The attached models, with the prefixes of their names.
   const std::vector<mjcf_scope>& attached() const { return attached_; }
 
  private:
@@ -68,7 +67,7 @@ class mjcf_tree {
       else if (c.name() == "attach")
         attach(c, in, all);
       else if (c.name() == "composite" || c.name() == "flexcomp")
-        c.fail("is not read: what it makes is flexible");
+        c.fail("is not read: flexible bodies are not modelled");
       else
         all.push_back({c, in});
       if (++count_ > most_elements) c.fail("the robot has more than " + std::to_string(most_elements) + " elements");
@@ -85,7 +84,7 @@ class mjcf_tree {
       x.fail("there is no default class '" + excerpt(in.around) + "'");
     expand(x, in, all);
   }
-  /// Copy i stands at T^i, T = (offset, euler); its number, with zeros in front, ends its names.
+  /// Expands <replicate>: copy i is at T^i, T = (offset, euler); its number, with leading zeros, ends its names.
   void replicate(const xml_item& x, mjcf_scope in, std::vector<mjcf_child>& all) {
     x.only({"body", "geom", "site", "frame", "replicate", "attach", "camera", "light"},
            {"count", "sep", "offset", "euler", "childclass"});
@@ -103,7 +102,7 @@ class mjcf_tree {
       expand(x, in, all);
     }
   }
-  /// A body or a frame of another model, or all that its world holds; of this model where none is named.
+  /// Expands <attach>: a body or a frame of another model, or all contents of its world; without a model, of this one.
   void attach(const xml_item& x, mjcf_scope in, std::vector<mjcf_child>& all) {
     x.only({}, {"model", "body", "frame", "prefix", "name"});
     if (++depth_ > 32) x.fail("models attach each other more than 32 deep");
@@ -132,7 +131,7 @@ class mjcf_tree {
     }
     return false;
   }
-  /// The model of an <asset>, read once; without a name it has that of its file.
+  /// The model of an <asset>, read once; without a name it has the name of its file.
   mjcf_model& model(const xml_item& x, mjcf_model& from) {
     const auto name = x.text("model");
     for (const auto& a : xml_item(from.root, d_).children("asset"))

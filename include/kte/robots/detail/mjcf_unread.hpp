@@ -4,11 +4,11 @@
 
 namespace kte::detail {
 
-/// What a file in MJCF has beside bodies and joints: of what moves a robot and is not modelled there is a warning each,
-/// or one for all of a kind; the rest is listed.
+/// Notes the contents of a file in MJCF other than bodies and joints: a warning for each that moves a robot and is not
+/// modelled, or one for all of a kind; the rest is listed.
 class mjcf_unread {
  public:
-  /// Contact is not modelled: all that is said of it is one warning.
+  /// Notes contact, which is not modelled, with one warning for all.
   void contact_of(const xml_item& geom, bool collides) {
     if (!collides) return;
     for (const auto* name : {"friction", "solref", "solimp", "solmix", "margin", "gap", "condim", "priority"})
@@ -28,20 +28,20 @@ class mjcf_unread {
   void section(const xml_item& x, const mjcf_classes& classes) {
     if (x.name() == "contact") {
       for (const auto& c : x.children()) c.name() == "pair" ? note_contact(c) : c.not_read("not read");
-    } else if (x.name() == "equality") {
-      for (const auto& c : x.children())
-        if (!no_equality_ && classes.resolved(c, "", "equality").text_or("active", "true") == "true")
-          c.moves_differently("this constraint is not modelled");
-        else
-          c.not_read("not read: it is disabled");
     } else if (x.name() == "tendon") {
       for (const auto& c : x.children()) tendon(classes.resolved(c, ""));
     } else if (x.name() == "deformable") {
       for (const auto& c : x.children())
-        c.name() == "skin" ? c.not_read("not read") : c.moves_differently("what is flexible is not modelled");
+        c.name() == "skin" ? c.not_read("not read") : c.moves_differently("flexible bodies are not modelled");
     } else {
       x.not_read("not read");
     }
+  }
+  /// Whether a constraint of <equality> is disabled: it is listed.
+  bool constraint(const xml_item& x) const {
+    if (!no_equality_ && keyword(x, "active", {"true", "false"}) == "true") return false;
+    x.not_read("not read: it is disabled");
+    return true;
   }
   /// Attributes of meshes that have no part in their shape, and what is no mesh and no model.
   void assets(const xml_item& x, const mjcf_classes& classes) {
@@ -55,7 +55,7 @@ class mjcf_unread {
         c.not_read("no <" + excerpt(c.name()) + "> is read");
     }
   }
-  /// Attributes of sites; what they look like is listed once.
+  /// Notes the attributes of sites; those for their appearance are listed once.
   void site(const xml_item& x) {
     x.only({}, {"name", "class", "pos", "quat", "axisangle", "euler", "xyaxes", "zaxis", "fromto", "size", "type",
                 "rgba", "material", "group", "user"});
@@ -63,11 +63,11 @@ class mjcf_unread {
     for (const auto* look : {"type", "size", "rgba", "material", "group", "user"})
       if (x.has(look) && looks_.insert(look).second && !site_) site_.emplace(x);
   }
-  /// An actuator whose law is not modelled.
+  /// Notes an actuator whose law is not modelled.
   void actuator(const xml_item& x) { actuators_[std::string(x.name())].add(x); }
-  /// One that pulls without a command.
+  /// Notes an actuator that exerts a force without a command.
   void servo(const xml_item& x) { servos_[std::string(x.name())].add(x); }
-  /// Emits the collected notes as warnings.
+  /// Emits the collected notes.
   void finish() {
     for (const auto& [kind, a] : actuators_)
       a.first->moves_differently("its law is not modelled, as of others of <" + kind + ">: " + a.list());
@@ -76,7 +76,7 @@ class mjcf_unread {
     if (site_) {
       std::string all;
       for (const auto& look : looks_) all += (all.empty() ? "" : ", ") + look;
-      site_->not_read("what sites look like is not read: " + all);
+      site_->not_read("the appearance of sites is not read: " + all);
     }
     if (contact_)
       contact_->moves_differently("contact is not modelled: friction, solref and others of " +

@@ -9,12 +9,12 @@
 
 namespace kte::detail {
 
-/// The ranges of a law scaled by a factor that may be negative.
+/// A range scaled by a factor, which may be negative.
 inline std::pair<double, double> scaled_range(double factor, double lower, double upper) {
   return factor < 0 ? std::pair{factor * upper, factor * lower} : std::pair{factor * lower, factor * upper};
 }
 
-/// Makes the motors of a robot.
+/// Adds the motors of a robot to its chain.
 class motor_maker {
  public:
   motor_maker(robot& r, const motor_options& o) : r_(r), o_(o), made_(r) {}
@@ -59,7 +59,7 @@ class motor_maker {
   void warn(const robot_actuator& a, const std::string& why) {
     made_.warnings.push_back({a.line, title(a) + " is left out: " + why});
   }
-  /// Warns about actuators that act on nothing that a motor can drive.
+  /// Warns about actuators on joints that a motor cannot drive.
   void check_joint(const robot_actuator& a, const std::vector<place>& places) {
     const auto at = std::find_if(places.begin(), places.end(), [&](const place& e) { return e.name == a.joint; });
     if (at == places.end())
@@ -91,7 +91,7 @@ class motor_maker {
       }
     }
   }
-  /// The law of an actuator as the joint feels it: x = gear q, f = gear f_x.
+  /// The law of an actuator in terms of the joint: x = gear q, f = gear f_x.
   static motor_law at_joint(const robot_actuator& a) {
     auto law = a.law;
     law.gain *= a.gear, law.offset *= a.gear;

@@ -8,7 +8,7 @@
 
 namespace kte::detail {
 
-/// A sum of doubles without rounding: numbers that do not overlap, the smallest first (Shewchuk, Adaptive precision
+/// An exact sum of doubles: numbers that do not overlap, the smallest first (Shewchuk, Adaptive precision
 /// floating-point arithmetic and fast robust geometric predicates, Discrete and Computational Geometry 18, 1997).
 class exact_sum {
  public:
@@ -30,7 +30,7 @@ class exact_sum {
       add(product), add(std::fma(part, z, -product));
     }
   }
-  /// With the sign of the sum.
+  /// The largest part, which has the sign of the sum.
   double largest() const { return size_ == 0 ? 0 : parts_[size_ - 1]; }
 
  private:
@@ -38,10 +38,10 @@ class exact_sum {
   std::size_t size_ = 0;
 };
 
-/// A number with the sign of the determinant of b - a, c - a, d - a, and 0 only where it is 0: positive where d is on
-/// the side of the plane from which a, b, c run counterclockwise. Exact for numbers whose products of three do not
-/// underflow. In doubles the determinant is wrong by less than (7 + 56 e) e times the same with all signs positive,
-/// e = 2^-53 (Shewchuk); only below that it is computed without rounding.
+/// A number with the sign of the determinant of b - a, c - a, d - a: positive where d is on the side of the plane from
+/// which a, b, c run counterclockwise, 0 only where the determinant is 0. Exact if no product of three numbers
+/// underflows. In doubles the error of the determinant is below (7 + 56 e) e times the determinant with all signs
+/// positive, e = 2^-53 (Shewchuk); only below this bound is it computed exactly.
 inline double orientation(const vec3<>& a, const vec3<>& b, const vec3<>& c, const vec3<>& d) {
   const vec3<> u = b - a, v = c - a, w = d - a;
   const double yz = v.y * w.z, zy = v.z * w.y, zx = v.z * w.x, xz = v.x * w.z, xy = v.x * w.y, yx = v.y * w.x;

@@ -6,7 +6,7 @@
 
 namespace kte::detail {
 
-/// tinyxml2 has refused what nests too deep.
+/// Copies an element; tinyxml2 has rejected too deep nesting.
 [[gnu::cold]] inline void copy_node(const tinyxml2::XMLElement& e, xml_node& n) {
   n.name = e.Name(), n.line = e.GetLineNum();
   for (const auto* a = e.FirstAttribute(); a != nullptr; a = a->Next())
@@ -16,7 +16,7 @@ namespace kte::detail {
     copy_node(*c, n.children.emplace_back());
 }
 
-/// The root of a file in XML, by tinyxml2, which is used only here (docs/decisions/15-robot-files.md). Throws
+/// Reads the root of a text in XML by tinyxml2, which is used only here (docs/decisions/15-robot-files.md). Throws
 /// `bad_file` with the line.
 [[gnu::cold]] inline xml_node parse_xml(std::string_view text, const std::string& source) {
   const auto good = checked_text(text, source);
@@ -33,7 +33,7 @@ namespace kte::detail {
   return all;
 }
 
-/// The root of a file that another file names (`xml_parser`).
+/// Reads the root of a file that another file refers to (`xml_parser`).
 [[gnu::cold]] inline xml_node parse_xml_file(const std::filesystem::path& path) {
   auto all = parse_xml(text_of_file(path), path.string());
   give_file(all, path.string());

@@ -4,7 +4,7 @@
 
 namespace kte::detail {
 
-/// The error of the moments of a body, by the rule of the elements (contract/parameter_check.hpp), or an empty text.
+/// The error in the moments of a body, by the rule for elements (contract/parameter_check.hpp); empty if there is none.
 inline std::string unphysical(const rigid_body<>& b) {
   parameter_check::breach broken;
   const parameter_check where{"", {}, {}, broken};
@@ -19,7 +19,7 @@ inline std::string unphysical(const rigid_body<>& b) {
   return text;
 }
 
-/// Two bodies as one, about the centre of mass of both:
+/// Two bodies as one, with the inertia about the common centre of mass:
 ///
 ///   m = m1 + m2,  c = (m1 c1 + m2 c2)/m,  I = I1 + I2 + (m1 m2/m) (|d|^2 1 - d d^T),  d = c1 - c2          (1)
 inline rigid_body<> together(const rigid_body<>& a, const rigid_body<>& b) {

@@ -6,7 +6,7 @@
 
 namespace kte::detail {
 
-/// A robot in the format that its root says.
+/// Reads a robot in the format given by the root element.
 robot_description read_any(const xml_node& root, const std::string& name, const robot_options& options,
                            xml_parser parse);
 
@@ -17,7 +17,7 @@ KTE_FUNCTION robot_description read_any(const xml_node& root, const std::string&
   if (root.name == "mujoco") return read_mjcf(root, name, options, parse);
   if (root.name == "sdf") return read_sdf(root, name, options, parse);
   raise<bad_file>("kte: " + place_text(name, root.line) + "<" + excerpt(root.name) +
-                  "> begins no format of robots that is read here: <robot> (URDF), <mujoco> (MJCF) and <sdf> do");
+                  "> is not the root of a supported robot format: <robot> (URDF), <mujoco> (MJCF) and <sdf> are");
 }
 #endif
 

@@ -7,8 +7,8 @@
 
 namespace kte::detail {
 
-/// A robot from the root of a file in MJCF; `name` is what messages call the file,
-/// and its path, where it names others; these `parse` reads.
+/// Reads a robot from the root of a file in MJCF; `name` names the file in messages and is its path if it refers to
+/// other files, which `parse` reads.
 robot_description read_mjcf(const xml_node& root, const std::string& name, const robot_options& options,
                             xml_parser parse);
 

@@ -7,11 +7,11 @@
 
 namespace kte::detail {
 
-/// A robot from the root of a file in SDF; `name` is what messages call the file,
-/// and its path, where it names others; these `parse` reads.
+/// Reads a robot from the root of a file in SDF; `name` names the file in messages and is its path if it refers to
+/// other files, which `parse` reads.
 robot_description read_sdf(const xml_node& root, const std::string& name, const robot_options& options,
                            xml_parser parse);
-/// The names of the models of such a file.
+/// The names of the models in such a file.
 std::vector<std::string> sdf_models(const xml_node& root, const std::string& name, const robot_options& options,
                                     xml_parser parse);
 

@@ -11,7 +11,7 @@
 
 namespace kte::detail {
 
-/// A robot from the root of a URDF; `name` is what messages call the file.
+/// Reads a robot from the root of a URDF; `name` names the file in messages.
 robot_description read_urdf(const xml_node& root, const std::string& name, const robot_options& options);
 
 #ifdef KTE_FUNCTION

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cstdio>
 
-/// What several formats have alike.
+/// Reads values that several formats write alike.
 namespace kte::detail {
 
 inline std::string short_number(double x) {
@@ -16,9 +16,9 @@ inline std::string short_number(double x) {
   return text;
 }
 
-/// The word of an attribute, which must be one of these; the first of them if there is none.
+/// The value of an attribute, which must be one of `words`; the first of them if the attribute is missing.
 inline std::string keyword(const xml_item& x, const char* attribute, std::initializer_list<std::string_view> words) {
-  const auto word = x.text_or(attribute, std::string(*words.begin()).c_str());
+  auto word = x.text_or(attribute, std::string(*words.begin()).c_str());
   std::string all;
   for (const auto w : words) {
     if (w == word) return word;
@@ -27,30 +27,30 @@ inline std::string keyword(const xml_item& x, const char* attribute, std::initia
   x.fail(std::string(attribute) + " '" + excerpt(word) + "' is none of " + all);
 }
 
-/// The first child of a name; of others a warning.
+/// The first child of a name; further ones give a warning.
 inline std::optional<xml_item> first_child(const xml_item& x, const char* of) {
   const auto all = x.children(of);
   if (all.empty()) return {};
-  if (all.size() > 1) all[1].warn("comes a second time; the first is taken");
+  if (all.size() > 1) all[1].warn("occurs twice; the first is used");
   return all[0];
 }
 
-/// A name that none of these has.
+/// A name that none of these has: `name`, with apostrophes appended while it is taken.
 template <class T>
 std::string free_name(const std::vector<T>& all, std::string name) {
   while (std::any_of(all.begin(), all.end(), [&](const T& x) { return x.name == name; })) name += '\'';
   return name;
 }
-/// Of length 1, whatever its length.
+/// The unit vector along n.
 inline vec3<> unit_direction(const xml_item& x, const vec3<>& n) {
   if (std::abs(dot(n, n) - 1) <= 4e-16) return {n.x + 0.0, n.y + 0.0, n.z + 0.0};  // written by this library: unchanged
   const double size = (std::max)({std::abs(n.x), std::abs(n.y), std::abs(n.z)});
   if (size == 0) x.fail("the axis has length 0");
-  const vec3<> m{n.x / size, n.y / size, n.z / size};  // no square of it overflows
+  const vec3<> m{n.x / size, n.y / size, n.z / size};  // so that no square overflows
   const double root = std::sqrt(dot(m, m));
   return {m.x / root + 0.0, m.y / root + 0.0, m.z / root + 0.0};
 }
-/// A unit vector, with a warning if the length is not 1.
+/// The unit vector along n, with a warning if the length of n is not 1.
 inline vec3<> unit_axis(const xml_item& x, const vec3<>& n) {
   const double whole = std::hypot(n.x, n.y, n.z);
   if (std::abs(whole - 1) > 1e-6 && whole > 0)
@@ -58,7 +58,8 @@ inline vec3<> unit_axis(const xml_item& x, const vec3<>& n) {
   return unit_direction(x, n);
 }
 
-/// Of w, x, y, z, of any length but 0. Quarter turns written with digits of sqrt(1/2) become exact.
+/// The rotation of a quaternion w, x, y, z of any length but 0. Quarter turns with rounded digits of sqrt(1/2) become
+/// exact.
 inline mat3<vec3<>> rotation_of_quaternion(const xml_item& x, const std::vector<double>& q) {
   if (q.size() != 4) x.fail("a quaternion must have four numbers, got " + std::to_string(q.size()));
   const double size = (std::max)({std::abs(q[0]), std::abs(q[1]), std::abs(q[2]), std::abs(q[3])});
@@ -74,7 +75,7 @@ inline void check_range(const xml_item& x, double lower, double upper, const cha
   if (!(lower <= upper)) x.fail(std::string(low) + " " + number(lower) + " is above " + up + " " + number(upper));
 }
 
-/// Says of angles that are nearly quarter turns, but not near enough to be taken for such.
+/// Warns about an angle that is nearly a quarter turn, but outside of the tolerance.
 inline void note_near_quarter(const xml_item& x, double angle, const robot_options& o) {
   const auto [count, off] = nearest_quarter(angle);
   if (off > 1e-14 && off < (count == 0 ? 1e-6 : 1e-4) && off > o.quarter_turn_tolerance)

@@ -9,7 +9,7 @@
 
 namespace kte::detail {
 
-/// The elements of a robot's chain, and the names that are taken in it.
+/// The elements of the chain of a robot, and the names taken in it.
 class robot_elements {
  public:
   explicit robot_elements(const robot_description& d) {
@@ -28,7 +28,7 @@ class robot_elements {
   }
 
   bool has(const std::string& name) const { return taken_.contains(name); }
-  /// A name that is nobody's: of frames in between.
+  /// An unused name for an intermediate frame.
   std::string fresh(std::string name) {
     while (!taken_.insert(name).second) name += '\'';
     return name;

@@ -14,14 +14,14 @@
 
 namespace kte::detail {
 
-/// What joints of a robot do in addition to moving: springs, dampers, friction, inertias of rotors.
+/// The forces and inertias of joints: springs, dampers, friction and inertias of rotors.
 class robot_forces {
  public:
   robot_forces(robot_elements& to, std::vector<robot_note>& warnings, const robot_description& d,
                const robot_options& o)
       : to_(to), warnings_(warnings), d_(d), o_(o) {}
 
-  /// The forces of a joint between two frames; its placement is in the first.
+  /// Appends the forces of a joint between two frames; `placement` is in the first.
   void append(const robot_joint& j, const std::string& from, const std::string& end, const robot_pose& placement) {
     const auto& x = j.dynamics;
     if (x == robot_joint_dynamics{} || !o_.joint_dynamics) return;
@@ -29,8 +29,9 @@ class robot_forces {
     if (x.time_constant == 0) append_spring(j, x);
     if (x.armature != 0) to_.append(inertia_gen(j.name, x.armature));
   }
-  /// Of joints with a time constant T and a damping ratio z, d = 2 I/T and k = I/(T z)^2, where 1/I is the joint's
-  /// entry on the diagonal of M^-1 with the robot as it is written. When all bodies are in the chain.
+  /// Appends the dampers and springs of joints with a time constant T and a damping ratio z: d = 2 I/T and k = I/(T
+  /// z)^2, where 1/I is the diagonal entry of the joint in M^-1 at the configuration of the file. All bodies must be in
+  /// the chain.
   void append_spring_dampers(const robot_tree& tree);
 
  private:
@@ -45,7 +46,7 @@ class robot_forces {
   const robot_options& o_;
 };
 
-/// Damping by itself is a `joint_damping_gen`: linear, and cheaper than friction. With dry friction both are one
+/// Damping alone is a `joint_damping_gen`, which is linear and cheaper than friction. Damping with dry friction is one
 /// `joint_friction_gen`.
 inline void robot_forces::append_spring(const robot_joint& j, const robot_joint_dynamics& x) {
   if (x.friction != 0)
@@ -72,7 +73,7 @@ inline void robot_forces::append_spring_dampers(const robot_tree& tree) {
     append_spring(j, x);
   }
 }
-/// The diagonal of M^-1: of a tree from articulated inertias, else, where joints follow others, from M itself.
+/// The diagonal of M^-1: for a tree from articulated inertias, with followers from M.
 inline std::vector<double> robot_forces::inverse_masses(const Eigen::VectorXd& q) {
   const auto& c = to_.chain();
   auto s = c.make_state();
@@ -95,8 +96,9 @@ inline std::vector<double> robot_forces::inverse_masses(const Eigen::VectorXd& q
   return diagonal;
 }
 
-/// Damping d and stiffness k of what turns freely are a torque, -d w - k r, with the velocity w and the rotation vector
-/// r of what the joint moves in its placement; a free body is also damped by the force -d v at its origin.
+/// Damping d and stiffness k of a spherical or floating joint give the torque -d w - k r, with the angular velocity w
+/// and the rotation vector r of the moving side in the placement; a floating body is also damped by the force -d v at
+/// its origin.
 inline void robot_forces::append_of_ball(const robot_joint& j, const std::string& from, const std::string& end,
                                          const robot_pose& placement) {
   auto left = j.dynamics;

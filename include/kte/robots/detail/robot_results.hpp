@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-/// What a robot has in addition to its chain.
+/// The data of a robot beyond its chain.
 namespace kte::detail {
 
 inline void list_joints(robot& r, const robot_description& d) {
@@ -48,7 +48,7 @@ inline void read_configurations(robot& r, const robot_description& d) {
     made.name = c.name, made.q.assign(q.data(), q.data() + q.size());
     for (const auto& [joint, numbers] : c.joints) {
       const auto e = places.find(joint);
-      if (e == places.end()) continue;  // it follows another, or is fixed
+      if (e == places.end()) continue;  // a follower, or fixed
       if (static_cast<int>(numbers.size()) != e->second.nq)
         raise<bad_file>("kte: " + place_text(d.source, c.line) + "configuration '" + c.name + "': joint '" + joint +
                         "' has " + std::to_string(e->second.nq) + " numbers, got " + std::to_string(numbers.size()));
@@ -56,7 +56,7 @@ inline void read_configurations(robot& r, const robot_description& d) {
     }
   }
 }
-/// Warnings of what moves differently come first, or are refused.
+/// Orders the warnings, differences in motion first, or throws for these if `strict`.
 inline void judge(robot& r, const robot_description& d, bool strict) {
   auto& all = r.warnings;
   const auto differs = [](const robot_note& n) { return n.changes_motion; };

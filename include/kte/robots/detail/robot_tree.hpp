@@ -12,19 +12,20 @@
 
 namespace kte::detail {
 
-/// The tree that links and joints make: checked, and in the order in which a chain takes it.
+/// The tree that links and joints make, with closures between them: checked, and in the order in which a chain takes
+/// it.
 class robot_tree {
  public:
   struct step {
     std::size_t joint;
-    bool reversed;  ///< from child to parent, as a root was chosen below it
+    bool reversed;  ///< traversed from child to parent, because of the chosen root
   };
 
-  /// Throws `bad_file` where links and joints make no tree; `bad_argument` for a root that is no link.
+  /// Throws `bad_file` if links and joints form no tree, `bad_argument` if the chosen root is no link.
   robot_tree(const robot_description& d, const std::string& chosen_root);
 
   std::size_t root() const { return root_; }
-  /// Every joint once, behind that which moves its base: in the file's order where that is possible.
+  /// Every joint once, after the joint that moves its base; in the order of the file where possible.
   const std::vector<step>& steps() const { return steps_; }
   std::size_t link(const std::string& name) const { return links_.at(name); }
   bool has_link(const std::string& name) const { return links_.contains(name); }
@@ -40,11 +41,12 @@ class robot_tree {
   void name_all();
   void find_root();
   void check_mimics() const;
+  void check_closures() const;
   void order(const std::string& chosen_root);
 
   const robot_description& d_;
   index links_, joints_;
-  std::vector<std::size_t> parent_joint_;  ///< of each link
+  std::vector<std::size_t> parent_joint_;  ///< by link
   std::size_t root_ = nowhere;
   std::vector<step> steps_;
 };
@@ -54,6 +56,7 @@ KTE_FUNCTION robot_tree::robot_tree(const robot_description& d, const std::strin
   name_all();
   find_root();
   check_mimics();
+  check_closures();
   order(chosen_root);
 }
 
@@ -63,8 +66,7 @@ KTE_FUNCTION void robot_tree::name_all() {
     if (l.name.empty()) fail(l.line, "a link has no name");
     const auto [first, fresh] = links_.emplace(l.name, i);
     if (!fresh)
-      fail(l.line,
-           "link '" + l.name + "' comes a second time, after line " + std::to_string(d_.links[first->second].line));
+      fail(l.line, "link '" + l.name + "' is already defined in line " + std::to_string(d_.links[first->second].line));
   }
   if (d_.links.empty()) fail(0, "the robot has no links");
   parent_joint_.assign(d_.links.size(), nowhere);
@@ -73,7 +75,7 @@ KTE_FUNCTION void robot_tree::name_all() {
     const auto refuse = [&](const std::string& why) { fail(j.line, "joint '" + j.name + "': " + why); };
     if (j.name.empty()) fail(j.line, "a joint has no name");
     const auto [first, fresh] = joints_.emplace(j.name, i);
-    if (!fresh) refuse("it comes a second time, after line " + std::to_string(d_.joints[first->second].line));
+    if (!fresh) refuse("it is already defined in line " + std::to_string(d_.joints[first->second].line));
     for (const auto* end : {&j.parent, &j.child})
       if (!links_.contains(*end))
         refuse(std::string("its ") + (end == &j.parent ? "parent" : "child") + " '" + *end + "' is not a link");
@@ -81,7 +83,7 @@ KTE_FUNCTION void robot_tree::name_all() {
     auto& above = parent_joint_[links_.at(j.child)];
     if (above != nowhere)
       refuse("its child '" + j.child + "' is already the child of joint '" + d_.joints[above].name + "' (line " +
-             std::to_string(d_.joints[above].line) + "): loops are not read");
+             std::to_string(d_.joints[above].line) + "): a link has one parent, and closures close loops");
     above = i;
   }
 }
@@ -94,7 +96,7 @@ KTE_FUNCTION void robot_tree::find_root() {
                                  "' (line " + std::to_string(d_.links[root_].line) + "): no joint has it as child");
     root_ = i;
   }
-  // each link has at most one joint above it: what does not hang on the root is on a cycle, or hangs on one
+  // each link has at most one joint above it: a link that the root does not carry is on a cycle or carried by one
   std::vector<char> known(d_.links.size(), 0);
   if (root_ != nowhere) known[root_] = 1;
   for (std::size_t i = 0; i < d_.links.size(); ++i) {
@@ -125,13 +127,33 @@ KTE_FUNCTION void robot_tree::check_mimics() const {
     if (!has_one_coordinate(master)) refuse(j, "it mimics joint '" + master.name + "', which has no single coordinate");
     masters[i] = it->second;
   }
-  std::vector<std::size_t> seen(d_.joints.size(), nowhere);  // by the way from which joint
+  std::vector<std::size_t> seen(d_.joints.size(), nowhere);  // by joint: the joint through which it was reached
   for (std::size_t i = 0; i < d_.joints.size(); ++i)
     for (std::size_t k = i; k != nowhere; k = masters[k]) {
-      if (seen[k] == i) refuse(d_.joints[i], "it mimics joints that, in the end, mimic each other");
+      if (seen[k] == i) refuse(d_.joints[i], "it mimics joints that mimic each other");
       if (seen[k] != nowhere) break;
       seen[k] = i;
     }
+}
+
+KTE_FUNCTION void robot_tree::check_closures() const {
+  std::unordered_map<std::string_view, int> names;
+  for (const auto& c : d_.closures) {
+    const auto refuse = [&](const std::string& why) { fail(c.line, "closure '" + c.name + "': " + why); };
+    if (c.name.empty()) fail(c.line, "a closure has no name");
+    if (const auto [first, fresh] = names.emplace(c.name, c.line); !fresh)
+      refuse("it comes a second time, after line " + std::to_string(first->second));
+    const bool of_joints = c.is == robot_closure::kind::joints;
+    for (const auto* end : {&c.link1, &c.link2}) {
+      if (!of_joints && !links_.contains(*end)) refuse("'" + *end + "' is not a link");
+      if (!of_joints) continue;
+      const auto it = joints_.find(*end);
+      if (it == joints_.end()) refuse("'" + *end + "' is not a joint");
+      if (!has_one_coordinate(d_.joints[it->second])) refuse("joint '" + *end + "' has no single coordinate");
+    }
+    if (c.link1 == c.link2)
+      refuse("both its ends are the same " + std::string(of_joints ? "joint" : "link") + " '" + c.link1 + "'");
+  }
 }
 
 KTE_FUNCTION void robot_tree::order(const std::string& chosen_root) {
@@ -141,7 +163,7 @@ KTE_FUNCTION void robot_tree::order(const std::string& chosen_root) {
       raise<bad_argument>("kte: the robot '" + d_.name + "' has no link '" + chosen_root + "' to be its root");
     root_ = it->second;
   }
-  std::vector<std::vector<std::size_t>> at(d_.links.size());  // the joints of each link, to either side
+  std::vector<std::vector<std::size_t>> at(d_.links.size());  // by link: its joints in either direction
   for (std::size_t i = 0; i < d_.joints.size(); ++i)
     for (const auto* end : {&d_.joints[i].parent, &d_.joints[i].child}) at[links_.at(*end)].push_back(i);
   std::priority_queue<std::size_t, std::vector<std::size_t>, std::greater<>> ready;

@@ -4,14 +4,14 @@
 
 namespace kte::detail {
 
-/// The models of a file in SDF, and which of them is the robot.
+/// Chooses the model of a file in SDF that is the robot.
 class sdf_choice {
  public:
   struct candidate {
     std::string name;
     xml_node* model = nullptr;
     const xml_node* world = nullptr;
-    std::string fault{};  ///< why an included file cannot be read
+    std::string fault{};  ///< reason why an included file cannot be read
   };
 
   sdf_choice(robot_description& d, const robot_options& o, xml_parser parse, xml_node& root)
@@ -27,8 +27,8 @@ class sdf_choice {
     return all;
   }
 
-  /// The model that the options name; else the only one, the only one that is not static, or the only one of these
-  /// that has joints.
+  /// The model named by the options; otherwise the only one, the only one that is not static, or the only one of these
+  /// with joints.
   const candidate& choose() const {
     if (all_.empty()) root_.fail("has no <model>");
     const auto& chosen = options_.model.empty() ? likely() : named();

@@ -4,7 +4,7 @@
 
 namespace kte::detail {
 
-/// Puts the models of other files instead of <include>.
+/// Replaces <include> elements by the models of other files.
 class sdf_includes {
  public:
   sdf_includes(robot_description& d, const robot_options& o, xml_parser parse)
@@ -12,14 +12,14 @@ class sdf_includes {
     open_.push_back(whole_path(d.source));
   }
 
-  /// The includes of a model, and of models in it.
+  /// Resolves the includes of a model and of its nested models.
   void resolve(xml_node& model) {
     for (auto& c : model.children) {
       if (c.name == "include") c = included(c);
       if (c.name == "model") resolve(c);
     }
   }
-  /// The replacement of an <include>: a model, or an actor or a light, with the name, pose and other settings of the
+  /// The replacement of an <include>: a model, an actor or a light, with the name, pose and other settings of the
   /// include.
   xml_node included(const xml_node& n) {
     const xml_item x(n, d_);
@@ -29,7 +29,7 @@ class sdf_includes {
     const auto path = search_.find(first_child(x, "uri").value(), uri, folder);
     const auto whole = whole_path(path);
     if (std::find(open_.begin(), open_.end(), whole) != open_.end())
-      x.fail("'" + excerpt(uri) + "' includes itself, in the end");
+      x.fail("'" + excerpt(uri) + "' includes itself, directly or through other files");
     if (open_.size() > deepest) x.fail("files that include each other go deeper than " + std::to_string(deepest));
     if (++count_ > most) x.fail("more than " + std::to_string(most) + " files are included");
     auto file = parse_(path);
@@ -87,7 +87,7 @@ class sdf_includes {
   }
 
  public:
-  /// The attribute of a model that is merged into that around it.
+  /// Marks a model that is merged into the enclosing one.
   static constexpr const char* merged = "kte:merge";
 
  private:

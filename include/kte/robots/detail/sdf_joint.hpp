@@ -4,12 +4,12 @@
 
 namespace kte::detail {
 
-/// Joints of a model in SDF.
+/// Reads the joints of a model in SDF.
 class sdf_joints {
  public:
   sdf_joints(robot_description& d, const sdf_frames& f) : d_(d), frames_(f) {}
 
-  /// A joint of this full name, whose frame is `frame`.
+  /// Reads the joint of this full name, whose frame is `frame`.
   void read(const xml_item& x, const sdf_scope& scope, const std::string& name, const std::string& frame) {
     x.only({"parent", "child", "pose", "axis", "axis2", "thread_pitch", "screw_thread_pitch", "physics", "plugin",
             "drake:gear_ratio", "drake:rotor_inertia", "drake:mimic", "drake:controller_gains"},
@@ -55,7 +55,7 @@ class sdf_joints {
     if (!a) x.fail(std::string("has no <") + of + ">");
     return *a;
   }
-  /// One after another, with a link without a body in between.
+  /// Adds a joint with two axes: two joints, with a massless link between them.
   void two_axes(const xml_item& x, const placement& at, robot_joint j) {
     auto second = j;
     auto& middle = d_.links.emplace_back();
@@ -73,7 +73,7 @@ class sdf_joints {
     if (const auto l = first_child(x, "limit")) {
       l->only({"lower", "upper", "effort", "velocity"}, {});
       const auto bound = [](double b) { return std::abs(b) >= 1e16 ? std::copysign(robot_joint::none, b) : b; };
-      const auto most = [](double b) { return b < 0 ? robot_joint::none : b; };  // -1 is none
+      const auto most = [](double b) { return b < 0 ? robot_joint::none : b; };  // -1: no limit
       if (!j.continuous)
         j.lower = bound(child_limit(*l, "lower", -1e16)), j.upper = bound(child_limit(*l, "upper", 1e16));
       j.effort = most(child_limit(*l, "effort", -1)), j.rate = most(child_limit(*l, "velocity", -1));
@@ -92,14 +92,14 @@ class sdf_joints {
   }
   void direction(const xml_item& x, const placement& at, robot_joint& j) const {
     const auto n = first_child(x, "xyz");
-    if (!n || (trimmed_content(*n).empty())) x.warn("has no <xyz>: it is 0 0 1, as SDF says then");
+    if (!n || (trimmed_content(*n).empty())) x.warn("has no <xyz>: it is 0 0 1, the default of SDF");
     j.axis = {0, 0, 1};
     if (!n) return;
     if (!trimmed_content(*n).empty()) j.axis = unit_axis(*n, n->three(n->list_of(n->content(), "xyz"), "xyz"));
     if (const auto in = n->text_or("expressed_in", ""); !in.empty())
       j.axis = frames_.relative(x, at.frame, frames_.find(*n, at.scope, in)).rotation * j.axis;
   }
-  /// q = multiplier (q_leader - reference) + offset.
+  /// Reads q = multiplier (q_leader - reference) + offset.
   static void mimic(const xml_item& x, const sdf_scope& scope, robot_joint& j) {
     x.only({"multiplier", "offset", "reference"}, {"joint", "axis"});
     const auto which = x.text_or("axis", "axis");
@@ -108,18 +108,19 @@ class sdf_joints {
     j.mimic = {scope.full(x.text("joint")) + (which == "axis2" ? "_2" : ""), ratio,
                child_number(x, "offset", 0) - ratio * child_number(x, "reference", 0)};
   }
-  /// m/rad. <screw_thread_pitch> is in metres for a turn, the older <thread_pitch> in rad/m, and to the other side.
+  /// The pitch, m/rad. <screw_thread_pitch> is in metres per turn; the older <thread_pitch> is in rad/m, with the
+  /// opposite sign.
   static double pitch(const xml_item& x) {
     if (filled_child(x, "screw_thread_pitch")) return child_number(x, "screw_thread_pitch", 1) / (2 * std::numbers::pi);
     if (!filled_child(x, "thread_pitch")) {
-      x.warn("has no <screw_thread_pitch>: it is 1 m for a turn, as SDF says then");
+      x.warn("has no <screw_thread_pitch>: it is 1 m per turn, the default of SDF");
       return 1 / (2 * std::numbers::pi);
     }
     const double turns = child_number(x, "thread_pitch", 1);
     if (turns == 0) x.fail("thread_pitch must not be 0");
     return -1 / turns;
   }
-  /// The inertia of Drake's rotors, as the joint feels it.
+  /// Reads the rotor inertia of Drake, as it acts on the joint.
   static void rotor(const xml_item& x, robot_joint& j) {
     const double ratio = child_number(x, "drake:gear_ratio", 1), inertia = child_number(x, "drake:rotor_inertia", 0);
     if (inertia < 0) x.fail("drake:rotor_inertia must not be negative, got " + number(inertia));
@@ -127,7 +128,7 @@ class sdf_joints {
     for (const char* of : {"drake:mimic", "drake:controller_gains"})
       for (const auto& c : x.children(of)) c.moves_differently("not read");
   }
-  /// Parameters of a simulator: how it solves for the joint, and motors and suspensions.
+  /// Notes the parameters of a simulator, for its solver, motors and suspensions.
   static void engine(const xml_item& x) {
     for (const auto& p : x.children("physics")) {
       p.not_read("not read");

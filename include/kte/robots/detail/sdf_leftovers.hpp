@@ -4,7 +4,7 @@
 
 namespace kte::detail {
 
-/// Contents that are not modelled and occur many times, as one warning per kind.
+/// Collects contents that are not modelled and occur many times: one warning per kind.
 class sdf_leftovers {
  public:
   void surface(const xml_item& x) { surfaces_.push_back(x); }
@@ -31,7 +31,7 @@ class sdf_leftovers {
     for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
     return text.find(what) != text.npos;
   }
-  /// Whether anything in it speaks of joints, but for those that only publish their states.
+  /// Whether a plugin acts on joints: it refers to joints and does not only publish their states.
   static bool acts_on_joints(const xml_node& plugin) {
     for (const auto& [key, value] : plugin.attributes)
       if (says(value, "publisher")) return false;

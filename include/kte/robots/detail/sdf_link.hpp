@@ -6,12 +6,12 @@
 
 namespace kte::detail {
 
-/// Links of a model in SDF.
+/// Reads the links of a model in SDF.
 class sdf_links {
  public:
   sdf_links(const robot_options& o, const sdf_frames& f, sdf_leftovers& l) : options_(o), frames_(f), leftovers_(l) {}
 
-  /// A link of this full name. A static link needs no body.
+  /// Reads the link of this full name. A static link needs no body.
   robot_link read(const xml_item& x, const sdf_scope& scope, const std::string& name, bool stands, bool windy) {
     x.only({"inertial", "visual", "collision", "pose", "gravity", "velocity_decay", "kinematic", "enable_wind",
             "plugin", "drake:deformable_properties"},
@@ -39,7 +39,7 @@ class sdf_links {
   rigid_body<> body(const xml_item& x, const sdf_scope& scope, const robot_link& l) const {
     const auto i = first_child(x, "inertial");
     if (!i) {
-      x.warn("has no <inertial>: it has 1 kg and 1 kg m^2, as SDF says then");
+      x.warn("has no <inertial>: it has 1 kg and 1 kg m^2, the defaults of SDF");
       return {1, {}, {1, 0, 0, 1, 0, 1}};
     }
     i->only({"mass", "inertia", "pose", "density", "auto_inertia_params"}, {"auto"});
@@ -52,11 +52,11 @@ class sdf_links {
       b.inertia = {child_number(*m, "ixx", 1), child_number(*m, "ixy", 0), child_number(*m, "ixz", 0),
                    child_number(*m, "iyy", 1), child_number(*m, "iyz", 0), child_number(*m, "izz", 1)};
     } else {
-      i->warn("has no <inertia>: it has 1 kg m^2, as SDF says then");
+      i->warn("has no <inertia>: it has 1 kg m^2, the default of SDF");
     }
     return moved_body(in_link(*i, scope, l.name), b);
   }
-  /// The inertia of the collision shapes by their densities. A given mass scales it.
+  /// The rigid body of the collision shapes by their densities, scaled to the mass if one is given.
   rigid_body<> solids(const xml_item& x, const xml_item& inertial, const robot_link& l) const {
     const auto shapes = x.children("collision");
     if (shapes.empty()) inertial.fail("its inertia is that of its collisions, but the link has none");
@@ -79,7 +79,7 @@ class sdf_links {
 
   static void motion(const xml_item& x, bool windy) {
     if (const auto k = first_child(x, "kinematic"); k && child_flag(x, "kinematic", false))
-      k->moves_differently("not read: it moves by an unsupported element");
+      k->moves_differently("not read: it is moved by an unsupported element");
     if (const auto v = first_child(x, "velocity_decay");
         v && (child_number(*v, "linear", 0) != 0 || child_number(*v, "angular", 0) != 0))
       v->moves_differently("not read");

@@ -6,7 +6,7 @@
 
 namespace kte::detail {
 
-/// A model in SDF, with those in it, as links and joints.
+/// Reads a model in SDF, including nested models, as links and joints.
 class sdf_model {
  public:
   sdf_model(robot_description& d, const robot_options& o)
@@ -31,11 +31,11 @@ class sdf_model {
   struct part {
     xml_item x;
     sdf_scope scope;
-    std::string name, frame{};  ///< full, and of a joint that of its frame
+    std::string name, frame{};  ///< full names; `frame`: for a joint the name of its frame
     bool still = false;
   };
 
-  /// The world stands where its pose says that the model, or a frame in it, stands in the world.
+  /// Places the world by the pose of the model, or of a frame in it, in the world.
   void stand(const xml_item& m) {
     if (const auto to = relative_to(m); !to.empty() && to != "world")
       m.moves_differently("its pose is relative to '" + excerpt(to) + "', and taken in the world");
@@ -65,7 +65,7 @@ class sdf_model {
     }
     for (const auto& x : m.children("joint")) {
       const auto child = frame_for(scope, child_text(x, "child"), scope.model), name = scope.full(x.text("name"));
-      // in older files a link may have the name of a joint, and it is what the name means
+      // in older files a link may have the name of a joint; the name then means the link
       const auto& p = moving_.emplace_back(part{x, scope, name, frames_.has(name) ? name + " (joint)" : name});
       frames_.add(p.frame, {frame_for(scope, relative_to(x), child), sdf_pose(x, options_), child, x});
     }
@@ -81,12 +81,13 @@ class sdf_model {
     if (x.has("placement_frame"))
       placed_.push_back({x, scope, scope.model, frame_for(scope, x.text("placement_frame"), scope.model)});
   }
-  /// A frame of the model stands where the pose says.
+  /// Places the model so that one of its frames is at the written pose.
   void place_model(const part& p) {
     const auto inside = frames_.relative(p.x, p.name, p.frame);
     frames_.place(p.name, sdf_pose(p.x, options_) * inverse_of(inside));
   }
-  /// A model moves with its canonical link: that of its attribute, else its first, else that of its first model.
+  /// Attaches a model to its canonical link: that of its attribute, otherwise its first link, otherwise that of its
+  /// first nested model.
   void attach(const xml_item& m, const sdf_scope& scope) {
     std::string to;
     if (m.has("canonical_link") && !m.text_or("canonical_link", "").empty())
@@ -120,7 +121,7 @@ class sdf_model {
   bool has_link(const std::string& name) const {
     return std::any_of(d_.links.begin(), d_.links.end(), [&](const auto& l) { return l.name == name; });
   }
-  /// The world is a link where joints need it, or models in the model that stand still.
+  /// Adds the world as a link where joints or static nested models need it.
   void add_world(const xml_item& m) {
     bool needed = !still_.empty() && !child_flag(m, "static", false);
     for (const auto& p : moving_)
@@ -129,7 +130,7 @@ class sdf_model {
     if (needed && !has_link("world")) d_.links.emplace(d_.links.begin())->name = "world";
   }
 
-  /// Gravity is given in the axes of the world, and that of a robot in those of its root.
+  /// Rotates gravity from the axes of the world, in which SDF has it, into those of the root.
   void turn_gravity(const xml_item& m, const std::string& root) {
     if (root.empty()) return;
     const auto turned = frames_.relative(m, true_world, root).rotation;
@@ -143,7 +144,7 @@ class sdf_model {
       if (has_link(link))
         d_.frames.push_back({p.name, p.x.line(), link, frames_.relative(p.x, link, p.name)});
       else
-        p.x.not_read("it stands in the world, not in the robot");
+        p.x.not_read("it is attached to the world, not to the robot");
     }
   }
 

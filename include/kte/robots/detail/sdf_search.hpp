@@ -6,9 +6,9 @@
 
 namespace kte::detail {
 
-/// Finds the files that URIs name: `model://name`, `package://name`, `file://path`, or a path. Relative paths are
-/// searched in the folder of the file that names them, its parents and their folders `models`, and then in
-/// robot_options::search_path. A folder is a model: its `model.config` names the file.
+/// Finds the file of a URI: `model://name`, `package://name`, `file://path`, or a path. Relative paths are searched in
+/// the folder of the file that contains them, in its parents and their folders `models`, and then in
+/// robot_options::search_path. A folder stands for a model, whose `model.config` names the file.
 class sdf_search {
  public:
   using path = std::filesystem::path;
@@ -24,14 +24,14 @@ class sdf_search {
       std::error_code none;
       if (std::filesystem::is_regular_file(at, none)) return at;
       if (std::filesystem::is_directory(at, none))
-        if (const auto file = model_in(at); !file.empty()) return file;
+        if (auto file = model_in(at); !file.empty()) return file;
     }
     x.fail("'" + excerpt(uri) + "' is not found, neither in the folders around '" + folder.string() +
            "' nor in those of robot_options::search_path");
   }
 
  private:
-  /// The file that `model.config` gives for the highest version that is read, else model.sdf.
+  /// The file that `model.config` names for the highest supported version, otherwise model.sdf.
   path model_in(const path& folder) const {
     std::error_code none;
     int highest = -1;

@@ -6,7 +6,7 @@
 
 namespace kte::detail {
 
-/// What a <visual> or a <collision> looks like, without its pose.
+/// Reads the shape of a <visual> or a <collision>, without its pose.
 inline robot_shape sdf_shape(const xml_item& x) {
   using form = robot_shape::form;
   x.only({"pose", "geometry", "material", "surface", "density"}, {"name"});
@@ -43,7 +43,8 @@ inline robot_shape sdf_shape(const xml_item& x) {
   return s;
 }
 
-/// The body that a collision of a density is, in the axes of the link. Refuses what has no volume here.
+/// The rigid body of a collision shape with a density, in the axes of the link. Throws `bad_file` for shapes without
+/// volume.
 inline rigid_body<> sdf_solid(const xml_item& x, const robot_shape& s, double density) {
   using form = robot_shape::form;
   if (s.is == form::none || s.is == form::plane || s.is == form::mesh)

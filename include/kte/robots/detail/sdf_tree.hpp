@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/robots/detail/loop_cuts.hpp>
 #include <kte/robots/detail/sdf_frames.hpp>
 
 #include <functional>
@@ -8,26 +9,25 @@
 
 namespace kte::detail {
 
-/// Makes one tree of the links and joints of a model: what stands still is fixed, joints are turned round where the
-/// tree needs it, and parts that no joint connects move freely.
+/// Makes one tree of the links and joints of a model: what stands still is fixed, joints that close loops become
+/// closures, joints are turned round where the tree needs it, and parts that no joint connects move freely.
 class sdf_tree {
  public:
   using placer = std::function<robot_pose(const std::string&, const std::string&)>;
 
-  /// `place(a, b)` is where b stands in a.
+  /// `place(a, b)` returns the pose of b in a.
   sdf_tree(robot_description& d, placer place) : d_(d), place_(std::move(place)) {
     for (const auto& j : d.joints) joints_.insert(j.name);
   }
 
-  /// Links that stand still, in the world if that is a link.
+  /// Fixes static links, to the world if that is a link.
   void fix(const std::set<std::string>& still) {
     if (still.empty()) return;
     const bool world = std::any_of(d_.links.begin(), d_.links.end(), [](const auto& l) { return l.name == "world"; });
     const auto in = [&](const std::string& link) { return still.contains(link) || (world && link == "world"); };
     std::erase_if(d_.joints, [&](const robot_joint& j) { return in(j.parent) && in(j.child); });
     std::string anchor = world ? "world" : "";
-    for (std::size_t i = 0; i < d_.links.size(); ++i) {
-      const auto& l = d_.links[i];
+    for (const auto& l : d_.links) {
       if (!still.contains(l.name)) continue;
       if (anchor.empty())
         anchor = l.name;
@@ -36,8 +36,9 @@ class sdf_tree {
     }
   }
 
-  /// The root. `first` is the link whose part is the base, where no link is called world.
+  /// Joins the parts and sets the root. `first` is the link whose part is the base if no link is the world.
   std::string join(const std::string& first) {
+    loop_cuts(d_).cut();
     std::vector<part> parts = find_parts();
     for (auto& p : parts) direct(p, first);
     const auto holds = [](const part& p, const std::string& link) {
@@ -46,9 +47,9 @@ class sdf_tree {
     auto base = std::find_if(parts.begin(), parts.end(), [&](const part& p) { return holds(p, "world"); });
     if (base == parts.end())
       base = std::find_if(parts.begin(), parts.end(), [&](const part& p) { return holds(p, first); });
-    if (base == parts.end() || base->root.empty()) return {};
+    if (base == parts.end()) return {};
     for (const auto& p : parts) {
-      if (&p == &*base || p.root.empty()) continue;
+      if (&p == &*base) continue;
       const auto& l = *std::find_if(d_.links.begin(), d_.links.end(), [&](const auto& x) { return x.name == p.root; });
       d_.joints.push_back(between(kind::floating, base->root, l, ".free"));
       d_.warnings.push_back({l.line,
@@ -64,7 +65,7 @@ class sdf_tree {
   struct part {
     std::vector<std::string> links;
     std::vector<std::size_t> joints;
-    std::string root{};  ///< empty where there are loops
+    std::string root{};
   };
 
   robot_joint between(kind is, const std::string& parent, const robot_link& child, const char* ending) {
@@ -75,7 +76,7 @@ class sdf_tree {
     return j;
   }
 
-  /// Links that joints connect.
+  /// The sets of links that joints connect.
   std::vector<part> find_parts() const {
     std::map<std::string, std::size_t, std::less<>> index;
     for (const auto& l : d_.links) index.emplace(l.name, index.size());
@@ -99,9 +100,8 @@ class sdf_tree {
   }
 
   /// Chooses the root of a part: the link without a joint above it, of several the first or that of the base. Joints
-  /// that point to it are turned round. Parts with loops stay, and are refused by robot_tree.
+  /// that point to it are turned round.
   void direct(part& p, const std::string& first) {
-    if (p.joints.size() >= p.links.size()) return;
     std::map<std::string, std::vector<std::size_t>> at;
     std::set<std::string> below;
     for (const auto i : p.joints) {
@@ -123,8 +123,8 @@ class sdf_tree {
       }
     }
   }
-  /// X_child = origin J(q) child_pose, so that the parent stands in the child at child_pose^-1 J(q)^-1 origin^-1, and
-  /// J(q)^-1 is J(q) about the opposite axis.
+  /// Reverses a joint: X_child = origin J(q) child_pose, so that the pose of the parent in the child is child_pose^-1
+  /// J(q)^-1 origin^-1, where J(q)^-1 is J(q) about the opposite axis.
   void turn(robot_joint& j) {
     const auto origin = inverse_of(j.child_pose);
     j.child_pose = inverse_of(j.origin), j.origin = origin, j.axis = {0.0 - j.axis.x, 0.0 - j.axis.y, 0.0 - j.axis.z};
@@ -132,7 +132,7 @@ class sdf_tree {
     d_.warnings.push_back(
         {j.line,
          "joint '" + j.name + "': its child '" + j.parent +
-             "' hangs on another joint: parent and child are exchanged, and its coordinate keeps its sign",
+             "' is already moved by another joint: parent and child are exchanged, and its coordinate keeps its sign",
          j.file});
   }
 

@@ -14,9 +14,9 @@ inline int sdf_version(std::string_view text) {
   return error == std::errc{} && end == text.data() + text.size() ? minor : -1;
 }
 
-/// Makes of a file of an older version one of the newest: axes were in the frame of the model up to 1.4, and could be
-/// up to 1.6 by <use_parent_model_frame>, now expressed_in="__model__"; poses had `frame`, now `relative_to`; gravity
-/// was in <physics> up to 1.5.
+/// Converts a file of an older version to the newest: axes were in the frame of the model up to 1.4, optionally up to
+/// 1.6 by <use_parent_model_frame>, now expressed_in="__model__"; poses had `frame`, now `relative_to`; gravity was in
+/// <physics> up to 1.5.
 class sdf_upgrade {
  public:
   static constexpr int newest = 12;

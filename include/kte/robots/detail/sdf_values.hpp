@@ -2,10 +2,10 @@
 
 #include <kte/robots/detail/read_values.hpp>
 
-/// The text between tags of SDF; an empty text is the default of the format.
+/// Reads the text between tags of SDF; an empty text stands for the default of the format.
 namespace kte::detail {
 
-/// Without blanks at the ends.
+/// The text without blanks at its ends.
 inline std::string trimmed(const std::string& text) {
   std::string_view t = text;
   while (!t.empty() && is_blank(t.front())) t.remove_prefix(1);
@@ -14,13 +14,13 @@ inline std::string trimmed(const std::string& text) {
 }
 inline std::string trimmed_content(const xml_item& x) { return trimmed(x.content()); }
 
-/// The first child of a name, if it is there and not empty.
+/// The first child of a name, if it exists and is not empty.
 inline std::optional<xml_item> filled_child(const xml_item& x, const char* of) {
   const auto c = first_child(x, of);
   if (!c || trimmed_content(*c).empty()) return {};
   return c;
 }
-/// The number between the tags of a child, or another.
+/// The number in a child, or `other` without it.
 inline double child_number(const xml_item& x, const char* of, double other) {
   const auto c = filled_child(x, of);
   return c ? c->one(c->list_of(c->content(), of), of) : other;
@@ -39,7 +39,7 @@ inline vec3<> child_vector(const xml_item& x, const char* of, const vec3<>& othe
 inline std::string child_text(const xml_item& x, const char* of) {
   const auto c = first_child(x, of);
   if (!c) x.fail(std::string("has no <") + of + ">");
-  const auto t = trimmed_content(*c);
+  auto t = trimmed_content(*c);
   if (t.empty()) c->fail("is empty");
   return t;
 }
@@ -54,8 +54,8 @@ inline bool child_flag(const xml_item& x, const char* of, bool other) {
   return c ? flag(*c, trimmed_content(*c)) : other;
 }
 
-/// The <pose> of something, in the axes of what it is relative to: "x y z roll pitch yaw", in radians or degrees, or
-/// with a quaternion x y z w.
+/// Reads the <pose> of an element, in the axes of the frame that it is relative to: "x y z roll pitch yaw" in radians
+/// or degrees, or with a quaternion x y z w.
 inline robot_pose sdf_pose(const xml_item& owner, const robot_options& o) {
   const auto x = first_child(owner, "pose");
   if (!x) return {};
@@ -74,7 +74,7 @@ inline robot_pose sdf_pose(const xml_item& owner, const robot_options& o) {
   for (const double angle : {rpy.x, rpy.y, rpy.z}) note_near_quarter(*x, angle, o);
   return {at, rotation_of_rpy(rpy, o.quarter_turn_tolerance)};
 }
-/// What that pose is relative to, if it says so.
+/// The frame that the pose is relative to, if it is written.
 inline std::string relative_to(const xml_item& owner) {
   const auto all = owner.children("pose");
   return all.empty() ? std::string() : all[0].text_or("relative_to", "");

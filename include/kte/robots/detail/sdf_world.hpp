@@ -4,7 +4,7 @@
 
 namespace kte::detail {
 
-/// Reads what a world says of the model of a name in it: gravity, and joints of the world. Whether a wind blows.
+/// Reads the gravity of a world and notes its joints with the named model. Returns whether a wind blows.
 inline bool read_sdf_world(robot_description& d, const xml_item& w, const std::string& model) {
   w.only({"model", "include", "gravity", "wind", "joint"}, {"name"});
   d.gravity = child_vector(w, "gravity", {0, 0, -9.8});
@@ -16,7 +16,7 @@ inline bool read_sdf_world(robot_description& d, const xml_item& w, const std::s
         ours |= name == model || name.starts_with(model + "::");
       }
     if (ours)
-      j.moves_differently("joints of the world are not read: the robot is not connected with what is around it");
+      j.moves_differently("joints of the world are not read: the robot is not connected to its surroundings");
     else
       j.not_read("not read");
   }

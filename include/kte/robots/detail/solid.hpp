@@ -6,11 +6,12 @@
 
 namespace kte::detail {
 
-/// Volume V and moments of inertia of one kilogram, for half sizes a, b, c or radius a and half length b:
+/// Volume V and moments of inertia per kilogram of a solid with half edges or half axes a, b, c, or with radius a and
+/// half length b:
 ///   box        V = 8 a b c               (b^2 + c^2)/3 ...
 ///   ellipsoid  V = 4/3 pi a b c          (b^2 + c^2)/5 ...
 ///   cylinder   V = 2 pi a^2 b            a^2/4 + b^2/3 across, a^2/2 along
-///   capsule    the same and a ball, of which each half stands b away:
+///   capsule    a cylinder and two half balls, whose centres are at the distance b from the centre:
 ///              2/5 a^2 + b^2 + 3/4 a b across, 2/5 a^2 along                              (1)
 inline std::pair<double, vec3<>> solid(robot_shape::form is, const vec3<>& half) {
   using form = robot_shape::form;

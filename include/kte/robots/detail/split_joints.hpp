@@ -7,14 +7,14 @@
 
 namespace kte::detail {
 
-/// A name that is nobody's.
+/// An unused name: `name`, with apostrophes appended while it is taken. Adds it to `taken`.
 inline std::string fresh_name(std::set<std::string, std::less<>>& taken, std::string name) {
   while (!taken.insert(name).second) name += '\'';
   return name;
 }
 
-/// The robot without poses of children: if a child is not at the frame that its joint moves, a link "arm.joint" is
-/// inserted, as in chains, and a fixed joint.
+/// The robot without child poses: where a child is not at the frame that its joint moves, a link "arm.joint" and a
+/// fixed joint are inserted, as in chains.
 inline robot_description split_joints(robot_description d) {
   std::set<std::string, std::less<>> taken;
   for (const auto& l : d.links) taken.insert(l.name);

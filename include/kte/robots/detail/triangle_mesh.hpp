@@ -9,19 +9,19 @@
 
 namespace kte::detail {
 
-/// A surface of triangles, m. Vertices may repeat. Without faces it is a set of points, which stands for its convex
-/// hull. The vertices of a face run counterclockwise as seen from outside.
+/// A surface of triangles, m. Vertices may repeat. A mesh without faces is a set of points and stands for its convex
+/// hull. The vertices of a face run counterclockwise when seen from outside.
 struct triangle_mesh {
   std::vector<vec3<>> vertices;
   std::vector<std::array<std::uint32_t, 3>> faces;
 };
 
-/// The mesh as an asset of MuJoCo 2.2.2 places it: its reference frame, at `position` with `rotation`, becomes that of
-/// the mesh, whose axes are then scaled,
+/// The mesh as MuJoCo 2.2.2 places it as an asset: its reference frame, at `position` with `rotation`, becomes the
+/// frame of the mesh, and the coordinates are then scaled,
 ///
-///   v -> scale * (R^T (v - p)),   by components                              (1)
+///   v -> scale * (R^T (v - p)),   component by component                     (1)
 ///
-/// A mirror image has its faces turned round.
+/// A mirrored mesh gets its faces reversed.
 inline triangle_mesh placed_mesh(triangle_mesh mesh, const vec3<>& position, const mat3<vec3<>>& rotation,
                                  const vec3<>& scale) {
   const auto back = transpose(rotation);

@@ -6,29 +6,30 @@
 
 namespace kte::detail {
 
-/// Four numbers, or none: three are opaque.
+/// The colour as four numbers, or none; three numbers get an opacity of 1.
 inline std::vector<double> colour_of(const robot_shape& s) {
   auto rgba = s.rgba;
   if (rgba.size() == 3) rgba.push_back(1);
   return rgba.size() == 4 ? rgba : std::vector<double>{};
 }
 
-/// What a format has no words for, while a robot is written: listed, or refused where it changes the motion.
+/// Collects the contents of a robot that the written format does not support: listed, or rejected where they change the
+/// motion.
 class unwritten {
  public:
-  /// `before` is what was lost on the way here.
+  /// `before`: notes on contents lost in earlier steps.
   unwritten(const robot_writing& o, std::string format, std::vector<robot_note> before)
       : o_(o), format_(std::move(format)), notes_(std::move(before)) {}
 
   void list(int line, std::string what) { notes_.push_back({line, std::move(what)}); }
-  /// `instead` is what a lossy file has.
+  /// Notes a change of the motion; `instead` describes the content of a lossy file.
   void change(int line, const std::string& of, const std::string& why, const std::string& instead) {
     if (!o_.lossy)
       raise<bad_argument>("kte: " + of + ": " + why + ", which " + format_ +
                           " cannot say (robot_writing::lossy: " + instead + ")");
     list(line, of + ": " + why + ", which " + format_ + " cannot say: " + instead);
   }
-  /// Forces against weights, which no format has that all readers take.
+  /// Notes compensations of weight, which no format supports for all readers.
   void compensations(const robot_description& d) {
     for (const auto& l : d.links)
       if (l.gravity_compensation != 0)
@@ -38,7 +39,7 @@ class unwritten {
     raise<bad_argument>("kte: " + of + ": " + why + ", which " + format_ + " cannot say");
   }
   const std::vector<robot_note>& notes() const { return notes_; }
-  /// At the end, when nothing can be refused any more.
+  /// Hands over the notes. Call this last, when nothing is rejected any more.
   void hand_over() {
     if (o_.not_written) o_.not_written->insert(o_.not_written->end(), notes_.begin(), notes_.end());
   }

@@ -4,12 +4,12 @@
 
 namespace kte::detail {
 
-/// Joints of a URDF.
+/// Reads the joints of a URDF.
 class urdf_joints {
  public:
   urdf_joints(robot_description& d, const urdf_links& links) : d_(d), links_(links) {}
 
-  /// <joint>, or <drake:joint>, which has further types.
+  /// Reads a <joint>, or a <drake:joint>, which has further types.
   void read(const xml_item& x) {
     robot_joint j;
     j.name = x.text("name"), j.line = x.line(), j.file = x.file();
@@ -33,7 +33,7 @@ class urdf_joints {
  private:
   using kind = robot_joint::kind;
 
-  /// Whether it is universal.
+  /// Sets the type of the joint; returns whether it is universal.
   static bool type(const xml_item& x, robot_joint& j) {
     static const std::map<std::string, kind, std::less<>> types{
         {"revolute", kind::revolute},   {"continuous", kind::revolute}, {"prismatic", kind::prismatic},
@@ -47,11 +47,11 @@ class urdf_joints {
           "type '" + excerpt(t) +
           "' is none of revolute, continuous, prismatic, fixed, floating, planar, spherical, ball, universal, screw");
     j.is = known->second, j.continuous = t == "continuous";
-    if (j.is == kind::screw)  // metres for a turn
+    if (j.is == kind::screw)  // metres per turn
       j.pitch = x.needed_child("drake:screw_thread_pitch").number("value") / (2 * std::numbers::pi);
     return t == "universal";
   }
-  /// Turns about x and then about y of the placement.
+  /// Adds a universal joint: rotations about x and then about y of the placement.
   void cross(robot_joint j) {
     auto second = j;
     auto& middle = d_.links.emplace_back();
@@ -73,25 +73,25 @@ class urdf_joints {
       if (bounded && (l->has("lower") || l->has("upper") || j.is != kind::screw)) {
         j.lower = l->has("lower") ? l->limit("lower") : 0, j.upper = l->has("upper") ? l->limit("upper") : 0;
       } else if (!bounded && (l->has("lower") || l->has("upper"))) {
-        l->not_read("lower and upper mean nothing to a continuous joint");
+        l->not_read("a continuous joint has no lower and upper limits");
       }
       if (j.lower > j.upper) {
         l->warn("lower " + number(j.lower) + " is above upper " + number(j.upper) + "; they are exchanged");
         std::swap(j.lower, j.upper);
       }
     }
-    if (l && !one && j.is != kind::fixed) l->not_read("not read: limits are of joints with one coordinate");
+    if (l && !one && j.is != kind::fixed) l->not_read("not read: only joints with one coordinate have limits");
     j.soft_lower = j.lower, j.soft_upper = j.upper;
     if (const auto s = x.child("safety_controller")) {
       s->only({}, {"soft_lower_limit", "soft_upper_limit"});
       if (!bounded) return;
-      // files that have only gains mean no range: the format's default of 0 would hold the joint
+      // a controller with gains only has no range: the default of the format, 0, would lock the joint
       if (s->has("soft_lower_limit")) j.soft_lower = s->limit("soft_lower_limit");
       if (s->has("soft_upper_limit")) j.soft_upper = s->limit("soft_upper_limit");
       check_range(*s, j.soft_lower, j.soft_upper, "soft_lower_limit", "soft_upper_limit");
     }
   }
-  /// An effort or a velocity: -1 is often written for none.
+  /// An effort or a rate: files often write -1 for "no limit".
   static double most(const xml_item& l, const char* what) {
     if (!l.has(what)) {
       l.warn(std::string("has no ") + what + ": it has no limit");
@@ -116,7 +116,7 @@ class urdf_joints {
   }
   static void mimic(const xml_item& m, robot_joint& j, bool universal) {
     m.only({}, {"joint", "multiplier", "offset"});
-    if (j.is == kind::fixed) return m.not_read("a fixed joint follows no other");
+    if (j.is == kind::fixed) return m.not_read("a fixed joint cannot follow another");
     if (!has_one_coordinate(j) || universal)
       m.fail("only revolute, continuous, prismatic and screw joints can follow another");
     j.mimic = {m.text("joint"), m.number_or("multiplier", 1), m.number_or("offset", 0)};

@@ -6,7 +6,7 @@
 
 namespace kte::detail {
 
-/// Links of a URDF.
+/// Reads the links of a URDF.
 class urdf_links {
  public:
   urdf_links(robot_description& d, const robot_options& o) : d_(d), options_(o) {}
@@ -17,7 +17,7 @@ class urdf_links {
     x->only({}, {"xyz", "rpy"});
     return pose(*x);
   }
-  /// What the attributes xyz and rpy say.
+  /// The pose of the attributes xyz and rpy.
   robot_pose pose(const xml_item& x) const {
     const vec3<> rpy = x.vector_or("rpy", {});
     for (const double angle : {rpy.x, rpy.y, rpy.z}) note_near_quarter(x, angle, options_);
@@ -32,7 +32,7 @@ class urdf_links {
     if (!fresh && c && known->second.empty())
       known->second = c->list("rgba");
     else if (!fresh && c && known->second != c->list("rgba"))
-      x.not_read("there is another material of this name; the first is taken");
+      x.not_read("there is another material of this name; the first is used");
   }
 
   void read(const xml_item& x) {
@@ -46,7 +46,7 @@ class urdf_links {
       for (const auto& g : x.children(name)) g.moves_differently("not read, as URDF has no such element");
     d_.links.push_back(std::move(l));
   }
-  /// Colours of the materials that have a name.
+  /// Collects the colours of named materials.
   void colour() {
     for (auto& l : d_.links)
       for (auto* shapes : {&l.visuals, &l.collisions})
@@ -84,7 +84,7 @@ class urdf_links {
     else
       x.not_read("has no <geometry>");
     const auto materials = x.children("material");
-    for (std::size_t i = 1; i < materials.size(); ++i) materials[i].not_read("comes a second time; the first is taken");
+    for (std::size_t i = 1; i < materials.size(); ++i) materials[i].not_read("occurs twice; the first is used");
     if (materials.empty()) return s;
     const auto& m = materials[0];
     s.material = m.text_or("name", "");
@@ -113,13 +113,13 @@ class urdf_links {
     if (!mesh.has("scale")) return {1, 1, 1};
     const auto x = mesh.list("scale");
     if (x.size() != 1) return mesh.three(x, "scale");
-    mesh.warn("scale is one number; it is taken for all three directions");
+    mesh.warn("scale is one number; it is used for all three directions");
     return {x[0], x[0], x[0]};
   }
 
   robot_description& d_;
   const robot_options& options_;
-  std::map<std::string, std::vector<double>, std::less<>> colours_;  ///< by names of materials
+  std::map<std::string, std::vector<double>, std::less<>> colours_;  ///< by material
 };
 
 }  // namespace kte::detail

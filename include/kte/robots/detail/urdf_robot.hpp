@@ -1,10 +1,11 @@
 #pragma once
 
 #include <kte/robots/detail/urdf_joint.hpp>
+#include <kte/robots/detail/urdf_loop.hpp>
 
 namespace kte::detail {
 
-/// A whole URDF: links, joints, and what extensions say of them.
+/// Reads a URDF: links, joints, and the supported extensions.
 class urdf_robot {
  public:
   urdf_robot(robot_description& d, const robot_options& o) : d_(d), links_(d, o), joints_(d, links_) {}
@@ -12,7 +13,7 @@ class urdf_robot {
   void read(const xml_item& root) {
     if (root.name() != "robot") root.fail("a URDF begins with <robot>");
     d_.name = root.text_or("name", "");
-    root.only({"link", "joint", "material", "frame", "drake:frame", "drake:joint", "transmission", "gazebo",
+    root.only({"link", "joint", "kte:loop", "material", "frame", "drake:frame", "drake:joint", "transmission", "gazebo",
                "loop_joint", "force_element", "drake:loop_joint", "drake:force_element", "drake:linear_spring_damper",
                "drake:linear_bushing_rpy", "drake:ball_constraint", "drake:link"},
               {"name", "version"});
@@ -21,6 +22,7 @@ class urdf_robot {
     links_.colour();
     for (const auto* of : {"joint", "drake:joint"})
       for (const auto& x : root.children(of)) joints_.read(x);
+    for (const auto& x : root.children("kte:loop")) d_.closures.push_back(read_urdf_loop(x, links_));
     add_world();
     for (const auto* of : {"frame", "drake:frame"})
       for (const auto& x : root.children(of)) frame(x);
@@ -34,7 +36,7 @@ class urdf_robot {
   }
 
  private:
-  /// A joint may hang on the link "world" without the file having it.
+  /// Adds the link "world" if joints refer to it and the file does not define it.
   void add_world() {
     const auto is_world = [](const auto& l) { return l.name == "world"; };
     if (std::any_of(d_.links.begin(), d_.links.end(), is_world)) return;
@@ -46,7 +48,7 @@ class urdf_robot {
         return;
       }
   }
-  /// A frame of Drake.
+  /// Reads a frame of Drake (<drake:frame>).
   void frame(const xml_item& x) {
     x.only({}, {"name", "link", "xyz", "rpy"});
     const auto name = x.text("name"), link = x.text("link");
@@ -58,8 +60,8 @@ class urdf_robot {
       return x.not_read("not read: another frame or a link has its name");
     d_.frames.push_back({name, x.line(), link, links_.pose(x)});
   }
-  /// An actuator for each of its joints, and of Drake's rotors their inertia: as the joint feels it that times the
-  /// square of the ratio.
+  /// Reads a transmission: an actuator for each of its joints, and the rotor inertia of Drake, which acts on the joint
+  /// times the square of the gear ratio.
   void transmission(const xml_item& x) {
     const auto joints = x.children("joint"), actuators = x.children("actuator");
     double inertia = 0;
@@ -90,17 +92,17 @@ class urdf_robot {
     }
   }
   static bool has_reduction(const xml_item& x) { return x.child("mechanicalReduction") || x.child("drake:gear_ratio"); }
-  /// 1 if nothing is said.
+  /// The reduction; 1 if it is missing.
   static double reduction(const xml_item& x) {
     double ratio = 1;
     if (const auto drake = x.child("drake:gear_ratio"))
       ratio = drake->number("value");
     else if (const auto own = x.child("mechanicalReduction"))
       ratio = own->one(own->list_of(own->content(), "mechanicalReduction"), "mechanicalReduction");
-    if (ratio == 0) x.fail("a gear of ratio 0 moves nothing");
+    if (ratio == 0) x.fail("a gear ratio must not be 0");
     return ratio;
   }
-  /// A command of position or velocity is followed by gains that URDF does not have.
+  /// Notes that commands of position or velocity need gains, which URDF does not have.
   static void hardware(const xml_item& x, const xml_item& of) {
     for (const auto& h : of.children("hardwareInterface"))
       if (h.content().find("Position") != std::string::npos || h.content().find("Velocity") != std::string::npos)
@@ -115,7 +117,7 @@ class urdf_robot {
         c.moves_differently("not read");
     }
   }
-  /// Of bodies that touch nothing is known: one warning of all.
+  /// Notes contact properties with one warning for all.
   static void contacts(const xml_item& root) {
     std::size_t count = 0;
     std::optional<xml_item> first;

@@ -28,6 +28,7 @@ class mjcf_writer {
     geoms_.write_assets(out_);
     out_.open("worldbody");
     const auto& root = d_.links[plan_.root()];
+    bodies_.insert(root.name);
     if (root.name == "world") {
       if (plan_.weight(plan_.root()))
         left_out_.list(root.line, "link 'world': its mass does not move, and is left out");
@@ -42,7 +43,7 @@ class mjcf_writer {
     }
     for (std::size_t i = 0; i < d_.joints.size(); ++i)
       if (d_.joints[i].is == kind::floating) body(i);
-    out_.close(), followers(), actuators(), out_.close();
+    out_.close(), constraints(), actuators(), out_.close();
     for (const auto& n : left_out_.notes()) out_.comment("not as in the robot: " + n.text);
     left_out_.hand_over();
     return out_.take();
@@ -65,6 +66,7 @@ class mjcf_writer {
       name = fresh_name(links_, name);
       left_out_.list(l.line, "link 'world': it is called \"" + name + "\": MuJoCo's world is at rest");
     }
+    bodies_.insert(name);
     out_.open("body"), out_.attribute("name", std::string_view(name));
     write_mjcf_place(out_, b.place);
     int moving = 0;
@@ -83,7 +85,7 @@ class mjcf_writer {
     out_.close();
   }
 
-  /// Whether readers of this library give a frame after this number of joints of a body this name.
+  /// Whether the reader of this library gives a frame this name when it reads a body with this number of joints.
   static bool comes_back(std::string_view frame, const std::string& body, int joints) {
     if (frame.ends_with(".joint")) frame.remove_suffix(6);
     return frame == body || frame == body + "." + std::to_string(joints);
@@ -102,7 +104,7 @@ class mjcf_writer {
                          title(d_.links[i]) + ": its mass is written into link '" + l.name + "', which it is fixed to");
     }
     if (!own && !too_light) {
-      if (geoms_.has_mesh(b.link)) write(mjcf_weight(rigid_body<>{0, {}, {}}));  // no mass of the mesh
+      if (geoms_.has_mesh(b.link)) write(mjcf_weight(rigid_body<>{0, {}, {}}));  // so that the mesh has no mass
       return;
     }
     mjcf_weight w(own.value_or(rigid_body<>{0, {}, {}}));
@@ -112,15 +114,16 @@ class mjcf_writer {
       std::snprintf(why, sizeof why, "the moments are not physically realizable: one is wrong by %.3g kg m^2",
                     w.fault());
       if (plan_.rest(l.name))
-        left_out_.list(l.line, title(l) + ": " + why + ": it is at rest, and has the nearest that a body can have");
+        left_out_.list(l.line, title(l) + ": " + why + ": it is at rest, and gets the nearest realizable moments");
       else
-        left_out_.change(l.line, title(l), why, "it has the nearest that a body can have");
+        left_out_.change(l.line, title(l), why, "it gets the nearest realizable moments");
       w.mend();
     }
     if (too_light && !w.moves()) raise(b, w);
     write(w);
   }
-  /// What MuJoCo takes for a body of no mass is the same robot where that is little beside what its joints move anyway.
+  /// Raises the mass and moments of a body to the least that MuJoCo accepts. This counts as a change of the motion
+  /// unless they are small beside the masses or rotor inertias that its joints move.
   void raise(const mjcf_body& b, mjcf_weight& w) {
     const auto& l = d_.links[b.link];
     const auto [mass, moments] = plan_.carried(b.link);
@@ -131,7 +134,7 @@ class mjcf_writer {
     const std::string why =
         "it moves with a mass of " + number(w.mass) + " kg, and moments down to " + number(w.least()) + " kg m^2";
     if (same)
-      left_out_.list(l.line, title(l) + ": " + why + ", which are raised to 1e-15 each, the least that MuJoCo takes");
+      left_out_.list(l.line, title(l) + ": " + why + ", which are raised to 1e-15 each, the least that MuJoCo accepts");
     else
       left_out_.change(l.line, title(l), why, "they are raised to 1e-15 each");
     w.raise_to_least();
@@ -143,18 +146,48 @@ class mjcf_writer {
     out_.attribute("diaginertia", std::vector<double>(w.moments.begin(), w.moments.end())), out_.close();
   }
 
-  /// MuJoCo's are soft.
-  void followers() {
+  /// Followers and closures: MuJoCo's are soft.
+  void constraints() {
+    using closing = robot_closure::kind;
     bool any = false;
+    const auto begin = [&](const char* of) {
+      if (!any) out_.open("equality");
+      any = true;
+      out_.open(of);
+    };
+    const auto couple = [&](const std::string& name, const std::string& joint1, const std::string& joint2,
+                            const std::vector<double>& p) {
+      begin("joint");
+      if (!name.empty()) out_.attribute("name", std::string_view(name));
+      out_.attribute("joint1", std::string_view(joint1)), out_.attribute("joint2", std::string_view(joint2));
+      out_.attribute("polycoef", p), out_.close();
+    };
     for (const auto& j : d_.joints) {
       if (!j.mimic) continue;
       left_out_.change(j.line, mjcf_title(j), "it follows joint '" + j.mimic->joint + "'",
                        "it has its own coordinate, and an equality constraint, which is soft");
-      if (!any) out_.open("equality");
-      any = true;
-      out_.open("joint"), out_.attribute("joint1", std::string_view(j.name));
-      out_.attribute("joint2", std::string_view(j.mimic->joint));
-      out_.attribute("polycoef", std::vector<double>{j.mimic->offset, j.mimic->ratio, 0, 0, 0}), out_.close();
+      couple("", j.name, j.mimic->joint, {j.mimic->offset, j.mimic->ratio, 0, 0, 0});
+    }
+    for (const auto& c : d_.closures) {
+      const auto title = "closure '" + c.name + "'";
+      const bool weld = c.is == closing::frames;
+      if (!weld && c.is != closing::joints) {  // <connect> has a point of one body alone, and closes at q = 0
+        left_out_.change(c.line, title, "it closes a loop", "it is left out");
+        continue;
+      }
+      left_out_.change(c.line, title, "it holds exactly", "an equality constraint, which is soft");
+      if (!weld) {
+        couple(c.name, c.link1, c.link2, {c.polynomial.begin(), c.polynomial.end()});
+        continue;
+      }
+      for (const auto* link : {&c.link1, &c.link2})
+        if (!bodies_.contains(*link)) left_out_.refuse(title, "'" + *link + "' is a frame between joints of one body");
+      const auto at = c.origin1 * inverse_of(c.origin2);
+      const auto q = to_quaternion(at.rotation);
+      begin("weld"), out_.attribute("name", std::string_view(c.name));
+      out_.attribute("body1", std::string_view(c.link1)), out_.attribute("body2", std::string_view(c.link2));
+      out_.attribute("relpose", std::vector<double>{at.position.x, at.position.y, at.position.z, q.w, q.x, q.y, q.z});
+      out_.close();
     }
     if (any) out_.close();
   }
@@ -177,7 +210,7 @@ class mjcf_writer {
       any = true;
       out_.open(a.law == motor_law{} ? "motor" : "general");
       if (!a.name.empty() && !names.insert(a.name).second)
-        left_out_.list(a.line, title + ": its name comes a second time, and is left out");
+        left_out_.list(a.line, title + ": its name occurs twice, and is omitted");
       else if (!a.name.empty())
         out_.attribute("name", std::string_view(a.name));
       out_.attribute("joint", std::string_view(a.joint)), out_.attribute("gear", a.gear);
@@ -186,7 +219,7 @@ class mjcf_writer {
     }
     if (any) out_.close();
   }
-  /// The difference of a law from that of <motor>.
+  /// Writes the attributes in which a law differs from that of <motor>.
   void motor(const motor_law& law) {
     if (law.gain != 1) out_.attribute("gainprm", law.gain);
     if (law.offset != 0 || law.stiffness != 0 || law.damping != 0) {
@@ -206,7 +239,7 @@ class mjcf_writer {
   unwritten left_out_;
   mjcf_plan plan_;
   mjcf_geoms geoms_;
-  std::set<std::string, std::less<>> links_;
+  std::set<std::string, std::less<>> links_, bodies_;  ///< names of links; of those that are bodies of the file
   xml_writer out_;
   mjcf_joints joints_;
 };

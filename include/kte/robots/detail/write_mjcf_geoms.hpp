@@ -18,8 +18,8 @@ inline void write_mjcf_place(xml_writer& out, const robot_pose& p) {
   out.attribute("quat", std::vector<double>{q.w, q.x, q.y, q.z});
 }
 
-/// Shapes as geoms that weigh nothing. One that is seen and collides is one geom, of group 0; of those that are only
-/// seen the group is 2, of those that only collide 3.
+/// Writes shapes as massless geoms. A shape that is both visual and collision becomes one geom of group 0; visual
+/// shapes have group 2, collision shapes group 3.
 class mjcf_geoms {
  public:
   mjcf_geoms(const robot_description& d, const robot_writing& o, unwritten& left_out)
@@ -62,7 +62,7 @@ class mjcf_geoms {
     for (const auto& g : of_link_[link]) {
       const auto& s = *g.shape;
       if (s.is == form::plane && !at_rest) {
-        leave_out(s, g.owner, "it is a plane, which MuJoCo takes of nothing that moves");
+        leave_out(s, g.owner, "it is a plane, which MuJoCo accepts only on static bodies");
         continue;
       }
       out.open("geom");
@@ -119,9 +119,9 @@ class mjcf_geoms {
     if (s.is == form::mesh && !find_mesh(s, g)) return;
     if (s.is != form::mesh)
       for (const double x : mjcf_size(s))
-        if (s.is != form::plane && !(x > 0)) return leave_out(s, g.owner, "MuJoCo takes no size of 0");
+        if (s.is != form::plane && !(x > 0)) return leave_out(s, g.owner, "MuJoCo does not accept a size of 0");
     if (!g.name.empty() && !names_.insert(g.name).second) {
-      left_out_.list(s.line, g.owner + ": the name '" + g.name + "' of a shape comes a second time, and is left out");
+      left_out_.list(s.line, g.owner + ": the name '" + g.name + "' of a shape occurs twice, and is omitted");
       g.name.clear();
     }
     if (!s.material.empty()) materials_.emplace(s.material, &s);
@@ -133,7 +133,7 @@ class mjcf_geoms {
     for (char& c : ending) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
     if (path.empty()) return leave_out(s, g.owner, "its mesh '" + s.mesh + "' has no file"), false;
     if (path.find("://") != path.npos)
-      return leave_out(s, g.owner, "MuJoCo takes paths of meshes, not '" + path + "'"), false;
+      return leave_out(s, g.owner, "MuJoCo accepts paths of meshes, not '" + path + "'"), false;
     if (ending != ".stl" && ending != ".obj" && ending != ".msh")
       return leave_out(s, g.owner, "MuJoCo reads stl, obj and msh, not '" + path + "'"), false;
     if (!o_.mesh_path) {

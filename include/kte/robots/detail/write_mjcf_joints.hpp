@@ -10,7 +10,7 @@ namespace kte::detail {
 
 inline std::string mjcf_title(const robot_joint& j) { return "joint '" + j.name + "'"; }
 
-/// Joints of bodies of MJCF.
+/// Writes the joints of bodies of MJCF.
 class mjcf_joints {
  public:
   mjcf_joints(const robot_description& d, const robot_writing& o, unwritten& left_out, const mjcf_plan& plan,
@@ -19,7 +19,7 @@ class mjcf_joints {
     for (const auto& j : d.joints) names_.insert(j.name);
   }
 
-  /// `behind` is where the body stands in what the joint moves.
+  /// `behind`: the pose of the body in the frame that the joint moves.
   void write(const robot_joint& j, const robot_pose& behind) {
     if (j.is == kind::floating) return free_joint(j);
     if (j.is == kind::planar) return planar_joint(j, behind);
@@ -41,7 +41,7 @@ class mjcf_joints {
     const auto& placement = plan_.rest(j.parent);
     if (!placement) left_out_.refuse(mjcf_title(j), "it floats in a link that moves, '" + j.parent + "'");
     if (!is_nothing(*placement * j.origin))
-      left_out_.refuse(mjcf_title(j), "its placement stands elsewhere than the world");
+      left_out_.refuse(mjcf_title(j), "its placement is not the frame of the world");
     if (j.parent != "world")
       left_out_.list(j.line, mjcf_title(j) + ": it floats in the world, in which link '" + j.parent + "' rests");
     out_.open("joint"), out_.attribute("name", std::string_view(j.name));
@@ -72,7 +72,7 @@ class mjcf_joints {
       double upper = limit_in_file(j.upper);
       if (lower == upper) {
         upper = std::nextafter(upper, robot_joint::none);
-        no("MuJoCo takes no range of nothing: its upper limit is the next number above " + number(lower));
+        no("MuJoCo does not accept an empty range: its upper limit is the next number above " + number(lower));
       }
       out_.attribute("limited", std::string_view("true")), out_.attribute("range", std::vector<double>{lower, upper});
     }

@@ -6,16 +6,16 @@
 
 namespace kte::detail {
 
-/// A body of MJCF: a link, and the joints that move it, one after another.
+/// A body of MJCF: a link and the joints that move it, one after another.
 struct mjcf_body {
   std::size_t link;
   std::vector<std::size_t> joints;
-  robot_pose place;                ///< in the body that carries it, all coordinates being 0
-  std::vector<robot_pose> behind;  ///< of each joint: where the body stands in what that joint moves
+  robot_pose place;                ///< in the parent body, with all coordinates 0
+  std::vector<robot_pose> behind;  ///< by joint: the pose of the body in the frame that the joint moves
 };
 
-/// Which bodies of MJCF the links and joints of a description (without poses of children) make. MuJoCo takes no moving
-/// body without mass; joints with only a massless frame between them are those of one body.
+/// Distributes the links and joints of a description without child poses over bodies of MJCF. MuJoCo accepts no moving
+/// body without mass, so joints with only a massless frame between them share a body.
 class mjcf_plan {
  public:
   using kind = robot_joint::kind;
@@ -36,7 +36,7 @@ class mjcf_plan {
   std::size_t root() const { return tree_.root(); }
   std::size_t child(std::size_t joint) const { return tree_.link(d_.joints[joint].child); }
   const std::vector<std::size_t>& below(std::size_t link) const { return below_[link]; }
-  /// In the world, of what does not move.
+  /// The pose in the world of a link that does not move.
   const std::optional<robot_pose>& rest(const std::string& link) const { return rest_[tree_.link(link)]; }
   std::optional<rigid_body<>>& weight(std::size_t link) { return bodies_[link]; }
 
@@ -51,14 +51,14 @@ class mjcf_plan {
     return b;
   }
 
-  /// Whether MuJoCo takes the link as one that moves: for its own mass, or that of one directly fixed to it.
+  /// Whether MuJoCo accepts the link as a moving body: it has mass, or a link fixed directly to it has.
   bool may_move(std::size_t link) const {
     if (is_heavy(link)) return true;
     for (const auto k : below_[link])
       if (d_.joints[k].is == kind::fixed && is_heavy(child(k))) return true;
     return false;
   }
-  /// The mass of a link, and of what is fixed to it, taken off those.
+  /// The mass of a link and of the links fixed to it, which are then left without mass.
   std::optional<rigid_body<>> gathered(std::size_t link, std::vector<std::size_t>& from) {
     auto all = std::exchange(bodies_[link], std::nullopt);
     if (all) from.push_back(link);
@@ -71,7 +71,7 @@ class mjcf_plan {
     }
     return all;
   }
-  /// The sums of the masses, and of the least principal moments, of a link and of all that it carries.
+  /// The total mass, and the sum of the least principal moments, of a link and of all links that it carries.
   std::pair<double, double> carried(std::size_t link) const {
     std::pair<double, double> sum{0, 0};
     if (const auto& b = bodies_[link]) sum = {b->mass, principal_moments(b->inertia)[2]};
@@ -88,7 +88,7 @@ class mjcf_plan {
     return b && mjcf_weight(*b).moves();
   }
   static int dofs(kind is) { return is == kind::fixed ? 0 : is == kind::spherical || is == kind::planar ? 3 : 1; }
-  /// Whether the link so far is only a frame between its joints and one more, that can be of the same body.
+  /// Whether the link is only a frame between its joints and one further joint, which can belong to the same body.
   bool goes_on(const mjcf_body& b) const {
     const auto& l = d_.links[b.link];
     if (bodies_[b.link] || !l.visuals.empty() || !l.collisions.empty() || below_[b.link].size() != 1) return false;

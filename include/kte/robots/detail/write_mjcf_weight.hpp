@@ -10,17 +10,17 @@
 
 namespace kte::detail {
 
-/// MuJoCo takes no mass and no principal moment of a body that joints move below this, kg, kg m^2.
+/// The least mass, kg, and principal moment, kg m^2, of a moving body that MuJoCo accepts.
 inline constexpr double least_in_mjcf = 1e-15;
 
-/// A body by its principal moments, and the axes that they are about.
+/// A body by its principal moments and their axes.
 struct mjcf_weight {
   double mass;
   vec3<> com;
   std::array<double, 3> moments;
   unit_quaternion<> axes{1, 0, 0, 0};
 
-  /// In long double: MuJoCo itself finds them to 1e-12 or so.
+  /// Computed in long double: MuJoCo itself is accurate to about 1e-12.
   explicit mjcf_weight(const rigid_body<>& b)
       : mass(b.mass), com(b.com), moments{b.inertia.xx, b.inertia.yy, b.inertia.zz} {
     const auto& i = b.inertia;
@@ -36,17 +36,18 @@ struct mjcf_weight {
       axes = as<double>(to_quaternion(
           mat3<row>{row{a(0, 0), a(0, 1), a(0, 2)}, row{a(1, 0), a(1, 1), a(1, 2)}, row{a(2, 0), a(2, 1), a(2, 2)}}));
     }
-    if (fault() <= 1e-13 * largest()) mend();  // of rounding
+    if (fault() <= 1e-13 * largest()) mend();  // rounding errors
   }
 
   double largest() const { return *std::max_element(moments.begin(), moments.end()); }
   double least() const { return *std::min_element(moments.begin(), moments.end()); }
-  /// How far the moments are from those that a body can have: C <= A + B, none below 0.
+  /// The largest violation of the conditions of a physical body: C <= A + B, no moment below 0.
   double fault() const {
     const double sum = moments[0] + moments[1] + moments[2];
     return (std::max)({0.0, 0.0 - least(), largest() - (sum - largest())});
   }
-  /// Takes the nearest that a body can have: of C > A + B a third of the excess off C, and to A and B.
+  /// Replaces the moments by the nearest physical ones: a third of the excess of C over A + B is taken from C and added
+  /// to A and to B.
   void mend() {
     for (auto& m : moments) m = (std::max)(m, 0.0);
     auto& c = *std::max_element(moments.begin(), moments.end());

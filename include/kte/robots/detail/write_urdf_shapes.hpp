@@ -10,7 +10,7 @@
 
 namespace kte::detail {
 
-/// With this number of decimals; quarter turns with all.
+/// An angle rounded to this number of decimals; quarter turns keep all digits.
 inline double cut_angle(double x, int decimals) {
   if (nearest_quarter(x).distance <= 1e-15) return x;
   char digits[32];
@@ -20,9 +20,9 @@ inline double cut_angle(double x, int decimals) {
   return y + 0.0;
 }
 
-/// Roll, pitch and yaw that are read back as the same rotation. Those of files have few decimals, and may be beyond
-/// the ranges of `rpy_of_rotation`: pitch pi - p with roll and yaw half a turn on, angles a turn on. If none of these
-/// is the same to the last bit, those of `rpy_of_rotation`.
+/// Roll, pitch and yaw that a reader turns into the same rotation. Angles in files have few decimals and may lie
+/// outside of the ranges of `rpy_of_rotation`: pitch pi - p with roll and yaw half a turn further, or angles a full
+/// turn further. If none of these gives the same bits, the result is that of `rpy_of_rotation`.
 inline vec3<> rpy_in_file(const mat3<vec3<>>& m) {
   constexpr double half = std::numbers::pi;
   const auto all = rpy_of_rotation(m);
@@ -40,14 +40,16 @@ inline vec3<> rpy_in_file(const mat3<vec3<>>& m) {
   return all;
 }
 
+inline void write_urdf_pose(xml_writer& out, const robot_pose& p) {
+  out.attribute("xyz", p.position);
+  if (p.rotation != robot_pose{}.rotation) out.attribute("rpy", rpy_in_file(p.rotation));
+}
 inline void write_urdf_origin(xml_writer& out, const robot_pose& p) {
   if (is_nothing(p)) return;
-  out.open("origin"), out.attribute("xyz", p.position);
-  if (p.rotation != robot_pose{}.rotation) out.attribute("rpy", rpy_in_file(p.rotation));
-  out.close();
+  out.open("origin"), write_urdf_pose(out, p), out.close();
 }
 
-/// Shapes as URDF has them: boxes, spheres, cylinders and meshes.
+/// Shapes in URDF: boxes, spheres, cylinders and meshes.
 class urdf_shapes {
  public:
   urdf_shapes(xml_writer& out, const robot_writing& o, unwritten& left_out) : out_(out), o_(o), left_out_(left_out) {}
@@ -103,7 +105,7 @@ class urdf_shapes {
     material(s);
     out_.close();
   }
-  /// A name stands for one colour in the whole file.
+  /// Writes the material of a shape. In a URDF a name stands for one colour in the whole file.
   void material(const robot_shape& s) {
     const auto rgba = colour_of(s);
     if (s.material.empty() && rgba.empty()) return;

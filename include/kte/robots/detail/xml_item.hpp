@@ -10,8 +10,8 @@
 #include <initializer_list>
 namespace kte::detail {
 
-/// An element of an XML file, with errors that say where, of what, and why. Numbers are read by std::from_chars, in
-/// any locale.
+/// An element of an XML file, with errors that name the place, the element and the reason. Numbers are read by
+/// std::from_chars, whatever the locale.
 class xml_item {
  public:
   xml_item(const xml_node& e, robot_description& d) : e_(&e), d_(&d) {}
@@ -29,12 +29,13 @@ class xml_item {
   const std::string& file() const { return e_->file; }
   bool has(const char* attribute) const { return find(attribute) != nullptr; }
 
-  /// "kte: arm.urdf:37: joint 'elbow': why", or of what has no name "joint 'elbow': <origin>: why".
+  /// Throws `bad_file`: "kte: arm.urdf:37: joint 'elbow': why", or for an element without a name "joint 'elbow':
+  /// <origin>: why".
   [[noreturn]] void fail(const std::string& why) const {
     raise<bad_file>("kte: " + place_text(file().empty() ? d_->source : file(), line()) + title() + ": " + why);
   }
   void warn(const std::string& what) const { d_->warnings.push_back({line(), title() + ": " + what, file()}); }
-  /// A warning about a difference in motion from the robot of the file.
+  /// Adds a warning about a difference in motion from the robot of the file.
   void moves_differently(const std::string& what) const {
     d_->warnings.push_back({line(), title() + ": " + what, file(), true});
   }
@@ -46,7 +47,7 @@ class xml_item {
     const auto* t = find(attribute);
     return t != nullptr ? *t : other;
   }
-  /// Text that must be there and not empty.
+  /// The text of an attribute, which must not be missing or empty.
   std::string text(const char* attribute) const {
     const auto* t = find(attribute);
     if (t == nullptr) fail(std::string("has no ") + attribute);
@@ -54,7 +55,7 @@ class xml_item {
     return *t;
   }
 
-  /// Finite numbers, as many as there are.
+  /// A list of finite numbers of any length.
   std::vector<double> list(const char* attribute) const { return list_of(text(attribute), attribute); }
   std::vector<double> list_of(std::string_view t, const char* what) const {
     auto all = any_list(t, what);
@@ -62,7 +63,7 @@ class xml_item {
       if (!std::isfinite(x)) fail(std::string(what) + " must be finite, got '" + excerpt(t) + "'");
     return all;
   }
-  /// The numbers of an attribute, completed by those of a longer default.
+  /// The numbers of an attribute; missing ones at the end are those of its default.
   std::vector<double> completed_list(const char* attribute) const {
     auto all = list(attribute);
     const auto* const usual = defaults_ != nullptr ? defaults_->find(attribute, at_) : nullptr;
@@ -70,7 +71,7 @@ class xml_item {
     for (std::size_t i = all.size(); i < more.size(); ++i) all.push_back(more[i]);
     return all;
   }
-  /// Numbers that may be infinite.
+  /// A list of numbers that may be infinite.
   std::vector<double> limits_of(std::string_view t, const char* what) const { return any_list(t, what); }
   double number(const char* attribute) const { return one(list(attribute), attribute); }
   double number_or(const char* attribute, double other) const { return has(attribute) ? number(attribute) : other; }
@@ -109,10 +110,10 @@ class xml_item {
       if (of.empty() || of == c.name) all.emplace_back(c, *d_);
     return all;
   }
-  /// The child of a name, at most one.
+  /// The child of a name; throws if there are several.
   std::optional<xml_item> child(const char* of) const {
     const auto all = children(of);
-    if (all.size() > 1) all[1].fail("comes a second time");
+    if (all.size() > 1) all[1].fail("occurs twice");
     if (all.empty()) return {};
     return all[0];
   }
@@ -122,7 +123,8 @@ class xml_item {
     return *c;
   }
 
-  /// Lists what is none of these as not read; so of its defaults, where they are written, the first time.
+  /// Notes all attributes and children other than these as not read, and those of its defaults once, where they are
+  /// written.
   using names = std::initializer_list<std::string_view>;
   void only(const names& elements, const names& attributes) const {
     const auto in = [](const names& all, std::string_view x) {
@@ -142,7 +144,7 @@ class xml_item {
  private:
   std::vector<double> any_list(std::string_view t, const char* what) const {
     std::string plain(t);
-    for (std::size_t i = 0; i < plain.size(); ++i)  // std::from_chars takes no plus sign in front
+    for (std::size_t i = 0; i < plain.size(); ++i)  // std::from_chars accepts no leading plus sign
       if (plain[i] == '+' && (i == 0 || is_blank(plain[i - 1])) && i + 1 < plain.size() && plain[i + 1] != '-')
         plain[i] = ' ';
     std::vector<double> all;

@@ -7,19 +7,19 @@
 #include <filesystem>
 #include <string_view>
 
-/// What reading XML needs in addition to the library of XML.
+/// Reading XML: the parts that do not depend on the XML library.
 namespace kte::detail {
 
-/// The root of a file in XML that another file names. Its elements know the file.
+/// Reads the root of an XML file that another file refers to. Its elements know the name of the file.
 using xml_parser = xml_node (*)(const std::filesystem::path&);
 
-/// A name of a file in a robot's file, which may have backslashes from Windows.
+/// The path for a file name in the file of a robot, which may contain backslashes from Windows.
 inline std::filesystem::path path_of_text(std::string name) {
   std::replace(name.begin(), name.end(), '\\', '/');
   return name;
 }
 
-/// Whether there is a regular file: no folder, device or pipe.
+/// Whether a path is a regular file: no folder, device or pipe.
 inline bool is_file(const std::filesystem::path& path) {
   std::error_code none;
   return std::filesystem::is_regular_file(path, none);
@@ -27,14 +27,14 @@ inline bool is_file(const std::filesystem::path& path) {
 
 /// Throws `bad_file`: "kte: arm.urdf:37: why".
 [[noreturn]] void fail_xml(const std::string& source, int line, const std::string& why);
-/// For the message: of "XML_ERROR_MISMATCHED_ELEMENT" the words.
+/// Throws `bad_file`; "XML_ERROR_MISMATCHED_ELEMENT" becomes "mismatched element".
 [[noreturn]] void fail_xml_syntax(const std::string& source, int line, const char* error);
-/// The text without the mark at its beginning; throws `bad_file` unless it is UTF-8 and of a size to be read.
+/// The text without its byte order mark; throws `bad_file` unless it is UTF-8 and of acceptable size.
 std::string_view checked_text(std::string_view text, const std::string& source);
 std::string text_of_file(const std::filesystem::path& path);
-/// Sets the titles of all elements; throws `bad_file` at elements for xacro.
+/// Sets the titles of all elements; throws `bad_file` for elements of xacro.
 void give_titles(xml_node& root, const std::string& source);
-/// Sets the file of an element and of all below it.
+/// Sets the file of an element and of all elements below it.
 void give_file(xml_node& n, const std::string& file);
 
 }  // namespace kte::detail
@@ -62,7 +62,8 @@ KTE_FUNCTION std::string_view checked_text(std::string_view text, const std::str
 }
 KTE_FUNCTION std::string text_of_file(const std::filesystem::path& path) { return read_file(path, largest_robot_file); }
 
-/// `owner` is the title of the nearest element above that has a name; that of the root is the robot's.
+/// Sets the title of an element; `owner` is the title of the nearest named element above, for the root that of the
+/// robot.
 inline void give_title(xml_node& n, const std::string& source, const std::string& owner, bool top) {
   if (n.name.starts_with("xacro:"))
     fail_xml(source, n.line,

@@ -12,7 +12,7 @@
 
 namespace kte::detail {
 
-/// Throws `bad_argument` for texts that no XML holds.
+/// Throws `bad_argument` for texts that XML cannot represent.
 inline void check_for_xml(std::string_view text) {
   for (auto rest = text; !rest.empty();) {
     const auto n = utf8_length(rest);
@@ -23,7 +23,7 @@ inline void check_for_xml(std::string_view text) {
   }
 }
 
-/// Text in XML, two blanks deeper for each element.
+/// Writes XML, indented by two spaces per level.
 class xml_writer {
  public:
   void open(std::string_view name) {
@@ -61,23 +61,23 @@ class xml_writer {
       text_.append(2 * names_.size(), ' ').append("</").append(name).append(">\n");
     is_open_ = false;
   }
-  /// An element of attributes alone.
+  /// Writes an element with attributes only.
   template <class Value>
   void leaf(std::string_view name, std::string_view key, const Value& value) {
     open(name), attribute(key, value), close();
   }
-  /// An element with a word or numbers only, without characters reserved by XML.
+  /// Writes an element with a word or numbers as its text, without characters reserved by XML.
   void text(std::string_view name, std::string_view word) {
     start(name);
     text_.append(">").append(word).append("</").append(name).append(">\n");
     is_open_ = false;
   }
-  /// In front of all elements.
+  /// Adds a comment in front of all elements.
   void comment(std::string_view text) {
     check_for_xml(text);
     comments_ += "<!-- ";
     for (const char c : text) {
-      if (c == '-' && comments_.back() == '-') comments_ += ' ';  // two would end it
+      if (c == '-' && comments_.back() == '-') comments_ += ' ';  // two would end the comment
       comments_ += c;
     }
     comments_ += " -->\n";

@@ -6,7 +6,7 @@
 #include <limits>
 #include <utility>
 
-/// Derivatives by differences, and how far numbers are apart.
+/// Derivatives by differences, and differences of numbers.
 namespace kte::testing::detail {
 
 template <class T>
@@ -28,8 +28,8 @@ S worse(const S& a, const S& b) {
   return a != a || a > b ? a : b;
 }
 
-/// First and second derivative at 0 of f, which gives an array of numbers, by five points. Their errors, of sizes h^4
-/// and eps/h^2, are least for h = eps^(1/6).
+/// First and second derivative at 0 of f, which returns an array of numbers, by five points. The errors, of order h^4
+/// and eps/h^2, are smallest for h = eps^(1/6).
 template <class S, class F>
 auto derivatives(const F& f) {
   using std::pow;
@@ -43,7 +43,7 @@ auto derivatives(const F& f) {
   return std::pair{first, second};
 }
 
-/// Where a thing stands, as numbers.
+/// The position of an item as numbers.
 template <class S>
 std::array<S, 1> numbers(const gen_coord<S>& c) {
   return {c.q};
@@ -56,12 +56,12 @@ auto numbers(const Frame& x) {
   return std::array<S, 12>{p.x, p.y, p.z, r.x.x, r.x.y, r.x.z, r.y.x, r.y.y, r.y.z, r.z.x, r.z.y, r.z.z};
 }
 
-/// |part| / whole, where there is a part.
+/// |part| / whole; 0 if part is 0.
 template <class S>
 S ratio(const S& part, const S& whole) {
   return part == 0 ? S(0) : S(magnitude(part) / whole);
 }
-/// |x - y| by components, relative to the largest of them or 1.
+/// max |x - y| over components, relative to the largest of them or 1.
 template <class S, std::size_t N>
 S difference(const std::array<S, N>& x, const std::array<S, N>& y) {
   S most(1), d(0);
@@ -71,8 +71,8 @@ S difference(const std::array<S, N>& x, const std::array<S, N>& y) {
   }
   return d / most;
 }
-/// How far rates are from the derivatives of position and rotation: w from R^T R' = [w]x, al from the antimetric part
-/// of R^T R'' = [al]x + [w]x [w]x.
+/// The differences of rates from the derivatives of position and rotation: w from R^T R' = [w]x, al from the
+/// skew-symmetric part of R^T R'' = [al]x + [w]x [w]x.
 template <class S>
 S off(const gen_coord<S>& c, const std::array<S, 1>& first, const std::array<S, 1>& second) {
   return difference<S, 2>({first[0], second[0]}, {c.q_dot, c.q_ddot});
@@ -91,7 +91,7 @@ S off(const Frame& frame, const std::array<S, 12>& first, const std::array<S, 12
   return worse(own_axes(first, x.velocity, x.ang_velocity), own_axes(second, x.acceleration, x.ang_acceleration));
 }
 
-/// The power of the load on a thing, and the same of sizes.
+/// The power of the load on an item, and the sum of the absolute values of its terms.
 template <template <class> class Coordinate, class S>
 requires coordinate<Coordinate<S>> std::pair<S, S> power(const Coordinate<S>& c) {
   std::array<S, 6> v{}, f{};
@@ -114,7 +114,7 @@ auto power(const Frame& x) {
   return std::pair<S, S>{dot(v, f) + dot(o, t), sizes(v, f) + sizes(o, t)};
 }
 
-/// The load on a thing: on a coordinate one number, on a frame force and torque about the origin, in axes of the world.
+/// The load on an item: on a coordinate one number, on a frame force and torque about the origin, in axes of the world.
 template <class S>
 std::array<S, 7> load_in_world(const gen_coord<S>& c) {
   return {c.f};
@@ -152,7 +152,7 @@ std::pair<S, S> power(const loop_state<S>&) {
   return {S(0), S(0)};
 }
 template <class S>
-std::pair<S, S> power(const S&) {  // of an input
+std::pair<S, S> power(const S&) {  // an input
   return {S(0), S(0)};
 }
 template <class S>
@@ -167,7 +167,7 @@ S balance(const std::array<S, 7>& sum, const std::array<S, 7>& sizes) {
   return ratio(most, whole);
 }
 
-/// Velocities to zero.
+/// Sets velocities to zero.
 template <template <class> class Coordinate, class S>
 requires coordinate<Coordinate<S>>
 void stop(Coordinate<S>& c) {
@@ -177,7 +177,7 @@ template <frame Frame>
 void stop(Frame& x) {
   x.velocity = {}, x.ang_velocity = decltype(x.ang_velocity){};
 }
-/// Accelerations to zero.
+/// Sets accelerations to zero.
 template <template <class> class Coordinate, class S>
 requires coordinate<Coordinate<S>>
 void do_not_accelerate(Coordinate<S>& c) {
@@ -192,7 +192,7 @@ void do_not_accelerate(T&) {}  // a signal
 template <class T>
 void stop(T&) {}
 
-/// The load on a thing as numbers, in its axes.
+/// The load on an item as numbers, in its axes.
 template <class S>
 std::array<S, 6> own_load(const gen_coord<S>& c) {
   return {c.f};
@@ -204,7 +204,7 @@ auto own_load(const Frame& x) {
   const auto f = as<S>(w.force), t = as<S>(w.torque);
   return std::array<S, 6>{f.x, f.y, f.z, t.x, t.y, t.z};
 }
-/// The load that the acceleration of a mass by a thing at rest gives, likewise.
+/// The load due to the acceleration of a mass on an item at rest, in its axes.
 template <class S, class Mass>
 std::array<S, 6> resistance(const gen_coord<S>& c, const Mass& m) {
   return {-as<S>(m) * c.q_ddot};
@@ -219,7 +219,7 @@ auto resistance(const Frame& frame, const Mass& b) {
   return std::array<S, 6>{g.x, g.y, g.z, u.x, u.y, u.z};
 }
 
-/// Where a thing stands after the world has been turned by r and shifted by p; others stay.
+/// Moves an item with the world, which is rotated by r and shifted by p; items other than frames are unchanged.
 template <class S>
 void shift_world(frame_2D<S>& x, const mat3<vec3<S>>&, const vec3<S>& p) {
   const auto turn = rotation_by(p.z);

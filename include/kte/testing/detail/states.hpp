@@ -7,10 +7,10 @@
 #include <bit>
 #include <cmath>
 
-/// All that states of chains hold: at random, side by side, and how far two are apart.
+/// Random contents of states of chains, and their differences.
 namespace kte::testing::detail {
 
-/// The places of generalized coordinates of a runtime chain in the order of a static one: degrees of freedom first.
+/// The indices of generalized coordinates of a runtime chain in the order of a static chain: degrees of freedom first.
 inline std::vector<int> in_static_order(const topology& t) {
   std::vector<int> order;
   for (const auto& f : t.free)
@@ -26,7 +26,7 @@ template <class State>
 std::size_t place_in(const State&, const std::vector<int>&, kind, std::size_t i) {
   return i;
 }
-/// f(a, b) of each thing of a state and the same thing of a runtime state, those of kind K.
+/// Calls f(a, b) for each item of kind K of a state and the same item of a runtime state.
 template <kind K, class State, class F>
 void pairs_of_kind(State& s, runtime_state& r, const F& f) {
   const topology& t = *r.made_for();
@@ -35,7 +35,7 @@ void pairs_of_kind(State& s, runtime_state& r, const F& f) {
     f(s.template get<K>(static_cast<int>(place_in(s, order, K, i))),
       r.get<K>(static_cast<int>(place_in(r, order, K, i))));
 }
-/// f(a, b) of all things of a static or runtime state and the same of a runtime state.
+/// Calls f(a, b) for each item of a static or runtime state and the same item of a runtime state.
 template <class State, class F>
 void for_each_pair(State& s, runtime_state& r, const F& f) {
   [&]<std::size_t... K>(std::index_sequence<K...>) { (pairs_of_kind<static_cast<kind>(K)>(s, r, f), ...); }
@@ -46,13 +46,13 @@ template <class T>
 auto as_array(const T& thing) {
   return std::bit_cast<std::array<double, sizeof(T) / sizeof(double)>>(thing);
 }
-/// Equal random motions and inputs in both.
+/// Sets equal random motions and inputs in both.
 template <class State, class Draw>
 void draw_motion(State& s, runtime_state& r, Draw& draw) {
   for_each_pair(s, r,
                 [&draw]<class T>(T& a, T& b) { a = b = random_thing<kte::detail::kind_of_thing<T>, double>(draw); });
 }
-/// Equal random loads on both.
+/// Sets equal random loads on both.
 template <class State, class Draw>
 void draw_loads(State& s, runtime_state& r, Draw& draw) {
   for_each_pair(s, r, [&draw]<class T>(T& a, T& b) {
@@ -63,8 +63,8 @@ void draw_loads(State& s, runtime_state& r, Draw& draw) {
     b = a;
   });
 }
-/// How many numbers there are, how many differ, not counting signs of zeros, and by how much, relative to the largest
-/// or 1. NaN differs from all but NaN.
+/// The number of compared numbers, the number of differences (signs of zeros ignored), and the largest difference,
+/// relative to the largest number or 1. NaN equals only NaN.
 struct gap {
   int numbers = 0, differ = 0;
   double size = 1, most = 0;
@@ -75,7 +75,7 @@ struct gap {
     ++differ;
     size = (std::max)({size, std::abs(a), std::abs(b)}), most = worse(most, std::abs(a - b));
   }
-  /// Which share of the numbers differs.
+  /// The fraction of differing numbers.
   double share() const { return numbers == 0 ? 0.0 : static_cast<double>(differ) / numbers; }
 };
 template <class State>

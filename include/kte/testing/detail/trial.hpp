@@ -5,10 +5,10 @@
 #include <kte/contract/thing.hpp>
 #include <kte/math/axis_angle.hpp>
 
-/// An element alone, to try laws on.
+/// A single element, for testing laws.
 namespace kte::testing::detail {
 
-/// Where a thing is at time t if its rates and accelerations are those at time 0.
+/// Moves an item to time t, with its rates and accelerations at time 0.
 template <class S>
 void move(gen_coord<S>& c, const S& t) {
   c.q = c.q + t * (c.q_dot + t / 2 * c.q_ddot);
@@ -29,7 +29,7 @@ template <class S>
 void move(rotation_coord_3D<S>& c, const S& t) {
   c.rotation = c.rotation * to_quaternion(t * (c.ang_velocity + t / 2 * c.ang_acceleration));
 }
-/// Of poses, whose accelerations are rates of the components of v: p'' = R (a + w x v).
+/// For poses, whose accelerations are rates of the components of v: p'' = R (a + w x v).
 template <class S>
 void move(pose_coord_2D<S>& c, const S& t) {
   const S& w = c.ang_velocity;
@@ -54,7 +54,7 @@ void move(S&, const S&) {}  // a signal
 template <class S>
 void move(vec3<S>&, const S&) {}
 
-/// A thing of kind K, of numbers in [-1, 1); rotations by up to some 3 rad.
+/// A random item of kind K, with numbers in [-1, 1); rotations of up to about 3 rad.
 template <kind K, class S, class Draw>
 kte::detail::thing_of<K, S> random_thing(Draw& draw) {
   const auto number = [&draw] { return S(draw()); };
@@ -94,7 +94,7 @@ kte::detail::thing_of<K, S> random_thing(Draw& draw) {
   }
 }
 
-/// An element alone, with its own thing at every port.
+/// A single element with a separate item at every port.
 template <class S, class Core>
 class trial {
  public:
@@ -120,24 +120,24 @@ class trial {
   void doForce() { pass().force(read{}); }
   void mass_force() { pass().mass_force(read{}); }
   void clear() { pass().clear(std::make_index_sequence<ports>{}); }
-  /// Another element at the same things.
+  /// Another element with the same items.
   template <class Other>
   trial<S, Other> with(const Other& other) const {
     return {other, things_};
   }
-  /// Everything that the element reads, after time t.
+  /// Moves everything that the element reads to time t.
   void move(const S& t) {
     for_each([&](const port& p, auto& x) {
       if (!p.writes()) detail::move(x, t);
     });
     doMotion();
   }
-  /// f(port, thing) for all ports.
+  /// Calls f(port, item) for all ports.
   template <class F>
   void for_each(const F& f) {
     each(f, std::make_index_sequence<ports>{});
   }
-  /// f(things that it reads...).
+  /// Calls f with the items that the element reads.
   template <class F>
   auto apply(const F& f) {
     return apply(f, read{});
@@ -174,8 +174,7 @@ class trial {
   template <class Draw, std::size_t... K>
   void draw_all(Draw& draw, std::index_sequence<K...>) {
     const auto draw_kind = [&draw]<kind Kind>(auto& things) {
-      if ((Kind == kind::vector || Kind == kind::loop) && !has_port(Kind))
-        return;  // the other numbers stay what they were
+      if ((Kind == kind::vector || Kind == kind::loop) && !has_port(Kind)) return;  // other numbers are unchanged
       for (auto& x : things) x = random_thing<Kind, S>(draw);
     };
     (draw_kind.template operator()<static_cast<kind>(K)>(std::get<K>(things_)), ...);

@@ -20,7 +20,7 @@ struct element_parts {
   std::vector<std::string> names;
   std::vector<parameter_record> parameters;
   bool rigid = false;       ///< a joint or a link
-  bool holds_code = false;  ///< it has no parameters then
+  bool holds_code = false;  ///< a function of the program, which has no parameters
 };
 /// A shape of a robot's file.
 struct shape_parts {
@@ -30,14 +30,14 @@ struct shape_parts {
   std::string_view file;  ///< that includes it; empty for the robot's own
 };
 
-/// A chain as data, with the further parts of a robot: the input from which the library kte::view, which has no types
-/// of chains, makes a scene.
+/// A chain as data, with the additional parts of a robot. The library kte::view, which does not know the types of
+/// chains, makes scenes from it.
 struct chain_parts {
   vec3<> gravity{};
   std::vector<element_parts> elements;
   std::vector<layout_entry<std::string>> layout;
   named_slots slots;
-  bool unrecorded = false;  ///< whether it has parts that no file can hold, beside elements
+  bool unrecorded = false;  ///< whether it has parts that no file can hold
   std::string title;
   std::string file;                      ///< of a robot
   std::vector<std::string> search_path;  ///< of its meshes
@@ -80,7 +80,7 @@ inline chain_parts parts_of(const runtime_chain& c) {
   return p;
 }
 
-/// A type with a chain and shapes: a `robot`. It is a template, so that drawing chains does not include robots.
+/// A type with a chain and shapes: a `robot`. A template, so that drawing chains does not include robots.
 template <class T>
 concept robot_like = requires(const T& r) {
   r.chain.wiring();
@@ -118,7 +118,7 @@ const auto& chain_in(const Robot& r) {
 
 }  // namespace detail
 
-/// What can be drawn: a static chain, a runtime chain, a robot.
+/// Types that can be drawn: a static chain, a runtime chain, a robot.
 template <class T>
 concept drawable = requires(const T& c) {
   detail::parts_of(c);

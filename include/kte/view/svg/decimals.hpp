@@ -5,10 +5,10 @@
 #include <cmath>
 #include <string>
 
-/// Lengths in pictures as text: decimals of a hundredth.
+/// Lengths in pictures as text, in hundredths.
 namespace kte::detail::svg {
 
-/// A length in hundredths, of at most ten million: pictures have no longer ones.
+/// A length in hundredths, limited to ten million.
 inline long hundredths(double x) { return std::isnan(x) ? 0 : std::lround(std::clamp(x, -1e5, 1e5) * 100); }
 
 /// Appends "1.25", "-.5", "0".
@@ -26,7 +26,7 @@ inline std::string decimal(double x) {
   return s;
 }
 
-/// A number in words for people: four digits, "0.001235", "1.5e-09".
+/// A number for readers, with four digits: "0.001235", "1.5e-09".
 inline std::string four_digits(double x) {
   char digits[32];
   return {digits, std::to_chars(digits, digits + sizeof digits, x, std::chars_format::general, 4).ptr};

@@ -7,7 +7,7 @@ namespace kte {
 
 namespace detail::svg {
 
-/// Begins an animation of an attribute over all of the time, for ever.
+/// Begins an animation of an attribute over the whole time, repeated forever.
 inline svg_writer& begin_animation(svg_writer& out, const char* attribute, const std::string& values, double seconds) {
   return out.begin("animate")
       .set("attributeName", attribute)
@@ -15,7 +15,7 @@ inline svg_writer& begin_animation(svg_writer& out, const char* attribute, const
       .set("repeatCount", "indefinite")
       .set("values", values);
 }
-/// The values of an attribute at all times, unless they are all the same.
+/// Animates an attribute by its values at all times, unless they are equal.
 template <class Value>
 void animate(svg_writer& out, const char* attribute, std::size_t count, double seconds, const Value& value) {
   std::string values;
@@ -55,7 +55,7 @@ class moving_shapes {
       for (const int f : c.trails) row.push_back(c.view(frames[static_cast<std::size_t>(f)].position));
     }
   }
-  /// Whether it ends as it began.
+  /// Whether the last position equals the first.
   bool closed() const {
     double most = 0;
     for (std::size_t i = 0; i < at.front().size(); ++i)
@@ -80,7 +80,7 @@ class moving_shapes {
       out.end();
     }
   }
-  /// The last part of the path of a frame, as dashes that run along it, the longer the paler.
+  /// The last part of the path of a frame, as dashes that move along it and fade with age.
   void put_trail(svg_writer& out, std::size_t trail, const char* colour) const {
     path_data path;
     std::vector<double> along{0};
@@ -97,7 +97,7 @@ class moving_shapes {
       };
       along.push_back(along.back() + std::hypot(step(p.x, q.x), step(p.y, q.y)));
     }
-    for (const double part : {1.6, 0.9, 0.4}) {  // of the width of the picture
+    for (const double part : {1.6, 0.9, 0.4}) {  // relative to the width of the picture
       const double dash = part * c_.options.width;
       out.begin("path").set("d", path.text()).set("stroke", colour).set("stroke-width", 0.5).set("stroke-opacity", 0.3);
       out.set("stroke-linecap", "butt").set("stroke-dasharray", decimal(dash) + " " + decimal(along.back() + dash + 1));
@@ -107,7 +107,7 @@ class moving_shapes {
     }
   }
 
-  static constexpr std::size_t trail_parts = 2;    ///< of trails to one position
+  static constexpr std::size_t trail_parts = 2;    ///< trail points per position
   std::vector<std::vector<drawn_shape>> at;        ///< at all positions
   std::vector<std::vector<picture_point>> trails;  ///< the points of all trails
   double seconds = 0;
@@ -118,11 +118,11 @@ class moving_shapes {
 
 }  // namespace detail::svg
 
-/// A mechanism that moves as a recording, in a loop: SVG 1.1 with animations and without scripts, which browsers also
-/// show as an image of a page; other programs show the first position. Drawn as `picture`; if the last position differs
-/// from the first, it fades out and in.
+/// A moving mechanism of a recording, in a loop: SVG 1.1 with animations and without scripts. Browsers also show it as
+/// an image in a page; other programs show the first position. Drawn like `picture`; if the last position differs from
+/// the first, it fades out and in.
 ///
-/// Throws as `picture`, and `bad_argument` for a recording of one time.
+/// Throws what `picture` throws, and `bad_argument` for a recording with a single time.
 [[nodiscard]] inline std::string moving_picture(const scene& s, const picture_options& o = {}) {
   using namespace detail::svg;
   mechanism_canvas c(s, o);

@@ -4,12 +4,12 @@
 
 namespace kte::detail::svg {
 
-/// A point of a picture: mm from its left and upper edge.
+/// A point of a picture: mm from its left and top edge.
 struct picture_point {
   double x, y;
 };
 
-/// The attribute `d` of a path. Points are rounded once each: steps add up to them.
+/// The attribute `d` of a path. Each point is rounded once; relative steps are differences of rounded points.
 class path_data {
  public:
   void move(picture_point p) {

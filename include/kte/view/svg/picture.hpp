@@ -7,7 +7,7 @@ namespace kte {
 
 namespace detail::svg {
 
-/// At which times a mechanism is drawn.
+/// The times at which a mechanism is drawn.
 inline std::vector<double> picture_times(const mechanism_canvas& c) {
   const auto& o = c.options;
   const double first = c.motion.times().front(), last = c.motion.times().back();
@@ -34,7 +34,7 @@ inline std::vector<double> picture_times(const mechanism_canvas& c) {
 
 }  // namespace detail::svg
 
-/// A mechanism at some times of a recording, drawn over each other, earlier ones paler: SVG 1.1, a text.
+/// A mechanism at several times of a recording, drawn over each other, earlier times paler. Returns SVG 1.1 as text.
 ///
 ///   kte::write_picture("swing.svg", recording.contents(), {.every = 0.1, .trails = {"tip"}});
 ///

@@ -5,13 +5,13 @@
 
 namespace kte {
 
-/// Columns of a table against the first one, or against another, as a picture: SVG 1.1, a text.
+/// Plots columns of a table against the first column, or against another. Returns SVG 1.1 as text.
 ///
 ///   kte::write_plot("out.svg", kte::read_table("run.csv"), {"elbow", "elbow/v", "tool/position"}, {.width = 85});
 ///
-/// The name of a vector means its components; without names all columns are plotted. Units follow from the names of
-/// recorders; those of coordinates and inputs are given by `plot_options::units`. NaN is a gap; infinities, and on
-/// logarithmic axes numbers that are not positive, are omitted and counted in the picture. Curves of many points have
+/// The name of a vector stands for its components; without names all columns are plotted. Units follow from the names
+/// of recorders; those of coordinates and inputs are given by `plot_options::units`. NaN is a gap. Infinities, and on
+/// logarithmic axes numbers that are not positive, are omitted and counted in the picture. Curves with many points have
 /// the minimum and maximum of each tenth of a mm.
 ///
 /// Throws `unknown_name` for a column that does not exist, `bad_argument` for a table without columns or with columns

@@ -9,13 +9,13 @@ namespace kte::detail::svg {
 struct raised_text {
   std::string before, exponent{}, after{};
 
-  static constexpr double raised_size = 0.7;  ///< the size of exponents
-  /// In sizes of the font.
+  static constexpr double raised_size = 0.7;  ///< of exponents, relative to the font size
+  /// In units of the font size.
   double width() const { return text_width(before) + raised_size * text_width(exponent) + text_width(after); }
   std::string plain() const { return before + (exponent.empty() ? "" : "^" + exponent) + after; }
 };
 
-/// Appends it to a text that has begun, of a font size in mm. (`baseline-shift` is not drawn everywhere.)
+/// Appends the text to an open text element, with a font size in mm. (`baseline-shift` is not supported everywhere.)
 inline void put_raised(svg_writer& out, const raised_text& t, double font_size) {
   out.text(t.before);
   if (t.exponent.empty()) return;
@@ -24,7 +24,7 @@ inline void put_raised(svg_writer& out, const raised_text& t, double font_size) 
   if (!t.after.empty()) out.begin("tspan").set("dy", 0.35 * font_size).text(t.after).end();
 }
 
-/// A whole number for people: with the sign of a minus, not a hyphen.
+/// An integer for readers, with a minus sign instead of a hyphen.
 inline std::string signed_text(long long n) { return (n < 0 ? "−" : "") + std::to_string(n < 0 ? -n : n); }
 
 }  // namespace kte::detail::svg

@@ -7,7 +7,7 @@
 
 namespace kte::detail::svg {
 
-/// Throws `bad_argument` for frames without a place, and parts on frames that are not there.
+/// Throws `bad_argument` for frames without a pose, and for parts on frames that do not exist.
 inline void check_parts(const scene& s) {
   const int count = static_cast<int>(s.frames.size());
   for (int i = 0; i < count; ++i) {
@@ -16,7 +16,7 @@ inline void check_parts(const scene& s) {
       raise<bad_argument>("kte: the frame '" + f.name + "' of a scene has a track or a parent that is not there");
   }
   const auto check = [count](int frame) {
-    if (frame < 0 || frame >= count) raise<bad_argument>("kte: a part of a scene is on a frame that is not there");
+    if (frame < 0 || frame >= count) raise<bad_argument>("kte: a part of a scene is on a frame that does not exist");
   };
   for (const auto& l : s.links) check(l.from), check(l.to);
   for (const auto& j : s.joints) check(j.before), check(j.after);

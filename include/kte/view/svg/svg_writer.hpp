@@ -7,16 +7,16 @@
 
 namespace kte::detail::svg {
 
-/// Writes elements of XML, well-formed for any text:
+/// Writes XML elements, well-formed for any text:
 ///
 ///   out.begin("text").set("x", 1.5).text("a < b").end();
 ///
-/// Tags and names of attributes are literals of the program.
+/// Tags and attribute names must be literals.
 class svg_writer {
  public:
   svg_writer& begin(const char* tag) {
     end_start();
-    if (std::string_view(tag) != "tspan") out_ += '\n';  // blanks within a text would show
+    if (std::string_view(tag) != "tspan") out_ += '\n';  // blanks within a text would be visible
     out_.append("<").append(tag);
     open_.emplace_back(tag), in_start_ = true;
     return *this;
@@ -41,10 +41,10 @@ class svg_writer {
     open_.pop_back(), in_start_ = false;
     return *this;
   }
-  /// An element that has a text alone.
+  /// An element that contains only a text.
   svg_writer& element(const char* tag, std::string_view content) { return begin(tag).text(content).end(); }
 
-  /// All of it, once everything has ended.
+  /// The whole document, after all elements have ended.
   std::string document() const { return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>" + out_ + "\n"; }
 
  private:
@@ -58,7 +58,7 @@ class svg_writer {
   bool in_start_ = false;
 };
 
-/// The root of a picture of a width and height in mm, on white, with what screen readers say of it.
+/// The root element of a picture with this width and height in mm, on white, with a description for screen readers.
 inline void begin_picture(svg_writer& out, double width, double height, std::string_view font, double font_size,
                           std::string_view title, std::string_view description) {
   out.begin("svg").set("xmlns", "http://www.w3.org/2000/svg").set("version", "1.1");

@@ -5,7 +5,7 @@
 #include <iterator>
 #include <vector>
 
-/// How wide texts are, for layouts: fonts differ.
+/// Widths of texts, for layouts. They are estimates, because fonts differ.
 namespace kte::detail::svg {
 
 /// The width of a character in units of the font size, for a wide sans-serif font; ideographs and symbols are squares.
@@ -31,8 +31,8 @@ inline double text_width(std::string_view text) {
   return w;
 }
 
-/// A text that is as wide as there is room, in sizes of the font: of longer ones the middle becomes "…", as names of
-/// columns end in what they are.
+/// A text that fits into `room`, in units of the font size. In longer texts the middle is replaced by "…", because the
+/// ends of column names state the quantity.
 inline std::string shortened(std::string_view text, double room) {
   std::string whole = printable(text);
   if (text_width(whole) <= room) return whole;

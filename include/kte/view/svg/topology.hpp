@@ -5,9 +5,9 @@
 
 namespace kte {
 
-/// The topology of a mechanism: rigid bodies as boxes, layer by layer from the ground, joints between them as letters
-/// (R revolute, P prismatic, H screw, C cylindrical, U universal, S spherical, E planar, F free) with their names;
-/// loops, and forces between two bodies, as dashed arcs. SVG 1.1, a text.
+/// The topology of a mechanism: rigid bodies as boxes, in layers from the ground; joints between them as letters (R
+/// revolute, P prismatic, H screw, C cylindrical, U universal, S spherical, E planar, F free) with their names; loops,
+/// and forces between two bodies, as dashed arcs. Returns SVG 1.1 as text.
 ///
 /// Throws `bad_argument` for invalid sizes, and scenes whose parts do not fit together.
 [[nodiscard]] inline std::string topology_picture(const scene& s, const topology_options& o = {}) {

@@ -2,10 +2,10 @@
 
 #include <kte/io/utf8.hpp>
 
-/// Texts of any bytes as text of XML.
+/// Arbitrary bytes as XML text.
 namespace kte::detail::svg {
 
-/// A character of a text and its number of bytes. A byte that is not UTF-8 is U+FFFD.
+/// A character of a text and its number of bytes. An invalid UTF-8 byte is U+FFFD.
 struct text_character {
   char32_t code;
   std::size_t bytes;
@@ -19,14 +19,14 @@ constexpr text_character first_character(std::string_view text) {
   return {c, n};
 }
 
-/// Characters that XML does not have, and those that turn the direction of the text around them.
+/// Characters that XML does not permit, and characters that change the direction of the surrounding text.
 constexpr bool is_unprintable(char32_t c) {
   const bool control = c < 0x20 || (c >= 0x7F && c < 0xA0), none = (c & 0xFFFE) == 0xFFFE;
   const bool turns = c == 0x200E || c == 0x200F || (c >= 0x202A && c <= 0x202E) || (c >= 0x2066 && c <= 0x2069);
   return control || none || turns || c == 0x2028 || c == 0x2029;
 }
 
-/// A text in UTF-8 of one line: blanks for tabs and line ends, U+FFFD for what cannot be shown.
+/// A text in UTF-8 on one line: blanks for tabs and line ends, U+FFFD for characters that cannot be shown.
 inline std::string printable(std::string_view text) {
   std::string out;
   while (!text.empty()) {
@@ -38,7 +38,7 @@ inline std::string printable(std::string_view text) {
   return out;
 }
 
-/// Appends a text such that it reads back as `printable` of it, within elements and within attributes in quotes.
+/// Appends a text such that XML readers return its `printable`, within elements and within quoted attributes.
 inline void append_xml(std::string& out, std::string_view text) {
   for (const char c : printable(text)) {
     if (c == '&')

@@ -59,7 +59,7 @@ std::int32_t read_signed(const std::uint8_t*& p) {
 
 constexpr std::uint8_t omitted = 0xff;
 
-/// Of the handlers at a landing pad, the number of the first that catches the exception, or 0.
+/// The number of the first handler at a landing pad that catches the exception, or 0.
 int handler_of(header& e, const std::uint8_t* table, std::uint32_t pad) {
   const std::uint8_t* p = table;
   if (*p++ != omitted) std::abort();  // a start of landing pads: there is none

@@ -1,4 +1,4 @@
-/// There are no files in a page: what the C and C++ libraries print before they end a program goes nowhere.
+/// A page has no files: the messages that the C and C++ libraries print before they end a program are discarded.
 
 #include <cstdlib>
 

@@ -6,7 +6,7 @@
 
 namespace kte::detail::svg {
 
-/// Three directions of a body, as long as the half axes of its ellipsoid, in the world.
+/// The three half axes of the ellipsoid of a body, as vectors in the world.
 inline std::array<vec3<>, 3> half_axes(const scene::body& b, const placed_frame& f) {
   const auto& o = b.orientation;
   const auto turned = f.rotation * normalized(o[0], o[1], o[2], o[3]);
@@ -14,8 +14,8 @@ inline std::array<vec3<>, 3> half_axes(const scene::body& b, const placed_frame&
           turned * vec3{0.0, 0.0, b.ellipsoid[2]}};
 }
 
-/// The outline of an ellipsoid as seen from afar: x = c + A u, |u| = 1, where A A^T is the sum of the squares of the
-/// half axes as they are in the picture; a point mass as a disc.
+/// The outline of an ellipsoid in parallel projection: x = c + A u, |u| = 1, where A A^T is the sum of the dyads of its
+/// projected half axes. A point mass is a disc.
 inline drawn_shape body_symbol(const scene_view& view, const scene::body& b, const placed_frame& f, double least_radius,
                                const std::string& name) {
   const vec3<> centre = f({b.centre[0], b.centre[1], b.centre[2]});

@@ -8,7 +8,7 @@
 
 namespace kte::detail::svg {
 
-/// A scene in a picture: its view such that all of it has a place, at given times.
+/// A scene in a picture, with a view that shows all of it at given times.
 class mechanism_canvas {
  public:
   mechanism_canvas(const scene& s, const picture_options& o)
@@ -28,7 +28,7 @@ class mechanism_canvas {
   mechanism_canvas(const mechanism_canvas&) = delete;
   mechanism_canvas& operator=(const mechanism_canvas&) = delete;
 
-  /// Makes room for the mechanism at these times, and for trails until the last one.
+  /// Extends the view to the mechanism at these times, and to trails until the last of them.
   void fit(const std::vector<double>& times) {
     picture_box box;
     for (const double t : times) add_to(box, motion.frames(t));
@@ -52,7 +52,7 @@ class mechanism_canvas {
   }
 
   double font() const { return options.font_size * 25.4 / 72; }
-  /// The path of a frame until a time, of points 0.05 mm apart or more.
+  /// The path of a frame until a time, as points at least 0.05 mm apart.
   std::vector<picture_point> trail(int frame, double until) const {
     std::vector<picture_point> points;
     for (const double t : shown_times) {
@@ -98,7 +98,7 @@ class mechanism_canvas {
     if (!options.title.empty()) return options.title;
     return motion.of().title.empty() ? "A mechanism" : motion.of().title;
   }
-  /// What it is made of, and what is not drawn.
+  /// A text that lists the parts, and the parts that are not drawn.
   std::string description() const {
     const scene& s = motion.of();
     std::string text = s.bodies.size() == 1 ? "1 body" : std::to_string(s.bodies.size()) + " bodies";

@@ -7,22 +7,22 @@
 
 namespace kte::detail::svg {
 
-/// How a shape is drawn; texts of the program.
+/// The style of a shape.
 struct shape_style {
   const char* stroke;  ///< nullptr for none
   double width;        ///< mm
   const char* fill = nullptr;
   const char* dash = nullptr;
-  double opacity = 1;  ///< of the filling
+  double opacity = 1;  ///< of the fill
 };
 
-/// A line, area or circle of a picture. Those of one mechanism at several times differ by their points alone.
+/// A line, area or circle of a picture. Shapes of one mechanism at several times differ only in their points.
 struct drawn_shape {
   shape_style style;
-  std::string name;                     ///< what it is, for who points at it
-  std::vector<picture_point> points;    ///< of a circle its centre
-  double radius = 0;                    ///< of a circle; 0 of all else
-  bool closed = false, curved = false;  ///< curved: cubics, of three points each behind the first
+  std::string name;                     ///< shown as a tooltip
+  std::vector<picture_point> points;    ///< of a circle: its centre
+  double radius = 0;                    ///< of a circle; otherwise 0
+  bool closed = false, curved = false;  ///< curved: cubics, three points each after the first
 
   std::string path() const {
     path_data d;

@@ -4,10 +4,10 @@
 #include <kte/view/svg/mechanism/scene_view.hpp>
 #include <kte/view/svg/mechanism/styles.hpp>
 
-/// Symbols of what acts between frames, in mm of the picture.
+/// Symbols of elements between frames, in mm of the picture.
 namespace kte::detail::svg {
 
-/// A straight line between two points with a direction across it.
+/// A line between two points, with its normal direction.
 class symbol_line {
  public:
   symbol_line(picture_point from, picture_point to) : from_(from), x_(to.x - from.x), y_(to.y - from.y) {
@@ -16,7 +16,7 @@ class symbol_line {
     length_ = n;
   }
   double length() const { return length_; }
-  /// A part of the way along it, mm beside it.
+  /// The point at a fraction of the line, and mm to its side.
   picture_point operator()(double part, double beside) const {
     return {from_.x + part * x_ + beside * across_.x, from_.y + part * y_ + beside * across_.y};
   }
@@ -27,7 +27,7 @@ class symbol_line {
   picture_point across_;
 };
 
-/// A zigzag, with straight ends of a sixth.
+/// A zigzag whose straight ends have a sixth of its length each.
 inline drawn_shape spring_symbol(picture_point from, picture_point to, double half_width, const std::string& name) {
   const symbol_line line(from, to);
   std::vector<picture_point> points{line(0, 0), line(1.0 / 6, 0)};
@@ -37,7 +37,7 @@ inline drawn_shape spring_symbol(picture_point from, picture_point to, double ha
   points.push_back(line(5.0 / 6, 0)), points.push_back(line(1, 0));
   return {styles::spring, name, std::move(points)};
 }
-/// A piston in a cylinder that is open at the end, in the middle.
+/// A piston in the middle, in a cylinder with one open end.
 inline std::vector<drawn_shape> damper_symbol(picture_point from, picture_point to, double half_width,
                                               const std::string& name) {
   const symbol_line line(from, to);
@@ -59,7 +59,7 @@ inline drawn_shape spiral_symbol(picture_point centre, double radius, const std:
   }
   return {styles::spring, name, std::move(points)};
 }
-/// A beam: the cubic that leaves both frames in the direction that the beam has in them.
+/// A beam: the cubic that is tangent to the axis of the beam in both frames.
 inline drawn_shape beam_symbol(const scene_view& view, const placed_frame& a, const placed_frame& b, const vec3<>& in_a,
                                const vec3<>& in_b, const std::string& name) {
   const double third = length(b.position - a.position) / 3;

@@ -3,7 +3,7 @@
 #include <kte/view/svg/mechanism/scene_view.hpp>
 #include <kte/view/svg/mechanism/styles.hpp>
 
-/// Symbols of joints, by kind, as seen from the direction of the view.
+/// Symbols of joints, by kind, in the direction of the view.
 namespace kte::detail::svg {
 
 /// A joint in the picture.
@@ -13,7 +13,7 @@ struct joint_place {
   std::string name;
 };
 
-/// Draws with lengths in mm.
+/// Draws joints with sizes in mm.
 class joint_symbols {
  public:
   joint_symbols(const scene_view& view, bool planar, double radius, std::vector<drawn_shape>& out)
@@ -32,7 +32,7 @@ class joint_symbols {
         return view_(centre + mm(radius_ * c) * a + mm(radius_ * s) * b);
       });
     };
-    // Seen from afar its outline leaves the circles where a is, which is across the axis in the picture.
+    // In parallel projection the outline is tangent to the circles at a, which is normal to the axis in the picture.
     auto outline = ring(0, 2, j.at + end);
     const auto back = ring(std::numbers::pi, 2, j.at - end);
     const auto straight_to = [&outline](picture_point p) {
@@ -47,7 +47,7 @@ class joint_symbols {
     out_.push_back({styles::joint, j.name, std::move(outline), 0, true, true});
     out_.push_back({styles::joint_line, j.name, ring(0, 4, j.at + end), 0, true, true});
   }
-  /// A slider: a box along the axis with three visible faces; in the plane one.
+  /// A slider: a box along the axis with three visible faces; in the plane with one.
   void box(const joint_place& j, double half_length, double half_width) {
     const auto [a, b] = across(j.axis);
     const vec3<> edges[]{mm(half_width) * facing(b), mm(half_length) * facing(j.axis), mm(half_width) * facing(a)};
@@ -80,7 +80,7 @@ class joint_symbols {
  private:
   double mm(double x) const { return x / view_.scale(); }
   vec3<> facing(const vec3<>& v) const { return dot(v, view_.axes().towards) < 0 ? -v : v; }
-  /// Two directions across an axis: one in the picture, and the other, which points away from who looks.
+  /// Two directions normal to an axis: one in the picture plane, and one that points away from the viewer.
   std::pair<vec3<>, vec3<>> across(const vec3<>& axis) const {
     const auto& seen = view_.axes();
     const vec3<> a = unit_or(cross(axis, seen.towards), unit_or(cross(axis, seen.up), seen.right));

@@ -5,7 +5,7 @@
 #include <kte/view/svg/mechanism/joint_symbols.hpp>
 #include <kte/view/svg/mechanism/options.hpp>
 
-/// A mechanism in a position as lines and areas: at all times the same ones.
+/// A mechanism in one position as lines and areas; the list of shapes is the same at all times.
 namespace kte::detail::svg {
 
 class mechanism_shapes {
@@ -24,7 +24,7 @@ class mechanism_shapes {
       for (const auto& j : scene_.joints) put_joint(out, j, frames);
     return out;
   }
-  /// What of the scene has no symbol.
+  /// Types of parts of the scene without a symbol.
   std::vector<std::string> left_out() const {
     std::vector<std::string> all;
     for (const auto& f : scene_.forces)
@@ -40,7 +40,7 @@ class mechanism_shapes {
   static std::string named(const std::string& type, const std::string& name) {
     return name.empty() ? type : name + " (" + type + ")";
   }
-  /// The joint that a spring on a coordinate acts in, or nullptr.
+  /// The joint of the coordinate on which a spring acts, or nullptr.
   const scene::joint* joint_of(const scene::force& f) const {
     if (f.kind != "spring" || !f.frames.empty() || f.coordinates.size() != 1) return nullptr;
     for (const auto& j : scene_.joints)
@@ -57,20 +57,20 @@ class mechanism_shapes {
                 const std::string& name) const {
     out.push_back({style, name, {view_(a.position), view_(b.position)}});
   }
-  /// Its ellipsoid, and a line to it from its frame where that is elsewhere.
+  /// The ellipsoid of a body, and a line to it from its frame if that is elsewhere.
   void put_body(std::vector<drawn_shape>& out, const scene::body& b, const placed_frame& f) const {
     const std::string name = named(four_digits(b.mass) + " kg", b.name);
     out.push_back(body_symbol(view_, b, f, 0.8 * o_.joint_radius, name));
     if (length(vector(b.centre)) > 0)
       out.push_back({styles::link, name, {view_(f.position), view_(f(vector(b.centre)))}});
   }
-  /// From the frame before a joint to where it sits; of sliders the rail.
+  /// A line from the frame before a joint to its placement; for sliders the rail.
   void put_placement(std::vector<drawn_shape>& out, const scene::joint& j,
                      const std::vector<placed_frame>& frames) const {
     if (j.kind == "free") return;
     const auto &a = frames[index(j.before)], &b = frames[index(j.after)];
     const bool slides = j.has_axis && (j.kind == "prismatic" || j.kind == "cylindrical" || j.kind == "screw");
-    const bool moves = j.kind == "planar" || j.kind == "other";  // one from the other; recordings are rounded
+    const bool moves = j.kind == "planar" || j.kind == "other";  // relative motion; recordings are rounded
     const double least = 1e-3 * scene_.size;
     if (!slides) {
       if (moves || length(b.position - a.position) > least) put_link(out, a, b, styles::placement, j.name);

@@ -6,7 +6,7 @@
 
 namespace kte::detail::svg {
 
-/// Refuses options that give no picture.
+/// Throws `bad_argument` for invalid options.
 inline void check_picture_options(const picture_options& o) {
   const auto refuse = [](const std::string& what) { raise<bad_argument>("kte: a picture of a mechanism " + what); };
   if (!(o.width >= 10 && o.width <= 2000)) refuse("is 10 to 2000 mm wide, not " + four_digits(o.width));

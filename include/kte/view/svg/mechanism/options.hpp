@@ -13,7 +13,7 @@ struct picture_options {
   double most_height = 0;       ///< mm; 0 for 1.2 times the width
   std::string title{};          ///< for screen readers; empty for that of the scene
   std::vector<double> times{};  ///< s: the mechanism at these times over each other, the last one darkest
-  double every = 0;             ///< s: at all multiples of it from the first time; 0 and no times: the first time only
+  double every = 0;  ///< s: draws all multiples of this from the first time; 0 without `times`: the first time only
   double from = -std::numeric_limits<double>::infinity();  ///< s: of `every`, trails and moving pictures
   double to = std::numeric_limits<double>::infinity();
   std::vector<std::string> trails{};            ///< frames whose paths are drawn

@@ -6,7 +6,7 @@
 
 namespace kte::detail::svg {
 
-/// Where a frame is in the world.
+/// The pose of a frame in the world.
 struct placed_frame {
   vec3<> position{};
   unit_quaternion<> rotation{};
@@ -20,7 +20,7 @@ inline placed_frame operator*(const placed_frame& a, const placed_frame& b) {
 /// The poses of all frames of a scene at any time of a recording.
 class scene_motion {
  public:
-  /// Throws `bad_argument` for a recording that is not there, or does not fit the frames.
+  /// Throws `bad_argument` for a recording that does not exist or does not fit the frames.
   scene_motion(const scene& s, std::size_t recording) : scene_(s) {
     if (recording >= s.recordings.size())
       raise<bad_argument>("kte: a picture of recording " + std::to_string(recording) + " of a scene that has " +
@@ -39,7 +39,7 @@ class scene_motion {
     while (frame >= 0 && scene_.frames[at(frame)].track < 0) frame = scene_.frames[at(frame)].parent;
     return frame < 0 || (is_base(frame) && stays(scene_.frames[at(frame)].track));
   }
-  /// All frames at a time, between those of the recording on straight lines and turning evenly.
+  /// All frames at a time. Between recorded times positions are interpolated linearly, and rotations at constant rate.
   std::vector<placed_frame> frames(double t) const {
     const auto& all = times();
     const auto next = std::upper_bound(all.begin(), all.end(), t);
@@ -56,7 +56,7 @@ class scene_motion {
     }
     return placed_frames;
   }
-  /// The frame of a name. Throws `unknown_name`.
+  /// The frame with this name. Throws `unknown_name`.
   int frame(const std::string& name) const {
     std::vector<std::string> known;
     for (std::size_t i = 0; i < scene_.frames.size(); ++i) {
@@ -69,7 +69,7 @@ class scene_motion {
   }
 
  private:
-  /// Whether nothing in the mechanism moves a frame.
+  /// Whether no part of the mechanism moves a frame.
   bool is_base(int frame) const {
     for (const auto& j : scene_.joints)
       if (j.after == frame) return false;

@@ -7,7 +7,7 @@
 namespace kte::detail::svg {
 
 inline double length(const vec3<>& v) { return std::sqrt(dot(v, v)); }
-/// A vector of length 1, or another where it has none.
+/// A vector normalized to length 1, or another vector if it is zero.
 inline vec3<> unit_or(const vec3<>& v, const vec3<>& other) {
   const double n = length(v);
   return n > 1e-12 ? (1 / n) * v : other;
@@ -17,7 +17,7 @@ inline vec3<> unit_or(const vec3<>& v, const vec3<>& other) {
 struct view_axes {
   vec3<> right{1, 0, 0}, up{0, 1, 0}, towards{0, 0, 1};
 
-  /// Planar scenes are seen from +z with y upwards.
+  /// Planar scenes are viewed from +z with y upwards.
   view_axes(const scene& s, const std::array<double, 3>& look_from) {
     if (s.dimension == 2) return;
     const vec3<> against = unit_or(vec3{-s.gravity[0], -s.gravity[1], -s.gravity[2]}, {0, 0, 1});
@@ -36,17 +36,17 @@ struct picture_box {
   }
 };
 
-/// From the world, m, to a picture, mm.
+/// Maps points of the world, m, to a picture, mm.
 class scene_view {
  public:
   explicit scene_view(const view_axes& axes) : axes_(axes) {}
 
   const view_axes& axes() const { return axes_; }
-  /// Makes a point of the world, in the axes of the view, the point of the picture.
+  /// Sets the scale, and the point of the world, in axes of the view, that is shown at a point of the picture.
   void set(double scale, double x, double y, picture_point at) {
     scale_ = scale, x_ = at.x - scale * x, y_ = at.y + scale * y;
   }
-  /// mm for a m.
+  /// mm per m.
   double scale() const { return scale_; }
   double across(const vec3<>& p) const { return dot(axes_.right, p); }
   double upwards(const vec3<>& p) const { return dot(axes_.up, p); }

@@ -2,7 +2,7 @@
 
 #include <kte/view/svg/mechanism/drawn_shape.hpp>
 
-/// How parts of mechanisms look: of the palette of Okabe and Ito.
+/// Styles of the parts of mechanisms, with the palette of Okabe and Ito.
 namespace kte::detail::svg::styles {
 
 inline constexpr shape_style link{"#2b3a4a", 0.9}, placement{"#2b3a4a", 0.5}, rail{"#2b3a4a", 0.4, nullptr, "1.2 0.9"},

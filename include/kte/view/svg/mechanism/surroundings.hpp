@@ -7,10 +7,10 @@
 
 #include <set>
 
-/// What stays where it is in a picture of a mechanism: the ground, the scale.
+/// Fixed parts of a picture of a mechanism: the ground, the scale.
 namespace kte::detail::svg {
 
-/// The frames by which a mechanism stands on the world: those at rest that something begins at, and that no link holds.
+/// Frames on the ground: frames at rest from which a joint or force starts, and that no link holds.
 inline std::set<int> grounded_frames(const scene_motion& motion) {
   const scene& s = motion.of();
   std::set<int> all, held;
@@ -30,7 +30,7 @@ inline std::set<int> grounded_frames(const scene_motion& motion) {
   return all;
 }
 
-/// A line with hatching below it, in mm: a triangle leads to it from the joint.
+/// A line with hatching below, in mm; a triangle connects it to the joint.
 inline std::vector<drawn_shape> ground_symbol(picture_point at, double radius) {
   const double half = 2.4 * radius, y = at.y + 1.9 * radius;
   std::vector<drawn_shape> all{{styles::ground, "ground", {{at.x - 1.1 * radius, y}, at, {at.x + 1.1 * radius, y}}},
@@ -42,7 +42,7 @@ inline std::vector<drawn_shape> ground_symbol(picture_point at, double radius) {
   return all;
 }
 
-/// A length of one digit, 1, 2 or 5, near a number of m, as text with a unit.
+/// A length with one digit, 1, 2 or 5, close to a number of m, as text with a unit.
 struct round_length {
   double metres;
   std::string text;

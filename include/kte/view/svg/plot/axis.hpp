@@ -5,10 +5,10 @@
 
 namespace kte::detail::svg {
 
-/// One direction of a panel: from numbers to places, mm.
+/// One axis of a panel: maps numbers to positions, mm.
 class plot_axis {
  public:
-  /// From the place of the low end of the range to that of its high end.
+  /// `from`, `to`: positions of the low and the high end of the range.
   plot_axis(number_range shown, bool logarithmic, double from, double to)
       : range_(shown), logarithmic_(logarithmic), from_(from), to_(to) {
     std::frexp((std::max)(std::abs(shown.low), std::abs(shown.high)), &power_);
@@ -18,7 +18,7 @@ class plot_axis {
   const number_range& range() const { return range_; }
   double from() const { return from_; }
   double to() const { return to_; }
-  /// Whether there is a place for a number.
+  /// Whether a number has a position.
   bool has(double x) const { return std::isfinite(x) && (!logarithmic_ || x > 0); }
   double operator()(double x) const { return from_ + (scaled(x) - low_) / width_ * (to_ - from_); }
   tick_list ticks(std::size_t most) const {
@@ -27,7 +27,7 @@ class plot_axis {
   }
 
  private:
-  /// Exact on linear axes, of numbers of about 1: no difference overflows.
+  /// Linear axes scale exactly, to numbers of about 1, so that no difference overflows.
   double scaled(double x) const { return logarithmic_ ? std::log10(x) : std::ldexp(x, -power_); }
 
   number_range range_;
@@ -37,8 +37,7 @@ class plot_axis {
   double low_ = 0, width_ = 1;
 };
 
-/// The ticks of a horizontal axis, as many as have room for their labels, of a font size in mm; with gaps of two
-/// digits.
+/// As many ticks of a horizontal axis as fit with their labels, for a font size in mm, with gaps of two digits.
 inline tick_list fitting_ticks(const plot_axis& axis, double font_size) {
   const double length = std::abs(axis.to() - axis.from());
   for (std::size_t most = 10;; --most) {

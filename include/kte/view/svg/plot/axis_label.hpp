@@ -4,7 +4,7 @@
 
 namespace kte::detail::svg {
 
-/// "elbow - 1.5 (10^-6 rad)": what an axis shows, and the number in common and the factor that its labels leave out.
+/// The label of an axis with the offset and factor of its ticks: "elbow - 1.5 (10^-6 rad)".
 inline raised_text axis_label(std::string name, const std::string& unit, const tick_list& list) {
   if (!list.offset.empty()) {
     const bool below = list.offset.starts_with("−");

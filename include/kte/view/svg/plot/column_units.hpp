@@ -11,14 +11,14 @@ using unit_map = std::map<std::string, std::string, std::less<>>;
 
 namespace detail::svg {
 
-/// What the numbers of a column are.
+/// The unit and quantity of a column.
 struct column_meaning {
-  std::string unit;      ///< "m/s"; empty where it is not known, or 1
-  std::string quantity;  ///< "velocity"; empty where it is not known
+  std::string unit;      ///< "m/s"; empty if unknown, or 1
+  std::string quantity;  ///< "velocity"; empty if unknown
   friend bool operator==(const column_meaning&, const column_meaning&) = default;
 };
 
-/// What recorders name behind the name of a frame or of a coordinate (see `recorder`).
+/// Suffixes that recorders append to the name of a frame or coordinate (see `recorder`).
 inline constexpr struct {
   std::string_view name, components, unit, quantity;
 } recorded_quantities[]{{"position", "xyz", "m", "position"},
@@ -47,14 +47,14 @@ inline column_meaning meaning_on_coordinate(char which, std::string_view unit) {
   }
 }
 
-/// As it is printed: "m/s²" for "m/s^2".
+/// For display: "m/s²" for "m/s^2".
 inline std::string printed_unit(std::string unit) {
   for (const auto& [plain, raised] : {std::pair("^2", "²"), std::pair("^3", "³")})
     for (auto at = unit.find(plain); at != unit.npos; at = unit.find(plain)) unit.replace(at, 2, raised);
   return unit;
 }
 
-/// What recorders mean by the name of a column, or of a thing with its own unit.
+/// The meaning of a column by its name, or of an object with its own unit.
 inline column_meaning meaning_by_name(std::string_view name, const unit_map& units) {
   if (name == "t" || name == "time") return {"s", "time"};
   if (name == "energy" || name.starts_with("energy/")) return {"J", "energy"};
@@ -77,14 +77,14 @@ inline column_meaning meaning_by_name(std::string_view name, const unit_map& uni
   if (part == "v" || part == "a" || part == "f") return meaning_on_coordinate(part[0], unit_of(thing));
   const char component = part[0];
   if (part.size() != 1 || std::string_view("wxyz").find(component) == std::string_view::npos) return {};
-  if (const auto u = unit_of(thing); !u.empty()) return meaning_on_coordinate('q', u);  // pull/x
+  if (const auto u = unit_of(thing); !u.empty()) return meaning_on_coordinate('q', u);  // a component, such as pull/x
   cut();
   for (const auto& q : recorded_quantities)
     if (part == q.name && q.components.find(component) != q.components.npos)
       return {std::string(q.unit), std::string(q.quantity)};
   return {};
 }
-/// The unit of a column, which may be given for its whole name.
+/// The unit of a column; `units` may contain its full name.
 inline column_meaning meaning_of_column(std::string_view name, const unit_map& units) {
   auto meaning = meaning_by_name(name, units);
   const auto u = units.find(name);

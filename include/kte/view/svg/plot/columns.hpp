@@ -4,7 +4,7 @@
 #include <kte/io/table.hpp>
 #include <kte/view/svg/plot/options.hpp>
 
-/// Which columns of a table are plotted, and where.
+/// The columns of a table that are plotted, and their panels.
 namespace kte::detail::svg {
 
 struct plot_column {
@@ -17,7 +17,7 @@ struct plot_panel {
   std::vector<plot_column> columns;
 };
 
-/// Finds columns by names.
+/// Finds columns by name.
 class plot_columns {
  public:
   plot_columns(const table& t, const plot_options& o) : table_(t), options_(o) {
@@ -30,8 +30,8 @@ class plot_columns {
   }
   plot_column against() const { return column(options_.against.empty() ? 0 : place(options_.against)); }
 
-  /// The panels of columns of these names, or of all but the one on the horizontal axis. The name of a vector,
-  /// "tool/position", stands for its components.
+  /// The panels of columns with these names; without names, of all columns except that of the horizontal axis. The name
+  /// of a vector, "tool/position", stands for its components.
   std::vector<plot_panel> panels_of(const std::vector<std::string>& names) const {
     std::vector<std::size_t> wanted;
     for (const auto& n : names) add(wanted, n);
@@ -65,7 +65,7 @@ class plot_columns {
   std::size_t place(const std::string& name) const {
     const auto j = find(name);
     if (j == table_.names.size())
-      raise<unknown_name>("kte: cannot plot '" + name + "', which is no column" +
+      raise<unknown_name>("kte: cannot plot '" + name + "': there is no such column" +
                           (nearest_name(name, table_.names) < table_.names.size()
                                ? did_you_mean(name, table_.names)
                                : ": " + list_of_names(table_.names)));

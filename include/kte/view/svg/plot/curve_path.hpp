@@ -9,8 +9,8 @@
 namespace kte::detail::svg {
 
 /// A curve through many points as a path of equal appearance: for points within 0.1 mm from left to right it has the
-/// first, the lowest, the highest and the last, so that no spike is lost. In crowded curves points are at multiples of
-/// 0.05 mm, and segments that repeat, as in a limit cycle, are drawn once.
+/// first, the lowest, the highest and the last, so that no spike is lost. In dense curves points are at multiples of
+/// 0.05 mm, and repeated segments, as in a limit cycle, are drawn once.
 class curve_path {
  public:
   explicit curve_path(bool crowded) : crowded_(crowded) {}
@@ -23,7 +23,7 @@ class curve_path {
     last_ = {p, count_++};
     kept_ = true;
   }
-  /// The next point starts again.
+  /// Ends a curve segment; the next point starts a new one.
   void gap() {
     put_kept();
     if (drawn_ == 1 && dotted_.insert({hundredths(at_.x / 10), hundredths(at_.y / 10)}).second) dots.push_back(at_);
@@ -59,8 +59,8 @@ class curve_path {
 
   bool crowded_;
   path_data path_;
-  std::set<std::pair<std::array<long, 2>, std::array<long, 2>>> lines_;  ///< that are drawn, by their ends
-  std::set<std::array<long, 2>> dotted_;                                 ///< places with a dot, 0.1 mm
+  std::set<std::pair<std::array<long, 2>, std::array<long, 2>>> lines_;  ///< segments drawn so far, by their ends
+  std::set<std::array<long, 2>> dotted_;                                 ///< positions of dots, in 0.1 mm
   numbered first_{}, lowest_{}, highest_{}, last_{};
   double column_ = 0;
   std::size_t count_ = 0, drawn_ = 0;  ///< since the last gap

@@ -3,7 +3,7 @@
 #include <kte/view/svg/plot/axis_label.hpp>
 #include <kte/view/svg/plot/layout.hpp>
 
-/// From the layout of a plot to SVG.
+/// Draws the layout of a plot as SVG.
 namespace kte::detail::svg {
 
 class plot_drawing {

@@ -5,21 +5,21 @@
 
 #include <optional>
 
-/// Where the parts of a plot are, mm.
+/// Positions of the parts of a plot, mm.
 namespace kte::detail::svg {
 
-/// A panel and what is drawn of it.
+/// A panel and its drawn data.
 struct placed_panel {
   plot_panel panel;
   number_range shown{};
-  std::optional<legend> names{};  ///< of several curves
+  std::optional<legend> names{};  ///< if there are several curves
   double legend_top = 0;
   std::optional<plot_axis> up{};
   tick_list ticks{};
   panel_curves curves{};
 };
 
-/// Refuses sizes that give no picture.
+/// Throws `bad_argument` for invalid sizes.
 inline void check_plot_options(const plot_options& o) {
   const auto refuse = [](const std::string& what) { raise<bad_argument>("kte: a plot " + what); };
   if (!(o.width >= 20 && o.width <= 2000)) refuse("is 20 to 2000 mm wide, not " + four_digits(o.width));
@@ -66,7 +66,7 @@ class plot_layout {
   }
   std::size_t most_ticks() const { return static_cast<std::size_t>(std::clamp(panel_height / (2.4 * font), 2.0, 8.0)); }
 
-  /// Labels of vertical axes say how much room panels have.
+  /// The labels of vertical axes determine the width of the panels.
   void place_horizontally(const table& t, const plot_options& o) {
     number_range x;
     bool rising = true;
@@ -76,7 +76,7 @@ class plot_layout {
       x.add(here);
       rising = rising && here == x.high;
     }
-    const double beside = rising ? 0 : 0.04;  // a time fills the width
+    const double beside = rising ? 0 : 0.04;  // the time fills the width
     const auto shown = o.log_x ? shown_logarithmic_range(x, beside) : shown_range(x, beside);
     across.emplace(shown, o.log_x, 0, 1);
     double widest = 0;

@@ -15,10 +15,10 @@ inline void set_style(svg_writer& out, const line_style& s, bool dashed) {
   out.set("stroke-dasharray", lengths).set("stroke-linecap", "butt");
 }
 
-/// Names with the lines that they stand for, in rows of equal columns.
+/// Names of curves with line samples, in rows of equal columns.
 class legend {
  public:
-  static constexpr double sample = 6, gap = 1;  ///< of lines, mm
+  static constexpr double sample = 6, gap = 1;  ///< of line samples, mm
 
   legend(const std::vector<std::string>& names, double width, double font_size) : font_size_(font_size) {
     for (const auto& n : names) {
@@ -28,12 +28,14 @@ class legend {
     columns_ = (std::max)(static_cast<std::size_t>(width / column_), std::size_t{1});
   }
   double height() const {
-    return static_cast<double>((names_.size() + columns_ - 1) / columns_) * row_height() + 0.4 * font_size_;
+    const std::size_t rows = (names_.size() + columns_ - 1) / columns_;
+    return static_cast<double>(rows) * row_height() + 0.4 * font_size_;
   }
   void put(svg_writer& out, double left, double top, bool dashed) const {
     for (std::size_t i = 0; i < names_.size(); ++i) {
-      const double x = left + column_ * static_cast<double>(i % columns_),
-                   y = top + row_height() * (static_cast<double>(i / columns_) + 0.5);
+      const std::size_t column = i % columns_, row = i / columns_;
+      const double x = left + column_ * static_cast<double>(column),
+                   y = top + row_height() * (static_cast<double>(row) + 0.5);
       out.begin("path").set("d", "M" + decimal(x) + " " + decimal(y) + "h" + decimal(sample));
       set_style(out, style_of(i), dashed);
       out.end();

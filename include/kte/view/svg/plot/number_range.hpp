@@ -6,7 +6,7 @@
 
 namespace kte::detail::svg {
 
-/// The least and the largest of some numbers; NaN and infinities are passed over.
+/// The smallest and the largest of some numbers; ignores NaN and infinities.
 struct number_range {
   double low = std::numeric_limits<double>::infinity(), high = -low;
 
@@ -14,13 +14,13 @@ struct number_range {
   void add(double x) {
     if (std::isfinite(x)) low = (std::min)(low, x), high = (std::max)(high, x);
   }
-  /// Whether it has no width that digits of doubles can tell from rounding.
+  /// Whether its width is below the rounding error of its ends.
   bool is_point() const {
     return high / 2 - low / 2 <= 5e-13 * (std::max)(std::abs(low), std::abs(high)) || high / 2 - low / 2 < 1e-321;
   }
 };
 
-/// A range that an axis can show: one of some width, wider by a part of it on either side.
+/// A range that an axis can show: of nonzero width, extended on both sides by a fraction of it.
 inline number_range shown_range(number_range r, double part) {
   constexpr double most = (std::numeric_limits<double>::max)();
   if (r.empty()) return {0, 1};

@@ -8,10 +8,10 @@
 
 namespace kte {
 
-/// Curves that share a panel.
+/// Which curves share a panel.
 enum class panels {
   by_unit,   ///< curves of one quantity: all angles, all velocities
-  together,  ///< all curves
+  together,  ///< all curves in one panel
   each       ///< a panel per curve
 };
 
@@ -23,11 +23,11 @@ struct plot_options {
   std::string font = "sans-serif";
   std::string title{};    ///< above the picture, and for screen readers
   std::string against{};  ///< the column on the horizontal axis; empty for the first one, the time
-  std::string label{};    ///< of the vertical axes, in place of the name or quantity; the unit is put behind it
+  std::string label{};    ///< of the vertical axes, instead of the name or quantity; the unit is appended
   unit_map units{};       ///< units of coordinates, inputs, or columns that do not follow from their names
   panels share = panels::by_unit;
   bool log_x = false, log_y = false;                       ///< whether an axis is logarithmic
-  double from = -std::numeric_limits<double>::infinity();  ///< rows below it on the horizontal axis are left out,
+  double from = -std::numeric_limits<double>::infinity();  ///< rows below it on the horizontal axis are omitted,
   double to = std::numeric_limits<double>::infinity();     ///< and those above this
   bool dashed = true;                                      ///< whether curves differ by dashes in addition to colours
   bool grid = true;

@@ -6,7 +6,7 @@
 
 namespace kte::detail::svg {
 
-/// Curves of one panel over an axis, in words where something is not shown.
+/// Curves of one panel over an axis, and texts about numbers that are not shown.
 struct panel_curves {
   std::vector<curve_path> paths;
   std::vector<number_range> ranges;
@@ -22,7 +22,7 @@ struct panel_curves {
   }
 };
 
-/// What of a panel can be drawn, in rows that have a place on the horizontal axis.
+/// The drawable data of a panel, in rows with a position on the horizontal axis.
 class panel_data {
  public:
   panel_data(const plot_panel& panel, const std::vector<double>& x, const plot_axis& across, bool logarithmic,

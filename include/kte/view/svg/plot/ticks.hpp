@@ -7,17 +7,17 @@
 #include <limits>
 #include <optional>
 
-/// Where axes have ticks. All numbers of doubles are fine, also the least and the largest.
+/// Ticks of axes. Valid for all doubles, including the smallest and the largest.
 namespace kte::detail::svg {
 
 struct tick {
   double value;
-  raised_text label;  ///< empty for a small tick
+  raised_text label;  ///< empty for a minor tick
 };
-/// Labels stand for (value - offset) / 10^exponent.
+/// Labels show (value - offset) / 10^exponent.
 struct tick_list {
   std::vector<tick> ticks;
-  std::string offset{};  ///< empty for none
+  std::string offset{};  ///< empty if there is none
   int exponent = 0;
 };
 
@@ -29,7 +29,7 @@ inline double decimal_number(long long n, int k) {
     x = k < 0 ? 0 : std::copysign(std::numeric_limits<double>::infinity(), static_cast<double>(n));
   return x;
 }
-/// n 10^k in digits, with as many zeros as that takes.
+/// n 10^k in digits, with the zeros it requires.
 inline std::string decimal_text(long long n, int k) {
   std::string digits = std::to_string(n < 0 ? -n : n);
   if (n != 0 && k > 0) digits.append(static_cast<std::size_t>(k), '0');
@@ -53,7 +53,7 @@ struct decimal_steps {
   int power;
   long long largest() const { return (std::max)(first < 0 ? -first : first, last < 0 ? -last : last); }
 };
-/// Steps of 1, 2 or 5 in the last digit, as many as fit below `most`. The range is wider than its rounding errors.
+/// Steps of 1, 2 or 5 in the last digit, at most `most` of them. The range must exceed its rounding errors.
 inline decimal_steps steps_between(double low, double high, std::size_t most) {
   const double width = std::log10(high / 2 - low / 2) + std::log10(2.0);
   decimal_steps found{};
@@ -62,7 +62,7 @@ inline decimal_steps steps_between(double low, double high, std::size_t most) {
       const double size = decimal_number(step, power);
       if (size == 0) continue;
       const double from = low / size, to = high / size, slack = 1e-9 + 4e-16 * (std::max)(std::abs(from), std::abs(to));
-      if (!(slack < 0.1)) continue;  // steps below the digits of doubles
+      if (!(slack < 0.1)) continue;  // steps below the precision of doubles
       const auto first = static_cast<long long>(std::ceil(from - slack));
       const auto last = static_cast<long long>(std::floor(to + slack));
       found = {first * step, last * step, step, power};
@@ -71,7 +71,7 @@ inline decimal_steps steps_between(double low, double high, std::size_t most) {
   }
 }
 
-/// The roundest number that steps come by.
+/// The roundest of the numbers.
 inline long long roundest(const decimal_steps& s) {
   for (long long unit = 1000000000000000000; unit > 1; unit /= 10) {
     const long long n = (s.last >= 0 ? s.last / unit : -((unit - 1 - s.last) / unit)) * unit;
@@ -80,8 +80,8 @@ inline long long roundest(const decimal_steps& s) {
   return s.first;
 }
 
-/// At most this many ticks of a linear axis. Labels have at most five digits: numbers beyond that have a factor of
-/// 1000s, or one number in common, by which labels are less.
+/// At most `most` ticks of a linear axis. Labels have at most five digits: larger numbers get a factor that is a power
+/// of 1000, or a common offset that is subtracted from the labels.
 inline tick_list linear_ticks(double low, double high, std::size_t most) {
   const auto s = steps_between(low, high, most);
   tick_list list;
@@ -98,7 +98,7 @@ inline tick_list linear_ticks(double low, double high, std::size_t most) {
   return list;
 }
 
-/// Powers of ten and, where there is room, ticks between them. The range is of positive numbers.
+/// Powers of ten and, if there is room, ticks between them, for a range of positive numbers.
 inline tick_list logarithmic_ticks(double low, double high, std::size_t most) {
   const double from = std::log10(low), to = std::log10(high);
   if (to - from < 1) return linear_ticks(low, high, most);

@@ -6,7 +6,7 @@
 
 namespace kte::detail::svg {
 
-/// The letter of a joint in the theory of mechanisms.
+/// The letter of a joint in mechanism theory.
 inline const char* joint_letter(std::string_view kind) {
   constexpr std::pair<std::string_view, const char*> letters[]{
       {"revolute", "R"},  {"prismatic", "P"}, {"screw", "H"}, {"cylindrical", "C"}, {"universal", "U"},
@@ -16,7 +16,7 @@ inline const char* joint_letter(std::string_view kind) {
   return "?";
 }
 
-/// From the graph of a mechanism to SVG.
+/// Draws the graph of a mechanism as SVG.
 class topology_drawing {
  public:
   topology_drawing(const scene& s, const rigid_groups& g, const topology_options& o)
@@ -48,7 +48,7 @@ class topology_drawing {
     out_.set("stroke-dasharray", "1.2 0.9").element("title", joined(g_.ties[i].names)).end();
   }
   const char* colour(std::size_t tie) const { return g_.ties[tie].joint ? "#0072b2" : "#b84d00"; }
-  /// Where on its arc it is free of other texts, as far as that can be.
+  /// The position on its arc with the least overlap with other texts.
   void put_tie_name(std::size_t i) {
     const auto c = l_.arc(i);
     const double half = l_.label_width(i), up = 0.6 * font_;
@@ -67,7 +67,7 @@ class topology_drawing {
     taken_.push_back({best.x - half, best.x + half, best.y - up, best.y + up});
     put_text({best.x, best.y + 0.3 * font_}, "middle", l_.tie_name(i), 0.8, colour(i));
   }
-  /// On white, as lines may be below it.
+  /// On a white background, because lines may be below.
   void put_text(picture_point p, const char* anchor, const std::string& text, double size, const char* fill) {
     const double w = text_width(text) * size * font_, x = std::string_view(anchor) == "middle" ? p.x - w / 2 : p.x;
     out_.begin("rect")
@@ -105,7 +105,7 @@ class topology_drawing {
     put_text({x, middle + (acts.empty() ? 0.35 : -0.1) * font_}, "start", l_.joint_name(g), 1, "#000");
     if (!acts.empty()) put_text({x, middle + 0.85 * font_}, "start", acts, 0.8, "#b84d00");
   }
-  /// Remembers where the texts of a node are.
+  /// Marks the area of the texts of a node as occupied.
   void take(std::size_t i) {
     const auto p = l_.place(i);
     taken_.push_back({p.x - l_.half_width(i), p.x + l_.half_width(i), p.y - l_.box() / 2, p.y + l_.box() / 2});
@@ -155,7 +155,7 @@ class topology_drawing {
   struct rectangle {
     double left, right, low, high;
   };
-  std::vector<rectangle> taken_;  ///< by texts
+  std::vector<rectangle> taken_;  ///< occupied by texts
   svg_writer out_;
 };
 

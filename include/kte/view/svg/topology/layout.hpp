@@ -14,7 +14,7 @@ inline std::string joined(const std::vector<std::string>& all) {
   return s;
 }
 
-/// Where the boxes and arcs of a topology are, mm, for letters of a size.
+/// Positions of the boxes and arcs of a topology, mm, for a font size.
 class topology_layout {
  public:
   topology_layout(const scene& s, const rigid_groups& g, double font) : scene_(s), g_(g), font_(font) {
@@ -52,12 +52,12 @@ class topology_layout {
     return {left_ + tree_[node].x, 2 + box() / 2 + static_cast<double>(tree_[node].layer) * layer()};
   }
   double half_width(std::size_t node) const { return tree_[node].left; }
-  /// From box to box, around the left of what is between them.
+  /// An arc from box to box, around the left of the boxes between them.
   std::array<picture_point, 4> arc(std::size_t tie) const {
     const auto a = node_of_[at(g_.ties[tie].from)], b = node_of_[at(g_.ties[tie].to)];
     const auto p = place(a), q = place(b);
     const double apart = std::abs(p.y - q.y), bow = (std::max)(2 * font_ + 0.3 * apart, 1.4 * label_width(tie));
-    if (apart < 1) {  // in one layer: below
+    if (apart < 1) {  // boxes in one layer: below
       const double down = box() / 2 + 1.6 * font_;
       return {{{p.x, p.y + box() / 2}, {p.x, p.y + down}, {q.x, q.y + down}, {q.x, q.y + box() / 2}}};
     }
@@ -69,7 +69,7 @@ class topology_layout {
 
  private:
   static std::size_t at(int i) { return static_cast<std::size_t>(i); }
-  /// Groups as nodes: parents first, as a tree wants them.
+  /// Groups as nodes, parents first.
   void lay_out() {
     std::vector<std::vector<int>> children(g_.groups.size());
     std::vector<int> order;
@@ -100,7 +100,7 @@ class topology_layout {
     order_ = std::move(order);
     tree_ = tidy_tree(std::move(nodes), root_nodes, 1.2 * font_).nodes();
   }
-  /// Whether the ground has anything on it.
+  /// Whether anything is connected to the ground.
   bool stands() const {
     for (const auto& g : g_.groups)
       if (g.parent == 0) return true;
@@ -115,7 +115,7 @@ class topology_layout {
   std::vector<int> order_;            ///< groups by nodes
   std::vector<std::size_t> node_of_;  ///< nodes by groups
   std::vector<tidy_tree::node> tree_;
-  bool beside_ = false;  ///< whether arcs run between boxes of one layer
+  bool beside_ = false;  ///< whether arcs connect boxes of one layer
 };
 
 }  // namespace kte::detail::svg

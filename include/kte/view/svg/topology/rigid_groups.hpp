@@ -7,23 +7,23 @@
 
 namespace kte::detail::svg {
 
-/// What moves as one, and what connects it: the graph of a scene.
+/// Groups of frames that move together, and their connections: the graph of a scene.
 class rigid_groups {
  public:
   static constexpr int none = -1;
   struct group {
     std::string name;
-    std::vector<std::string> frames{}, loads{};  ///< names; what acts on this group alone
+    std::vector<std::string> frames{}, loads{};  ///< names of frames, and of loads on this group alone
     double mass = 0;
     int parent = none;
     int joint = none;                 ///< from the parent
-    std::vector<std::string> acts{};  ///< what acts on coordinates of the joint
+    std::vector<std::string> acts{};  ///< names of elements on coordinates of the joint
   };
-  /// Something between two groups beside the tree.
+  /// A connection between two groups that is not in the tree.
   struct tie {
     int from, to;
     std::vector<std::string> names;
-    bool joint;  ///< or else a force
+    bool joint;  ///< otherwise a force
   };
 
   explicit rigid_groups(const scene& s) : scene_(s) {
@@ -103,7 +103,7 @@ class rigid_groups {
 
   const scene& scene_;
   std::vector<int> group_of_;
-  std::map<int, int> joint_of_;  ///< the group behind the joint of a coordinate
+  std::map<int, int> joint_of_;  ///< the group moved by the joint of a coordinate
 };
 
 }  // namespace kte::detail::svg

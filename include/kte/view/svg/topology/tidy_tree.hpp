@@ -6,18 +6,18 @@
 
 namespace kte::detail::svg {
 
-/// A tree in layers, laid out such that nothing overlaps: parents stand over the middle of their children, and subtrees
-/// are as close to each other as their outlines allow (E. Reingold, J. Tilford, Tidier drawings of trees, 1981).
+/// A tree in layers, laid out without overlaps: parents are above the middle of their children, and subtrees are as
+/// close to each other as their outlines permit (E. Reingold, J. Tilford, Tidier drawings of trees, 1981).
 class tidy_tree {
  public:
   struct node {
     std::vector<std::size_t> children{};
-    double left = 0, right = 0;  ///< how far it reaches from its place
-    double x = 0;                ///< its place; of a laid out tree
+    double left = 0, right = 0;  ///< extent to both sides of its position
+    double x = 0;                ///< position; set by the layout
     std::size_t layer = 0;
   };
 
-  /// The nodes of trees with these roots, side by side from 0; children come behind their parents.
+  /// The nodes of trees with these roots, side by side from 0. Children come after their parents.
   tidy_tree(std::vector<node> nodes, const std::vector<std::size_t>& roots, double gap)
       : nodes_(std::move(nodes)), gap_(gap) {
     std::vector<outline> outlines(nodes_.size());
@@ -30,13 +30,13 @@ class tidy_tree {
     double least = 0;
     for (const double x : all.left) least = (std::min)(least, x);
     for (const auto r : roots) nodes_[r].x -= least;
-    for (std::size_t i = 0; i < nodes_.size(); ++i)  // places were relative to parents so far
-      for (const auto c : nodes_[i].children) nodes_[c].x += nodes_[i].x, nodes_[c].layer = nodes_[i].layer + 1;
+    for (const auto& n : nodes_)  // positions were relative to parents so far
+      for (const auto c : n.children) nodes_[c].x += n.x, nodes_[c].layer = n.layer + 1;
   }
   const std::vector<node>& nodes() const { return nodes_; }
 
  private:
-  /// How far a subtree reaches in each layer, from its root on.
+  /// The extent of a subtree in each layer, from its root on.
   struct outline {
     std::vector<double> left, right;
   };

@@ -1,0 +1,16 @@
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+
+#include "tables.hpp"
+
+/// Writes the tables of docs/elements.md anew: kte_elements_page docs/elements.md
+int main(int, char** argv) {
+  if (!argv[1] || !std::filesystem::exists(argv[1])) {
+    std::cerr << "kte: call it as elements_page docs/elements.md\n";
+    return 1;
+  }
+  std::ostringstream page;
+  page << std::ifstream(argv[1]).rdbuf();
+  std::ofstream(argv[1]) << element_tables::with_tables(page.str());
+}
