@@ -14,7 +14,7 @@ using namespace work_precision;
 std::vector<problem> all_problems() {
   std::vector<problem> all;
   add_planar(all), add_spherical(all), add_bodies(all), add_robots(all), add_stars(all);
-  add_reactions(all), add_governor(all);
+  add_reactions(all), add_governor(all), add_closed_loops(all);
   return all;
 }
 

@@ -60,5 +60,6 @@ void add_robots(std::vector<problem>&);
 void add_stars(std::vector<problem>&);
 void add_reactions(std::vector<problem>&);
 void add_governor(std::vector<problem>&);
+void add_closed_loops(std::vector<problem>&);
 
 }  // namespace work_precision

@@ -8,9 +8,11 @@
 #define KTE_COMPILED_HERE
 
 #include <kte/control/discretize.hpp>
+#include <kte/control/linearize_loops.hpp>
 #include <kte/control/lqr.hpp>
 #include <kte/dynamics/bias_forces.hpp>
 #include <kte/dynamics/centroidal.hpp>
+#include <kte/dynamics/closed_loops/statics.hpp>
 #include <kte/dynamics/configuration_space.hpp>
 #include <kte/dynamics/derivatives.hpp>
 #include <kte/dynamics/energy.hpp>

@@ -18,7 +18,8 @@
 ///   kte/robots.hpp                     robots from URDF, MJCF, SDF, and to URDF and MJCF
 ///   kte/view.hpp                       pages that show mechanisms moving (links kte::view)
 ///   kte/manipulators.hpp               arms with limits: inverse kinematics, motions
-///   kte/elements/four_bar.hpp          linkages; also dyad.hpp, slider_crank.hpp; law_follower.hpp, law_signal.hpp
+///   kte/elements/four_bar.hpp          linkages; also dyad.hpp, slider_crank.hpp; law_follower.hpp, law_signal.hpp,
+///                                      implicit_follower.hpp
 ///   kte/elements/registry.hpp          runtime chains from records (plain data)
 ///   kte/runtime_chain/from_record.hpp  static chains from records
 ///   kte/adapters/sundials.hpp          solvers of SUNDIALS

@@ -1,15 +1,18 @@
 #include <kte/elements/closures.hpp>
 #include <kte/elements/registry.hpp>
+#include <kte/io/archive_file.hpp>
+#include <kte/io/model_file.hpp>
 #include <kte/io/state_records.hpp>
 #include <kte/kte.hpp>
 #include <kte/loops.hpp>
 #include <kte/robots/header.hpp>
 
 #include "catch.hpp"
+#include "io/scratch.hpp"
 
 using namespace kte;
 
-TEST_CASE("closures go through records, with their parameters") {
+TEST_CASE("closures go through records, model files and archives, with their parameters") {
   const vec3<> u{0.6, 0, 0.8}, t{0, 1, 0};
   runtime_chain c;
   c << revolute_joint_3D("q1", "base", "a", axis::z) << revolute_joint_3D("q2", "a", "b", axis::x) << base_2D("ground")
@@ -19,13 +22,32 @@ TEST_CASE("closures go through records, with their parameters") {
     << cylindrical_3D("7", "a", "b", u) << sliding_2D("8", "d", "e", vec2<>{0.6, 0.8}) << sliding_3D("9", "a", "b", u)
     << point_on_line_2D("10", "d", "e", vec2<>{0.6, 0.8}) << point_on_line_3D("11", "a", "b", u)
     << point_on_plane_3D("12", "a", "b", u) << distance_2D("13", "d", "e", 0.3) << distance_3D("14", "a", "b", 0.4)
-    << coupled_coordinates("15", "q1", "q2", 2.0, -1.0, 0.1);
+    << coupled_coordinates("15", "q1", "q2", 2.0, -1.0, 0.1)
+    << coupled_by_polynomial("16", "p1", "p2", 0.1, -0.2, 0.3, -0.4, 0.5);
   const auto record = record_of(c);
   const auto again = to_chain(record);
   CHECK(record_of(again).elements == record.elements);
   auto s = c.make_state(), other = again.make_state();
   const Eigen::Vector4d q(0.3, 0.5, -0.2, 0.7);
-  CHECK(loop_jacobian(c, s, q) == loop_jacobian(again, other, q));
+  const auto j = loop_jacobian(c, s, q);
+  CHECK((j == loop_jacobian(again, other, q) && j.rows() == 42));
+
+  const test::scratch_folder folder;
+  for (const char* extension : {".json", ".xml", ".kte"}) {
+    INFO(extension);
+    const auto file = folder.path / (std::string("model") + extension),
+               both = folder.path / (std::string("archive") + extension);
+    save_model(file, c);
+    CHECK(record_of(to_chain(load_model(file))).elements == record.elements);
+    archive a;
+    a.add("linkage", c).add("state", s);
+    save_archive(both, a);
+    const auto b = load_archive(both);
+    CHECK(record_of(b.chain("linkage")).elements == record.elements);
+    auto restored = b.chain("linkage").make_state();
+    b.restore("state", restored);
+    CHECK(restored.coordinate("p2").q == s.coordinate("p2").q);
+  }
 
   runtime_chain code;
   code << inertia_gen("a", 1.0) << coupled_by("cam", "a", [](const auto& x) { return x; });

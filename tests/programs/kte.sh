@@ -65,6 +65,23 @@ sed 's/0 0 -0.5/0 0 -500/' arm.urdf >millimetres.urdf
 gives 0 '' "$kte" check millimetres.urdf
 prints 'it is 500 m large: are lengths in mm?'
 
+# Closed loops in every format.
+for file in four_bar.urdf four_bar.xml four_bar.sdf; do
+  gives 0 '' "$kte" check "$data/robots/$file"
+  prints 'rank 2, mobility 1; these rows follow from others:'
+  gives 0 '' "$kte" info "$data/robots/$file"
+  prints 'closed loops: '
+  gives 0 '' "$kte" simulate "$data/robots/$file" --time 1
+done
+sed 's/0 0 0.8/0 0 0.7/' "$data/robots/four_bar.urdf" >open.urdf
+gives 0 "open.urdf: the start is assembled: the closure 'pin' was open by 0.1" "$kte" simulate open.urdf --time 0.1
+sed 's/0 0 0.8/0 0 8/' "$data/robots/four_bar.urdf" >short.urdf
+gives 1 "kte: the loops do not close: 'pin' stays open by " "$kte" simulate short.urdf
+gives 1 'which adams and bdf cannot do: use a one-step method' "$kte" simulate open.urdf --solver bdf
+gives 0 '' "$kte" convert "$data/robots/four_bar.sdf" four_bar.kte
+gives 0 '' "$kte" check four_bar.kte
+prints 'rank 2, mobility 1'
+
 # info
 gives 0 '' "$kte" info pendulum.json
 prints "joint: revolute z 'q'"

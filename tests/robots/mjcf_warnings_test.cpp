@@ -26,7 +26,6 @@ TEST_CASE("what moves differently is warned of first, or refused") {
   CHECK(texts(r.warnings) ==
         "body 'b': <plugin>: plugins are not modelled\n"
         "<option>: the drag of its viscosity is not modelled\n"
-        "connect 'loop': this constraint is not modelled\n"
         "fixed 't': its stiffness is not modelled\n"
         "flex 'f': flexible bodies are not modelled\n"
         "muscle 'm': its law is not modelled, as of others of <muscle>: 'm'\n"

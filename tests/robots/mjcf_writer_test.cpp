@@ -180,7 +180,7 @@ TEST_CASE("springs and dampers of balls, damping of free bodies and forces again
   runtime_chain other;
   other << base_3D("g") << revolute_joint_3D("q", "g", "a", axis::z) << constant_force_3D("a", vec3<>{0, 0, 1});
   CHECK_THROWS_MATCHES(describe(other), bad_argument,
-                       says("constant_force_3D (frame 'a'): it is not a link, joint or body"));
+                       says("constant_force_3D (frame 'a'): it is not a link, joint, body or closure"));
   runtime_chain screw;
   screw << base_3D("g") << screw_joint_3D("q", "g", "a", vec3<>{0, 0.6, 0.8}, 0.25) << inertia_3D("a", point_mass(1.0));
   const auto turns = describe(screw).joints[0];

@@ -212,7 +212,8 @@ TEST_CASE("links and joints that make no tree") {
   refused(a + b + c + joint_text("j", "fixed", "a", "b") + joint_text("j", "fixed", "b", "c"),
           "6: joint 'j': it is already defined in line 5");
   refused(a + b + c + joint_text("j", "fixed", "a", "c") + joint_text("k", "fixed", "b", "c"),
-          "6: joint 'k': its child 'c' is already the child of joint 'j' (line 5): loops are not read");
+          "6: joint 'k': its child 'c' is already the child of joint 'j' (line 5): a link has one parent, and closures "
+          "close loops");
   refused(a + b + joint_text("j", "fixed", "a", "b") + joint_text("k", "fixed", "b", "a"),
           "5: joint 'k' is part of a cycle");
   refused(a + b + c + joint_text("j", "fixed", "c", "b") + joint_text("k", "fixed", "b", "c"),

@@ -1,5 +1,6 @@
 #include <kte/io/program.hpp>
 #include <kte/robots/check_robot.hpp>
+#include <kte/robots/detail/robot_findings.hpp>
 #include <kte/runtime_chain/check_chain.hpp>
 
 #include <algorithm>
@@ -24,12 +25,23 @@ struct findings {
   std::string format;
   std::vector<kte::robot_note> odd, not_read;
   std::optional<structure> parts;  ///< none where the file is no mechanism
+  std::string loops;               ///< rows, rank and mobility of closures
 };
 
 void add_once(std::vector<kte::robot_note>& list, const kte::robot_note& note) {
   for (const auto& n : list)
     if (n.text == note.text && n.line == note.line && n.file == note.file) return;
   list.push_back(note);
+}
+
+/// What is odd about loops; what is not is told beside.
+void look_at_loops(const kte::robot& r, findings& f) {
+  for (const auto& text : kte::detail::loop_findings(r))
+    if (text.starts_with("closed loops: "))
+      f.loops = text;
+    else
+      add_once(f.odd, {0, text});
+  std::erase_if(f.odd, [&f](const kte::robot_note& n) { return n.text == f.loops; });
 }
 
 findings look_at(const options& o) {
@@ -41,6 +53,7 @@ findings look_at(const options& o) {
     if (m.description)
       for (const auto& n : kte::check_robot(*m.description, o.in.robot)) add_once(f.odd, n);
     for (const auto& text : kte::check_chain(m.chain())) add_once(f.odd, {0, text});
+    look_at_loops(m.robot, f);
     f.parts.emplace(m.chain());
     for (const auto& b : f.parts->bodies)
       if (m.model && b.as_published)
@@ -82,6 +95,7 @@ std::string text_of(const findings& f, const options& o) {
     for (const auto& text : ignored) s += "  " + text + '\n';
   }
   if (f.parts) s += file + " (" + f.format + "): " + mobility_text(*f.parts) + '\n';
+  if (!f.loops.empty()) s += f.loops + '\n';
   return s;
 }
 
@@ -100,6 +114,7 @@ std::string json_of(const findings& f, const options& o) {
   };
   j.object().member("file", o.in.file).member("format", f.format).member("is_mechanism", f.parts.has_value());
   notes("odd", f.odd), notes("not_read", f.not_read);
+  if (!f.loops.empty()) j.member("loops", f.loops);
   if (f.parts) {
     int dofs = 0;
     std::size_t followers = 0;

@@ -1,5 +1,6 @@
 #include <kte/io/dot.hpp>
 #include <kte/io/program.hpp>
+#include <kte/robots/detail/robot_findings.hpp>
 
 #include <algorithm>
 #include <map>
@@ -7,6 +8,7 @@
 #include "commands.hpp"
 #include "json_writer.hpp"
 #include "message.hpp"
+#include "start.hpp"
 #include "structure.hpp"
 #include "text_format.hpp"
 
@@ -140,6 +142,10 @@ std::string text_of(const mechanism& m, const structure& s) {
   }
   if (!s.inputs.empty()) t += "\ninputs\n";
   for (const auto& name : s.inputs) t += "  " + name + '\n';
+  if (const auto loops = kte::detail::loop_findings(m.robot); !loops.empty()) {
+    t += '\n' + loops.front() + '\n';
+    for (std::size_t i = 1; i < loops.size(); ++i) t += "  " + loops[i] + '\n';
+  }
   if (!s.others.empty()) t += "\nother elements\n";
   for (const auto& e : s.others) t += "  " + e.text + '\n';
   if (!m.robot.configurations.empty()) t += "\nconfigurations with names\n";
@@ -193,6 +199,16 @@ std::string json_of(const mechanism& m, const structure& s) {
   return j.end().end().text();
 }
 
+/// Loops closed, if they can be.
+Eigen::VectorXd shown_configuration(const mechanism& m) {
+  try {
+    return initial_state({}, m, m.chain()).q;
+  } catch (const kte::error& e) {
+    say(m.file + ": " + std::string(e.what()).substr(5));
+    return kte::neutral_configuration(m.chain());
+  }
+}
+
 int info(const info_options& o) {
   if (o.json && o.dot) throw usage_error("--json and --dot exclude each other");
   const auto m = read_and_warn(o.in);
@@ -200,7 +216,7 @@ int info(const info_options& o) {
     kte::detail::write_standard_output(kte::to_dot(m.chain()));
     return 0;
   }
-  const structure s(m.chain());
+  const structure s(m.chain(), shown_configuration(m));
   kte::detail::write_standard_output(o.json ? json_of(m, s) : printable_lines(text_of(m, s)));
   return 0;
 }
@@ -214,7 +230,8 @@ void add_info(command_line& line) {
                        "positions of coordinates in q and v, inputs, and elements that are neither joints nor bodies."),
               o->in)
       .flag("--dot", o->dot, "prints the graph of its elements for Graphviz")
-      .flag("--json", o->json, "prints JSON, with the poses of frames at the neutral configuration")
+      .flag("--json", o->json,
+            "prints JSON, with the poses of frames at the neutral configuration, or where loops close")
       .runs([o] { return info(*o); });
 }
 

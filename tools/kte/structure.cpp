@@ -26,7 +26,7 @@ kte::vec3<> vector_of(const kte::element_record& r, std::string_view name) {
 /// Fills a structure, element by element.
 class structure_reader {
  public:
-  structure_reader(const kte::runtime_chain& chain, structure& out) : out_(out) {
+  structure_reader(const kte::runtime_chain& chain, const Eigen::VectorXd& q, structure& out) : out_(out) {
     chain.for_each_element([this](const kte::kte_element& e) { add(e); });
     for (const auto& e : kte::layout(chain)) {
       auto& c = coordinate(e.name, e.what);
@@ -38,7 +38,7 @@ class structure_reader {
     const auto& t = chain.wiring();
     for (const auto& s : t.signals)
       if (s.u >= 0) out_.inputs.push_back(t.names[static_cast<std::size_t>(s.what)][static_cast<std::size_t>(s.slot)]);
-    place(chain);
+    place(chain, q);
     measure();
   }
 
@@ -109,9 +109,9 @@ class structure_reader {
     b.as_published = parameter(r, "as_published") != nullptr;
     out_.mass += b.mass;
   }
-  void place(const kte::runtime_chain& chain) {
+  void place(const kte::runtime_chain& chain, const Eigen::VectorXd& q) {
     auto s = chain.make_state();
-    kte::set_positions(s, kte::neutral_configuration(chain));
+    kte::set_positions(s, q);
     for (auto& f : out_.frames) {
       const auto x = kte::forward_kinematics(chain, s, f.name);
       f.position = x.position, f.rotation = x.rotation;
@@ -139,7 +139,8 @@ class structure_reader {
 
 }  // namespace
 
-structure::structure(const kte::runtime_chain& chain) { structure_reader(chain, *this); }
+structure::structure(const kte::runtime_chain& chain) : structure(chain, kte::neutral_configuration(chain)) {}
+structure::structure(const kte::runtime_chain& chain, const Eigen::VectorXd& q) { structure_reader(chain, q, *this); }
 
 std::string short_type(const std::string& type) {
   if (type.starts_with("rigid_link")) return "fixed";

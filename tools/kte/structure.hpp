@@ -1,10 +1,12 @@
 #pragma once
 
+#include <Eigen/Core>
+
 #include "mechanism.hpp"
 
 namespace kte_tool {
 
-/// A chain as people look at it: frames in a tree, bodies, coordinates.
+/// A chain as people look at it, at a configuration, the neutral one by default: frames in a tree, bodies, coordinates.
 struct structure {
   struct frame {
     std::string name;
@@ -14,7 +16,7 @@ struct structure {
     std::vector<std::string> moved_by;  ///< coordinates of that joint
     kte::vec3<> axis{};                 ///< of a joint that has one
     bool has_axis = false;
-    kte::vec3<> position{};  ///< at the neutral configuration, in the world
+    kte::vec3<> position{};  ///< at the configuration, in the world
     kte::mat3<kte::vec3<>> rotation{};
   };
   struct body {
@@ -42,6 +44,7 @@ struct structure {
   double mass = 0, size = 0;  ///< kg; m, the diagonal of the box that holds all frames and centres of mass
 
   explicit structure(const kte::runtime_chain& chain);
+  structure(const kte::runtime_chain& chain, const Eigen::VectorXd& q);
 };
 
 /// "revolute" of "revolute_joint_3D".

@@ -100,6 +100,13 @@ struct check_bodies {
                 "kte: this algorithm counts the masses of single frames and coordinates, and this element has a mass "
                 "between several");
 };
+/// A closure in an algorithm of trees.
+template <class Core, bool None>
+struct check_closures {
+  static_assert(rule<Core, void, None>,
+                "kte: this algorithm does not support closures of loops; forward_dynamics, constrained_dynamics, and "
+                "inverse_dynamics with kte::actuated do, of kte/loops.hpp");
+};
 /// The result of a rejected element: its error has been reported, and no further errors follow.
 struct refused {
   template <class... Place>

@@ -37,6 +37,52 @@ KTE_INLINE constexpr std::array<S, sizeof...(R)> rows_in_numbers(const values<R.
   }
   (std::index_sequence_for<R...>{});
 }
+/// What is asked of the rows of a closure of frames: the residual, its derivatives, or what each unit rate makes of the
+/// first derivative, the wrenches of the rows: of v.x, v.y, v.z, w.x, w.y, w.z in turn, `closing_stride` numbers each.
+enum class closing { residual, residual_dot, residual_ddot, wrenches };
+inline constexpr int closing_stride = 8, all_rows_of_closing = 8 * closing_stride;
+/// Into `rows`, for the motion m of the second frame in the first.
+template <class Core, class S>
+void close_frames_by(const Core& core, const closing_motion<S>& m, closing what, S* rows) {
+  const auto put = [](const auto& all, S* to) {
+    const auto numbers = rows_in_numbers<S>(all);
+    for (std::size_t k = 0; k < numbers.size(); ++k) to[k] = numbers[k];
+  };
+  switch (what) {
+    case closing::residual:
+      return put(core.residual(m), rows);
+    case closing::residual_dot:
+      return put(core.residual_dot(m), rows);
+    case closing::residual_ddot:
+      return put(core.residual_ddot(m), rows);
+    case closing::wrenches: {
+      closing_motion<S> unit{m.position, m.rotation, {}, {}, {}, {}};
+      for (S* const rate : {&unit.velocity.x, &unit.velocity.y, &unit.velocity.z, &unit.ang_velocity.x,
+                            &unit.ang_velocity.y, &unit.ang_velocity.z}) {
+        *rate = S(1);
+        put(core.residual_dot(unit), rows);
+        *rate = S(0), rows += closing_stride;
+      }
+    }
+  }
+}
+/// The residual of a closure of coordinates at q with rates v, its derivatives by the coordinates, and its second
+/// derivative without accelerations.
+template <class Core, class S>
+std::array<S, 2> close_coordinates_by(const Core& core, const S* q, const S* v, S* gradient) {
+  std::array<S, Core::ports.size() - 1> at, rates;
+  for (std::size_t i = 0; i < at.size(); ++i) at[i] = q[i], rates[i] = v[i];
+  const auto by = core.gradient(at);
+  for (std::size_t i = 0; i < at.size(); ++i) gradient[i] = by[i];
+  return {core.residual(at), core.curvature(at, rates)};
+}
+template <class Core>
+bool is_upright_by([[maybe_unused]] const Core& core, [[maybe_unused]] const closing_motion<double>& m) {
+  if constexpr (requires { core.upright(m); })
+    return core.upright(m);
+  else
+    return true;
+}
 /// A wrench on a frame of kind K.
 template <kind K, class S>
 KTE_INLINE constexpr auto in_space_of(const wrench<vec3<S>, vec3<S>>& x) {

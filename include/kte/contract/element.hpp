@@ -118,11 +118,6 @@ constexpr auto connect(const Core& core, const Names&... names) {
       using key = std::tuple_element_t<bad, std::tuple<Names...>>;
       static_assert(sizeof(detail::check_kind<Core, key, Core::ports[bad].what>) > 0);
       return detail::refused{};
-    } else if constexpr (detail::is_closure<Core>) {
-      static_assert(!detail::is_closure<Core>,
-                    "kte: closures of loops are for runtime chains: runtime_chain << chain << coincident_points_2D("
-                    "\"pin\", \"tip1\", \"tip2\"), of a static chain and texts");
-      return detail::refused{};
     } else {
       const std::array<std::string_view, sizeof...(Names)> texts{Names::name...};
       parameter_check::breach broken;

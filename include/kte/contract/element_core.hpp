@@ -105,6 +105,11 @@ template <class Core>
 concept power_dual = !requires {
   requires !Core::power_dual;
 };
+/// Its internal states follow from the position at the start of a motion: `switched` returns them.
+template <class Core>
+concept starts_in_place = requires {
+  requires Core::starts_in_place;
+};
 /// It contains functions of the program, which files cannot hold.
 template <class Core>
 concept holds_code = requires {

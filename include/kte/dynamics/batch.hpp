@@ -168,7 +168,6 @@ template <int W = 0, class Q, class V, class Tau, class A, class Executor = in_t
           class P = detail::pack_of<detail::number_in<Q>, W, 2>>
 void forward_dynamics(const runtime_chain& chain, const Q& q, const V& v, const Tau& tau, A&& a,
                       Executor&& executor = {}) {
-  kte::detail::refuse_loops(chain);
   const auto nq = static_cast<std::size_t>(chain.nq()), nv = static_cast<std::size_t>(chain.dofs());
   const std::size_t n = detail::states_in(q, nq, "q");
   detail::check(v, nv, n, "v"), detail::check(tau, nv, n, "tau"), detail::check(a, nv, n, "a");
@@ -180,7 +179,6 @@ void forward_dynamics(const runtime_chain& chain, const Q& q, const V& v, const 
 template <int W = 0, class Q, class M, class Executor = in_this_thread,
           class P = detail::pack_of<detail::number_in<Q>, W, 1>>
 void mass_matrix(const runtime_chain& chain, const Q& q, M&& m, Executor&& executor = {}) {
-  kte::detail::refuse_loops(chain);
   const auto nq = static_cast<std::size_t>(chain.nq()), nv = static_cast<std::size_t>(chain.dofs());
   const std::size_t n = detail::states_in(q, nq, "q");
   detail::check(m, nv * nv, n, "M", nv);

@@ -63,7 +63,8 @@ template <class Gravity, class... E, indexable Q, indexable V>
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
-  static_assert(sizeof(check_loads_of<chain_type>) > 0 && sizeof(check_bodies_of<chain_type>) > 0);
+  static_assert(sizeof(check_loads_of<chain_type>) > 0 && sizeof(check_bodies_of<chain_type>) > 0 &&
+                sizeof(check_closures_of<chain_type>) > 0);
   check_configuration<chain_type>(q), check_velocities<chain_type>(v);
   const configuration<S, typename chain_type::wiring, Q> at(q);
   at.check();

@@ -119,7 +119,8 @@ template <class Gravity, class... E, indexable Q, key_type... Frames>
                                    const wrench_on_frame<Frames>&... loads) {
   static_assert(detail::no_load_dependent_friction<typename E::core_type...>,
                 "kte: external wrenches on a chain with load-dependent friction must be elements of the chain");
-  static_assert(sizeof(detail::check_loads_of<static_chain<Gravity, E...>>) > 0);
+  static_assert(sizeof(detail::check_loads_of<static_chain<Gravity, E...>>) > 0 &&
+                sizeof(detail::check_closures_of<static_chain<Gravity, E...>>) > 0);
   using S = value_of<Q>;
   joint_vector<S, static_chain<Gravity, E...>::dofs> sum;
   sum.setZero();

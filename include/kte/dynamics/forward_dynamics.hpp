@@ -20,13 +20,15 @@ KTE_INLINE void articulated_accelerations(const Chain& c, const Given& g, const 
     a = accelerations_by_tree<S>(c, g, tau);
   }
 }
-/// By articulated bodies where the chain is a tree of joints, otherwise by the factorised mass matrix.
+/// By articulated bodies where the chain is a tree of joints or not unrolled, otherwise by the factorised mass matrix.
 template <class S, class Chain, class At, class V, class Base>
 KTE_INLINE auto accelerations_under(const Chain& c, const At& at, const V& v, const Base& base,
                                     const joint_vector<S, Chain::dofs>& tau) {
   at.check(), base.check();
   joint_vector<S, Chain::dofs> a;
-  if constexpr (is_tree_of_joints<Chain> || !Chain::common) {
+  if constexpr (has_closures<Chain>) {
+    a = static_loops<Chain>::template accelerations<S>(c, given{at, v, same<zero_t>{}, base}, tau);
+  } else if constexpr (is_tree_of_joints<Chain> || !Chain::common || !is_unrolled<Chain, S>) {
     using given_type = given<At, V, same<zero_t>, Base, true>;
     if constexpr (is_unrolled<Chain, S>)
       static_assert(sizeof(typename articulated_chain<S, Chain, given_type>::need) > 0);
@@ -47,9 +49,10 @@ KTE_INLINE auto accelerations_under(const Chain& c, const At& at, const V& v, co
 ///   a = M(q)^-1 (tau - bias),   bias = the inverse dynamics for a = 0          (1)
 ///
 /// in a chain of joints and links by the articulated-body algorithm (ABA; Featherstone 2008, section 7.3), which does
-/// not form M and keeps its accuracy where M is ill-conditioned (docs/decisions/05-forward-dynamics.md); if coordinates
-/// follow others, or two joints share one, by factorization of M. tau: applied forces on the degrees of freedom in
-/// addition to those of the elements, Nm and N. Returns accelerations, dofs numbers, rad/s^2 and m/s^2.
+/// not form M and keeps its accuracy where M is ill-conditioned (docs/decisions/05-forward-dynamics.md). Coordinates
+/// that follow others, or move two joints, are clusters in it (recursions/cluster.hpp); unrolled static chains with
+/// them factorize M. tau: applied forces on the degrees of freedom in addition to those of the elements, Nm and N.
+/// Returns accelerations, dofs numbers, rad/s^2 and m/s^2.
 ///
 ///   forward_dynamics(c, q, v, tau)       of a static chain, a value
 ///   forward_dynamics(c, s, q, v, tau)    of a runtime chain, in the state s, whose coordinates get the accelerations

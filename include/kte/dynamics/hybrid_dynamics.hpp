@@ -69,6 +69,7 @@ template <class Gravity, class... E, indexable Q, indexable V, indexable X, key_
   using chain_type = static_chain<Gravity, E...>;
   using wiring = typename chain_type::wiring;
   using S = value_of<Q>;
+  static_assert(sizeof(detail::check_closures_of<chain_type>) > 0);
   detail::check_configuration<chain_type>(q);
   check_size<chain_type::dofs>(v, "v"), check_size<chain_type::dofs>(known, "known");
   using accelerations = detail::some_accelerations<S, wiring, X, Keys...>;
@@ -120,12 +121,20 @@ template <class Gravity, class... E, indexable Q, indexable V, indexable X, key_
 
 namespace kte {
 
+namespace detail {
+/// Accelerations and forces of a chain with loops; kte/loops.hpp sets it (dynamics/closed_loops/hybrid.hpp).
+inline Eigen::VectorXd (*hybrid_accelerations_on_loops)(const runtime_chain&, runtime_state&, const std::vector<char>&,
+                                                        const Eigen::VectorXd&, Eigen::VectorXd&) = nullptr;
+}  // namespace detail
+
 template <class S, indexable Q, indexable V, indexable X>
 hybrid_dynamics_result<S, Eigen::Dynamic> hybrid_dynamics(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q,
                                                           const V& v, const X& known,
                                                           const std::vector<std::string_view>& prescribed) {
   using namespace detail;
-  check_regular(c, s);
+  check_regular_tree(c, s);
+  if (!std::is_same_v<S, double> || hybrid_accelerations_on_loops == nullptr)
+    refuse_loops(c, ": with numbers in double, and #include <kte/loops.hpp>, it does");
   const auto n = static_cast<std::size_t>(s.dofs());
   check_size(n, known, "known");
   std::vector<char> is_known(n, 0);
@@ -143,6 +152,12 @@ hybrid_dynamics_result<S, Eigen::Dynamic> hybrid_dynamics(const runtime_chain& c
     (is_known[i] ? given : force)[static_cast<Eigen::Index>(i)] = static_cast<S>(known[i]);
   return take(c, s, q, v, given, force).call([&] {
     hybrid_dynamics_result<S, Eigen::Dynamic> r;
+    if constexpr (std::is_same_v<S, double>)
+      if (has_loops(c)) [[unlikely]] {
+        r.tau = force;
+        r.a = hybrid_accelerations_on_loops(c, s, is_known, given, r.tau);
+        return r;
+      }
     r.a = accelerations_under(
         c, s, [&force](int i) { return force[i]; }, is_known);
     r.tau = inverse_dynamics(c, s);

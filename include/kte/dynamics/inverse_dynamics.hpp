@@ -79,6 +79,7 @@ template <class Gravity, class... E, indexable Q, indexable V, indexable A>
 [[nodiscard]] auto inverse_dynamics(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const A& a) {
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
+  static_assert(sizeof(detail::check_closures_of<chain_type>) > 0);
   detail::check_configuration<chain_type>(q), check_size<chain_type::dofs>(v, "v"),
       check_size<chain_type::dofs>(a, "a");
   const detail::configuration<S, typename chain_type::wiring, Q> at(q);
@@ -90,6 +91,7 @@ template <class Gravity, class... E, class S>
 [[nodiscard]] auto inverse_dynamics(const static_chain<Gravity, E...>& c,
                                     const chain_state<S, detail::wiring<E...>>& s) {
   using state = chain_state<S, detail::wiring<E...>>;
+  static_assert(sizeof(detail::check_closures_of<static_chain<Gravity, E...>>) > 0);
   const auto q = positions(s);
   const auto v = velocities(s), a = accelerations(s);
   using vector = std::remove_const_t<decltype(v)>;

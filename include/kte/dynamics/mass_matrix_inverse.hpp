@@ -10,7 +10,7 @@ namespace kte {
 namespace detail {
 template <class S, class Chain, class At, class Base>
 KTE_INLINE auto inverse_mass(const Chain& c, const At& at, const Base& base) {
-  static_assert(sizeof(check_loads_of<Chain>) > 0);
+  static_assert(sizeof(check_loads_of<Chain>) > 0 && sizeof(check_closures_of<Chain>) > 0);
   at.check(), base.check();
   joint_matrix<S, Chain::dofs> m;
   if constexpr (is_tree_of_joints<Chain>) {

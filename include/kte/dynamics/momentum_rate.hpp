@@ -28,7 +28,7 @@ template <class Gravity, class... E, indexable Q>
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
-  static_assert(sizeof(check_bodies_of<chain_type>) > 0);
+  static_assert(sizeof(check_bodies_of<chain_type>) > 0 && sizeof(check_closures_of<chain_type>) > 0);
   check_configuration<chain_type>(q);
   const configuration<S, typename chain_type::wiring, Q> at(q);
   at.check();
@@ -53,7 +53,7 @@ template <class Gravity, class... E, indexable Q, indexable V, indexable A>
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
-  static_assert(sizeof(check_bodies_of<chain_type>) > 0);
+  static_assert(sizeof(check_bodies_of<chain_type>) > 0 && sizeof(check_closures_of<chain_type>) > 0);
   check_configuration<chain_type>(q), check_velocities<chain_type>(v);
   check_rates<chain_type>(a, "a", "an acceleration");
   const configuration<S, typename chain_type::wiring, Q> at(q);

@@ -36,6 +36,7 @@ KTE_ELEMENT(coincident_frames<kind::frame_3D>)
 KTE_ELEMENT(coincident_points<kind::frame_2D>)
 KTE_ELEMENT(coincident_points<kind::frame_3D>)
 #include <kte/elements/closures/coupled_coordinates.hpp>
+KTE_ELEMENT(coupled_by_polynomial)
 KTE_ELEMENT(coupled_coordinates)
 #include <kte/elements/closures/point_closures.hpp>
 KTE_ELEMENT(distance<kind::frame_2D>)

@@ -39,15 +39,60 @@ struct four_bar_parameters {
 
  protected:
   /// The vectors at q, with c, s = cos q, sin q, from the end of the crank to the joint of coupler and rocker, and to
-  /// the pivot.
+  /// the pivot. `rates`: whether rates follow.
   template <class S>
-  constexpr std::pair<vec2<S>, vec2<S>> joint(const S& q, const S& c, const S& s) const {
+  constexpr std::pair<vec2<S>, vec2<S>> joint(const S& q, const S& c, const S& s, bool rates = is_dual<S>) const {
     const auto& [pivot, crank, coupler, rocker, side] = lengths;
     const vec2<S> r{S(pivot.x) - S(crank) * c, S(pivot.y) - S(crank) * s};
-    return {detail::dyad(r, S(coupler), S(rocker), S(side),
-                         {"four_bar_2D", "crank angle", "coupler and rocker are in line"},
-                         [&q] { return detail::text_of_angle(q); }),
+    return {detail::dyad(
+                r, S(coupler), S(rocker), S(side), {"four_bar_2D", "crank angle", "coupler and rocker are in line"},
+                [&q] { return detail::text_of_angle(q); }, rates),
             r};
+  }
+  /// First and second derivatives, by the angle of the crank, of those of coupler and rocker in the ground.
+  template <class S>
+  struct derivatives {
+    S coupler, rocker, coupler2, rocker2;
+  };
+  /// With unit vectors e, u, v along crank a, coupler b and rocker d, their normals e_n, u_n, v_n to the left, and the
+  /// angles f of the coupler and g of the rocker, the loop at a rate of one of the crank is
+  ///
+  ///   a e_n + b f' u_n = d g' v_n                                              (1)
+  ///   -a e - b f'^2 u + b f'' u_n = -d g'^2 v + d g'' v_n                      (2)
+  ///
+  /// each times v and times u: u_n.v = -u.v_n is the sine between coupler and rocker.
+  template <class S>
+  constexpr derivatives<S> derive(const vec2<S>& e, const vec2<S>& along_coupler, const vec2<S>& to_pivot) const {
+    const S a(lengths.crank), b(lengths.coupler), d(lengths.rocker);
+    const vec2<S> u{along_coupler.x / b, along_coupler.y / b};
+    const vec2<S> v{(along_coupler.x - to_pivot.x) / d, (along_coupler.y - to_pivot.y) / d};
+    const auto times = [](const vec2<S>& x, const vec2<S>& y) { return x.x * y.x + x.y * y.y; };
+    const auto across = [](const vec2<S>& x, const vec2<S>& y) { return x.x * y.y - x.y * y.x; };  // x_n.y
+    const S sine = across(u, v), cosine = times(u, v), by_coupler = S(1) / (b * sine), by_rocker = S(1) / (d * sine);
+    derivatives<S> x;
+    x.coupler = -a * across(e, v) * by_coupler, x.rocker = -a * across(e, u) * by_rocker;
+    const S b_ff = b * x.coupler * x.coupler, d_gg = d * x.rocker * x.rocker;
+    x.coupler2 = (a * times(e, v) + b_ff * cosine - d_gg) * by_coupler;
+    x.rocker2 = (a * times(e, u) + b_ff - d_gg * cosine) * by_rocker;
+    return x;
+  }
+  /// A coordinate y of the crank's: position(e, w, r) of the vectors of `joint`, and y', y'' by rates(derivatives).
+  template <class C, class Position, class Rates>
+  constexpr auto moved(const C& crank, const Position& position, const Rates& rates) const {
+    using S = typename detail::scalar_among<std::remove_cvref_t<decltype(crank.q)>>::type;
+    using std::cos;
+    using std::sin;
+    const S q = as<S>(crank.q);
+    const vec2<S> e{S(cos(q)), S(sin(q))};
+    const auto [w, r] = joint(q, e.x, e.y, true);
+    const auto [ratio, curvature] = rates(derive(e, w, r));
+    const S v = as<S>(crank.q_dot);
+    if constexpr (detail::has_skip<std::remove_cvref_t<decltype(crank.q_ddot)>>) {
+      return coordinate{S(position(e, w, r)), S(ratio * v), skip{}, skip{}, skip{}};
+    } else {
+      return coordinate{S(position(e, w, r)), S(ratio * v), S(ratio * as<S>(crank.q_ddot) + curvature * (v * v)),
+                        skip{}, skip{}};
+    }
   }
 };
 
@@ -68,6 +113,18 @@ struct four_bar_coupler : coordinate_follower<four_bar_coupler>, four_bar_parame
     const auto [w, r] = joint(q, c, s);
     return detail::angle_from(vec2<S>{c, s}, w);
   }
+  /// As that of `coordinate_follower`, at a third of the time.
+  template <class C>
+  KTE_INLINE constexpr auto doMotion(const C& crank) const {
+    if constexpr (detail::has_skip<std::remove_cvref_t<decltype(crank.q_dot)>>)
+      return coordinate_follower::doMotion(crank);
+    else
+      return moved(
+          crank, [](const auto& e, const auto& w, const auto&) { return detail::angle_from(e, w); },
+          [](const auto& x) {
+            return std::pair{x.coupler - 1, x.coupler2};
+          });
+  }
 };
 /// The angle of the rocker in the ground.
 struct four_bar_rocker : coordinate_follower<four_bar_rocker>, four_bar_parameters {
@@ -85,6 +142,21 @@ struct four_bar_rocker : coordinate_follower<four_bar_rocker>, four_bar_paramete
     using std::sin;
     const auto [w, r] = joint(q, S(cos(q)), S(sin(q)));
     return atan2(S(w.y - r.y), S(w.x - r.x));
+  }
+  template <class C>
+  KTE_INLINE constexpr auto doMotion(const C& crank) const {
+    if constexpr (detail::has_skip<std::remove_cvref_t<decltype(crank.q_dot)>>)
+      return coordinate_follower::doMotion(crank);
+    else
+      return moved(
+          crank,
+          [](const auto&, const auto& w, const auto& r) {
+            using std::atan2;
+            return atan2(w.y - r.y, w.x - r.x);
+          },
+          [](const auto& x) {
+            return std::pair{x.rocker, x.rocker2};
+          });
   }
 };
 

@@ -82,6 +82,7 @@ class embedded_runge_kutta : public integrator<embedded_runge_kutta<Tableau, F, 
     [&]<std::size_t... I>(std::index_sequence<I...>) { (stage<I + 1>(h, end), ...); }
     (std::make_index_sequence<stages - 1>{});
     if (!this->next_is_finite()) return {std::numeric_limits<S>::quiet_NaN()};
+    this->check_end();
     const auto& e = this->tangential(h * detail::difference<Tableau::a.back(), Tableau::embedded>(k_));  // (3)
     const S error = detail::error_norm(tolerances_, e, this->magnitudes(this->x_), this->magnitudes(this->next_));
     if (error <= S(1) && floor_.is_below()) [[likely]]

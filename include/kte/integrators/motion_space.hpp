@@ -53,7 +53,9 @@ inline constexpr bool changes_when_called<std::reference_wrapper<const F>, S, X>
 ///
 ///   f.begin_step(x)          a step begins at x: chooses what stages and the end of the step go by
 ///   f.settle(x, d, out)      out = x (+) d, the end of a step or a state within it, is put on the manifold; d goes
-///   with it f.tangential(x, e)       what `settle` takes away of a displacement is taken out of an error estimate e
+///                            with it
+///   f.tangential(x, e)       what `settle` takes away of a displacement is taken out of an error estimate e
+///   f.check_end(x, next)     optional: throws where a step of another length should end elsewhere than at `next`
 ///
 /// They throw `bad_argument` if this is not possible; a shorter step may succeed.
 template <class F, class X>

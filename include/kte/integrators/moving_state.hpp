@@ -94,6 +94,10 @@ class moving_state {
       settled_ = true;
     }
   }
+  /// Whether a next step may begin at `next_`. Exceptions pass through `computes`.
+  void check_end() const {
+    if constexpr (requires { system().check_end(x_, next_); }) ask([&] { system().check_end(x_, next_); });
+  }
   /// A step begins.
   void begin_at_state() const {
     if constexpr (settles) ask([&] { system().begin_step(x_); });

@@ -45,11 +45,12 @@ struct linkage_words {
 /// tolerance and would stop there or turn back. Throws `dead_point` there, except for positions alone; beyond it throws
 /// `bad_argument`. angle() is the text of the leading coordinate.
 template <class S, class Angle>
-constexpr void require_transmission(const S& k, const S& full, const linkage_words& w, const Angle& angle) {
+constexpr void require_transmission(const S& k, const S& full, const linkage_words& w, const Angle& angle,
+                                    bool rates = is_dual<S>) {
   using plain = plain_scalar<S>;
   using std::sqrt;
   const plain near_dead = plain(sqrt(std::numeric_limits<plain>::epsilon()));
-  if (!all(k >= S(is_dual<S> ? near_dead : plain(0)) * full)) [[unlikely]]
+  if (!all(k >= S(rates ? near_dead : plain(0)) * full)) [[unlikely]]
     raise_no_transmission(any(k < S(-near_dead) * full) || any(k != k), w, angle());
 }
 
@@ -62,10 +63,10 @@ constexpr void require_transmission(const S& k, const S& full, const linkage_wor
 /// bars. Throws if they are in line, too short, or too different in length (`require_transmission`).
 template <class S, class Angle>
 constexpr vec2<S> dyad(const vec2<S>& r, const S& b, const S& c, const S& side, const linkage_words& words,
-                       const Angle& angle) {
+                       const Angle& angle, bool rates = is_dual<S>) {
   using std::sqrt;
   const S rr = r.x * r.x + r.y * r.y, u = (b * b - c * c + rr) / S(2), k = b * b * rr - u * u, bc = b * c;
-  require_transmission(k, S(bc * bc), words, angle);
+  require_transmission(k, S(bc * bc), words, angle, rates);
   const S h = side * S(sqrt(k));
   return {(u * r.x - h * r.y) / rr, (u * r.y + h * r.x) / rr};
 }

@@ -253,6 +253,10 @@ class controlled {
     model().settle(own_part(x), changed_, moved_);
     d.head(changed_.size()) = changed_, out.head(moved_.size()) = moved_;
   }
+  /// Throws where a step of another length should end elsewhere than at `next`.
+  void check_end(const state& x, const state& next) const requires(settles) {
+    model().check_end(own_part(x), own_part(next));
+  }
   /// Removes from e the part normal to the constraints at x.
   void tangential(const state& x, rate& e) const requires(settles) {
     changed_ = own_rate(e);

@@ -25,6 +25,21 @@ namespace kte {
 template <class Chain, class S = double, class Output = void>
 class manipulator_dynamics_model;
 
+namespace detail {
+/// What a model of a static chain with closures adds: models/detail/static_model_loops.hpp, of kte/loops.hpp.
+template <class Chain>
+struct static_model_loops;
+template <class Chain>
+struct memory_of_loops {
+  using type = nothing;
+};
+template <class Chain>
+requires has_closures<Chain>
+struct memory_of_loops<Chain> {
+  using type = typename static_model_loops<Chain>::memory;
+};
+}  // namespace detail
+
 /// The dynamics of a static chain as a system x' = f(t, x, u), y = h(t, x, u).
 template <class Gravity, class... E, class S, class Output>
 class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
@@ -32,6 +47,8 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
   using chain_type = static_chain<Gravity, E...>;
   using base = state_space<chain_type, S>;
   using size = detail::sizes_of_model<chain_type>;
+  static constexpr bool closes = detail::has_closures<chain_type>;
+  using loops = detail::static_model_loops<chain_type>;  // of kte/loops.hpp
 
  public:
   using typename base::rate;
@@ -39,6 +56,43 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
   using typename chain_type::wiring;
 
   explicit manipulator_dynamics_model(const chain_type& c) : base(c) {}
+
+  using base::make_x;
+  /// The state x of q and v, with z = 0; of elements that start in place that of q.
+  template <indexable Q, indexable V>
+  state make_x(const Q& q, const V& v) const {
+    return started(base::make_x(q, v));
+  }
+
+  // ---- of chains with closures (integrators/motion_space.hpp)
+  /// The state x of q and v, which is put on the loops. Throws `bad_argument` where it is off them.
+  template <indexable Q, indexable V>
+  state make_x(const Q& q, const V& v) const requires(closes) {
+    return loops::checked(*this, started(base::make_x(q, v)));
+  }
+  template <indexable Q, indexable V, indexable Z>
+  state make_x(const Q& q, const V& v, const Z& z) const requires(closes) {
+    return loops::checked(*this, base::make_x(q, v, z));
+  }
+  static constexpr bool has_loops() requires(closes) { return true; }
+  /// To be called at the start of a step from x0: chooses the independent rows of closures. Throws `bad_argument` where
+  /// x0 is off the loops.
+  void begin_step(const state& x0) const requires(closes) { loops::begin_step(*this, loops_, x0); }
+  /// Puts x = x0 (+) d on the loops by the least change in kinetic energy; d goes with it. Throws `bad_argument` that
+  /// names the closure which does not close.
+  void settle(const state& x0, rate& d, state& x) const requires(closes) { loops::settle(*this, loops_, x0, d, x); }
+  /// Takes out of a displacement from x0 what `settle` would.
+  void tangential(const state& x0, rate& e) const requires(closes) { loops::tangential(*this, loops_, x0, e); }
+  /// Throws `bad_argument` where the step from x0 that has just been computed ends too near to a singular
+  /// configuration.
+  void check_end(const state& x0, const state&) const requires(closes) { loops::check_end(*this, loops_, x0); }
+  /// x on the loops, wherever it is. Throws `bad_argument` that names a closure which does not close from there.
+  state on_loops(const state& x) const requires(closes) {
+    state on = x;
+    rate d = rate::Zero();
+    settle(x, d, on);
+    return on;
+  }
 
   /// x' of (1). Throws `bad_argument` for numbers that are not finite, `singular_mass_matrix`.
   [[nodiscard]] rate computeStateRate(const S& t, const state& x) const {
@@ -48,8 +102,11 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
     const joint_vector<S, size::v> none = joint_vector<S, size::v>::Zero();
     rate r;
     r.template head<size::v>() = this->velocities_of(x);
-    r.template segment<size::v>(size::v) =
-        detail::accelerations_under<S>(this->chain(), at, detail::each<S, const S*>{v}, bases, none);
+    if constexpr (closes)
+      r.template segment<size::v>(size::v) = loops::accelerations(*this, loops_, at, v, bases, none);
+    else
+      r.template segment<size::v>(size::v) =
+          detail::accelerations_under<S>(this->chain(), at, detail::each<S, const S*>{v}, bases, none);
     if constexpr (size::z > 0) detail::internal_rates(this->chain(), at, v, bases, &r[2 * size::v]);
     return r;
   }
@@ -66,7 +123,8 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
   using jacobian_matrix = Eigen::Matrix<S, size::x_dot, size::x_dot>;
   /// False for chains with load-dependent friction and internal states, for which stiff methods use differences: the
   /// friction depends on accelerations, and so do these states.
-  static constexpr bool has_jacobian = size::z == 0 || !(load_dependent_friction<typename E::core_type> || ...);
+  static constexpr bool has_jacobian =
+      !closes && (size::z == 0 || !(load_dependent_friction<typename E::core_type> || ...));
   jacobian_matrix jacobian(const S& t, const state& x) const requires(has_jacobian) {
     jacobian_matrix j;
     jacobian(t, x, j);
@@ -165,6 +223,7 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
     setJointStates(t, x, s);
     const rate r = computeStateRate(t, x);
     set_accelerations(s, r.data() + size::v);
+    if constexpr (closes) loops::put_forces(*this, loops_, s);
     this->doMotion(s), this->clearForce(s), this->doForce(s);
     return s;
   }
@@ -228,6 +287,27 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
     (void)done;
     return all;
   }
+  state started(state x) const {
+    if constexpr ((starts_in_place<typename E::core_type> || ...))
+      start_in_place(x, std::index_sequence_for<E...>{});
+    return x;
+  }
+  template <std::size_t... I>
+  void start_in_place(state& x, std::index_sequence<I...>) const {
+    auto s = make_state<S>(this->chain());
+    setJointStates(x, s), this->doMotion(s);
+    const auto start = [&]<std::size_t J>() {
+      using element_core = typename chain_type::template core_type<J>;
+      if constexpr (starts_in_place<element_core>)
+        detail::stored_element<element_core, decltype(s), detail::by_index>{
+            this->template core<J>(), s, {wiring::table.slot.data() + wiring::first[J]}}
+            .switch_over(std::make_index_sequence<input_count<element_core>>{});
+      return 0;
+    };
+    const int done[]{start.template operator()<I>()...};
+    (void)done;
+    for (int i = 0; i < size::z; ++i) x[size::q + size::v + i] = s.template get<kind::internal>(i).z;
+  }
   template <class State, std::size_t... I>
   S capacity_of(State& s, std::size_t element, std::index_sequence<I...>) const {
     S most(0);
@@ -277,9 +357,11 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
   }
   template <class, class, class>
   friend class manipulator_dynamics_model;
+  friend loops;
   template <class F>
   manipulator_dynamics_model(const chain_type& c, const F& f) : base(c), output_(f) {}
 
+  [[no_unique_address]] mutable typename detail::memory_of_loops<chain_type>::type loops_;
   struct no_output {};
   [[no_unique_address]] std::conditional_t<std::is_void_v<Output>, no_output, Output> output_;
 };

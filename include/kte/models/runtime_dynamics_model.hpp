@@ -78,7 +78,7 @@ class manipulator_dynamics_model<runtime_chain, double, void> : public state_spa
   }
 
   using base::make_x;
-  /// The state x of vectors q and v, with z = 0 or as given.
+  /// The state x of vectors q and v, with z = 0 (of elements that start in place that of q) or as given.
   state make_x(const Eigen::VectorXd& q, const Eigen::VectorXd& v) const;
   state make_x(const Eigen::VectorXd& q, const Eigen::VectorXd& v, const Eigen::VectorXd& z) const;
   using base::setInput;
@@ -150,6 +150,9 @@ class manipulator_dynamics_model<runtime_chain, double, void> : public state_spa
   void tangential(const state& x0, rate& e) const;
   /// Chooses the independent rows of closures for the step from x0. Throws `bad_argument` if x0 is off the loops.
   void begin_step(const state& x0) const;
+  /// Throws `bad_argument` where the step from x0 that has just been computed ends too near to a singular
+  /// configuration.
+  void check_end(const state& x0, const state& next) const;
   /// x on the loops, wherever it is. Throws `bad_argument` that names a closure which does not close from there:
   /// `assemble` goes a longer way.
   state on_loops(const state& x) const;
@@ -159,6 +162,8 @@ class manipulator_dynamics_model<runtime_chain, double, void> : public state_spa
   /// doMotion of the elements with internal states, and of those on which they depend.
   void rates_of_internals() const;
   runtime_state& own_state_at(double t, const state& x) const;
+  /// Of a chain with loops, at the own state.
+  const Eigen::VectorXd& accelerations_in_step() const;
 
   // Working memory, also through std::cref: use one model per thread.
   mutable runtime_state s_;
@@ -204,7 +209,7 @@ namespace kte {
 
 KTE_FUNCTION manipulator_dynamics_model<runtime_chain>::manipulator_dynamics_model(const runtime_chain& c)
     : base(c), s_(c.make_state()), rate_(rates()) {
-  if (detail::has_loops(c)) detail::check_loops(c, s_);
+  if (detail::has_loops(c)) detail::check_loops(detail::closures_of(c), s_);
   for (const int e : s_.tree().locks) {
     const auto& index = wiring().elements[static_cast<std::size_t>(e)].index;
     const int row = s_.tree().plan.row_of_gen[static_cast<std::size_t>(index[0])];
@@ -220,11 +225,17 @@ KTE_FUNCTION auto manipulator_dynamics_model<runtime_chain>::computeStateRate(do
   setJointStates(t, x, s_);
   rate_.head(dofs()) = velocities_of(x);
   if (detail::has_loops(chain()))
-    rate_.segment(dofs(), dofs()) = detail::accelerations_in_step(chain(), s_, loops_);
+    rate_.segment(dofs(), dofs()) = accelerations_in_step();
   else
     rate_.segment(dofs(), dofs()) = forward_dynamics(chain(), s_);
   rates_of_internals();
   return rate_;
+}
+KTE_FUNCTION const Eigen::VectorXd& manipulator_dynamics_model<runtime_chain>::accelerations_in_step() const {
+  detail::check_regular_tree(chain(), s_), detail::check_positions(s_);
+  const auto none = [](int) { return 0.0; };
+  return detail::constrained_accelerations(chain(), s_, none,
+                                           detail::rows_of_stage(detail::runtime_model_loops{*this, s_, loops_}));
 }
 KTE_FUNCTION bool manipulator_dynamics_model<runtime_chain>::jacobian(double t, const state& x,
                                                                       jacobian_matrix& j) const {
@@ -248,7 +259,11 @@ KTE_FUNCTION auto manipulator_dynamics_model<runtime_chain>::jacobian(double t, 
 
 KTE_FUNCTION auto manipulator_dynamics_model<runtime_chain>::make_x(const Eigen::VectorXd& q,
                                                                     const Eigen::VectorXd& v) const -> state {
-  return detail::checked_on_loops(*this, base::make_x(q, v));
+  state x = base::make_x(q, v);
+  for (const int keeper : wiring().keepers)
+    if (wiring().elements[static_cast<std::size_t>(keeper)].starts_in_place)
+      switch_over(0, x, static_cast<std::size_t>(keeper));
+  return detail::checked_on_loops(*this, x);
 }
 KTE_FUNCTION auto manipulator_dynamics_model<runtime_chain>::make_x(const Eigen::VectorXd& q, const Eigen::VectorXd& v,
                                                                     const Eigen::VectorXd& z) const -> state {
@@ -356,13 +371,16 @@ KTE_FUNCTION void manipulator_dynamics_model<runtime_chain>::rounding(const stat
 }
 
 KTE_FUNCTION void manipulator_dynamics_model<runtime_chain>::settle(const state& x0, rate& d, state& x) const {
-  if (detail::has_loops(chain())) detail::settle_on_loops(*this, s_, detail::step_from(*this, s_, loops_, x0), d, x);
+  if (detail::has_loops(chain())) detail::settle_on_loops(detail::runtime_model_loops{*this, s_, loops_}, x0, d, x);
 }
 KTE_FUNCTION void manipulator_dynamics_model<runtime_chain>::tangential(const state& x0, rate& e) const {
-  if (detail::has_loops(chain())) detail::make_tangential(detail::step_from(*this, s_, loops_, x0), e);
+  if (detail::has_loops(chain())) detail::make_tangential(detail::runtime_model_loops{*this, s_, loops_}, x0, e);
 }
 KTE_FUNCTION void manipulator_dynamics_model<runtime_chain>::begin_step(const state& x0) const {
-  if (detail::has_loops(chain())) detail::check_step(chain(), s_, detail::step_from(*this, s_, loops_, x0));
+  if (detail::has_loops(chain())) detail::check_step(detail::runtime_model_loops{*this, s_, loops_}, x0);
+}
+KTE_FUNCTION void manipulator_dynamics_model<runtime_chain>::check_end(const state& x0, const state&) const {
+  if (detail::has_loops(chain())) detail::check_step_end(detail::runtime_model_loops{*this, s_, loops_}, x0);
 }
 KTE_FUNCTION auto manipulator_dynamics_model<runtime_chain>::on_loops(const state& x) const -> state {
   state on = checked(x);

@@ -15,7 +15,7 @@ struct sizes_of_model {
   static constexpr bool only_numbers = [] {
     for (std::size_t i = 0; i < wiring::freedoms; ++i)
       if (wiring::table.free[i].what != kind::gen) return false;
-    return true;
+    return wiring::count(kind::loop) == 0;  // on loops, states move on a manifold
   }();
   static std::span<const freedom> freedoms(const Chain&) { return {wiring::table.free.data(), wiring::freedoms}; }
   static constexpr int nq(const Chain&) { return wiring::nq; }

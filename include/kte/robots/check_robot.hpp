@@ -9,7 +9,8 @@ namespace kte {
 /// Probable mistakes in a robot, as messages with their line if it is from a file: warnings of reading (inertias that
 /// are not physically realizable, angles that are nearly quarter turns, axes that are not of length 1), links that do
 /// not form a tree, joints that move no mass, empty ranges, efforts and rates of 0, and a mass matrix that is nearly
-/// singular at one of twenty random configurations (fixed seed). Without findings the list is empty.
+/// singular at one of twenty random configurations (fixed seed). Without findings the list is empty. Of a robot with
+/// closed loops also their rows, rank and mobility, rows that follow from others, and whether they can be assembled.
 [[nodiscard]] std::vector<robot_note> check_robot(const robot_description& d, const robot_options& options = {});
 /// Probable mistakes in a robot, by its coordinates, with those that `check_chain` finds.
 [[nodiscard]] std::vector<robot_note> check_robot(const robot& r);
@@ -27,6 +28,7 @@ KTE_FUNCTION std::vector<robot_note> check_robot(const robot_description& d, con
     const auto r = to_robot(d, options);
     for (auto i = d.warnings.size(); i < r.warnings.size(); ++i) found.push_back(r.warnings[i]);
     detail::find_condition(r, found);
+    for (const auto& what : detail::loop_findings(r)) found.push_back({0, what});
   } catch (const error& e) {
     found.push_back({0, e.what()});
   }
@@ -49,6 +51,7 @@ KTE_FUNCTION std::vector<robot_note> check_robot(const robot& r) {
   } catch (const error& e) {
     found.push_back({0, e.what()});
   }
+  for (const auto& what : detail::loop_findings(r)) found.push_back({0, what});
   return found;
 }
 

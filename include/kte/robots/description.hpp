@@ -3,6 +3,7 @@
 #include <kte/elements/joint_motor.hpp>
 #include <kte/math/rigid_body.hpp>
 
+#include <array>
 #include <limits>
 #include <optional>
 #include <string>
@@ -109,6 +110,34 @@ struct robot_joint {
   return j.is == revolute || j.is == prismatic || j.is == screw;
 }
 
+/// What closes a loop of links and joints: a closure between frames of two links (docs/loops.md), or between two
+/// joints. `kind`: points (coincident), frames (coincident), hinge, universal, cylindrical, sliding, point_on_line,
+/// point_on_plane, distance; joints; `is`: the kind of this closure. `name` and `line` as in the file.
+struct robot_closure {
+  enum class kind {
+    points,
+    frames,
+    hinge,
+    universal,
+    cylindrical,
+    sliding,
+    point_on_line,
+    point_on_plane,
+    distance,
+    joints
+  };
+  std::string name;
+  int line = 0;
+  std::string file{};  ///< as of notes
+  kind is = kind::points;
+  std::string link1, link2;            ///< of joints their names
+  robot_pose origin1, origin2;         ///< frames of the closure in the links
+  vec3<> axis{1, 0, 0};                ///< unit axis in axes of both frames; universal: of the first, plane: its normal
+  vec3<> axis2{0, 1, 0};               ///< universal: unit axis of the second frame
+  double length = 0;                   ///< distance, m
+  std::array<double, 5> polynomial{};  ///< of joints: q_1 = c_0 + c_1 q_2 + ... + c_4 q_2^4
+};
+
 /// The actuator of a joint: the gear ratio n, and the law of the actuator, before the gear. With its force f the force
 /// of the joint is n f; its position and rate are n times those of the joint. `name`, `line`: as in the file.
 struct robot_actuator {
@@ -128,13 +157,15 @@ struct robot_configuration {
   std::vector<std::pair<std::string, std::vector<double>>> joints;
 };
 
-/// A robot as its file describes it: `name`, `links`, `joints`, fixed `frames`, `actuators` and named `configurations`.
+/// A robot as its file describes it: `name`, `links`, `joints`, `closures` of loops, fixed `frames`, `actuators` and
+/// named `configurations`.
 /// `to_robot` makes a chain of it.
 struct robot_description {
   std::string name;
   std::string source;  ///< name of the file in messages
   std::vector<robot_link> links;
   std::vector<robot_joint> joints;
+  std::vector<robot_closure> closures;
   std::vector<robot_frame> frames;
   std::vector<robot_actuator> actuators;
   std::vector<robot_configuration> configurations;

@@ -29,6 +29,8 @@ struct robot_options {
   bool fold_fixed = false;
   /// Whether damping, dry friction, springs and rotor inertias of joints become elements.
   bool joint_dynamics = true;
+  /// Whether closures of loops become elements (docs/loops.md). Otherwise loops are open, with a warning of each.
+  bool closures = true;
   /// Dry friction changes its sign over this rate, rad/s or m/s (docs/elements.md, `joint_friction`).
   double friction_smoothing = 1e-3;
   /// Whether a robot that moves differently from that of the file is rejected: every note with `changes_motion`.

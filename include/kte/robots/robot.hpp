@@ -12,6 +12,7 @@ namespace kte {
 ///   limits          over v, from the file; infinite where it has none
 ///   soft_limits     limits with the narrower range of safety controllers, where the file has it
 ///   joints          the coordinates of joints that move, in the order of the file, including followers
+///   loops           names of the closures of loops, in the order of the file
 ///   shapes          visual and collision shapes
 ///   configurations  named configurations
 struct robot {
@@ -36,6 +37,7 @@ struct robot {
   runtime_chain chain;
   joint_limits<> limits, soft_limits;
   std::vector<std::string> joints;
+  std::vector<std::string> loops;
   std::vector<shape> shapes;
   std::vector<robot_actuator> actuators;  ///< actuators in the file
   std::vector<motor> motors;              ///< motors in the chain (`add_motors`)

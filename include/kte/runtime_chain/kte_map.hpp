@@ -114,15 +114,36 @@ class kte_element : public kte_map {
 
   /// The number of rows of a closure (contract/closure.hpp); none for other elements.
   virtual closure_rows rows() const { return {}; }
-  /// The residual (order 0) of a closure of frames, or a derivative of it, for the motion of its second frame in its
-  /// first.
-  virtual void close_frames(const detail::closing_motion<double>&, int /*order*/, double* /*rows*/) const {}
+  /// For a closure of frames: its rows for the motion of its second frame in its first.
+  virtual void close_frames(const detail::closing_motion<double>&, detail::closing, double* /*rows*/) const {}
+  /// The residual, its second derivative and the wrenches of rows for several motions: `all_rows_of_closing` numbers a
+  /// motion.
+  virtual void close_frames(std::span<const detail::closing_motion<double>>, double* /*rows*/) const {}
   /// Whether a closed loop is not at the false solution of a rotation, half a turn off.
   virtual bool is_upright(const detail::closing_motion<double>&) const { return true; }
   /// The residual of a closure of coordinates at q with rates v, its derivatives by the coordinates, and its second
   /// derivative without accelerations.
   virtual std::array<double, 2> close_coordinates(const double* /*q*/, const double* /*v*/,
                                                   double* /*gradient*/) const {
+    return {};
+  }
+  /// The rows of a closure of frames in dual numbers.
+  virtual void close_frames(const detail::closing_motion<detail::derivative_number>&, detail::closing,
+                            detail::derivative_number* /*rows*/) const {}
+  /// The residual and the derivatives of a closure of coordinates in dual numbers.
+  virtual std::array<detail::derivative_number, 2> close_coordinates(const detail::derivative_number* /*q*/,
+                                                                     const detail::derivative_number* /*v*/,
+                                                                     detail::derivative_number* /*gradient*/) const {
+    return {};
+  }
+  /// Parameters of a closure with derivatives (contract/closure_parameters.hpp).
+  virtual std::span<const std::string_view> closure_parameters() const { return {}; }
+  /// The derivative of `close_frames` by a parameter.
+  virtual void frames_by_parameter(int /*parameter*/, const detail::closing_motion<double>&, detail::closing,
+                                   double* /*rows*/) const {}
+  /// The derivative of `close_coordinates` by a parameter.
+  virtual std::array<double, 2> coordinates_by_parameter(int /*parameter*/, const double* /*q*/, const double* /*v*/,
+                                                         double* /*gradient*/) const {
     return {};
   }
 };

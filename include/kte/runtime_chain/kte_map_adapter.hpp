@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/contract/closure_parameters.hpp>
 #include <kte/contract/force_derivatives.hpp>
 #include <kte/contract/varying_joint.hpp>
 #include <kte/runtime_chain/derivative_state.hpp>
@@ -41,6 +42,7 @@ class kte_map_adapter final : public kte_element {
     std::copy(c.index.begin(), c.index.end(), index_.begin());
     c.rigid = detail::is_transmission<Core>, c.distributed_mass = distributed_mass<Core>;
     c.load = is_load<Core>, c.closes = detail::is_closure<Core>;
+    c.starts_in_place = starts_in_place<Core>;
     const bool on_frames =
         std::any_of(Core::ports.begin(), Core::ports.end(), [](const port& p) { return is_frame(p.what); });
     t.has_derivatives &= on_frames || detail::has_derivatives<Core>;
@@ -102,43 +104,66 @@ class kte_map_adapter final : public kte_element {
     else
       return {};
   }
-  void close_frames([[maybe_unused]] const detail::closing_motion<double>& m, [[maybe_unused]] int order,
+  void close_frames([[maybe_unused]] const detail::closing_motion<double>& m, [[maybe_unused]] detail::closing what,
                     [[maybe_unused]] double* rows) const override {
-    if constexpr (closes_frames) {
-      const auto put = [rows](const auto& all) {
-        const auto numbers = detail::rows_in_numbers<double>(all);
-        std::copy(numbers.begin(), numbers.end(), rows);
-      };
-      if (order == 0)
-        put(core_.residual(m));
-      else if (order == 1)
-        put(core_.residual_dot(m));
-      else
-        put(core_.residual_ddot(m));
-    }
+    if constexpr (closes_frames) detail::close_frames_by(core_, m, what, rows);
+  }
+  void close_frames([[maybe_unused]] const detail::closing_motion<detail::derivative_number>& m,
+                    [[maybe_unused]] detail::closing what,
+                    [[maybe_unused]] detail::derivative_number* rows) const override {
+    if constexpr (closes_frames) detail::close_frames_by(core_, m, what, rows);
+  }
+  void close_frames([[maybe_unused]] std::span<const detail::closing_motion<double>> motions,
+                    [[maybe_unused]] double* rows) const override {
+    if constexpr (closes_frames)
+      for (const auto& m : motions)
+        for (const auto what : {detail::closing::residual, detail::closing::residual_ddot, detail::closing::wrenches}) {
+          detail::close_frames_by(core_, m, what, rows);
+          rows += (what == detail::closing::wrenches ? 6 : 1) * detail::closing_stride;
+        }
   }
   bool is_upright([[maybe_unused]] const detail::closing_motion<double>& m) const override {
-    if constexpr (requires { core_.upright(m); })
-      return core_.upright(m);
-    else
-      return true;
+    return detail::is_upright_by(core_, m);
   }
   std::array<double, 2> close_coordinates([[maybe_unused]] const double* q, [[maybe_unused]] const double* v,
                                           [[maybe_unused]] double* gradient) const override {
-    if constexpr (detail::is_closure<Core> && !closes_frames) {
-      std::array<double, port_count<Core> - 1> at, rates;
-      std::copy_n(q, at.size(), at.begin()), std::copy_n(v, rates.size(), rates.begin());
-      const auto by = core_.gradient(at);
-      std::copy(by.begin(), by.end(), gradient);
-      return {core_.residual(at), core_.curvature(at, rates)};
-    } else {
+    if constexpr (closes_coordinates)
+      return detail::close_coordinates_by(core_, q, v, gradient);
+    else
       return {};
-    }
+  }
+  std::array<detail::derivative_number, 2> close_coordinates(
+      [[maybe_unused]] const detail::derivative_number* q, [[maybe_unused]] const detail::derivative_number* v,
+      [[maybe_unused]] detail::derivative_number* gradient) const override {
+    if constexpr (closes_coordinates)
+      return detail::close_coordinates_by(core_, q, v, gradient);
+    else
+      return {};
+  }
+  std::span<const std::string_view> closure_parameters() const override {
+    if constexpr (detail::derived_by_parameters<Core>)
+      return Core::parameter_names;
+    else
+      return {};
+  }
+  void frames_by_parameter([[maybe_unused]] int parameter, [[maybe_unused]] const detail::closing_motion<double>& m,
+                           [[maybe_unused]] detail::closing what, [[maybe_unused]] double* rows) const override {
+    if constexpr (closes_frames && detail::derived_by_parameters<Core>)
+      detail::close_frames_by(detail::rows_by_parameter<Core>{core_, parameter}, m, what, rows);
+  }
+  std::array<double, 2> coordinates_by_parameter([[maybe_unused]] int parameter, [[maybe_unused]] const double* q,
+                                                 [[maybe_unused]] const double* v,
+                                                 [[maybe_unused]] double* gradient) const override {
+    if constexpr (closes_coordinates && detail::derived_by_parameters<Core>)
+      return detail::close_coordinates_by(detail::value_by_parameter<Core>{{}, core_, parameter}, q, v, gradient);
+    else
+      return {};
   }
 
  private:
   using inputs = std::make_index_sequence<input_count<Core>>;
   static constexpr bool closes_frames = detail::is_closure<Core> && is_frame(Core::ports[0].what);
+  static constexpr bool closes_coordinates = detail::is_closure<Core> && !closes_frames;
 
   template <class State>
   auto on(State& s) const {

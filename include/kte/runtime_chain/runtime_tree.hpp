@@ -37,6 +37,10 @@ runtime_tree<P> tree_of(const topology& t) {
             }
           }};
 }
+template <class S>
+inline constexpr bool has_lanes_of_double = requires {
+  requires std::is_same_v<typename S::value_type, double> &&(S::lanes > 0);
+};
 /// Throws `bad_argument` if S is a scalar in which forces, or coordinates that follow others, are not known.
 template <class S, class P>
 void check_scalar(const topology& t, const runtime_tree<P>& tree) {
@@ -46,7 +50,7 @@ void check_scalar(const topology& t, const runtime_tree<P>& tree) {
         "kte: states of runtime chains in scalars other than double support joints, links and bodies only; " +
         describe_element(*t.elements[static_cast<std::size_t>(e)].element) + why);
   };
-  for (std::size_t e = 0; e < t.elements.size(); ++e)
+  for (std::size_t e = 0; e < t.elements.size() && !has_lanes_of_double<S>; ++e)
     if (t.elements[e].closes) refuse(static_cast<int>(e), " closes a loop");
   for (const int i : tree.body_tree.varying)
     refuse(tree.body_tree.nodes[static_cast<std::size_t>(i)].element, " has axes that depend on its coordinates");

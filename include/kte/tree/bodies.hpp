@@ -212,8 +212,11 @@ class one_axis_bodies : public tree_bodies<P, S> {
 template <class P, class S>
 class articulated_bodies : public tree_bodies<P, S> {
  public:
-  articulated_bodies(const body_tree<P>& f, const memory<P, S>& m)
-      : tree_bodies<P, S>(f, m.joint_transforms),
+  articulated_bodies(const body_tree<P>& f, const memory<P, S>& m) : articulated_bodies(f, m, m.joint_transforms) {}
+  /// In other positions.
+  articulated_bodies(const body_tree<P>& f, const memory<P, S>& m,
+                     const std::vector<joint_transform<S>>& joint_transforms)
+      : tree_bodies<P, S>(f, joint_transforms),
         free_(m.is_free.data()),
         plain_(m.plain.data()),
         mass_(m.own_mass.data()) {}

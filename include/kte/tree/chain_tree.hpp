@@ -2,6 +2,7 @@
 
 #include <kte/contract/element_numbers.hpp>
 #include <kte/tree/build.hpp>
+#include <kte/tree/clusters.hpp>
 #include <kte/tree/plan.hpp>
 
 #include <algorithm>
@@ -28,6 +29,7 @@ class chain_tree {
   /// Elements that write coordinates, signals and frames before bodies are placed (`followers`), and those that write
   /// signals and frames, on which forces depend, after it (`late`), in order.
   std::vector<int> followers, late;
+  tree::cluster_layout clusters;              ///< of coordinates that follow others; none in trees
   std::vector<int> on_coordinates;            ///< elements that act on coordinates alone, in order
   std::vector<int> on_frames;                 ///< elements that act on frames and are no rigid bodies; `late` movers
   std::vector<int> weights;                   ///< those of them that have a mass
@@ -69,6 +71,7 @@ class chain_tree {
       const auto m = body_tree.nodes[i].moves;
       if (m == tree::joint::revolute || m == tree::joint::screw) angles.push_back(static_cast<int>(i));
     }
+    if (!plan.tree && distributed.empty()) find_clusters(c);
     for (const P& m : own_mass) has_own_mass |= m != P(0);
     only_bodies = !irregular && plan.tree && plan.coordinates == dofs_ && plan.jointless_dofs.empty() &&
                   on_coordinates.empty() && on_frames.empty() && followers.empty() && late.empty() && readers.empty();
@@ -83,6 +86,21 @@ class chain_tree {
   }
 
  private:
+  template <class Connections>
+  void find_clusters(const Connections& c) {
+    std::vector<std::pair<int, int>> links;
+    const auto row = [this](int i) { return plan.row_of_gen[static_cast<std::size_t>(i)]; };
+    for (const int f : followers) {
+      const auto e = static_cast<std::size_t>(f);
+      const auto ports = c.ports(e);
+      const std::size_t last = ports.size() - 1;
+      if (ports[last].what != kind::gen) continue;
+      for (std::size_t p = 0; p < last; ++p)
+        if (ports[p].what == kind::gen) links.emplace_back(row(c.index(e, p)), row(c.index(e, last)));
+    }
+    clusters = tree::clusters_of(body_tree, plan.coordinates, dofs_, links);
+  }
+
   template <class T>
   using growing = std::vector<T>;
   using builder = tree::body_tree_builder<P>;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kte/kernels/derivatives.hpp>
-#include <kte/tree/articulated.hpp>
+#include <kte/tree/articulated_clusters.hpp>
 #include <kte/tree/followed_masses.hpp>
 #include <kte/tree/variations.hpp>
 
@@ -23,7 +23,9 @@ struct loop_memory : tree::memory<P, S> {
         friction(t.readers.size()) {
     for (std::size_t k = 0; k < this->own_mass.size(); ++k)
       this->own_mass[k] = t.own_mass[static_cast<std::size_t>(t.body_tree.row[k])];
-    tree::set_free(t.body_tree, *this, [&t](std::size_t i) { return t.body_tree.nodes[i].is_free; });
+    tree::set_free(t.body_tree, *this, [&t](std::size_t i) {
+      return t.body_tree.nodes[i].is_free && !t.clusters.has(static_cast<int>(i));
+    });
   }
   vector forces;                 ///< results: forces or accelerations
   std::vector<S> kept;           ///< rates and accelerations that are saved
@@ -35,6 +37,7 @@ struct loop_memory : tree::memory<P, S> {
   matrix mass, inverse;
   tree::mass_memory<S> masses;
   tree::followed_memory<S> followed;
+  tree::cluster_memory<S> clusters;
   std::vector<int> rows;  ///< of a column of derivatives that are anything
   tree::variation_memory<S> variations;
   inverse_dynamics_result<S, Eigen::Dynamic> of_forces;

@@ -50,6 +50,7 @@ class plant {
   void pull_back(const rate& d, rate& r) const { model_.pull_back(d, r); }
   void magnitudes(const state& x, rate& m) const { model_.magnitudes(x, m); }
   void rounding(const state& x, const rate& d, const state& out, rate& rest) const { model_.rounding(x, d, out, rest); }
+  bool has_loops() const { return model_.has_loops(); }
   void begin_step(const state& x) const { model_.begin_step(x); }
   void settle(const state& x, rate& d, state& out) const { model_.settle(x, d, out); }
   void tangential(const state& x, rate& e) const { model_.tangential(x, e); }

@@ -41,58 +41,66 @@ Eigen::VectorXd inverse_dynamics(const runtime_chain& c, runtime_state& s, const
 #ifdef KTE_FUNCTION
 namespace kte::detail {
 
-KTE_FUNCTION Eigen::MatrixXd actuated_motion(const runtime_chain& c, runtime_state& s,
-                                             const std::vector<std::string>& names) {
-  const std::vector<int> actuated = rows_of_coordinates(c, s, names);
-  const int n = s.dofs();
+/// (1) by the degrees of freedom that are `actuated`, after `factorize_loops`; without loops where m is nothing.
+inline Eigen::MatrixXd motion_by(const std::vector<int>& actuated, int n, const loop_workspace* m) {
   Eigen::MatrixXd j(0, n);
   int rank = 0;
-  if (has_loops(c)) {
-    const auto& [layout, e, factor] = factorized_loops(c, s);
-    rank = factor.rank();
-    const Eigen::MatrixXd all = e.scaled_jacobian();
-    const Eigen::VectorXd chosen = factor.chosen_of(e, Eigen::VectorXd::Ones(e.places.rows));
+  if (m) {
+    rank = m->factor.rank();
+    const Eigen::MatrixXd all = m->equations.scaled_jacobian();
     j.resize(rank, n);
-    for (int k = 0, row = 0; k < e.places.rows; ++k)
-      if (chosen[k] != 0) j.row(row++) = all.row(k);
+    for (int k = 0, row = 0; k < m->equations.places.rows; ++k)
+      if (m->factor.is_chosen(m->equations, k)) j.row(row++) = all.row(k);
   }
   if (static_cast<int>(actuated.size()) != n - rank)
-    throw bad_argument("kte: this chain has mobility " + std::to_string(n - rank) +
-                       " here, so it is driven by as many coordinates, not by " + std::to_string(actuated.size()));
+    raise<bad_argument>("kte: this chain has mobility " + std::to_string(n - rank) +
+                        " here, so it is driven by as many coordinates, not by " + std::to_string(actuated.size()));
   std::vector<char> is_actuated(static_cast<std::size_t>(n), 0);
   for (const int row : actuated) is_actuated[static_cast<std::size_t>(row)] = 1;
   std::vector<int> others, all_rows;
   for (int row = 0; row < n; ++row)
     if (!is_actuated[static_cast<std::size_t>(row)]) others.push_back(row);
   for (int k = 0; k < rank; ++k) all_rows.push_back(k);
-  Eigen::MatrixXd b(rank, rank), driven(rank, n - rank);
+  pivoted_qr qr;
+  auto b = qr.matrix(rank, rank);
+  Eigen::MatrixXd driven(rank, n - rank);
   for (int k = 0; k < rank; ++k) b.row(k) = j.col(others[static_cast<std::size_t>(k)]).transpose();
   for (int k = 0; k < n - rank; ++k) driven.col(k) = j.col(actuated[static_cast<std::size_t>(k)]);
-  pivoted_qr qr;
-  if (!qr.take(b, all_rows, least_pivot))
-    throw no_solution("kte: the actuated coordinates do not determine the motion of the loops here");
-  qr.r.transpose().triangularView<Eigen::Lower>().solveInPlace(driven);
-  const Eigen::MatrixXd x = -(qr.q * driven);
+  if (!qr.take(all_rows, least_pivot))
+    raise<no_solution>("kte: the actuated coordinates do not determine the motion of the loops here");
+  Eigen::MatrixXd x(rank + pivoted_qr::padding, n - rank);
+  for (Eigen::Index k = 0; k < x.cols(); ++k) {
+    driven.col(k) *= -1;
+    qr.solve_transposed(driven.col(k).data());
+    qr.times_q(driven.col(k).data(), x.col(k).data());
+  }
   Eigen::MatrixXd g = Eigen::MatrixXd::Zero(n, n - rank);
   for (int k = 0; k < rank; ++k) g.row(others[static_cast<std::size_t>(k)]) = x.row(k);
   for (int k = 0; k < n - rank; ++k) g(actuated[static_cast<std::size_t>(k)], k) = 1;
   return g;
 }
+/// Raises `bad_argument` where the accelerations of a state do not keep loops closed; after `factorize_loops`.
+template <class Closures, class State>
+void check_accelerations_on_loops(const Closures& c, State& s, loop_equations& e) {
+  Eigen::VectorXd a(s.dofs());
+  read_listed_numbers<vector_of::a>(s, a);
+  e.at_rates(c, s);
+  const Eigen::VectorXd off = e.acceleration + e.times(a);
+  const Eigen::VectorXd sizes = e.acceleration.cwiseAbs() + e.times_sizes(a);
+  for (int k = 0; k < e.places.rows; ++k)
+    if (std::abs(off[k]) > 1e-6 * (sizes.maxCoeff() + 1e-300)) [[unlikely]]
+      raise<bad_argument>("kte: these accelerations do not keep '" + c.loop_name(e.places.closure_of_row(k).loop) +
+                          "' closed: those of constrained_dynamics do");
+}
+KTE_FUNCTION Eigen::MatrixXd actuated_motion(const runtime_chain& c, runtime_state& s,
+                                             const std::vector<std::string>& names) {
+  const auto rows = rows_of_coordinates(c, s, names);
+  return motion_by(rows, s.dofs(), has_loops(c) ? &factorized_loops(c, s) : nullptr);
+}
 KTE_FUNCTION Eigen::VectorXd actuated_forces(const runtime_chain& c, runtime_state& s,
                                              const std::vector<std::string>& names) {
   const Eigen::MatrixXd g = actuated_motion(c, s, names);
-  if (has_loops(c)) {
-    auto& e = loops_of(c, s).equations;
-    const Eigen::VectorXd a = read_numbers<vector_of::a>(s);
-    e.at_rates(c, s);
-    const Eigen::VectorXd off = e.acceleration + e.times(a);
-    const Eigen::VectorXd sizes = e.acceleration.cwiseAbs() + e.times_sizes(a);
-    for (int k = 0; k < e.places.rows; ++k)
-      if (std::abs(off[k]) > 1e-6 * (sizes.maxCoeff() + 1e-300)) [[unlikely]]
-        throw bad_argument("kte: these accelerations do not keep '" +
-                           closure_places::name_of(c, e.places.closure_of_row(k)) +
-                           "' closed: those of constrained_dynamics do");
-  }
+  if (has_loops(c)) check_accelerations_on_loops(closures_of(c), s, loops_of(c, s).equations);
   coordinate_forces(c, s);
   take_generalized_forces(s);
   check_result(s.work.forces, static_cast<std::size_t>(s.dofs()), diagnose_state{"a force", s});

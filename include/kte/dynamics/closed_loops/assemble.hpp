@@ -51,36 +51,79 @@ inline std::vector<int> rows_of_coordinates(const runtime_chain& c, const runtim
   return rows;
 }
 
-/// Residuals of a chain over the coordinates that may move.
+/// Residuals of a chain over the coordinates that may move, not those of the degrees of freedom `held`. set(q) puts
+/// positions into the state; moved(q, d): q (+) d.
+template <class Closures, class State, class Set, class Moved>
 class assembly {
  public:
-  assembly(const runtime_chain& c, runtime_state& s, const std::vector<std::string>& held)
-      : chain_(c), state_(s), equations_(loops_of(c, s).equations) {
+  assembly(const Closures& c, State& s, loop_equations& e, const std::vector<int>& held, const Set& set,
+           const Moved& moved)
+      : closures_(c), state_(s), equations_(e), set_(set), moved_(moved) {
     std::vector<char> is_held(static_cast<std::size_t>(s.dofs()), 0);
-    for (const int row : rows_of_coordinates(c, s, held)) is_held[static_cast<std::size_t>(row)] = 1;
+    for (const int row : held) is_held[static_cast<std::size_t>(row)] = 1;
     for (int row = 0; row < s.dofs(); ++row)
       if (!is_held[static_cast<std::size_t>(row)]) free_.push_back(row);
-    unit_.setOnes(s.dofs());
+    unit_.setOnes(s.dofs()), slides_.assign(static_cast<std::size_t>(s.dofs()), 0);
     const auto& f = s.tree().body_tree;
     for (const auto& r : f.nodes)
       for (int k = 0; k < r.axes; ++k) {
         const int row = f.row[static_cast<std::size_t>(r.first + k)];
         const bool slides =
             r.moves == tree::joint::prismatic || (r.moves == tree::joint::several && r.axis[std::size_t(k)] < 3);
-        if (row < s.dofs() && slides) unit_[row] = equations_.places.length;
+        if (row < s.dofs() && slides) unit_[row] = equations_.places.length, slides_[static_cast<std::size_t>(row)] = 1;
       }
   }
+  /// A configuration on the loops, from q.
+  Eigen::VectorXd from(Eigen::VectorXd q) {
+    constexpr int most_steps = 200;
+    double size = at(q), damping = 1;
+    int steps = 0;
+    bool last = gap() <= 1e-14;
+    for (; gap() > 1e-15 && steps < most_steps; ++steps) {
+      Eigen::VectorXd d, next;
+      double after = 0;
+      bool better = false;
+      for (; damping < 1e18; damping *= 8) {
+        if (!step((std::max)(damping * size, 1e-150), d)) break;
+        next = moved_(q, d);
+        after = at(next);
+        better = after < size;
+        if (better) break;
+        (void)at(q);
+      }
+      if (!better) break;  // as near as it comes
+      const bool little = after > 0.9999 * size && size > 1e-13;
+      q = next, size = after, damping = (std::max)(damping / 8, 1e-3);
+      if (last || (little && steps > 50)) break;
+      last = gap() <= 1e-14;
+    }
+    (void)at(q);
+    if (!(gap() <= 1e-10))
+      fail(steps, steps < most_steps ? "the nearest approach: bars too short, closures that contradict each other, "
+                                       "or another guess"
+                                     : "too many: another guess");
+    check_upright();
+    return q;
+  }
+
+ private:
   /// |g|, with g and J of q.
   double at(const Eigen::VectorXd& q) {
-    write_numbers<vector_of::q>(state_, q, "q");
-    equations_.at_positions(chain_, state_, true);
+    set_(q);
+    equations_.at_positions(closures_, state_, true);
     return equations_.residual.norm();
   }
   double gap() const { return equations_.residual.cwiseAbs().maxCoeff(); }
+  /// Of coordinates: the length of the chain, or 1 rad.
+  const Eigen::VectorXd& units() const { return unit_; }
+  /// Whether a degree of freedom is a length.
+  bool slides(int row) const { return slides_[static_cast<std::size_t>(row)] != 0; }
   /// (1), of g and J as they are; false where nothing moves.
   bool step(double mu, Eigen::VectorXd& d) const {
     const auto m = equations_.residual.size(), n = static_cast<Eigen::Index>(free_.size());
-    Eigen::MatrixXd b = Eigen::MatrixXd::Zero(m + n, n);
+    pivoted_qr qr;
+    auto b = qr.matrix(m + n, n);
+    b.setZero();
     const Eigen::MatrixXd j = equations_.scaled_jacobian();
     for (Eigen::Index k = 0; k < n; ++k) {
       const int row = free_[static_cast<std::size_t>(k)];
@@ -89,10 +132,11 @@ class assembly {
     }
     std::vector<int> all(free_.size());
     for (std::size_t k = 0; k < all.size(); ++k) all[k] = static_cast<int>(k);
-    pivoted_qr qr;
-    if (!qr.take(b, all, 0)) return false;
-    Eigen::VectorXd x = -(qr.q.topRows(m).transpose() * equations_.residual);
-    qr.r.triangularView<Eigen::Upper>().solveInPlace(x);
+    if (!qr.take(all, 0)) return false;
+    Eigen::VectorXd y = Eigen::VectorXd::Zero(m + n + pivoted_qr::padding);
+    y.head(m) = -equations_.residual;
+    qr.times_q_transposed(y.data()), qr.solve(y.data());
+    Eigen::VectorXd x = y.head(n);
     constexpr double quarter_turn = 1.5707963267948966;
     if (const double most = x.size() > 0 ? x.cwiseAbs().maxCoeff() : 0; most > quarter_turn) x *= quarter_turn / most;
     d = Eigen::VectorXd::Zero(unit_.size());
@@ -101,64 +145,43 @@ class assembly {
   }
   [[noreturn]] void fail(int steps, const char* why) const {
     const auto widest = widest_gap(equations_);
-    throw cannot_assemble("kte: the loops do not close: '" + closure_places::name_of(chain_, *widest.closure) +
-                          "' stays open by " + short_number(widest.size) + (widest.linear ? " m" : " rad") + " after " +
-                          std::to_string(steps) + " steps (" + why + ")");
+    raise<cannot_assemble>("kte: the loops do not close: '" + closures_.loop_name(widest.closure->loop) +
+                           "' stays open by " + short_number(widest.size) + (widest.linear ? " m" : " rad") +
+                           " after " + std::to_string(steps) + " steps (" + why + ")");
   }
   /// Throws where rotations are on their false solution.
   void check_upright() const {
     for (const auto& x : equations_.places.closures)
-      if (x.of_frames() && !loop_equations::element(chain_, x).is_upright(loop_equations::placed(state_, x)))
-        throw cannot_assemble("kte: the loops close, but '" + closure_places::name_of(chain_, x) +
-                              "' with its frames half a turn apart: another guess");
+      if (x.of_frames() && !closures_.is_upright(x.element, loop_equations::motion_between(state_, x)))
+        raise<cannot_assemble>("kte: the loops close, but '" + closures_.loop_name(x.loop) +
+                               "' with its frames half a turn apart: another guess");
   }
 
- private:
   static std::string short_number(double x) {
     char text[40];
     std::snprintf(text, sizeof text, "%.3g", x);
     return text;
   }
-  const runtime_chain& chain_;
-  runtime_state& state_;
+  const Closures& closures_;
+  State& state_;
   loop_equations& equations_;
+  const Set& set_;
+  const Moved& moved_;
   std::vector<int> free_;
+  std::vector<char> slides_;
   Eigen::VectorXd unit_;  ///< of coordinates: the length of the chain, or 1 rad
 };
 
 KTE_FUNCTION Eigen::VectorXd assembled(const runtime_chain& c, runtime_state& s, Eigen::VectorXd q,
                                        const std::vector<std::string>& held) {
   if (!has_loops(c)) return q;
-  assembly loops(c, s, held);
-  constexpr int most_steps = 200;
-  double size = loops.at(q), damping = 1;
-  int steps = 0;
-  bool last = loops.gap() <= 1e-14;
-  for (; loops.gap() > 1e-15 && steps < most_steps; ++steps) {
-    Eigen::VectorXd d, next;
-    double after = 0;
-    bool better = false;
-    for (; damping < 1e18; damping *= 8) {
-      if (!loops.step((std::max)(damping * size, 1e-150), d)) break;
-      next = integrate(c, q, d, 1.0);
-      after = loops.at(next);
-      better = after < size;
-      if (better) break;
-      (void)loops.at(q);
-    }
-    if (!better) break;  // as near as it comes
-    const bool little = after > 0.9999 * size && size > 1e-13;
-    q = next, size = after, damping = (std::max)(damping / 8, 1e-3);
-    if (last || (little && steps > 50)) break;
-    last = loops.gap() <= 1e-14;
-  }
-  (void)loops.at(q);
-  if (!(loops.gap() <= 1e-10))
-    loops.fail(steps, steps < most_steps ? "the nearest approach: bars too short, closures that contradict each other, "
-                                           "or another guess"
-                                         : "too many: another guess");
-  loops.check_upright();
-  return q;
+  const auto closures = closures_of(c);
+  const auto set = [&s](const Eigen::VectorXd& at) { write_numbers<vector_of::q>(s, at, "q"); };
+  const auto moved = [&c](const Eigen::VectorXd& from, const Eigen::VectorXd& d) -> Eigen::VectorXd {
+    return integrate(c, from, d, 1.0);
+  };
+  return assembly(closures, s, loops_of(c, s).equations, rows_of_coordinates(c, s, held), set, moved)
+      .from(std::move(q));
 }
 
 }  // namespace kte::detail

@@ -1,10 +1,12 @@
 #pragma once
 
-#include <kte/dynamics/runtime/jacobian.hpp>
+#include <kte/dynamics/closed_loops/runtime_closures.hpp>
+#include <kte/tree/loop_loads.hpp>
 
 #include <numeric>
 
-/// Where the closures of a runtime chain stand in its tree, worked out once for a state.
+/// Where the closures of a chain stand in its tree, worked out once for a state. `Closures`: as
+/// dynamics/closed_loops/runtime_closures.hpp; states as in dynamics/looped/inverse_dynamics.hpp, in double.
 namespace kte::detail {
 
 struct closure_place {
@@ -14,27 +16,33 @@ struct closure_place {
   runtime_frame frame1, frame2;  ///< of a closure of frames
   std::vector<int> coordinates;  ///< of a closure of coordinates: slots, and rows of v
   std::vector<int> dofs;
+  std::vector<int> axes;  ///< likewise: which axis of the joint there
+  tree::load_way way;     ///< of its forces, in trees
+  /// By place in the way: of frame1, frame2 or of coordinates; -1 on a base.
+  std::vector<int> enters;
   bool of_frames() const { return coordinates.empty(); }
 };
 /// Closures that share degrees of freedom, with those: a separate problem.
 struct loop_block {
   std::vector<int> closures;
-  std::vector<int> places;  ///< degrees of freedom of its frames down to the base, those below first
+  std::vector<int> rows_among_all;  ///< of its rows
+  std::vector<int> places;          ///< degrees of freedom of its frames down to the base, in order
   int rows = 0;
 };
 
-/// The closures of a chain, and the degrees of freedom by places: in an order with those below first, so that the mass
-/// matrix has entries only between a place and those on its way to the base.
+/// The closures of a chain, and the degrees of freedom by places: those of a tree in the order of its axes.
 class closure_places {
  public:
-  closure_places(const runtime_chain& c, const runtime_state& s) {
+  template <class Closures, class State>
+  closure_places(const Closures& c, const State& s) {
     const auto& t = s.tree();
     order_places(s);
-    const auto& elements = c.wiring().elements;
-    for (std::size_t e = 0; e < elements.size(); ++e)
-      if (elements[e].closes) add(c, s, static_cast<int>(e));
+    c.each_closure([&](int e) { add(c, s, e); });
     std::vector<std::vector<int>> touched;
-    for (const auto& x : closures) touched.push_back(places_of(s, x));
+    for (auto& x : closures) {
+      if (t.plan.tree) find_way(s, x);
+      touched.push_back(places_of(s, x));
+    }
     make_blocks(touched);
     for (const auto& r : t.body_tree.nodes) length = (std::max)(length, size_of(r.position));
     for (const auto& of_kind : t.body_tree.frames)
@@ -47,102 +55,114 @@ class closure_places {
   int rows = 0;
   double length = 0;               ///< of the largest link, m: a row in m is divided by it
   std::vector<int> row_of_place;   ///< in v
-  std::vector<int> below;          ///< the next place on the way to the base, or -1
+  std::vector<int> axis_of_place;  ///< of a tree; -1: it moves no joint
   std::vector<int> place_of_axis;  ///< -1: no degree of freedom
   std::vector<int> place_of_row;
   std::vector<int> column_of_place;  ///< in its block
 
   /// The name of row k, for messages: "pin[1]".
-  std::string name_of_row(const runtime_chain& c, int k) const {
+  template <class Closures>
+  std::string name_of_row(const Closures& c, int k) const {
     const auto& x = closure_of_row(k);
-    return name_of(c, x) + (x.rows.count() > 1 ? "[" + std::to_string(k - x.first + 1) + "]" : "");
-  }
-  static const std::string& name_of(const runtime_chain& c, const closure_place& x) {
-    return c.wiring().names[static_cast<std::size_t>(kind::loop)][static_cast<std::size_t>(x.loop)];
+    return c.loop_name(x.loop) + (x.rows.count() > 1 ? "[" + std::to_string(k - x.first + 1) + "]" : "");
   }
   const closure_place& closure_of_row(int k) const {
     std::size_t i = 0;
     while (i + 1 < closures.size() && closures[i + 1].first <= k) ++i;
     return closures[i];
   }
+  /// Row k of a block among all.
+  static int row_of(const loop_block& b, int k) { return b.rows_among_all[static_cast<std::size_t>(k)]; }
   /// What row k of a closure is multiplied by.
   double scale(const closure_place& x, int k) const { return k < x.rows.linear ? 1 / length : 1; }
 
  private:
   static double size_of(const vec3<>& x) { return std::sqrt(dot(x, x)); }
 
-  void order_places(const runtime_state& s) {
+  template <class State>
+  void order_places(const State& s) {
     const auto& t = s.tree();
     const auto& f = t.body_tree;
     const int n = s.dofs();
     place_of_axis.assign(f.row.size(), -1), place_of_row.assign(static_cast<std::size_t>(n), -1);
-    const auto add = [&](int row, int on) {
+    const auto add = [&](int row, int axis) {
       place_of_row[static_cast<std::size_t>(row)] = static_cast<int>(row_of_place.size());
-      row_of_place.push_back(row), below.push_back(on);
+      row_of_place.push_back(row), axis_of_place.push_back(axis);
     };
-    if (t.plan.tree) {
-      std::vector<int> last(f.slots(), -1);  // the last place on the way to a slot
-      for (std::size_t i = 0; i < f.nodes.size(); ++i) {
-        const auto& r = f.nodes[i];
-        int on = last[static_cast<std::size_t>(r.parent)];
+    if (t.plan.tree)
+      for (const auto& r : f.nodes)
         for (int k = r.first; k < r.first + r.axes; ++k) {
           const int row = f.row[static_cast<std::size_t>(k)];
           if (row >= n) continue;
           place_of_axis[static_cast<std::size_t>(k)] = static_cast<int>(row_of_place.size());
-          add(row, on);
-          on = static_cast<int>(row_of_place.size()) - 1;
+          add(row, k);
         }
-        last[static_cast<std::size_t>(f.bases) + i] = on;
-      }
-    }
     for (int row = 0; row < n; ++row)  // coordinates that move no joint; all of them where M is dense
-      if (place_of_row[static_cast<std::size_t>(row)] < 0)
-        add(row, t.plan.tree ? -1 : static_cast<int>(row_of_place.size()) - 1);
+      if (place_of_row[static_cast<std::size_t>(row)] < 0) add(row, -1);
   }
-  void add(const runtime_chain& c, const runtime_state& s, int e) {
-    const auto& connection = c.wiring().elements[static_cast<std::size_t>(e)];
+  template <class Closures, class State>
+  void add(const Closures& c, const State& s, int e) {
+    const auto refuse = [&c, e](const char* why) { raise<bad_argument>("kte: " + c.describe(e) + why); };
+    const auto ports = c.ports(e);
     closure_place x;
-    x.element = e, x.loop = connection.index.back(), x.rows = connection.element->rows(), x.first = rows;
+    x.element = e, x.loop = c.written(e), x.rows = c.rows(e), x.first = rows;
     rows += x.rows.count();
-    if (is_frame(connection.ports[0].what)) {
-      x.frame1 = {connection.ports[0].what, connection.index[0]};
-      x.frame2 = {connection.ports[1].what, connection.index[1]};
+    if (is_frame(ports[0].what)) {
+      x.frame1 = {ports[0].what, c.index(e, 0)}, x.frame2 = {ports[1].what, c.index(e, 1)};
       for (const auto& frame : {x.frame1, x.frame2})
         if (s.tree().body_tree.frame(frame.what, frame.index).slot < 0)
-          refuse(c, e, " is on a frame that follows others: closures take frames that joints and links move");
+          refuse(" is on a frame that follows others: closures take frames that joints and links move");
     } else {
-      for (std::size_t p = 0; p + 1 < connection.index.size(); ++p) {
-        const int row = s.tree().plan.row_of_gen[static_cast<std::size_t>(connection.index[p])];
-        if (row >= s.dofs()) refuse(c, e, " couples a coordinate that is not a degree of freedom");
-        x.coordinates.push_back(connection.index[p]), x.dofs.push_back(row);
+      for (std::size_t p = 0; p + 1 < ports.size(); ++p) {
+        const int row = s.tree().plan.row_of_gen[static_cast<std::size_t>(c.index(e, p))];
+        if (row >= s.dofs()) refuse(" couples a coordinate that is not a degree of freedom");
+        x.coordinates.push_back(c.index(e, p)), x.dofs.push_back(row);
       }
     }
     closures.push_back(std::move(x));
   }
-  [[noreturn]] static void refuse(const runtime_chain& c, int e, const char* why) {
-    throw bad_argument("kte: " + describe_element(runtime_elements{c}.element(e)) + why);
+  template <class State>
+  static void find_way(const State& s, closure_place& x) {
+    const auto& f = s.tree().body_tree;
+    std::vector<int> ends;  // body nodes, or less than none
+    if (x.of_frames()) {
+      for (const auto& frame : {x.frame1, x.frame2}) ends.push_back(f.frame(frame.what, frame.index).slot - f.bases);
+    } else {
+      for (const int row : x.dofs) {
+        std::size_t axis = 0, node = 0;
+        while (axis < f.row.size() && f.row[axis] != row) ++axis;
+        while (node + 1 < f.nodes.size() && static_cast<std::size_t>(f.nodes[node + 1].first) <= axis) ++node;
+        const bool moves = axis < f.row.size();
+        ends.push_back(moves ? static_cast<int>(node) : -1);
+        x.axes.push_back(moves ? static_cast<int>(axis) - f.nodes[node].first : 0);
+      }
+    }
+    auto& nodes = x.way.nodes;
+    for (int i : ends)
+      for (; i >= 0; i = f.nodes[static_cast<std::size_t>(i)].parent - f.bases) nodes.push_back(i);
+    std::sort(nodes.rbegin(), nodes.rend());
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    const auto place_of = [&nodes](int i) {
+      const auto at = std::find(nodes.begin(), nodes.end(), i);
+      return at == nodes.end() ? -1 : static_cast<int>(at - nodes.begin());
+    };
+    for (const int i : nodes) x.way.next.push_back(place_of(f.nodes[static_cast<std::size_t>(i)].parent - f.bases));
+    for (const int i : ends) x.enters.push_back(place_of(i));
   }
   /// All places that the factor of a closure has entries at.
-  std::vector<int> places_of(const runtime_state& s, const closure_place& x) const {
+  template <class State>
+  std::vector<int> places_of(const State& s, const closure_place& x) const {
     std::vector<int> all;
     if (!s.tree().plan.tree) {
       all.resize(row_of_place.size());
       std::iota(all.begin(), all.end(), 0);
       return all;
     }
-    const auto add_way = [&](int place) {
-      for (; place >= 0; place = below[static_cast<std::size_t>(place)]) all.push_back(place);
-    };
-    for (const int row : x.dofs) add_way(place_of_row[static_cast<std::size_t>(row)]);
-    if (x.of_frames()) {
-      const auto& f = s.tree().body_tree;
-      for (const auto& frame : {x.frame1, x.frame2})
-        for (int slot = f.frame(frame.what, frame.index).slot; slot >= f.bases;) {
-          const auto& r = f.nodes[static_cast<std::size_t>(slot - f.bases)];
-          for (int k = r.first; k < r.first + r.axes; ++k)
-            if (const int place = place_of_axis[static_cast<std::size_t>(k)]; place >= 0) all.push_back(place);
-          slot = r.parent;
-        }
+    for (const int row : x.dofs) all.push_back(place_of_row[static_cast<std::size_t>(row)]);
+    for (const int i : x.way.nodes) {
+      const auto& r = s.tree().body_tree.nodes[static_cast<std::size_t>(i)];
+      for (int k = r.first; k < r.first + r.axes; ++k)
+        if (const int place = place_of_axis[static_cast<std::size_t>(k)]; place >= 0) all.push_back(place);
     }
     std::sort(all.begin(), all.end());
     all.erase(std::unique(all.begin(), all.end()), all.end());
@@ -169,6 +189,7 @@ class closure_places {
       if (block < 0) block = static_cast<int>(blocks.size()), blocks.emplace_back();
       auto& b = blocks[static_cast<std::size_t>(block)];
       b.closures.push_back(static_cast<int>(i)), b.rows += closures[i].rows.count();
+      for (int k = 0; k < closures[i].rows.count(); ++k) b.rows_among_all.push_back(closures[i].first + k);
       b.places.insert(b.places.end(), touched[i].begin(), touched[i].end());
     }
     column_of_place.assign(row_of_place.size(), -1);

@@ -12,8 +12,7 @@ namespace kte {
 
 namespace detail {
 loops_report loops_at_state(const runtime_chain& c, runtime_state& s);
-constrained_dynamics_result constrained_dynamics_at_state(const runtime_chain& c, runtime_state& s,
-                                                          const Eigen::VectorXd& tau);
+const constrained_dynamics_result& constrained_dynamics_under_kept(const runtime_chain& c, runtime_state& s);
 const Eigen::VectorXd& velocities_on_loops(const runtime_chain& c, runtime_state& s);
 Eigen::MatrixXd loop_jacobian_at_state(const runtime_chain& c, runtime_state& s);
 }  // namespace detail
@@ -23,23 +22,24 @@ Eigen::MatrixXd loop_jacobian_at_state(const runtime_chain& c, runtime_state& s)
 ///
 ///   M a = tau - bias + J^T lambda,   J a = -J_dot v          (1)
 ///
-/// by a column-pivoted QR factorisation of L^-T J^T, M = L^T L, so that redundant closures are no harm: a and J^T
-/// lambda do not depend on which rows are taken. The force of a single redundant closure does: rows in `dependent` get
-/// none. Singular configurations are met to 1e-10 of the largest pivot.
+/// by articulated bodies and a column-pivoted QR factorisation of L^-T J^T, M = L^T L, so that redundant closures are
+/// no harm: a and J^T lambda do not depend on which rows are taken. The force of a single redundant closure does: rows
+/// in `dependent` get none. Singular configurations are met to 1e-10 of the largest pivot.
 ///
 ///   constrained_dynamics(c, s, q, v, tau)    r.a, r.loop("pin").force, r.rank, r.mobility, r.dependent
 ///
-/// The state gets accelerations and forces, too; positions and velocities should be on the loops. Arguments and errors
+/// The result is in the memory of the state, until the next call. Coordinates and loops of the state get accelerations
+/// and forces; positions and velocities should be on the loops. Arguments and errors
 /// as for `forward_dynamics`; throws `bad_argument` for a closure on a frame that follows others, and for joints that
 /// may be held or have friction by what they carry.
 template <indexable Q, indexable V, indexable T>
-constrained_dynamics_result constrained_dynamics(const runtime_chain& c, runtime_state& s, const Q& q, const V& v,
-                                                 const T& tau) {
+const constrained_dynamics_result& constrained_dynamics(const runtime_chain& c, runtime_state& s, const Q& q,
+                                                        const V& v, const T& tau) {
   detail::check_regular_tree(c, s);
-  return detail::take(c, s, q, v, detail::not_given{}, tau).call([&] {
-    Eigen::VectorXd forces(s.dofs());
-    for (int i = 0; i < s.dofs(); ++i) forces[i] = static_cast<double>(tau[static_cast<std::size_t>(i)]);
-    return detail::constrained_dynamics_at_state(c, s, forces);
+  return detail::take(c, s, q, v, detail::not_given{}, tau).call([&]() -> const auto& {
+    for (int i = 0; i < s.dofs(); ++i)
+      s.work.kept[static_cast<std::size_t>(i)] = static_cast<double>(tau[static_cast<std::size_t>(i)]);
+    return detail::constrained_dynamics_under_kept(c, s);
   });
 }
 
@@ -77,64 +77,81 @@ Eigen::VectorXd impulse(const runtime_chain& c, runtime_state& s, const Q& q, co
 namespace kte::detail {
 
 /// The names of rows that are not chosen.
-inline std::vector<std::string> dependent_rows(const runtime_chain& c, const loop_equations& e,
-                                               const loop_factor& factor) {
-  const Eigen::VectorXd chosen = factor.chosen_of(e, Eigen::VectorXd::Ones(e.places.rows));
+template <class Closures>
+std::vector<std::string> dependent_rows(const Closures& c, const loop_equations& e, const loop_factor& factor) {
   std::vector<std::string> names;
-  for (int k = 0; k < e.places.rows; ++k)
-    if (chosen[k] == 0) names.push_back(e.places.name_of_row(c, k));
+  for (int k = 0; factor.rank() < e.places.rows && k < e.places.rows; ++k)
+    if (!factor.is_chosen(e, k)) names.push_back(e.places.name_of_row(c, k));
   return names;
 }
 /// Rows chosen at the positions of the state.
 inline loop_memory_of_state& factorized_loops(const runtime_chain& c, runtime_state& s) {
   auto& m = loops_of(c, s);
-  m.equations.at_positions(c, s, true);
-  m.factor.choose(c, s, m.equations, least_pivot_at(m.equations.residual));
+  factorize_loops(closures_of(c), s, m);
   return m;
 }
-KTE_FUNCTION loops_report loops_at_state(const runtime_chain& c, runtime_state& s) {
+/// After `factorize_loops`.
+template <class Closures>
+loops_report report_of(const Closures& c, const loop_workspace& m, int dofs) {
+  const auto& e = m.equations;
+  const auto& factor = m.factor;
   loops_report r;
-  r.mobility = s.dofs();
-  if (!has_loops(c)) return r;
-  const auto& [layout, e, factor] = factorized_loops(c, s);
-  r.rows = e.places.rows, r.rank = factor.rank(), r.mobility = s.dofs() - r.rank;
+  r.rows = e.places.rows, r.rank = factor.rank(), r.mobility = dofs - r.rank;
   for (const auto& p : factor.parts)
     if (p.largest > 0) r.pivot_ratio = (std::min)(r.pivot_ratio, p.smallest / p.largest);
   const auto widest = widest_gap(e);
-  r.gap = widest.size, r.widest = closure_places::name_of(c, *widest.closure);
+  r.gap = widest.size, r.widest = c.loop_name(widest.closure->loop);
   r.dependent = dependent_rows(c, e, factor);
   for (const auto& b : e.places.blocks) {
     std::string names;
     for (const int k : b.closures)
-      names.append(names.empty() ? "" : ", ")
-          .append(closure_places::name_of(c, e.places.closures[static_cast<std::size_t>(k)]));
+      names.append(names.empty() ? "" : ", ").append(c.loop_name(e.places.closures[static_cast<std::size_t>(k)].loop));
     r.blocks.push_back(names);
   }
   return r;
 }
-KTE_FUNCTION constrained_dynamics_result constrained_dynamics_at_state(const runtime_chain& c, runtime_state& s,
-                                                                       const Eigen::VectorXd& tau) {
-  constrained_dynamics_result r;
-  r.a = accelerations_of_chain(c, s, [&tau](int i) { return tau[i]; });
+/// The velocities on the loops, after `factorize_loops`: the second time takes rounding away.
+template <class State>
+void put_on_loops(State& s, loop_workspace& m, Eigen::VectorXd& v) {
+  for (int i = 0; i < 2; ++i) {
+    m.factor.least_change(s, m.equations, m.equations.times(v), m.change);
+    v -= m.change;
+  }
+}
+KTE_FUNCTION loops_report loops_at_state(const runtime_chain& c, runtime_state& s) {
+  if (has_loops(c)) return report_of(closures_of(c), factorized_loops(c, s), s.dofs());
+  loops_report r;
   r.mobility = s.dofs();
-  if (!has_loops(c)) return r;
-  const auto& [layout, e, factor] = loops_of(c, s);
-  r.rank = factor.rank(), r.mobility = s.dofs() - r.rank;
-  r.dependent = dependent_rows(c, e, factor);
-  for (const auto& x : e.places.closures) {
-    r.names.push_back(closure_places::name_of(c, x));
-    r.loops.push_back(s.get<kind::loop>(x.loop));
+  return r;
+}
+KTE_FUNCTION const constrained_dynamics_result& constrained_dynamics_under_kept(const runtime_chain& c,
+                                                                                runtime_state& s) {
+  auto& m = loops_of(c, s);
+  const auto& at = m.equations.places;
+  auto& r = m.result;
+  if (!has_loops(c)) {
+    r.a = accelerations_under_kept(c, s, {}), r.mobility = s.dofs();
+    return r;
+  }
+  r.a = accelerations_on_loops(c, s);
+  r.rank = m.factor.rank(), r.mobility = s.dofs() - r.rank;
+  r.dependent = dependent_rows(closures_of(c), m.equations, m.factor);
+  r.loops.resize(at.closures.size());
+  for (std::size_t i = r.names.size(); i < r.loops.size(); ++i)
+    r.names.push_back(closures_of(c).loop_name(at.closures[i].loop));
+  for (std::size_t i = 0; i < r.loops.size(); ++i) {
+    const auto& x = at.closures[i];
+    r.loops[i] = s.get<kind::loop>(x.loop);
     for (int k = 0; k < x.rows.count(); ++k)
-      row_of(r.loops.back().residual, r.loops.back().ang_residual, x.rows, k) =
-          e.residual[x.first + k] / e.places.scale(x, k);
+      row_of(r.loops[i].residual, r.loops[i].ang_residual, x.rows, k) =
+          m.equations.residual[x.first + k] / at.scale(x, k);
   }
   return r;
 }
 KTE_FUNCTION const Eigen::VectorXd& velocities_on_loops(const runtime_chain& c, runtime_state& s) {
   Eigen::VectorXd v = read_numbers<vector_of::v>(s);
   if (has_loops(c)) {
-    const auto& [layout, e, factor] = factorized_loops(c, s);
-    for (int i = 0; i < 2; ++i) v -= factor.least_change(e, e.times(v));  // the second takes rounding away
+    put_on_loops(s, factorized_loops(c, s), v);
     write_numbers<vector_of::v>(s, v, "v");
   }
   s.work.forces = v;
@@ -143,7 +160,7 @@ KTE_FUNCTION const Eigen::VectorXd& velocities_on_loops(const runtime_chain& c, 
 KTE_FUNCTION Eigen::MatrixXd loop_jacobian_at_state(const runtime_chain& c, runtime_state& s) {
   if (!has_loops(c)) return Eigen::MatrixXd(0, s.dofs());
   auto& m = loops_of(c, s);
-  m.equations.at_positions(c, s, true);
+  m.equations.at_positions(closures_of(c), s, true);
   return m.equations.dense_jacobian();
 }
 

@@ -2,32 +2,39 @@
 
 #include <kte/dynamics/closed_loops/forward.hpp>
 #include <kte/dynamics/closed_loops/loop_factor.hpp>
+#include <kte/dynamics/closed_loops/loop_results.hpp>
 
-/// Accelerations and closure forces of a runtime chain with loops, in the working memory of a state.
+/// Accelerations and closure forces of a chain with loops, in the working memory of a state.
 namespace kte::detail {
 
 /// Pivots below this part of the first are zero, where rows are chosen.
 inline constexpr double least_pivot = 1e-10;
 
-struct loop_memory_of_state {
-  std::shared_ptr<const char> layout;
+/// The equations of the closures of a chain, their factor, and what is made of both.
+struct loop_workspace {
+  template <class Closures, class State>
+  loop_workspace(const Closures& c, const State& s) : equations(c, s) {}
   loop_equations equations;
   loop_factor factor;
-
-  loop_memory_of_state(const runtime_chain& c, const runtime_state& s) : layout(c.wiring().layout), equations(c, s) {}
+  Eigen::VectorXd change, multipliers;
+};
+/// What a runtime state keeps of the loops of its chain.
+struct loop_memory_of_state : loop_workspace {
+  std::shared_ptr<const char> layout;
+  constrained_dynamics_result result;
+  loop_memory_of_state(const runtime_closures& c, const runtime_state& s) : loop_workspace(c, s), layout(c.layout()) {}
 };
 inline loop_memory_of_state& loops_of(const runtime_chain& c, runtime_state& s) {
-  const auto make = [&] { return loop_memory_of_state(c, s); };
+  const auto make = [&] { return loop_memory_of_state(closures_of(c), s); };
   auto& m = s.loops.get<loop_memory_of_state>(make);
   if (m.layout != c.wiring().layout) m = make();
   return m;
 }
 
-/// Throws `bad_argument` for what loops do not go with.
-inline void check_loops(const runtime_chain& c, const runtime_state& s) {
-  const auto refuse = [&](int e, const char* why) {
-    throw bad_argument("kte: " + describe_element(runtime_elements{c}.element(e)) + why);
-  };
+/// Raises `bad_argument` for what loops do not go with.
+template <class Closures, class State>
+void check_loops(const Closures& c, const State& s) {
+  const auto refuse = [&c](int e, const char* why) { raise<bad_argument>("kte: " + c.describe(e) + why); };
   if (!s.tree().locks.empty()) [[unlikely]]
     refuse(s.tree().locks.front(), " may lock a coordinate, which chains with closures do not know");
   if (!s.tree().readers.empty()) [[unlikely]]
@@ -39,40 +46,70 @@ inline double least_pivot_at(const Eigen::VectorXd& residual) {
   const double gap = residual.size() > 0 ? residual.cwiseAbs().maxCoeff() : 0;
   return gap < 1e-8 ? (std::max)(least_pivot, 100 * gap) : least_pivot;
 }
-inline void put_loop_forces(const closure_places& at, const Eigen::VectorXd& multipliers, runtime_state& s) {
+/// J_dot v at the state, and rows chosen there, after `at_positions` with J.
+template <class Closures, class State>
+void choose_rows(const Closures& c, State& s, loop_equations& e, loop_factor& factor) {
+  factor.factorize(c, s, e);
+  factor.choose(c, s, e, least_pivot_at(e.residual));
+}
+/// Residuals, J, and rows chosen at the positions of the state.
+template <class Closures, class State>
+void factorize_loops(const Closures& c, State& s, loop_workspace& m) {
+  m.equations.at_positions(c, s, true);
+  choose_rows(c, s, m.equations, m.factor);
+}
+template <class State>
+void put_loop_forces(const closure_places& at, const Eigen::VectorXd& multipliers, State& s) {
   for (const auto& x : at.closures) {
-    auto& loop = s.get<kind::loop>(x.loop);
+    auto& loop = s.template get<kind::loop>(x.loop);
     for (int r = 0; r < x.rows.count(); ++r)
       row_of(loop.force, loop.torque, x.rows, r) = at.scale(x, r) * multipliers[x.first + r];
   }
 }
 
-/// Accelerations under applied(i), into `forces` of the working memory and into the state, with the forces of closures:
+/// Accelerations under applied(i), into `forces` of the working memory, with the forces of closures:
 ///
 ///   a = a0 - d(J_dot v + J a0),   lambda = -multipliers(J_dot v + J a0)          (1)
 ///
 /// a0: those of the tree. Rows are those of `rows`, or chosen here where there are none or they are dependent.
+template <class Closures, class State, class Tau>
+void accelerate_on_loops(const Closures& c, State& s, loop_workspace& m, const Tau& applied,
+                         const loop_factor* rows = nullptr) {
+  check_loops(c, s);
+  auto& [e, factor, change, multipliers] = m;
+  const bool tree = s.tree().plan.tree;
+  accelerate_by_tree(c.elements(), s, applied, {});
+  auto& a = s.work.forces;
+  e.at_positions(c, s, !tree, tree);
+  if (tree) {  // all is in the working memory
+    factor.take_articulated(s, e);
+    e.accelerate_residuals(c, s, [&a](int i) { return a[i]; });
+  } else {
+    change = a;
+    for_each_listed_freedom(s, [&change](auto& x, const freedom& at) { put<vector_of::a>(x, at, change); });
+    factor.factorize(c, s, e);
+    e.at_rates(c, s);
+    e.acceleration += e.times(change);
+    a = change;
+  }
+  if (!rows || !factor.keep(c, s, e, *rows, least_pivot)) factor.choose(c, s, e, least_pivot_at(e.residual));
+  factor.least_change(s, e, e.acceleration, change, multipliers);
+  a -= change, multipliers = -multipliers;
+  put_loop_forces(e.places, multipliers, s);
+}
+/// The same into a runtime state.
 template <class Tau>
 const Eigen::VectorXd& constrained_accelerations(const runtime_chain& c, runtime_state& s, const Tau& applied,
                                                  const loop_factor* rows = nullptr) {
-  check_loops(c, s);
-  Eigen::VectorXd a = accelerations_under(c, s, applied);
-  auto& [layout, e, factor] = loops_of(c, s);
-  e.at_positions(c, s, true);
-  if (!rows || !factor.keep(c, s, e, *rows, least_pivot)) factor.choose(c, s, e, least_pivot_at(e.residual));
-  e.at_rates(c, s);
-  const Eigen::VectorXd off = e.acceleration + e.times(a);
-  a -= factor.least_change(e, off);
-  put_loop_forces(e.places, -factor.multipliers(e, off), s);
-  check_result(a, static_cast<std::size_t>(a.size()), diagnose_state{"an acceleration", s});
-  s.work.forces = a;
-  write_numbers<vector_of::a>(s, a, "a");
+  accelerate_on_loops(closures_of(c), s, loops_of(c, s), applied, rows);
+  check_result(s, diagnose_state{"an acceleration", s});
+  write_numbers<vector_of::a>(s, s.work.forces, "a");
   return s.work.forces;
 }
 
 inline const bool loops_are_known = [] {
   accelerations_on_loops = [](const runtime_chain& c, runtime_state& s) -> const Eigen::VectorXd& {
-    const std::vector<double> applied = s.work.kept;
+    const auto& applied = s.work.kept;
     return constrained_accelerations(c, s, [&applied](int i) { return applied[static_cast<std::size_t>(i)]; });
   };
   return true;

@@ -8,7 +8,9 @@ namespace kte::detail {
 
 class loop_equations {
  public:
-  loop_equations(const runtime_chain& c, const runtime_state& s) : places(c, s) {
+  template <class Closures, class State>
+  loop_equations(const Closures& c, const State& s)
+      : places(c, s), motions_(places.closures.size()), ends_(places.closures.size()) {
     for (const auto& b : places.blocks) jacobian.emplace_back(b.rows, static_cast<Eigen::Index>(b.places.size()));
     residual.resize(places.rows), acceleration.resize(places.rows);
   }
@@ -16,11 +18,12 @@ class loop_equations {
   closure_places places;
   Eigen::VectorXd residual;               ///< g
   std::vector<Eigen::MatrixXd> jacobian;  ///< J of each block, its rows by its places
-  Eigen::VectorXd acceleration;           ///< J_dot v
+  Eigen::VectorXd acceleration;           ///< J_dot v, or that of residuals
 
-  /// g, and optionally J, at valid positions.
-  void at_positions(const runtime_chain& c, runtime_state& s, bool with_jacobian) {
-    place_bodies(runtime_elements{c}, s);
+  /// g, and optionally J, at valid positions; of bodies that are `placed` there already, or will be.
+  template <class Closures, class State>
+  void at_positions(const Closures& c, State& s, bool with_jacobian, bool placed = false) {
+    if (!placed) place_bodies(c.elements(), s);
     for (std::size_t i = 0; i < places.blocks.size(); ++i) {
       if (with_jacobian) jacobian[i].setZero();
       int row = 0;
@@ -28,8 +31,10 @@ class loop_equations {
         const auto& x = places.closures[static_cast<std::size_t>(k)];
         double g[6];
         if (x.of_frames()) {
-          const auto m = placed(s, x);
-          element(c, x).close_frames(m, 0, g);
+          find_places(s, x, ends_[static_cast<std::size_t>(k)]);
+          auto& m = motions_[static_cast<std::size_t>(k)];
+          m = between(ends_[static_cast<std::size_t>(k)]);
+          c.close_frames(x.element, m, closing::residual, g);
           if (with_jacobian) fill(c, s, x, m, jacobian[i], row);
         } else {
           coordinate_rows(c, s, x, [&](const auto& values, const double* by) {
@@ -43,58 +48,94 @@ class loop_equations {
     }
   }
   /// J_dot v, after `at_positions`, at the rates of the state.
-  void at_rates(const runtime_chain& c, runtime_state& s) {
-    const auto& f = s.tree().body_tree;
+  template <class Closures, class State>
+  void at_rates(const Closures& c, State& s) {
     if (!s.tree().followers.empty()) {  // which accelerate with what they follow, and by its rates
-      const Eigen::VectorXd a = read_numbers<vector_of::a>(s);
-      write_numbers<vector_of::a>(s, Eigen::VectorXd::Zero(a.size()), "a");
-      bring_up_to_date(runtime_elements{c}, s);
+      Eigen::VectorXd a(s.dofs());
+      read_listed_numbers<vector_of::a>(s, a);
+      const Eigen::VectorXd none = Eigen::VectorXd::Zero(a.size());
+      put_accelerations(s, none), bring_up_to_date(c, s);
       take_rates(s);
-      write_numbers<vector_of::a>(s, a, "a");
-      bring_up_to_date(runtime_elements{c}, s);
+      put_accelerations(s, a), bring_up_to_date(c, s);
     } else {
       take_rates(s);
     }
     take_bases(s);
+    const auto& f = s.tree().body_tree;
     for (std::size_t k = 0; k < f.row.size(); ++k)
       if (f.row[k] < s.dofs()) s.work.acceleration[k] = 0;
     tree::move_bodies<true>(f, s.work);
-    for (const auto& x : places.closures) {
+    for (std::size_t k = 0; k < places.closures.size(); ++k)
+      if (places.closures[k].of_frames()) find_places(s, places.closures[k], ends_[k]);
+    accelerate_residuals(c, s, [](int) { return 0.0; });
+  }
+  /// The second derivatives of residuals, after `at_positions`, at the motions of bodies in the working memory; a(i):
+  /// those of degrees of freedom.
+  template <class Closures, class State, class A>
+  void accelerate_residuals(const Closures& c, State& s, const A& a) {
+    for (std::size_t k = 0; k < places.closures.size(); ++k) {
+      const auto& x = places.closures[k];
       double rows[6];
       if (x.of_frames()) {
-        const pose<mat3<vec3<>>, vec3<>> here{as<double>(matrix(no_rotation{})), {}};
-        const auto m = placed(s, x);
-        const auto a = moved(s, x.frame1, here), b = moved(s, x.frame2, {m.rotation, m.position});
-        element(c, x).close_frames(as_closing_motion<double>(relative(a, b)), 2, rows);
+        c.close_frames(x.element, accelerated(s, x, ends_[k], motions_[k]), closing::residual_ddot, rows);
       } else {
-        coordinate_rows(c, s, x, [&rows](const auto& values, const double*) { rows[0] = values[1]; });
+        coordinate_rows(c, s, x, [&](const auto& values, const double* by) {
+          rows[0] = values[1];
+          for (std::size_t n = 0; n < x.dofs.size(); ++n) rows[0] += by[n] * a(x.dofs[n]);
+        });
       }
       for (int r = 0; r < x.rows.count(); ++r) acceleration[x.first + r] = places.scale(x, r) * rows[r];
     }
   }
+  /// put(column of its block, row, entry) of L^-T J^T for the rows of a closure, after `at_positions`, in a tree whose
+  /// articulated inertias are in the working memory; `root`: D^-1/2 by place.
+  template <class Closures, class State, class Put>
+  void half_solve(const Closures& c, State& s, int closure, const Eigen::VectorXd& root, const Put& put) {
+    const auto& x = places.closures[static_cast<std::size_t>(closure)];
+    if (!x.of_frames()) return half_solve_coordinates(c, s, x, root, put);
+    double units[6 * closing_stride]{};
+    const auto& m = motions_[static_cast<std::size_t>(closure)];
+    c.close_frames(x.element, m, closing::wrenches, units);
+    for (double* unit = units; unit != units + 6 * closing_stride; unit += closing_stride)
+      for (int r = 0; r < x.rows.linear; ++r) unit[r] /= places.length;
+    constexpr int lanes = static_cast<int>(tree::simd_of<double>::count);
+    const auto& f = s.tree().body_tree;
+    for (int first = 0; first < x.rows.count(); first += lanes) {
+      simd_load on2;
+      tree::load_vectors<double>(on2.force, units + first, closing_stride);
+      tree::load_vectors<double>(on2.torque, units + 3 * closing_stride + first, closing_stride);
+      simd_load on1 = tree::seen_from<double>(m.rotation, m.position, on2);
+      for (auto* v : {&on1.force, &on1.torque}) v->x = -v->x, v->y = -v->y, v->z = -v->z;
+      const auto enter = [&](std::size_t port, const runtime_frame& frame, const simd_load& load) {
+        const int at = x.enters[port];
+        if (at < 0) return;
+        const auto& place = f.frame(frame.what, frame.index).at;
+        tree::add_to(loads_[static_cast<std::size_t>(at)],
+                     tree::seen_from<double>(place.rotation, place.position, load));
+      };
+      loads_.assign(x.way.nodes.size(), simd_load{});
+      enter(0, x.frame1, on1), enter(1, x.frame2, on2);
+      const auto put_lanes = [&](int axis, const tree::simd<double>& e) KTE_INLINE_LAMBDA {
+        const auto place = static_cast<std::size_t>(places.place_of_axis[static_cast<std::size_t>(axis)]);
+        double left[lanes];
+        tree::store<double>(e, left);
+        for (int r = first; r < (std::min)(first + lanes, x.rows.count()); ++r)
+          put(places.column_of_place[place], r, root[static_cast<Eigen::Index>(place)] * left[r - first]);
+      };
+      tree::send_to_bases(f, s.work, x.way, loads_.data(), static_cast<const double*>(nullptr), put_lanes);
+    }
+  }
   /// J x of all rows, of x by degrees of freedom, and of the sizes of all numbers.
   Eigen::VectorXd times(const Eigen::VectorXd& x) const {
-    return product(x, [](const Eigen::MatrixXd& j, const Eigen::VectorXd& part) { return (j * part).eval(); });
+    return product(x, [](double j, double v) { return j * v; });
   }
   Eigen::VectorXd times_sizes(const Eigen::VectorXd& x) const {
-    return product(x, [](const Eigen::MatrixXd& j, const Eigen::VectorXd& part) {
-      return (j.cwiseAbs() * part.cwiseAbs()).eval();
-    });
+    return product(x, [](double j, double v) { return std::abs(j * v); });
   }
   /// J by degrees of freedom, and of residuals in m and rad.
   Eigen::MatrixXd scaled_jacobian() const {
     Eigen::MatrixXd all = Eigen::MatrixXd::Zero(places.rows, static_cast<Eigen::Index>(places.row_of_place.size()));
-    for (std::size_t i = 0; i < places.blocks.size(); ++i) {
-      const auto& b = places.blocks[i];
-      Eigen::Index row = 0;
-      for (const int k : b.closures) {
-        const auto& x = places.closures[static_cast<std::size_t>(k)];
-        for (int r = 0; r < x.rows.count(); ++r, ++row)
-          for (std::size_t n = 0; n < b.places.size(); ++n)
-            all(x.first + r, places.row_of_place[static_cast<std::size_t>(b.places[n])]) =
-                jacobian[i](row, static_cast<Eigen::Index>(n));
-      }
-    }
+    each_entry([&all](int row, int dof, double j) { all(row, dof) = j; });
     return all;
   }
   Eigen::MatrixXd dense_jacobian() const {
@@ -104,58 +145,113 @@ class loop_equations {
     return all;
   }
   /// The motion of frame2 in frame1, at rest.
-  static closing_motion<double> placed(runtime_state& s, const closure_place& x) {
-    const auto& f = s.tree().body_tree;
-    const auto &a = f.frame(x.frame1.what, x.frame1.index), &b = f.frame(x.frame2.what, x.frame2.index);
-    const int common = tree::common_slot(f, a.slot, b.slot);
-    tree::dense_pose<double> in_a, in_b;
-    const int base_a = tree::pose_in_base(f, s.work, a, in_a, common);
-    const int base_b = tree::pose_in_base(f, s.work, b, in_b, common);
-    if (common < 0) in_a = in_world(s, base_a, in_a), in_b = in_world(s, base_b, in_b);
-    const auto at = compose(inverse(in_a), in_b);
-    return {as<double>(at.position), as<double>(matrix(at.rotation)), {}, {}, {}, {}};
+  template <class State>
+  static auto motion_between(const State& s, const closure_place& x) {
+    ends_of_closure<typename State::scalar> at;
+    find_places(s, x, at);
+    return between(at);
   }
-  static const kte_element& element(const runtime_chain& c, const closure_place& x) {
-    return runtime_elements{c}.element(x.element);
+  /// The motion of frame2 in frame1, of bodies that move.
+  template <class State>
+  static auto moving_between(const State& s, const closure_place& x) {
+    ends_of_closure<typename State::scalar> at;
+    find_places(s, x, at);
+    return accelerated(s, x, at, between(at));
   }
 
  private:
+  /// The frames of a closure in the body that both stand on, or in the world; its slot, or -1.
+  template <class S>
+  struct ends_of_closure {
+    tree::moving_place<S> first, second;
+    int common = -1;
+  };
+  template <class State, class S>
+  static void find_places(const State& s, const closure_place& x, ends_of_closure<S>& at) {
+    const auto& f = s.tree().body_tree;
+    const auto &a = f.frame(x.frame1.what, x.frame1.index), &b = f.frame(x.frame2.what, x.frame2.index);
+    at.common = tree::common_slot(f, a.slot, b.slot);
+    const int base_a = tree::place_and_velocity(f, s.work, a, at.common, at.first);
+    const int base_b = tree::place_and_velocity(f, s.work, b, at.common, at.second);
+    if (at.common < 0) into_world(s, base_a, at.first), into_world(s, base_b, at.second);
+  }
+  template <class S>
+  static closing_motion<S> between(const ends_of_closure<S>& at) {
+    const auto to_a = transpose(at.first.rotation);
+    return {to_a * (at.second.position - at.first.position), to_a * at.second.rotation, {}, {}, {}, {}};
+  }
+  using simd_load = tree::simd_wrench<double>;
   int column_of_row(int row) const {
     return places.column_of_place[static_cast<std::size_t>(places.place_of_row[static_cast<std::size_t>(row)])];
   }
-  template <class Visit>
-  static void coordinate_rows(const runtime_chain& c, runtime_state& s, const closure_place& x, const Visit& visit) {
+  template <class State>
+  static void put_accelerations(State& s, const Eigen::VectorXd& a) {
+    for_each_listed_freedom(s, [&a](auto& x, const freedom& at) { put<vector_of::a>(x, at, a); });
+  }
+  template <class Closures, class State, class Visit>
+  static void coordinate_rows(const Closures& c, State& s, const closure_place& x, const Visit& visit) {
     double q[4]{}, v[4]{}, by[4]{};
-    for (std::size_t n = 0; n < x.coordinates.size(); ++n) {
-      const auto& at = s.get<kind::gen>(x.coordinates[n]);
-      q[n] = at.q, v[n] = at.q_dot;
+    if constexpr (may_have<State, kind::gen>)
+      for (std::size_t n = 0; n < x.coordinates.size(); ++n) {
+        const auto& at = s.template get<kind::gen>(x.coordinates[n]);
+        q[n] = at.q, v[n] = at.q_dot;
+      }
+    visit(c.close_coordinates(x.element, q, v, by), by);
+  }
+  template <class Closures, class State, class Put>
+  void half_solve_coordinates(const Closures& c, State& s, const closure_place& x, const Eigen::VectorXd& root,
+                              const Put& put) {
+    coordinate_rows(c, s, x, [&](const auto&, const double* by) {
+      loads_.assign(x.way.nodes.size(), simd_load{}), forces_.assign(tree::most_axes * x.way.nodes.size(), 0);
+      for (std::size_t n = 0; n < x.dofs.size(); ++n) {
+        const auto place = static_cast<std::size_t>(places.place_of_row[static_cast<std::size_t>(x.dofs[n])]);
+        if (x.enters[n] >= 0) {
+          forces_[tree::most_axes * static_cast<std::size_t>(x.enters[n]) + static_cast<std::size_t>(x.axes[n])] +=
+              by[n];
+          continue;
+        }
+        double sum = 0;
+        for (std::size_t k = 0; k < x.dofs.size(); ++k) sum += x.dofs[k] == x.dofs[n] ? by[k] : 0;
+        put(places.column_of_place[place], 0, root[static_cast<Eigen::Index>(place)] * sum);
+      }
+      const auto put_first = [&](int axis, const tree::simd<double>& e) {
+        const auto place = static_cast<std::size_t>(places.place_of_axis[static_cast<std::size_t>(axis)]);
+        double left[tree::simd_of<double>::count];
+        tree::store<double>(e, left);
+        put(places.column_of_place[place], 0, root[static_cast<Eigen::Index>(place)] * left[0]);
+      };
+      tree::send_to_bases(s.tree().body_tree, s.work, x.way, loads_.data(), forces_.data(), put_first);
+    });
+  }
+  /// visit(row, degree of freedom, entry of J).
+  template <class Visit>
+  void each_entry(const Visit& visit) const {
+    for (std::size_t i = 0; i < places.blocks.size(); ++i) {
+      const auto& b = places.blocks[i];
+      Eigen::Index row = 0;
+      for (const int k : b.closures) {
+        const auto& x = places.closures[static_cast<std::size_t>(k)];
+        for (int r = 0; r < x.rows.count(); ++r, ++row)
+          for (std::size_t n = 0; n < b.places.size(); ++n)
+            visit(x.first + r, places.row_of_place[static_cast<std::size_t>(b.places[n])],
+                  jacobian[i](row, static_cast<Eigen::Index>(n)));
+      }
     }
-    visit(element(c, x).close_coordinates(q, v, by), by);
   }
   template <class Product>
   Eigen::VectorXd product(const Eigen::VectorXd& x, const Product& of) const {
-    Eigen::VectorXd out(places.rows);
-    for (std::size_t i = 0; i < places.blocks.size(); ++i) {
-      const auto& b = places.blocks[i];
-      Eigen::VectorXd part(static_cast<Eigen::Index>(b.places.size()));
-      for (std::size_t k = 0; k < b.places.size(); ++k)
-        part[static_cast<Eigen::Index>(k)] = x[places.row_of_place[static_cast<std::size_t>(b.places[k])]];
-      const Eigen::VectorXd y = of(jacobian[i], part);
-      Eigen::Index row = 0;
-      for (const int k : b.closures) {
-        const auto& closure = places.closures[static_cast<std::size_t>(k)];
-        for (int r = 0; r < closure.rows.count(); ++r) out[closure.first + r] = y[row++];
-      }
-    }
+    Eigen::VectorXd out = Eigen::VectorXd::Zero(places.rows);
+    each_entry([&](int row, int dof, double j) { out[row] += of(j, x[dof]); });
     return out;
   }
   /// Rows of J of a closure of frames, from row `first` of its block on.
-  void fill(const runtime_chain& c, runtime_state& s, const closure_place& x, closing_motion<double> m,
-            Eigen::MatrixXd& j, int first) const {
+  template <class Closures, class State>
+  void fill(const Closures& c, State& s, const closure_place& x, closing_motion<double> m, Eigen::MatrixXd& j,
+            int first) const {
     const auto put = [&](int column, const double* six) {
       m.velocity = {six[0], six[1], six[2]}, m.ang_velocity = {six[3], six[4], six[5]};
       double rows[6];
-      element(c, x).close_frames(m, 1, rows);
+      c.close_frames(x.element, m, closing::residual_dot, rows);
       for (int r = 0; r < x.rows.count(); ++r) j(first + r, column) += places.scale(x, r) * rows[r];
     };
     const auto& f = s.tree().body_tree;
@@ -182,31 +278,67 @@ class loop_equations {
       });
       return;
     }
-    runtime_jacobian all = runtime_jacobian::Zero(6, s.tree().plan.coordinates);
+    Eigen::Matrix<double, 6, Eigen::Dynamic> all =
+        Eigen::Matrix<double, 6, Eigen::Dynamic>::Zero(6, s.tree().plan.coordinates);
     each_column([&](std::size_t k, const double* six) {
       all.col(f.row[k]) += Eigen::Map<const Eigen::Matrix<double, 6, 1>>(six);
     });
-    all = folded(c, s, std::move(all));
+    if (all.cols() != s.dofs())
+      pull_back_followers(c, s, [&all](int to, int from, double ratio) { all.col(to) += ratio * all.col(from); });
     for (int row = 0; row < s.dofs(); ++row) put(column_of_row(row), all.col(row).data());
   }
-  static tree::dense_pose<double> in_world(runtime_state& s, int base, const tree::dense_pose<double>& x) {
-    tree::dense_pose<double> at = x;
-    for_each_base(s, [&](const auto& m, std::size_t slot) {
-      if (static_cast<int>(slot) == base) at = plain_pose<double>(compose(plain_pose<double>(m), x));
-    });
-    return at;
-  }
-  /// The motion of a frame that stands at a pose, in axes in which bodies are not placed: rates are in its own.
-  static closing_motion<double> moved(const runtime_state& s, const runtime_frame& x,
-                                      const pose<mat3<vec3<>>, vec3<>>& at) {
-    const auto& place = s.tree().body_tree.frame(x.what, x.index);
-    const auto& body = s.work.bodies[static_cast<std::size_t>(place.slot)];
-    const motion of_body{vec3<>{},          no_rotation{},     body.velocity,
-                         body.ang_velocity, body.acceleration, body.ang_acceleration};
-    auto m = as_closing_motion<double>(compose(of_body, at_rest(place.at.rotation, place.at.position)));
-    m.position = at.position, m.rotation = at.rotation;
+  /// The motion of frame2 in frame1 with all its derivatives, of which it has the pose. With the position p in axes of
+  /// frame1, and its velocity there that frames have in the body or base that both stand on,
+  ///
+  ///   p' = v_2 - v_1 - w_1 x p,   w = w_2 - R^T w_1                                        (1)
+  ///   p'' = R a_2 - (a_1 + al_1 x p + w_1 x (w_1 x p) + 2 w_1 x p')                        (2)
+  ///   al = al_2 - R^T al_1 + w x R^T w_1                                                   (3)
+  ///
+  /// where w_1 in (1) is that in the common body.
+  template <class State, class S>
+  static closing_motion<S> accelerated(const State& s, const closure_place& x, const ends_of_closure<S>& ends,
+                                       closing_motion<S> m) {
+    const auto& f = s.tree().body_tree;
+    const auto &at_a = f.frame(x.frame1.what, x.frame1.index), &at_b = f.frame(x.frame2.what, x.frame2.index);
+    const auto body_of = [&s](int slot) -> const auto& { return s.work.bodies[static_cast<std::size_t>(slot)]; };
+    const auto& [a, b, common] = ends;
+    const auto to_a = transpose(a.rotation);
+    const auto frame_motion = [&](const auto& at) {
+      const auto& body = body_of(at.slot);
+      const auto &p = at.at.position, &w = body.ang_velocity;
+      const auto back = transpose(at.at.rotation);
+      return std::array<vec3<S>, 3>{
+          back * w, back * (body.acceleration + cross(body.ang_acceleration, p) + cross(w, cross(w, p))),
+          back * body.ang_acceleration};
+    };
+    const auto [w1, a1, al1] = frame_motion(at_a);
+    const auto [w2, a2, al2] = frame_motion(at_b);
+    const vec3<S> turns =
+        common < 0 ? w1 : vec3<S>(w1 - to_a * body_of(common).ang_velocity);  // world: bases of their own
+    const auto to_b = transpose(m.rotation);
+    const vec3<S> rate = to_a * (b.velocity - a.velocity) - cross(turns, m.position);
+    const vec3<S> w1_in_b = to_b * w1;
+    m.velocity = to_b * rate, m.ang_velocity = w2 - w1_in_b;
+    m.acceleration = a2 - to_b * (a1 + cross(al1, m.position) + cross(w1, cross(w1, m.position)) + 2 * cross(w1, rate));
+    m.ang_acceleration = al2 - to_b * al1 + cross(m.ang_velocity, w1_in_b);
     return m;
   }
+  /// In the world, where bases move.
+  template <class State, class S>
+  static void into_world(const State& s, int base, tree::moving_place<S>& x) {
+    for_each_base(s, [&](const auto& m, std::size_t slot) {
+      if (static_cast<int>(slot) != base) return;
+      const mat3<vec3<S>> r = as<S>(matrix(m.rotation));
+      const vec3<S> v = as<S>(m.velocity), w = as<S>(m.ang_velocity);
+      x.velocity = r * (v + cross(w, x.position) + x.velocity);
+      x.position = as<S>(m.position) + r * x.position, x.rotation = r * x.rotation;
+    });
+  }
+
+  std::vector<closing_motion<double>> motions_;  ///< of closures of frames, at rest
+  std::vector<ends_of_closure<double>> ends_;
+  std::vector<simd_load> loads_;  ///< on bodies of a way
+  std::vector<double> forces_;
 };
 
 /// The closure with the largest residual, and that, m or rad.

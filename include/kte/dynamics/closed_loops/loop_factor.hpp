@@ -1,148 +1,198 @@
 #pragma once
 
 #include <kte/dynamics/closed_loops/loop_equations.hpp>
+#include <kte/dynamics/closed_loops/mass_root.hpp>
+#include <kte/dynamics/looped/forward_dynamics.hpp>
 #include <kte/kernels/pivoted_qr.hpp>
 
 /// The independent rows of closures, and the least change of a motion in kinetic energy that they ask for.
 ///
-///   M = L^T L, L with entries only on the way to the base                        (1)
-///   B = L^-T J^T,   so that B^T B = J M^-1 J^T                                     (2)
-///   B_S = Q R,  S: the rows of J that column pivoting chooses                      (3)
-///   d = L^-1 Q R^-T c:  J_S d = c_S with the least d^T M d                         (4)
-///   lambda_S = R^-1 R^-T c: M d = J_S^T lambda_S                                   (5)
+///   M = L^T L                                                                     (1)
+///   B = L^-T J^T,   so that B^T B = J M^-1 J^T                                    (2)
+///   B_S = Q R,  S: the rows of J that column pivoting chooses                     (3)
+///   d = L^-1 Q R^-T c:  J_S d = c_S with the least d^T M d                        (4)
+///   lambda_S = R^-1 R^-T c: M d = J_S^T lambda_S                                  (5)
 ///
-/// L: Featherstone, Rigid Body Dynamics Algorithms, 2008, 6.5. (2), not the mass of the loops J M^-1 J^T, whose
-/// conditioning is squared.
+/// In trees, L^-T is the way of loads to the bases, and L^-1 that of accelerations back (tree/loop_loads.hpp): with the
+/// D of articulated bodies, an entry of B is e D^-1/2 (Rodriguez, Jain and Kreutz-Delgado, Int. J. Robotics Research
+/// 10, 1991). Other chains factorize M. Never the mass of the loops J M^-1 J^T, whose conditioning is squared.
 namespace kte::detail {
 
 class loop_factor {
  public:
-  /// (1) to (3), after `at_positions` with J. Rows with pivots below `least` times the first are dependent.
-  void choose(const runtime_chain& c, runtime_state& s, const loop_equations& e, double least) {
-    factorize(c, s, e.places);
+  /// (1) at the positions of the state, to be used at others too; after `at_positions`, with J unless it is a tree.
+  template <class Closures, class State>
+  void factorize(const Closures& c, State& s, const loop_equations& e) {
+    if (!s.tree().plan.tree) return factorize_mass(c, s, e);
+    prescribe(s, {});
+    if (const int bad = tree::articulate_at_rest(s.tree().body_tree, s.work); bad >= 0) [[unlikely]]
+      diagnose_axis(c, s, bad);
+    check_jointless_masses(c, s);
+    take_articulated(s, e);
+    kept_.joint_transforms = s.work.joint_transforms, kept_.factors = s.work.factors;
+    keeps_ = true;
+  }
+  /// (1) of a tree whose articulated inertias are in the working memory of the state, as long as they are.
+  template <class State>
+  void take_articulated(const State& s, const loop_equations& e) {
+    const auto& at = e.places;
+    root_.resize(static_cast<Eigen::Index>(at.row_of_place.size()));
+    for (std::size_t k = 0; k < at.axis_of_place.size(); ++k) {
+      const int axis = at.axis_of_place[k];
+      root_[static_cast<Eigen::Index>(k)] =
+          axis >= 0 ? std::sqrt(s.work.factors[static_cast<std::size_t>(axis)].inverse)
+                    : 1 / std::sqrt(s.tree().own_mass[static_cast<std::size_t>(at.row_of_place[k])]);
+    }
+    keeps_ = false;
+  }
+  /// (2) and (3), after (1) at the positions of the state. Rows with pivots below `least` times the first are
+  /// dependent.
+  template <class Closures, class State>
+  void choose(const Closures& c, State& s, loop_equations& e, double least) {
     parts.resize(e.places.blocks.size());
     for (std::size_t i = 0; i < parts.size(); ++i) {
-      Eigen::MatrixXd b = half_solved(e, i);
-      double most = 0;  // of what a row could be: less than its rounding is none
-      for (const int k : e.places.blocks[i].places) most = (std::max)(most, 1 / l_(k, k));
-      parts[i].choose(b, least, 1e-13 * most * (std::min)(1.0, 1 / e.places.length));
+      const auto& b = e.places.blocks[i];
+      put_half_solved(c, s, e, i, parts[i].matrix(static_cast<Eigen::Index>(b.places.size()), b.rows));
+      parts[i].choose(least, 1e-13 * reach(e, i));  // less than the rounding of what it could be is none
     }
   }
-  /// The factorization of given rows. Returns false if they are dependent.
-  bool keep(const runtime_chain& c, runtime_state& s, const loop_equations& e, const loop_factor& chosen,
-            double least) {
-    factorize(c, s, e.places);
+  /// (2) and (3) of rows that `chosen` has. Returns false if they are dependent.
+  template <class Closures, class State>
+  bool keep(const Closures& c, State& s, loop_equations& e, const loop_factor& chosen, double least) {
     parts.resize(e.places.blocks.size());
     for (std::size_t i = 0; i < parts.size(); ++i) {
       const auto& rows = chosen.parts[i].chosen;
-      const Eigen::MatrixXd all = half_solved(e, i);
-      Eigen::MatrixXd b(all.rows(), static_cast<Eigen::Index>(rows.size()));
-      for (std::size_t k = 0; k < rows.size(); ++k) b.col(static_cast<Eigen::Index>(k)) = all.col(rows[k]);
-      if (!parts[i].take(b, rows, least)) return false;
+      const auto& b = e.places.blocks[i];
+      all_.resize(static_cast<Eigen::Index>(b.places.size()), b.rows);
+      put_half_solved(c, s, e, i, all_);
+      auto m = parts[i].matrix(all_.rows(), static_cast<Eigen::Index>(rows.size()));
+      for (std::size_t k = 0; k < rows.size(); ++k) m.col(static_cast<Eigen::Index>(k)) = all_.col(rows[k]);
+      if (!parts[i].take(rows, least)) return false;
     }
     return true;
   }
+  /// The smallest pivot of block i, in parts of what one could be: near singular configurations it goes to zero.
+  double smallest_pivot(const loop_equations& e, std::size_t i) const { return parts[i].smallest / reach(e, i); }
   int rank() const {
-    std::size_t n = 0;
-    for (const auto& p : parts) n += p.chosen.size();
+    Eigen::Index n = 0;
+    for (const auto& p : parts) n += p.rank();
     return static_cast<int>(n);
   }
-  /// (4) for c of all rows; by degrees of freedom.
-  Eigen::VectorXd least_change(const loop_equations& e, const Eigen::VectorXd& c) const {
-    const auto& at = e.places;
-    Eigen::VectorXd y = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(at.row_of_place.size()));
-    for_each_part(e, c, [&](const pivoted_qr& p, const loop_block& b, Eigen::VectorXd& x, const std::vector<int>&) {
-      p.r.transpose().triangularView<Eigen::Lower>().solveInPlace(x);
-      const Eigen::VectorXd z = p.q * x;
-      for (std::size_t k = 0; k < b.places.size(); ++k) y[b.places[k]] = z[static_cast<Eigen::Index>(k)];
+  /// (4) for c of all rows, by degrees of freedom. The working memory of the state loses its motion.
+  template <class State>
+  void least_change(State& s, const loop_equations& e, const Eigen::VectorXd& c, Eigen::VectorXd& d) {
+    least_change(s, e, c, d, [](const pivoted_qr&, const loop_block&) {});
+  }
+  /// The same, and (5), zero for rows that are not chosen.
+  template <class State>
+  void least_change(State& s, const loop_equations& e, const Eigen::VectorXd& c, Eigen::VectorXd& d,
+                    Eigen::VectorXd& lambda) {
+    lambda.setZero(e.places.rows);
+    least_change(s, e, c, d, [&](const pivoted_qr& p, const loop_block& b) {
+      p.solve(chosen_.data());
+      for (std::size_t k = 0; k < p.chosen.size(); ++k)
+        lambda[e.places.row_of(b, p.chosen[k])] = chosen_[static_cast<Eigen::Index>(k)];
     });
-    for (Eigen::Index k = 0; k < y.size(); ++k) {  // L^-1
-      for (int i = at.below[static_cast<std::size_t>(k)]; i >= 0; i = at.below[static_cast<std::size_t>(i)])
-        y[k] -= l_(i, k) * y[i];
-      y[k] /= l_(k, k);
-    }
-    Eigen::VectorXd d(y.size());
-    for (Eigen::Index k = 0; k < y.size(); ++k) d[at.row_of_place[static_cast<std::size_t>(k)]] = y[k];
+  }
+  template <class State>
+  Eigen::VectorXd least_change(State& s, const loop_equations& e, const Eigen::VectorXd& c) {
+    Eigen::VectorXd d;
+    least_change(s, e, c, d);
     return d;
   }
-  /// (5), zero for rows that are not chosen.
-  Eigen::VectorXd multipliers(const loop_equations& e, const Eigen::VectorXd& c) const {
-    Eigen::VectorXd all = Eigen::VectorXd::Zero(e.places.rows);
-    for_each_part(e, c, [&](const pivoted_qr& p, const loop_block&, Eigen::VectorXd& x, const std::vector<int>& rows) {
-      p.r.transpose().triangularView<Eigen::Lower>().solveInPlace(x);
-      p.r.triangularView<Eigen::Upper>().solveInPlace(x);
-      for (std::size_t k = 0; k < p.chosen.size(); ++k)
-        all[rows[static_cast<std::size_t>(p.chosen[k])]] = x[static_cast<Eigen::Index>(k)];
-    });
-    return all;
+  bool is_chosen(const loop_equations& e, int row) const {
+    for (std::size_t i = 0; i < parts.size(); ++i)
+      for (const int k : parts[i].chosen)
+        if (e.places.row_of(e.places.blocks[i], k) == row) return true;
+    return false;
   }
-  /// The part of c in chosen rows, zero elsewhere.
-  Eigen::VectorXd chosen_of(const loop_equations& e, const Eigen::VectorXd& c) const {
-    Eigen::VectorXd all = Eigen::VectorXd::Zero(e.places.rows);
-    for_each_part(e, c, [&](const pivoted_qr& p, const loop_block&, Eigen::VectorXd& x, const std::vector<int>& rows) {
-      for (std::size_t k = 0; k < p.chosen.size(); ++k)
-        all[rows[static_cast<std::size_t>(p.chosen[k])]] = x[static_cast<Eigen::Index>(k)];
-    });
-    return all;
-  }
-  /// visit(factor of a block, the block, c of its chosen rows, the rows of the block among all).
-  template <class Visit>
-  void for_each_part(const loop_equations& e, const Eigen::VectorXd& c, const Visit& visit) const {
-    std::vector<int> rows;
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-      const auto& b = e.places.blocks[i];
-      rows.clear();
-      for (const int k : b.closures) {
-        const auto& x = e.places.closures[static_cast<std::size_t>(k)];
-        for (int r = 0; r < x.rows.count(); ++r) rows.push_back(x.first + r);
+  /// The largest number of c in chosen rows.
+  double largest_of_chosen(const loop_equations& e, const Eigen::VectorXd& c) const {
+    double most = 0;
+    for (std::size_t i = 0; i < parts.size(); ++i)
+      for (const int k : parts[i].chosen) {
+        const double x = std::abs(c[e.places.row_of(e.places.blocks[i], k)]);
+        if (!(x <= most) && most == most) most = x;  // NaN stays
       }
-      Eigen::VectorXd x(static_cast<Eigen::Index>(parts[i].chosen.size()));
-      for (std::size_t k = 0; k < parts[i].chosen.size(); ++k)
-        x[static_cast<Eigen::Index>(k)] = c[rows[static_cast<std::size_t>(parts[i].chosen[k])]];
-      visit(parts[i], b, x, rows);
-    }
+    return most;
   }
 
   std::vector<pivoted_qr> parts;  ///< of blocks
 
  private:
-  /// (1); l_(i, k) is L of place k and i on its way to the base.
-  void factorize(const runtime_chain& c, runtime_state& s, const closure_places& at) {
-    mass_of_coordinates(runtime_elements{c}, s);
-    check_masses(s, s.work.mass);
+  /// (4), and visit(factor of a block, the block) where R^-T c of its chosen rows is in `chosen_`.
+  template <class State, class Visit>
+  void least_change(State& s, const loop_equations& e, const Eigen::VectorXd& c, Eigen::VectorXd& d,
+                    const Visit& visit) {
+    const auto& at = e.places;
     const auto n = static_cast<Eigen::Index>(at.row_of_place.size());
-    if (l_.rows() != n) l_.resize(n, n);
-    const auto& m = s.work.mass;
-    const auto row = [&at](Eigen::Index k) { return at.row_of_place[static_cast<std::size_t>(k)]; };
-    const auto below = [&at](Eigen::Index k) { return at.below[static_cast<std::size_t>(k)]; };
-    for (Eigen::Index k = 0; k < n; ++k)
-      for (auto i = k; i >= 0; i = below(i)) l_(i, k) = m(row(i), row(k));
-    for (Eigen::Index k = n; k-- > 0;) {
-      const double own = m(row(k), row(k));
-      if (!(l_(k, k) > 4 * std::numeric_limits<double>::epsilon() * own)) [[unlikely]]
-        diagnose_mass(s, row(k), true);
-      l_(k, k) = std::sqrt(l_(k, k));
-      for (auto i = below(k); i >= 0; i = below(i)) l_(i, k) /= l_(k, k);
-      for (auto i = below(k); i >= 0; i = below(i))
-        for (auto j = i; j >= 0; j = below(j)) l_(j, i) -= l_(i, k) * l_(j, k);
+    left_.setZero(n), d.resize(n);
+    if (chosen_.size() < at.rows) chosen_.resize(at.rows);
+    if (half_.size() < n + pivoted_qr::padding) half_.resize(n + pivoted_qr::padding);
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      const auto& b = at.blocks[i];
+      const auto& p = parts[i];
+      for (std::size_t k = 0; k < p.chosen.size(); ++k)
+        chosen_[static_cast<Eigen::Index>(k)] = c[at.row_of(b, p.chosen[k])];
+      p.solve_transposed(chosen_.data());
+      p.times_q(chosen_.data(), half_.data());
+      for (std::size_t k = 0; k < b.places.size(); ++k) left_[b.places[k]] = half_[static_cast<Eigen::Index>(k)];
+      visit(p, b);
     }
+    if (!s.tree().plan.tree) {
+      mass_.other_half(left_.data());
+      d = left_;
+      return;
+    }
+    auto& factors = keeps_ ? kept_.factors : s.work.factors;
+    for (Eigen::Index k = 0; k < n; ++k) {
+      const int axis = at.axis_of_place[static_cast<std::size_t>(k)];
+      const double rate = left_[k] * root_[k];
+      if (axis >= 0)
+        factors[static_cast<std::size_t>(axis)].rate = rate;
+      else
+        d[at.row_of_place[static_cast<std::size_t>(k)]] = rate;
+    }
+    tree::accelerate_from_rest(s.tree().body_tree, s.work, keeps_ ? kept_.joint_transforms : s.work.joint_transforms,
+                               factors.data());
+    for (std::size_t k = 0; k < at.axis_of_place.size(); ++k)
+      if (const int axis = at.axis_of_place[k]; axis >= 0)
+        d[at.row_of_place[k]] = s.work.acceleration[static_cast<std::size_t>(axis)];
+  }
+  /// How large a row of B of block i could be.
+  double reach(const loop_equations& e, std::size_t i) const {
+    double most = 0;
+    for (const int k : e.places.blocks[i].places) most = (std::max)(most, root_[k]);
+    return most * (std::min)(1.0, 1 / e.places.length);
+  }
+  template <class Closures, class State>
+  void factorize_mass(const Closures& c, State& s, const loop_equations& e) {
+    mass_.factorize(c, s);
+    root_.resize(static_cast<Eigen::Index>(e.places.row_of_place.size()));
+    for (Eigen::Index k = 0; k < root_.size(); ++k) root_[k] = mass_.inverse_root(static_cast<int>(k));
   }
   /// (2) of block i.
-  Eigen::MatrixXd half_solved(const loop_equations& e, std::size_t i) const {
-    const auto& places = e.places.blocks[i].places;
-    Eigen::MatrixXd b = e.jacobian[i].transpose();
-    for (std::size_t k = places.size(); k-- > 0;) {
-      const int place = places[k];
-      b.row(static_cast<Eigen::Index>(k)) /= l_(place, place);
-      for (int j = e.places.below[static_cast<std::size_t>(place)]; j >= 0;
-           j = e.places.below[static_cast<std::size_t>(j)])
-        b.row(e.places.column_of_place[static_cast<std::size_t>(j)]) -=
-            l_(j, place) * b.row(static_cast<Eigen::Index>(k));
+  template <class Closures, class State>
+  void put_half_solved(const Closures& c, State& s, loop_equations& e, std::size_t i,
+                       Eigen::Ref<Eigen::MatrixXd> b) const {
+    if (!s.tree().plan.tree) {
+      b = e.jacobian[i].transpose();
+      for (Eigen::Index k = 0; k < b.cols(); ++k) mass_.half_solve(b.col(k).data());
+      return;
     }
-    return b;
+    if (e.places.blocks[i].closures.size() > 1) b.setZero();
+    int first = 0;
+    for (const int k : e.places.blocks[i].closures) {
+      e.half_solve(c, s, k, root_, [&](int column, int row, double entry) { b(column, first + row) = entry; });
+      first += e.places.closures[static_cast<std::size_t>(k)].rows.count();
+    }
   }
-
-  Eigen::MatrixXd l_;
+  Eigen::VectorXd root_;                 ///< D^-1/2, or 1 / L_kk, by place
+  tree::articulated_tree<double> kept_;  ///< where it was factorized
+  bool keeps_ = false;
+  mass_root mass_;
+  Eigen::MatrixXd all_;
+  Eigen::VectorXd left_, chosen_, half_;
 };
 
 }  // namespace kte::detail

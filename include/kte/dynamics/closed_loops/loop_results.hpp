@@ -39,23 +39,34 @@ struct constrained_dynamics_result {
   std::vector<loop_state<>> loops;
 };
 
+namespace detail {
+/// A text or a key.
+template <class Name>
+std::string text_of_name(const Name& name) {
+  if constexpr (key_type<Name>)
+    return std::string(Name::name);
+  else
+    return std::string(std::string_view(name));
+}
+}  // namespace detail
+
 /// The `names` of actuated coordinates, an argument of `inverse_dynamics` of a chain with loops.
 struct actuated_coordinates {
   std::vector<std::string> names;
 };
-/// The actuated coordinates, an argument of `inverse_dynamics` of a chain with loops.
+/// The actuated coordinates, texts or keys, an argument of `inverse_dynamics` of a chain with loops.
 template <class... Text>
 actuated_coordinates actuated(const Text&... names) {
-  return {{std::string(std::string_view(names))...}};
+  return {{detail::text_of_name(names)...}};
 }
 /// The `names` of coordinates that `assemble` does not change.
 struct held_coordinates {
   std::vector<std::string> names;
 };
-/// The coordinates that `assemble` does not change.
+/// The coordinates, texts or keys, that `assemble` does not change.
 template <class... Text>
 held_coordinates held(const Text&... names) {
-  return {{std::string(std::string_view(names))...}};
+  return {{detail::text_of_name(names)...}};
 }
 
 }  // namespace kte

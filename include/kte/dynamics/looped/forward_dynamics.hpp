@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/dynamics/looped/cluster_dynamics.hpp>
 #include <kte/dynamics/looped/friction_by_load.hpp>
 #include <kte/dynamics/looped/mass_matrix.hpp>
 #include <kte/kernels/solve.hpp>
@@ -11,32 +12,6 @@
 /// checked. For all `Elements` and states of dynamics/looped/inverse_dynamics.hpp.
 namespace kte::detail {
 
-/// The forces that elements put on coordinates and frames for the rates alone: onto coordinates, and into `loads` of
-/// bodies.
-template <class Elements, class State>
-void push_by_rates(const Elements& c, State& s) {
-  using S = typename State::scalar;
-  const auto& t = s.tree();
-  auto& w = s.work;
-  clear_coordinates(s);
-  for (std::size_t i = 0; i < t.body_tree.nodes.size(); ++i)
-    if (w.is_free[i]) each_axis<vector_of::a>(s, t.body_tree.nodes[i], [](S& x, std::size_t) { x = S(0); });
-  for (const int row : t.plan.jointless_dofs)
-    if (!w.prescribed[static_cast<std::size_t>(row)])
-      for_each_listed_freedom(s, [row](auto& x, const freedom& at) {
-        if (at.v == row) visit_a(x, [](S& a) { a = S(0); });
-      });
-  if (!t.on_frames.empty() || !t.late.empty()) {
-    std::fill(w.acceleration.begin(), w.acceleration.end(), S(0));
-    tree::move_bodies<true>(t.body_tree, w);
-    place_in_world(s);
-    place_touched_frames(s, false);
-    move_late(c, s);
-    for (auto e = t.on_frames.rbegin(); e != t.on_frames.rend(); ++e) c.push(*e, s);
-    take_frame_loads(s);
-  }
-  for (auto e = t.on_coordinates.rbegin(); e != t.on_coordinates.rend(); ++e) c.push(*e, s);
-}
 /// Which accelerations are given, by row; none where nothing is said. Joints of others are free to move.
 template <class State>
 void prescribe(State& s, std::span<const char> prescribed) {
@@ -50,13 +25,6 @@ void prescribe(State& s, std::span<const char> prescribed) {
     const auto& r = f.nodes[i];
     return r.is_free && !w.prescribed[static_cast<std::size_t>(f.row[static_cast<std::size_t>(r.first)])];
   });
-}
-/// Where an axis has nothing to move, or more than a number can say.
-template <class Elements, class State>
-[[noreturn, gnu::cold]] void diagnose_axis(const Elements& c, const State& s, int axis) {
-  const auto& inverse = s.work.factors[static_cast<std::size_t>(axis)].inverse;
-  c.diagnose_mass(s, s.tree().body_tree.row[static_cast<std::size_t>(axis)],
-                  all(inverse == inverse) && !all(inverse == typename State::scalar(0)));
 }
 /// Masses of coordinates that move no joint.
 template <class Elements, class State>
@@ -139,14 +107,23 @@ bool some_of_joint_prescribed(const State& s, std::span<const char> prescribed) 
   }
   return false;
 }
-/// By articulated bodies in trees, else by the mass matrix; with load-dependent friction.
+/// Whether coordinates that follow others are in clusters, and no acceleration is prescribed.
+template <class State>
+bool goes_by_clusters(const State& s, std::span<const char> prescribed) {
+  return s.tree().clusters.complete &&
+         std::none_of(prescribed.begin(), prescribed.end(), [](char given) { return given != 0; });
+}
+/// By articulated bodies in trees, and in clusters where coordinates follow others; else by the mass matrix; with
+/// load-dependent friction.
 template <class Elements, class State, class Tau>
 void accelerate_with_friction(const Elements& c, State& s, const Tau& tau, std::span<const char> prescribed) {
   using S = typename State::scalar;
   const bool tree = s.tree().plan.tree && !some_of_joint_prescribed(s, prescribed);
   const auto& readers = s.tree().readers;
   if (readers.empty()) [[likely]]
-    return tree ? accelerate_articulated(c, s, tau, prescribed) : accelerate_by_mass(c, s, tau, prescribed);
+    return tree                              ? accelerate_articulated(c, s, tau, prescribed)
+           : goes_by_clusters(s, prescribed) ? accelerate_clustered(c, s, tau)
+                                             : accelerate_by_mass(c, s, tau, prescribed);
   Eigen::Matrix<S, Eigen::Dynamic, 1> all(s.dofs()), given(s.dofs());
   read_listed_numbers<vector_of::a>(s, given);
   iterate_friction(c, s, [&] {

@@ -122,15 +122,20 @@ template <class P>
 bool is_turning(const tree::body_node<P>& r) {
   return r.moves == tree::joint::revolute || r.moves == tree::joint::screw;
 }
-/// Bodies to where the coordinates of the state are.
+/// Bodies to where the coordinates of the state are; of coordinates that are up to date.
 template <class Elements, class State>
-void place_bodies(const Elements& c, State& s) {
-  bring_up_to_date(c, s);
+void place_bodies_by_coordinates(const Elements& c, State& s) {
   const auto& nodes = s.tree().body_tree.nodes;
   place_turning(s, s.tree().angles);
   if (s.tree().angles.size() == nodes.size()) return;
   for (std::size_t n = 0; n < nodes.size(); ++n)
     if (!is_turning(nodes[n])) place_other(c, s, nodes[n], s.work.joint_transforms[n]);
+}
+/// Bodies to where the coordinates of the state are.
+template <class Elements, class State>
+void place_bodies(const Elements& c, State& s) {
+  bring_up_to_date(c, s);
+  place_bodies_by_coordinates(c, s);
 }
 
 /// Places the body of a slot and all bodies before it. Returns this path to the base. Followers: all.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/dynamics/closed_loops/loops_in_lanes.hpp>
 #include <kte/dynamics/detail/batch.hpp>
 #include <kte/dynamics/forward_dynamics.hpp>
 #include <kte/dynamics/inverse_dynamics.hpp>
@@ -99,7 +100,25 @@ struct runtime_inverse_dynamics {
 struct runtime_forward_dynamics {
   template <class P, class X>
   static const auto& of(const runtime_chain& c, basic_runtime_state<P>& s, const X& x) {
+    if constexpr (kte::detail::has_lanes_of_double<P>)
+      if (kte::detail::has_loops(c)) return on_loops(c, s, x);
     return kte::forward_dynamics(c, s, x[0], x[1], x[2]);
+  }
+
+ private:
+  /// Lanes with other independent rows throw: then states go one by one.
+  template <class P, class X>
+  static const kte::runtime_vector<P>& on_loops(const runtime_chain& c, basic_runtime_state<P>& s, const X& x) {
+    using namespace kte::detail;
+    check_regular_tree(c, s);
+    if (!s.tree().plan.tree)
+      throw bad_argument("kte: batches of chains with closures: joints must not share coordinates");
+    return take(c, s, x[0], x[1], not_given{}, x[2]).call([&]() -> const auto& {
+      if (!accelerate_on_loops_in_lanes(c, s, [&x](int i) { return x[2][i]; }))
+        throw no_solution("kte: these states differ in the independent rows of their closures");
+      check_result(s, [&s] { diagnose("an acceleration", s); });
+      return s.work.forces;
+    });
   }
 };
 struct runtime_mass_matrix {

@@ -78,11 +78,16 @@ void put_coordinates(basic_derivative_state<D>& d) {
     put<vector_of::q>(x, at, d.q), put<vector_of::v>(x, at, d.v), put<vector_of::a>(x, at, d.a);
   });
 }
+/// No loads on bodies and coordinates but those of elements.
+struct no_more_loads {
+  template <class D>
+  void operator()(const basic_derivative_state<D>&) const {}
+};
 /// Inverse dynamics at q, v, a of the state with derivatives, with bases in place: what must be applied, into its
-/// `forces`.
-template <class Elements, std::same_as<double> S, class D>
+/// `forces`. more(d), when bodies have moved, may add `loads` of bodies and forces on coordinates.
+template <class Elements, std::same_as<double> S, class D, class More = no_more_loads>
 void inverse_dynamics_in_duals(const Elements& elements, const basic_runtime_state<S>& s, basic_derivative_state<D>& d,
-                               const directions& moving) {
+                               const directions& moving, const More& more = {}) {
   const auto& t = s.tree();
   put_coordinates(d);
   bring_up_to_date(elements, d);
@@ -98,7 +103,10 @@ void inverse_dynamics_in_duals(const Elements& elements, const basic_runtime_sta
     move_late(elements, d);
     for (auto e = t.on_frames.rbegin(); e != t.on_frames.rend(); ++e) elements.push(*e, d);
     take_frame_loads(d);
+  } else if constexpr (!std::is_same_v<More, no_more_loads>) {
+    std::fill(d.work.loads.begin(), d.work.loads.end(), tree::dense_wrench<D>{});
   }
+  more(d);
   tree::transmit_in_duals(t.body_tree, s.work, d.work);
   for (const auto& r : t.body_tree.nodes)
     each_axis<vector_of::f>(d, r, [&d](auto& f, std::size_t k) { f -= d.work.force[k]; });

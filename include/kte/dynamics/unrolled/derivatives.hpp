@@ -25,7 +25,7 @@ inline constexpr bool is_analytical =
 /// The derivatives at q, v and a, with given bases and inputs.
 template <class S, class Chain, class At, class Base, class Q, class V, class A>
 KTE_INLINE auto derivatives_at(const Chain& c, const At& at, const Base& base, const Q& q, const V& v, const A& a) {
-  static_assert(sizeof(check_loads_of<Chain>) > 0);
+  static_assert(sizeof(check_loads_of<Chain>) > 0 && sizeof(check_closures_of<Chain>) > 0);
   inverse_dynamics_result<S, Chain::dofs> r;
   if constexpr (is_analytical<Chain>) {
     const given g{at, each<S, V>{v}, each<S, A>{a}, base};

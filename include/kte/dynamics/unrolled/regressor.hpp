@@ -169,7 +169,8 @@ class unrolled_regressor {
 
 template <class S, class Chain, class At, class V, class A, class Base>
 auto regressor_of(const Chain& c, const At& at, const V& v, const A& a, const Base& base) {
-  static_assert(sizeof(check_loads_of<Chain>) > 0 && sizeof(check_bodies_of<Chain>) > 0);
+  static_assert(sizeof(check_loads_of<Chain>) > 0 && sizeof(check_bodies_of<Chain>) > 0 &&
+                sizeof(check_closures_of<Chain>) > 0);
   at.check(), base.check();
   const given g{at, v, a, base};
   using pass = unrolled_regressor<S, Chain, std::remove_const_t<decltype(g)>>;

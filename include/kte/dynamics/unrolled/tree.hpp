@@ -45,6 +45,8 @@ struct has_own_loads : std::bool_constant<!loads_by_relative<Core> || !power_dua
 template <class Core>
 struct has_distributed_mass : std::bool_constant<distributed_mass<Core>> {};
 template <class Core>
+struct closes_loop : std::bool_constant<is_closure<Core>> {};
+template <class Core>
 struct is_load_dependent : std::bool_constant<load_dependent_friction<Core>> {};
 
 /// Whether joints have load-dependent friction.
@@ -57,6 +59,14 @@ template <class Chain, class Core = first_element<Chain, has_own_loads>>
 using check_loads_of = check_loads<Core, std::is_void_v<Core>>;
 template <class Chain, class Core = first_element<Chain, has_distributed_mass>>
 using check_bodies_of = check_bodies<Core, std::is_void_v<Core>>;
+template <class Chain, class Core = first_element<Chain, closes_loop>>
+using check_closures_of = check_closures<Core, std::is_void_v<Core>>;
+/// Whether a static chain has closures.
+template <class Chain>
+inline constexpr bool has_closures = !Chain::common && !std::is_void_v<first_element<Chain, closes_loop>>;
+/// Accelerations of chains with closures: kte/loops.hpp.
+template <class Chain>
+struct static_loops;
 
 /// The place of an element: its axes that are degrees of freedom, in contiguous rows from the first on; the preceding
 /// element, or -1.

@@ -88,7 +88,9 @@ struct point_on_plane_3D : closure<point_on_plane_3D> {
 ///
 ///   g = (p . p - L^2) / (2 L),   p . R v / L,   (p . R a + v . v) / L          (3)
 ///
-/// It is quadratic, so smooth also where the points meet during an assembly.
+/// It is quadratic, so smooth also where the points meet during an assembly. Its derivatives by L:
+///
+///   -(p . p + L^2) / (2 L^2),   -(p . R v) / L^2,   -(p . R a + v . v) / L^2          (4)
 template <kind Dim>
 struct distance : closure<distance<Dim>> {
   static constexpr type_name type{"distance", Dim};
@@ -110,6 +112,13 @@ struct distance : closure<distance<Dim>> {
   template <class M>
   constexpr auto residual_ddot(const M& m) const {
     return make_rows((dot(m.position, m.rotation * m.acceleration) + dot(m.velocity, m.velocity)) / length);
+  }
+  static constexpr std::array<std::string_view, 1> parameter_names{"length"};
+  template <class M>
+  constexpr auto by_parameter(int, const M& m, int order) const {
+    const auto g = order == 0 ? (dot(m.position, m.position) + length * length) / (2 * length)
+                              : nth<0>(order == 1 ? residual_dot(m) : residual_ddot(m));
+    return make_rows(-g / length);
   }
   constexpr void check(const parameter_check& where) const {
     where.positive(length, "length must be finite and positive");

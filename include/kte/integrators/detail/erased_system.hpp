@@ -41,6 +41,7 @@ class erased_system {
   void begin_step(const vector& x) const requires OnGroup { system_->begin_step(x); }
   void settle(const vector& x, vector& d, vector& out) const requires OnGroup { system_->settle(x, d, out); }
   void tangential(const vector& x, vector& e) const requires OnGroup { system_->tangential(x, e); }
+  void check_end(const vector& x, const vector& next) const requires OnGroup { system_->check_end(x, next); }
 
  private:
   struct callable {
@@ -55,6 +56,7 @@ class erased_system {
     virtual void begin_step(const vector& x) const = 0;
     virtual void settle(const vector& x, vector& d, vector& out) const = 0;
     virtual void tangential(const vector& x, vector& e) const = 0;
+    virtual void check_end(const vector& x, const vector& next) const = 0;
   };
   template <class F>
   class held final : public callable {
@@ -93,6 +95,9 @@ class erased_system {
     }
     void settle(const vector& x, vector& d, vector& out) const override {
       if constexpr (settles_states<unwrapped_type<const F>, vector>) unwrapped(f_).settle(x, d, out);
+    }
+    void check_end(const vector& x, const vector& next) const override {
+      if constexpr (requires { unwrapped(f_).check_end(x, next); }) unwrapped(f_).check_end(x, next);
     }
     void tangential(const vector& x, vector& e) const override {
       if constexpr (settles_states<unwrapped_type<const F>, vector>) unwrapped(f_).tangential(x, e);

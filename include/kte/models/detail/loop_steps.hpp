@@ -28,19 +28,38 @@ struct loop_step {
   double sliding = 0;  ///< the largest residual rate, relative to the largest that the rates of coordinates could cause
 };
 
-/// What is kept of the step from x0, or that.
+/// The loops of a runtime model; those of other models have the same functions.
 template <class Model>
-loop_step& step_from(const Model& model, runtime_state& s, own_memory& kept, const Eigen::VectorXd& x0) {
-  auto& step = kept.template get<loop_step>([&] { return loop_step{{}, loop_equations(model.chain(), s), {}}; });
+struct runtime_model_loops {
+  const Model& model;
+  runtime_state& s;
+  own_memory& kept;
+
+  auto closures() const { return closures_of(model.chain()); }
+  runtime_state& state() const { return s; }
+  loop_workspace& workspace() const { return loops_of(model.chain(), s); }
+  loop_step& step() const {
+    return kept.get<loop_step>([&] { return loop_step{{}, loop_equations(closures(), s), {}}; });
+  }
+  /// Puts x into the state.
+  void put(const Eigen::VectorXd& x) const { model.setJointStates(x, s), check_positions(s); }
+  void put_positions(const Eigen::VectorXd& x) const { set_positions(s, model.positions_of(x)); }
+};
+template <class Model>
+runtime_model_loops(const Model&, runtime_state&, own_memory&) -> runtime_model_loops<Model>;
+
+/// What is kept of the step from x0, or that.
+template <class Loops, class X>
+loop_step& step_from(const Loops& loops, const X& x0) {
+  auto& step = loops.step();
   if (step.x0.size() == x0.size() && step.x0 == x0) return step;
   step.x0.resize(0);
-  model.setJointStates(x0, s);
-  check_positions(s);
+  loops.put(x0);
   auto& e = step.equations;
-  e.at_positions(model.chain(), s, true);
-  step.factor.choose(model.chain(), s, e, least_pivot_at(e.residual));
+  e.at_positions(loops.closures(), loops.state(), true);
+  choose_rows(loops.closures(), loops.state(), e, step.factor);
   step.gap = e.residual.cwiseAbs().maxCoeff();
-  const Eigen::VectorXd v = model.velocities_of(x0);
+  const Eigen::VectorXd v = loops.model.velocities_of(x0);
   const Eigen::VectorXd rates = e.times(v), most = e.times_sizes(v);
   step.sliding = 0;
   for (Eigen::Index k = 0; k < rates.size(); ++k)
@@ -48,93 +67,116 @@ loop_step& step_from(const Model& model, runtime_state& s, own_memory& kept, con
   step.x0 = x0;
   return step;
 }
-inline std::string gap_text(const runtime_chain& c, const loop_equations& e) {
+template <class Closures>
+std::string gap_text(const Closures& c, const loop_equations& e) {
   const auto widest = widest_gap(e);
-  return "'" + closure_places::name_of(c, *widest.closure) + "' is open by " + number(widest.size) +
+  return "'" + c.loop_name(widest.closure->loop) + "' is open by " + number(widest.size) +
          (widest.linear ? " m" : " rad");
 }
 /// With loops closed to rounding, branches can be distinguished if pivots are above the square root of rounding.
 inline constexpr double least_pivot_of_branch = 1e-7;
 /// Throws `bad_argument` where a step starts off the loops, or so near to a singular configuration that branches cannot
 /// be told apart.
-inline void check_step(const runtime_chain& c, const runtime_state&, loop_step& step) {
+template <class Loops, class X>
+void check_step(const Loops& loops, const X& x0) {
+  const auto& step = step_from(loops, x0);
   if (step.gap > off_loops_above) [[unlikely]]
-    throw bad_argument("kte: the state is off the loops: " + gap_text(c, step.equations) +
-                       ": kte::assemble finds one that is on them");
+    raise<bad_argument>("kte: the state is off the loops: " + gap_text(loops.closures(), step.equations) +
+                        ": kte::assemble finds one that is on them");
   if (step.sliding > 1e-6) [[unlikely]]
-    throw bad_argument(
+    raise<bad_argument>(
         "kte: the velocities do not keep the loops closed: kte::consistent_velocities, or after an impact "
         "kte::impulse, gives such as do");
   for (const auto& p : step.factor.parts)
     if (p.smallest < least_pivot_of_branch * p.largest) [[unlikely]]
-      throw bad_argument(
+      raise<bad_argument>(
           "kte: the loops are as near to a singular configuration as rounding, where the mechanism may go on "
           "in several ways: larger tolerances pass it in one step");
 }
+/// Raises `bad_argument` where a step from x0 ends much nearer to a singular configuration than it started: velocities
+/// at the end would have errors of eps over the pivot. A shorter step ends before the singular configuration, and the
+/// next one passes it.
+template <class Loops, class X>
+void check_step_end(const Loops& loops, const X& x0) {
+  constexpr double near = 1e-4, nearer = 1e-2;
+  const auto& start = step_from(loops, x0);
+  const auto& end = loops.workspace();
+  for (std::size_t i = 0; i < end.factor.parts.size(); ++i) {
+    const double pivot = end.factor.smallest_pivot(end.equations, i);
+    if (pivot < near && pivot < nearer * start.factor.smallest_pivot(start.equations, i)) [[unlikely]]
+      raise<bad_argument>("kte: the step ends too near to a singular configuration of the loops: a shorter step");
+  }
+}
 
 /// (1) and (2).
-template <class Model>
-void settle_on_loops(const Model& model, runtime_state& s, loop_step& step, Eigen::VectorXd& d, Eigen::VectorXd& x) {
-  const runtime_chain& c = model.chain();
-  const int n = model.dofs();
-  auto& memory = loops_of(c, s);
+template <class Loops, class X, class Rate>
+void settle_on_loops(const Loops& loops, const X& x0, Rate& d, X& x) {
+  auto& step = step_from(loops, x0);
+  const auto& model = loops.model;
+  const int n = model.velocity_count();
+  auto& s = loops.state();
+  auto& memory = loops.workspace();
   auto& e = memory.equations;
   auto& factor = memory.factor;
-  const loop_factor* by = &step.factor;
+  const auto closures = loops.closures();
+  loop_factor* by = &step.factor;
   const auto evaluate = [&](bool with_jacobian) {
-    set_positions(s, model.positions_of(x));
-    e.at_positions(c, s, with_jacobian);
-    return step.factor.chosen_of(step.equations, e.residual).cwiseAbs().maxCoeff();
+    loops.put_positions(x);
+    e.at_positions(closures, s, with_jacobian);
+    return step.factor.largest_of_chosen(step.equations, e.residual);
   };
   const auto move = [&](int first, const Eigen::VectorXd& change) {
-    Eigen::VectorXd r = Eigen::VectorXd::Zero(d.size());
+    Rate r = Rate::Zero(d.size());
     r.segment(first, n) = change;
     if (first == 0) model.pull_back(d, r);
     d -= r;
-    model.displace(step.x0, d, x);
+    model.displace(x0, d, x);
   };
   double gap = evaluate(false), last = std::numeric_limits<double>::infinity();
   for (int i = 0; gap > 1e-16; ++i) {
     if (!(gap < 1e300) || i == 20)
-      throw bad_argument("kte: the loops do not close at the end of a step: " + gap_text(c, e) + ": a shorter step");
+      raise<bad_argument>("kte: the loops do not close at the end of a step: " + gap_text(closures, e) +
+                          ": a shorter step");
     if (gap > last / 20) {  // the factor of the start is no longer good, or the rest is rounding
       if (gap <= on_loops_within && by == &factor) break;
       (void)evaluate(true);
-      if (factor.keep(c, s, e, step.factor, 1e-14)) by = &factor;
+      factor.factorize(closures, s, e);
+      if (factor.keep(closures, s, e, step.factor, 1e-14)) by = &factor;
     }
-    move(0, by->least_change(step.equations, e.residual));
+    move(0, by->least_change(s, step.equations, e.residual));
     last = gap, gap = evaluate(false);
   }
   (void)evaluate(true);
   if (const double open = e.residual.cwiseAbs().maxCoeff(); !(open <= 1e-10)) [[unlikely]]
-    throw bad_argument("kte: the closures contradict each other: " + gap_text(c, e) + " where others are closed");
-  if (!factor.keep(c, s, e, step.factor, 1e-14)) factor.choose(c, s, e, least_pivot);
-  for (int i = 0; i < 2; ++i) move(n, factor.least_change(e, e.times(model.velocities_of(x))));
+    raise<bad_argument>("kte: the closures contradict each other: " + gap_text(closures, e) +
+                        " where others are closed");
+  factor.factorize(closures, s, e);
+  if (!factor.keep(closures, s, e, step.factor, 1e-14)) factor.choose(closures, s, e, least_pivot);
+  for (int i = 0; i < 2; ++i) move(n, factor.least_change(s, e, e.times(model.velocities_of(x))));
 }
 /// (3) of positions and velocities.
-inline void make_tangential(const loop_step& step, Eigen::VectorXd& e) {
-  const auto n = static_cast<Eigen::Index>(step.equations.places.row_of_place.size());
+template <class Loops, class X, class Rate>
+void make_tangential(const Loops& loops, const X& x0, Rate& e) {
+  auto& step = step_from(loops, x0);
+  const Eigen::Index n = loops.model.velocity_count();
   for (const Eigen::Index first : {Eigen::Index(0), n}) {
     const Eigen::VectorXd part = e.segment(first, n);
-    e.segment(first, n) -= step.factor.least_change(step.equations, step.equations.times(part));
+    e.segment(first, n) -= step.factor.least_change(loops.state(), step.equations, step.equations.times(part));
   }
 }
-/// Accelerations under no forces from outside, at a stage of a step: by the rows of its start, unless the state is on
-/// the loops.
-inline const Eigen::VectorXd& accelerations_in_step(const runtime_chain& c, runtime_state& s, own_memory& kept) {
-  check_regular_tree(c, s), check_positions(s);
-  auto& e = loops_of(c, s).equations;
-  e.at_positions(c, s, false);
-  const auto none = [](int) { return 0.0; };
-  const bool off = e.residual.cwiseAbs().maxCoeff() > on_loops_within;
-  auto* step = off ? kept.find<loop_step>() : nullptr;
-  return constrained_accelerations(c, s, none, step && step->x0.size() > 0 ? &step->factor : nullptr);
+/// The rows by which a stage of a step goes at the state: those of its start, unless the state is on the loops.
+template <class Loops>
+const loop_factor* rows_of_stage(const Loops& loops) {
+  auto& e = loops.workspace().equations;
+  e.at_positions(loops.closures(), loops.state(), false);
+  if (!(e.residual.cwiseAbs().maxCoeff() > on_loops_within)) return nullptr;
+  const auto& step = loops.step();
+  return step.x0.size() > 0 ? &step.factor : nullptr;
 }
-
 /// x, put on the loops to rounding. Throws `bad_argument` where it is off them.
-template <class Model>
-Eigen::VectorXd checked_on_loops(const Model& model, const Eigen::VectorXd& x) {
-  if (!has_loops(model.chain())) return x;
+template <class Model, class X>
+X checked_on_loops(const Model& model, const X& x) {
+  if (!model.has_loops()) return x;
   model.begin_step(x);
   return model.on_loops(x);
 }

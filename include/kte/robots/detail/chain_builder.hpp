@@ -2,6 +2,7 @@
 
 #include <kte/robots/detail/physical.hpp>
 #include <kte/robots/detail/robot_forces.hpp>
+#include <kte/robots/detail/robot_loops.hpp>
 #include <kte/robots/detail/robot_results.hpp>
 
 namespace kte::detail {
@@ -23,6 +24,7 @@ class chain_builder {
     for (const auto& s : tree_.steps()) append_joint(s);
     forces_.append_spring_dampers(tree_);
     append_frames();
+    append_closures();
     out_.chain = std::move(to_.chain());
     list_joints(out_, d_), list_shapes(out_, d_);
     read_limits(out_, d_, tree_), read_configurations(out_, d_);
@@ -125,6 +127,16 @@ class chain_builder {
         refuse("another frame or a link has its name");
       to_.append_link(f.link, f.name, f.origin);
     }
+  }
+
+  void append_closures() {
+    robot_loops loops(to_, d_, tree_);
+    for (const auto& c : d_.closures)
+      if (o_.closures)
+        out_.loops.push_back(loops.append(c));
+      else
+        out_.warnings.push_back(
+            {c.line, "closure '" + c.name + "': its loop is open: robot_options::closures", c.file, true});
   }
 
   void append_moving(const robot_joint& j, const std::string& from, const std::string& to, const robot_pose& placement,

@@ -146,9 +146,44 @@ class chain_reader {
         d_.not_read.push_back({0, "joint '" + to(e, "coordinate") +
                                       "': a description has no rate over which friction changes its sign, here " +
                                       detail::number(rate)});
-    } else if (!free_turning(e) && !compensation(e)) {
-      refuse(e, "it is not a link, joint or body, or damping or friction of a joint");
+    } else if (!closure(e) && !free_turning(e) && !compensation(e)) {
+      refuse(e, "it is not a link, joint, body or closure in space, or damping or friction of a joint");
     }
+  }
+  /// Whether it closes a loop.
+  bool closure(const element_record& e) {
+    using closing = robot_closure::kind;
+    static const std::map<std::string, closing> closures{{"coincident_points_3D", closing::points},
+                                                         {"coincident_frames_3D", closing::frames},
+                                                         {"hinge_3D", closing::hinge},
+                                                         {"universal_3D", closing::universal},
+                                                         {"cylindrical_3D", closing::cylindrical},
+                                                         {"sliding_3D", closing::sliding},
+                                                         {"point_on_line_3D", closing::point_on_line},
+                                                         {"point_on_plane_3D", closing::point_on_plane},
+                                                         {"distance_3D", closing::distance},
+                                                         {"coupled_coordinates", closing::joints},
+                                                         {"coupled_by_polynomial", closing::joints}};
+    const auto is = closures.find(e.type);
+    if (is == closures.end()) return false;
+    robot_closure c;
+    c.name = to(e, "loop"), c.is = is->second;
+    if (c.is == closing::joints) {
+      c.link1 = joint(e, to(e, "coordinate1")).name, c.link2 = joint(e, to(e, "coordinate2")).name;
+      c.polynomial = {number(e, "c0"), number(e, "c1"), number(e, "c2"), number(e, "c3"), number(e, "c4")};
+      if (e.type == "coupled_coordinates") {
+        if (number(e, "factor1") == 0) refuse(e, "its factor1 is 0: a polynomial of the second joint cannot say that");
+        c.polynomial = {number(e, "constant") / number(e, "factor1"),
+                        0.0 - number(e, "factor2") / number(e, "factor1")};
+      }
+    } else {
+      c.link1 = to(e, "frame1"), c.link2 = to(e, "frame2"), c.length = number(e, "length");
+      for (const char* name : {"axis", "axis1", "normal"})
+        if (!numbers(e, name).empty()) c.axis = vector(e, name);
+      if (!numbers(e, "axis2").empty()) c.axis2 = vector(e, "axis2");
+    }
+    d_.closures.push_back(std::move(c));
+    return true;
   }
   /// Whether it is a spring or damper of a ball, or the damping of a free body: a torque, and then a force.
   bool free_turning(const element_record& e) {

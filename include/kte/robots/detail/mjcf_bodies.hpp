@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kte/robots/detail/mjcf_actuator.hpp>
+#include <kte/robots/detail/mjcf_equality.hpp>
 #include <kte/robots/detail/mjcf_joint.hpp>
 #include <kte/robots/detail/mjcf_keyframe.hpp>
 #include <kte/robots/detail/mjcf_masses.hpp>
@@ -16,7 +17,8 @@ namespace kte::detail {
 /// Reads the links and joints of a file in MJCF. The world is a link; a body without joints is fixed to its parent.
 class mjcf_bodies {
  public:
-  mjcf_bodies(robot_description& d, const robot_options& o, xml_parser parse) : d_(d), tree_(d, o, parse) {}
+  mjcf_bodies(robot_description& d, const robot_options& o, xml_parser parse)
+      : d_(d), tree_(d, o, parse), equality_(d) {}
 
   void read(const xml_node& file) {
     auto& top = tree_.top(file);
@@ -27,6 +29,7 @@ class mjcf_bodies {
               {"model"});
     collect_names(top.root);
     d_.links.emplace_back().name = "world";
+    equality_.stands.emplace_back();
     for (const auto& w : root.children("worldbody")) {
       if (d_.links[0].line == 0) d_.links[0].line = w.line(), d_.links[0].file = w.file();
       w.only({"geom", "body", "site", "frame", "replicate", "attach", "inertial"}, {"name", "childclass"});
@@ -40,8 +43,10 @@ class mjcf_bodies {
     for (const auto& m : tree_.models())
       for (const auto& x : xml_item(m.root, d_).children("asset")) unread_.assets(x, m.settings.classes());
     name_frames();
+    add_reference();
     for (const auto& k : root.children("keyframe"))
       for (const auto& x : k.children("key")) read_mjcf_keyframe(x, d_);
+    equality_.finish();
     unread_.finish();
   }
 
@@ -92,6 +97,7 @@ class mjcf_bodies {
     const std::size_t index = d_.links.size();
     bodies_.push_back(index);
     auto& l = d_.links.emplace_back();
+    equality_.stands.push_back(equality_.stands[above.link] * (c.in.place * place));
     l.name = x.has("name") ? c.in.named(x.text("name")) : fresh("body" + std::to_string(index));
     l.line = x.line(), l.file = x.file();
     l.gravity_compensation = x.number_or("gravcomp", 0);
@@ -207,6 +213,7 @@ class mjcf_bodies {
       }
       if (!last) {
         auto& between = d_.links.emplace_back();
+        equality_.stands.push_back(equality_.stands.back());
         between.name = j.child, between.line = j.line, between.file = j.file;
       }
       from = j.child, place = {};
@@ -214,12 +221,39 @@ class mjcf_bodies {
     }
   }
 
+  /// The configuration in which the file puts the bodies, and in which <connect> and <weld> are closed, if that is not
+  /// q = 0.
+  void add_reference() {
+    const auto moved = [](const robot_joint& j) { return j.reference != 0 || j.is == kind::floating; };
+    if (d_.closures.empty() || std::none_of(d_.joints.begin(), d_.joints.end(), moved)) return;
+    robot_configuration c{"reference", 0, {}};
+    for (const auto& j : d_.joints)
+      if (j.is == kind::floating) {
+        const auto& at = equality_.stands[link_of(j.child)];
+        const auto r = to_quaternion(at.rotation);
+        c.joints.emplace_back(j.name, std::vector{at.position.x, at.position.y, at.position.z, r.w, r.x, r.y, r.z});
+      } else if (has_one_coordinate(j)) {
+        c.joints.emplace_back(j.name, std::vector{j.reference});
+      }
+    d_.configurations.push_back(std::move(c));
+  }
+  std::size_t link_of(const std::string& name) const {
+    return static_cast<std::size_t>(
+        std::find_if(d_.links.begin(), d_.links.end(), [&](const auto& l) { return l.name == name; }) -
+        d_.links.begin());
+  }
+
   /// Actuators, and what is not read, of a model and of those that it attaches.
   void sections(const xml_item& root, const mjcf_scope& in) {
     for (const auto& x : root.children()) {
       const auto n = x.name();
-      if (n == "contact" || n == "equality" || n == "tendon" || n == "deformable")
-        unread_.section(x, in.model->settings.classes());
+      if (n == "contact" || n == "tendon" || n == "deformable") unread_.section(x, in.model->settings.classes());
+      if (n == "equality")
+        for (const auto& e : x.children()) {
+          const auto whole = in.model->settings.classes().resolved(e, "", "equality");
+          if (!unread_.constraint(whole) && !equality_.read(whole, in))
+            whole.moves_differently("this constraint is not modelled");
+        }
       if (n == "actuator")
         for (const auto& a : x.children()) actuator(in.model->settings.classes().resolved(a, ""), in);
     }
@@ -242,6 +276,7 @@ class mjcf_bodies {
   mjcf_unread unread_;
   mjcf_meshes meshes_;
   mjcf_materials materials_;
+  mjcf_equality equality_;
   std::vector<std::size_t> bodies_;  ///< the links that are bodies of the file
   std::unordered_set<std::string> taken_, joints_;
   int depth_ = 0;

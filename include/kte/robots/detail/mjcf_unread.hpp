@@ -28,12 +28,6 @@ class mjcf_unread {
   void section(const xml_item& x, const mjcf_classes& classes) {
     if (x.name() == "contact") {
       for (const auto& c : x.children()) c.name() == "pair" ? note_contact(c) : c.not_read("not read");
-    } else if (x.name() == "equality") {
-      for (const auto& c : x.children())
-        if (!no_equality_ && classes.resolved(c, "", "equality").text_or("active", "true") == "true")
-          c.moves_differently("this constraint is not modelled");
-        else
-          c.not_read("not read: it is disabled");
     } else if (x.name() == "tendon") {
       for (const auto& c : x.children()) tendon(classes.resolved(c, ""));
     } else if (x.name() == "deformable") {
@@ -42,6 +36,12 @@ class mjcf_unread {
     } else {
       x.not_read("not read");
     }
+  }
+  /// Whether a constraint of <equality> is disabled: it is listed.
+  bool constraint(const xml_item& x) const {
+    if (!no_equality_ && keyword(x, "active", {"true", "false"}) == "true") return false;
+    x.not_read("not read: it is disabled");
+    return true;
   }
   /// Attributes of meshes that have no part in their shape, and what is no mesh and no model.
   void assets(const xml_item& x, const mjcf_classes& classes) {

@@ -2,6 +2,7 @@
 
 #include <kte/dynamics/configuration_space.hpp>
 #include <kte/dynamics/mass_matrix.hpp>
+#include <kte/loops.hpp>
 #include <kte/robots/detail/robot_tree.hpp>
 #include <kte/robots/robot.hpp>
 #include <kte/runtime_chain/runtime_chain.hpp>
@@ -42,6 +43,49 @@ inline void find_condition(const robot& r, std::vector<robot_note>& found) {
   if (condition > 1e8)
     found.push_back({0, "the mass matrix is nearly singular: its condition is " + number(condition) +
                             " at a random configuration, so that forward dynamics loses as many digits"});
+}
+
+/// The configuration from which the loops of a robot are assembled: that of its file, or the neutral one.
+inline Eigen::VectorXd start_of_loops(const robot& r) {
+  for (const auto& c : r.configurations)
+    if (c.name == "reference" && static_cast<int>(c.q.size()) == r.chain.nq())
+      return Eigen::Map<const Eigen::VectorXd>(c.q.data(), static_cast<Eigen::Index>(c.q.size()));
+  return neutral_configuration(r.chain);
+}
+/// Rows, rank, mobility and dependent rows of the closures of a robot, at the most regular of eight assemblies near
+/// that of its file. Without closures nothing.
+inline std::vector<std::string> loop_findings(const robot& r) {
+  const auto& c = r.chain;
+  if (!has_loops(c)) return {};
+  std::vector<std::string> found;
+  try {
+    auto s = c.make_state();
+    const Eigen::VectorXd start = assemble(c, s, start_of_loops(r));
+    const auto first = loops(c, s, start);
+    auto best = first;
+    std::mt19937 engine(1);
+    for (int trial = 0; trial < 8; ++trial) {
+      Eigen::VectorXd step(c.dofs());
+      for (auto& x : step) x = (static_cast<double>(engine()) * 0x1p-31 - 1) * 0.1;  // rad, m
+      try {
+        const auto other = loops(c, s, assemble(c, s, integrate(c, start, step, 1.0)));
+        if (other.rank > best.rank) best = other;
+      } catch (const cannot_assemble&) {  // another one will do
+      }
+    }
+    std::string rows;
+    for (const auto& name : best.dependent) rows += (rows.empty() ? "" : ", ") + ("'" + name + "'");
+    found.push_back("closed loops: " + std::to_string(best.rows) + " rows of closures, rank " +
+                    std::to_string(best.rank) + ", mobility " + std::to_string(best.mobility) +
+                    (rows.empty() ? "" : "; these rows follow from others: " + rows));
+    if (best.mobility == 0) found.push_back("the closures leave no mobility: it cannot move");
+    if (first.rank < best.rank)
+      found.push_back("where it is assembled from the file it is singular: the rank of its closures is " +
+                      std::to_string(first.rank) + " there");
+  } catch (const error& e) {
+    found.push_back(e.what());
+  }
+  return found;
 }
 
 /// Whether anything that a joint moves has a mass.

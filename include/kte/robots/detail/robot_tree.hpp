@@ -12,7 +12,8 @@
 
 namespace kte::detail {
 
-/// The tree that links and joints make: checked, and in the order in which a chain takes it.
+/// The tree that links and joints make, with closures between them: checked, and in the order in which a chain takes
+/// it.
 class robot_tree {
  public:
   struct step {
@@ -40,6 +41,7 @@ class robot_tree {
   void name_all();
   void find_root();
   void check_mimics() const;
+  void check_closures() const;
   void order(const std::string& chosen_root);
 
   const robot_description& d_;
@@ -54,6 +56,7 @@ KTE_FUNCTION robot_tree::robot_tree(const robot_description& d, const std::strin
   name_all();
   find_root();
   check_mimics();
+  check_closures();
   order(chosen_root);
 }
 
@@ -80,7 +83,7 @@ KTE_FUNCTION void robot_tree::name_all() {
     auto& above = parent_joint_[links_.at(j.child)];
     if (above != nowhere)
       refuse("its child '" + j.child + "' is already the child of joint '" + d_.joints[above].name + "' (line " +
-             std::to_string(d_.joints[above].line) + "): loops are not read");
+             std::to_string(d_.joints[above].line) + "): a link has one parent, and closures close loops");
     above = i;
   }
 }
@@ -131,6 +134,26 @@ KTE_FUNCTION void robot_tree::check_mimics() const {
       if (seen[k] != nowhere) break;
       seen[k] = i;
     }
+}
+
+KTE_FUNCTION void robot_tree::check_closures() const {
+  std::unordered_map<std::string_view, int> names;
+  for (const auto& c : d_.closures) {
+    const auto refuse = [&](const std::string& why) { fail(c.line, "closure '" + c.name + "': " + why); };
+    if (c.name.empty()) fail(c.line, "a closure has no name");
+    if (const auto [first, fresh] = names.emplace(c.name, c.line); !fresh)
+      refuse("it comes a second time, after line " + std::to_string(first->second));
+    const bool of_joints = c.is == robot_closure::kind::joints;
+    for (const auto* end : {&c.link1, &c.link2}) {
+      if (!of_joints && !links_.contains(*end)) refuse("'" + *end + "' is not a link");
+      if (!of_joints) continue;
+      const auto it = joints_.find(*end);
+      if (it == joints_.end()) refuse("'" + *end + "' is not a joint");
+      if (!has_one_coordinate(d_.joints[it->second])) refuse("joint '" + *end + "' has no single coordinate");
+    }
+    if (c.link1 == c.link2)
+      refuse("both its ends are the same " + std::string(of_joints ? "joint" : "link") + " '" + c.link1 + "'");
+  }
 }
 
 KTE_FUNCTION void robot_tree::order(const std::string& chosen_root) {

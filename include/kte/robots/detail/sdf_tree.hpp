@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/robots/detail/loop_cuts.hpp>
 #include <kte/robots/detail/sdf_frames.hpp>
 
 #include <functional>
@@ -8,8 +9,8 @@
 
 namespace kte::detail {
 
-/// Makes one tree of the links and joints of a model: what stands still is fixed, joints are turned round where the
-/// tree needs it, and parts that no joint connects move freely.
+/// Makes one tree of the links and joints of a model: what stands still is fixed, joints that close loops become
+/// closures, joints are turned round where the tree needs it, and parts that no joint connects move freely.
 class sdf_tree {
  public:
   using placer = std::function<robot_pose(const std::string&, const std::string&)>;
@@ -37,6 +38,7 @@ class sdf_tree {
 
   /// Joins the parts and sets the root. `first` is the link whose part is the base if no link is the world.
   std::string join(const std::string& first) {
+    loop_cuts(d_).cut();
     std::vector<part> parts = find_parts();
     for (auto& p : parts) direct(p, first);
     const auto holds = [](const part& p, const std::string& link) {
@@ -45,9 +47,9 @@ class sdf_tree {
     auto base = std::find_if(parts.begin(), parts.end(), [&](const part& p) { return holds(p, "world"); });
     if (base == parts.end())
       base = std::find_if(parts.begin(), parts.end(), [&](const part& p) { return holds(p, first); });
-    if (base == parts.end() || base->root.empty()) return {};
+    if (base == parts.end()) return {};
     for (const auto& p : parts) {
-      if (&p == &*base || p.root.empty()) continue;
+      if (&p == &*base) continue;
       const auto& l = *std::find_if(d_.links.begin(), d_.links.end(), [&](const auto& x) { return x.name == p.root; });
       d_.joints.push_back(between(kind::floating, base->root, l, ".free"));
       d_.warnings.push_back({l.line,
@@ -63,7 +65,7 @@ class sdf_tree {
   struct part {
     std::vector<std::string> links;
     std::vector<std::size_t> joints;
-    std::string root{};  ///< empty where there are loops
+    std::string root{};
   };
 
   robot_joint between(kind is, const std::string& parent, const robot_link& child, const char* ending) {
@@ -98,9 +100,8 @@ class sdf_tree {
   }
 
   /// Chooses the root of a part: the link without a joint above it, of several the first or that of the base. Joints
-  /// that point to it are turned round. Parts with loops stay, and are refused by robot_tree.
+  /// that point to it are turned round.
   void direct(part& p, const std::string& first) {
-    if (p.joints.size() >= p.links.size()) return;
     std::map<std::string, std::vector<std::size_t>> at;
     std::set<std::string> below;
     for (const auto i : p.joints) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kte/robots/detail/urdf_joint.hpp>
+#include <kte/robots/detail/urdf_loop.hpp>
 
 namespace kte::detail {
 
@@ -12,7 +13,7 @@ class urdf_robot {
   void read(const xml_item& root) {
     if (root.name() != "robot") root.fail("a URDF begins with <robot>");
     d_.name = root.text_or("name", "");
-    root.only({"link", "joint", "material", "frame", "drake:frame", "drake:joint", "transmission", "gazebo",
+    root.only({"link", "joint", "kte:loop", "material", "frame", "drake:frame", "drake:joint", "transmission", "gazebo",
                "loop_joint", "force_element", "drake:loop_joint", "drake:force_element", "drake:linear_spring_damper",
                "drake:linear_bushing_rpy", "drake:ball_constraint", "drake:link"},
               {"name", "version"});
@@ -21,6 +22,7 @@ class urdf_robot {
     links_.colour();
     for (const auto* of : {"joint", "drake:joint"})
       for (const auto& x : root.children(of)) joints_.read(x);
+    for (const auto& x : root.children("kte:loop")) d_.closures.push_back(read_urdf_loop(x, links_));
     add_world();
     for (const auto* of : {"frame", "drake:frame"})
       for (const auto& x : root.children(of)) frame(x);

@@ -28,6 +28,7 @@ class mjcf_writer {
     geoms_.write_assets(out_);
     out_.open("worldbody");
     const auto& root = d_.links[plan_.root()];
+    bodies_.insert(root.name);
     if (root.name == "world") {
       if (plan_.weight(plan_.root()))
         left_out_.list(root.line, "link 'world': its mass does not move, and is left out");
@@ -42,7 +43,7 @@ class mjcf_writer {
     }
     for (std::size_t i = 0; i < d_.joints.size(); ++i)
       if (d_.joints[i].is == kind::floating) body(i);
-    out_.close(), followers(), actuators(), out_.close();
+    out_.close(), constraints(), actuators(), out_.close();
     for (const auto& n : left_out_.notes()) out_.comment("not as in the robot: " + n.text);
     left_out_.hand_over();
     return out_.take();
@@ -65,6 +66,7 @@ class mjcf_writer {
       name = fresh_name(links_, name);
       left_out_.list(l.line, "link 'world': it is called \"" + name + "\": MuJoCo's world is at rest");
     }
+    bodies_.insert(name);
     out_.open("body"), out_.attribute("name", std::string_view(name));
     write_mjcf_place(out_, b.place);
     int moving = 0;
@@ -144,18 +146,48 @@ class mjcf_writer {
     out_.attribute("diaginertia", std::vector<double>(w.moments.begin(), w.moments.end())), out_.close();
   }
 
-  /// MuJoCo's are soft.
-  void followers() {
+  /// Followers and closures: MuJoCo's are soft.
+  void constraints() {
+    using closing = robot_closure::kind;
     bool any = false;
+    const auto begin = [&](const char* of) {
+      if (!any) out_.open("equality");
+      any = true;
+      out_.open(of);
+    };
+    const auto couple = [&](const std::string& name, const std::string& joint1, const std::string& joint2,
+                            const std::vector<double>& p) {
+      begin("joint");
+      if (!name.empty()) out_.attribute("name", std::string_view(name));
+      out_.attribute("joint1", std::string_view(joint1)), out_.attribute("joint2", std::string_view(joint2));
+      out_.attribute("polycoef", p), out_.close();
+    };
     for (const auto& j : d_.joints) {
       if (!j.mimic) continue;
       left_out_.change(j.line, mjcf_title(j), "it follows joint '" + j.mimic->joint + "'",
                        "it has its own coordinate, and an equality constraint, which is soft");
-      if (!any) out_.open("equality");
-      any = true;
-      out_.open("joint"), out_.attribute("joint1", std::string_view(j.name));
-      out_.attribute("joint2", std::string_view(j.mimic->joint));
-      out_.attribute("polycoef", std::vector<double>{j.mimic->offset, j.mimic->ratio, 0, 0, 0}), out_.close();
+      couple("", j.name, j.mimic->joint, {j.mimic->offset, j.mimic->ratio, 0, 0, 0});
+    }
+    for (const auto& c : d_.closures) {
+      const auto title = "closure '" + c.name + "'";
+      const bool weld = c.is == closing::frames;
+      if (!weld && c.is != closing::joints) {  // <connect> has a point of one body alone, and closes at q = 0
+        left_out_.change(c.line, title, "it closes a loop", "it is left out");
+        continue;
+      }
+      left_out_.change(c.line, title, "it holds exactly", "an equality constraint, which is soft");
+      if (!weld) {
+        couple(c.name, c.link1, c.link2, {c.polynomial.begin(), c.polynomial.end()});
+        continue;
+      }
+      for (const auto* link : {&c.link1, &c.link2})
+        if (!bodies_.contains(*link)) left_out_.refuse(title, "'" + *link + "' is a frame between joints of one body");
+      const auto at = c.origin1 * inverse_of(c.origin2);
+      const auto q = to_quaternion(at.rotation);
+      begin("weld"), out_.attribute("name", std::string_view(c.name));
+      out_.attribute("body1", std::string_view(c.link1)), out_.attribute("body2", std::string_view(c.link2));
+      out_.attribute("relpose", std::vector<double>{at.position.x, at.position.y, at.position.z, q.w, q.x, q.y, q.z});
+      out_.close();
     }
     if (any) out_.close();
   }
@@ -207,7 +239,7 @@ class mjcf_writer {
   unwritten left_out_;
   mjcf_plan plan_;
   mjcf_geoms geoms_;
-  std::set<std::string, std::less<>> links_;
+  std::set<std::string, std::less<>> links_, bodies_;  ///< names of links; of those that are bodies of the file
   xml_writer out_;
   mjcf_joints joints_;
 };

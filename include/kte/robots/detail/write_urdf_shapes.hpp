@@ -40,11 +40,13 @@ inline vec3<> rpy_in_file(const mat3<vec3<>>& m) {
   return all;
 }
 
+inline void write_urdf_pose(xml_writer& out, const robot_pose& p) {
+  out.attribute("xyz", p.position);
+  if (p.rotation != robot_pose{}.rotation) out.attribute("rpy", rpy_in_file(p.rotation));
+}
 inline void write_urdf_origin(xml_writer& out, const robot_pose& p) {
   if (is_nothing(p)) return;
-  out.open("origin"), out.attribute("xyz", p.position);
-  if (p.rotation != robot_pose{}.rotation) out.attribute("rpy", rpy_in_file(p.rotation));
-  out.close();
+  out.open("origin"), write_urdf_pose(out, p), out.close();
 }
 
 /// Shapes in URDF: boxes, spheres, cylinders and meshes.

@@ -1,0 +1,93 @@
+#pragma once
+
+#include <kte/dynamics/closed_loops/actuated_dynamics.hpp>
+#include <kte/dynamics/closed_loops/derivatives.hpp>
+
+namespace kte {
+
+/// A parameter of a closure, by the name of its loop:
+///
+///   "length", "factor1", "factor2", "constant"    of `distance`, `coupled_coordinates`
+///   "frame1.x", "frame1.y", "frame1.z"            of a closure of frames: how far frame1 is displaced on its body, m,
+///   in
+///                                                 its axes; "frame2.x" ... likewise
+///   "frame1.rx", "frame1.ry", "frame1.rz"         how far it is turned about its axes, rad
+struct closure_parameter {
+  std::string closure, parameter;
+};
+
+/// The result of `closure_derivatives`, a column a parameter: of n coordinates, m rows of closures.
+struct closure_derivatives_result {
+  Eigen::MatrixXd q;          ///< n rows, along the numbers of v: how the configuration follows
+  Eigen::MatrixXd v;          ///< n rows: how the velocities follow
+  Eigen::MatrixXd a, lambda;  ///< accelerations, forces of closures, n and m rows, on the closed loops
+  Eigen::MatrixXd a_in_place, lambda_in_place;  ///< the same with q and v held: partial derivatives
+};
+
+namespace detail {
+closure_derivatives_result closures_derived(const runtime_chain& c, runtime_state& s, const Eigen::VectorXd& tau,
+                                            const std::vector<closure_parameter>& parameters,
+                                            const std::vector<std::string>& actuated);
+}  // namespace detail
+
+/// Derivatives of `constrained_dynamics` by parameters of closures, at tau, with the actuated coordinates and their
+/// rates held: a longer rod moves the mechanism. With the residuals g of the closures,
+///
+///   J dq = -dg,   J dv = -d(J v),   dq_actuated = dv_actuated = 0          (1)
+///
+/// and (2) of `constrained_dynamics_derivatives` along (dq, dv).
+///
+///   closure_derivatives(c, s, q, v, tau, {{"rod", "length"}}, kte::actuated("crank")).a
+///
+/// Throws as these and `loop_motion`; `unknown_name` for a closure or parameter that the chain does not have;
+/// `no_solution` for a parameter by which redundant closures contradict each other.
+template <indexable Q, indexable V, indexable T>
+closure_derivatives_result closure_derivatives(const runtime_chain& c, runtime_state& s, const Q& q, const V& v,
+                                               const T& tau, const std::vector<closure_parameter>& parameters,
+                                               const actuated_coordinates& by) {
+  detail::check_regular_tree(c, s);
+  return detail::take(c, s, q, v, detail::found_later{}, tau).call([&] {
+    return detail::closures_derived(c, s, detail::as_vector(tau, s.dofs()), parameters, by.names);
+  });
+}
+
+}  // namespace kte
+
+#ifdef KTE_FUNCTION
+#  include <kte/dynamics/closed_loops/closure_variations.hpp>
+
+namespace kte::detail {
+
+KTE_FUNCTION closure_derivatives_result closures_derived(const runtime_chain& c, runtime_state& s,
+                                                         const Eigen::VectorXd& tau,
+                                                         const std::vector<closure_parameter>& parameters,
+                                                         const std::vector<std::string>& actuated) {
+  closure_variations variations(c, s, parameters);
+  const Eigen::MatrixXd g = actuated_motion(c, s, actuated);
+  const std::vector<int> rows = rows_of_coordinates(c, s, actuated);
+  loop_variations by;
+  const auto all = constrained_dynamics_derived(c, s, tau, &by);
+  auto& loops = loops_of(c, s);
+  auto& e = loops.equations;
+  const auto own = variations.at_state(c, s);
+
+  closure_derivatives_result r;
+  const auto count = static_cast<Eigen::Index>(parameters.size());
+  r.q.resize(s.dofs(), count), r.v.resize(s.dofs(), count);
+  for (Eigen::Index k = 0; k < count; ++k) {
+    r.q.col(k) = followed_motion(s, loops, g, rows, own.residuals.col(k));
+    const Eigen::VectorXd open = e.times(r.q.col(k)) + own.residuals.col(k);
+    if (open.size() > 0 && !(open.cwiseAbs().maxCoeff() <= 1e-8 * (1 + own.residuals.col(k).cwiseAbs().maxCoeff())))
+      throw no_solution("kte: '" + parameters[static_cast<std::size_t>(k)].parameter + "' of '" +
+                        parameters[static_cast<std::size_t>(k)].closure +
+                        "' cannot change: redundant closures would contradict each other");
+    r.v.col(k) = followed_motion(s, loops, g, rows, own.velocities.col(k) + by.velocities_by_q * r.q.col(k));
+  }
+  loop_sensitivity(c, s).solve(own.forces, own.accelerations, r.a_in_place, r.lambda_in_place);
+  r.a = r.a_in_place + all.by_q * r.q + all.by_v * r.v;
+  r.lambda = r.lambda_in_place + all.lambda_by_q * r.q + all.lambda_by_v * r.v;
+  return r;
+}
+
+}  // namespace kte::detail
+#endif

@@ -1,0 +1,140 @@
+#pragma once
+
+#include <kte/dynamics/closed_loops/loop_dynamics.hpp>
+#include <kte/dynamics/runtime/duals.hpp>
+
+/// Derivatives of the equations of a chain with loops by q, along the numbers of v, and by v, in dual numbers, four
+/// directions at a time.
+namespace kte::detail {
+
+/// With accelerations a and forces of closures lambda held:
+///
+///   forces          inverse dynamics - J^T lambda          (1)
+///   accelerations   J a + J_dot v, rows in m divided by the length of the chain          (2)
+///   velocities      J v, likewise          (3)
+struct loop_variations {
+  inverse_dynamics_result<double, Eigen::Dynamic> forces;  ///< (1), `by_q` and `by_v`
+  Eigen::MatrixXd accelerations_by_q, accelerations_by_v, velocities_by_q;
+};
+
+/// The load on the second frame of a closure of frames, of what its wrenches are for unit rates:
+///
+///   (F, T) . (v, w) = lambda . residual_dot(v, w)          (4)
+template <class D>
+tree::dense_wrench<D> load_of_rows(const closure_rows& rows, const loop_state<>& loop, const D* units) {
+  D load[6];
+  for (int i = 0; i < 6; ++i, units += closing_stride) {
+    load[i] = D(0);
+    for (int k = 0; k < rows.count(); ++k) load[i] = load[i] + row_of(loop.force, loop.torque, rows, k) * units[k];
+  }
+  return {{load[0], load[1], load[2]}, {load[3], load[4], load[5]}};
+}
+inline tree::dense_wrench<derivative_number> load_of_closure(const kte_element& closure, const loop_state<>& loop,
+                                                             const closing_motion<derivative_number>& m) {
+  derivative_number units[6 * closing_stride];
+  closure.close_frames(m, closing::wrenches, units);
+  return load_of_rows(closure.rows(), loop, units);
+}
+/// Adds a wrench on a frame to the loads of its body.
+template <class D>
+void add_load(const tree::frame_place<double>& at, const tree::dense_wrench<D>& w,
+              std::vector<tree::dense_wrench<D>>& loads) {
+  const auto seen = transmit(at.at, w);
+  auto& load = loads[static_cast<std::size_t>(at.slot)];
+  load = {load.force + as<D>(seen.force), load.torque + as<D>(seen.torque)};
+}
+
+/// The closures of a chain in a state with derivatives, when its bodies have moved.
+class closures_in_duals {
+  using D = derivative_number;
+
+ public:
+  closures_in_duals(const runtime_chain& c, runtime_state& s, const closure_places& places, derivative_state& d)
+      : chain_(c), state_(s), places_(places), d_(d) {}
+
+  /// Adds J^T lambda; visit(row, J v, J a + J_dot v), of rows in m and rad.
+  template <class Visit>
+  void push(const Visit& visit) const {
+    for (const auto& x : places_.closures) x.of_frames() ? push_frames(x, visit) : push_coordinates(x, visit);
+  }
+
+ private:
+  template <class Visit>
+  void push_frames(const closure_place& x, const Visit& visit) const {
+    const auto& f = state_.tree().body_tree;
+    const auto &at_a = f.frame(x.frame1.what, x.frame1.index), &at_b = f.frame(x.frame2.what, x.frame2.index);
+    const auto& element = runtime_elements{chain_}.element(x.element);
+    auto m = as_closing_motion<D>(relative(motion_of(at_a), motion_of(at_b)));
+    take_values(loop_equations::motion_between(state_, x), m);
+    D velocities[6], accelerations[6];
+    element.close_frames(m, closing::residual_dot, velocities);
+    element.close_frames(m, closing::residual_ddot, accelerations);
+    for (int r = 0; r < x.rows.count(); ++r) visit(x.first + r, velocities[r], accelerations[r]);
+    const auto on_b = load_of_closure(element, state_.get<kind::loop>(x.loop), m);
+    const auto on_a = transmit(m, on_b);
+    add_load(at_b, on_b, d_.work.loads);
+    add_load(at_a, tree::dense_wrench<D>{as<D>(-on_a.force), as<D>(-on_a.torque)}, d_.work.loads);
+  }
+  template <class Visit>
+  void push_coordinates(const closure_place& x, const Visit& visit) const {
+    D q[4]{}, v[4]{}, by[4]{};
+    for (std::size_t n = 0; n < x.coordinates.size(); ++n) {
+      const auto& at = d_.get<kind::gen>(x.coordinates[n]);
+      q[n] = at.q, v[n] = at.q_dot;
+    }
+    D acceleration = runtime_elements{chain_}.element(x.element).close_coordinates(q, v, by)[1], velocity(0);
+    for (std::size_t n = 0; n < x.coordinates.size(); ++n) {
+      auto& at = d_.get<kind::gen>(x.coordinates[n]);
+      velocity = velocity + by[n] * v[n], acceleration = acceleration + by[n] * at.q_ddot;
+      at.f = at.f + by[n] * state_.get<kind::loop>(x.loop).torque.x;
+    }
+    visit(x.first, velocity, acceleration);
+  }
+  auto motion_of(const tree::frame_place<double>& at) const {
+    const auto slot = static_cast<std::size_t>(at.slot);
+    return engine::motion_of_frame(d_.work.world[slot], d_.work.bodies[slot], at.at);
+  }
+  /// Position and rotation without the rounding of their places in the world.
+  static void take_values(const closing_motion<double>& from, closing_motion<D>& to) {
+    const auto take = [](const vec3<>& x, vec3<D>& y) { y.x.value = x.x, y.y.value = x.y, y.z.value = x.z; };
+    take(from.position, to.position);
+    take(from.rotation.x, to.rotation.x), take(from.rotation.y, to.rotation.y), take(from.rotation.z, to.rotation.z);
+  }
+
+  const runtime_chain& chain_;
+  runtime_state& state_;
+  const closure_places& places_;
+  derivative_state& d_;
+};
+
+/// (1) to (3) at the state, after `constrained_accelerations`.
+inline loop_variations vary_loops(const runtime_chain& c, runtime_state& s, const loop_equations& e) {
+  loop_variations r;
+  const Eigen::Index n = s.dofs(), rows = e.places.rows;
+  r.forces.tau.resize(n), r.forces.by_q.setZero(n, n), r.forces.by_v.setZero(n, n);
+  for (auto* m : {&r.accelerations_by_q, &r.accelerations_by_v, &r.velocities_by_q}) m->setZero(rows, n);
+  derivative_state& d = state_with_derivatives(c, s);
+  take_given(s, d);
+  take_bases(s), place_in_world(s);
+  tree::place_bases_in_duals(s.tree().body_tree, s.work, d.work);
+  const closures_in_duals closures(c, s, e.places, d);
+  const auto derive = [&](const directions& moving) -> const auto& {
+    const bool by_q = moving.by == vector_of::q;
+    const auto put = [&](int row, const derivative_number& rate, const derivative_number& acceleration) {
+      const auto& x = e.places.closure_of_row(row);
+      const double scale = e.places.scale(x, row - x.first);
+      for (int k = 0; k < derivative_number::variables && moving.first + k < n; ++k) {
+        const auto lane = static_cast<std::size_t>(k);
+        (by_q ? r.accelerations_by_q : r.accelerations_by_v)(row, moving.first + k) =
+            scale * acceleration.derivative[lane];
+        if (by_q) r.velocities_by_q(row, moving.first + k) = scale * rate.derivative[lane];
+      }
+    };
+    inverse_dynamics_in_duals(runtime_elements{c}, s, d, moving, [&](derivative_state&) { closures.push(put); });
+    return d.forces;
+  };
+  derive_by_duals(s.freedoms(), std::span(d.q), std::span(d.v), std::span(d.a), false, derive, r.forces);
+  return r;
+}
+
+}  // namespace kte::detail

@@ -1,0 +1,204 @@
+#pragma once
+
+#include <kte/dynamics/closed_loops/loop_dynamics.hpp>
+#include <kte/kernels/qr_in_lanes.hpp>
+
+/// Accelerations of trees with closures in packs S of states in double, as `accelerate_on_loops`: recursions over
+/// bodies in packs, functions of closures state by state. The independent rows are those of the first state.
+namespace kte::detail {
+
+template <class S>
+class loops_in_lanes {
+  static constexpr std::size_t lanes = std::size_t{S::lanes};
+
+ public:
+  std::shared_ptr<const char> layout;
+
+  loops_in_lanes(const runtime_closures& c, const basic_runtime_state<S>& s)
+      : layout(c.layout()), places_(c, s), acceleration_(static_cast<std::size_t>(places_.rows)) {
+    for (auto& x : gap_) x = 0;
+  }
+  /// After forward dynamics of the tree: accelerations on the loops into `forces` of the working memory. Returns false
+  /// if the independent rows of the states are not the same.
+  bool correct(const runtime_closures& c, basic_runtime_state<S>& s) {
+    take_roots(s);
+    std::fill(std::begin(gap_), std::end(gap_), 0.0);
+    rates_.assign(root_.size(), S(0));
+    bool agree = true;
+    for (const auto& b : places_.blocks) agree &= solve(c, s, b);
+    if (!agree) return false;
+    auto& factors = s.work.factors;
+    for (std::size_t k = 0; k < rates_.size(); ++k)
+      if (const int axis = places_.axis_of_place[k]; axis >= 0)
+        factors[static_cast<std::size_t>(axis)].rate = rates_[k] * root_[k];
+    tree::accelerate_from_rest(s.tree().body_tree, s.work, s.work.joint_transforms, factors.data());
+    for (std::size_t k = 0; k < rates_.size(); ++k) {
+      const int axis = places_.axis_of_place[k];
+      s.work.forces[places_.row_of_place[k]] -=
+          axis >= 0 ? s.work.acceleration[static_cast<std::size_t>(axis)] : S(rates_[k] * root_[k]);
+    }
+    return true;
+  }
+
+ private:
+  /// D^-1/2 by place.
+  void take_roots(const basic_runtime_state<S>& s) {
+    root_.resize(places_.row_of_place.size());
+    for (std::size_t k = 0; k < root_.size(); ++k) {
+      const int axis = places_.axis_of_place[k];
+      root_[k] = axis >= 0 ? sqrt(s.work.factors[static_cast<std::size_t>(axis)].inverse)
+                           : S(1 / std::sqrt(s.tree().own_mass[static_cast<std::size_t>(places_.row_of_place[k])]));
+    }
+  }
+  bool solve(const runtime_closures& c, basic_runtime_state<S>& s, const loop_block& b) {
+    const auto rows = static_cast<std::size_t>(b.rows), columns = b.places.size();
+    all_.resize(columns, rows);
+    std::size_t first = 0;
+    for (const int k : b.closures) {
+      const auto& x = places_.closures[static_cast<std::size_t>(k)];
+      x.of_frames() ? close_frames(c, s, x, first) : close_coordinates(c, s, x, first);
+      first += static_cast<std::size_t>(x.rows.count());
+    }
+    S most(0), least, zero;
+    for (const int place : b.places) most = max(most, root_[static_cast<std::size_t>(place)]);
+    for (std::size_t lane = 0; lane < lanes; ++lane)
+      least.set(lane, gap_[lane] < 1e-8 ? (std::max)(least_pivot, 100 * gap_[lane]) : least_pivot);
+    zero = 1e-13 * most * (std::min)(1.0, 1 / places_.length);
+    choose(rows, columns, least[0], zero[0]);
+    if (!factorize(rows, columns, least, zero)) return false;
+    const std::size_t rank = first_.chosen.size();
+    chosen_.resize(rank), half_.resize(columns);
+    for (std::size_t k = 0; k < rank; ++k)
+      chosen_[k] = acceleration_[static_cast<std::size_t>(places_.row_of(b, first_.chosen[k]))];
+    qr_.least(chosen_.data(), half_.data());
+    for (std::size_t k = 0; k < columns; ++k) rates_[static_cast<std::size_t>(b.places[k])] = half_[k];
+    return true;
+  }
+  /// The independent rows of the first state.
+  void choose(std::size_t rows, std::size_t columns, double least, double zero) {
+    auto m = first_.matrix(static_cast<Eigen::Index>(columns), static_cast<Eigen::Index>(rows));
+    for (std::size_t j = 0; j < rows; ++j)
+      for (std::size_t i = 0; i < columns; ++i)
+        m(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = all_.column(j)[i][0];
+    first_.choose(least, zero);
+  }
+  /// By these rows, the others behind them. Returns false where they are not the independent rows of all states, or
+  /// not clearly.
+  bool factorize(std::size_t rows, std::size_t columns, const S& least, const S& zero) {
+    const std::size_t rank = first_.chosen.size();
+    qr_.resize(columns, rows);
+    is_chosen_.assign(rows, 0);
+    std::size_t to = 0;
+    const auto take = [&](std::size_t j) { std::copy_n(all_.column(j), columns, qr_.column(to++)); };
+    for (const int j : first_.chosen) take(static_cast<std::size_t>(j)), is_chosen_[static_cast<std::size_t>(j)] = 1;
+    for (std::size_t j = 0; j < rows; ++j)
+      if (!is_chosen_[j]) take(j);
+    qr_.factorize(rank);
+    S largest(0);
+    for (std::size_t k = 0; k < rank; ++k) largest = max(largest, qr_.pivot(k));
+    const S smallest = (std::max)(0.01 * first_.smallest / (std::max)(first_.largest, 1e-300), 0.0) * largest;
+    bool agree = true;
+    for (std::size_t k = 0; k < rank; ++k)
+      agree &= all(qr_.pivot(k) > least * largest) && all(qr_.pivot(k) > zero) && all(qr_.pivot(k) >= smallest);
+    for (std::size_t j = rank; j < rows && agree; ++j) agree &= all(qr_.left(j) <= max(S(least * largest), zero));
+    return agree;
+  }
+  /// Residuals, accelerations and L^-T J^T of a closure of frames, its rows from `first` on.
+  void close_frames(const runtime_closures& c, basic_runtime_state<S>& s, const closure_place& x, std::size_t first) {
+    const auto& f = s.tree().body_tree;
+    const closing_motion<S> m = loop_equations::moving_between(s, x);
+    const int count = x.rows.count();
+    S units[6][6];
+    closing_motion<double> motions[lanes];
+    double rows[lanes * all_rows_of_closing];
+    for (std::size_t lane = 0; lane < lanes; ++lane) motions[lane] = of_lane(m, lane);
+    c.element(x.element).close_frames(motions, rows);
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+      const double *g = rows + lane * all_rows_of_closing, *accelerations = g + closing_stride,
+                   *wrenches = accelerations + closing_stride;
+      for (int r = 0; r < count; ++r) {
+        const double scale = places_.scale(x, r);
+        gap_[lane] = (std::max)(gap_[lane], std::abs(scale * g[r]));
+        acceleration_[static_cast<std::size_t>(x.first + r)].set(lane, scale * accelerations[r]);
+        for (int i = 0; i < 6; ++i) units[r][i].set(lane, scale * wrenches[i * closing_stride + r]);
+      }
+    }
+    for (int r = 0; r < count; ++r) {
+      const load on2{{units[r][0], units[r][1], units[r][2]}, {units[r][3], units[r][4], units[r][5]}};
+      load on1 = tree::seen_from<S>(m.rotation, m.position, on2);
+      for (auto* v : {&on1.force, &on1.torque}) v->x = -v->x, v->y = -v->y, v->z = -v->z;
+      loads_.assign(x.way.nodes.size(), load{});
+      const auto enter = [&](std::size_t port, const runtime_frame& frame, const load& w) {
+        if (x.enters[port] < 0) return;
+        const auto& place = f.frame(frame.what, frame.index).at;
+        tree::add_to<S>(loads_[static_cast<std::size_t>(x.enters[port])],
+                        tree::seen_from<S>(place.rotation, place.position, w));
+      };
+      enter(0, x.frame1, on1), enter(1, x.frame2, on2);
+      send(s, x, nullptr, first + static_cast<std::size_t>(r));
+    }
+  }
+  void close_coordinates(const runtime_closures& c, basic_runtime_state<S>& s, const closure_place& x,
+                         std::size_t first) {
+    S by[4]{};
+    S& acceleration = acceleration_[static_cast<std::size_t>(x.first)];
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+      double q[4]{}, v[4]{}, gradient[4]{};
+      for (std::size_t n = 0; n < x.coordinates.size(); ++n) {
+        const auto& at = s.template get<kind::gen>(x.coordinates[n]);
+        q[n] = at.q[lane], v[n] = at.q_dot[lane];
+      }
+      const auto [g, curvature] = c.close_coordinates(x.element, q, v, gradient);
+      gap_[lane] = (std::max)(gap_[lane], std::abs(g));
+      acceleration.set(lane, curvature);
+      for (std::size_t n = 0; n < x.coordinates.size(); ++n) by[n].set(lane, gradient[n]);
+    }
+    loads_.assign(x.way.nodes.size(), load{}), forces_.assign(tree::most_axes * x.way.nodes.size(), S(0));
+    for (std::size_t n = 0; n < x.dofs.size(); ++n) {
+      acceleration += by[n] * s.work.forces[x.dofs[n]];
+      const auto place = static_cast<std::size_t>(places_.place_of_row[static_cast<std::size_t>(x.dofs[n])]);
+      if (x.enters[n] >= 0)
+        forces_[tree::most_axes * static_cast<std::size_t>(x.enters[n]) + static_cast<std::size_t>(x.axes[n])] += by[n];
+      else
+        all_.column(first)[places_.column_of_place[place]] += root_[place] * by[n];
+    }
+    send(s, x, forces_.data(), first);
+  }
+  /// Row `row` of the block: what `loads_` leave on axes on their way.
+  void send(basic_runtime_state<S>& s, const closure_place& x, const S* force, std::size_t row) {
+    const auto put = [&](int axis, const S& e) {
+      const auto place = static_cast<std::size_t>(places_.place_of_axis[static_cast<std::size_t>(axis)]);
+      all_.column(row)[places_.column_of_place[place]] += root_[place] * e;
+    };
+    tree::send_to_bases(s.tree().body_tree, s.work, x.way, loads_.data(), force, put);
+  }
+  static closing_motion<double> of_lane(const closing_motion<S>& m, std::size_t lane) {
+    const auto one = [lane](const vec3<S>& x) { return vec3<>{x.x[lane], x.y[lane], x.z[lane]}; };
+    return {one(m.position),     {one(m.rotation.x), one(m.rotation.y), one(m.rotation.z)},
+            one(m.velocity),     one(m.ang_velocity),
+            one(m.acceleration), one(m.ang_acceleration)};
+  }
+
+  using load = tree::simd_wrench<S>;
+  closure_places places_;
+  double gap_[lanes];            ///< the largest residual of each state
+  std::vector<S> acceleration_;  ///< of all rows
+  std::vector<S> root_, rates_;  ///< by place
+  qr_in_lanes<S> all_, qr_;      ///< of a block: all rows; those that are independent first
+  pivoted_qr first_;             ///< of the first state
+  std::vector<char> is_chosen_;
+  std::vector<S> chosen_, half_, forces_;
+  std::vector<load> loads_;
+};
+
+/// Forward dynamics of a tree with closures in packs. Returns false if states differ in their independent rows.
+template <class S, class Tau>
+bool accelerate_on_loops_in_lanes(const runtime_chain& c, basic_runtime_state<S>& s, const Tau& tau) {
+  const auto make = [&] { return loops_in_lanes<S>(closures_of(c), s); };
+  auto& loops = s.loops.template get<loops_in_lanes<S>>(make);
+  if (loops.layout != c.wiring().layout) loops = make();
+  accelerate_by_tree(runtime_elements{c}, s, tau, {});
+  return loops.correct(closures_of(c), s);
+}
+
+}  // namespace kte::detail

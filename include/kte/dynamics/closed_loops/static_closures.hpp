@@ -1,0 +1,99 @@
+#pragma once
+
+#include <kte/dynamics/closed_loops/constrained_dynamics.hpp>
+#include <kte/dynamics/looped/static_chains.hpp>
+
+namespace kte::detail {
+
+/// The closures of a static chain among its elements: as dynamics/closed_loops/runtime_closures.hpp.
+template <class Chain, class Given>
+struct static_closures : static_elements<Chain, Given> {
+  using wiring = typename Chain::wiring;
+
+  const static_elements<Chain, Given>& elements() const { return *this; }
+  template <class F>
+  void each_closure(const F& f) const {
+    each([&]<std::size_t I>(const auto&) { f(static_cast<int>(I)); });
+  }
+  closure_rows rows(int e) const {
+    closure_rows r;
+    at(e, [&r]<class Core>(const Core&) { r = Core::rows; });
+    return r;
+  }
+  void close_frames(int e, const closing_motion<double>& m, closing what, double* rows) const {
+    at(e, [&]<class Core>(const Core& core) {
+      if constexpr (is_frame(Core::ports[0].what)) close_frames_by(core, m, what, rows);
+    });
+  }
+  std::array<double, 2> close_coordinates(int e, const double* q, const double* v, double* gradient) const {
+    std::array<double, 2> r{};
+    at(e, [&]<class Core>(const Core& core) {
+      if constexpr (!is_frame(Core::ports[0].what)) r = close_coordinates_by(core, q, v, gradient);
+    });
+    return r;
+  }
+  bool is_upright(int e, const closing_motion<double>& m) const {
+    bool r = true;
+    at(e, [&](const auto& core) { r = is_upright_by(core, m); });
+    return r;
+  }
+  std::string describe(int e) const {
+    std::string text;
+    [&]<std::size_t... I>(std::index_sequence<I...>) {
+      const int done[]{
+          (e == static_cast<int>(I) ? (text = std::string(std::string_view(core_of<Chain, I>::type)), 0) : 0)...};
+      (void)done;
+    }
+    (std::make_index_sequence<Chain::size>{});
+    return text;
+  }
+  static std::string loop_name(int loop) {
+    return std::string(loop_names<Chain>::table[static_cast<std::size_t>(loop)]);
+  }
+
+ private:
+  template <class C>
+  struct loop_names;
+  template <class Gravity, class... E>
+  struct loop_names<static_chain<Gravity, E...>> {
+    static constexpr auto table = [] {
+      std::array<std::string_view, std::size_t{wiring::count(kind::loop)} + 1> names{};
+      const auto at_ports = names_at_ports<wiring, E...>();
+      for (std::size_t p = 0; p < std::size_t{wiring::ports}; ++p)
+        if (wiring::table.what[p] == kind::loop) names[static_cast<std::size_t>(wiring::table.slot[p])] = at_ports[p];
+      return names;
+    }();
+  };
+  /// f<number>(core of a closure).
+  template <class F>
+  void each(const F& f) const {
+    const auto one = [&]<std::size_t I>() {
+      if constexpr (is_closure<core_of<Chain, I>>) f.template operator()<I>(this->chain.template core<I>());
+      return 0;
+    };
+    [&]<std::size_t... I>(std::index_sequence<I...>) {
+      const int done[]{one.template operator()<I>()...};
+      (void)done;
+    }
+    (std::make_index_sequence<Chain::size>{});
+  }
+  template <class F>
+  void at(int e, const F& f) const {
+    each([&]<std::size_t I>(const auto& core) {
+      if (e == static_cast<int>(I)) f(core);
+    });
+  }
+};
+
+/// The state of a static chain with closures, and what is kept of its loops.
+template <class Chain>
+struct static_loop_state : static_state<double, Chain> {
+  explicit static_loop_state(const Chain& c)
+      : static_state<double, Chain>(c), loops(static_closures<Chain, nothing>{{c, nothing_given}}, *this) {}
+  loop_workspace loops;
+
+ private:
+  static constexpr nothing nothing_given{};
+};
+
+}  // namespace kte::detail

@@ -1,0 +1,127 @@
+#pragma once
+
+#include <kte/robots/detail/angles.hpp>
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <set>
+
+namespace kte::detail {
+
+/// Cuts the loops of links and joints of a description: joints that close one become closures of their kind. Joints are
+/// taken in the order of the file; those that others follow, with forces, limits of effort or without a closure of
+/// their kind (screws) come first, so that they stay joints if a loop has others.
+class loop_cuts {
+ public:
+  explicit loop_cuts(robot_description& d) : d_(d) {}
+
+  void cut() {
+    find_crosses();
+    std::map<std::string, std::size_t, std::less<>> index;
+    for (const auto& l : d_.links) index.emplace(l.name, index.size());
+    std::vector<std::size_t> up(index.size());
+    std::iota(up.begin(), up.end(), std::size_t{0});
+    const auto top = [&](const std::string& link) {
+      auto i = index.at(link);
+      while (up[i] != i) i = up[i] = up[up[i]];
+      return i;
+    };
+    std::set<std::size_t> closing;
+    for (const int rank : {0, 1, 2})
+      for (std::size_t i = 0; i < d_.joints.size(); ++i) {
+        if (second_.contains(i) || rank_of(i) != rank) continue;
+        const auto a = top(d_.joints[i].parent), b = top(last_of(i).child);
+        if (a == b) closing.insert(i);
+        up[a] = b;
+      }
+    if (closing.empty()) return;
+    std::set<std::size_t> gone;
+    for (const auto i : closing) {
+      d_.closures.push_back(closure(i));
+      gone.insert(i);
+      if (const auto c = crosses_.find(i); c != crosses_.end()) {
+        gone.insert(c->second);
+        std::erase_if(d_.links, [&](const robot_link& l) { return l.name == d_.joints[i].child; });
+      }
+    }
+    std::vector<robot_joint> left;
+    for (std::size_t i = 0; i < d_.joints.size(); ++i)
+      if (!gone.contains(i)) left.push_back(std::move(d_.joints[i]));
+    d_.joints = std::move(left);
+  }
+
+ private:
+  using kind = robot_joint::kind;
+
+  /// Universal joints, which are two about axes that meet at a right angle, with a link without a body in between.
+  void find_crosses() {
+    for (std::size_t i = 0; i + 1 < d_.joints.size(); ++i) {
+      const auto &a = d_.joints[i], &b = d_.joints[i + 1];
+      if (a.is != kind::revolute || b.is != kind::revolute || a.child != b.parent || b.name != a.name + "_2" ||
+          !is_nothing(a.child_pose) || !is_nothing(b.origin) || std::abs(dot(a.axis, b.axis)) > 1e-12)
+        continue;
+      const auto at = [&](const robot_joint& j) { return j.parent == a.child || j.child == a.child; };
+      if (std::count_if(d_.joints.begin(), d_.joints.end(), at) == 2) crosses_.emplace(i, i + 1), second_.insert(i + 1);
+    }
+  }
+  const robot_joint& last_of(std::size_t i) const {
+    const auto c = crosses_.find(i);
+    return d_.joints[c == crosses_.end() ? i : c->second];
+  }
+  int rank_of(std::size_t i) const {
+    const auto rank = [&](const robot_joint& j) {
+      const auto follows = [&](const robot_joint& k) { return k.mimic && k.mimic->joint == j.name; };
+      if (j.is == kind::screw || j.is == kind::planar || j.is == kind::floating || j.mimic ||
+          std::any_of(d_.joints.begin(), d_.joints.end(), follows))
+        return 0;
+      return j.dynamics != robot_joint_dynamics{} || j.effort != robot_joint::none ? 1 : 2;
+    };
+    return (std::min)(rank(d_.joints[i]), rank(last_of(i)));
+  }
+
+  robot_closure closure(std::size_t i) {
+    const auto &j = d_.joints[i], &last = last_of(i);
+    robot_closure c;
+    c.name = j.name, c.line = j.line, c.file = j.file;
+    c.link1 = j.parent, c.link2 = last.child;
+    c.origin1 = j.origin, c.origin2 = inverse_of(last.child_pose), c.axis = j.axis;
+    if (&j != &last)
+      c.is = robot_closure::kind::universal, c.axis2 = last.axis;
+    else if (j.is == kind::revolute)
+      c.is = robot_closure::kind::hinge;
+    else if (j.is == kind::prismatic)
+      c.is = robot_closure::kind::sliding;
+    else if (j.is == kind::spherical)
+      c.is = robot_closure::kind::points;
+    else if (j.is == kind::fixed)
+      c.is = robot_closure::kind::frames;
+    else
+      fail(j, "it closes a loop, which a joint of its type cannot");
+    for (const auto* k : {&j, &last}) {
+      if (k->mimic) fail(*k, "it closes a loop, and cannot follow another joint");
+      for (const auto& other : d_.joints)
+        if (other.mimic && other.mimic->joint == k->name)
+          fail(other, "it follows '" + k->name + "', which closes a loop");
+      if (k->dynamics != robot_joint_dynamics{})
+        d_.warnings.push_back({k->line,
+                               "joint '" + k->name + "': it closes a loop: its damping, friction, spring and " +
+                                   "rotor inertia are left out",
+                               k->file, true});
+      if (k->lower != -robot_joint::none || k->upper != robot_joint::none)
+        d_.not_read.push_back({k->line, "joint '" + k->name + "': it closes a loop: its limits are left out", k->file});
+      if (&j == &last) break;
+    }
+    return c;
+  }
+  [[noreturn]] void fail(const robot_joint& j, const std::string& why) const {
+    raise<bad_file>("kte: " + place_text(j.file.empty() ? d_.source : j.file, j.line) + "joint '" + j.name +
+                    "': " + why);
+  }
+
+  robot_description& d_;
+  std::map<std::size_t, std::size_t> crosses_;  ///< the second joint of a universal one, by the first
+  std::set<std::size_t> second_;
+};
+
+}  // namespace kte::detail

@@ -1,0 +1,135 @@
+#pragma once
+
+#include <kte/tree/articulated.hpp>
+#include <kte/tree/columns.hpp>
+
+#include <vector>
+
+/// Loads on the bodies of a tree whose articulated inertias are known, and the accelerations that they make.
+namespace kte::tree {
+
+inline constexpr std::size_t most_axes = 6;  ///< of a joint
+
+/// The bodies that loads pass on their way to the bases, those further out first.
+struct load_way {
+  std::vector<int> nodes;
+  std::vector<int> next;  ///< by place in `nodes`: the place of the parent, or -1
+};
+/// Articulated inertias as they are at some positions: joint transforms by body, factors by axis.
+template <class S>
+struct articulated_tree {
+  std::vector<joint_transform<S>> joint_transforms;
+  std::vector<axis_factors<S>> factors;
+};
+
+/// A wrench on a frame seen from where the frame stands, at p with rotation R: f = R f, n = R n + p x f.
+template <class S, class R>
+KTE_INLINE simd_wrench<S> seen_from(const mat3<vec3<R>>& r, const vec3<R>& p, const simd_wrench<S>& w) {
+  const auto turned = [&r](const vec3<simd<S>>& u) KTE_INLINE_LAMBDA {
+    return vec3<simd<S>>{r.x.x * u.x + r.x.y * u.y + r.x.z * u.z, r.y.x * u.x + r.y.y * u.y + r.y.z * u.z,
+                         r.z.x * u.x + r.z.y * u.y + r.z.z * u.z};
+  };
+  simd_wrench<S> x{turned(w.force), turned(w.torque)};
+  x.torque.x += p.y * x.force.z - p.z * x.force.y;
+  x.torque.y += p.z * x.force.x - p.x * x.force.z;
+  x.torque.z += p.x * x.force.y - p.y * x.force.x;
+  return x;
+}
+
+template <class S>
+KTE_INLINE void add_to(simd_wrench<S>& sum, const simd_wrench<S>& x) {
+  sum.force.x += x.force.x, sum.force.y += x.force.y, sum.force.z += x.force.z;
+  sum.torque.x += x.torque.x, sum.torque.y += x.torque.y, sum.torque.z += x.torque.z;
+}
+
+/// What loads leave on each axis on their way: with the axis s, U D^-1 of articulate_body.hpp, and a force f on the
+/// axis itself,
+///
+///   e = f + s.W,   W' = W - U D^-1 e          (1)
+///
+/// put(axis, e); the sum of e_k D^-1 e_l over all axes is the acceleration of load k by load l (recursions/
+/// inverse_mass.hpp). `loads`: by place in `way`, of as many loads as go into a register; `force`: likewise, of the
+/// axes of the joint there, `most_axes` each, or nothing.
+template <class P, class S, class Put>
+void send_to_bases(const body_tree<P>& f, const memory<P, S>& m, const load_way& way, simd_wrench<S>* loads,
+                   const S* force, const Put& put) {
+  const auto leave = [](simd_wrench<S>& load, const dense_wrench<S>& gain, const simd<S>& e) KTE_INLINE_LAMBDA {
+    load.force.x -= gain.force.x * e, load.force.y -= gain.force.y * e, load.force.z -= gain.force.z * e;
+    load.torque.x -= gain.torque.x * e, load.torque.y -= gain.torque.y * e, load.torque.z -= gain.torque.z * e;
+  };
+  simd_wrench<S> load{};
+  bool at_hand = false;
+  for (std::size_t n = 0; n < way.nodes.size(); ++n) {
+    const auto i = static_cast<std::size_t>(way.nodes[n]);
+    const body_node<P>& r = f.nodes[i];
+    const axis_factors<S>* const factors = &m.factors[static_cast<std::size_t>(r.first)];
+    if (at_hand)
+      add_to(load, loads[n]);
+    else
+      load = loads[n];
+    const joint_transform<S>& at = m.joint_transforms[i];
+    const S* const forces = force + (force ? most_axes * n : 0);
+    simd<S> e;
+    if (m.is_free[i] && !r.has_matrix()) {
+      load.power_on(r, e);
+      if (force) e += forces[0];
+      put(r.first, e);
+      leave(load, factors[0].gain, e);
+    } else if (m.is_free[i]) {
+      simd<S>* const all[]{&load.force.x, &load.force.y, &load.force.z, &load.torque.x, &load.torque.y, &load.torque.z};
+      for (int k = r.axes; k-- > 0;) {
+        if (r.moves == joint::varying)
+          load.power_on(at.axis(k), e);
+        else
+          e = *all[r.axis[static_cast<std::size_t>(k)]];
+        if (force) e += forces[k];
+        put(r.first + k, e);
+        leave(load, factors[k].gain, e);
+      }
+    }
+    at_hand = false;
+    if (way.next[n] < 0) continue;
+    load.go_in(r, at);
+    at_hand = way.next[n] == static_cast<int>(n) + 1;
+    if (!at_hand) add_to(loads[way.next[n]], load);
+  }
+}
+/// The place of a frame in a body, and its velocity there at rates of axes, in axes of the body.
+template <class S>
+struct moving_place {
+  mat3<vec3<S>> rotation;
+  vec3<S> position, velocity;
+};
+/// Of a frame in its base, or in the body of slot `top` where it stands on that. Returns the slot.
+template <class P, class S>
+int place_and_velocity(const body_tree<P>& f, const memory<P, S>& m, const frame_place<P>& frame, int top,
+                       moving_place<S>& x) {
+  x.rotation = as<S>(frame.at.rotation), x.position = as<S>(frame.at.position), x.velocity = {};
+  int slot = frame.slot;
+  while (slot >= f.bases && slot != top) {
+    const auto i = static_cast<std::size_t>(slot - f.bases);
+    const body_node<P>& r = f.nodes[i];
+    const placed<P, S> at{r, m.joint_transforms[i]};
+    vec3<S> linear{}, angular{};
+    along_axes(r, m.joint_transforms[i], &m.rate[static_cast<std::size_t>(r.first)], linear, angular);
+    x.velocity = at.out(vec3<S>(x.velocity + linear + cross(angular, x.position)));
+    x.position = at.at.position + at.out(x.position);
+    x.rotation = at.units_out(x.rotation);
+    slot = r.parent;
+  }
+  return slot;
+}
+/// The accelerations of axes, from rest and on bases at rest, that make the part `rate` of their factors: D^-1 e of
+/// (1). Into `acceleration`.
+template <class P, class S>
+void accelerate_from_rest(const body_tree<P>& f, memory<P, S>& m,
+                          const std::vector<joint_transform<S>>& joint_transforms, const axis_factors<S>* factors) {
+  using hand = engine::body_motion<skip, zero3, vec3<S>, vec3<S>>;
+  for (std::size_t b = 0; b < static_cast<std::size_t>(f.bases); ++b) m.bodies[b] = {};
+  const articulated_bodies<P, S> bodies(f, m, joint_transforms);
+  engine::accelerate<hand>(engine::looped<articulated_bodies<P, S>>{bodies}, m.bodies.data(),
+                           engine::kept_constant<engine::bias_motion<zero3, zero3, zero3, zero3>>{}, factors,
+                           m.acceleration.data());
+}
+
+}  // namespace kte::tree

@@ -1,0 +1,22 @@
+"""Multibody dynamics: mechanisms of joints, links, bodies, springs, motors; robots from URDF, MJCF and SDF.
+
+    import kte
+
+    pendulum = kte.Chain(gravity=[0, -9.81, 0])
+    pendulum << kte.revolute_joint_2D("q", "base", "joint")
+    pendulum << kte.rigid_link_2D("joint", "tip", [0.5, 0]) << kte.inertia_2D("tip", mass=1)
+    kte.forward_dynamics(pendulum, q=[0.0], v=[0.0], tau=[0.0])
+
+Units are SI. The documentation is docs/python.md; conventions of axes and signs are in docs/conventions.md.
+"""
+from ._element import Element as Element
+from ._kte import *
+from ._kte import __version__ as __version__
+from ._results import *
+from .elements import *
+from .errors import *
+from .joint_series import *
+from .page import Page as Page
+from .page import view as view
+from .simulation import Event as Event
+from .simulation import simulate as simulate

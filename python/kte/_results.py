@@ -1,0 +1,191 @@
+"""Named tuples that functions return."""
+from __future__ import annotations
+
+from typing import Any, Dict, List, NamedTuple
+
+import numpy as np
+
+__all__ = [
+    "Array",
+    "Coordinate",
+    "Pose",
+    "LinearAngular",
+    "Wrench",
+    "Energy",
+    "MassCentre",
+    "BodyInertia",
+    "InverseDynamicsDerivatives",
+    "ForwardDynamicsDerivatives",
+    "HybridDynamics",
+    "ConstrainedDynamics",
+    "Loops",
+    "Note",
+    "Motor",
+    "Limits",
+    "InverseKinematics",
+    "Frame",
+    "EventOccurrence",
+]
+
+Array = np.ndarray[Any, np.dtype[np.float64]]
+
+
+class Coordinate(NamedTuple):
+    """Where a coordinate is in q and v: `q[c.q]`, `v[c.v]`. `kind` is "coordinate", "3D rotation", "3D pose" ..."""
+
+    name: str
+    kind: str
+    q: slice
+    v: slice
+
+
+class Pose(NamedTuple):
+    """A pose in axes of the base: `position`, m, and `rotation`, from own axes to axes of the base."""
+
+    position: Array
+    rotation: Array
+
+
+class LinearAngular(NamedTuple):
+    """A linear and an angular part."""
+
+    linear: Array
+    angular: Array
+
+
+class Wrench(NamedTuple):
+    """A force, N, and a torque, Nm."""
+
+    force: Array
+    torque: Array
+
+
+class Energy(NamedTuple):
+    """Energies, J."""
+
+    kinetic: Any
+    potential: Any
+
+
+class MassCentre(NamedTuple):
+    """Mass, kg, and centre of mass, m."""
+
+    mass: Any
+    position: Array
+
+
+class BodyInertia(NamedTuple):
+    """Mass, kg, first moment, kg m, and inertia, kg m^2, of bodies about a point."""
+
+    mass: Any
+    moment: Array
+    inertia: Array
+
+
+class InverseDynamicsDerivatives(NamedTuple):
+    """Generalized forces and their derivatives."""
+
+    tau: Array
+    by_q: Array
+    by_v: Array
+    by_a: Array
+
+
+class ForwardDynamicsDerivatives(NamedTuple):
+    """Accelerations and their derivatives."""
+
+    a: Array
+    by_q: Array
+    by_v: Array
+    by_tau: Array
+
+
+class HybridDynamics(NamedTuple):
+    """Accelerations and generalized forces."""
+
+    a: Array
+    tau: Array
+
+
+class ConstrainedDynamics(NamedTuple):
+    """Accelerations of a chain with loops, and the forces of its closures."""
+
+    a: Array
+    loops: Dict[str, Wrench]
+    rank: int
+    mobility: int
+    dependent: List[str]
+
+
+class Loops(NamedTuple):
+    """The closures of a chain at a configuration."""
+
+    rows: int
+    rank: int
+    mobility: int
+    pivot_ratio: float
+    gap: float
+    widest: str
+    dependent: List[str]
+    blocks: List[str]
+
+
+class Note(NamedTuple):
+    """A note on a robot's file: text, line, included file, and whether the motion differs from that of the file."""
+
+    text: str
+    line: int
+    file: str
+    changes_motion: bool
+
+
+class Motor(NamedTuple):
+    """A motor of a robot: the input of its command, its joint, and the place of that in v."""
+
+    input: str
+    joint: str
+    v: int
+
+
+class Limits(NamedTuple):
+    """Limits over v; infinite where there is none."""
+
+    lower: Array
+    upper: Array
+    rate: Array
+    acceleration: Array
+    jerk: Array
+    effort: Array
+
+
+class InverseKinematics(NamedTuple):
+    """A configuration for a pose, its status, and its errors, m and rad."""
+
+    q: Array
+    status: str
+    position: float
+    rotation: float
+
+
+class Frame(NamedTuple):
+    """A frame in a state; rates and forces in its own axes."""
+
+    position: Array
+    rotation: Array
+    velocity: Array
+    ang_velocity: Array
+    acceleration: Array
+    ang_acceleration: Array
+    force: Array
+    torque: Array
+
+
+class EventOccurrence(NamedTuple):
+    """An event that has happened: name, time, s, and the state after and before its reset."""
+
+    name: str
+    time: float
+    q: Array
+    v: Array
+    q_before: Array
+    v_before: Array

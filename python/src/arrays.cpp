@@ -1,0 +1,103 @@
+#include "arrays.hpp"
+
+#include <kte/errors.hpp>
+
+#include <cstdint>
+
+namespace kte_python {
+
+namespace {
+
+std::string text_of_shape(const py::array& a) { return py::str(a.attr("shape")).cast<std::string>(); }
+
+/// An array of doubles of this machine.
+py::array as_doubles(const char* name, py::handle x) {
+  py::array a = py::isinstance<py::array>(x) ? py::reinterpret_borrow<py::array>(x) : py::array::ensure(x);
+  if (!a) {
+    PyErr_Clear();
+    throw py::type_error(std::string("kte: ") + name + " must be numbers, not " + py::repr(x).cast<std::string>());
+  }
+  const auto* const type = py::detail::array_descriptor_proxy(py::detail::array_proxy(a.ptr())->descr);
+  if (type->type_num == py::detail::npy_api::NPY_DOUBLE_ && (type->byteorder == '=' || type->byteorder == '|'))
+    return a;
+  if (type->kind != 'f' && type->kind != 'i' && type->kind != 'u' && a.size() != 0)
+    throw py::type_error(std::string("kte: ") + name + " must be real numbers, not an array of " +
+                         py::str(a.dtype()).cast<std::string>());
+  auto doubles = py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(a);
+  if (!doubles) throw py::error_already_set();
+  return doubles;
+}
+
+/// A number at an address that need not be aligned.
+double number_at(const void* x) {
+  double number;
+  std::memcpy(&number, x, sizeof number);
+  return number;
+}
+
+[[noreturn]] void refuse(const char* name, const py::array& a, const std::string& expected) {
+  throw kte::bad_argument(std::string("kte: ") + name + " has shape " + text_of_shape(a) + ", expected " + expected);
+}
+
+}  // namespace
+
+numbers::numbers(const char* name, py::handle x, Py_ssize_t n) : name_(name), n_(n) {
+  py::array a = as_doubles(name, x);
+  dimensions_ = a.ndim();
+  const auto expected = [n] { return "(" + std::to_string(n) + ",) or (states, " + std::to_string(n) + ")"; };
+  if (dimensions_ == 0 && n == 1) {
+    dimensions_ = 1, stride_ = 0;
+  } else {
+    if (dimensions_ != 1 && dimensions_ != 2) refuse(name, a, expected());
+    if (a.shape(dimensions_ - 1) != n) refuse(name, a, expected());
+    stride_ = a.strides(dimensions_ - 1);
+    if (dimensions_ == 2) states_ = a.shape(0), state_stride_ = a.strides(0);
+  }
+  data_ = static_cast<const char*>(a.data());
+  held_ = std::move(a);
+}
+
+const double* numbers::contiguous(Py_ssize_t states, std::vector<double>& memory) const {
+  constexpr auto size = static_cast<Py_ssize_t>(sizeof(double));
+  const bool aligned = reinterpret_cast<std::uintptr_t>(data_) % alignof(double) == 0;
+  const bool side_by_side = aligned && (stride_ == size || n_ == 1) && (state_stride_ == n_ * size || states == 1);
+  if (several() && side_by_side) return reinterpret_cast<const double*>(data_);
+  memory.resize(static_cast<std::size_t>(states * n_));
+  double* to = memory.data();
+  for (Py_ssize_t k = 0; k < states; ++k)
+    for (Py_ssize_t i = 0; i < n_; ++i)
+      std::memcpy(to++, data_ + (several() ? k * state_stride_ : 0) + i * stride_, sizeof(double));
+  return memory.data();
+}
+
+Eigen::VectorXd vector_from(const char* name, py::handle x, Py_ssize_t n) {
+  const py::array a = as_doubles(name, x);
+  if (a.ndim() == 0 && (n == 1 || n < 0)) return Eigen::VectorXd::Constant(1, number_at(a.data()));
+  if (a.ndim() != 1 || (n >= 0 && a.shape(0) != n)) refuse(name, a, n < 0 ? "(n,)" : "(" + std::to_string(n) + ",)");
+  Eigen::VectorXd v(a.shape(0));
+  for (Py_ssize_t i = 0; i < v.size(); ++i) v[i] = number_at(a.data(i));
+  return v;
+}
+
+Eigen::MatrixXd matrix_from(const char* name, py::handle x, Py_ssize_t rows, Py_ssize_t columns) {
+  const py::array a = as_doubles(name, x);
+  if (a.ndim() != 2 || a.shape(0) != rows || a.shape(1) != columns)
+    refuse(name, a, "(" + std::to_string(rows) + ", " + std::to_string(columns) + ")");
+  Eigen::MatrixXd m(rows, columns);
+  for (Py_ssize_t i = 0; i < rows; ++i)
+    for (Py_ssize_t j = 0; j < columns; ++j) m(i, j) = number_at(a.data(i, j));
+  return m;
+}
+
+array to_array(const Eigen::VectorXd& x) {
+  array a(x.size());
+  Eigen::Map<Eigen::VectorXd>(a.mutable_data(), x.size()) = x;
+  return a;
+}
+array to_array(const Eigen::MatrixXd& x) {
+  array a({x.rows(), x.cols()});
+  write(x, a.mutable_data());
+  return a;
+}
+
+}  // namespace kte_python

@@ -1,0 +1,47 @@
+#include "batch.hpp"
+
+#include <kte/dynamics/batch.hpp>
+
+#include <span>
+
+#include "chain.hpp"
+
+namespace kte_python {
+
+namespace {
+using numbers_in = std::span<const double>;
+using numbers_out = std::span<double>;
+std::size_t nq(const kte::runtime_chain& c) { return static_cast<std::size_t>(c.nq()); }
+std::size_t nv(const kte::runtime_chain& c) { return static_cast<std::size_t>(c.dofs()); }
+}  // namespace
+
+bool chain_object::has_packs() const {
+  if (has_packs_ < 0) {
+    try {
+      kte::detail::refuse_loops(chain_);
+      (void)chain_.make_state<kte::batch::detail::pack_of<double, 0, 1>>();
+      has_packs_ = 1;
+    } catch (const kte::error&) {
+      has_packs_ = 0;
+    }
+  }
+  return has_packs_ == 1 && chain_.dofs() > 0;
+}
+
+void inverse_dynamics_in_packs(const kte::runtime_chain& c, std::size_t n, const std::vector<const double*>& in,
+                               double* tau, std::size_t threads) {
+  kte::batch::inverse_dynamics(c, numbers_in(in[0], n * nq(c)), numbers_in(in[1], n * nv(c)),
+                               numbers_in(in[2], n * nv(c)), numbers_out(tau, n * nv(c)), kte::batch::threads(threads));
+}
+void forward_dynamics_in_packs(const kte::runtime_chain& c, std::size_t n, const std::vector<const double*>& in,
+                               double* a, std::size_t threads) {
+  kte::batch::forward_dynamics(c, numbers_in(in[0], n * nq(c)), numbers_in(in[1], n * nv(c)),
+                               numbers_in(in[2], n * nv(c)), numbers_out(a, n * nv(c)), kte::batch::threads(threads));
+}
+void mass_matrix_in_packs(const kte::runtime_chain& c, std::size_t n, const std::vector<const double*>& in, double* m,
+                          std::size_t threads) {
+  kte::batch::mass_matrix(c, numbers_in(in[0], n * nq(c)), numbers_out(m, n * nv(c) * nv(c)),
+                          kte::batch::threads(threads));
+}
+
+}  // namespace kte_python

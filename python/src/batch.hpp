@@ -1,0 +1,18 @@
+#pragma once
+
+#include <kte/runtime_chain/runtime_chain.hpp>
+
+#include <cstddef>
+#include <vector>
+
+/// Many states in packs (kte/dynamics/batch.hpp), of arrays with the numbers of states side by side.
+namespace kte_python {
+
+void inverse_dynamics_in_packs(const kte::runtime_chain& c, std::size_t states, const std::vector<const double*>& in,
+                               double* tau, std::size_t threads);
+void forward_dynamics_in_packs(const kte::runtime_chain& c, std::size_t states, const std::vector<const double*>& in,
+                               double* a, std::size_t threads);
+void mass_matrix_in_packs(const kte::runtime_chain& c, std::size_t states, const std::vector<const double*>& in,
+                          double* m, std::size_t threads);
+
+}  // namespace kte_python

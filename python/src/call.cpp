@@ -1,0 +1,149 @@
+#include "call.hpp"
+
+#include <kte/dynamics/detail/batch.hpp>
+#include <kte/dynamics/executors.hpp>
+
+#include <thread>
+
+namespace kte_python {
+
+namespace {
+
+/// All states, in tasks of some each, without the GIL.
+class several_states {
+ public:
+  several_states(const kte::runtime_chain& c, const workspace& w, const std::vector<numbers>& in,
+                 const std::vector<double*>& out, const std::vector<std::size_t>& sizes, std::size_t count,
+                 state_function f)
+      : chain_(c), made_(w), in_(in), out_(out), sizes_(sizes), count_(count), f_(f) {}
+
+  std::size_t tasks() const { return (count_ + chunk - 1) / chunk; }
+  void operator()(std::size_t task) {
+    workspace w = made_;
+    std::vector<double*> to(out_.size());
+    const std::size_t last = std::min((task + 1) * chunk, count_);
+    for (std::size_t k = task * chunk; k < last; ++k) {
+      for (std::size_t i = 0; i < in_.size(); ++i)
+        in_[i].read(in_[i].several() ? static_cast<Py_ssize_t>(k) : 0, w.x[i]);
+      for (std::size_t i = 0; i < to.size(); ++i) to[i] = out_[i] + k * sizes_[i];
+      try {
+        f_(chain_, w, to.data());
+      } catch (const kte::error& e) {
+        failure_.at(k, e);
+        for (std::size_t i = 0; i < to.size(); ++i)
+          std::fill_n(to[i], sizes_[i], std::numeric_limits<double>::quiet_NaN());
+      }
+    }
+  }
+  void raise() const { failure_.raise(); }
+
+ private:
+  static constexpr std::size_t chunk = 256;
+  const kte::runtime_chain& chain_;
+  const workspace& made_;
+  const std::vector<numbers>& in_;
+  const std::vector<double*>& out_;
+  const std::vector<std::size_t>& sizes_;
+  std::size_t count_;
+  state_function f_;
+  kte::batch::detail::failure failure_;
+};
+
+/// The number of states; throws `bad_argument` unless it is the same in all arguments.
+Py_ssize_t states_of(const std::vector<numbers>& in) {
+  const numbers* first = nullptr;
+  for (const auto& x : in) {
+    if (!x.several()) continue;
+    if (!first) first = &x;
+    if (x.states() != first->states())
+      throw kte::bad_argument(std::string("kte: ") + x.name() + " has " + std::to_string(x.states()) + " states, " +
+                              first->name() + " has " + std::to_string(first->states()));
+  }
+  return first ? first->states() : -1;
+}
+
+/// An array without dimensions is a number.
+py::object as_result(array& made) {
+  if (made.ndim() == 0) return py::float_(*made.data());
+  return std::move(made);
+}
+py::object as_result(std::vector<array>& made) {
+  if (made.size() == 1) return as_result(made[0]);
+  py::tuple all(made.size());
+  for (std::size_t i = 0; i < made.size(); ++i) all[i] = as_result(made[i]);
+  return all;
+}
+
+}  // namespace
+
+std::size_t threads_from(py::handle threads) {
+  if (!threads || threads.is_none()) return std::max(1U, std::thread::hardware_concurrency());
+  const auto n = threads.cast<long long>();
+  if (n < 1) throw kte::bad_argument("kte: threads must be at least 1, got " + std::to_string(n));
+  return static_cast<std::size_t>(n);
+}
+
+bool nan_for_errors(const std::string& errors) {
+  if (errors != "raise" && errors != "nan")
+    throw kte::bad_argument("kte: errors must be 'raise' or 'nan', got '" + errors + "'");
+  return errors == "nan";
+}
+
+py::object call(const chain_object& object, std::initializer_list<argument> arguments,
+                const std::vector<shape>& results, double cost, const call_options& options, state_function f,
+                pack_function packs) {
+  const auto& c = object.chain();
+  std::vector<numbers> in;
+  in.reserve(arguments.size());
+  for (const auto& a : arguments) in.emplace_back(a.name, a.value, a.what == argument_of::q ? c.nq() : c.dofs());
+  lease work(object);
+  for (std::size_t i = 0; i < in.size(); ++i)
+    work->x[i].resize(std::data(arguments)[i].what == argument_of::q ? c.nq() : c.dofs());
+  const bool has_inputs = options.inputs && !options.inputs.is_none();
+  if (has_inputs) work.spoil(), put_inputs(c, work->state, options.inputs);
+
+  const Py_ssize_t states = states_of(in);
+  std::vector<array> made;
+  std::vector<double*> out;
+  std::vector<std::size_t> sizes;
+  for (const auto& one : results) {
+    shape all = one;
+    if (states >= 0) all.insert(all.begin(), states);
+    std::size_t size = 1;
+    for (const auto n : one) size *= static_cast<std::size_t>(n);
+    made.emplace_back(all), out.push_back(made.back().mutable_data()), sizes.push_back(size);
+  }
+  if (states < 0) {
+    for (std::size_t i = 0; i < in.size(); ++i) in[i].read(0, work->x[i]);
+    run(c, cost, [&] { f(c, *work, out.data()); });
+    return as_result(made);
+  }
+
+  const std::size_t count = static_cast<std::size_t>(states);
+  const bool worth = static_cast<double>(count) * static_cast<double>(size_of(c)) * cost > 4000;
+  const std::size_t threads = worth || options.threads ? threads_from(options.threads) : 1;
+  try {
+    if (packs && !has_inputs && object.has_packs()) {
+      std::vector<std::vector<double>> memory(in.size());
+      std::vector<const double*> from;
+      for (std::size_t i = 0; i < in.size(); ++i) from.push_back(in[i].contiguous(states, memory[i]));
+      const py::gil_scoped_release without;
+      packs(c, count, from, out[0], threads);
+    } else {
+      const py::gil_scoped_release without;
+      several_states all(c, *work, in, out, sizes, count, f);
+      const kte::batch::threads team(threads);
+      if (count > 0) team(all.tasks(), all);
+      all.raise();
+    }
+  } catch (const kte::error&) {
+    if (!options.nan_for_errors) throw;
+  }
+  return as_result(made);
+}
+
+py::object result(const char* name, const py::tuple& values) {
+  return py::module_::import("kte._results").attr(name)(*values);
+}
+
+}  // namespace kte_python

@@ -1,0 +1,138 @@
+#include <kte/dynamics/configuration_space.hpp>
+#include <kte/manipulators/nearest.hpp>
+#include <kte/manipulators/numerical_inverse_kinematics.hpp>
+#include <kte/manipulators/runtime_manipulator.hpp>
+
+#include <pybind11/stl.h>
+
+#include "call.hpp"
+#include "parts.hpp"
+#include "robots.hpp"
+
+namespace kte_python {
+
+namespace {
+
+using arm_type = kte::manipulator<kte::runtime_chain>;
+
+std::vector<double> list_from(const char* name, py::handle x, int n) {
+  const auto v = vector_from(name, x, n);
+  return {v.data(), v.data() + v.size()};
+}
+/// Limits from a kte.Limits, or those of a robot, or none.
+kte::joint_limits<> limits_from(py::handle arm, py::handle limits) {
+  const auto& c = chain_of(arm).chain();
+  if (!limits.is_none()) {
+    auto l = kte::unlimited(c);
+    l.lower = list_from("limits.lower", limits.attr("lower"), c.dofs());
+    l.upper = list_from("limits.upper", limits.attr("upper"), c.dofs());
+    return l;
+  }
+  if (py::isinstance<robot_object>(arm)) return arm.cast<const robot_object&>().robot.limits;
+  return kte::unlimited(c);
+}
+
+kte::vec3<> position_from(py::handle x) {
+  const auto p = vector_from("position", x, 3);
+  return {p[0], p[1], p[2]};
+}
+kte::mat3<kte::vec3<>> rotation_from(py::handle x) {
+  const py::object matrix = py::hasattr(x, "as_matrix") ? x.attr("as_matrix")() : py::reinterpret_borrow<py::object>(x);
+  const auto r = matrix_from("rotation", matrix, 3, 3);
+  return {{r(0, 0), r(0, 1), r(0, 2)}, {r(1, 0), r(1, 1), r(1, 2)}, {r(2, 0), r(2, 1), r(2, 2)}};
+}
+
+const char* text_of(kte::numerical_ik_status s) {
+  switch (s) {
+    case kte::numerical_ik_status::reached:
+      return "reached";
+    case kte::numerical_ik_status::at_limits:
+      return "at_limits";
+    case kte::numerical_ik_status::local_minimum:
+      return "local_minimum";
+  }
+  return "";
+}
+
+/// The tuple of kte.InverseKinematics.
+struct answer {
+  Eigen::VectorXd q;
+  std::string status;
+  double position, rotation;
+};
+py::object as_object(const answer& a) {
+  return result("InverseKinematics", py::make_tuple(to_array(a.q), a.status, a.position, a.rotation));
+}
+
+/// The nearest to q within limits, in closed form if there is one.
+answer nearest_to(const arm_type& arm, const std::string& frame, const kte::vec3<>& position,
+                  const kte::mat3<kte::vec3<>>* rotation, const Eigen::VectorXd& q, bool numeric) {
+  if (rotation && !numeric && arm.family() != kte::arm_family::none) {
+    try {
+      const auto a = kte::inverse_kinematics(arm, kte::pose{*rotation, position}, kte::nearest(q));
+      return {Eigen::VectorXd(a.q), "reached", a.position, a.rotation};
+    } catch (const kte::unreachable&) {  // then the nearest that there is within limits
+    }
+  }
+  const kte::numerical_ik_options how{.numeric = numeric};
+  const auto put = [](const auto& r) {
+    return answer{Eigen::VectorXd(r.q), text_of(r.status), r.position, r.rotation};
+  };
+  if (rotation)
+    return put(kte::numerical_inverse_kinematics(arm, kte::reach(frame, kte::pose{*rotation, position}), q, how));
+  return put(kte::numerical_inverse_kinematics(arm, kte::reach_position(frame, position), q, how));
+}
+
+}  // namespace
+
+void bind_inverse_kinematics(py::module_& m) {
+  using namespace py::literals;
+  const auto none = py::none();
+  m.def(
+      "inverse_kinematics",
+      [](py::handle arm, const std::string& frame, py::handle position, py::handle rotation, py::handle start,
+         py::handle limits, bool numeric) {
+        const auto& c = chain_of(arm).chain();
+        const arm_type manipulator(c, std::vector<std::string>{frame}, limits_from(arm, limits));
+        const auto p = position_from(position);
+        kte::mat3<kte::vec3<>> r{};
+        const bool turned = !rotation.is_none();
+        if (turned) r = rotation_from(rotation);
+        Eigen::VectorXd q =
+            start.is_none() ? Eigen::VectorXd(kte::neutral_configuration(c)) : vector_from("start", start, c.nq());
+        const auto found = [&] {
+          const py::gil_scoped_release without;
+          return nearest_to(manipulator, frame, p, turned ? &r : nullptr, q, numeric);
+        }();
+        return as_object(found);
+      },
+      R"(inverse_kinematics(arm, frame, position, rotation=None, *, start=None, limits=None, numeric=False)
+
+A configuration within limits whose frame is at a position, m, and rotation, (3, 3), in axes of the base; without a
+rotation only the position matters. In closed form if the arm has one, near `start`, else numerically from `start`.
+Limits are a `Limits`, by default those of a robot. Returns `.q`, `.status` ("reached", "at_limits" or "local_minimum") and
+the errors `.position`, m, and `.rotation`, rad.)",
+      "arm"_a, "frame"_a, "position"_a, "rotation"_a = none, py::kw_only(), "start"_a = none, "limits"_a = none,
+      "numeric"_a = false);
+  m.def(
+      "inverse_kinematics_all",
+      [](py::handle arm, const std::string& frame, py::handle position, py::handle rotation, py::handle limits) {
+        const arm_type manipulator(chain_of(arm).chain(), std::vector<std::string>{frame}, limits_from(arm, limits));
+        py::list all;
+        for (const auto& a :
+             kte::inverse_kinematics(manipulator, kte::pose{rotation_from(rotation), position_from(position)}))
+          all.append(as_object({Eigen::VectorXd(a.q),
+                                !a.exact          ? "missed"
+                                : a.within_limits ? "reached"
+                                                  : "beyond_limits",
+                                a.position, a.rotation}));
+        return all;
+      },
+      R"(inverse_kinematics_all(arm, frame, position, rotation, *, limits=None)
+
+All configurations for a pose, of arms with a closed form: a list with `.q`, `.status` ("reached", "beyond_limits" or
+"missed") and the errors `.position` and `.rotation`. Raises Error for arms without a closed form.)",
+      "arm"_a, "frame"_a, "position"_a, "rotation"_a, py::kw_only(), "limits"_a = none);
+}
+
+}  // namespace kte_python

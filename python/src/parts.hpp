@@ -1,0 +1,23 @@
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+/// The parts of the module kte._kte.
+namespace kte_python {
+
+void bind_errors(pybind11::module_& m);
+void bind_chain(pybind11::module_& m);
+void bind_dynamics(pybind11::module_& m);
+void bind_derivatives(pybind11::module_& m);
+void bind_frames(pybind11::module_& m);
+void bind_momentum(pybind11::module_& m);
+void bind_configurations(pybind11::module_& m);
+void bind_loops(pybind11::module_& m);
+void bind_state(pybind11::module_& m);
+void bind_files(pybind11::module_& m);
+void bind_robots(pybind11::module_& m);
+void bind_inverse_kinematics(pybind11::module_& m);
+void bind_simulation(pybind11::module_& m);
+void bind_view(pybind11::module_& m);
+
+}  // namespace kte_python

@@ -1,0 +1,233 @@
+#include "robots.hpp"
+
+#include <kte/robots/check_robot.hpp>
+#include <kte/robots/load_robot.hpp>
+#include <kte/robots/mjcf_writer.hpp>
+#include <kte/robots/motors.hpp>
+#include <kte/robots/urdf_writer.hpp>
+
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include "call.hpp"
+#include "parts.hpp"
+
+namespace kte_python {
+
+kte::robot current(const robot_object& r) {
+  kte::robot whole = r.robot;
+  whole.chain = chain_of(r.chain).chain();
+  return whole;
+}
+
+namespace {
+
+std::string text_of(const kte::robot_note& n, const std::string& file) {
+  const std::string& where = n.file.empty() ? file : n.file;
+  std::string s = "kte: " + where;
+  if (n.line > 0) s += ":" + std::to_string(n.line);
+  return s + ": " + n.text;
+}
+void warn(const std::vector<kte::robot_note>& notes, const std::string& file) {
+  const py::object category = py::module_::import("kte.errors").attr("RobotWarning");
+  for (const auto& n : notes)
+    if (PyErr_WarnEx(category.ptr(), text_of(n, file).c_str(), 1) != 0) throw py::error_already_set();
+}
+py::list notes_of(const std::vector<kte::robot_note>& notes) {
+  py::list all;
+  for (const auto& n : notes) all.append(result("Note", py::make_tuple(n.text, n.line, n.file, n.changes_motion)));
+  return all;
+}
+py::object limits_of(const kte::joint_limits<>& l) {
+  const auto list = [](const std::vector<double>& x) {
+    return to_array(Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(x.data(), static_cast<Eigen::Index>(x.size()))));
+  };
+  return result("Limits", py::make_tuple(list(l.lower), list(l.upper), list(l.rate), list(l.acceleration), list(l.jerk),
+                                         list(l.effort)));
+}
+
+kte::robot_options options_from(py::handle gravity, const std::string& root, bool floating_base, bool fold_fixed,
+                                bool joint_dynamics, double friction_smoothing, double quarter_turn_tolerance,
+                                bool strict, const std::string& model, py::handle search_path) {
+  kte::robot_options o;
+  if (!gravity.is_none()) {
+    const auto g = vector_from("gravity", gravity, 3);
+    o.gravity = kte::vec3<>{g[0], g[1], g[2]};
+  }
+  o.root = root, o.floating_base = floating_base, o.fold_fixed = fold_fixed, o.joint_dynamics = joint_dynamics;
+  o.friction_smoothing = friction_smoothing, o.quarter_turn_tolerance = quarter_turn_tolerance;
+  o.strict = strict, o.model = model;
+  o.search_path = names_from(search_path);
+  return o;
+}
+
+std::unique_ptr<robot_object> as_object(kte::robot r) {
+  py::object chain = py::cast(std::make_unique<chain_object>(r.chain));
+  auto made = std::make_unique<robot_object>(robot_object{std::move(r), std::move(chain)});
+  warn(made->robot.warnings, made->robot.file);
+  return made;
+}
+
+std::string repr_of(const robot_object& r) {
+  const auto& c = chain_of(r.chain).chain();
+  std::string s = "<kte.Robot '" + r.robot.name + "': " + std::to_string(c.dofs()) +
+                  (c.dofs() == 1 ? " degree of freedom" : " degrees of freedom");
+  if (!r.robot.motors.empty()) s += ", " + std::to_string(r.robot.motors.size()) + " motors";
+  if (!r.robot.file.empty()) s += ", from " + r.robot.file;
+  return s + ">";
+}
+
+constexpr const char* options_text = R"(
+gravity                 in axes of the root, m/s^2; by default that of the file, or (0, 0, -9.81)
+root                    the link used as base
+floating_base           whether the root moves freely, by a coordinate 'floating_base', in a frame 'world'
+fold_fixed              merges bodies of fixed links into their parents
+joint_dynamics          False: no damping, friction, springs and rotor inertias
+friction_smoothing      rate over which dry friction changes sign, rad/s or m/s
+quarter_turn_tolerance  angles within this of multiples of pi/2, rad, become exact
+strict                  refuses robots that would move differently from those in the file
+model                   the model to read from an SDF file with several
+search_path             folders for model:// and package://
+
+What the file has and the robot has not is a RobotWarning if it changes the motion, else in `.not_read`.)";
+
+}  // namespace
+
+void bind_robots(py::module_& m) {
+  using namespace py::literals;
+  py::class_<robot_object>(m, "Robot", "A robot read from a file: a chain, and data beside it.")
+      .def_readonly("chain", &robot_object::chain,
+                    "The mechanism, a `Chain`; coordinates are named as joints, frames as links.")
+      .def_property_readonly(
+          "name", [](const robot_object& r) { return r.robot.name; }, "Its name.")
+      .def_property_readonly(
+          "file", [](const robot_object& r) { return r.robot.file; }, "The file it was read from.")
+      .def_property_readonly(
+          "limits", [](const robot_object& r) { return limits_of(r.robot.limits); },
+          "`Limits` over v: lower, upper, rate, acceleration, jerk, effort; infinite if the file gives none.")
+      .def_property_readonly(
+          "soft_limits", [](const robot_object& r) { return limits_of(r.robot.soft_limits); },
+          "Limits with the range of safety controllers.")
+      .def_property_readonly(
+          "joints", [](const robot_object& r) { return r.robot.joints; },
+          "Names of the coordinates of joints, in the order of the file.")
+      .def_property_readonly(
+          "configurations",
+          [](const robot_object& r) {
+            py::dict all;
+            for (const auto& c : r.robot.configurations)
+              all[py::str(c.name)] = to_array(Eigen::VectorXd(
+                  Eigen::Map<const Eigen::VectorXd>(c.q.data(), static_cast<Eigen::Index>(c.q.size()))));
+            return all;
+          },
+          "Named configurations, such as MJCF keyframes: a dict of q.")
+      .def_property_readonly(
+          "motors",
+          [](const robot_object& r) {
+            py::list all;
+            for (const auto& x : r.robot.motors) all.append(result("Motor", py::make_tuple(x.input, x.joint, x.v)));
+            return all;
+          },
+          "The motors in the chain, after `add_motors`.")
+      .def_property_readonly(
+          "warnings", [](const robot_object& r) { return notes_of(r.robot.warnings); },
+          "Why the robot moves differently from that of the file, and what is odd about the file: `Note`s.")
+      .def_property_readonly(
+          "not_read", [](const robot_object& r) { return notes_of(r.robot.not_read); },
+          "Contents of the file that were not read and do not change the motion: `Note`s.")
+      .def(
+          "check",
+          [](const robot_object& r) {
+            std::vector<std::string> all;
+            for (const auto& n : kte::check_robot(current(r)))
+              all.push_back((n.line > 0 ? std::to_string(n.line) + ": " : "") + n.text);
+            return all;
+          },
+          "check()\n\nWhat is odd about the robot, as sentences with lines of the file.")
+      .def(
+          "add_motors",
+          [](robot_object& r, double stiffness, double damping, double stop_stiffness, double stop_damping) {
+            auto whole = current(r);
+            const auto before = whole.warnings.size();
+            kte::add_motors(whole, {.stiffness = stiffness,
+                                    .damping = damping,
+                                    .stop_stiffness = stop_stiffness,
+                                    .stop_damping = stop_damping});
+            r.chain.cast<chain_object&>().edit() = whole.chain;
+            r.robot = std::move(whole);
+            warn({r.robot.warnings.begin() + static_cast<std::ptrdiff_t>(before), r.robot.warnings.end()},
+                 r.robot.file);
+          },
+          R"(add_motors(*, stiffness=0, damping=0, stop_stiffness=0, stop_damping=0)
+
+Adds the motors of the file to the chain; their commands are inputs, listed in `.motors`. With `stiffness` and `damping`,
+N/m or Nm/rad, they are servos, whose commands are positions. `stop_*`: stops at the ends of the ranges of joints.)",
+          py::kw_only(), "stiffness"_a = 0.0, "damping"_a = 0.0, "stop_stiffness"_a = 0.0, "stop_damping"_a = 0.0)
+      .def("__repr__", &repr_of);
+
+  static const std::string load_doc =
+      "load_robot(path, *, gravity=None, root=\"\", floating_base=False, fold_fixed=False, joint_dynamics=True, "
+      "friction_smoothing=1e-3, quarter_turn_tolerance=1e-15, strict=False, model=\"\", search_path=())\n\n"
+      "Reads a robot from a file in URDF, MJCF or SDF.\n" +
+      std::string(options_text);
+  static const std::string parse_doc =
+      "parse_robot(text, name=\"robot\", *, ...)\n\nReads a robot from a text in URDF, MJCF or SDF. Options as for "
+      "`load_robot`.";
+  const auto none = py::none();
+  const auto no_folders = py::tuple();
+  m.def(
+      "load_robot",
+      [](const std::filesystem::path& path, py::handle gravity, const std::string& root, bool floating_base,
+         bool fold_fixed, bool joint_dynamics, double friction_smoothing, double quarter_turn_tolerance, bool strict,
+         const std::string& model, py::handle search_path) {
+        return as_object(kte::load_robot(
+            path, options_from(gravity, root, floating_base, fold_fixed, joint_dynamics, friction_smoothing,
+                               quarter_turn_tolerance, strict, model, search_path)));
+      },
+      load_doc.c_str(), "path"_a, py::kw_only(), "gravity"_a = none, "root"_a = "", "floating_base"_a = false,
+      "fold_fixed"_a = false, "joint_dynamics"_a = true, "friction_smoothing"_a = 1e-3,
+      "quarter_turn_tolerance"_a = 1e-15, "strict"_a = false, "model"_a = "", "search_path"_a = no_folders);
+  m.def(
+      "parse_robot",
+      [](const std::string& text, const std::string& name, py::handle gravity, const std::string& root,
+         bool floating_base, bool fold_fixed, bool joint_dynamics, double friction_smoothing,
+         double quarter_turn_tolerance, bool strict, const std::string& model, py::handle search_path) {
+        const auto options = options_from(gravity, root, floating_base, fold_fixed, joint_dynamics, friction_smoothing,
+                                          quarter_turn_tolerance, strict, model, search_path);
+        return as_object(kte::to_robot(kte::describe_robot(text, name, options), options));
+      },
+      parse_doc.c_str(), "text"_a, "name"_a = "robot", py::kw_only(), "gravity"_a = none, "root"_a = "",
+      "floating_base"_a = false, "fold_fixed"_a = false, "joint_dynamics"_a = true, "friction_smoothing"_a = 1e-3,
+      "quarter_turn_tolerance"_a = 1e-15, "strict"_a = false, "model"_a = "", "search_path"_a = no_folders);
+
+  const auto writer = [&m](const char* name, const char* doc, auto write_robot, auto write_chain) {
+    m.def(
+        name,
+        [write_robot, write_chain](py::handle x, bool lossy) {
+          std::vector<kte::robot_note> not_written;
+          const kte::robot_writing options{.not_written = &not_written, .lossy = lossy};
+          const std::string text = py::isinstance<robot_object>(x)
+                                       ? write_robot(current(x.cast<const robot_object&>()), options)
+                                       : write_chain(chain_of(x).chain(), options);
+          warn(not_written, "not written");
+          return text;
+        },
+        doc, "robot"_a, py::kw_only(), "lossy"_a = false);
+  };
+  writer(
+      "to_urdf",
+      "to_urdf(robot, *, lossy=False)\n\nA robot or chain as a text in URDF. What cannot be written is refused, or "
+      "with "
+      "`lossy` a RobotWarning.",
+      [](const kte::robot& r, const auto& o) { return kte::to_urdf(r, o); },
+      [](const kte::runtime_chain& c, const auto& o) { return kte::to_urdf(c, "robot", o); });
+  writer(
+      "to_mjcf",
+      "to_mjcf(robot, *, lossy=False)\n\nA robot or chain as a text in MJCF. What cannot be written is refused, or "
+      "with "
+      "`lossy` a RobotWarning.",
+      [](const kte::robot& r, const auto& o) { return kte::to_mjcf(r, o); },
+      [](const kte::runtime_chain& c, const auto& o) { return kte::to_mjcf(c, "robot", o); });
+}
+
+}  // namespace kte_python

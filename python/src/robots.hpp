@@ -1,0 +1,18 @@
+#pragma once
+
+#include <kte/robots/robot.hpp>
+
+#include <pybind11/pybind11.h>
+
+namespace kte_python {
+
+/// kte.Robot: a robot, and its chain as a kte.Chain, which a program may extend.
+struct robot_object {
+  kte::robot robot;
+  pybind11::object chain;
+};
+
+/// A robot with its chain as it is now.
+kte::robot current(const robot_object& r);
+
+}  // namespace kte_python

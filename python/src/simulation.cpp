@@ -1,0 +1,279 @@
+#include "simulation.hpp"
+
+#include <kte/io/model_inputs.hpp>
+
+#include <pybind11/stl.h>
+
+#include "call.hpp"
+#include "parts.hpp"
+
+namespace kte_python {
+
+py::dict statistics_of(const kte::step_statistics& s) {
+  py::dict all;
+  all["steps"] = s.steps, all["rejected"] = s.rejected, all["evaluations"] = s.evaluations;
+  all["jacobians"] = s.jacobians, all["factorizations"] = s.factorizations;
+  return all;
+}
+
+namespace {
+
+constexpr auto check_interval = std::chrono::milliseconds(50);
+
+}  // namespace
+
+simulation::simulation(py::object drawn, kte::runtime_chain c, py::object control, const py::dict& inputs,
+                       const py::list& events, bool of_time_alone)
+    : drawn_(std::move(drawn)),
+      has_forces_(!control.is_none()),
+      forces_(has_forces_ ? coordinate_forces(c) : coordinate_forces()),
+      plant_(
+          c, [this](double t, const plant::state& x, Eigen::VectorXd& u) { law(t, x, u); },
+          of_time_alone && forces_.of_tau_alone()) {
+  u_ = plant_.model().input();
+  tau_ = Eigen::VectorXd::Zero(c.dofs());
+  set_control(std::move(control));
+  set_inputs(inputs);
+  for (const auto e : events) {
+    const auto direction = e.attr("direction").cast<std::string>();
+    if (direction != "rising" && direction != "falling" && direction != "both")
+      throw kte::bad_argument("kte: direction of an event must be 'rising', 'falling' or 'both', got '" + direction +
+                              "'");
+    events_.push_back({py::reinterpret_borrow<py::object>(e), e.attr("function"), e.attr("reset"),
+                       e.attr("name").cast<std::string>(),
+                       direction == "rising"    ? kte::crossing::rising
+                       : direction == "falling" ? kte::crossing::falling
+                                                : kte::crossing::both,
+                       e.attr("terminal").cast<bool>(), e.attr("one_sided").cast<bool>()});
+  }
+  for (std::size_t i = 0; i < events_.size(); ++i) {
+    auto& e = events_[i];
+    if (e.name.empty()) e.name = "event " + std::to_string(i);
+    if (e.reset.is_none()) {
+      lists_.plain.emplace_back(event_value{this, i}, e.direction, e.terminal, e.one_sided, kte::detail::no_handler{},
+                                kte::detail::no_handler{}, e.name);
+    } else {
+      lists_.acting.emplace_back(event_value{this, i}, e.direction, e.terminal, e.one_sided, event_reset{this, i},
+                                 kte::detail::no_handler{}, e.name);
+    }
+  }
+}
+
+void simulation::start(const Eigen::VectorXd& q, const Eigen::VectorXd& v, double t, const solver_options& o) {
+  plant::state x = plant_.model().make_x(q, v);
+  plant_.set_inputs(t, x);
+  x = kte::settled(plant_.model(), t, x);
+  solver_ = make_explicit_solver(plant_, x, t, o);
+  if (!solver_) solver_ = make_stiff_solver(plant_, x, t, o);
+  if (!solver_) solver_ = make_fixed_step_solver(plant_, x, t, o);
+  if (!solver_)
+    throw kte::bad_argument("kte: there is no solver '" + o.name + "', but " + solvers_with_tolerances +
+                            "; of a fixed "
+                            "step " +
+                            solvers_of_fixed_step);
+}
+
+void simulation::set_control(py::object control) {
+  if (control.is_none()) return;
+  if (!has_forces_)
+    throw kte::bad_argument("kte: a simulation that was made without control cannot have one later: give it zeros");
+  if (py::hasattr(control, "__call__")) {
+    control_ = std::move(control);
+  } else {
+    tau_ = vector_from("control", control, plant_.model().dofs());
+    control_ = py::none();
+  }
+}
+
+void simulation::set_inputs(const py::dict& inputs) {
+  for (const auto& [key, value] : inputs) {
+    const auto name = key.cast<std::string>();
+    Eigen::Index place = -1;
+    int count = 0;
+    std::string known;
+    kte::detail::for_each_input(plant_.model(), [&](std::string_view input, int u, int n) {
+      if (input == name) place = u, count = n;
+      known.append(known.empty() ? " (there are '" : ", '").append(input).append("'");
+    });
+    if (place < 0)
+      throw kte::unknown_name("kte: this chain has no input '" + name + "'" + (known.empty() ? "" : known + ")"));
+    std::erase_if(laws_, [&](const input_law& l) { return l.u == place; });
+    if (py::hasattr(value, "__call__"))
+      laws_.push_back({name, place, count, py::reinterpret_borrow<py::object>(value)});
+    else
+      u_.segment(place, count) = vector_from(name.c_str(), value, count);
+  }
+}
+
+std::pair<py::object, py::object> simulation::q_and_v(const plant::state& x) const {
+  const auto& m = plant_.model();
+  return {to_array(Eigen::VectorXd(m.positions_of(x))), to_array(Eigen::VectorXd(m.velocities_of(x)))};
+}
+
+/// Without the GIL.
+void simulation::law(double t, const plant::state& x, Eigen::VectorXd& u) {
+  if (++evaluations_ % 64 == 0) {
+    if (const auto now = std::chrono::steady_clock::now(); now > next_check_) {
+      next_check_ = now + check_interval;
+      const py::gil_scoped_acquire with;
+      if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+    }
+  }
+  const bool calls = !control_.is_none() || !laws_.empty();
+  if (calls) {
+    const py::gil_scoped_acquire with;
+    const auto [q, v] = q_and_v(x);
+    if (!control_.is_none()) tau_ = vector_from("the result of control", control_(t, q, v), tau_.size());
+    for (const auto& l : laws_) u_.segment(l.u, l.count) = vector_from(l.name.c_str(), l.function(t, q, v), l.count);
+  }
+  u = u_;
+  if (has_forces_) forces_.put(tau_, x, u);
+}
+double simulation::value(std::size_t event, double t, const plant::state& x) {
+  const py::gil_scoped_acquire with;
+  const auto [q, v] = q_and_v(x);
+  return vector_from(events_[event].name.c_str(), events_[event].function(t, q, v), 1)[0];
+}
+void simulation::reset(std::size_t event, double t, plant::state& x) {
+  const py::gil_scoped_acquire with;
+  const auto [q, v] = q_and_v(x);
+  const py::object after = events_[event].reset(t, q, v);
+  if (!py::isinstance<py::tuple>(after) || py::len(after) != 2)
+    throw py::type_error("kte: the reset of '" + events_[event].name + "' must return (q, v)");
+  const auto& m = plant_.model();
+  x.head(m.nq()) = vector_from("q of a reset", after[py::int_(0)], m.nq());
+  x.segment(m.nq(), m.dofs()) = vector_from("v of a reset", after[py::int_(1)], m.dofs());
+}
+
+/// The times of samples, from now to the end.
+std::vector<double> simulation::times_from(double end, py::handle every, py::handle at) const {
+  std::vector<double> times;
+  if (!at.is_none()) {
+    const auto all = vector_from("at", at, -1);
+    return {all.data(), all.data() + all.size()};
+  }
+  const double spacing = every.cast<double>(), begin = solver_->time(), span = std::abs(end - begin);
+  if (!(spacing > 0)) throw kte::bad_argument("kte: every must be positive, got " + kte::detail::number(spacing));
+  const double count = std::floor(span / spacing * (1 + 4e-16) + 1e-9);
+  if (!(count < 1e9)) throw kte::bad_argument("kte: more than a thousand million samples");
+  for (double i = 0; i <= count; ++i) times.push_back(begin + (end > begin ? i : -i) * spacing);
+  if (std::abs(times.back() - end) > 1e-9 * spacing)
+    times.push_back(end);
+  else
+    times.back() = end;
+  return times;
+}
+
+py::object simulation::advance(double end, py::handle every, py::handle at) {
+  if (running_) throw kte::bad_argument("kte: the simulation is running already, in another thread or in this call");
+  sampling when{every.is_none() && at.is_none(), {}};
+  std::vector<double> times;
+  if (!when.every_step) times = times_from(end, every, at), when.times = times;
+
+  auto made = std::make_unique<recording_object>();
+  auto& r = *made;
+  r.chain = plant_.model().chain(), r.drawn = drawn_;
+  const auto x = solver_->state();
+  r.nx = static_cast<std::size_t>(x.size()), r.nu = static_cast<std::size_t>(u_.size());
+  recording_ = py::cast(std::move(made));
+
+  struct in_use {
+    bool& flag;
+    explicit in_use(bool& f) : flag(f) { flag = true; }
+    ~in_use() { flag = false; }
+  } const used(running_);
+  const auto observe = [this, &r](double t, const plant::state& now) {
+    plant_.set_inputs(t, now);
+    const auto& u = plant_.model().input();
+    r.t.push_back(t), r.x.insert(r.x.end(), now.data(), now.data() + r.nx);
+    r.u.insert(r.u.end(), u.data(), u.data() + u.size());
+  };
+  report ended;
+  {
+    const py::gil_scoped_release without;
+    ended = solver_->advance(end, lists_, when, observe);
+  }
+  for (const auto& e : ended.events) r.events.push_back({e.name, e.time, e.before, e.after});
+  r.reason = ended.reason == kte::stop_reason::terminal ? "terminal"
+             : ended.reason == kte::stop_reason::zeno   ? "zeno"
+                                                        : "end_time";
+  r.stopped_by = ended.stopped_by_name;
+  r.statistics = solver_->statistics();
+  return recording_;
+}
+
+namespace {
+
+std::unique_ptr<simulation> make_simulation(py::object chain, py::handle q, py::handle v, double t,
+                                            const std::string& solver, double tolerance, py::handle absolute,
+                                            py::handle relative, double step, long long max_steps, double largest_step,
+                                            py::object control, py::handle inputs, py::handle events) {
+  const auto& c = chain_of(chain).chain();
+  const auto signals = inputs.is_none() ? py::dict() : py::reinterpret_borrow<py::dict>(inputs);
+  bool of_time_alone = !py::hasattr(control, "__call__");
+  for (const auto& [name, value] : signals) of_time_alone = of_time_alone && !py::hasattr(value, "__call__");
+  py::list list;
+  if (!events.is_none()) {
+    if (py::hasattr(events, "function"))
+      list.append(events);
+    else
+      for (const auto e : events) list.append(e);
+  }
+  auto made = std::make_unique<simulation>(chain, c, std::move(control), signals, list, of_time_alone);
+  if (!(step > 0)) throw kte::bad_argument("kte: step must be positive, got " + kte::detail::number(step));
+  solver_options o{solver, step, {.absolute = tolerance, .relative = tolerance, .max_steps = max_steps}};
+  if (!absolute.is_none()) o.tolerances.absolute = absolute.cast<double>();
+  if (!relative.is_none()) o.tolerances.relative = relative.cast<double>();
+  o.tolerances.largest_step = largest_step;
+  made->start(vector_from("q", q, c.nq()),
+              v.is_none() ? Eigen::VectorXd(Eigen::VectorXd::Zero(c.dofs())) : vector_from("v", v, c.dofs()), t, o);
+  return made;
+}
+
+}  // namespace
+
+void bind_simulation(py::module_& m) {
+  using namespace py::literals;
+  const auto none = py::none();
+  py::class_<simulation>(m, "Simulation", R"(Simulation(chain, q, v=None, *, t=0, solver="dormand_prince45",
+           tolerance=1e-9, absolute=None, relative=None, step=1e-3, max_steps=1000000000, largest_step=0,
+           control=None, inputs=None, events=None)
+
+A mechanism that moves, from q and v at the time t.
+
+solver     dormand_prince45, prince_dormand87, bogacki_shampine23, fehlberg45, adams, bdf, rodas, rosenbrock23,
+           kennedy_carpenter34, tr_bdf2, trapezoidal, with `tolerance` (or `absolute` and `relative`) a step;
+           runge_kutta4, runge_kutta5, euler, midpoint, semi_implicit_euler, implicit_midpoint, with `step`, s
+control    forces on all numbers of v, N and Nm: a function of (t, q, v), or an array that is constant until it is set
+inputs     a dict from signals to numbers, or to functions of (t, q, v)
+events     an `Event` or a list of them)")
+      .def(py::init(&make_simulation), "chain"_a, "q"_a, "v"_a = none, py::kw_only(), "t"_a = 0.0,
+           "solver"_a = "dormand_prince45", "tolerance"_a = 1e-9, "absolute"_a = none, "relative"_a = none,
+           "step"_a = 1e-3, "max_steps"_a = 1'000'000'000LL, "largest_step"_a = 0.0, "control"_a = none,
+           "inputs"_a = none, "events"_a = none)
+      .def("advance", &simulation::advance, R"(advance(end, *, every=None, at=None)
+
+Integrates to the time `end`, s, and returns a `Recording` of every step, of even times, or of the times `at`. Ctrl-C stops
+it, and so do exceptions of functions of yours; the rows until then are in `recording`, and a further `advance` goes on.)",
+           "end"_a, py::kw_only(), "every"_a = none, "at"_a = none)
+      .def_property_readonly("t", &simulation::time, "The time, s.")
+      .def_property_readonly(
+          "q", [](const simulation& s) { return s.q_and_v(s.state()).first; }, "The configuration.")
+      .def_property_readonly(
+          "v", [](const simulation& s) { return s.q_and_v(s.state()).second; }, "The velocities.")
+      .def("set_control", &simulation::set_control,
+           "set_control(control)\n\nForces from now on: a function of (t, q, v), or an array.", "control"_a)
+      .def("set_inputs", &simulation::set_inputs,
+           "set_inputs(inputs)\n\nInputs from now on: a dict from signals to numbers, or to functions of (t, q, v).",
+           "inputs"_a)
+      .def_property_readonly("recording", &simulation::recording,
+                             "The recording of the last `advance`, also of one that ended by an exception.")
+      .def_property_readonly(
+          "statistics", [](const simulation& s) { return statistics_of(s.statistics()); },
+          "Counts of steps, rejected steps, evaluations, Jacobians and factorizations: a dict.")
+      .def("__repr__", [](const simulation& s) {
+        return "<kte.Simulation at t = " + py::repr(py::float_(s.time())).cast<std::string>() + " s>";
+      });
+}
+
+}  // namespace kte_python

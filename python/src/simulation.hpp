@@ -1,0 +1,68 @@
+#pragma once
+
+#include <chrono>
+#include <pybind11/pybind11.h>
+
+#include "coordinate_forces.hpp"
+#include "recording.hpp"
+#include "solvers.hpp"
+
+namespace kte_python {
+
+/// kte.Simulation: a chain, forces on its coordinates and inputs by functions of the program, and a solver.
+class simulation : public callbacks {
+ public:
+  /// `drawn` is what the program simulates.
+  simulation(py::object drawn, kte::runtime_chain c, py::object control, const py::dict& inputs, const py::list& events,
+             bool of_time_alone);
+  simulation(const simulation&) = delete;
+  simulation& operator=(const simulation&) = delete;
+
+  /// Makes the solver. Throws `bad_argument` if there is none of this name.
+  void start(const Eigen::VectorXd& q, const Eigen::VectorXd& v, double t, const solver_options& o);
+  void set_control(py::object control);
+  void set_inputs(const py::dict& inputs);
+  py::object advance(double end, py::handle every, py::handle at);
+
+  double time() const { return solver_->time(); }
+  const plant::state& state() const { return solver_->state(); }
+  kte::step_statistics statistics() const { return solver_->statistics(); }
+  py::object recording() const { return recording_; }
+  std::pair<py::object, py::object> q_and_v(const plant::state& x) const;
+
+  // Called without the GIL.
+  double value(std::size_t event, double t, const plant::state& x) override;
+  void reset(std::size_t event, double t, plant::state& x) override;
+
+ private:
+  struct input_law {
+    std::string name;
+    Eigen::Index u;
+    int count;
+    py::object function;
+  };
+  struct event_of_program {
+    py::object event, function, reset;
+    std::string name;
+    kte::crossing direction;
+    bool terminal, one_sided;
+  };
+
+  void law(double t, const plant::state& x, Eigen::VectorXd& u);
+  std::vector<double> times_from(double end, py::handle every, py::handle at) const;
+
+  py::object drawn_, recording_ = py::none(), control_ = py::none();
+  bool has_forces_;
+  coordinate_forces forces_;
+  plant plant_;
+  Eigen::VectorXd u_, tau_;
+  std::vector<input_law> laws_;
+  std::vector<event_of_program> events_;
+  event_lists lists_;
+  std::unique_ptr<any_solver> solver_;
+  unsigned evaluations_ = 0;
+  std::chrono::steady_clock::time_point next_check_ = std::chrono::steady_clock::now();
+  bool running_ = false;
+};
+
+}  // namespace kte_python

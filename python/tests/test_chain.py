@@ -1,0 +1,129 @@
+import copy
+import pickle
+import threading
+
+import numpy as np
+import pytest
+
+import kte
+
+
+def test_pendulum_has_its_acceleration(pendulum):
+    assert kte.forward_dynamics(pendulum, [0.0], [0.0], [0.0]) == pytest.approx([-9.81 / 0.5], rel=1e-15)
+
+
+def test_shift_appends_and_returns_the_chain():
+    chain = kte.Chain()
+    assert (chain << kte.revolute_joint_3D("q", "base", "arm", axis=[0, 1, 0])) is chain
+    assert chain.add(kte.inertia_3D("arm", 2, [0.1, 0, 0])) is chain
+    assert len(chain) == 2 and chain.nv == chain.nq == 1
+    assert chain.coordinates == ["q"] and chain.frames == ["base", "arm"] and chain.inputs == []
+
+
+def test_a_list_is_appended_whole_or_not_at_all(pendulum):
+    with pytest.raises(kte.BadWiring, match="reads 'nowhere'"):
+        pendulum << [kte.inertia_2D("tip", 1), kte.inertia_2D("nowhere", 1)]
+    assert len(pendulum) == 3
+    pendulum << [kte.inertia_2D("tip", 1), (kte.inertia_2D("tip", 1),)]
+    assert len(pendulum) == 5
+
+
+def test_chains_are_appended_with_their_gravity(pendulum):
+    whole = kte.Chain(pendulum)
+    assert whole == pendulum and whole.gravity.tolist() == [0, -9.81, 0]
+    with pytest.raises(kte.BadWiring, match="different gravities"):
+        whole << kte.Chain(kte.base_2D("other"), gravity=[0, -1.62])
+
+
+def test_the_layout_tells_where_coordinates_are():
+    chain = kte.Chain(kte.free_joint_3D("trunk", "world", "body"), kte.revolute_joint_3D("knee", "body", "leg"))
+    trunk, knee = chain.layout
+    assert (trunk.name, trunk.kind, trunk.q, trunk.v) == ("trunk", "3D pose", slice(0, 7, 1), slice(0, 6, 1))
+    assert (knee.q, knee.v) == (slice(7, 8, 1), slice(6, 7, 1))
+    assert kte.neutral_configuration(chain).tolist() == [0, 0, 0, 1, 0, 0, 0, 0]
+
+
+def test_representations_are_readable_and_elements_evaluate_to_themselves(pendulum, four_bar):
+    assert repr(pendulum) == "<kte.Chain: 3 elements, 1 degree of freedom (q), gravity (0, -9.81, 0) m/s^2>"
+    for element in pendulum.elements + four_bar.elements:
+        assert eval(repr(element), vars(kte)) == element
+    assert repr(kte.inertia_gen("q", 2)) == "inertia_gen('q', mass=2.0)"
+
+
+@pytest.mark.parametrize("duplicate", [copy.copy, copy.deepcopy, lambda c: pickle.loads(pickle.dumps(c))])
+def test_copies_are_equal_and_independent(four_bar, duplicate):
+    other = duplicate(four_bar)
+    assert other == four_bar and other.gravity.tolist() == four_bar.gravity.tolist()
+    other << kte.inertia_2D("A", 1)
+    assert other != four_bar and len(four_bar) == 10
+
+
+def test_pickled_chains_compute_the_same_bits(iiwa, random):
+    q, v, tau = random.standard_normal((3, 7))
+    other = pickle.loads(pickle.dumps(iiwa.chain))
+    assert (kte.forward_dynamics(other, q, v, tau) == kte.forward_dynamics(iiwa, q, v, tau)).all()
+
+
+def test_model_files_hold_chains(tmp_path, four_bar):
+    for name in ("model.json", "model.xml", "model.kte"):
+        kte.save_model(tmp_path / name, four_bar)
+        assert kte.load_model(tmp_path / name) == four_bar
+
+
+def test_threads_share_a_chain(iiwa, random):
+    states = random.standard_normal((8, 3, 7))
+    expected = [kte.forward_dynamics(iiwa, *s) for s in states]
+    found = [None] * 8
+
+    def work(i):
+        for _ in range(200):
+            found[i] = kte.forward_dynamics(iiwa, *states[i])
+
+    team = [threading.Thread(target=work, args=(i,)) for i in range(8)]
+    [t.start() for t in team], [t.join() for t in team]
+    assert np.array_equal(found, expected)
+
+
+def test_suspicious_chains_say_why(four_bar):
+    four_bar << kte.inertia_gen("crankk", 0.05)
+    assert "did you mean 'crank'?" in four_bar.check()[0]
+
+
+@pytest.mark.parametrize(
+    "what, error, sentence",
+    [
+        (lambda: kte.Chain(kte.inertia_3D("a", -1)), kte.BadParameter, "mass must be finite and not negative, got -1"),
+        (lambda: kte.Chain(kte.inertia_3D("a", 1, inertia=[1, 1, 3])), kte.BadParameter, "must be physical"),
+        (lambda: kte.Chain(kte.revolute_joint_3D("q", "a", "b", [1, 1, 0])), kte.BadParameter, "axis"),
+        (lambda: kte.Chain(kte.inertia_3D("a", 1), kte.inertia_2D("a", 1)), kte.BadWiring, "3D frame"),
+        (lambda: kte.Chain(3), TypeError, "made of elements and chains, not of 3"),
+        (lambda: kte.Chain(gravity=[1]), kte.BadArgument, "gravity has 1 numbers"),
+        (lambda: kte.load_model("nowhere.json"), kte.BadFile, "cannot open 'nowhere.json'"),
+    ],
+)
+def test_what_is_refused(what, error, sentence):
+    with pytest.raises(error, match=sentence) as caught:
+        what()
+    assert str(caught.value).startswith("kte: ")
+    assert isinstance(caught.value, kte.Error) or error is TypeError
+
+
+def test_classes_of_errors_are_those_of_python():
+    assert issubclass(kte.BadArgument, ValueError) and issubclass(kte.UnknownName, LookupError)
+    assert issubclass(kte.SingularMassMatrix, ArithmeticError) and issubclass(kte.IntegrationFailure, RuntimeError)
+
+
+def test_no_chain_changes_while_another_thread_computes(iiwa, random):
+    chain, q = iiwa.chain, random.standard_normal((100_000, 7))
+    refused = []
+
+    def change():
+        while worker.is_alive():
+            try:
+                chain << kte.inertia_3D("tool", 0.0)
+            except kte.BadArgument as e:
+                refused.append(str(e))
+
+    worker = threading.Thread(target=lambda: kte.coriolis_matrix(chain, q, q))
+    worker.start(), change(), worker.join()
+    assert "cannot be changed while another thread" in refused[0]

@@ -1,0 +1,263 @@
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from hypothesis.extra import numpy as arrays
+
+import kte
+
+from conftest import ROBOTS
+
+IIWA = kte.load_robot(ROBOTS / "iiwa14.urdf")
+SOLO = kte.Chain(
+    kte.free_joint_3D("trunk", "world", "body"),
+    kte.inertia_3D("body", 3, inertia=[0.1, 0.2, 0.25]),
+    kte.revolute_joint_3D("hip", "body", "leg", [0, 1, 0], position=[0.2, 0.1, 0]),
+    kte.inertia_3D("leg", 1, [0, 0, -0.1], inertia=0.01),
+    gravity=[0, 0, -9.81],
+)
+numbers = st.floats(-3, 3)
+states = arrays.arrays(float, (3, 7), elements=numbers)
+
+
+@settings(max_examples=50, deadline=None, derandomize=True)
+@given(states)
+def test_forward_dynamics_inverts_inverse_dynamics(x):
+    q, v, a = x
+    tau = kte.inverse_dynamics(IIWA, q, v, a)
+    np.testing.assert_allclose(kte.forward_dynamics(IIWA, q, v, tau), a, atol=1e-9)
+    m, bias = kte.mass_matrix(IIWA, q), kte.nonlinear_effects(IIWA, q, v)
+    np.testing.assert_allclose(m @ a + bias, tau, atol=1e-11)
+    np.testing.assert_allclose(kte.mass_matrix_inverse(IIWA, q) @ m, np.eye(7), atol=1e-9)
+    np.testing.assert_allclose(kte.gravity_forces(IIWA, q) + kte.coriolis_forces(IIWA, q, v), bias, atol=1e-11)
+    np.testing.assert_allclose(kte.coriolis_matrix(IIWA, q, v) @ v, kte.coriolis_forces(IIWA, q, v), atol=1e-11)
+    np.testing.assert_allclose(kte.torque_regressor(IIWA, q, v, a) @ kte.inertial_parameters(IIWA), tau, atol=1e-10)
+    assert kte.kinetic_energy(IIWA, q, v) == pytest.approx(0.5 * v @ m @ v, abs=1e-11)
+
+
+@settings(max_examples=25, deadline=None, derandomize=True)
+@given(states)
+def test_velocities_are_jacobians_times_v(x):
+    q, v, a = x
+    velocity = kte.frame_velocity(IIWA, q, v, "tool")
+    np.testing.assert_allclose(kte.jacobian(IIWA, q, "tool") @ v, np.concatenate(velocity), atol=1e-12)
+    bias = np.concatenate(kte.bias_acceleration(IIWA, q, v, "tool", "world"))
+    np.testing.assert_allclose(kte.jacobian_rate(IIWA, q, v, "tool", "world") @ v, bias, atol=1e-10)
+    np.testing.assert_allclose(kte.centre_of_mass_jacobian(IIWA, q) @ v, kte.centre_of_mass_velocity(IIWA, q, v), atol=1e-12)
+    np.testing.assert_allclose(
+        kte.centroidal_momentum_matrix(IIWA, q) @ v, np.concatenate(kte.centroidal_momentum(IIWA, q, v)), atol=1e-11
+    )
+    world = kte.jacobian(IIWA, q, "tool", "world")
+    pose = kte.forward_kinematics(IIWA, q, "tool")
+    np.testing.assert_allclose(world[:3] @ v, pose.rotation @ velocity.linear, atol=1e-12)
+    acceleration = kte.frame_acceleration(IIWA, q, v, a, "tool")
+    np.testing.assert_allclose((world @ a + bias)[:3], pose.rotation @ acceleration.linear, atol=1e-10)
+
+
+def test_derivatives_are_those_of_differences(random):
+    q, v, tau = random.standard_normal((3, 7))
+    d, h = kte.forward_dynamics_derivatives(IIWA, q, v, tau), 1e-6
+    np.testing.assert_allclose(d.a, kte.forward_dynamics(IIWA, q, v, tau), atol=1e-10)
+    for i, e in enumerate(np.eye(7)):
+        by_q = (kte.forward_dynamics(IIWA, q + h * e, v, tau) - kte.forward_dynamics(IIWA, q - h * e, v, tau)) / (2 * h)
+        by_v = (kte.forward_dynamics(IIWA, q, v + h * e, tau) - kte.forward_dynamics(IIWA, q, v - h * e, tau)) / (2 * h)
+        np.testing.assert_allclose(d.by_q[:, i], by_q, rtol=1e-5, atol=1e-4)
+        np.testing.assert_allclose(d.by_v[:, i], by_v, rtol=1e-5, atol=1e-4)
+    np.testing.assert_allclose(d.by_tau, kte.mass_matrix_inverse(IIWA, q), atol=1e-9)
+    i = kte.inverse_dynamics_derivatives(IIWA, q, v, d.a)
+    np.testing.assert_allclose(i.by_a, kte.mass_matrix(IIWA, q), atol=1e-10)
+    np.testing.assert_allclose(-d.by_tau @ i.by_q, d.by_q, rtol=1e-6, atol=1e-6)
+
+
+FUNCTIONS = {
+    "inverse_dynamics": "qva",
+    "forward_dynamics": "qva",
+    "mass_matrix": "q",
+    "mass_matrix_inverse": "q",
+    "gravity_forces": "q",
+    "static_forces": "q",
+    "nonlinear_effects": "qv",
+    "coriolis_forces": "qv",
+    "coriolis_matrix": "qv",
+    "mass_matrix_rate": "qv",
+    "inverse_dynamics_derivatives": "qva",
+    "forward_dynamics_derivatives": "qva",
+    "torque_regressor": "qva",
+    "potential_energy": "q",
+    "kinetic_energy": "qv",
+    "energy": "qv",
+    "centre_of_mass": "q",
+    "centre_of_mass_velocity": "qv",
+    "centre_of_mass_acceleration": "qva",
+    "centre_of_mass_jacobian": "q",
+    "centroidal_momentum": "qv",
+    "centroidal_momentum_rate": "qva",
+    "centroidal_momentum_matrix": "q",
+    "forward_kinematics": "qf",
+    "frame_velocity": "qvf",
+    "frame_acceleration": "qvaf",
+    "jacobian": "qf",
+    "jacobian_rate": "qvf",
+    "bias_acceleration": "qvf",
+    "joint_reaction": "qvaf",
+    "subtree_inertia": "qf",
+}
+
+
+def configurations(chain, count, random):
+    v = random.standard_normal((count, chain.nv))
+    return np.array([kte.integrate(chain, kte.neutral_configuration(chain), x) for x in v])
+
+
+@pytest.mark.parametrize("name", FUNCTIONS)
+@pytest.mark.parametrize("chain, frame", [(IIWA.chain, "tool"), (SOLO, "leg")])
+def test_many_states_give_the_results_of_each(name, chain, frame, random):
+    count = 37
+    function = getattr(kte, name)
+    given = {"q": configurations(chain, count, random), "v": random.standard_normal((count, chain.nv))}
+    given["a"] = random.standard_normal((count, chain.nv))
+    some = [given[x] for x in FUNCTIONS[name] if x != "f"]
+    last = [frame] if "f" in FUNCTIONS[name] else []
+    all_results = function(chain, *some, *last, threads=3)
+    for k in range(count):
+        one = function(chain, *(x[k] for x in some), *last)
+        for part, of_all in zip(one, all_results) if isinstance(one, tuple) else [(one, all_results)]:
+            np.testing.assert_allclose(of_all[k], part, rtol=1e-9, atol=1e-9)
+
+
+def test_one_state_of_an_argument_serves_all(random):
+    q, v, tau = random.standard_normal((3, 5, 7))
+    expected = [kte.forward_dynamics(IIWA, x, v[0], tau[0]) for x in q]
+    np.testing.assert_allclose(kte.forward_dynamics(IIWA, q, v[0], tau[0]), expected, rtol=1e-10)
+    assert kte.forward_dynamics(IIWA, q[:0], v[0], tau[0]).shape == (0, 7)
+    assert kte.mass_matrix(IIWA, q[:1]).shape == (1, 7, 7)
+
+
+@pytest.mark.parametrize(
+    "layout",
+    [
+        lambda x: np.asfortranarray(x),
+        lambda x: x.astype(np.float32),
+        lambda x: np.repeat(np.repeat(x, 2, axis=0), 3, axis=1)[::2, ::3],
+        lambda x: x[::-1][::-1],
+        lambda x: x.tolist(),
+        lambda x: x.astype(">f8"),
+        lambda x: np.frombuffer(b"0" + x.tobytes(), offset=1).reshape(x.shape),
+    ],
+)
+def test_arrays_of_any_layout_are_read(layout, random):
+    x = random.standard_normal((6, 7)).astype(np.float32).astype(float)
+    expected = kte.inverse_dynamics(IIWA, x, x, x)
+    assert np.array_equal(kte.inverse_dynamics(IIWA, layout(x), layout(x), layout(x)), expected)
+    one = kte.gravity_forces(IIWA, x[2])
+    assert np.array_equal(kte.gravity_forces(IIWA, layout(x)[2]), one)
+
+
+def test_integers_are_numbers_and_others_are_not():
+    zero = [0] * 7
+    assert kte.inverse_dynamics(IIWA, zero, zero, np.zeros(7, int)).shape == (7,)
+    for bad in ([0j] * 7, ["0"] * 7, [None] * 7, np.zeros(7, bool), np.zeros(7, "M8[s]")):
+        with pytest.raises(TypeError, match="kte: q must be real numbers"):
+            kte.gravity_forces(IIWA, bad)
+
+
+@pytest.mark.parametrize(
+    "shape, expected",
+    [((6,), r"\(6,\), expected \(7,\) or \(states, 7\)"), ((), r"\(\), expected"), ((2, 3, 7), r"\(2, 3, 7\), expected")],
+)
+def test_wrong_shapes_say_what_is_expected(shape, expected):
+    with pytest.raises(kte.BadArgument, match="kte: q has shape " + expected):
+        kte.gravity_forces(IIWA, np.zeros(shape))
+    with pytest.raises(kte.BadArgument, match="v has 3 states, q has 2"):
+        kte.nonlinear_effects(IIWA, np.zeros((2, 7)), np.zeros((3, 7)))
+
+
+@pytest.mark.parametrize("name", ["forward_dynamics", "inverse_dynamics", "forward_dynamics_derivatives"])
+def test_states_without_a_result_are_named_or_nan(name):
+    q = np.zeros((40, 7))
+    q[23, 4] = np.nan
+    function, zero = getattr(kte, name), np.zeros(7)
+    with pytest.raises(kte.BadArgument, match=r"state 23: .*q\[4\]"):
+        function(IIWA, q, zero, zero)
+    result = function(IIWA, q, zero, zero, errors="nan")
+    found = result if isinstance(result, np.ndarray) else result.a
+    assert np.isnan(found[23]).all() and np.isfinite(np.delete(found, 23, 0)).all()
+    with pytest.raises(kte.BadArgument, match="errors must be 'raise' or 'nan'"):
+        function(IIWA, q, zero, zero, errors="ignore")
+
+
+def test_results_do_not_depend_on_threads(random):
+    q, v, tau = random.standard_normal((3, 3000, 7))
+    expected = kte.forward_dynamics(IIWA, q, v, tau, threads=1)
+    assert np.array_equal(kte.forward_dynamics(IIWA, q, v, tau, threads=5), expected)
+    expected = kte.mass_matrix_inverse(IIWA, q, threads=1)
+    assert np.array_equal(kte.mass_matrix_inverse(IIWA, q, threads=5), expected)
+    with pytest.raises(kte.BadArgument, match="threads must be at least 1"):
+        kte.mass_matrix(IIWA, q, threads=0)
+
+
+def test_inputs_are_of_one_call():
+    chain = kte.Chain(
+        kte.revolute_joint_3D("q", "base", "arm"),
+        kte.inertia_gen("q", 2),
+        kte.driving_actuator_gen("q", "motor"),
+        kte.external_force_3D("arm", "wind", "couple"),
+    )
+    zero = [0.0]
+    assert chain.inputs == ["motor", "wind", "couple"]
+    assert kte.forward_dynamics(chain, zero, zero, zero, inputs={"motor": 3})[0] == 1.5
+    assert kte.forward_dynamics(chain, zero, zero, zero)[0] == 0
+    assert kte.forward_dynamics(chain, zero, zero, zero, inputs={"couple": [0, 0, 1]})[0] == 0.5
+    assert kte.forward_dynamics(chain, [zero] * 4, zero, zero, inputs={"motor": 3}).tolist() == [[1.5]] * 4
+    for inputs, error in [({"moter": 1}, kte.UnknownName), ({"q": 1}, kte.UnknownName), ({"wind": 1}, kte.BadArgument), (3, TypeError)]:
+        with pytest.raises(error, match="kte: "):
+            kte.forward_dynamics(chain, zero, zero, zero, inputs=inputs)
+
+
+def test_wrenches_and_hybrid_dynamics(random):
+    q, v, known = random.standard_normal((3, 7))
+    f = np.arange(6.0)
+    np.testing.assert_allclose(kte.external_forces(IIWA, q, {"tool": f}), kte.jacobian(IIWA, q, "tool").T @ f, atol=1e-12)
+    r = kte.hybrid_dynamics(IIWA, q, v, known, ["q2", "q5"])
+    assert r.a[1] == known[1] and r.a[4] == known[4] and r.tau[0] == known[0]
+    np.testing.assert_allclose(kte.inverse_dynamics(IIWA, q, v, r.a), r.tau, atol=1e-10)
+    with pytest.raises(kte.BadArgument, match="a wrench has 4 numbers, expected 3"):
+        kte.external_forces(IIWA, q, {"tool": [1, 2, 3, 4]})
+    with pytest.raises(kte.UnknownName, match="'tol'"):
+        kte.jacobian(IIWA, q, "tol")
+    with pytest.raises(kte.BadArgument, match="axes must be"):
+        kte.jacobian(IIWA, q, "tool", axes="mine")
+
+
+def test_a_massless_coordinate_is_singular():
+    chain = kte.Chain(kte.revolute_joint_3D("elbow", "base", "arm"))
+    with pytest.raises(kte.SingularMassMatrix, match="'elbow' moves no mass"):
+        kte.forward_dynamics(chain, [0.0], [0.0], [0.0])
+
+
+def test_configurations_form_a_group(random):
+    q, r = configurations(SOLO, 2, random)
+    np.testing.assert_allclose(kte.integrate(SOLO, q, kte.difference(SOLO, q, r)), r, atol=1e-14)
+    np.testing.assert_allclose(kte.interpolate(SOLO, q, r, 1), r, atol=1e-14)
+    a = kte.random_configuration(SOLO, -1, 1, seed=3)
+    assert np.array_equal(a, kte.random_configuration(SOLO, -1, np.ones(8), seed=3)) and np.linalg.norm(a[3:7]) == pytest.approx(1)
+
+
+def test_states_run_the_passes(random):
+    q, v = random.standard_normal((2, 7))
+    s = kte.State(IIWA, q, v)
+    s.do_motion(), s.do_force()
+    np.testing.assert_allclose(-s.f, kte.nonlinear_effects(IIWA, q, v), atol=1e-11)
+    np.testing.assert_allclose(s.frame("tool").position, kte.forward_kinematics(IIWA, q, "tool").position, atol=1e-14)
+    s.q = q + 1
+    assert np.array_equal(s.q, q + 1) and np.array_equal(s.v, v)
+    poses = kte.forward_kinematics(IIWA, q)
+    assert set(poses) == set(IIWA.chain.frames)
+    np.testing.assert_allclose(poses["tool"].rotation, s.frame("tool").rotation, atol=1e-14)
+
+
+def test_sensors_are_outputs():
+    chain = kte.Chain(kte.revolute_joint_3D("q", "base", "arm"), kte.inertia_gen("q", 2), kte.position_measure_gen("q", "angle"))
+    s = kte.State(chain, [0.25])
+    s.do_motion()
+    assert s.outputs == {"angle": 0.25}

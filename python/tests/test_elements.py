@@ -1,0 +1,102 @@
+import inspect
+
+import numpy as np
+import pytest
+
+import kte
+import kte.elements
+
+
+def example(function):
+    """An element with names for ports, and plausible parameters."""
+    arguments = []
+    for p in inspect.signature(function).parameters.values():
+        if p.default is not inspect.Parameter.empty:
+            break
+        if p.annotation == "str":
+            arguments.append("the " + p.name)
+        elif "axis" in p.name or p.name in ("normal", "tangent"):
+            arguments.append([1, 0] if function.__name__.endswith("2D") else [1, 0, 0])
+        elif p.annotation == "float":
+            arguments.append(1.0)
+        elif p.name in ("lengths", "forces"):
+            arguments.append([1.0, 2.0])
+        elif p.annotation == "Rotation":
+            arguments.append(np.eye(3))
+        elif p.name in ("stiffness", "damping", "ang_stiffness", "ang_damping"):
+            arguments.append(np.zeros((3, 3)))
+        else:
+            arguments.append([1, 0] if function.__name__.endswith("2D") else [1, 0, 0])
+    return function(*arguments)
+
+
+def test_there_is_a_function_for_each_type():
+    assert sorted(kte.elements.__all__) == kte.element_types()
+
+
+@pytest.mark.parametrize("name", kte.elements.__all__)
+def test_its_ports_and_parameters_are_those_of_the_library(name):
+    function = getattr(kte, name)
+    element = example(function)
+    assert element.type == name and function.__doc__
+    try:
+        kte.Chain(element)
+    except kte.BadWiring:
+        pass  # of a single element; ports and parameters have been read
+    except kte.BadParameter as e:
+        assert "one of lower and upper must be finite" in str(e) or "crank" in str(e) or "dead" in str(e), e
+
+
+def test_parameters_have_units_in_docstrings():
+    assert "stiffness: number, N/m" in kte.spring_3D.__doc__
+    assert "coordinate: reads; angle from base to end, rad" in kte.revolute_joint_3D.__doc__
+
+
+def test_rotations_may_be_given_in_several_ways():
+    class Turn:
+        def as_matrix(self):
+            return np.array([[0, -1, 0], [1, 0, 0], [0, 0, 1]])
+
+    matrix = kte.rigid_link_3D("a", "b", [0, 0, 0], rotation=[[0, -1, 0], [1, 0, 0], [0, 0, 1]])
+    assert kte.rigid_link_3D("a", "b", [0, 0, 0], rotation=Turn()) == matrix
+    planar = kte.rigid_link_2D("a", "b", [0, 0], rotation=np.pi / 2)
+    assert planar.parameters["rotation"] == pytest.approx(np.ravel(Turn().as_matrix()).tolist(), abs=1e-16)
+
+
+def test_inertias_may_be_given_in_several_ways():
+    full = kte.inertia_3D("a", 1, inertia=[[2, 0, 0], [0, 3, 0], [0, 0, 4]])
+    assert full.parameters["inertia"] == [2, 0, 0, 3, 0, 4]
+    assert kte.inertia_3D("a", 1, inertia=[2, 3, 4]) == full == kte.inertia_3D("a", 1, inertia=[2, 0, 0, 3, 0, 4])
+    assert kte.inertia_3D("a", 1, inertia=2).parameters["inertia"] == [2, 0, 0, 2, 0, 2]
+    assert kte.inertia_2D("a", 1, inertia=2).parameters["inertia"] == [0, 0, 0, 0, 0, 2]
+    with pytest.raises(kte.BadParameter, match="symmetric"):
+        kte.inertia_3D("a", 1, inertia=[[1, 2, 0], [0, 1, 0], [0, 0, 1]])
+
+
+@pytest.mark.parametrize(
+    "make, sentence",
+    [
+        (lambda: kte.rigid_link_3D("a", "b", [1, 2]), r"position has shape \(2,\), expected \(3,\): x, y, z"),
+        (lambda: kte.rigid_link_3D("a", "b", "far"), "position must be numbers, not 'far'"),
+        (lambda: kte.rigid_link_3D("a", 3, [1, 2, 3]), "end must be a str"),
+        (lambda: kte.inertia_gen("q", [1, 2]), r"mass has shape \(2,\)"),
+    ],
+)
+def test_wrong_parameters_say_what_is_expected(make, sentence):
+    with pytest.raises((kte.BadParameter, TypeError), match=sentence):
+        make()
+
+
+def test_joints_of_two_coordinates_are_two_joints():
+    place = dict(position=[0.1, 0, 0])
+    leg = kte.Chain(
+        kte.universal_joint_3D("pitch", "yaw", "base", "shaft", [1, 0, 0], [0, 1, 0], **place),
+        kte.cylindrical_joint_3D("roll", "stroke", "shaft", "rod", [0, 0, 1]),
+        kte.hooke_joint_3D("flexion", "inversion", "rod", "foot", [0, 1, 0], [1, 0, 0], [0, 0, -0.02]),
+        kte.fixed_joint_3D("foot", "sole", [0, 0, -0.1]),
+    )
+    assert leg.coordinates == ["pitch", "yaw", "roll", "stroke", "flexion", "inversion"]
+    pose = kte.forward_kinematics(leg, [0, 0, 0, 0.3, 0, 0], "sole")
+    np.testing.assert_allclose(pose.position, [0.1, 0, 0.3 - 0.02 - 0.1], atol=1e-15)
+    with pytest.raises(kte.BadParameter, match="must not be parallel"):
+        kte.universal_joint_3D("a", "b", "c", "d", [1, 0, 0], [1, 0, 0])

@@ -1,0 +1,98 @@
+import numpy as np
+import pytest
+
+import kte
+
+URDF = """<robot name="arm">
+  <link name="ground"/>
+  <joint name="shoulder" type="revolute">
+    <parent link="ground"/> <child link="arm"/>
+    <axis xyz="0 0 1"/> <limit lower="-2" upper="2" velocity="3" effort="50"/>
+  </joint>
+  <link name="arm">
+    <inertial>
+      <origin xyz="0.5 0 0"/> <mass value="2"/>
+      <inertia ixx="0.1" iyy="0.1" izz="0.3" ixy="0" ixz="0" iyz="0"/>
+    </inertial>
+  </link>
+  <transmission name="drive"/>
+</robot>"""
+
+
+@pytest.mark.filterwarnings("ignore::kte.RobotWarning")
+def test_robots_have_chains_limits_and_notes():
+    arm = kte.parse_robot(URDF, "arm.urdf")
+    assert arm.name == "arm" and arm.joints == ["shoulder"] and arm.chain.frames[:2] == ["ground", "arm"]
+    assert arm.limits.lower == [-2] and arm.limits.upper == [2] and arm.limits.rate == [3] and arm.limits.effort == [50]
+    assert "transmission 'drive'" in arm.not_read[0].text and arm.not_read[0].line == 13
+    assert repr(arm).startswith("<kte.Robot 'arm': 1 degree of freedom")
+    assert "physically realizable" in " ".join(arm.check())
+
+
+def test_what_is_odd_is_a_warning():
+    with pytest.warns(kte.RobotWarning, match=r"kte: arm.urdf:7: link 'arm': the inertia is not physically realizable"):
+        kte.parse_robot(URDF, "arm.urdf")
+
+
+@pytest.mark.filterwarnings("ignore::kte.RobotWarning")  # what MJCF leaves out
+def test_formats_give_the_same_robot(iiwa, random):
+    q, v, a = random.standard_normal((3, 7))
+    expected = kte.inverse_dynamics(iiwa, q, v, a)
+    for text in (kte.to_urdf(iiwa), kte.to_mjcf(iiwa)):
+        again = kte.parse_robot(text)
+        np.testing.assert_allclose(kte.inverse_dynamics(again, q, v, a), expected, atol=1e-9)
+
+
+def test_options_change_the_chain(robots):
+    floating = kte.load_robot(robots / "iiwa14.urdf", floating_base=True, gravity=[0, 0, -1.62])
+    assert floating.chain.nq == 14 and floating.chain.nv == 13
+    assert floating.chain.gravity.tolist() == [0, 0, -1.62]
+
+
+def test_motors_are_inputs_of_the_chain(iiwa):
+    iiwa.add_motors()
+    assert [m.joint for m in iiwa.motors] == iiwa.joints
+    q = np.zeros(7)
+    torque = kte.gravity_forces(iiwa, q + 0.3)
+    a = kte.forward_dynamics(iiwa, q + 0.3, q, q, inputs=dict(zip((m.input for m in iiwa.motors), torque)))
+    np.testing.assert_allclose(a, 0, atol=1e-9)
+    with pytest.raises(kte.BadArgument, match="motors"):
+        iiwa.add_motors()
+
+
+@pytest.mark.parametrize(
+    "what, sentence",
+    [
+        (lambda: kte.load_robot("nowhere.urdf"), "cannot open 'nowhere.urdf'"),
+        (lambda: kte.parse_robot("<robot name='a'><link/></robot>", "a.urdf"), "a.urdf:1: "),
+    ],
+)
+def test_bad_files_are_errors(what, sentence):
+    with pytest.raises(kte.BadFile, match=sentence):
+        what()
+
+
+def test_inverse_kinematics_reaches_poses(iiwa, random):
+    for _ in range(5):
+        q = random.uniform(-1, 1, 7)
+        pose = kte.forward_kinematics(iiwa, q, "tool")
+        for numeric in (False, True):
+            found = kte.inverse_kinematics(iiwa, "tool", pose.position, pose.rotation, start=q + 0.1, numeric=numeric)
+            assert found.status == "reached" and found.position < 1e-8 and found.rotation < 1e-8
+            again = kte.forward_kinematics(iiwa, found.q, "tool")
+            np.testing.assert_allclose(again.position, pose.position, atol=1e-8)
+        place = kte.inverse_kinematics(iiwa, "tool", pose.position, start=q)
+        assert place.status == "reached"
+        every = kte.inverse_kinematics_all(iiwa, "tool", *pose)
+        assert len(every) == 8 and all(a.status in ("reached", "beyond_limits") for a in every)
+    far = kte.inverse_kinematics(iiwa, "tool", [5, 0, 0])
+    assert far.status != "reached" and far.position > 3
+
+
+def test_limits_of_inverse_kinematics(iiwa):
+    pose = kte.forward_kinematics(iiwa, np.full(7, 0.3), "tool")
+    narrow = iiwa.limits._replace(lower=np.full(7, 0.25), upper=np.full(7, 0.35))
+    found = kte.inverse_kinematics(iiwa, "tool", *pose, limits=narrow)
+    assert (found.q >= 0.25).all() and (found.q <= 0.35).all() and found.status == "reached"
+    with pytest.raises(kte.Error, match="closed form|formula"):
+        kte.inverse_kinematics_all(kte.Chain(kte.revolute_joint_3D("q", "a", "b")), "b", *pose)

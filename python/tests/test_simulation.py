@@ -1,0 +1,205 @@
+import os
+import signal
+import subprocess
+import sys
+import threading
+import time
+
+import numpy as np
+import pytest
+
+import kte
+
+WITH_TOLERANCES = (
+    "dormand_prince45 prince_dormand87 bogacki_shampine23 fehlberg45 adams bdf rodas rosenbrock23 kennedy_carpenter34 "
+    "tr_bdf2 trapezoidal"
+).split()
+OF_FIXED_STEP = "runge_kutta4 runge_kutta5 euler midpoint semi_implicit_euler implicit_midpoint".split()
+
+
+@pytest.mark.parametrize("solver", WITH_TOLERANCES + OF_FIXED_STEP)
+def test_all_solvers_agree(pendulum, solver):
+    exact = kte.simulate(pendulum, [0.0], time=1, solver="prince_dormand87", tolerance=1e-12)
+    found = kte.simulate(pendulum, [0.0], time=1, solver=solver, tolerance=1e-7, step=1e-4)
+    assert found.q[-1] == pytest.approx(exact.q[-1], abs=1e-2 if "euler" in solver else 1e-4)
+    assert found.statistics["steps"] > 10
+
+
+def test_rows_are_where_they_are_wanted(pendulum):
+    even = kte.simulate(pendulum, [0.0], time=1, every=0.25)
+    assert even.t.tolist() == [0, 0.25, 0.5, 0.75, 1] and even.q.shape == (5, 1) == even.v.shape and len(even) == 5
+    assert kte.simulate(pendulum, [0.0], time=1, every=0.3).t.tolist() == pytest.approx([0, 0.3, 0.6, 0.9, 1])
+    some = kte.simulate(pendulum, [0.0], time=1, at=[0.1, 0.5])
+    assert some.t.tolist() == [0.1, 0.5]
+    steps = kte.simulate(pendulum, [0.0], time=1, every=None)
+    assert steps.t[0] == 0 and steps.t[-1] == 1 and len(steps) == steps.statistics["steps"] + 1
+    with pytest.raises(kte.BadArgument, match="every must be positive"):
+        kte.simulate(pendulum, [0.0], time=1, every=0)
+
+
+def test_columns_are_those_of_recorders(pendulum):
+    motion = kte.simulate(pendulum, [0.3], time=1, every=0.1)
+    np.testing.assert_allclose(motion["tip/position/x"], 0.5 * np.cos(motion.q[:, 0]), atol=1e-14)
+    assert list(motion.columns(["q", "q/v"])) == ["t", "q", "q/v"]
+    assert list(motion[["tip/velocity"]]) == ["tip/velocity/x", "tip/velocity/y"]
+    table = motion.to_pandas(["q", "tip/position"])
+    assert list(table.columns) == ["t", "q", "tip/position/x", "tip/position/y"] and len(table) == 11
+    with pytest.raises(kte.UnknownName, match="nothing"):
+        motion["nothing"]
+
+
+def test_control_is_a_function_of_the_program(pendulum):
+    control = lambda t, q, v: -20 * (q - 1) - 5 * v + kte.gravity_forces(pendulum, q)  # noqa: E731
+    motion = kte.simulate(pendulum, [0.0], time=6, control=control)
+    assert motion.q[-1] == pytest.approx([1], abs=1e-5)
+    np.testing.assert_allclose(motion["tau/q"], [control(0, q, v)[0] for q, v in zip(motion.q, motion.v)], atol=1e-12)
+    constant = kte.simulate(pendulum, [0.0], time=1, control=[2.0])
+    by_function = kte.simulate(pendulum, [0.0], time=1, control=lambda t, q, v: 2.0)
+    np.testing.assert_allclose(constant.q, by_function.q, atol=1e-12)
+
+
+def test_control_acts_along_the_numbers_of_v(random):
+    """One small step from rest: v = M^-1 tau dt, whatever the coordinates."""
+    chain = kte.Chain(
+        kte.free_joint_3D("trunk", "world", "body"),
+        kte.inertia_3D("body", 3, inertia=[0.1, 0.2, 0.25]),
+        kte.spherical_joint_3D("neck", "body", "head", position=[0, 0, 0.3]),
+        kte.inertia_3D("head", 1, inertia=0.01),
+        kte.planar_joint_3D("tray", "body", "cup"),
+        kte.inertia_3D("cup", 0.5, [0.1, 0, 0], inertia=0.02),
+        kte.revolute_joint_3D("hip", "body", "leg", [0, 1, 0]),
+        kte.inertia_3D("leg", 1, [0, 0, -0.1], inertia=0.01),
+    )
+    q, tau, dt = kte.neutral_configuration(chain), random.standard_normal(chain.nv), 1e-6
+    q = kte.integrate(chain, q, random.standard_normal(chain.nv))
+    motion = kte.simulate(chain, q, time=dt, every=None, control=tau, solver="runge_kutta4", step=dt)
+    np.testing.assert_allclose(motion.v[-1] / dt, kte.forward_dynamics(chain, q, 0 * tau, tau), rtol=1e-4, atol=1e-4)
+    planar = kte.Chain(kte.free_joint_2D("puck", "table", "disc"), kte.inertia_2D("disc", 2, [0.1, 0], 0.25))
+    motion = kte.simulate(planar, [0, 0, 1], time=dt, every=None, control=[1, 2, 3], solver="runge_kutta4", step=dt)
+    expected = kte.forward_dynamics(planar, [0, 0, 1], [0, 0, 0], [1, 2, 3])
+    np.testing.assert_allclose(motion.v[-1] / dt, expected, rtol=1e-4)
+
+
+def test_inputs_are_numbers_or_functions():
+    chain = kte.Chain(kte.prismatic_joint_3D("x", "a", "b", [1, 0, 0]), kte.inertia_gen("x", 2), kte.driving_actuator_gen("x", "u"))
+    assert kte.simulate(chain, [0.0], time=1, inputs={"u": 4}).q[-1] == pytest.approx([1], rel=1e-9)
+    assert kte.simulate(chain, [0.0], time=1, inputs={"u": lambda t, q, v: 12 * t}).q[-1] == pytest.approx([1], rel=1e-9)
+    with pytest.raises(kte.UnknownName, match=r"no input 'y' \(there are 'u'\)"):
+        kte.simulate(chain, [0.0], time=1, inputs={"y": 1})
+    simulation = kte.Simulation(chain, [0.0], inputs={"u": 4})
+    simulation.advance(1.0)
+    simulation.set_inputs({"u": 0})
+    simulation.advance(2.0)
+    assert simulation.v == pytest.approx([2]) and simulation.q == pytest.approx([3]) and simulation.t == 2
+
+
+def test_a_sampled_controller_sets_forces_between_steps(pendulum):
+    simulation = kte.Simulation(pendulum, [0.0], control=[0.0])
+    for k in range(1, 301):
+        simulation.set_control(kte.gravity_forces(pendulum, simulation.q) - 20 * (simulation.q - 1) - 5 * simulation.v)
+        simulation.advance(k / 100)
+    assert simulation.q == pytest.approx([1], abs=1e-2)
+    with pytest.raises(kte.BadArgument, match="made without control"):
+        kte.Simulation(pendulum, [0.0]).set_control([1.0])
+
+
+def test_events_are_found_reset_and_end_a_simulation(pendulum):
+    down = lambda t, q, v: q[0] + np.pi / 2  # noqa: E731
+    seen = kte.simulate(pendulum, [0.0], time=2, events=[kte.Event(down, name="down"), kte.Event(down, "rising", name="up")])
+    assert [e.name for e in seen.events] == ["down", "down", "up"]
+    assert seen.events[0].time == pytest.approx(0.4185793, abs=1e-6)
+    wall = kte.Event(down, "falling", reset=lambda t, q, v: (q, -0.5 * v), name="wall")
+    bounced = kte.simulate(pendulum, [0.0], time=1, events=wall)
+    first = bounced.events[0]
+    assert first.v == pytest.approx(-0.5 * first.v_before) and bounced.q.min() > -np.pi / 2 - 1e-9
+    stopped = kte.simulate(pendulum, [0.0], time=9, events=kte.Event(down, terminal=True, name="end"))
+    assert (stopped.reason, stopped.stopped_by) == ("terminal", "end") and stopped.t[-1] == pytest.approx(first.time)
+    with pytest.raises(TypeError, match=r"reset of 'wall' must return \(q, v\)"):
+        kte.simulate(pendulum, [0.0], time=1, events=kte.Event(down, reset=lambda t, q, v: q, name="wall"))
+    with pytest.raises(kte.BadArgument, match="direction of an event"):
+        kte.simulate(pendulum, [0.0], time=1, events=kte.Event(down, "sideways"))
+
+
+def test_sticking_friction_holds():
+    sled = kte.Chain(
+        kte.prismatic_joint_2D("x", "ground", "block", [1, 0]),
+        kte.inertia_2D("block", 1),
+        kte.joint_stiction_gen("x", "rest", coulomb=3, stiction=4),
+    )
+    motion = kte.simulate(sled, [0.0], [2.0], time=10)
+    assert motion.v[-1] == 0 and motion.q[-1] == pytest.approx([0.619734], abs=1e-5) and motion.z.shape[1] == 1
+
+
+def test_exceptions_of_functions_leave_the_simulation_usable(pendulum):
+    def control(t, q, v):
+        if t > 0.5 and not mended:
+            raise RuntimeError("no power")
+        return 0.0
+
+    mended = []
+    simulation = kte.Simulation(pendulum, [0.0], control=control)
+    with pytest.raises(RuntimeError, match="no power"):
+        simulation.advance(1.0, every=0.1)
+    assert 0 < simulation.t <= 0.6 and len(simulation.recording) > 0
+    mended.append(True)
+    simulation.advance(1.0)
+    assert simulation.q == pytest.approx(kte.simulate(pendulum, [0.0], time=1).q[-1], abs=1e-6)
+    with pytest.raises(kte.BadArgument, match=r"the result of control has shape \(2,\), expected \(1,\)"):
+        kte.simulate(pendulum, [0.0], time=1, control=lambda t, q, v: [1, 2])
+
+
+def test_a_failure_of_an_integration_has_its_data(pendulum):
+    with pytest.raises(kte.IntegrationFailure, match="integration stopped at t") as caught:
+        kte.simulate(pendulum, [0.0], time=100, max_steps=10)
+    assert caught.value.reason == "too_many_steps" and caught.value.time > 0
+    with pytest.raises(kte.BadArgument, match="there is no solver 'magic', but dormand_prince45"):
+        kte.simulate(pendulum, [0.0], time=1, solver="magic")
+
+
+def test_a_simulation_runs_once_at_a_time(pendulum):
+    simulation = kte.Simulation(pendulum, [0.0], control=[0.0])
+    simulation.set_control(lambda t, q, v: simulation.advance(1.0))
+    with pytest.raises(kte.BadArgument, match="is running already"):
+        simulation.advance(1.0)
+
+
+def test_control_c_stops_a_simulation(iiwa):
+    def interrupt():
+        time.sleep(0.2)
+        os.kill(os.getpid(), signal.SIGINT)
+
+    simulation = kte.Simulation(iiwa, np.full(7, 0.2))
+    threading.Thread(target=interrupt).start()
+    with pytest.raises(KeyboardInterrupt):
+        simulation.advance(1e6, every=1.0)
+    assert 0 < simulation.t < 1e6
+    simulation.advance(simulation.t + 0.1)
+
+
+def test_other_threads_run_during_a_simulation(iiwa):
+    counts = []
+    thread = threading.Thread(target=lambda: kte.simulate(iiwa, np.full(7, 0.2), time=20, tolerance=1e-11))
+    thread.start()
+    while thread.is_alive():
+        counts.append(time.sleep(0.001))
+    assert len(counts) > 3
+
+
+def test_pages_show_chains_robots_and_recordings(pendulum, iiwa, tmp_path):
+    for what in (pendulum, iiwa, kte.simulate(pendulum, [0.0], time=1), kte.simulate(iiwa, np.zeros(7), time=0.1)):
+        page = kte.view(what, tmp_path / "page.html", title="A title", columns=[])
+        text = (tmp_path / "page.html").read_text(encoding="utf-8")
+        assert "A title" in text and text == page.text
+        assert page._repr_html_().startswith("<iframe srcdoc=")
+    inline = kte.view(kte.simulate(pendulum, [0.0], time=1), columns=["tip/velocity"], height=300)
+    assert inline.path is None and 'height="300"' in inline._repr_html_() and "tip/velocity" in inline.text
+    inline.save(tmp_path / "copy.html")
+    assert (tmp_path / "copy.html").read_text(encoding="utf-8") == inline.text
+    with pytest.raises(kte.BadFile):
+        kte.view(pendulum, tmp_path / "no" / "page.html")
+
+
+def test_importing_is_quick_and_does_not_import_pandas():
+    code = "import sys; import kte; print('pandas' in sys.modules, 'scipy' in sys.modules)"
+    out = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert out.stdout.split() == ["False", "False"]

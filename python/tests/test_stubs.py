@@ -1,0 +1,53 @@
+"""The types of the package: mypy, and its comparison of stubs with the module."""
+import importlib.util
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+import kte
+
+pytestmark = pytest.mark.skipif(importlib.util.find_spec("mypy") is None, reason="needs mypy")
+FOLDER = Path(kte.__file__).parent.parent
+
+PROGRAM = """
+import numpy as np
+import kte
+chain = kte.Chain(kte.revolute_joint_3D("q", "a", "b", axis=[0, 0, 1]), gravity=[0, 0, -9.81]) << kte.inertia_3D("b", 1)
+a = kte.forward_dynamics(chain, [0.0], np.zeros(1), [1.0])
+reveal_type(a)
+reveal_type(kte.forward_kinematics(chain, [0.0], "b").position)
+motion = kte.simulate(chain, [0.0], time=1, control=lambda t, q, v: -q, events=kte.Event(lambda t, q, v: float(q[0])))
+kte.view(motion, "page.html")
+kte.revolute_joint_3D("q", "a")  # an error
+kte.forward_dynamics(chain, [0.0], [0.0])  # an error
+"""
+
+
+def run(*arguments, cwd):
+    command = [sys.executable, "-m", *arguments]
+    return subprocess.run(command, cwd=cwd, env={"MYPYPATH": str(FOLDER), "PYTHONPATH": str(FOLDER)}, capture_output=True, text=True)
+
+
+def test_the_package_and_a_program_have_types(tmp_path):
+    (tmp_path / "program.py").write_text(PROGRAM)
+    result = run("mypy", "--strict", "program.py", cwd=tmp_path)
+    errors = [line for line in result.stdout.splitlines() if ": error:" in line]
+    assert len(errors) == 2 and all("program.py:1" in e for e in errors), result.stdout
+    assert result.stdout.count("ndarray[Any, numpy.dtype[") == 2
+    assert run("mypy", "--strict", "-p", "kte", cwd=tmp_path).returncode == 0
+
+
+def test_stubs_have_all_names_of_the_module(tmp_path):
+    result = run("mypy.stubtest", "kte._kte", cwd=tmp_path)
+    expected = ("metaclass differs", "Recording.__init__", "Robot.__init__")  # those of pybind11
+    errors = [x for x in result.stdout.splitlines() if x.startswith("error:") and not any(e in x for e in expected)]
+    assert not errors, errors
+
+
+def test_everything_has_a_docstring():
+    undocumented = [n for n, x in vars(kte).items() if not n.startswith("_") and callable(x) and not x.__doc__]
+    for kind in (kte.Chain, kte.Robot, kte.State, kte.Simulation, kte.Recording):
+        undocumented += [n for n, x in vars(kind).items() if not n.startswith("_") and not x.__doc__]
+    assert not undocumented
