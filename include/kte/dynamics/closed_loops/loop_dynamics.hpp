@@ -77,8 +77,8 @@ template <class Closures, class State, class Tau>
 void accelerate_on_loops(const Closures& c, State& s, loop_workspace& m, const Tau& applied,
                          const loop_factor* rows = nullptr) {
   check_loops(c, s);
-  auto &e = m.equations;
-  auto &factor = m.factor;
+  auto& e = m.equations;
+  auto& factor = m.factor;
   auto &change = m.change, &multipliers = m.multipliers;
   const bool tree = s.tree().plan.tree;
   accelerate_by_tree(c.elements(), s, applied, {});
