@@ -51,6 +51,20 @@ inline std::vector<int> rows_of_coordinates(const runtime_chain& c, const runtim
   return rows;
 }
 
+/// By degree of freedom: whether a body slides along its axis.
+template <class State>
+std::vector<char> sliding_freedoms(const State& s) {
+  std::vector<char> slides(static_cast<std::size_t>(s.dofs()), 0);
+  const auto& f = s.tree().body_tree;
+  for (const auto& r : f.nodes)
+    for (int k = 0; k < r.axes; ++k) {
+      const auto row = static_cast<std::size_t>(f.row[static_cast<std::size_t>(r.first + k)]);
+      if (row < slides.size())
+        slides[row] = r.moves == tree::joint::prismatic ||
+                      (r.moves == tree::joint::several && r.axis[static_cast<std::size_t>(k)] < 3);
+    }
+  return slides;
+}
 /// Residuals of a chain over the coordinates that may move, not those of the degrees of freedom `held`. set(q) puts
 /// positions into the state; moved(q, d): q (+) d.
 template <class Closures, class State, class Set, class Moved>
@@ -64,14 +78,9 @@ class assembly {
     for (int row = 0; row < s.dofs(); ++row)
       if (!is_held[static_cast<std::size_t>(row)]) free_.push_back(row);
     unit_.setOnes(s.dofs()), slides_.assign(static_cast<std::size_t>(s.dofs()), 0);
-    const auto& f = s.tree().body_tree;
-    for (const auto& r : f.nodes)
-      for (int k = 0; k < r.axes; ++k) {
-        const int row = f.row[static_cast<std::size_t>(r.first + k)];
-        const bool slides =
-            r.moves == tree::joint::prismatic || (r.moves == tree::joint::several && r.axis[std::size_t(k)] < 3);
-        if (row < s.dofs() && slides) unit_[row] = equations_.places.length, slides_[static_cast<std::size_t>(row)] = 1;
-      }
+    const auto slides = sliding_freedoms(s);
+    for (int row = 0; row < s.dofs(); ++row)
+      if (slides[static_cast<std::size_t>(row)]) unit_[row] = equations_.places.length;
   }
   /// A configuration on the loops, from q.
   Eigen::VectorXd from(Eigen::VectorXd q) {
