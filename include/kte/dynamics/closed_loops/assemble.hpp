@@ -77,7 +77,7 @@ class assembly {
     for (const int row : held) is_held[static_cast<std::size_t>(row)] = 1;
     for (int row = 0; row < s.dofs(); ++row)
       if (!is_held[static_cast<std::size_t>(row)]) free_.push_back(row);
-    unit_.setOnes(s.dofs()), slides_.assign(static_cast<std::size_t>(s.dofs()), 0);
+    unit_.setOnes(s.dofs());
     const auto slides = sliding_freedoms(s);
     for (int row = 0; row < s.dofs(); ++row)
       if (slides[static_cast<std::size_t>(row)]) unit_[row] = equations_.places.length;
@@ -123,10 +123,6 @@ class assembly {
     return equations_.residual.norm();
   }
   double gap() const { return equations_.residual.cwiseAbs().maxCoeff(); }
-  /// Of coordinates: the length of the chain, or 1 rad.
-  const Eigen::VectorXd& units() const { return unit_; }
-  /// Whether a degree of freedom is a length.
-  bool slides(int row) const { return slides_[static_cast<std::size_t>(row)] != 0; }
   /// (1), of g and J as they are; false where nothing moves.
   bool step(double mu, Eigen::VectorXd& d) const {
     const auto m = equations_.residual.size(), n = static_cast<Eigen::Index>(free_.size());
@@ -177,7 +173,6 @@ class assembly {
   const Set& set_;
   const Moved& moved_;
   std::vector<int> free_;
-  std::vector<char> slides_;
   Eigen::VectorXd unit_;  ///< of coordinates: the length of the chain, or 1 rad
 };
 
