@@ -152,23 +152,23 @@ class chain_reader {
   }
   /// Whether it closes a loop.
   bool closure(const element_record& e) {
-    using closing = robot_closure::kind;
-    static const std::map<std::string, closing> closures{{"coincident_points_3D", closing::points},
-                                                         {"coincident_frames_3D", closing::frames},
-                                                         {"hinge_3D", closing::hinge},
-                                                         {"universal_3D", closing::universal},
-                                                         {"cylindrical_3D", closing::cylindrical},
-                                                         {"sliding_3D", closing::sliding},
-                                                         {"point_on_line_3D", closing::point_on_line},
-                                                         {"point_on_plane_3D", closing::point_on_plane},
-                                                         {"distance_3D", closing::distance},
-                                                         {"coupled_coordinates", closing::joints},
-                                                         {"coupled_by_polynomial", closing::joints}};
+    using closure_kind = robot_closure::kind;
+    static const std::map<std::string, closure_kind> closures{{"coincident_points_3D", closure_kind::points},
+                                                              {"coincident_frames_3D", closure_kind::frames},
+                                                              {"hinge_3D", closure_kind::hinge},
+                                                              {"universal_3D", closure_kind::universal},
+                                                              {"cylindrical_3D", closure_kind::cylindrical},
+                                                              {"sliding_3D", closure_kind::sliding},
+                                                              {"point_on_line_3D", closure_kind::point_on_line},
+                                                              {"point_on_plane_3D", closure_kind::point_on_plane},
+                                                              {"distance_3D", closure_kind::distance},
+                                                              {"coupled_coordinates", closure_kind::joints},
+                                                              {"coupled_by_polynomial", closure_kind::joints}};
     const auto is = closures.find(e.type);
     if (is == closures.end()) return false;
     robot_closure c;
     c.name = to(e, "loop"), c.is = is->second;
-    if (c.is == closing::joints) {
+    if (c.is == closure_kind::joints) {
       c.link1 = joint(e, to(e, "coordinate1")).name, c.link2 = joint(e, to(e, "coordinate2")).name;
       c.polynomial = {number(e, "c0"), number(e, "c1"), number(e, "c2"), number(e, "c3"), number(e, "c4")};
       if (e.type == "coupled_coordinates") {

@@ -148,7 +148,7 @@ class mjcf_writer {
 
   /// Followers and closures: MuJoCo's are soft.
   void constraints() {
-    using closing = robot_closure::kind;
+    using closure_kind = robot_closure::kind;
     bool any = false;
     const auto begin = [&](const char* of) {
       if (!any) out_.open("equality");
@@ -170,8 +170,8 @@ class mjcf_writer {
     }
     for (const auto& c : d_.closures) {
       const auto title = "closure '" + c.name + "'";
-      const bool weld = c.is == closing::frames;
-      if (!weld && c.is != closing::joints) {  // <connect> has a point of one body alone, and closes at q = 0
+      const bool weld = c.is == closure_kind::frames;
+      if (!weld && c.is != closure_kind::joints) {  // <connect> has a point of one body alone, and closes at q = 0
         left_out_.change(c.line, title, "it closes a loop", "it is left out");
         continue;
       }

@@ -92,24 +92,24 @@ class urdf_writer {
   }
   /// An extension that other readers do not know.
   void closure(const robot_closure& c) {
-    using closing = robot_closure::kind;
+    using closure_kind = robot_closure::kind;
     left_out_.list(c.line, "closure '" + c.name + "': it is a <kte:loop>, which other readers of URDF leave out");
     const auto* const type = std::find_if(std::begin(urdf_loop_types), std::end(urdf_loop_types),
                                           [&](const auto& t) { return t.is == c.is; });
     out_.open("kte:loop"), out_.attribute("name", std::string_view(c.name)), out_.attribute("type", type->name);
-    if (c.is == closing::joints) {
+    if (c.is == closure_kind::joints) {
       out_.attribute("polynomial", std::vector<double>(c.polynomial.begin(), c.polynomial.end()));
       out_.leaf("joint1", "joint", std::string_view(c.link1)), out_.leaf("joint2", "joint", std::string_view(c.link2));
       return out_.close();
     }
-    if (c.is == closing::distance) out_.attribute("length", c.length);
+    if (c.is == closure_kind::distance) out_.attribute("length", c.length);
     const auto end = [&](const char* of, const std::string& link, const robot_pose& at) {
       out_.open(of), out_.attribute("link", std::string_view(link)), write_urdf_pose(out_, at), out_.close();
     };
     end("link1", c.link1, c.origin1), end("link2", c.link2, c.origin2);
-    if (c.is != closing::points && c.is != closing::frames && c.is != closing::distance)
+    if (c.is != closure_kind::points && c.is != closure_kind::frames && c.is != closure_kind::distance)
       out_.leaf("axis", "xyz", c.axis);
-    if (c.is == closing::universal) out_.leaf("axis2", "xyz", c.axis2);
+    if (c.is == closure_kind::universal) out_.leaf("axis2", "xyz", c.axis2);
     out_.close();
   }
   static bool no_range(double lower, double upper) { return lower == -robot_joint::none && upper == robot_joint::none; }
