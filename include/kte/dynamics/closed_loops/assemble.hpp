@@ -32,7 +32,6 @@ Eigen::VectorXd assemble(const runtime_chain& c, runtime_state& s, const Q& gues
 
 }  // namespace kte
 
-#ifdef KTE_FUNCTION
 namespace kte::detail {
 
 /// The degrees of freedom of coordinates, by name. Throws `unknown_name`, `bad_argument`.
@@ -51,6 +50,21 @@ inline std::vector<int> rows_of_coordinates(const runtime_chain& c, const runtim
   return rows;
 }
 
+/// Whether each degree of freedom is a length.
+template <class State>
+std::vector<char> sliding_rows(const State& s) {
+  std::vector<char> slides(static_cast<std::size_t>(s.dofs()), 0);
+  const auto& f = s.tree().body_tree;
+  for (const auto& r : f.nodes)
+    for (int k = 0; k < r.axes; ++k) {
+      const int row = f.row[static_cast<std::size_t>(r.first + k)];
+      if (row < s.dofs())
+        slides[static_cast<std::size_t>(row)] =
+            r.moves == tree::joint::prismatic || (r.moves == tree::joint::several && r.axis[std::size_t(k)] < 3);
+    }
+  return slides;
+}
+
 /// Residuals of a chain over the coordinates that may move, not those of the degrees of freedom `held`. set(q) puts
 /// positions into the state; moved(q, d): q (+) d.
 template <class Closures, class State, class Set, class Moved>
@@ -63,15 +77,10 @@ class assembly {
     for (const int row : held) is_held[static_cast<std::size_t>(row)] = 1;
     for (int row = 0; row < s.dofs(); ++row)
       if (!is_held[static_cast<std::size_t>(row)]) free_.push_back(row);
-    unit_.setOnes(s.dofs()), slides_.assign(static_cast<std::size_t>(s.dofs()), 0);
-    const auto& f = s.tree().body_tree;
-    for (const auto& r : f.nodes)
-      for (int k = 0; k < r.axes; ++k) {
-        const int row = f.row[static_cast<std::size_t>(r.first + k)];
-        const bool slides =
-            r.moves == tree::joint::prismatic || (r.moves == tree::joint::several && r.axis[std::size_t(k)] < 3);
-        if (row < s.dofs() && slides) unit_[row] = equations_.places.length, slides_[static_cast<std::size_t>(row)] = 1;
-      }
+    unit_.setOnes(s.dofs());
+    const auto slides = sliding_rows(s);
+    for (int row = 0; row < s.dofs(); ++row)
+      if (slides[static_cast<std::size_t>(row)]) unit_[row] = equations_.places.length;
   }
   /// A configuration on the loops, from q.
   Eigen::VectorXd from(Eigen::VectorXd q) {
@@ -114,10 +123,6 @@ class assembly {
     return equations_.residual.norm();
   }
   double gap() const { return equations_.residual.cwiseAbs().maxCoeff(); }
-  /// Of coordinates: the length of the chain, or 1 rad.
-  const Eigen::VectorXd& units() const { return unit_; }
-  /// Whether a degree of freedom is a length.
-  bool slides(int row) const { return slides_[static_cast<std::size_t>(row)] != 0; }
   /// (1), of g and J as they are; false where nothing moves.
   bool step(double mu, Eigen::VectorXd& d) const {
     const auto m = equations_.residual.size(), n = static_cast<Eigen::Index>(free_.size());
@@ -168,10 +173,10 @@ class assembly {
   const Set& set_;
   const Moved& moved_;
   std::vector<int> free_;
-  std::vector<char> slides_;
   Eigen::VectorXd unit_;  ///< of coordinates: the length of the chain, or 1 rad
 };
 
+#ifdef KTE_FUNCTION
 KTE_FUNCTION Eigen::VectorXd assembled(const runtime_chain& c, runtime_state& s, Eigen::VectorXd q,
                                        const std::vector<std::string>& held) {
   if (!has_loops(c)) return q;
@@ -183,6 +188,6 @@ KTE_FUNCTION Eigen::VectorXd assembled(const runtime_chain& c, runtime_state& s,
   return assembly(closures, s, loops_of(c, s).equations, rows_of_coordinates(c, s, held), set, moved)
       .from(std::move(q));
 }
+#endif
 
 }  // namespace kte::detail
-#endif

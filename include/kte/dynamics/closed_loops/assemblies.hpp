@@ -48,9 +48,14 @@ class assembly_list {
  public:
   assembly_list(const runtime_chain& c, runtime_state& s, const std::vector<std::string>& held)
       : chain_(c), state_(s), free_(static_cast<std::size_t>(s.dofs()), 1), turns_(free_.size(), 0) {
-    const assembly all(c, s, held);
-    unit_ = all.units();
-    for (const auto& f : s.freedoms()) turns_[static_cast<std::size_t>(f.v)] = f.what == kind::gen && !all.slides(f.v);
+    const auto slides = sliding_rows(s);
+    unit_.setOnes(s.dofs());
+    for (const auto& f : s.freedoms())
+      for (int i = f.v; i < f.v + nv_of(f.what); ++i) {
+        const auto row = static_cast<std::size_t>(i);
+        if (slides[row]) unit_[i] = loops_of(c, s).equations.places.length;
+        turns_[row] = f.what == kind::gen && !slides[row];
+      }
     for (const int row : rows_of_coordinates(c, s, held))
       free_[static_cast<std::size_t>(row)] = turns_[static_cast<std::size_t>(row)] = 0;
   }
@@ -90,7 +95,7 @@ class assembly_list {
   loop_equations& loops_at(const Eigen::VectorXd& q) const {
     write_numbers<vector_of::q>(state_, q, "q");
     auto& e = loops_of(chain_, state_).equations;
-    e.at_positions(chain_, state_, true);
+    e.at_positions(closures_of(chain_), state_, true);
     return e;
   }
   /// Each angle in (-pi, pi], each quaternion with w >= 0, where the loops stay closed.

@@ -1,12 +1,9 @@
 #pragma once
 
 #include <kte/dynamics/closed_loops/forward.hpp>
+#include <kte/dynamics/closed_loops/loop_dynamics.hpp>
 #include <kte/dynamics/closed_loops/loop_results.hpp>
 #include <kte/runtime_chain/runtime_chain.hpp>
-
-#ifdef KTE_FUNCTION
-#  include <kte/dynamics/closed_loops/loop_dynamics.hpp>
-#endif
 
 namespace kte {
 
@@ -73,7 +70,6 @@ Eigen::VectorXd impulse(const runtime_chain& c, runtime_state& s, const Q& q, co
 
 }  // namespace kte
 
-#ifdef KTE_FUNCTION
 namespace kte::detail {
 
 /// The names of rows that are not chosen.
@@ -118,6 +114,7 @@ void put_on_loops(State& s, loop_workspace& m, Eigen::VectorXd& v) {
     v -= m.change;
   }
 }
+#ifdef KTE_FUNCTION
 KTE_FUNCTION loops_report loops_at_state(const runtime_chain& c, runtime_state& s) {
   if (has_loops(c)) return report_of(closures_of(c), factorized_loops(c, s), s.dofs());
   loops_report r;
@@ -163,6 +160,6 @@ KTE_FUNCTION Eigen::MatrixXd loop_jacobian_at_state(const runtime_chain& c, runt
   m.equations.at_positions(closures_of(c), s, true);
   return m.equations.dense_jacobian();
 }
+#endif
 
 }  // namespace kte::detail
-#endif

@@ -86,7 +86,7 @@ void accelerate_on_loops(const Closures& c, State& s, loop_workspace& m, const T
     e.accelerate_residuals(c, s, [&a](int i) { return a[i]; });
   } else {
     change = a;
-    for_each_listed_freedom(s, [&change](auto& x, const freedom& at) { put<vector_of::a>(x, at, change); });
+    for_each_listed_freedom(s, [&change = change](auto& x, const freedom& at) { put<vector_of::a>(x, at, change); });
     factor.factorize(c, s, e);
     e.at_rates(c, s);
     e.acceleration += e.times(change);

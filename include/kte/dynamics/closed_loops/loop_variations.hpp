@@ -59,6 +59,10 @@ class closures_in_duals {
   }
 
  private:
+  auto motion_of(const tree::frame_place<double>& at) const {
+    const auto slot = static_cast<std::size_t>(at.slot);
+    return engine::motion_of_frame(d_.work.world[slot], d_.work.bodies[slot], at.at);
+  }
   template <class Visit>
   void push_frames(const closure_place& x, const Visit& visit) const {
     const auto& f = state_.tree().body_tree;
@@ -89,10 +93,6 @@ class closures_in_duals {
       at.f = at.f + by[n] * state_.get<kind::loop>(x.loop).torque.x;
     }
     visit(x.first, velocity, acceleration);
-  }
-  auto motion_of(const tree::frame_place<double>& at) const {
-    const auto slot = static_cast<std::size_t>(at.slot);
-    return engine::motion_of_frame(d_.work.world[slot], d_.work.bodies[slot], at.at);
   }
   /// Position and rotation without the rounding of their places in the world.
   static void take_values(const closing_motion<double>& from, closing_motion<D>& to) {
