@@ -53,7 +53,7 @@ void open_clusters(const body_tree<P>& f, const cluster_layout& layout, cluster_
     for (std::size_t d = 0; d < values.n; ++d) values.force[d] = forces(c.dofs[d]);
     for (const int row : c.rows) {
       const S mass(own_mass[static_cast<std::size_t>(row)]);
-      if (mass == S(0)) continue;
+      if (all(mass == S(0))) continue;
       for (const auto& [a, ratio] : x.j.of(row))
         for (const auto& [b, factor] : x.j.of(row))
           values.mass[place(a) * values.n + place(b)] += ratio * factor * mass;
