@@ -48,7 +48,9 @@ class assembly_list {
  public:
   assembly_list(const runtime_chain& c, runtime_state& s, const std::vector<std::string>& held)
       : chain_(c), state_(s), free_(static_cast<std::size_t>(s.dofs()), 1), turns_(free_.size(), 0) {
-    const assembly all(c, s, held);
+    const auto closures = closures_of(c);
+    const auto nothing = [](const auto&...) {};
+    const assembly all(closures, s, loops_of(c, s).equations, rows_of_coordinates(c, s, held), nothing, nothing);
     unit_ = all.units();
     for (const auto& f : s.freedoms()) turns_[static_cast<std::size_t>(f.v)] = f.what == kind::gen && !all.slides(f.v);
     for (const int row : rows_of_coordinates(c, s, held))
@@ -90,7 +92,7 @@ class assembly_list {
   loop_equations& loops_at(const Eigen::VectorXd& q) const {
     write_numbers<vector_of::q>(state_, q, "q");
     auto& e = loops_of(chain_, state_).equations;
-    e.at_positions(chain_, state_, true);
+    e.at_positions(closures_of(chain_), state_, true);
     return e;
   }
   /// Each angle in (-pi, pi], each quaternion with w >= 0, where the loops stay closed.
