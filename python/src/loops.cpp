@@ -1,4 +1,6 @@
-#include <kte/loops.hpp>
+#include <kte/dynamics/closed_loops/actuated_forces.hpp>
+#include <kte/dynamics/closed_loops/assemble.hpp>
+#include <kte/dynamics/closed_loops/constrained_dynamics.hpp>
 
 #include <pybind11/stl.h>
 

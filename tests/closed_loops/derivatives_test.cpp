@@ -169,6 +169,7 @@ TEST_CASE("derivatives with closures of all kinds equal differences") {
   SECTION("a slot") { closed_by(point_on_line_3D("l", "le", "re", u)); }
   SECTION("a rod") { closed_by(distance_3D("l", "le", "re", 0.5)); }
   SECTION("coordinates") { closed_by(coupled_coordinates("l", "l1", "r1", 2.0, -1.0, 0.1)); }
+  SECTION("a polynomial") { closed_by(coupled_by_polynomial("l", "l1", "r1", 0.1, 0.5, -0.2, 0.3, 0.1)); }
   SECTION("a function of coordinates") {
     closed_by(coupled_by("l", "l1", "r1", "r3", [](const auto& a, const auto& b, const auto& c) {
       using std::sin;

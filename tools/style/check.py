@@ -134,7 +134,7 @@ def main():
 
     files = []
     for directory, folders, names in os.walk(given.root):
-        folders[:] = sorted(f for f in folders if not f.startswith('.') and f not in ('build', 'out'))
+        folders[:] = sorted(f for f in folders if not f.startswith('.') and f not in ('build', 'node_modules', 'out'))
         files += [os.path.relpath(os.path.join(directory, name), given.root) for name in sorted(names)
                   if name.endswith(('.md', '.hpp', '.cpp'))]
     found = places(given.root, files, rules(os.path.join(here, 'phrases.txt')))

@@ -49,7 +49,7 @@ struct sticking_joint : Joint, transmission<sticking_joint<Joint>>, coordinate_l
   using Joint::axis;
 
   double radius = 1;  ///< r, m; 1 of a guide
-  dry_friction_parameters p;
+  dry_friction_parameters p{};
 
   sticking_joint() = default;
   constexpr sticking_joint(const Joint& joint, double r, const dry_friction_parameters& x)

@@ -116,9 +116,9 @@ struct several_axes_body {
   /// dS/dt q_dot
   auto bias(const S* rate) const {
     engine::motion_vector<vec3<S>, vec3<S>> sum{};
-    for (int k = 0; k < r.axes && !has_unit_axes(); ++k) {
-      const world_axis<S> s = rate_of_axis(r, at, k, rate);
-      sum = {sum.linear + rate[k] * s.linear, sum.angular + rate[k] * s.angular};
+    if (!has_unit_axes()) [[unlikely]] {
+      const auto [linear, angular] = bias_of_varying(r, at, rate);
+      sum = {linear, angular};
     }
     return sum;
   }

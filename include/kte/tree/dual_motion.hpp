@@ -114,9 +114,9 @@ struct dual_body {
   }
   engine::motion_vector<vec3<D>, vec3<D>> bias(const D* rate) const {
     engine::motion_vector<vec3<D>, vec3<D>> sum{};
-    for (int k = 0; k < r.axes && r.moves == joint::varying; ++k) {
-      const world_axis<D> s = rate_of_axis(r, transform.in_duals, k, rate);
-      sum = {sum.linear + rate[k] * s.linear, sum.angular + rate[k] * s.angular};
+    if (r.moves == joint::varying) {
+      const auto [linear, angular] = bias_of_varying(r, transform.in_duals, rate);
+      sum = {linear, angular};
     }
     return sum;
   }

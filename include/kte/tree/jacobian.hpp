@@ -37,6 +37,10 @@ void column_of_axis(int k, const world_axis<S>& s, const mat3<direction<S>>& uni
 template <class P, class S, class Put>
 KTE_INLINE void columns_of_joint(const body_node<P>& r, const joint_transform<S>& at, const mat3<direction<S>>& units,
                                  const direction<S>& p, const Put& put) {
+  if (r.moves == joint::varying) [[unlikely]] {
+    for (int k = 0; k < r.axes; ++k) column_of_axis<S>(r.first + k, at.axis(k), units, p, put);
+    return;
+  }
   const direction<S>& z = units.z;
   switch (r.moves) {
     case joint::revolute:
@@ -60,7 +64,7 @@ KTE_INLINE void columns_of_joint(const body_node<P>& r, const joint_transform<S>
       break;
     }
     case joint::varying:
-      for (int k = 0; k < r.axes; ++k) column_of_axis<S>(r.first + k, at.axis(k), units, p, put);
+      break;
   }
 }
 /// Visits the joints from a frame to its base or `top`: visit(body node, its joint transform, the unit vectors of its

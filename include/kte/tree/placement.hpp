@@ -117,10 +117,31 @@ world_axis<S> rate_of_axis(const body_node<P>& r, const joint_transform<S>& at, 
   }
   return sum;
 }
+/// The motion of a `varying` joint: a call, so that it is not in the code of other joints.
+template <class P, class S, class T>
+[[gnu::noinline]] void varying_along_axes(const body_node<P>& r, const joint_transform<S>& at, const T* x,
+                                          vec3<T>& linear, vec3<T>& angular) {
+  for (int k = 0; k < r.axes; ++k) {
+    const world_axis<S>& s = at.axis(k);
+    linear = linear + x[k] * s.linear, angular = angular + x[k] * s.angular;
+  }
+}
+/// dS/dt q_dot of a `varying` joint, in axes of the body.
+template <class P, class S>
+[[gnu::noinline]] world_axis<S> bias_of_varying(const body_node<P>& r, const joint_transform<S>& at, const S* rate) {
+  world_axis<S> sum{};
+  for (int k = 0; k < r.axes; ++k) {
+    const world_axis<S> s = rate_of_axis(r, at, k, rate);
+    sum = {sum.linear + rate[k] * s.linear, sum.angular + rate[k] * s.angular};
+  }
+  return sum;
+}
 /// The motion for the rates of a joint, or their changes: x[0], ... belong to its axes. In the axes of the body.
 template <class P, class S, class T>
 KTE_INLINE void along_axes(const body_node<P>& r, const joint_transform<S>& at, const T* x, vec3<T>& linear,
                            vec3<T>& angular) {
+  if (r.moves == joint::varying) [[unlikely]]
+    return varying_along_axes(r, at, x, linear, angular);
   switch (r.moves) {
     case joint::revolute:
       angular.z += x[0];
@@ -138,16 +159,17 @@ KTE_INLINE void along_axes(const body_node<P>& r, const joint_transform<S>& at, 
         for (int k = 0; k < r.axes; ++k) component(linear, angular, r.axis[static_cast<std::size_t>(k)]) += x[k];
       break;
     case joint::varying:
-      for (int k = 0; k < r.axes; ++k) {
-        const world_axis<S>& s = at.axis(k);
-        linear = linear + x[k] * s.linear, angular = angular + x[k] * s.angular;
-      }
+      break;
   }
 }
 /// Calls put(k, power of a wrench on the unit rate of axis k of a joint) for its first `count` axes.
 template <class P, class S, class Put>
 KTE_INLINE void powers_along(const body_node<P>& r, const joint_transform<S>& at, const dense_wrench<S>& w, int count,
                              const Put& put) {
+  if (r.moves == joint::varying) [[unlikely]] {
+    for (int k = 0; k < count; ++k) put(k, power_on(at.axis(k), w));
+    return;
+  }
   switch (r.moves) {
     case joint::revolute:
       put(0, w.torque.z);
@@ -164,7 +186,7 @@ KTE_INLINE void powers_along(const body_node<P>& r, const joint_transform<S>& at
       break;
     }
     case joint::varying:
-      for (int k = 0; k < count; ++k) put(k, power_on(at.axis(k), w));
+      break;
   }
 }
 

@@ -32,7 +32,6 @@ Eigen::VectorXd assemble(const runtime_chain& c, runtime_state& s, const Q& gues
 
 }  // namespace kte
 
-#ifdef KTE_FUNCTION
 namespace kte::detail {
 
 /// The degrees of freedom of coordinates, by name. Throws `unknown_name`, `bad_argument`.
@@ -51,8 +50,23 @@ inline std::vector<int> rows_of_coordinates(const runtime_chain& c, const runtim
   return rows;
 }
 
-/// Residuals of a chain over the coordinates that may move, not those of the degrees of freedom `held`. set(q) puts
-/// positions into the state; moved(q, d): q (+) d.
+/// Whether each degree of freedom is a length.
+template <class State>
+std::vector<char> sliding_rows(const State& s) {
+  std::vector<char> slides(static_cast<std::size_t>(s.dofs()), 0);
+  const auto& f = s.tree().body_tree;
+  for (const auto& r : f.nodes)
+    for (int k = 0; k < r.axes; ++k) {
+      const int row = f.row[static_cast<std::size_t>(r.first + k)];
+      if (row < s.dofs())
+        slides[static_cast<std::size_t>(row)] =
+            r.moves == tree::joint::prismatic || (r.moves == tree::joint::several && r.axis[std::size_t(k)] < 3);
+    }
+  return slides;
+}
+
+/// Residuals of a chain over the coordinates that may move, without the degrees of freedom in `held`. set(q) writes
+/// positions to the state; moved(q, d) returns q (+) d.
 template <class Closures, class State, class Set, class Moved>
 class assembly {
  public:
@@ -63,17 +77,12 @@ class assembly {
     for (const int row : held) is_held[static_cast<std::size_t>(row)] = 1;
     for (int row = 0; row < s.dofs(); ++row)
       if (!is_held[static_cast<std::size_t>(row)]) free_.push_back(row);
-    unit_.setOnes(s.dofs()), slides_.assign(static_cast<std::size_t>(s.dofs()), 0);
-    const auto& f = s.tree().body_tree;
-    for (const auto& r : f.nodes)
-      for (int k = 0; k < r.axes; ++k) {
-        const int row = f.row[static_cast<std::size_t>(r.first + k)];
-        const bool slides =
-            r.moves == tree::joint::prismatic || (r.moves == tree::joint::several && r.axis[std::size_t(k)] < 3);
-        if (row < s.dofs() && slides) unit_[row] = equations_.places.length, slides_[static_cast<std::size_t>(row)] = 1;
-      }
+    unit_.setOnes(s.dofs());
+    const auto slides = sliding_rows(s);
+    for (int row = 0; row < s.dofs(); ++row)
+      if (slides[static_cast<std::size_t>(row)]) unit_[row] = equations_.places.length;
   }
-  /// A configuration on the loops, from q.
+  /// A configuration on the loops, starting from q.
   Eigen::VectorXd from(Eigen::VectorXd q) {
     constexpr int most_steps = 200;
     double size = at(q), damping = 1;
@@ -91,7 +100,7 @@ class assembly {
         if (better) break;
         (void)at(q);
       }
-      if (!better) break;  // as near as it comes
+      if (!better) break;  // the nearest that it reaches
       const bool little = after > 0.9999 * size && size > 1e-13;
       q = next, size = after, damping = (std::max)(damping / 8, 1e-3);
       if (last || (little && steps > 50)) break;
@@ -107,18 +116,14 @@ class assembly {
   }
 
  private:
-  /// |g|, with g and J of q.
+  /// |g|; computes g and J at q.
   double at(const Eigen::VectorXd& q) {
     set_(q);
     equations_.at_positions(closures_, state_, true);
     return equations_.residual.norm();
   }
   double gap() const { return equations_.residual.cwiseAbs().maxCoeff(); }
-  /// Of coordinates: the length of the chain, or 1 rad.
-  const Eigen::VectorXd& units() const { return unit_; }
-  /// Whether a degree of freedom is a length.
-  bool slides(int row) const { return slides_[static_cast<std::size_t>(row)] != 0; }
-  /// (1), of g and J as they are; false where nothing moves.
+  /// (1) for the current g and J; false if nothing moves.
   bool step(double mu, Eigen::VectorXd& d) const {
     const auto m = equations_.residual.size(), n = static_cast<Eigen::Index>(free_.size());
     pivoted_qr qr;
@@ -149,7 +154,7 @@ class assembly {
                            "' stays open by " + short_number(widest.size) + (widest.linear ? " m" : " rad") +
                            " after " + std::to_string(steps) + " steps (" + why + ")");
   }
-  /// Throws where rotations are on their false solution.
+  /// Throws if rotations are at their false solution, half a turn away.
   void check_upright() const {
     for (const auto& x : equations_.places.closures)
       if (x.of_frames() && !closures_.is_upright(x.element, loop_equations::motion_between(state_, x)))
@@ -168,10 +173,10 @@ class assembly {
   const Set& set_;
   const Moved& moved_;
   std::vector<int> free_;
-  std::vector<char> slides_;
-  Eigen::VectorXd unit_;  ///< of coordinates: the length of the chain, or 1 rad
+  Eigen::VectorXd unit_;  ///< by coordinate: the length of the chain, or 1 rad
 };
 
+#ifdef KTE_FUNCTION
 KTE_FUNCTION Eigen::VectorXd assembled(const runtime_chain& c, runtime_state& s, Eigen::VectorXd q,
                                        const std::vector<std::string>& held) {
   if (!has_loops(c)) return q;
@@ -183,6 +188,6 @@ KTE_FUNCTION Eigen::VectorXd assembled(const runtime_chain& c, runtime_state& s,
   return assembly(closures, s, loops_of(c, s).equations, rows_of_coordinates(c, s, held), set, moved)
       .from(std::move(q));
 }
+#endif
 
 }  // namespace kte::detail
-#endif

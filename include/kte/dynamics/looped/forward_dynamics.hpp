@@ -12,7 +12,7 @@
 /// checked. For all `Elements` and states of dynamics/looped/inverse_dynamics.hpp.
 namespace kte::detail {
 
-/// Which accelerations are given, by row; none where nothing is said. Joints of others are free to move.
+/// Sets the rows whose accelerations are given; an empty span means none. Other joints are free to move.
 template <class State>
 void prescribe(State& s, std::span<const char> prescribed) {
   const auto& f = s.tree().body_tree;

@@ -53,6 +53,14 @@ struct coupled_by_polynomial : coordinate_closure<coupled_by_polynomial> {
   constexpr auto value(const Q& q1, const Q& q2) const {
     return q1 - (c0 + q2 * (c1 + q2 * (c2 + q2 * (c3 + q2 * c4))));
   }
+  static constexpr std::array<std::string_view, 5> parameter_names{"c0", "c1", "c2", "c3", "c4"};
+  /// The derivative of (2) by parameter k.
+  template <class Q>
+  constexpr Q by_parameter(int k, const Q&, const Q& q2) const {
+    Q power(-1);
+    for (int i = 0; i < k; ++i) power = power * q2;
+    return power;
+  }
   constexpr void check(const parameter_check& where) const {
     for (const double c : {c0, c1, c2, c3, c4}) where.finite(c, "coefficients must be finite");
   }
