@@ -2,8 +2,8 @@
 
 #include <kte/dynamics/closed_loops/loop_equations.hpp>
 #include <kte/dynamics/closed_loops/mass_root.hpp>
+#include <kte/dynamics/closed_loops/pivoted_qr.hpp>
 #include <kte/dynamics/looped/forward_dynamics.hpp>
-#include <kte/kernels/pivoted_qr.hpp>
 
 /// The independent rows of closures, and the least change of a motion, measured by kinetic energy, that satisfies them.
 ///

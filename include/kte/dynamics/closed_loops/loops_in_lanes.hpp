@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kte/dynamics/closed_loops/loop_dynamics.hpp>
-#include <kte/kernels/qr_in_lanes.hpp>
+#include <kte/dynamics/closed_loops/qr_in_lanes.hpp>
 
 /// `accelerate_on_loops` for trees with closures in packs S of states in double: recursions over bodies in packs,
 /// functions of closures state by state. The independent rows are those of the first state.
