@@ -1,7 +1,7 @@
 #pragma once
 
-/// Closed kinematic loops of runtime chains (docs/loops.md): elements that close them, assembly, accelerations with the
-/// forces of closures, velocities on the loops, the equations of motion in actuated coordinates, derivatives.
+/// Closed kinematic loops (docs/loops.md): elements that close them, assembly, accelerations with the forces of
+/// closures, velocities on the loops, the equations of motion in actuated coordinates, derivatives.
 #include <kte/dynamics/closed_loops/actuated_derivatives.hpp>
 #include <kte/dynamics/closed_loops/actuated_dynamics.hpp>
 #include <kte/dynamics/closed_loops/actuated_forces.hpp>

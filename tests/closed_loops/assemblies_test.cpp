@@ -6,7 +6,7 @@ using namespace kte::test;
 using namespace kte::test::loops;
 
 namespace {
-/// Whether all are assemblies, of which none is there twice, in order.
+/// Whether all are assemblies, in order and without duplicates.
 bool good(const runtime_chain& c, const std::vector<vector>& all) {
   auto s = c.make_state();
   for (std::size_t i = 0; i < all.size(); ++i) {

@@ -100,7 +100,7 @@ inline double sarrus_angle(double q, double rate, double t) {
   return solver.state()[0];
 }
 
-/// A parallelogram whose coupler has a mass of its own, bars having 1 kg each: (1) of mechanisms.hpp with
+/// A parallelogram whose coupler has the given mass, and whose bars have 1 kg each: (1) of mechanisms.hpp with
 /// k = g (1 + mass) / (2/3 + mass).
 inline runtime_chain parallelogram(double mass) {
   runtime_chain c;

@@ -39,7 +39,7 @@ constexpr auto four_bar =
           revolute_joint_2D(rocker, base, r).at(vec2<>{1, 0}), inertia_2D(r, body), rigid_link_2D(r, B2, along_x(0.8)),
           coincident_points_2D(pin, B1, B2))
         .gravity(along_y(-9.81));
-/// The same at run time.
+/// The four-bar as a runtime chain.
 runtime_chain four_bar_at_run_time() {
   runtime_chain c;
   c << four_bar;

@@ -6,7 +6,7 @@
 #include "../tools/elements_page/tables.hpp"
 #include "catch.hpp"
 
-// What is written by hand of elements, docs and calls, agrees with their ports and parameters.
+// The hand-written descriptions of elements, in docs and calls, agree with their ports and parameters.
 
 namespace {
 

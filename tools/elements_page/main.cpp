@@ -4,7 +4,7 @@
 
 #include "tables.hpp"
 
-/// Writes the tables of docs/elements.md anew: kte_elements_page docs/elements.md
+/// Rewrites the tables of docs/elements.md: kte_elements_page docs/elements.md
 int main(int, char** argv) {
   if (!argv[1] || !std::filesystem::exists(argv[1])) {
     std::cerr << "kte: call it as elements_page docs/elements.md\n";

@@ -34,7 +34,7 @@ void add_once(std::vector<kte::robot_note>& list, const kte::robot_note& note) {
   list.push_back(note);
 }
 
-/// What is odd about loops; what is not is told beside.
+/// Adds findings about loops; their rows, rank and mobility are listed separately.
 void look_at_loops(const kte::robot& r, findings& f) {
   for (const auto& text : kte::detail::loop_findings(r))
     if (text.starts_with("closed loops: "))

@@ -8,7 +8,7 @@
 
 namespace kte_tool {
 
-/// Where a mechanism is at the start, as the command line says.
+/// The initial state of a mechanism on the command line.
 struct start_options {
   std::string table, configuration;
   bool given() const { return !table.empty() || !configuration.empty(); }
@@ -16,10 +16,10 @@ struct start_options {
 /// --start and --configuration.
 command& add_start(command& c, start_options& o);
 
-/// q and v at the start: those of the table, where it has no columns of the configuration of that name, and else of the
-/// neutral configuration at rest. Loops are closed from there, with a message if they were open: coordinates with a
-/// column of their own are held, if not all of them have one. Throws `cannot_assemble`, `unknown_name` for a
-/// configuration that the file does not have, `bad_file` for a table without a row or without columns of the mechanism.
+/// q and v at the start: those of the table; for coordinates without columns those of the named configuration,
+/// otherwise the neutral configuration at rest. Open loops are closed from there, with a message; coordinates with a
+/// column are held, unless all have one. Throws `cannot_assemble`, `unknown_name` for a configuration that the file
+/// does not have, `bad_file` for a table without a row or without columns of the mechanism.
 struct initial_state {
   Eigen::VectorXd q, v;
 

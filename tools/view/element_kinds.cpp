@@ -8,7 +8,7 @@
 namespace kte::view {
 
 namespace {
-/// Elements with a symbol of their own, by their type.
+/// Elements with special symbols, by their type.
 constexpr element_kind listed_kinds[]{{"ang_velocity_control", drawn::link, ""},
                                       {"base", drawn::base, ""},
                                       {"brake", drawn::force, "friction"},
@@ -85,7 +85,7 @@ template <class Core>
 constexpr drawn drawn_by_shape = detail::is_transmission<Core>&& detail::coordinates_of<Core> > 0 ? drawn::joint
                                  : Core::ports.back().how == access::base                         ? drawn::base
                                                                                                   : drawn::force;
-/// The elements of the library, for those that are not listed above.
+/// The shapes of all elements of the library; used if an element is not listed above.
 template <class... Core>
 std::array<shape, sizeof...(Core)> shapes_of(detail::core_list<void, Core...>) {
   return {{{Core::type, drawn_by_shape<Core>}...}};

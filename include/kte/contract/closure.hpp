@@ -37,11 +37,11 @@ KTE_INLINE constexpr std::array<S, sizeof...(R)> rows_in_numbers(const values<R.
   }
   (std::index_sequence_for<R...>{});
 }
-/// What is asked of the rows of a closure of frames: the residual, its derivatives, or what each unit rate makes of the
-/// first derivative, the wrenches of the rows: of v.x, v.y, v.z, w.x, w.y, w.z in turn, `closing_stride` numbers each.
+/// The result for the rows of a closure of frames: the residual, its derivatives, or `wrenches`, the first derivative
+/// for each unit rate v.x, v.y, v.z, w.x, w.y, w.z in turn, `closing_stride` numbers each.
 enum class closing { residual, residual_dot, residual_ddot, wrenches };
 inline constexpr int closing_stride = 8, all_rows_of_closing = 8 * closing_stride;
-/// Into `rows`, for the motion m of the second frame in the first.
+/// Writes the result to `rows`, for the motion m of the second frame in the first.
 template <class Core, class S>
 void close_frames_by(const Core& core, const closing_motion<S>& m, closing what, S* rows) {
   const auto put = [](const auto& all, S* to) {

@@ -3,18 +3,18 @@
 #include <kte/contract/checks.hpp>
 #include <kte/contract/element_core.hpp>
 
-/// What an element core lacks, as compile errors, before it is connected. Functions are looked for by name, which
-/// instantiates none of them; the concepts of contract/element_core.hpp also check what they return.
+/// Reports missing functions of an element core as compile errors, before it is connected. Functions are found by name,
+/// which instantiates none of them; the concepts of contract/element_core.hpp also check their results.
 namespace kte::detail {
 
-/// A name that a core has too is ambiguous in a class that derives from both.
+/// Names of functions: in a class derived from this and from a core, the names that the core has are ambiguous.
 struct names_of_functions {
   int doForce, doMotion, relative, z_dot, mass_loads, capacity, friction;
 };
 template <class Core>
 struct with_names : Core, names_of_functions {};
 
-/// The functions that a core has; all of them if it is final, as then they cannot be looked for.
+/// The functions of a core; all of them for a final class, which cannot be tested.
 template <class Core, bool Final = std::is_final_v<Core>>
 struct functions_of {
   static constexpr bool force = true, motion = true, relative = true, rate = true, mass_loads = true, capacity = true,
@@ -40,7 +40,7 @@ inline constexpr bool writes_last = [] {
   return true;
 }();
 
-/// A core that is to be connected.
+/// A core to be connected.
 template <class Core>
 struct check_functions {
   static constexpr bool passed = false;
@@ -87,7 +87,7 @@ struct check_functions<Core> {
                 "load on the coordinate");
 };
 
-/// How many loads `doForce` returned.
+/// The number of loads that `doForce` returned.
 template <class Core, std::size_t Count>
 struct check_load_count {
   static_assert(rule<Core, void, Count == loaded_ports<Core>>,

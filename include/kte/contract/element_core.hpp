@@ -6,12 +6,12 @@
 #include <string_view>
 #include <type_traits>
 
-/// The contract of an element: a core, that is a struct with parameters and arithmetic, and what each of its functions
-/// takes and returns. Algorithms ask these concepts, never for a type. `static_assert(kte::force_core<my_core>)` says
-/// what a core lacks.
+/// The contract of an element. Its core is a struct with parameters and arithmetic; the concepts state what each of its
+/// functions takes and returns. Algorithms use these concepts and never test for a type.
+/// `static_assert(kte::force_core<my_core>)` reports what a core lacks.
 ///
-/// Functions take the things that the ports are connected to, in the order of the ports. The members of a thing are
-/// numbers of any scalar type, typed constants, or `skip` where an algorithm leaves them out:
+/// Functions take the items at the ports, in the order of the ports. The members of an item are numbers of any scalar
+/// type, typed constants, or `skip` if an algorithm omits them:
 ///
 ///   kind of the port                 thing                                                       load
 ///   gen                              coordinate: q, q_dot, q_ddot, m or rad; cos, sin by `angle`  number, N or Nm
@@ -31,9 +31,8 @@ template <class Core>
 struct coordinate_follower;
 struct coordinate_lock;
 
-/// Every core. `type` is its name in files and messages ("spring_2D"), `ports` say what it is connected to, and the
-/// port that it writes is the last. `check` gives the rules for its parameters: `where.positive(k, "k must be
-/// positive")`.
+/// Every core. `type` is its name in files and messages ("spring_2D"). `ports` are its connections; the port that it
+/// writes is the last. `check` has the rules for its parameters: `where.positive(k, "k must be positive")`.
 template <class Core>
 concept element_core = requires(const Core& core, const parameter_check& where) {
   { Core::type } -> std::convertible_to<std::string_view>;
@@ -42,10 +41,10 @@ concept element_core = requires(const Core& core, const parameter_check& where) 
 };
 
 /// A core that files can hold. `parameters(self, visit)` calls `visit("name", self.member)` for each parameter, in the
-/// order of files; `self` may be constant or not, then values that follow from parameters are to be computed again. The
-/// core has a default constructor, for parameters to be read into.
-/// Optional: `optional_parameters`, a std::array of the names that files may leave out, and `arguments`, how the
-/// factory takes the parameters if not one by one: "rest_length, {EA, EI, GA}".
+/// order of files. If `self` is not constant, values that depend on parameters must then be computed again. The core
+/// has a default constructor, for parameters to be read into. Optional: `optional_parameters`, a std::array of the
+/// names that files may omit, and `arguments`, the form of the parameters in the factory if they are not passed one by
+/// one: "rest_length, {EA, EI, GA}".
 template <class Core>
 concept core_in_files = element_core<Core> && std::default_initializable<Core> &&
     requires(const Core& core, const detail::any_visitor& visit) {
@@ -64,43 +63,44 @@ template <class Core>
 concept reads_accelerations = requires {
   requires Core::reads_accelerations;
 };
-/// It has a mass on several ports: `mass_loads`.
+/// It has a mass on several ports, with `mass_loads`.
 template <class Core>
 concept distributed_mass = requires {
   requires Core::distributed_mass;
 }
 || detail::former_distributed_mass<Core>;
-/// Its loads are those of a rigid body, `core.body`, on its frame, or of the mass of its coordinate, and no others.
+/// Its only loads are those of a rigid body, `core.body`, on its frame, or of the mass on its coordinate.
 template <class Core>
 concept is_rigid_body = requires {
   requires Core::is_rigid_body;
 };
-/// It is an external load on its first port, constant or given by signals: `static_equilibrium` applies it in steps.
+/// It is an external load on its first port, constant or given by signals; `static_equilibrium` applies it in
+/// increments.
 template <class Core>
 concept is_load = requires {
   requires Core::is_load;
 };
-/// It is a joint whose friction depends on its load: `friction(coordinate, wrench)`, with the wrench on its end in axes
-/// of the end, is a load on the coordinate.
+/// It is a joint with load-dependent friction: `friction(coordinate, wrench)`, with the wrench on its end in the axes
+/// of the end, returns a load on the coordinate.
 template <class Core>
 concept load_dependent_friction = requires {
   requires Core::load_dependent_friction;
 }
 || detail::former_load_dependent_friction<Core>;
-/// It may lock a coordinate, as `coordinate_lock` declares: `capacity(things...)` is the largest holding force.
+/// It may lock a coordinate, as `coordinate_lock` declares; `capacity(things...)` returns the largest holding force.
 template <class Core>
 concept locks_coordinate = requires {
   requires Core::locks_coordinate;
 };
-/// It is a joint whose axes depend on its coordinates, in axes of the end; joints of several coordinates are taken for
-/// such.
+/// It is a joint whose axes, in the axes of the end, depend on its coordinates. By default true for joints of several
+/// coordinates.
 template <class Core>
 concept varying_axes = requires {
   requires Core::varying_axes;
 }
 || detail::has_several_coordinates<Core>;
-/// Its loads are the power dual of its motion, as in a mechanism. One for controllers declares `power_dual = false`:
-/// only passes and inverse dynamics support it.
+/// Its loads are the power dual of its motion, as in a mechanism. An element for controllers declares `power_dual =
+/// false`; only passes and inverse dynamics support it.
 template <class Core>
 concept power_dual = !requires {
   requires !Core::power_dual;
@@ -110,12 +110,12 @@ template <class Core>
 concept starts_in_place = requires {
   requires Core::starts_in_place;
 };
-/// It holds functions of a program, which no file can hold.
+/// It contains functions of the program, which files cannot hold.
 template <class Core>
 concept holds_code = requires {
   requires Core::holds_code;
 };
-/// Its passes may throw `bad_argument` or `dead_point`, as a loop that cannot be closed.
+/// Its passes may throw `bad_argument` or `dead_point`, for example for a loop that cannot be closed.
 template <class Core>
 concept may_have_no_value = requires {
   requires Core::may_have_no_value;
@@ -133,7 +133,7 @@ template <class Core, class... Things>
 concept has_force = requires(const Core& core, const Things&... things) {
   { core.doForce(things...) } -> detail::loads_for<Core>;
 };
-/// `doMotion(things...)` returns what the element writes: a coordinate, the motion of a frame, or a signal.
+/// `doMotion(things...)` returns the item that the element writes: a coordinate, the motion of a frame, or a signal.
 template <class Core, class... Things>
 concept has_motion = requires(const Core& core, const Things&... things) {
   core.doMotion(things...);
@@ -144,12 +144,12 @@ concept has_relative = requires(const Core& core, const Coordinates&... c) {
   core.relative(c...).position;
   core.relative(c...).rotation;
 };
-/// `z_dot(things...)` returns the rate of the internal state, `make_rates(...)` those of several.
+/// `z_dot(things...)` returns the rate of the internal state, or `make_rates(...)` for several.
 template <class Core, class... Things>
 concept has_rate = requires(const Core& core, const Things&... things) {
   core.z_dot(things...);
 };
-/// `mass_loads(things...)` returns the loads of accelerations alone, linear in them; `doForce` has them too.
+/// `mass_loads(things...)` returns the loads due to accelerations only, linear in them; `doForce` includes them.
 template <class Core, class... Things>
 concept has_mass_loads = requires(const Core& core, const Things&... things) {
   { core.mass_loads(things...) } -> detail::loads_for<Core>;
@@ -159,17 +159,17 @@ template <class Core, class... Things>
 concept has_kinetic_energy = requires(const Core& core, const Things&... things) {
   core.kinetic_energy(things...);
 };
-/// `potential_energy(things...)`, J, without that of gravity. Optional.
+/// `potential_energy(things...)`, J, without gravity. Optional.
 template <class Core, class... Things>
 concept has_potential_energy = requires(const Core& core, const Things&... things) {
   core.potential_energy(things...);
 };
-/// `first_moment(things...)` of a distributed mass: m c in axes of the world, kg m. Optional: without, no gravity.
+/// `first_moment(things...)` of a distributed mass: m c in world axes, kg m. Optional; without it gravity does not act.
 template <class Core, class... Things>
 concept has_first_moment = requires(const Core& core, const Things&... things) {
   core.first_moment(things...);
 };
-/// `switching(things...)` goes through zero where the law of the element changes. Optional.
+/// `switching(things...)` passes through zero where the law of the element changes. Optional.
 template <class Core, class... Things>
 concept has_switching = requires(const Core& core, const Things&... things) {
   core.switching(things...);
@@ -181,7 +181,7 @@ concept has_switched = requires(const Core& core, const Things&... things) {
 };
 
 namespace detail {
-// The same for the things at the ports of a core, in plain numbers.
+// Whether `doForce` fits the items at the ports of a core, in plain numbers.
 template <class Core, class... T>
 consteval bool force_fits(things_list<T...>) {
   return has_force<Core, T...>;
@@ -204,17 +204,17 @@ consteval bool mass_loads_fit(things_list<T...>) {
 }
 }  // namespace detail
 
-// Shapes: what an element is.
+// Shapes of elements.
 
 /// A base: it declares a frame or coordinate that no element moves.
 template <class Core>
 concept base_core = element_core<Core> && Core::ports.back().how == access::base;
-/// A force: springs, dampers, motors. It writes nothing.
+/// A force: spring, damper, motor. It writes nothing.
 template <class Core>
 concept force_core = element_core<Core> && !Core::ports.back().writes() && !detail::is_closure<Core> &&
                      detail::force_fits<Core>(detail::things_read<Core>{});
-/// A body: a force with `mass<S>()`, in numbers S, on its first port: a number, kg or kg m^2, on a coordinate; a
-/// `composite` about the origin of a frame, in its axes.
+/// A body: a force with `mass<S>()`, in numbers of type S, on its first port. On a coordinate it is a number, kg or kg
+/// m^2; on a frame a `composite` about its origin, in its axes.
 template <class Core>
 concept body_core = force_core<Core> && requires(const Core& core) {
   core.template mass<double>();
@@ -224,45 +224,46 @@ template <class Core>
 concept distributed_mass_core = force_core<Core> && distributed_mass<Core> &&
     detail::mass_loads_fit<Core>(detail::things_read<Core>{});
 /// A link: it derives from `transmission<Core>` (contract/transmission.hpp), and `relative()` is the motion of its end
-/// in its base. The ports: base, end.
+/// in its base. Ports: base, end.
 template <class Core>
 concept link_core = element_core<Core> && std::is_base_of_v<transmission<Core>, Core> && detail::coordinates_of<Core>
 == 0 && has_relative<Core>;
 /// A joint: it derives from `transmission<Core>`, and `relative(coordinates...)` is the motion of its end in its base.
-/// The ports: coordinates, base, end. Passes, mass matrix, articulated bodies and derivatives follow from `relative`.
+/// Ports: coordinates, base, end. Passes, mass matrix, articulated bodies and derivatives follow from `relative`.
 template <class Core>
 concept joint_core = element_core<Core> && std::is_base_of_v<transmission<Core>, Core> &&
                      (detail::coordinates_of<Core> > 0) &&
                      detail::relative_fits<Core>(detail::coordinates_at<Core>{});
-/// A coordinate that follows others: `doMotion(things...)` returns a `coordinate`, `doForce(things..., f)` the loads of
-/// a force f on it. One that derives from `coordinate_follower<Core>` has `value(q_1, q_2, ...)` instead.
+/// A coordinate that follows others: `doMotion(things...)` returns a `coordinate`, and `doForce(things..., f)` the
+/// loads for a force f on it. A core derived from `coordinate_follower<Core>` has `value(q_1, q_2, ...)` instead.
 template <class Core>
 concept coordinate_follower_core = element_core<Core> && detail::writes_coordinate<Core> &&
     detail::motion_fits<Core>(detail::things_read<Core>{}) && detail::force_fits<Core>(detail::things_and_load<Core>{});
-/// A frame that follows frames and coordinates, and no joint or link: `doMotion(things...)` returns its motion,
-/// `doForce(things..., wrench)` the loads dual to a wrench on it.
+/// A frame that follows frames and coordinates, and is not moved by a joint or link: `doMotion(things...)` returns its
+/// motion, and `doForce(things..., wrench)` the loads dual to a wrench on it.
 template <class Core>
 concept frame_follower_core =
     element_core<Core> && detail::writes_frame<Core> && !std::is_base_of_v<transmission<Core>, Core> &&
     detail::motion_fits<Core>(detail::things_read<Core>{}) && detail::force_fits<Core>(detail::things_and_load<Core>{});
-/// A prescribed motion: a coordinate or frame that follows signals, and no coordinate.
+/// A prescribed motion: a coordinate or frame that follows signals only.
 template <class Core>
 concept prescribed_motion_core = (coordinate_follower_core<Core> ||
                                   frame_follower_core<Core>)&&is_signal(Core::ports[0].what) &&
                                  !detail::reads_coordinates<Core>;
-/// A signal: sensors, controllers. `doMotion(things...)` returns a number or a vector; there are no loads.
+/// A signal: sensor, controller. `doMotion(things...)` returns a number or a vector; there are no loads.
 template <class Core>
 concept signal_core = element_core<Core> && detail::writes_signal<Core> &&
     detail::motion_fits<Core>(detail::things_read<Core>{});
-/// A core with internal states of its own, ports of `access::keep`: also `z_dot`.
+/// A core with internal states, ports of `access::keep`; it also has `z_dot`.
 template <class Core>
 concept stateful_core =
     element_core<Core> &&(detail::kept_count<Core> > 0) && detail::rate_fits<Core>(detail::things_read<Core>{});
 /// A core that may lock a coordinate: it derives from `coordinate_lock` (contract/coordinate_lock.hpp).
 template <class Core>
 concept lock_core = stateful_core<Core> && locks_coordinate<Core> && std::is_base_of_v<coordinate_lock, Core>;
-/// What closes a kinematic loop: it derives from `closure<Core>` (contract/closure.hpp), with `residual`,
-/// `residual_dot` and `residual_ddot`, or from `coordinate_closure<Core>`, with `value`. `rows`: how many it has.
+/// A closure of a kinematic loop: it derives from `closure<Core>` (contract/closure.hpp), with `residual`,
+/// `residual_dot` and `residual_ddot`, or from `coordinate_closure<Core>`, with `value`. `rows`: the number of its
+/// rows.
 template <class Core>
 concept closure_core = element_core<Core> && detail::is_closure<Core> &&(Core::rows.count() > 0);
 

@@ -19,7 +19,7 @@ inline constexpr std::size_t load_index = [] {
   return i;
 }();
 
-/// The port of number N of them; beyond the last if there is none.
+/// The port of internal state N; the number of ports if there is none.
 template <class Core, std::size_t N = 0>
 inline constexpr std::size_t kept_port = [] {
   std::size_t p = 0, n = 0;

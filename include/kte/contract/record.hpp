@@ -62,7 +62,7 @@ struct model_record {
 
 namespace detail {
 
-// Not inlined: there is a record_of for each type of element.
+// Not inlined, because there is one record_of for each type of element.
 [[gnu::noinline]] inline void append_all(std::vector<double>& v, std::initializer_list<double> numbers) {
   v.insert(v.end(), numbers);
 }
@@ -102,8 +102,8 @@ void append_numbers(std::vector<double>& v, const R& rotation) {
 
 }  // namespace detail
 
-/// The record of a core and the names of its connections. A bool parameter is stored, as 1, only if it is true. Throws
-/// `bad_argument` for a core that declares `holds_code`: functions of a program.
+/// The record of a core and the names of its connections. A bool parameter is stored only if it is true, as 1. Throws
+/// `bad_argument` for a core that declares `holds_code`: functions of the program.
 template <class Core, class Names>
 [[nodiscard]] element_record record_of(const Core& core, const Names& names) {
   if constexpr (holds_code<Core>) {

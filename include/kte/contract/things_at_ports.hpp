@@ -7,7 +7,7 @@
 
 #include <utility>
 
-/// The things at the ports of a core as its functions see them, in plain numbers; for contract/element_core.hpp.
+/// The items at the ports of a core as its functions receive them, in plain numbers; for contract/element_core.hpp.
 namespace kte::detail {
 
 struct any_visitor {
@@ -18,7 +18,7 @@ struct any_visitor {
 template <class... T>
 struct things_list {};
 
-/// A thing of kind K, and its load.
+/// An item of kind K, and its load.
 template <kind K>
 struct sample {
   using type = motion<vec3<>, mat3<vec3<>>, vec3<>, vec3<>, vec3<>, vec3<>>;
@@ -54,13 +54,13 @@ things_list<typename sample<Core::ports[P].what>::type...> first_things(std::ind
 template <class Core, std::size_t... P>
 things_list<typename sample<Core::ports[P].what>::type..., typename sample<Core::ports.back().what>::load> with_load_at(
     std::index_sequence<P...>);
-/// The things that a core reads; those and the load on what it writes.
+/// The items that a core reads; these and the load on the item that it writes.
 template <class Core>
 using things_read = decltype(first_things<Core>(std::make_index_sequence<input_count<Core>>{}));
 template <class Core>
 using things_and_load = decltype(with_load_at<Core>(std::make_index_sequence<input_count<Core>>{}));
 
-/// How many coordinates a transmission has. They are its first ports, the base and the end are its last two.
+/// The number of coordinates of a transmission. They are its first ports; the base and the end are its last two.
 template <class Core>
 inline constexpr std::size_t coordinates_of = [] {
   std::size_t n = 0;
@@ -70,7 +70,7 @@ inline constexpr std::size_t coordinates_of = [] {
 /// The coordinates of a transmission.
 template <class Core>
 using coordinates_at = decltype(first_things<Core>(std::make_index_sequence<coordinates_of<Core>>{}));
-/// How many internal states an element keeps.
+/// The number of internal states of an element.
 template <class Core>
 inline constexpr std::size_t kept_count = [] {
   std::size_t n = 0;
@@ -82,14 +82,14 @@ template <class T>
 inline constexpr std::size_t load_count = std::size_t(-1);
 template <class... L>
 inline constexpr std::size_t load_count<values<L...>> = sizeof...(L);
-/// How many ports of a core, of those that it reads, have loads.
+/// The number of ports that a core reads and that have loads.
 template <class Core>
 inline constexpr std::size_t loaded_ports = [] {
   std::size_t n = 0;
   for (std::size_t p = 0; p < input_count<Core>; ++p) n += !is_signal(Core::ports[p].what);
   return n;
 }();
-/// The loads of a core: `make_loads(...)`, with one for each port that has one.
+/// The loads of a core: `make_loads(...)`, one for each port with a load.
 template <class T, class Core>
 concept loads_for = load_count<T>
 == loaded_ports<Core>;

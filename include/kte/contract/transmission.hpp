@@ -79,7 +79,7 @@ KTE_INLINE constexpr auto load_on(const F& f) {
                   vec3{f.template operator()<3>(), f.template operator()<4>(), f.template operator()<5>()}};
   }
 }
-/// The motion that the unit rate of coordinate N of a joint makes, the others at rest.
+/// The motion at unit rate of coordinate N of a joint, with the others at rest.
 template <std::size_t N, class Core, class Coordinates, std::size_t... K>
 KTE_INLINE constexpr auto axis_among(const Core& core, const Coordinates& c, std::index_sequence<K...>) {
   const auto at = [&c]<std::size_t I>() KTE_INLINE_LAMBDA {
@@ -139,7 +139,7 @@ struct transmission {
     constexpr kind k = Core::ports[0].what;
     const auto f = [&]<int N>()
                        KTE_INLINE_LAMBDA { return detail::power(core().relative(detail::unit_rate<k, N>(c)), end); };
-    // Each in one expression: with a local in between g++ takes a tenth more instructions for inverse dynamics.
+    // Single expressions: with a local variable g++ needs 10 % more instructions for inverse dynamics.
     if constexpr (load_dependent_friction<Core>) {
       return make_loads(detail::load_on<k>(f) + core().friction(c, end),
                         transmit(core().relative(detail::position_only(c)), end));

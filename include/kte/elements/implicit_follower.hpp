@@ -41,7 +41,7 @@ struct implicit_follower {
   constexpr auto doMotion(const X&... x) const {
     const auto things = std::tie(x...);
     return [&]<std::size_t... I>(std::index_sequence<I...>) {
-      using S = scalar<I...>::template of<decltype(things)>;
+      using S = typename scalar<I...>::template of<decltype(things)>;
       using first = std::tuple_element_t<0, std::tuple<X...>>;
       const auto& get = things;
       if constexpr (detail::has_skip<std::remove_cvref_t<decltype(std::declval<first>().q_dot)>>) {
@@ -63,7 +63,7 @@ struct implicit_follower {
   constexpr auto doForce(const X&... x) const {
     const auto things = std::tie(x...);
     return [&]<std::size_t... I>(std::index_sequence<I...>) {
-      using S = scalar<I...>::template of<decltype(things)>;
+      using S = typename scalar<I...>::template of<decltype(things)>;
       using number = dual<S, static_cast<int>(N)>;
       std::array<number, N> q{number(as<S>(std::get<I>(things).q))...};
       for (std::size_t i = 0; i < N; ++i) q[i].derivative[i] = S(1);
@@ -77,7 +77,7 @@ struct implicit_follower {
   constexpr auto z_dot(const X&... x) const requires(W == 0) {
     const auto things = std::tie(x...);
     return [&]<std::size_t... I, std::size_t... K>(std::index_sequence<I...>, std::index_sequence<K...>) {
-      using S = scalar<I...>::template of<decltype(things)>;
+      using S = typename scalar<I...>::template of<decltype(things)>;
       const auto y = values<dual<S, 1>>(moving<S>(std::get<I>(things)...), things);
       return make_rates(y[K].derivative[0]...);
     }
@@ -87,7 +87,7 @@ struct implicit_follower {
   constexpr auto switched(const X&... x) const requires(W == 0) {
     const auto things = std::tie(x...);
     return [&]<std::size_t... I, std::size_t... K>(std::index_sequence<I...>, std::index_sequence<K...>) {
-      using S = scalar<I...>::template of<decltype(things)>;
+      using S = typename scalar<I...>::template of<decltype(things)>;
       const auto y = values<S>({as<S>(std::get<I>(things).q)...}, things);
       return make_rates(S(y[K] - S(guess[K]))...);
     }

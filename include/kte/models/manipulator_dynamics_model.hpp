@@ -121,11 +121,11 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
   /// (models/detail/rate_derivatives.hpp); without rotations J_ij = d x'_i / d x_j. Exact to rounding; inputs are as
   /// set. Stiff methods use it.
   using jacobian_matrix = Eigen::Matrix<S, size::x_dot, size::x_dot>;
-  /// False for chains with load-dependent friction and internal states, for which stiff methods use differences: the
-  /// friction depends on accelerations, and so do these states.
+  /// False for chains with both load-dependent friction and internal states, because the friction depends on
+  /// accelerations, and so do these states. Stiff methods then use differences.
   static constexpr bool has_jacobian =
       !closes && (size::z == 0 || !(load_dependent_friction<typename E::core_type> || ...));
-  jacobian_matrix jacobian(const S& t, const state& x) const requires(has_jacobian) {
+  [[nodiscard]] jacobian_matrix jacobian(const S& t, const state& x) const requires(has_jacobian) {
     jacobian_matrix j;
     jacobian(t, x, j);
     return j;

@@ -79,8 +79,8 @@ class manipulator_dynamics_model<runtime_chain, double, void> : public state_spa
 
   using base::make_x;
   /// The state x of vectors q and v, with z = 0 (of elements that start in place that of q) or as given.
-  state make_x(const Eigen::VectorXd& q, const Eigen::VectorXd& v) const;
-  state make_x(const Eigen::VectorXd& q, const Eigen::VectorXd& v, const Eigen::VectorXd& z) const;
+  [[nodiscard]] state make_x(const Eigen::VectorXd& q, const Eigen::VectorXd& v) const;
+  [[nodiscard]] state make_x(const Eigen::VectorXd& q, const Eigen::VectorXd& v, const Eigen::VectorXd& z) const;
   using base::setInput;
   /// Sets all inputs u. Throws `bad_argument` for a wrong number of inputs, and for numbers that are not finite.
   void setInput(const Eigen::VectorXd& u);
@@ -153,16 +153,16 @@ class manipulator_dynamics_model<runtime_chain, double, void> : public state_spa
   /// Throws `bad_argument` where the step from x0 that has just been computed ends too near to a singular
   /// configuration.
   void check_end(const state& x0, const state& next) const;
-  /// x on the loops, wherever it is. Throws `bad_argument` that names a closure which does not close from there:
-  /// `assemble` goes a longer way.
-  state on_loops(const state& x) const;
+  /// Projects any x onto the loops. Throws `bad_argument`, naming a closure that does not close from there; `assemble`
+  /// can close loops from farther away.
+  [[nodiscard]] state on_loops(const state& x) const;
 
  private:
   int place_of_input(std::string_view name, kind k) const;
   /// doMotion of the elements with internal states, and of those on which they depend.
   void rates_of_internals() const;
   runtime_state& own_state_at(double t, const state& x) const;
-  /// Of a chain with loops, at the own state.
+  /// The accelerations of a chain with loops at the model's state.
   const Eigen::VectorXd& accelerations_in_step() const;
 
   // Working memory, also through std::cref: use one model per thread.

@@ -9,8 +9,8 @@ namespace kte {
 /// Probable mistakes in a robot, as messages with their line if it is from a file: warnings of reading (inertias that
 /// are not physically realizable, angles that are nearly quarter turns, axes that are not of length 1), links that do
 /// not form a tree, joints that move no mass, empty ranges, efforts and rates of 0, and a mass matrix that is nearly
-/// singular at one of twenty random configurations (fixed seed). Without findings the list is empty. Of a robot with
-/// closed loops also their rows, rank and mobility, rows that follow from others, and whether they can be assembled.
+/// singular at one of twenty random configurations (fixed seed). Without findings the list is empty. For closed
+/// loops also their rows, rank and mobility, redundant rows, and whether they can be assembled.
 [[nodiscard]] std::vector<robot_note> check_robot(const robot_description& d, const robot_options& options = {});
 /// Probable mistakes in a robot, by its coordinates, with those that `check_chain` finds.
 [[nodiscard]] std::vector<robot_note> check_robot(const robot& r);

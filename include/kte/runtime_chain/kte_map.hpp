@@ -119,7 +119,7 @@ class kte_element : public kte_map {
   /// The residual, its second derivative and the wrenches of rows for several motions: `all_rows_of_closing` numbers a
   /// motion.
   virtual void close_frames(std::span<const detail::closing_motion<double>>, double* /*rows*/) const {}
-  /// Whether a closed loop is not at the false solution of a rotation, half a turn off.
+  /// Whether a closed loop of rotations is at the true solution, not half a turn away.
   virtual bool is_upright(const detail::closing_motion<double>&) const { return true; }
   /// The residual of a closure of coordinates at q with rates v, its derivatives by the coordinates, and its second
   /// derivative without accelerations.

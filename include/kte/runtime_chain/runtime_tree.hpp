@@ -41,7 +41,7 @@ template <class S>
 inline constexpr bool has_lanes_of_double = requires {
   requires std::is_same_v<typename S::value_type, double> &&(S::lanes > 0);
 };
-/// Throws `bad_argument` if S is a scalar in which forces, or coordinates that follow others, are not known.
+/// Throws `bad_argument` if S is a scalar that does not support forces or dependent coordinates.
 template <class S, class P>
 void check_scalar(const topology& t, const runtime_tree<P>& tree) {
   if (std::is_same_v<S, double>) return;

@@ -29,17 +29,18 @@ class chain_tree {
   /// Elements that write coordinates, signals and frames before bodies are placed (`followers`), and those that write
   /// signals and frames, on which forces depend, after it (`late`), in order.
   std::vector<int> followers, late;
-  tree::cluster_layout clusters;              ///< of coordinates that follow others; none in trees
-  std::vector<int> on_coordinates;            ///< elements that act on coordinates alone, in order
-  std::vector<int> on_frames;                 ///< elements that act on frames and are no rigid bodies; `late` movers
-  std::vector<int> weights;                   ///< those of them that have a mass
-  std::vector<int> distributed;               ///< those that have a mass between several ports
-  std::vector<int> readers;                   ///< joints whose friction depends on what they carry
-  std::vector<int> locks;                     ///< elements that may hold a coordinate
-  std::vector<std::pair<kind, int>> written;  ///< frames that `late` elements write
-  std::vector<std::pair<kind, int>> touched;  ///< the frames that these act on
-  std::vector<std::pair<kind, int>> turned;   ///< coordinates whose sines or matrices are read, but by joints
-  /// An element that is more than body nodes say, and why.
+  tree::cluster_layout clusters;    ///< of coordinates that follow others; none in trees
+  std::vector<int> on_coordinates;  ///< elements that act on coordinates only, in order
+  std::vector<int> on_frames;       ///< elements that act on frames and are not rigid bodies, and movers in `late`
+  std::vector<int> weights;         ///< elements of `on_frames` with mass
+  std::vector<int> distributed;     ///< elements with a mass between several ports
+  std::vector<int> readers;         ///< joints whose friction depends on what they carry
+  std::vector<int> locks;           ///< elements that may hold a coordinate
+  std::vector<std::pair<kind, int>> written;  ///< frames written by `late` elements
+  std::vector<std::pair<kind, int>> touched;  ///< frames on which `on_frames` act
+  std::vector<std::pair<kind, int>>
+      turned;  ///< coordinates whose sines or matrices are read by elements other than joints
+  /// An element that body nodes cannot represent, and the reason.
   struct exception {
     int element = -1;  ///< -1: there is no such element
     const char* why = "";

@@ -5,24 +5,24 @@
 
 #include <vector>
 
-/// Loads on the bodies of a tree whose articulated inertias are known, and the accelerations that they make.
+/// Loads on the bodies of a tree with known articulated inertias, and the accelerations that they cause.
 namespace kte::tree {
 
 inline constexpr std::size_t most_axes = 6;  ///< of a joint
 
-/// The bodies that loads pass on their way to the bases, those further out first.
+/// The bodies on the path of loads to the bases, outermost first.
 struct load_way {
   std::vector<int> nodes;
   std::vector<int> next;  ///< by place in `nodes`: the place of the parent, or -1
 };
-/// Articulated inertias as they are at some positions: joint transforms by body, factors by axis.
+/// Articulated inertias at some positions: joint transforms by body, factors by axis.
 template <class S>
 struct articulated_tree {
   std::vector<joint_transform<S>> joint_transforms;
   std::vector<axis_factors<S>> factors;
 };
 
-/// A wrench on a frame seen from where the frame stands, at p with rotation R: f = R f, n = R n + p x f.
+/// A wrench on a frame at p with rotation R, in the axes and at the origin of its parent: f = R f, n = R n + p x f.
 template <class S, class R>
 KTE_INLINE simd_wrench<S> seen_from(const mat3<vec3<R>>& r, const vec3<R>& p, const simd_wrench<S>& w) {
   const auto turned = [&r](const vec3<simd<S>>& u) KTE_INLINE_LAMBDA {
@@ -42,14 +42,14 @@ KTE_INLINE void add_to(simd_wrench<S>& sum, const simd_wrench<S>& x) {
   sum.torque.x += x.torque.x, sum.torque.y += x.torque.y, sum.torque.z += x.torque.z;
 }
 
-/// What loads leave on each axis on their way: with the axis s, U D^-1 of articulate_body.hpp, and a force f on the
-/// axis itself,
+/// The effect of loads on each axis of their path: with the axis s, U D^-1 of articulated_body.hpp, and a force f on
+/// the axis itself,
 ///
 ///   e = f + s.W,   W' = W - U D^-1 e          (1)
 ///
-/// put(axis, e); the sum of e_k D^-1 e_l over all axes is the acceleration of load k by load l (recursions/
-/// inverse_mass.hpp). `loads`: by place in `way`, of as many loads as go into a register; `force`: likewise, of the
-/// axes of the joint there, `most_axes` each, or nothing.
+/// by put(axis, e). The sum of e_k D^-1 e_l over all axes is the acceleration of load k due to load l
+/// (recursions/inverse_mass.hpp). `loads`: by place in `way`, one load per lane; `force`: by place, `most_axes` forces
+/// for the axes of the joint there, or null.
 template <class P, class S, class Put>
 void send_to_bases(const body_tree<P>& f, const memory<P, S>& m, const load_way& way, simd_wrench<S>* loads,
                    const S* force, const Put& put) {
@@ -94,13 +94,13 @@ void send_to_bases(const body_tree<P>& f, const memory<P, S>& m, const load_way&
     if (!at_hand) add_to(loads[way.next[n]], load);
   }
 }
-/// The place of a frame in a body, and its velocity there at rates of axes, in axes of the body.
+/// The place of a frame in a body, and its velocity there at the rates of axes, in the axes of the body.
 template <class S>
 struct moving_place {
   mat3<vec3<S>> rotation;
   vec3<S> position, velocity;
 };
-/// Of a frame in its base, or in the body of slot `top` where it stands on that. Returns the slot.
+/// The place and velocity of a frame in its base, or in the body of slot `top` if that carries it. Returns the slot.
 template <class P, class S>
 int place_and_velocity(const body_tree<P>& f, const memory<P, S>& m, const frame_place<P>& frame, int top,
                        moving_place<S>& x) {
@@ -119,8 +119,8 @@ int place_and_velocity(const body_tree<P>& f, const memory<P, S>& m, const frame
   }
   return slot;
 }
-/// The accelerations of axes, from rest and on bases at rest, that make the part `rate` of their factors: D^-1 e of
-/// (1). Into `acceleration`.
+/// Writes to `acceleration` the accelerations of axes, from rest and on bases at rest, for the part `rate` of their
+/// factors: D^-1 e of (1).
 template <class P, class S>
 void accelerate_from_rest(const body_tree<P>& f, memory<P, S>& m,
                           const std::vector<joint_transform<S>>& joint_transforms, const axis_factors<S>* factors) {

@@ -38,7 +38,7 @@ struct loop_memory : tree::memory<P, S> {
   tree::mass_memory<S> masses;
   tree::followed_memory<S> followed;
   tree::cluster_memory<S> clusters;
-  std::vector<int> rows;  ///< of a column of derivatives that are anything
+  std::vector<int> rows;  ///< rows of nonzero entries in a column of derivatives
   tree::variation_memory<S> variations;
   inverse_dynamics_result<S, Eigen::Dynamic> of_forces;
   forward_dynamics_result<S, Eigen::Dynamic> of_accelerations;

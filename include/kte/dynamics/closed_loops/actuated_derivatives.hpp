@@ -7,8 +7,9 @@ namespace kte {
 
 /// The result of `actuated_dynamics_derivatives`, for k actuated coordinates.
 struct actuated_dynamics_derivatives_result {
-  Eigen::VectorXd a;                   ///< accelerations y'' of the actuated coordinates, k
-  Eigen::MatrixXd by_q, by_v, by_tau;  ///< of y'' by y, y' and the forces on the actuated coordinates, k x k
+  Eigen::VectorXd a;  ///< accelerations y'' of the actuated coordinates, k
+  Eigen::MatrixXd by_q, by_v,
+      by_tau;  ///< derivatives of y'' by y, y' and the forces on the actuated coordinates, k x k
 };
 
 namespace detail {
@@ -17,12 +18,13 @@ actuated_dynamics_derivatives_result actuated_dynamics_derived(const runtime_cha
                                                                const std::vector<std::string>& names);
 }  // namespace detail
 
-/// The accelerations of the actuated coordinates of a mechanism with loops, under the forces tau on all coordinates,
-/// and their derivatives along motions on the loops, on which the other coordinates follow:
+/// The accelerations of the actuated coordinates of a mechanism with loops under the forces tau on all coordinates, and
+/// their derivatives along motions on the loops, where the other coordinates follow:
 ///
 ///   dq = G dy,   dv = G dy' + K dy,   J K = -d(J v)/dq G,  K_actuated = 0          (1)
 ///
-/// q and v are those of all coordinates, on the loops. Throws as `constrained_dynamics_derivatives` and `loop_motion`.
+/// q and v contain all coordinates and satisfy the loops. Throws as `constrained_dynamics_derivatives` and
+/// `loop_motion`.
 template <indexable Q, indexable V, indexable T>
 actuated_dynamics_derivatives_result actuated_dynamics_derivatives(const runtime_chain& c, runtime_state& s, const Q& q,
                                                                    const V& v, const T& tau,

@@ -5,13 +5,13 @@
 #include <kte/dynamics/jacobian.hpp>
 #include <kte/dynamics/mass_matrix.hpp>
 
-/// The equations of motion of a mechanism with loops in its actuated coordinates y, as many as its mobility. With G of
-/// `loop_motion`, and M, h, J of the tree,
+/// The equations of motion of a mechanism with loops in its actuated coordinates y, whose number is the mobility. With
+/// G of `loop_motion`, and M, h, J of the tree,
 ///
 ///   v = G y',   a = G y'' + G_dot y'                              (1)
 ///   (G^T M G) y'' + G^T (M G_dot y' + h) = tau_y                  (2)
 ///
-/// q and v are those of all coordinates, on the loops: v = G y'.
+/// q and v contain all coordinates and satisfy the loops: v = G y'.
 namespace kte {
 
 namespace detail {
@@ -41,13 +41,13 @@ Eigen::VectorXd nonlinear_effects(const runtime_chain& c, runtime_state& s, cons
   detail::check_regular_tree(c, s);
   return detail::take(c, s, q, v, detail::found_later{}).call([&] { return detail::actuated_bias(c, s, by.names); });
 }
-/// The forces on the actuated coordinates that hold the bodies against gravity, G^T of `gravity_forces`.
+/// The forces on the actuated coordinates that hold the bodies against gravity: G^T times `gravity_forces`.
 template <indexable Q>
 Eigen::VectorXd gravity_forces(const runtime_chain& c, runtime_state& s, const Q& q, const actuated_coordinates& by) {
   const Eigen::MatrixXd g = loop_motion(c, s, q, by);
   return g.transpose() * gravity_forces(c, s, q);
 }
-/// The Jacobian of a frame by the actuated coordinates, J G: velocities in axes of the frame, linear rows first.
+/// The Jacobian of a frame by the actuated coordinates, J G: velocities in the axes of the frame, linear rows first.
 template <indexable Q>
 Eigen::MatrixXd jacobian(const runtime_chain& c, runtime_state& s, const Q& q, const name_or_handle& frame,
                          const actuated_coordinates& by) {
@@ -67,7 +67,7 @@ Eigen::MatrixXd jacobian(const runtime_chain& c, runtime_state& s, const Q& q, c
 #ifdef KTE_FUNCTION
 namespace kte::detail {
 
-/// The motion d with J d = -off in which the actuated coordinates do not move.
+/// The motion d with J d = -off in which the actuated coordinates are fixed.
 inline Eigen::VectorXd followed_motion(runtime_state& s, loop_memory_of_state& loops, const Eigen::MatrixXd& g,
                                        const std::vector<int>& actuated, const Eigen::VectorXd& off) {
   const Eigen::VectorXd d = -loops.factor.least_change(s, loops.equations, off);

@@ -40,7 +40,7 @@ Eigen::VectorXd inverse_dynamics(const runtime_chain& c, runtime_state& s, const
 
 namespace kte::detail {
 
-/// (1) by the degrees of freedom that are `actuated`, after `factorize_loops`; without loops where m is nothing.
+/// (1) for the degrees of freedom in `actuated`; call `factorize_loops` first. m is null without loops.
 inline Eigen::MatrixXd motion_by(const std::vector<int>& actuated, int n, const loop_workspace* m) {
   Eigen::MatrixXd j(0, n);
   int rank = 0;
@@ -78,7 +78,7 @@ inline Eigen::MatrixXd motion_by(const std::vector<int>& actuated, int n, const 
   for (int k = 0; k < n - rank; ++k) g(actuated[static_cast<std::size_t>(k)], k) = 1;
   return g;
 }
-/// Raises `bad_argument` where the accelerations of a state do not keep loops closed; after `factorize_loops`.
+/// Raises `bad_argument` if the accelerations of a state do not keep the loops closed; call `factorize_loops` first.
 template <class Closures, class State>
 void check_accelerations_on_loops(const Closures& c, State& s, loop_equations& e) {
   Eigen::VectorXd a(s.dofs());

@@ -65,8 +65,8 @@ std::vector<char> sliding_rows(const State& s) {
   return slides;
 }
 
-/// Residuals of a chain over the coordinates that may move, not those of the degrees of freedom `held`. set(q) puts
-/// positions into the state; moved(q, d): q (+) d.
+/// Residuals of a chain over the coordinates that may move, without the degrees of freedom in `held`. set(q) writes
+/// positions to the state; moved(q, d) returns q (+) d.
 template <class Closures, class State, class Set, class Moved>
 class assembly {
  public:
@@ -82,7 +82,7 @@ class assembly {
     for (int row = 0; row < s.dofs(); ++row)
       if (slides[static_cast<std::size_t>(row)]) unit_[row] = equations_.places.length;
   }
-  /// A configuration on the loops, from q.
+  /// A configuration on the loops, starting from q.
   Eigen::VectorXd from(Eigen::VectorXd q) {
     constexpr int most_steps = 200;
     double size = at(q), damping = 1;
@@ -100,7 +100,7 @@ class assembly {
         if (better) break;
         (void)at(q);
       }
-      if (!better) break;  // as near as it comes
+      if (!better) break;  // the nearest that it reaches
       const bool little = after > 0.9999 * size && size > 1e-13;
       q = next, size = after, damping = (std::max)(damping / 8, 1e-3);
       if (last || (little && steps > 50)) break;
@@ -116,14 +116,14 @@ class assembly {
   }
 
  private:
-  /// |g|, with g and J of q.
+  /// |g|; computes g and J at q.
   double at(const Eigen::VectorXd& q) {
     set_(q);
     equations_.at_positions(closures_, state_, true);
     return equations_.residual.norm();
   }
   double gap() const { return equations_.residual.cwiseAbs().maxCoeff(); }
-  /// (1), of g and J as they are; false where nothing moves.
+  /// (1) for the current g and J; false if nothing moves.
   bool step(double mu, Eigen::VectorXd& d) const {
     const auto m = equations_.residual.size(), n = static_cast<Eigen::Index>(free_.size());
     pivoted_qr qr;
@@ -154,7 +154,7 @@ class assembly {
                            "' stays open by " + short_number(widest.size) + (widest.linear ? " m" : " rad") +
                            " after " + std::to_string(steps) + " steps (" + why + ")");
   }
-  /// Throws where rotations are on their false solution.
+  /// Throws if rotations are at their false solution, half a turn away.
   void check_upright() const {
     for (const auto& x : equations_.places.closures)
       if (x.of_frames() && !closures_.is_upright(x.element, loop_equations::motion_between(state_, x)))
@@ -173,7 +173,7 @@ class assembly {
   const Set& set_;
   const Moved& moved_;
   std::vector<int> free_;
-  Eigen::VectorXd unit_;  ///< of coordinates: the length of the chain, or 1 rad
+  Eigen::VectorXd unit_;  ///< by coordinate: the length of the chain, or 1 rad
 };
 
 #ifdef KTE_FUNCTION

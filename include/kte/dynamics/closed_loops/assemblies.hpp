@@ -10,17 +10,16 @@ std::vector<Eigen::VectorXd> all_assemblies(const runtime_chain& c, runtime_stat
 }  // namespace detail
 
 /// All configurations with closed loops that `assemble` finds from n random starts, with coordinates held at their
-/// values in q. So many must be held that no others move.
+/// values in q. The held coordinates must fix all others.
 ///
 ///   kte::assemblies(four_bar, s, 100, q, kte::held("crank"))    // elbow up, elbow down
 ///
-/// Angles are in (-pi, pi] and quaternions have a scalar part that is not negative, as far as closures of coordinates
-/// allow; two configurations that are equal but for whole turns and signs are one. They are sorted by their numbers,
-/// and calls with equal arguments give equal results: starts have a fixed seed. Each is closed to rounding. That none
-/// is missing is certain only for n to infinity: one that is reached from a share p of all starts is missing with the
-/// probability (1 - p)^n.
+/// Angles are in (-pi, pi] and quaternions have a non-negative scalar part, as far as closures of coordinates allow;
+/// configurations that differ only by full turns and signs count as one. They are sorted by their numbers. Starts have
+/// a fixed seed, so that equal arguments give equal results. Each is closed to rounding. If a fraction p of all starts
+/// leads to a configuration, it is missing with the probability (1 - p)^n.
 ///
-/// Starts are uniform: angles over a turn, lengths over three lengths of the largest link to either side. Throws
+/// Starts are uniform: angles over a turn, lengths up to three lengths of the largest link in both directions. Throws
 /// `bad_argument` if the held coordinates leave the mechanism movable, `unknown_name`.
 template <indexable Q>
 std::vector<Eigen::VectorXd> assemblies(const runtime_chain& c, runtime_state& s, int n, const Q& q,
@@ -29,7 +28,7 @@ std::vector<Eigen::VectorXd> assemblies(const runtime_chain& c, runtime_state& s
   return detail::take(c, s, q).call(
       [&] { return detail::all_assemblies(c, s, n, detail::read_numbers<detail::vector_of::q>(s), held.names); });
 }
-/// Those of a chain in which no coordinate is held.
+/// The assemblies of a chain in which no coordinate is held.
 inline std::vector<Eigen::VectorXd> assemblies(const runtime_chain& c, runtime_state& s, int n) {
   return assemblies(c, s, n, neutral_configuration(c), {});
 }
@@ -43,7 +42,7 @@ inline std::vector<Eigen::VectorXd> assemblies(const runtime_chain& c, runtime_s
 
 namespace kte::detail {
 
-/// What tells the assemblies of a chain apart.
+/// Collects the different assemblies of a chain.
 class assembly_list {
  public:
   assembly_list(const runtime_chain& c, runtime_state& s, const std::vector<std::string>& held)
@@ -60,7 +59,7 @@ class assembly_list {
       free_[static_cast<std::size_t>(row)] = turns_[static_cast<std::size_t>(row)] = 0;
   }
 
-  /// Uniform numbers over a turn or three lengths to either side, 0 for what is held.
+  /// Uniform numbers over a turn, or over three lengths in both directions; 0 for held coordinates.
   Eigen::VectorXd random_step() {
     Eigen::VectorXd d = Eigen::VectorXd::Zero(unit_.size());
     for (Eigen::Index i = 0; i < d.size(); ++i) {
@@ -98,7 +97,7 @@ class assembly_list {
     e.at_positions(closures_of(chain_), state_, true);
     return e;
   }
-  /// Each angle in (-pi, pi], each quaternion with w >= 0, where the loops stay closed.
+  /// The configuration with each angle in (-pi, pi] and each quaternion with w >= 0, where the loops stay closed.
   Eigen::VectorXd canonical(Eigen::VectorXd q) const {
     for (const auto& f : state_.freedoms()) {
       const Eigen::VectorXd before = q;
@@ -124,7 +123,7 @@ class assembly_list {
       if (closed(turned)) d[f.v] -= turns;
     }
     return d.cwiseQuotient(unit_).cwiseAbs().maxCoeff() <
-           1e-5;  // where two meet they are known to the root of rounding
+           1e-5;  // at a point where two meet they have errors of the square root of rounding
   }
   /// Whether the free coordinates can move at the state.
   bool is_movable() const {
@@ -143,7 +142,7 @@ class assembly_list {
   const runtime_chain& chain_;
   runtime_state& state_;
   Eigen::VectorXd unit_;
-  std::vector<char> free_, turns_;  ///< of degrees of freedom
+  std::vector<char> free_, turns_;  ///< by degree of freedom
   std::vector<Eigen::VectorXd> all_;
   int movable_ = 0;
   std::mt19937 engine_{1};
@@ -157,7 +156,7 @@ KTE_FUNCTION std::vector<Eigen::VectorXd> all_assemblies(const runtime_chain& c,
   for (int i = 0; i < starts; ++i) {
     try {
       found.add(assembled(c, s, integrate(c, q, found.random_step(), 1.0), held));
-    } catch (const cannot_assemble&) {  // not from there
+    } catch (const cannot_assemble&) {  // this start does not close
     }
   }
   return found.sorted();

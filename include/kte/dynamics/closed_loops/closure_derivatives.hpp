@@ -8,20 +8,20 @@ namespace kte {
 /// A parameter of a closure, by the name of its loop:
 ///
 ///   "length", "factor1", "factor2", "constant"    of `distance`, `coupled_coordinates`
-///   "frame1.x", "frame1.y", "frame1.z"            of a closure of frames: how far frame1 is displaced on its body, m,
-///   in
-///                                                 its axes; "frame2.x" ... likewise
-///   "frame1.rx", "frame1.ry", "frame1.rz"         how far it is turned about its axes, rad
+///   "frame1.x", "frame1.y", "frame1.z"            for a closure of frames: the displacement of frame1 on its body, m,
+///                                                 in its axes; "frame2.x" ... likewise
+///   "frame1.rx", "frame1.ry", "frame1.rz"         its rotation about its axes, rad
 struct closure_parameter {
   std::string closure, parameter;
 };
 
-/// The result of `closure_derivatives`, a column a parameter: of n coordinates, m rows of closures.
+/// The result of `closure_derivatives`, one column per parameter, for n coordinates and m rows of closures.
 struct closure_derivatives_result {
-  Eigen::MatrixXd q;          ///< n rows, along the numbers of v: how the configuration follows
-  Eigen::MatrixXd v;          ///< n rows: how the velocities follow
-  Eigen::MatrixXd a, lambda;  ///< accelerations, forces of closures, n and m rows, on the closed loops
-  Eigen::MatrixXd a_in_place, lambda_in_place;  ///< the same with q and v held: partial derivatives
+  Eigen::MatrixXd q;          ///< n rows, along the numbers of v: derivatives of the configuration
+  Eigen::MatrixXd v;          ///< n rows: derivatives of the velocities
+  Eigen::MatrixXd a, lambda;  ///< of accelerations and closure forces, n and m rows, on the closed loops
+  Eigen::MatrixXd a_in_place,
+      lambda_in_place;  ///< of accelerations and closure forces at constant q and v: partial derivatives
 };
 
 namespace detail {
@@ -31,7 +31,7 @@ closure_derivatives_result closures_derived(const runtime_chain& c, runtime_stat
 }  // namespace detail
 
 /// Derivatives of `constrained_dynamics` by parameters of closures, at tau, with the actuated coordinates and their
-/// rates held: a longer rod moves the mechanism. With the residuals g of the closures,
+/// rates constant: a longer rod moves the mechanism. With the residuals g of the closures,
 ///
 ///   J dq = -dg,   J dv = -d(J v),   dq_actuated = dv_actuated = 0          (1)
 ///
@@ -39,8 +39,8 @@ closure_derivatives_result closures_derived(const runtime_chain& c, runtime_stat
 ///
 ///   closure_derivatives(c, s, q, v, tau, {{"rod", "length"}}, kte::actuated("crank")).a
 ///
-/// Throws as these and `loop_motion`; `unknown_name` for a closure or parameter that the chain does not have;
-/// `no_solution` for a parameter by which redundant closures contradict each other.
+/// Throws as `constrained_dynamics_derivatives` and `loop_motion`; `unknown_name` for a closure or parameter that the
+/// chain does not have; `no_solution` for a parameter for which redundant closures contradict each other.
 template <indexable Q, indexable V, indexable T>
 closure_derivatives_result closure_derivatives(const runtime_chain& c, runtime_state& s, const Q& q, const V& v,
                                                const T& tau, const std::vector<closure_parameter>& parameters,

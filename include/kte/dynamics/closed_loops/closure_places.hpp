@@ -5,32 +5,32 @@
 
 #include <numeric>
 
-/// Where the closures of a chain stand in its tree, worked out once for a state. `Closures`: as
+/// The places of the closures of a chain in its tree, computed once for a state. `Closures`: as
 /// dynamics/closed_loops/runtime_closures.hpp; states as in dynamics/looped/inverse_dynamics.hpp, in double.
 namespace kte::detail {
 
 struct closure_place {
-  int element = 0, loop = 0;  ///< its number in the chain; its name among loops
+  int element = 0, loop = 0;  ///< its number in the chain; the number of its name among loops
   closure_rows rows;
-  int first = 0;                 ///< of its rows among all
-  runtime_frame frame1, frame2;  ///< of a closure of frames
-  std::vector<int> coordinates;  ///< of a closure of coordinates: slots, and rows of v
+  int first = 0;                 ///< its first row among all
+  runtime_frame frame1, frame2;  ///< for a closure of frames
+  std::vector<int> coordinates;  ///< for a closure of coordinates: slots, and rows of v
   std::vector<int> dofs;
-  std::vector<int> axes;  ///< likewise: which axis of the joint there
-  tree::load_way way;     ///< of its forces, in trees
-  /// By place in the way: of frame1, frame2 or of coordinates; -1 on a base.
+  std::vector<int> axes;  ///< for a closure of coordinates: the axis of the joint there
+  tree::load_way way;     ///< path of its forces, for trees
+  /// By place in the path: for frame1, frame2 or coordinates; -1 on a base.
   std::vector<int> enters;
   bool of_frames() const { return coordinates.empty(); }
 };
-/// Closures that share degrees of freedom, with those: a separate problem.
+/// Closures that share degrees of freedom, and these degrees of freedom: a separate problem.
 struct loop_block {
   std::vector<int> closures;
-  std::vector<int> rows_among_all;  ///< of its rows
+  std::vector<int> rows_among_all;  ///< by row
   std::vector<int> places;          ///< degrees of freedom of its frames down to the base, in order
   int rows = 0;
 };
 
-/// The closures of a chain, and the degrees of freedom by places: those of a tree in the order of its axes.
+/// The closures of a chain, and the degrees of freedom by places; for a tree in the order of its axes.
 class closure_places {
  public:
   template <class Closures, class State>
@@ -54,11 +54,11 @@ class closure_places {
   std::vector<loop_block> blocks;
   int rows = 0;
   double length = 0;               ///< of the largest link, m: a row in m is divided by it
-  std::vector<int> row_of_place;   ///< in v
-  std::vector<int> axis_of_place;  ///< of a tree; -1: it moves no joint
-  std::vector<int> place_of_axis;  ///< -1: no degree of freedom
+  std::vector<int> row_of_place;   ///< by place: the row in v
+  std::vector<int> axis_of_place;  ///< by place, for trees; -1: it moves no joint
+  std::vector<int> place_of_axis;  ///< -1: not a degree of freedom
   std::vector<int> place_of_row;
-  std::vector<int> column_of_place;  ///< in its block
+  std::vector<int> column_of_place;  ///< by place: the column in its block
 
   /// The name of row k, for messages: "pin[1]".
   template <class Closures>
@@ -73,7 +73,7 @@ class closure_places {
   }
   /// Row k of a block among all.
   static int row_of(const loop_block& b, int k) { return b.rows_among_all[static_cast<std::size_t>(k)]; }
-  /// What row k of a closure is multiplied by.
+  /// The factor of row k of a closure.
   double scale(const closure_place& x, int k) const { return k < x.rows.linear ? 1 / length : 1; }
 
  private:
@@ -97,7 +97,7 @@ class closure_places {
           place_of_axis[static_cast<std::size_t>(k)] = static_cast<int>(row_of_place.size());
           add(row, k);
         }
-    for (int row = 0; row < n; ++row)  // coordinates that move no joint; all of them where M is dense
+    for (int row = 0; row < n; ++row)  // coordinates that move no joint; all of them if M is dense
       if (place_of_row[static_cast<std::size_t>(row)] < 0) add(row, -1);
   }
   template <class Closures, class State>
@@ -124,7 +124,7 @@ class closure_places {
   template <class State>
   static void find_way(const State& s, closure_place& x) {
     const auto& f = s.tree().body_tree;
-    std::vector<int> ends;  // body nodes, or less than none
+    std::vector<int> ends;  // body nodes, or negative if there is none
     if (x.of_frames()) {
       for (const auto& frame : {x.frame1, x.frame2}) ends.push_back(f.frame(frame.what, frame.index).slot - f.bases);
     } else {
@@ -149,7 +149,7 @@ class closure_places {
     for (const int i : nodes) x.way.next.push_back(place_of(f.nodes[static_cast<std::size_t>(i)].parent - f.bases));
     for (const int i : ends) x.enters.push_back(place_of(i));
   }
-  /// All places that the factor of a closure has entries at.
+  /// All places where the factor of a closure has entries.
   template <class State>
   std::vector<int> places_of(const State& s, const closure_place& x) const {
     std::vector<int> all;
@@ -169,8 +169,8 @@ class closure_places {
     return all;
   }
   void make_blocks(const std::vector<std::vector<int>>& touched) {
-    std::vector<int> owner(row_of_place.size(), -1);  // of a place: a closure
-    std::vector<int> joined(closures.size());         // of a closure: another of its block
+    std::vector<int> owner(row_of_place.size(), -1);  // by place: a closure
+    std::vector<int> joined(closures.size());         // by closure: another one of its block
     std::iota(joined.begin(), joined.end(), 0);
     const auto first_of = [&joined](int i) {
       while (joined[static_cast<std::size_t>(i)] != i) i = joined[static_cast<std::size_t>(i)];

@@ -9,8 +9,8 @@ class closure_variations {
   using D = derivative_number;
 
  public:
-  /// With q, v, a and the forces lambda of closures held, a column a parameter; of rows in m divided by the length of
-  /// the chain:
+  /// Derivatives at constant q, v, a and closure forces lambda, one column per parameter; rows in m are divided by the
+  /// length of the chain:
   ///
   ///   residuals g,   velocities J v,   accelerations J a + J_dot v,   forces J^T lambda          (1)
   struct result {
@@ -54,8 +54,8 @@ class closure_variations {
   struct wanted {
     int closure;
     int number = -1;       ///< among the parameters of the closure
-    int frame = 0;         ///< which is displaced, 1 or 2,
-    bool turns = false;    ///< by a rotation
+    int frame = 0;         ///< the displaced frame, 1 or 2
+    bool turns = false;    ///< whether the displacement is a rotation
     std::size_t axis = 0;  ///< about or along this axis
   };
   struct rows_at {
@@ -116,7 +116,7 @@ class closure_variations {
     const auto on_a = transmit(m, on_b);
     push(c, s, x.frame1, {-on_a.force, -on_a.torque}, forces, column);
   }
-  /// A frame F' on the body of a frame of the closure, displaced from it: lane 0.
+  /// The frame F' displaced from a frame F of the closure, on its body: lane 0.
   static void by_displacement(const runtime_chain& c, runtime_state& s, const closure_place& x,
                               const closing_motion<double>& between, const wanted& w, rows_at& rows,
                               Eigen::MatrixXd& forces, Eigen::Index column) {
@@ -149,7 +149,7 @@ class closure_variations {
     const auto of = [](const auto& x) { return vec3<>{x.x.derivative[0], x.y.derivative[0], x.z.derivative[0]}; };
     return {of(w.force), of(w.torque)};
   }
-  /// Adds what a wrench on a frame does on coordinates.
+  /// Adds the effect of a wrench on a frame to the forces on coordinates.
   static void push(const runtime_chain& c, runtime_state& s, const runtime_frame& x,
                    const tree::dense_wrench<double>& w, Eigen::MatrixXd& forces, Eigen::Index column) {
     runtime_jacobian j(6, s.dofs());

@@ -19,16 +19,16 @@ Eigen::MatrixXd loop_jacobian_at_state(const runtime_chain& c, runtime_state& s)
 ///
 ///   M a = tau - bias + J^T lambda,   J a = -J_dot v          (1)
 ///
-/// by articulated bodies and a column-pivoted QR factorisation of L^-T J^T, M = L^T L, so that redundant closures are
-/// no harm: a and J^T lambda do not depend on which rows are taken. The force of a single redundant closure does: rows
-/// in `dependent` get none. Singular configurations are met to 1e-10 of the largest pivot.
+/// by articulated bodies and a column-pivoted QR factorization of L^-T J^T, M = L^T L, so that redundant closures are
+/// harmless: a and J^T lambda do not depend on the choice of independent rows. The force of a single redundant closure
+/// does; rows in `dependent` get no force. Singular configurations are resolved to 1e-10 of the largest pivot.
 ///
 ///   constrained_dynamics(c, s, q, v, tau)    r.a, r.loop("pin").force, r.rank, r.mobility, r.dependent
 ///
 /// The result is in the memory of the state, until the next call. Coordinates and loops of the state get accelerations
-/// and forces; positions and velocities should be on the loops. Arguments and errors
-/// as for `forward_dynamics`; throws `bad_argument` for a closure on a frame that follows others, and for joints that
-/// may be held or have friction by what they carry.
+/// and forces; positions and velocities should satisfy the loops. Arguments and errors as for `forward_dynamics`;
+/// throws `bad_argument` for a closure on a frame that follows others, for joints that may be held, and for
+/// load-dependent friction.
 template <indexable Q, indexable V, indexable T>
 const constrained_dynamics_result& constrained_dynamics(const runtime_chain& c, runtime_state& s, const Q& q,
                                                         const V& v, const T& tau) {
@@ -47,22 +47,23 @@ loops_report loops(const runtime_chain& c, runtime_state& s, const Q& q) {
   return detail::take(c, s, q).call([&] { return detail::loops_at_state(c, s); });
 }
 
-/// The Jacobian of all closures, J: the rates of the residuals, m/s and rad/s, are J v. Rows are in the order of the
-/// chain, of each closure those in m first.
+/// The Jacobian J of all closures: the rates of the residuals, m/s and rad/s, are J v. Rows are in the order of the
+/// chain; for each closure those in m come first.
 template <indexable Q>
 Eigen::MatrixXd loop_jacobian(const runtime_chain& c, runtime_state& s, const Q& q) {
   detail::check_regular_tree(c, s);
   return detail::take(c, s, q).call([&] { return detail::loop_jacobian_at_state(c, s); });
 }
 
-/// The velocities nearest to v, in kinetic energy, with closed loops: J v = 0. They are stored in the state.
+/// The velocities nearest to v, measured by kinetic energy, that keep the loops closed: J v = 0. They are stored in the
+/// state.
 template <indexable Q, indexable V>
 Eigen::VectorXd consistent_velocities(const runtime_chain& c, runtime_state& s, const Q& q, const V& v) {
   detail::check_regular_tree(c, s);
   return detail::take(c, s, q, v).call([&]() -> Eigen::VectorXd { return detail::velocities_on_loops(c, s); });
 }
-/// The velocities after an event has activated closures, without bounce: a plastic impact. The impulses are J^T of
-/// those of the closures, so that the velocities are those of `consistent_velocities`.
+/// The velocities after an event that activates closures, without bounce: a plastic impact. The impulses are J^T times
+/// those of the closures, so that the velocities equal those of `consistent_velocities`.
 template <indexable Q, indexable V>
 Eigen::VectorXd impulse(const runtime_chain& c, runtime_state& s, const Q& q, const V& v) {
   return consistent_velocities(c, s, q, v);
@@ -72,7 +73,7 @@ Eigen::VectorXd impulse(const runtime_chain& c, runtime_state& s, const Q& q, co
 
 namespace kte::detail {
 
-/// The names of rows that are not chosen.
+/// The names of dependent rows.
 template <class Closures>
 std::vector<std::string> dependent_rows(const Closures& c, const loop_equations& e, const loop_factor& factor) {
   std::vector<std::string> names;
@@ -80,13 +81,13 @@ std::vector<std::string> dependent_rows(const Closures& c, const loop_equations&
     if (!factor.is_chosen(e, k)) names.push_back(e.places.name_of_row(c, k));
   return names;
 }
-/// Rows chosen at the positions of the state.
+/// Selects the independent rows at the positions of the state.
 inline loop_memory_of_state& factorized_loops(const runtime_chain& c, runtime_state& s) {
   auto& m = loops_of(c, s);
   factorize_loops(closures_of(c), s, m);
   return m;
 }
-/// After `factorize_loops`.
+/// The report; call `factorize_loops` first.
 template <class Closures>
 loops_report report_of(const Closures& c, const loop_workspace& m, int dofs) {
   const auto& e = m.equations;
@@ -106,7 +107,7 @@ loops_report report_of(const Closures& c, const loop_workspace& m, int dofs) {
   }
   return r;
 }
-/// The velocities on the loops, after `factorize_loops`: the second time takes rounding away.
+/// Projects velocities onto the loops; call `factorize_loops` first. The second projection removes rounding errors.
 template <class State>
 void put_on_loops(State& s, loop_workspace& m, Eigen::VectorXd& v) {
   for (int i = 0; i < 2; ++i) {

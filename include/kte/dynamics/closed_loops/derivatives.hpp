@@ -11,16 +11,16 @@ namespace kte {
 
 /// The result of `constrained_dynamics_derivatives`, for n degrees of freedom and m rows of closures.
 struct constrained_dynamics_derivatives_result {
-  Eigen::VectorXd a;                   ///< accelerations, n
-  Eigen::VectorXd lambda;              ///< forces of closures by the rows of `loop_jacobian`, m: N, Nm
-  Eigen::MatrixXd by_q, by_v, by_tau;  ///< of a, n x n
-  Eigen::MatrixXd lambda_by_q, lambda_by_v, lambda_by_tau;  ///< of lambda, m x n
+  Eigen::VectorXd a;                                        ///< accelerations, n
+  Eigen::VectorXd lambda;                                   ///< closure forces by the rows of `loop_jacobian`, m: N, Nm
+  Eigen::MatrixXd by_q, by_v, by_tau;                       ///< derivatives of a, n x n
+  Eigen::MatrixXd lambda_by_q, lambda_by_v, lambda_by_tau;  ///< derivatives of lambda, m x n
   int rank = 0, mobility = 0;                               ///< the number of independent rows, and n - rank
 };
 
 namespace detail {
 struct loop_variations;
-/// With loops, the derivatives of the equations into `kept`.
+/// Writes the derivatives for loops to `kept`.
 constrained_dynamics_derivatives_result constrained_dynamics_derived(const runtime_chain& c, runtime_state& s,
                                                                      const Eigen::VectorXd& tau,
                                                                      loop_variations* kept = nullptr);
@@ -32,22 +32,22 @@ Eigen::VectorXd as_vector(const X& x, int n) {
 }
 }  // namespace detail
 
-/// The accelerations of a chain with loops and the forces of its closures, with their derivatives by q, along the
-/// numbers of v, by v and by tau: implicit differentiation of the equations of motion,
+/// The accelerations of a chain with loops and the forces of its closures, with their derivatives by q (along the
+/// numbers of v), by v and by tau: implicit differentiation of the equations of motion,
 ///
 ///   ID(q, v, a) - J^T lambda = tau,   J a + J_dot v = 0                                        (1)
 ///   M da - J^T dlambda = dtau - d(ID - J^T lambda),   J da = -d(J a + J_dot v)                 (2)
 ///
-/// with a, lambda held in the derivatives d(...) on the right, and the factor of `constrained_dynamics`.
+/// with a, lambda constant in the derivatives d(...) on the right, and the factor of `constrained_dynamics`.
 ///
 ///   const auto r = kte::constrained_dynamics_derivatives(c, s, q, v, tau);    r.by_q, r.lambda_by_q
 ///
-/// These are derivatives with all coordinates independent, also in directions that open the loops, where the closures
-/// keep J a + J_dot v at zero. Along motions on the loops combine them: with v = G v_y (`loop_motion`), by_q * G. Where
-/// rows depend on others, (1) and (2) are those of the independent rows that `constrained_dynamics` chooses, and the
-/// others have no force: on the loops a, its derivatives along motions on the loops, and J^T lambda are the same for
-/// each choice; lambda and derivatives in directions that open the loops depend on the choice. Arguments and errors as
-/// for `constrained_dynamics`.
+/// All coordinates are independent in these derivatives, which include directions that open the loops, where the
+/// closures keep J a + J_dot v at zero. For motions on the loops combine them: with v = G v_y (`loop_motion`), by_q *
+/// G. With redundant rows, (1) and (2) contain the independent rows that `constrained_dynamics` selects, and the others
+/// have no force. On the loops a, its derivatives along motions on the loops, and J^T lambda do not depend on this
+/// choice; lambda and derivatives in directions that open the loops do. Arguments and errors as for
+/// `constrained_dynamics`.
 template <indexable Q, indexable V, indexable T>
 constrained_dynamics_derivatives_result constrained_dynamics_derivatives(const runtime_chain& c, runtime_state& s,
                                                                          const Q& q, const V& v, const T& tau) {
@@ -75,7 +75,7 @@ class loop_sensitivity {
     else
       invert_free_rows(runtime_elements{c}, s, inverse_);
   }
-  /// da and dlambda, of rows in m and rad, for columns of forces and of J a + J_dot v.
+  /// Solves for da and dlambda, rows in m and rad, for columns of forces and of J a + J_dot v.
   void solve(const Eigen::MatrixXd& forces, const Eigen::MatrixXd& accelerations, Eigen::MatrixXd& a,
              Eigen::MatrixXd& lambda) {
     const auto& e = loops_.equations;

@@ -2,14 +2,14 @@
 
 #include <kte/dynamics/runtime/algorithms.hpp>
 
-/// Forward dynamics of runtime chains, whether they have loops or not.
+/// Forward dynamics of runtime chains with or without loops.
 namespace kte::detail {
 
-/// Accelerations of a chain with loops under the forces that are `kept` in the working memory. kte/loops.hpp sets it,
-/// so programs without loops do not compile it; it is set in kte::compiled.
+/// Accelerations of a chain with loops under the forces `kept` in the working memory. kte/loops.hpp sets the pointer,
+/// so that programs without loops do not compile this; kte::compiled sets it too.
 inline const Eigen::VectorXd& (*accelerations_on_loops)(const runtime_chain&, runtime_state&) = nullptr;
 
-/// At positions that are good, under applied(i).
+/// At checked positions, under the forces applied(i).
 template <class S, class Tau>
 const runtime_vector<S>& accelerations_of_chain(const runtime_chain& c, basic_runtime_state<S>& s, const Tau& applied) {
   if constexpr (std::is_same_v<S, double>)

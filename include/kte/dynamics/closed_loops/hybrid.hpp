@@ -9,12 +9,12 @@
 /// Hybrid dynamics of chains with loops.
 namespace kte::detail {
 
-/// Accelerations with some of them given, the forces on these coordinates into `forces`: with a0, lambda0 of
-/// `constrained_dynamics` for no such forces, and the response R of accelerations to forces,
+/// Accelerations with some of them given; writes the forces on these coordinates to `forces`. With a0, lambda0 of
+/// `constrained_dynamics` without these forces, and the response R of accelerations to forces,
 ///
 ///   E R E^T f = given - E a0,   a = a0 + R E^T f          (1)
 ///
-/// E: the rows of given coordinates.
+/// E: selects the rows of given coordinates.
 inline Eigen::VectorXd hybrid_on_loops(const runtime_chain& c, runtime_state& s, const std::vector<char>& is_given,
                                        const Eigen::VectorXd& given, Eigen::VectorXd& forces) {
   for (int i = 0; i < s.dofs(); ++i) s.work.kept[static_cast<std::size_t>(i)] = forces[i];

@@ -7,10 +7,10 @@
 /// Accelerations and closure forces of a chain with loops, in the working memory of a state.
 namespace kte::detail {
 
-/// Pivots below this part of the first are zero, where rows are chosen.
+/// Pivots below this fraction of the first count as zero when rows are selected.
 inline constexpr double least_pivot = 1e-10;
 
-/// The equations of the closures of a chain, their factor, and what is made of both.
+/// The equations of the closures of a chain, their factor, and quantities derived from both.
 struct loop_workspace {
   template <class Closures, class State>
   loop_workspace(const Closures& c, const State& s) : equations(c, s) {}
@@ -18,7 +18,7 @@ struct loop_workspace {
   loop_factor factor;
   Eigen::VectorXd change, multipliers;
 };
-/// What a runtime state keeps of the loops of its chain.
+/// The memory of a runtime state for the loops of its chain.
 struct loop_memory_of_state : loop_workspace {
   std::shared_ptr<const char> layout;
   constrained_dynamics_result result;
@@ -31,7 +31,7 @@ inline loop_memory_of_state& loops_of(const runtime_chain& c, runtime_state& s) 
   return m;
 }
 
-/// Raises `bad_argument` for what loops do not go with.
+/// Raises `bad_argument` for elements that chains with loops do not support.
 template <class Closures, class State>
 void check_loops(const Closures& c, const State& s) {
   const auto refuse = [&c](int e, const char* why) { raise<bad_argument>("kte: " + c.describe(e) + why); };
@@ -40,19 +40,19 @@ void check_loops(const Closures& c, const State& s) {
   if (!s.tree().readers.empty()) [[unlikely]]
     refuse(s.tree().readers.front(), " has load-dependent friction, which chains with closures do not know");
 }
-/// The pivot that counts as zero where residuals are as they are: rows that depend on others on the loops do not, as
-/// far as the state is away from them.
+/// The pivot that counts as zero for residuals that are not zero: rows that are dependent on the loops are independent
+/// away from them, in proportion to the distance.
 inline double least_pivot_at(const Eigen::VectorXd& residual) {
   const double gap = residual.size() > 0 ? residual.cwiseAbs().maxCoeff() : 0;
   return gap < 1e-8 ? (std::max)(least_pivot, 100 * gap) : least_pivot;
 }
-/// J_dot v at the state, and rows chosen there, after `at_positions` with J.
+/// Computes J_dot v at the state and selects rows there; call `at_positions` with J first.
 template <class Closures, class State>
 void choose_rows(const Closures& c, State& s, loop_equations& e, loop_factor& factor) {
   factor.factorize(c, s, e);
   factor.choose(c, s, e, least_pivot_at(e.residual));
 }
-/// Residuals, J, and rows chosen at the positions of the state.
+/// Computes residuals and J, and selects rows, at the positions of the state.
 template <class Closures, class State>
 void factorize_loops(const Closures& c, State& s, loop_workspace& m) {
   m.equations.at_positions(c, s, true);
@@ -67,21 +67,24 @@ void put_loop_forces(const closure_places& at, const Eigen::VectorXd& multiplier
   }
 }
 
-/// Accelerations under applied(i), into `forces` of the working memory, with the forces of closures:
+/// Accelerations under applied(i), written to `forces` of the working memory, with the closure forces:
 ///
 ///   a = a0 - d(J_dot v + J a0),   lambda = -multipliers(J_dot v + J a0)          (1)
 ///
-/// a0: those of the tree. Rows are those of `rows`, or chosen here where there are none or they are dependent.
+/// a0: accelerations of the tree. The rows are those of `rows`; if there are none, or they are dependent, rows are
+/// selected here.
 template <class Closures, class State, class Tau>
 void accelerate_on_loops(const Closures& c, State& s, loop_workspace& m, const Tau& applied,
                          const loop_factor* rows = nullptr) {
   check_loops(c, s);
-  auto& [e, factor, change, multipliers] = m;
+  auto& e = m.equations;
+  auto& factor = m.factor;
+  auto &change = m.change, &multipliers = m.multipliers;
   const bool tree = s.tree().plan.tree;
   accelerate_by_tree(c.elements(), s, applied, {});
   auto& a = s.work.forces;
   e.at_positions(c, s, !tree, tree);
-  if (tree) {  // all is in the working memory
+  if (tree) {  // the working memory has everything
     factor.take_articulated(s, e);
     e.accelerate_residuals(c, s, [&a](int i) { return a[i]; });
   } else {
@@ -97,7 +100,7 @@ void accelerate_on_loops(const Closures& c, State& s, loop_workspace& m, const T
   a -= change, multipliers = -multipliers;
   put_loop_forces(e.places, multipliers, s);
 }
-/// The same into a runtime state.
+/// `accelerate_on_loops` with the results in a runtime state.
 template <class Tau>
 const Eigen::VectorXd& constrained_accelerations(const runtime_chain& c, runtime_state& s, const Tau& applied,
                                                  const loop_factor* rows = nullptr) {

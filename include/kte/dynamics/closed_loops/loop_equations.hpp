@@ -2,8 +2,8 @@
 
 #include <kte/dynamics/closed_loops/closure_places.hpp>
 
-/// The equations of closures at a state: residuals, their Jacobian, and what rates alone make of their accelerations.
-/// Rows in m are divided by the length of the chain.
+/// The equations of closures at a state: residuals, their Jacobian, and the velocity-dependent part of their
+/// accelerations. Rows in m are divided by the length of the chain.
 namespace kte::detail {
 
 class loop_equations {
@@ -17,10 +17,10 @@ class loop_equations {
 
   closure_places places;
   Eigen::VectorXd residual;               ///< g
-  std::vector<Eigen::MatrixXd> jacobian;  ///< J of each block, its rows by its places
-  Eigen::VectorXd acceleration;           ///< J_dot v, or that of residuals
+  std::vector<Eigen::MatrixXd> jacobian;  ///< J of each block: rows by places
+  Eigen::VectorXd acceleration;           ///< J_dot v, or the second derivatives of residuals
 
-  /// g, and optionally J, at valid positions; of bodies that are `placed` there already, or will be.
+  /// Computes g, and optionally J, at valid positions. `placed`: the bodies are placed already.
   template <class Closures, class State>
   void at_positions(const Closures& c, State& s, bool with_jacobian, bool placed = false) {
     if (!placed) place_bodies(c.elements(), s);
@@ -47,10 +47,10 @@ class loop_equations {
       }
     }
   }
-  /// J_dot v, after `at_positions`, at the rates of the state.
+  /// Computes J_dot v at the rates of the state; call `at_positions` first.
   template <class Closures, class State>
   void at_rates(const Closures& c, State& s) {
-    if (!s.tree().followers.empty()) {  // which accelerate with what they follow, and by its rates
+    if (!s.tree().followers.empty()) {  // these accelerate with the leading coordinates, and by their rates
       Eigen::VectorXd a(s.dofs());
       read_listed_numbers<vector_of::a>(s, a);
       const Eigen::VectorXd none = Eigen::VectorXd::Zero(a.size());
@@ -69,8 +69,8 @@ class loop_equations {
       if (places.closures[k].of_frames()) find_places(s, places.closures[k], ends_[k]);
     accelerate_residuals(c, s, [](int) { return 0.0; });
   }
-  /// The second derivatives of residuals, after `at_positions`, at the motions of bodies in the working memory; a(i):
-  /// those of degrees of freedom.
+  /// Computes the second derivatives of residuals at the motions of bodies in the working memory; call `at_positions`
+  /// first. a(i): the accelerations of degrees of freedom.
   template <class Closures, class State, class A>
   void accelerate_residuals(const Closures& c, State& s, const A& a) {
     for (std::size_t k = 0; k < places.closures.size(); ++k) {
@@ -87,8 +87,8 @@ class loop_equations {
       for (int r = 0; r < x.rows.count(); ++r) acceleration[x.first + r] = places.scale(x, r) * rows[r];
     }
   }
-  /// put(column of its block, row, entry) of L^-T J^T for the rows of a closure, after `at_positions`, in a tree whose
-  /// articulated inertias are in the working memory; `root`: D^-1/2 by place.
+  /// Calls put(column of its block, row, entry) for L^-T J^T of the rows of a closure, in a tree whose articulated
+  /// inertias are in the working memory; call `at_positions` first. `root`: D^-1/2 by place.
   template <class Closures, class State, class Put>
   void half_solve(const Closures& c, State& s, int closure, const Eigen::VectorXd& root, const Put& put) {
     const auto& x = places.closures[static_cast<std::size_t>(closure)];
@@ -125,14 +125,14 @@ class loop_equations {
       tree::send_to_bases(f, s.work, x.way, loads_.data(), static_cast<const double*>(nullptr), put_lanes);
     }
   }
-  /// J x of all rows, of x by degrees of freedom, and of the sizes of all numbers.
+  /// J x of all rows for x by degrees of freedom; `times_sizes`: the sums of |J| |x|.
   Eigen::VectorXd times(const Eigen::VectorXd& x) const {
     return product(x, [](double j, double v) { return j * v; });
   }
   Eigen::VectorXd times_sizes(const Eigen::VectorXd& x) const {
     return product(x, [](double j, double v) { return std::abs(j * v); });
   }
-  /// J by degrees of freedom, and of residuals in m and rad.
+  /// J by degrees of freedom, for residuals in m and rad.
   Eigen::MatrixXd scaled_jacobian() const {
     Eigen::MatrixXd all = Eigen::MatrixXd::Zero(places.rows, static_cast<Eigen::Index>(places.row_of_place.size()));
     each_entry([&all](int row, int dof, double j) { all(row, dof) = j; });
@@ -144,14 +144,14 @@ class loop_equations {
       for (int r = 0; r < x.rows.count(); ++r) all.row(x.first + r) /= places.scale(x, r);
     return all;
   }
-  /// The motion of frame2 in frame1, at rest.
+  /// The motion of frame2 in frame1 at rest.
   template <class State>
   static auto motion_between(const State& s, const closure_place& x) {
     ends_of_closure<typename State::scalar> at;
     find_places(s, x, at);
     return between(at);
   }
-  /// The motion of frame2 in frame1, of bodies that move.
+  /// The motion of frame2 in frame1 for moving bodies.
   template <class State>
   static auto moving_between(const State& s, const closure_place& x) {
     ends_of_closure<typename State::scalar> at;
@@ -160,7 +160,7 @@ class loop_equations {
   }
 
  private:
-  /// The frames of a closure in the body that both stand on, or in the world; its slot, or -1.
+  /// The frames of a closure in the body that carries both, or in the world; the slot of this body, or -1.
   template <class S>
   struct ends_of_closure {
     tree::moving_place<S> first, second;
@@ -223,7 +223,7 @@ class loop_equations {
       tree::send_to_bases(s.tree().body_tree, s.work, x.way, loads_.data(), forces_.data(), put_first);
     });
   }
-  /// visit(row, degree of freedom, entry of J).
+  /// Calls visit(row, degree of freedom, entry of J).
   template <class Visit>
   void each_entry(const Visit& visit) const {
     for (std::size_t i = 0; i < places.blocks.size(); ++i) {
@@ -244,7 +244,7 @@ class loop_equations {
     each_entry([&](int row, int dof, double j) { out[row] += of(j, x[dof]); });
     return out;
   }
-  /// Rows of J of a closure of frames, from row `first` of its block on.
+  /// Computes the rows of J of a closure of frames, from row `first` of its block on.
   template <class Closures, class State>
   void fill(const Closures& c, State& s, const closure_place& x, closing_motion<double> m, Eigen::MatrixXd& j,
             int first) const {
@@ -287,14 +287,14 @@ class loop_equations {
       pull_back_followers(c, s, [&all](int to, int from, double ratio) { all.col(to) += ratio * all.col(from); });
     for (int row = 0; row < s.dofs(); ++row) put(column_of_row(row), all.col(row).data());
   }
-  /// The motion of frame2 in frame1 with all its derivatives, of which it has the pose. With the position p in axes of
-  /// frame1, and its velocity there that frames have in the body or base that both stand on,
+  /// The motion of frame2 in frame1 with all its derivatives; its pose is given. With the position p in the axes of
+  /// frame1, and the velocities that frames have in the body or base that carries both,
   ///
   ///   p' = v_2 - v_1 - w_1 x p,   w = w_2 - R^T w_1                                        (1)
   ///   p'' = R a_2 - (a_1 + al_1 x p + w_1 x (w_1 x p) + 2 w_1 x p')                        (2)
   ///   al = al_2 - R^T al_1 + w x R^T w_1                                                   (3)
   ///
-  /// where w_1 in (1) is that in the common body.
+  /// where w_1 in (1) is relative to the common body.
   template <class State, class S>
   static closing_motion<S> accelerated(const State& s, const closure_place& x, const ends_of_closure<S>& ends,
                                        closing_motion<S> m) {
@@ -314,7 +314,7 @@ class loop_equations {
     const auto [w1, a1, al1] = frame_motion(at_a);
     const auto [w2, a2, al2] = frame_motion(at_b);
     const vec3<S> turns =
-        common < 0 ? w1 : vec3<S>(w1 - to_a * body_of(common).ang_velocity);  // world: bases of their own
+        common < 0 ? w1 : vec3<S>(w1 - to_a * body_of(common).ang_velocity);  // world: different bases
     const auto to_b = transpose(m.rotation);
     const vec3<S> rate = to_a * (b.velocity - a.velocity) - cross(turns, m.position);
     const vec3<S> w1_in_b = to_b * w1;
@@ -323,7 +323,7 @@ class loop_equations {
     m.ang_acceleration = al2 - to_b * al1 + cross(m.ang_velocity, w1_in_b);
     return m;
   }
-  /// In the world, where bases move.
+  /// In the world, for moving bases.
   template <class State, class S>
   static void into_world(const State& s, int base, tree::moving_place<S>& x) {
     for_each_base(s, [&](const auto& m, std::size_t slot) {
@@ -335,13 +335,13 @@ class loop_equations {
     });
   }
 
-  std::vector<closing_motion<double>> motions_;  ///< of closures of frames, at rest
+  std::vector<closing_motion<double>> motions_;  ///< by closure of frames, at rest
   std::vector<ends_of_closure<double>> ends_;
-  std::vector<simd_load> loads_;  ///< on bodies of a way
+  std::vector<simd_load> loads_;  ///< on the bodies of a path
   std::vector<double> forces_;
 };
 
-/// The closure with the largest residual, and that, m or rad.
+/// The closure with the largest residual, and this residual, m or rad.
 struct loop_gap {
   double size = 0;
   const closure_place* closure = nullptr;

@@ -2,10 +2,10 @@
 
 #include <kte/dynamics/closed_loops/loop_equations.hpp>
 #include <kte/dynamics/closed_loops/mass_root.hpp>
+#include <kte/dynamics/closed_loops/pivoted_qr.hpp>
 #include <kte/dynamics/looped/forward_dynamics.hpp>
-#include <kte/kernels/pivoted_qr.hpp>
 
-/// The independent rows of closures, and the least change of a motion in kinetic energy that they ask for.
+/// The independent rows of closures, and the least change of a motion, measured by kinetic energy, that satisfies them.
 ///
 ///   M = L^T L                                                                     (1)
 ///   B = L^-T J^T,   so that B^T B = J M^-1 J^T                                    (2)
@@ -13,14 +13,15 @@
 ///   d = L^-1 Q R^-T c:  J_S d = c_S with the least d^T M d                        (4)
 ///   lambda_S = R^-1 R^-T c: M d = J_S^T lambda_S                                  (5)
 ///
-/// In trees, L^-T is the way of loads to the bases, and L^-1 that of accelerations back (tree/loop_loads.hpp): with the
-/// D of articulated bodies, an entry of B is e D^-1/2 (Rodriguez, Jain and Kreutz-Delgado, Int. J. Robotics Research
-/// 10, 1991). Other chains factorize M. Never the mass of the loops J M^-1 J^T, whose conditioning is squared.
+/// In trees, L^-T passes loads to the bases, and L^-1 passes accelerations back (tree/loop_loads.hpp): with the D of
+/// articulated bodies, an entry of B is e D^-1/2 (Rodriguez, Jain and Kreutz-Delgado, Int. J. Robotics Research 10,
+/// 1991). Other chains factorize M. J M^-1 J^T is never factorized, because its condition number is squared.
 namespace kte::detail {
 
 class loop_factor {
  public:
-  /// (1) at the positions of the state, to be used at others too; after `at_positions`, with J unless it is a tree.
+  /// (1) at the positions of the state, for use at other positions too; call `at_positions` first, with J unless the
+  /// chain is a tree.
   template <class Closures, class State>
   void factorize(const Closures& c, State& s, const loop_equations& e) {
     if (!s.tree().plan.tree) return factorize_mass(c, s, e);
@@ -32,7 +33,7 @@ class loop_factor {
     kept_.joint_transforms = s.work.joint_transforms, kept_.factors = s.work.factors;
     keeps_ = true;
   }
-  /// (1) of a tree whose articulated inertias are in the working memory of the state, as long as they are.
+  /// (1) for a tree from the articulated inertias in the working memory of the state; valid as long as they are there.
   template <class State>
   void take_articulated(const State& s, const loop_equations& e) {
     const auto& at = e.places;
@@ -45,7 +46,7 @@ class loop_factor {
     }
     keeps_ = false;
   }
-  /// (2) and (3), after (1) at the positions of the state. Rows with pivots below `least` times the first are
+  /// (2) and (3); call (1) at the positions of the state first. Rows with pivots below `least` times the first are
   /// dependent.
   template <class Closures, class State>
   void choose(const Closures& c, State& s, loop_equations& e, double least) {
@@ -53,10 +54,10 @@ class loop_factor {
     for (std::size_t i = 0; i < parts.size(); ++i) {
       const auto& b = e.places.blocks[i];
       put_half_solved(c, s, e, i, parts[i].matrix(static_cast<Eigen::Index>(b.places.size()), b.rows));
-      parts[i].choose(least, 1e-13 * reach(e, i));  // less than the rounding of what it could be is none
+      parts[i].choose(least, 1e-13 * reach(e, i));  // pivots below the rounding of their possible size are zero
     }
   }
-  /// (2) and (3) of rows that `chosen` has. Returns false if they are dependent.
+  /// (2) and (3) for the rows of `chosen`. Returns false if they are dependent.
   template <class Closures, class State>
   bool keep(const Closures& c, State& s, loop_equations& e, const loop_factor& chosen, double least) {
     parts.resize(e.places.blocks.size());
@@ -71,19 +72,19 @@ class loop_factor {
     }
     return true;
   }
-  /// The smallest pivot of block i, in parts of what one could be: near singular configurations it goes to zero.
+  /// The smallest pivot of block i relative to its possible size; it tends to zero near singular configurations.
   double smallest_pivot(const loop_equations& e, std::size_t i) const { return parts[i].smallest / reach(e, i); }
   int rank() const {
     Eigen::Index n = 0;
     for (const auto& p : parts) n += p.rank();
     return static_cast<int>(n);
   }
-  /// (4) for c of all rows, by degrees of freedom. The working memory of the state loses its motion.
+  /// (4) for c of all rows, by degrees of freedom. Overwrites the motion in the working memory of the state.
   template <class State>
   void least_change(State& s, const loop_equations& e, const Eigen::VectorXd& c, Eigen::VectorXd& d) {
     least_change(s, e, c, d, [](const pivoted_qr&, const loop_block&) {});
   }
-  /// The same, and (5), zero for rows that are not chosen.
+  /// (4) and (5); lambda is zero for rows that are not selected.
   template <class State>
   void least_change(State& s, const loop_equations& e, const Eigen::VectorXd& c, Eigen::VectorXd& d,
                     Eigen::VectorXd& lambda) {
@@ -106,7 +107,7 @@ class loop_factor {
         if (e.places.row_of(e.places.blocks[i], k) == row) return true;
     return false;
   }
-  /// The largest number of c in chosen rows.
+  /// The largest entry of c among the selected rows.
   double largest_of_chosen(const loop_equations& e, const Eigen::VectorXd& c) const {
     double most = 0;
     for (std::size_t i = 0; i < parts.size(); ++i)
@@ -117,10 +118,10 @@ class loop_factor {
     return most;
   }
 
-  std::vector<pivoted_qr> parts;  ///< of blocks
+  std::vector<pivoted_qr> parts;  ///< by block
 
  private:
-  /// (4), and visit(factor of a block, the block) where R^-T c of its chosen rows is in `chosen_`.
+  /// (4), and calls visit(factor of a block, the block) when R^-T c of its selected rows is in `chosen_`.
   template <class State, class Visit>
   void least_change(State& s, const loop_equations& e, const Eigen::VectorXd& c, Eigen::VectorXd& d,
                     const Visit& visit) {
@@ -159,7 +160,7 @@ class loop_factor {
       if (const int axis = at.axis_of_place[k]; axis >= 0)
         d[at.row_of_place[k]] = s.work.acceleration[static_cast<std::size_t>(axis)];
   }
-  /// How large a row of B of block i could be.
+  /// The possible size of a row of B of block i.
   double reach(const loop_equations& e, std::size_t i) const {
     double most = 0;
     for (const int k : e.places.blocks[i].places) most = (std::max)(most, root_[k]);
@@ -171,7 +172,7 @@ class loop_factor {
     root_.resize(static_cast<Eigen::Index>(e.places.row_of_place.size()));
     for (Eigen::Index k = 0; k < root_.size(); ++k) root_[k] = mass_.inverse_root(static_cast<int>(k));
   }
-  /// (2) of block i.
+  /// (2) for block i.
   template <class Closures, class State>
   void put_half_solved(const Closures& c, State& s, loop_equations& e, std::size_t i,
                        Eigen::Ref<Eigen::MatrixXd> b) const {
@@ -188,7 +189,7 @@ class loop_factor {
     }
   }
   Eigen::VectorXd root_;                 ///< D^-1/2, or 1 / L_kk, by place
-  tree::articulated_tree<double> kept_;  ///< where it was factorized
+  tree::articulated_tree<double> kept_;  ///< at the positions of the factorization
   bool keeps_ = false;
   mass_root mass_;
   Eigen::MatrixXd all_;

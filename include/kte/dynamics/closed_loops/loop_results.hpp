@@ -10,14 +10,14 @@ namespace kte {
 
 /// The closures of a chain at a configuration.
 struct loops_report {
-  int rows = 0;      ///< of all closures
+  int rows = 0;      ///< number of rows of all closures
   int rank = 0;      ///< number of independent rows
   int mobility = 0;  ///< remaining degrees of freedom: dofs - rank
-  /// The smallest pivot of independent rows over the largest, of the block where that is least: near a singular
-  /// configuration it goes to zero. 1 where there are no rows.
+  /// The smallest pivot of independent rows over the largest, for the block where this ratio is smallest; it tends to
+  /// zero near singular configurations. 1 without rows.
   double pivot_ratio = 1;
   double gap = 0;                      ///< the largest residual, m or rad
-  std::string widest;                  ///< the closure that has it
+  std::string widest;                  ///< the closure with this residual
   std::vector<std::string> dependent;  ///< rows that follow from others: "pin[2]", or "pin" of a closure of one row
   std::vector<std::string> blocks;     ///< closures that share degrees of freedom, in a text: "pin, slot"
 };
@@ -33,7 +33,7 @@ struct constrained_dynamics_result {
     throw unknown_name("kte: this chain has no closure '" + std::string(name) + "'");
   }
   int rank = 0, mobility = 0;
-  std::vector<std::string> dependent;  ///< rows without a force, as they follow from others
+  std::vector<std::string> dependent;  ///< redundant rows, which have no force
 
   std::vector<std::string> names;  ///< of closures, in order
   std::vector<loop_state<>> loops;

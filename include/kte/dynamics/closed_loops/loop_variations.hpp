@@ -7,17 +7,17 @@
 /// directions at a time.
 namespace kte::detail {
 
-/// With accelerations a and forces of closures lambda held:
+/// Derivatives at constant accelerations a and closure forces lambda:
 ///
 ///   forces          inverse dynamics - J^T lambda          (1)
 ///   accelerations   J a + J_dot v, rows in m divided by the length of the chain          (2)
-///   velocities      J v, likewise          (3)
+///   velocities      J v, rows in m divided by the length of the chain          (3)
 struct loop_variations {
   inverse_dynamics_result<double, Eigen::Dynamic> forces;  ///< (1), `by_q` and `by_v`
   Eigen::MatrixXd accelerations_by_q, accelerations_by_v, velocities_by_q;
 };
 
-/// The load on the second frame of a closure of frames, of what its wrenches are for unit rates:
+/// The load on the second frame of a closure of frames, from its wrenches for unit rates:
 ///
 ///   (F, T) . (v, w) = lambda . residual_dot(v, w)          (4)
 template <class D>
@@ -44,7 +44,7 @@ void add_load(const tree::frame_place<double>& at, const tree::dense_wrench<D>& 
   load = {load.force + as<D>(seen.force), load.torque + as<D>(seen.torque)};
 }
 
-/// The closures of a chain in a state with derivatives, when its bodies have moved.
+/// The closures of a chain in a state with derivatives; move its bodies first.
 class closures_in_duals {
   using D = derivative_number;
 
@@ -52,7 +52,7 @@ class closures_in_duals {
   closures_in_duals(const runtime_chain& c, runtime_state& s, const closure_places& places, derivative_state& d)
       : chain_(c), state_(s), places_(places), d_(d) {}
 
-  /// Adds J^T lambda; visit(row, J v, J a + J_dot v), of rows in m and rad.
+  /// Adds J^T lambda; calls visit(row, J v, J a + J_dot v), for rows in m and rad.
   template <class Visit>
   void push(const Visit& visit) const {
     for (const auto& x : places_.closures) x.of_frames() ? push_frames(x, visit) : push_coordinates(x, visit);
@@ -94,7 +94,7 @@ class closures_in_duals {
     }
     visit(x.first, velocity, acceleration);
   }
-  /// Position and rotation without the rounding of their places in the world.
+  /// Takes position and rotation without the rounding errors of their places in the world.
   static void take_values(const closing_motion<double>& from, closing_motion<D>& to) {
     const auto take = [](const vec3<>& x, vec3<D>& y) { y.x.value = x.x, y.y.value = x.y, y.z.value = x.z; };
     take(from.position, to.position);
@@ -107,7 +107,7 @@ class closures_in_duals {
   derivative_state& d_;
 };
 
-/// (1) to (3) at the state, after `constrained_accelerations`.
+/// (1) to (3) at the state; call `constrained_accelerations` first.
 inline loop_variations vary_loops(const runtime_chain& c, runtime_state& s, const loop_equations& e) {
   loop_variations r;
   const Eigen::Index n = s.dofs(), rows = e.places.rows;

@@ -1,10 +1,10 @@
 #pragma once
 
 #include <kte/dynamics/closed_loops/loop_dynamics.hpp>
-#include <kte/kernels/qr_in_lanes.hpp>
+#include <kte/dynamics/closed_loops/qr_in_lanes.hpp>
 
-/// Accelerations of trees with closures in packs S of states in double, as `accelerate_on_loops`: recursions over
-/// bodies in packs, functions of closures state by state. The independent rows are those of the first state.
+/// `accelerate_on_loops` for trees with closures in packs S of states in double: recursions over bodies in packs,
+/// functions of closures state by state. The independent rows are those of the first state.
 namespace kte::detail {
 
 template <class S>
@@ -18,8 +18,8 @@ class loops_in_lanes {
       : layout(c.layout()), places_(c, s), acceleration_(static_cast<std::size_t>(places_.rows)) {
     for (auto& x : gap_) x = 0;
   }
-  /// After forward dynamics of the tree: accelerations on the loops into `forces` of the working memory. Returns false
-  /// if the independent rows of the states are not the same.
+  /// Writes the accelerations on the loops to `forces` of the working memory; call forward dynamics of the tree first.
+  /// Returns false if the independent rows of the states differ.
   bool correct(const runtime_closures& c, basic_runtime_state<S>& s) {
     take_roots(s);
     std::fill(std::begin(gap_), std::end(gap_), 0.0);
@@ -74,7 +74,7 @@ class loops_in_lanes {
     for (std::size_t k = 0; k < columns; ++k) rates_[static_cast<std::size_t>(b.places[k])] = half_[k];
     return true;
   }
-  /// The independent rows of the first state.
+  /// Selects the independent rows of the first state.
   void choose(std::size_t rows, std::size_t columns, double least, double zero) {
     auto m = first_.matrix(static_cast<Eigen::Index>(columns), static_cast<Eigen::Index>(rows));
     for (std::size_t j = 0; j < rows; ++j)
@@ -82,8 +82,8 @@ class loops_in_lanes {
         m(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = all_.column(j)[i][0];
     first_.choose(least, zero);
   }
-  /// By these rows, the others behind them. Returns false where they are not the independent rows of all states, or
-  /// not clearly.
+  /// Factorizes with these rows first and the others after them. Returns false if they are not clearly the independent
+  /// rows of all states.
   bool factorize(std::size_t rows, std::size_t columns, const S& least, const S& zero) {
     const std::size_t rank = first_.chosen.size();
     qr_.resize(columns, rows);
@@ -103,7 +103,7 @@ class loops_in_lanes {
     for (std::size_t j = rank; j < rows && agree; ++j) agree &= all(qr_.left(j) <= max(S(least * largest), zero));
     return agree;
   }
-  /// Residuals, accelerations and L^-T J^T of a closure of frames, its rows from `first` on.
+  /// Computes residuals, accelerations and L^-T J^T of a closure of frames, for its rows from `first` on.
   void close_frames(const runtime_closures& c, basic_runtime_state<S>& s, const closure_place& x, std::size_t first) {
     const auto& f = s.tree().body_tree;
     const closing_motion<S> m = loop_equations::moving_between(s, x);
@@ -164,7 +164,7 @@ class loops_in_lanes {
     }
     send(s, x, forces_.data(), first);
   }
-  /// Row `row` of the block: what `loads_` leave on axes on their way.
+  /// Row `row` of the block: the effect of `loads_` on the axes of their path.
   void send(basic_runtime_state<S>& s, const closure_place& x, const S* force, std::size_t row) {
     const auto put = [&](int axis, const S& e) {
       const auto place = static_cast<std::size_t>(places_.place_of_axis[static_cast<std::size_t>(axis)]);
@@ -184,7 +184,7 @@ class loops_in_lanes {
   double gap_[lanes];            ///< the largest residual of each state
   std::vector<S> acceleration_;  ///< of all rows
   std::vector<S> root_, rates_;  ///< by place
-  qr_in_lanes<S> all_, qr_;      ///< of a block: all rows; those that are independent first
+  qr_in_lanes<S> all_, qr_;      ///< of a block: all rows; independent rows first
   pivoted_qr first_;             ///< of the first state
   std::vector<char> is_chosen_;
   std::vector<S> chosen_, half_, forces_;

@@ -7,7 +7,7 @@
 
 namespace kte::detail {
 
-/// The mass matrix of a chain that is no tree of joints, M = L^T L.
+/// The factor of the mass matrix, M = L^T L, of a chain that is not a tree of joints.
 class mass_root {
  public:
   template <class Elements, class State>

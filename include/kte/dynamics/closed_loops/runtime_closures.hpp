@@ -4,11 +4,11 @@
 
 namespace kte::detail {
 
-/// The closures of a runtime chain among its elements, as the algorithms on loops see them. Another kind of chain has
-/// the same functions.
+/// The closures of a runtime chain among its elements, in the form of the algorithms on loops. Static chains have the
+/// same functions.
 struct runtime_closures : runtime_elements {
   const runtime_elements& elements() const { return *this; }
-  /// f(number of an element that closes a loop).
+  /// Calls f(number of an element that closes a loop).
   template <class F>
   void each_closure(const F& f) const {
     const auto& elements = chain.wiring().elements;

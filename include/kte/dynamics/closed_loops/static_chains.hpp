@@ -11,7 +11,7 @@ template <class Chain>
 struct static_constrained_dynamics_result {
   joint_vector<double, Chain::dofs> a;  ///< accelerations
   int rank = 0, mobility = 0;           ///< number of independent rows of closures; dofs - rank
-  std::vector<std::string> dependent;   ///< rows without a force, as they follow from others
+  std::vector<std::string> dependent;   ///< redundant rows, which have no force
   std::array<loop_state<>, static_cast<std::size_t>(Chain::wiring::count(kind::loop))> loops;
 
   /// The forces and residuals of a closure.
@@ -29,7 +29,7 @@ struct static_constrained_dynamics_result {
 };
 
 namespace detail {
-/// f(closures, state with its loops) at what is given.
+/// Calls f(closures, state with its loops) at the given quantities.
 template <class Chain, class Given, class F>
 decltype(auto) with_loops(const Chain& c, const Given& g, const F& f) {
   auto lent = c.kept.template borrow<static_loop_state<Chain>>(c);
@@ -99,7 +99,7 @@ auto result_of(const Closures& closures, const State& s) {
 using not_moving = same<zero_t>;
 }  // namespace detail
 
-/// As of a runtime chain; r.loop(pin).force, or r.force(pin).
+/// As for runtime chains; r.loop(pin).force, or r.force(pin).
 template <class Gravity, class... E, indexable Q, indexable V, indexable T>
 [[nodiscard]] auto constrained_dynamics(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const T& tau) {
   using chain_type = static_chain<Gravity, E...>;

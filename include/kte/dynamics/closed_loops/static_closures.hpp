@@ -5,7 +5,7 @@
 
 namespace kte::detail {
 
-/// The closures of a static chain among its elements: as dynamics/closed_loops/runtime_closures.hpp.
+/// The closures of a static chain among its elements, as in dynamics/closed_loops/runtime_closures.hpp.
 template <class Chain, class Given>
 struct static_closures : static_elements<Chain, Given> {
   using wiring = typename Chain::wiring;
@@ -64,7 +64,7 @@ struct static_closures : static_elements<Chain, Given> {
       return names;
     }();
   };
-  /// f<number>(core of a closure).
+  /// Calls f<number>(core of a closure).
   template <class F>
   void each(const F& f) const {
     const auto one = [&]<std::size_t I>() {
@@ -85,7 +85,7 @@ struct static_closures : static_elements<Chain, Given> {
   }
 };
 
-/// The state of a static chain with closures, and what is kept of its loops.
+/// The state of a static chain with closures, and the memory for its loops.
 template <class Chain>
 struct static_loop_state : static_state<double, Chain> {
   explicit static_loop_state(const Chain& c)

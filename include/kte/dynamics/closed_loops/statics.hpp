@@ -12,13 +12,13 @@ natural_modes_result modes_of_loops(const runtime_chain& c, runtime_state& s, co
 equilibrium equilibrium_of_loops(const runtime_chain& c, runtime_state& s, const std::vector<std::string>& names);
 }  // namespace detail
 
-/// Natural modes of a mechanism with loops about an equilibrium q on the loops, in its actuated coordinates y: with
-/// G of `loop_motion` and y'' = a(y, y'),
+/// Natural modes of a mechanism with loops about an equilibrium q on the loops, in its actuated coordinates y. With G
+/// of `loop_motion` and y'' = a(y, y'),
 ///
 ///   M = G^T M_tree G,   K = -M da/dy,   C = -M da/dy'          (1)
 ///
-/// `shape` has rows of y; G times it, of all coordinates. Throws as `actuated_dynamics_derivatives`, `bad_argument` for
-/// a q that is no equilibrium.
+/// `shape` has rows for y; G times `shape` has rows for all coordinates. Throws as `actuated_dynamics_derivatives`, and
+/// `bad_argument` if q is not an equilibrium.
 template <indexable Q>
 natural_modes_result natural_modes(const runtime_chain& c, runtime_state& s, const Q& q,
                                    const actuated_coordinates& by) {
@@ -29,14 +29,15 @@ natural_modes_result natural_modes(const runtime_chain& c, runtime_state& s, con
   });
 }
 
-/// A static equilibrium of a mechanism with loops under the inputs of the state, from q0, in its actuated coordinates
-/// y: damped Newton steps, at most a tenth of a turn or of the length of the chain, with M and K of (1),
+/// A static equilibrium of a mechanism with loops under the inputs of the state, starting from q0, in its actuated
+/// coordinates y. Newton steps are damped, at most a tenth of a turn or of the length of the chain, with M and K of
+/// (1):
 ///
 ///   (K + mu M) d = M a,   mu >= 0 so that K + mu M is positive definite          (2)
 ///
 /// They lead to a stable equilibrium, unless q0 is an unstable one. The loops are assembled after each step. All loads
 /// act in full (`load` is 1). The state is then at q. Throws as `actuated_dynamics_derivatives`, `cannot_assemble`, and
-/// `no_solution` where 1000 steps do not reach an equilibrium; the state is then unchanged.
+/// `no_solution` if 1000 steps do not reach an equilibrium; the state is then unchanged.
 template <indexable Q>
 equilibrium static_equilibrium(const runtime_chain& c, runtime_state& s, const Q& q0, const actuated_coordinates& by) {
   detail::check_regular_tree(c, s);

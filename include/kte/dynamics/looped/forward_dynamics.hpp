@@ -12,7 +12,7 @@
 /// checked. For all `Elements` and states of dynamics/looped/inverse_dynamics.hpp.
 namespace kte::detail {
 
-/// Which accelerations are given, by row; none where nothing is said. Joints of others are free to move.
+/// Sets the rows whose accelerations are given; an empty span means none. Other joints are free to move.
 template <class State>
 void prescribe(State& s, std::span<const char> prescribed) {
   const auto& f = s.tree().body_tree;
@@ -147,17 +147,21 @@ void for_each_held(const Elements& c, State& s, const Visit& visit) {
 /// Forward dynamics with locked coordinates, whose accelerations are zero.
 template <class Elements, class State, class Tau>
 void accelerate_by_tree(const Elements& c, State& s, const Tau& tau, std::span<const char> prescribed) {
-  std::vector<char> rows;
-  for_each_held(c, s, [&](int e, int row) {
-    if (rows.empty()) {
-      rows.assign(prescribed.begin(), prescribed.end());
-      rows.resize(static_cast<std::size_t>(s.dofs()));
-    }
-    char& is_prescribed = rows[static_cast<std::size_t>(row)];
-    if (!is_prescribed) s.template get<kind::gen>(c.index(e, 0)).q_ddot = typename State::scalar(0);
-    is_prescribed = 1;
-  });
-  accelerate_with_friction(c, s, tau, rows.empty() ? prescribed : std::span<const char>(rows));
+  if constexpr (requires { requires State::always_tree; }) {
+    accelerate_articulated(c, s, tau, prescribed);
+  } else {
+    std::vector<char> rows;
+    for_each_held(c, s, [&](int e, int row) {
+      if (rows.empty()) {
+        rows.assign(prescribed.begin(), prescribed.end());
+        rows.resize(static_cast<std::size_t>(s.dofs()));
+      }
+      char& is_prescribed = rows[static_cast<std::size_t>(row)];
+      if (!is_prescribed) s.template get<kind::gen>(c.index(e, 0)).q_ddot = typename State::scalar(0);
+      is_prescribed = 1;
+    });
+    accelerate_with_friction(c, s, tau, rows.empty() ? prescribed : std::span<const char>(rows));
+  }
 }
 
 }  // namespace kte::detail

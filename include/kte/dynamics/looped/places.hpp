@@ -131,7 +131,7 @@ void place_bodies_by_coordinates(const Elements& c, State& s) {
   for (std::size_t n = 0; n < nodes.size(); ++n)
     if (!is_turning(nodes[n])) place_other(c, s, nodes[n], s.work.joint_transforms[n]);
 }
-/// Bodies to where the coordinates of the state are.
+/// Places all bodies at the coordinates of the state.
 template <class Elements, class State>
 void place_bodies(const Elements& c, State& s) {
   bring_up_to_date(c, s);

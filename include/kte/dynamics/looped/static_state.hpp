@@ -56,6 +56,8 @@ class static_state {
   using parameter = tree_number<S, Chain>;
   using tree_type = chain_tree<parameter, const std::remove_cvref_t<decltype(static_plan<Chain>)>&>;
   static constexpr bool has_sines = true;
+  /// Whether it is known with the compiler that articulated bodies alone are needed.
+  static constexpr bool always_tree = static_plan<Chain>.tree && Chain::common;
 
   explicit static_state(const Chain& c)
       : tree_(static_connections<Chain>{}, static_plan<Chain>,

@@ -83,7 +83,7 @@ struct no_more_loads {
   template <class D>
   void operator()(const basic_derivative_state<D>&) const {}
 };
-/// Inverse dynamics at q, v, a of the state with derivatives, with bases in place: what must be applied, into its
+/// Inverse dynamics at q, v, a of the state with derivatives, whose bases are set. Writes the generalized forces to its
 /// `forces`. more(d), when bodies have moved, may add `loads` of bodies and forces on coordinates.
 template <class Elements, std::same_as<double> S, class D, class More = no_more_loads>
 void inverse_dynamics_in_duals(const Elements& elements, const basic_runtime_state<S>& s, basic_derivative_state<D>& d,

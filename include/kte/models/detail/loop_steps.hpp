@@ -4,16 +4,16 @@
 #include <kte/dynamics/configuration_space.hpp>
 #include <kte/dynamics/state_vectors.hpp>
 
-/// Steps of a model whose chain has loops. J_S, R are those of the independent rows chosen at the state x0 where a step
-/// starts, and N = M^-1 J_S^T R^-1 (dynamics/closed_loops/loop_factor.hpp):
+/// Steps of a model whose chain has loops. J_S and R belong to the independent rows selected at the state x0 where a
+/// step begins, and N = M^-1 J_S^T R^-1 (dynamics/closed_loops/loop_factor.hpp):
 ///
 ///   q(d) = q0 (+) (d_q + N mu),   g_S(q) = 0           (1)
 ///   v(d) = v0 + d_v + N nu,       J_S(q) v = 0         (2)
-///   e <- e - N R^-T J_S e         of error estimates    (3)
+///   e <- e - N R^-T J_S e         for error estimates   (3)
 ///
-/// The projection keeps the order of the method, by (3) (Eich, Convergence results for a coordinate projection method,
-/// SIAM J. Numer. Anal. 30, 1993). Rows are chosen on the loops, because rows that are dependent there are independent
-/// away from them.
+/// With (3) the projection keeps the order of the method (Eich, Convergence results for a coordinate projection method,
+/// SIAM J. Numer. Anal. 30, 1993). Rows are selected on the loops, because rows that are dependent there are
+/// independent away from them.
 namespace kte::detail {
 
 /// A state is on the loops if residuals are below the first bound, and off the loops above the second, relative to the
@@ -25,10 +25,10 @@ struct loop_step {
   loop_equations equations;  ///< at x0
   loop_factor factor;
   double gap = 0;      ///< the largest residual
-  double sliding = 0;  ///< the largest residual rate, relative to the largest that the rates of coordinates could cause
+  double sliding = 0;  ///< the largest residual rate, relative to the largest possible for these rates of coordinates
 };
 
-/// The loops of a runtime model; those of other models have the same functions.
+/// The loops of a runtime model; other models have the same functions.
 template <class Model>
 struct runtime_model_loops {
   const Model& model;
@@ -41,14 +41,14 @@ struct runtime_model_loops {
   loop_step& step() const {
     return kept.get<loop_step>([&] { return loop_step{{}, loop_equations(closures(), s), {}}; });
   }
-  /// Puts x into the state.
+  /// Writes x to the state.
   void put(const Eigen::VectorXd& x) const { model.setJointStates(x, s), check_positions(s); }
   void put_positions(const Eigen::VectorXd& x) const { set_positions(s, model.positions_of(x)); }
 };
 template <class Model>
 runtime_model_loops(const Model&, runtime_state&, own_memory&) -> runtime_model_loops<Model>;
 
-/// What is kept of the step from x0, or that.
+/// The data of the step from x0; begins the step if necessary.
 template <class Loops, class X>
 loop_step& step_from(const Loops& loops, const X& x0) {
   auto& step = loops.step();
@@ -75,8 +75,8 @@ std::string gap_text(const Closures& c, const loop_equations& e) {
 }
 /// With loops closed to rounding, branches can be distinguished if pivots are above the square root of rounding.
 inline constexpr double least_pivot_of_branch = 1e-7;
-/// Throws `bad_argument` where a step starts off the loops, or so near to a singular configuration that branches cannot
-/// be told apart.
+/// Throws `bad_argument` if a step begins off the loops, or so near to a singular configuration that branches cannot be
+/// distinguished.
 template <class Loops, class X>
 void check_step(const Loops& loops, const X& x0) {
   const auto& step = step_from(loops, x0);
@@ -93,9 +93,9 @@ void check_step(const Loops& loops, const X& x0) {
           "kte: the loops are as near to a singular configuration as rounding, where the mechanism may go on "
           "in several ways: larger tolerances pass it in one step");
 }
-/// Raises `bad_argument` where a step from x0 ends much nearer to a singular configuration than it started: velocities
-/// at the end would have errors of eps over the pivot. A shorter step ends before the singular configuration, and the
-/// next one passes it.
+/// Raises `bad_argument` if a step from x0 ends much nearer to a singular configuration than it began: velocities at
+/// the end would have errors of eps over the pivot. A shorter step ends before the singular configuration, and the next
+/// step passes it.
 template <class Loops, class X>
 void check_step_end(const Loops& loops, const X& x0) {
   constexpr double near = 1e-4, nearer = 1e-2;
@@ -137,7 +137,7 @@ void settle_on_loops(const Loops& loops, const X& x0, Rate& d, X& x) {
     if (!(gap < 1e300) || i == 20)
       raise<bad_argument>("kte: the loops do not close at the end of a step: " + gap_text(closures, e) +
                           ": a shorter step");
-    if (gap > last / 20) {  // the factor of the start is no longer good, or the rest is rounding
+    if (gap > last / 20) {  // the factor of the start is not accurate enough, or only rounding errors are left
       if (gap <= on_loops_within && by == &factor) break;
       (void)evaluate(true);
       factor.factorize(closures, s, e);
@@ -154,7 +154,7 @@ void settle_on_loops(const Loops& loops, const X& x0, Rate& d, X& x) {
   if (!factor.keep(closures, s, e, step.factor, 1e-14)) factor.choose(closures, s, e, least_pivot);
   for (int i = 0; i < 2; ++i) move(n, factor.least_change(s, e, e.times(model.velocities_of(x))));
 }
-/// (3) of positions and velocities.
+/// (3), for positions and velocities.
 template <class Loops, class X, class Rate>
 void make_tangential(const Loops& loops, const X& x0, Rate& e) {
   auto& step = step_from(loops, x0);
@@ -164,7 +164,7 @@ void make_tangential(const Loops& loops, const X& x0, Rate& e) {
     e.segment(first, n) -= step.factor.least_change(loops.state(), step.equations, step.equations.times(part));
   }
 }
-/// The rows by which a stage of a step goes at the state: those of its start, unless the state is on the loops.
+/// The rows for a stage of a step at the state: those selected at its start, unless the state is on the loops.
 template <class Loops>
 const loop_factor* rows_of_stage(const Loops& loops) {
   auto& e = loops.workspace().equations;
@@ -173,7 +173,7 @@ const loop_factor* rows_of_stage(const Loops& loops) {
   const auto& step = loops.step();
   return step.x0.size() > 0 ? &step.factor : nullptr;
 }
-/// x, put on the loops to rounding. Throws `bad_argument` where it is off them.
+/// x projected onto the loops to rounding. Throws `bad_argument` if it is off them.
 template <class Model, class X>
 X checked_on_loops(const Model& model, const X& x) {
   if (!model.has_loops()) return x;

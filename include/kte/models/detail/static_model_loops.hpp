@@ -6,7 +6,7 @@
 
 namespace kte::detail {
 
-/// The loops of a model of a static chain: models/detail/loop_steps.hpp.
+/// The loops of a model of a static chain; see models/detail/loop_steps.hpp.
 template <class Gravity, class... E>
 struct static_model_loops<static_chain<Gravity, E...>> {
   using chain_type = static_chain<Gravity, E...>;
@@ -14,7 +14,7 @@ struct static_model_loops<static_chain<Gravity, E...>> {
   using memory = own_memory;
   using vector = joint_vector<double, chain_type::dofs>;
 
-  /// Positions, which messages name.
+  /// Positions, for messages.
   struct positions {
     joint_vector<double, wiring::nq> numbers;
     template <int I>
@@ -95,7 +95,7 @@ struct static_model_loops<static_chain<Gravity, E...>> {
                                          s, g, tau, rows_of_stage(loops));
     return s.work.forces;
   }
-  /// The forces of closures as of the last accelerations.
+  /// The closure forces of the last accelerations.
   template <class Model, class State>
   static void put_forces(const Model& m, memory& kept, State& s) {
     auto& own = of(m, kept).state();

@@ -243,7 +243,7 @@ class mjcf_bodies {
         d_.links.begin());
   }
 
-  /// Actuators, and what is not read, of a model and of those that it attaches.
+  /// Reads the actuators of a model and of the models that it attaches, and notes the contents that are not read.
   void sections(const xml_item& root, const mjcf_scope& in) {
     for (const auto& x : root.children()) {
       const auto n = x.name();
@@ -277,7 +277,7 @@ class mjcf_bodies {
   mjcf_meshes meshes_;
   mjcf_materials materials_;
   mjcf_equality equality_;
-  std::vector<std::size_t> bodies_;  ///< the links that are bodies of the file
+  std::vector<std::size_t> bodies_;  ///< the links of bodies in the file
   std::unordered_set<std::string> taken_, joints_;
   int depth_ = 0;
 };

@@ -88,7 +88,7 @@ inline std::vector<std::string> loop_findings(const robot& r) {
   return found;
 }
 
-/// Whether anything that a joint moves has a mass.
+/// Whether a joint moves any mass.
 inline bool moves_mass(const robot_description& d, const robot_tree& tree, std::size_t which) {
   std::vector<char> moved(d.links.size(), 0);
   for (const auto& s : tree.steps()) {

@@ -7,7 +7,7 @@
 
 namespace kte::detail {
 
-/// Appends the closures of a robot to its chain, each on frames of its own where it is not at the origins of links.
+/// Appends the closures of a robot to its chain. A closure that is not at the origins of links gets separate frames.
 class robot_loops {
  public:
   robot_loops(robot_elements& to, const robot_description& d, const robot_tree& tree) : to_(to), d_(d), tree_(tree) {}

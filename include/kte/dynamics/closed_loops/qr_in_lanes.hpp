@@ -8,8 +8,8 @@
 
 namespace kte::detail {
 
-/// B = Q R in packs S of matrices, of the first columns of B, by Householder reflections (kernels/pivoted_qr.hpp); the
-/// other columns become what Q leaves of them.
+/// B = Q R in packs S of matrices, of the first columns of B, by Householder reflections
+/// (dynamics/closed_loops/pivoted_qr.hpp); the other columns become what Q leaves of them.
 template <class S>
 class qr_in_lanes {
  public:

@@ -30,8 +30,8 @@ class pivoted_qr {
     }
     return {b_.data(), rows, columns, Eigen::OuterStride<>(rows + padding)};
   }
-  /// Each time takes the column with most beside those taken. Columns with less than `least` times the first, or with
-  /// less than `zero`, count as dependent.
+  /// Selects the column with the largest remaining norm in each step. Columns whose norm is below `least` times the
+  /// first, or below `zero`, count as dependent.
   void choose(double least, double zero = 0) {
     chosen.resize(static_cast<std::size_t>(columns_));
     for (std::size_t i = 0; i < chosen.size(); ++i) chosen[i] = static_cast<int>(i);
@@ -52,8 +52,7 @@ class pivoted_qr {
     }
     chosen.resize(static_cast<std::size_t>(k));
   }
-  /// The factorization of all columns, in their order; `columns` are their numbers. Returns false if they are
-  /// dependent.
+  /// Factorizes all columns in the given order; `columns` are their numbers. Returns false if they are dependent.
   bool take(const std::vector<int>& columns, double least) {
     chosen = columns;
     largest = smallest = 0;
