@@ -20,8 +20,9 @@ struct placed_joint : Joint, transmission<placed_joint<Joint, Rotation, Position
 
   /// Without a placement; rotations of numbers are the identity.
   constexpr placed_joint() : Joint() {
-    if constexpr (requires { rotation.cos; }) rotation.cos = 1;
-    if constexpr (requires { rotation.x.x; }) rotation.x.x = rotation.y.y = rotation.z.z = 1;
+    if constexpr (requires { rotation.cos = 1; }) rotation.cos = 1;
+    if constexpr (requires { rotation.x.x = 1, rotation.y.y = 1, rotation.z.z = 1; })
+      rotation.x.x = 1, rotation.y.y = 1, rotation.z.z = 1;
   }
   constexpr placed_joint(const Joint& x, const Position& r, const Rotation& R) : Joint(x), position(r), rotation(R) {}
   constexpr explicit placed_joint(const Joint& x) : placed_joint() { static_cast<Joint&>(*this) = x; }

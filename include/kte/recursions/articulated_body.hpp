@@ -225,6 +225,30 @@ KTE_INLINE constexpr auto eliminated(const B& b, const X& x, const Force& force,
   }
 }
 
+/// Eliminates axes that are numbers from I^A and p^A, as `eliminate_axes`: of `least` for each unit of length and
+/// angle.
+template <body B, class S, class Force>
+[[gnu::noinline]] void eliminate_axes_of_numbers(const B& b, S (&m)[6][6], S (&p)[6], const S& least_linear,
+                                                 const S& least_angular, const Force& force, axis_factors<S>* factors,
+                                                 int& unmoved) {
+  for (int k = b.axis_count(); k-- > 0;) {
+    const auto& [v, w] = b.axis(k);
+    const S s[6]{v.x, v.y, v.z, w.x, w.y, w.z};
+    S u[6], gain[6], d = b.mass(k), rate = as<S>(force(k));
+    for (int r = 0; r < 6; ++r) {
+      u[r] = S(0);
+      for (int c = 0; c < 6; ++c) u[r] += m[r][c] * s[c];
+      d += s[r] * u[r], rate -= s[r] * p[r];
+    }
+    note(unmoved, b.first() + k, all(d > dot(v, v) * least_linear + dot(w, w) * least_angular), d);
+    const S inverse = S(1) / d;
+    rate *= inverse;
+    for (int r = 0; r < 6; ++r) gain[r] = inverse * u[r], p[r] += rate * u[r];
+    for (int r = 0; r < 6; ++r)
+      for (int c = 0; c < 6; ++c) m[r][c] -= u[r] * gain[c];
+    factors[k] = {{{gain[0], gain[1], gain[2]}, {gain[3], gain[4], gain[5]}}, rate, inverse};
+  }
+}
 /// `eliminated` for a joint of several unit axes with numbers known at run time, with I^A as a matrix of 6 x 6. If
 /// nothing is passed on to the parent (`ends`), an axis needs only the rows of the axes before it. Axes given by
 /// numbers are eliminated unchanged.
@@ -239,26 +263,13 @@ auto eliminated_by_number(const B& b, const X& x, const Force& force, axis_facto
   const auto& [f, t] = x.bias;
   S p[6]{as<S>(f.x), as<S>(f.y), as<S>(f.z), as<S>(t.x), as<S>(t.y), as<S>(t.z)};
   const S least = S(16) * std::numeric_limits<S>::epsilon(), linear = trace(a), angular = trace(j);
-  if (!b.has_unit_axes()) {
-    for (int k = b.axis_count(); k-- > 0;) {
-      const auto& [v, w] = b.axis(k);
-      const S s[6]{v.x, v.y, v.z, w.x, w.y, w.z}, tau = as<S>(force(k));
-      S u[6], gain[6], d = b.mass(k), rate = tau;
-      for (int r = 0; r < 6; ++r) {
-        u[r] = S(0);
-        for (int c = 0; c < 6; ++c) u[r] += m[r][c] * s[c];
-        d += s[r] * u[r], rate -= s[r] * p[r];
-      }
-      note(unmoved, b.first() + k, all(d > least * (dot(v, v) * linear + dot(w, w) * angular)), d);
-      const S inverse = S(1) / d;
-      rate *= inverse;
-      for (int r = 0; r < 6; ++r) gain[r] = inverse * u[r], p[r] += rate * u[r];
-      for (int r = 0; r < 6; ++r)
-        for (int c = 0; c < 6; ++c) m[r][c] -= u[r] * gain[c];
-      factors[k] = {{{gain[0], gain[1], gain[2]}, {gain[3], gain[4], gain[5]}}, rate, inverse};
-    }
+  bool unit_axes = true;
+  if constexpr (requires { b.has_unit_axes(); }) {
+    unit_axes = b.has_unit_axes();
+    if (!unit_axes) [[unlikely]]
+      eliminate_axes_of_numbers(b, m, p, least * linear, least * angular, force, factors, unmoved);
   }
-  for (int k = b.has_unit_axes() ? b.axis_count() : 0; k-- > 0;) {
+  for (int k = unit_axes ? b.axis_count() : 0; k-- > 0;) {
     const int n = b.axis_number(k);
     const S d = m[n][n], tau = as<S>(force(k));
     note(unmoved, b.first() + k, all(d > least * (n < 3 ? linear : angular)), d);
@@ -301,12 +312,15 @@ KTE_INLINE constexpr auto accelerated(const B& b, const axis_factors<S>* factors
 /// `accelerated` for axes with numbers known at run time, or given by numbers.
 template <class S, body B>
 void accelerate_by_number(const B& b, const axis_factors<S>* factors, motion_vector<vec3<S>, vec3<S>>& a, S* change) {
-  for (int k = 0; !b.has_unit_axes() && k < b.axis_count(); ++k) {
-    const auto& s = b.axis(k);
-    change[k] = factors[k].rate - power(a, factors[k].gain);
-    a = {a.linear + change[k] * s.linear, a.angular + change[k] * s.angular};
-  }
-  if (!b.has_unit_axes()) return;
+  if constexpr (requires { b.has_unit_axes(); })
+    if (!b.has_unit_axes()) [[unlikely]] {
+      for (int k = 0; k < b.axis_count(); ++k) {
+        const auto& s = b.axis(k);
+        change[k] = factors[k].rate - power(a, factors[k].gain);
+        a = {a.linear + change[k] * s.linear, a.angular + change[k] * s.angular};
+      }
+      return;
+    }
   S* const all[]{&a.linear.x, &a.linear.y, &a.linear.z, &a.angular.x, &a.angular.y, &a.angular.z};
   for (int k = 0; k < b.axis_count(); ++k) {
     S& along = *all[b.axis_number(k)];

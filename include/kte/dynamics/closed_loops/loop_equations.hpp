@@ -305,7 +305,8 @@ class loop_equations {
     const auto to_a = transpose(a.rotation);
     const auto frame_motion = [&](const auto& at) {
       const auto& body = body_of(at.slot);
-      const auto &p = at.at.position, &w = body.ang_velocity;
+      const auto& p = at.at.position;
+      const auto& w = body.ang_velocity;
       const auto back = transpose(at.at.rotation);
       return std::array<vec3<S>, 3>{
           back * w, back * (body.acceleration + cross(body.ang_acceleration, p) + cross(w, cross(w, p))),

@@ -60,7 +60,8 @@ class unrolled_coriolis {
   static constexpr auto row = [] {
     std::array<int, axes + 1> rows{};
     for (std::size_t e = 0; e < Chain::size; ++e)
-      for (int n = 0; n < steps[e].axes; ++n) rows[steps[e].first + static_cast<std::size_t>(n)] = steps[e].row + n;
+      for (std::size_t n = 0; n < static_cast<std::size_t>(steps[e].axes); ++n)
+        rows[steps[e].first + n] = steps[e].row[n];
     return rows;
   }();
 
