@@ -275,10 +275,10 @@ TEST_CASE("one joint against dense matrices") {
     const auto check = [&](const auto& core, const auto& at, const auto& m) {
       CHECK(error_of_joint(core, at, m, random) < by_rounding);
     };
-    check(core::revolute_joint<solid, along_y>({}), draw_angle(random), zero);
-    check(core::revolute_joint<solid, against_z>({}), draw_angle(random), zero);
-    check(core::prismatic_joint<solid, along_y>({}), draw_angle(random), zero);
-    check(core::prismatic_joint<solid, against_z>({}), draw_angle(random), 0.0);
+    check(core::revolute_joint<solid, along_y>(along_y{}), draw_angle(random), zero);
+    check(core::revolute_joint<solid, against_z>(against_z{}), draw_angle(random), zero);
+    check(core::prismatic_joint<solid, along_y>(along_y{}), draw_angle(random), zero);
+    check(core::prismatic_joint<solid, against_z>(against_z{}), draw_angle(random), 0.0);
     check(core::revolute_joint<solid, vec3<>>(general), draw_angle(random), 0.5);
     check(core::prismatic_joint<solid, vec3<>>(general), draw_angle(random), 0.5);
     check(screw<double, along_y>(0.3, {}), draw_angle(random), 0.5);

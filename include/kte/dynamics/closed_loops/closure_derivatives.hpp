@@ -5,16 +5,6 @@
 
 namespace kte {
 
-/// A parameter of a closure, by the name of its loop:
-///
-///   "length", "factor1", "factor2", "constant"    of `distance`, `coupled_coordinates`
-///   "frame1.x", "frame1.y", "frame1.z"            for a closure of frames: the displacement of frame1 on its body, m,
-///                                                 in its axes; "frame2.x" ... likewise
-///   "frame1.rx", "frame1.ry", "frame1.rz"         its rotation about its axes, rad
-struct closure_parameter {
-  std::string closure, parameter;
-};
-
 /// The result of `closure_derivatives`, one column per parameter, for n coordinates and m rows of closures.
 struct closure_derivatives_result {
   Eigen::MatrixXd q;          ///< n rows, along the numbers of v: derivatives of the configuration

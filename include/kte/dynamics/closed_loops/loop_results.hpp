@@ -69,4 +69,14 @@ held_coordinates held(const Text&... names) {
   return {{detail::text_of_name(names)...}};
 }
 
+/// A parameter of a closure, by the name of its loop:
+///
+///   "length", "factor1", "factor2", "constant"    of `distance`, `coupled_coordinates`
+///   "frame1.x", "frame1.y", "frame1.z"            for a closure of frames: the displacement of frame1 on its body, m,
+///                                                 in its axes; "frame2.x" ... likewise
+///   "frame1.rx", "frame1.ry", "frame1.rz"         its rotation about its axes, rad
+struct closure_parameter {
+  std::string closure, parameter;
+};
+
 }  // namespace kte
