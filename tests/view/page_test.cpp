@@ -72,7 +72,7 @@ TEST_CASE("pages of recordings, of tables, and of several over each other") {
   other << revolute_joint_2D("q", "base", "arm");
   const scene_recording of_other(other);
   CHECK_THROWS_MATCHES(write_page(file.path, {fast, of_other}), bad_argument,
-                       says("the frames or coordinates of recording 2 are others"));
+                       says("recording 2 has other frames or coordinates than the first"));
 }
 
 TEST_CASE("hostile names stay in their texts") {
