@@ -186,13 +186,15 @@ TEST_CASE("a joint without constant axes is known to the passes alone") {
   const double tau = inverse_dynamics(run, s, q, v, x)[0];
   run.doMotion(s), run.clearForce(s), run.doForce(s);
   CHECK(tau == within(-s.coordinate("q1").f, 1e-15));
-  CHECK_THROWS_WITH(mass_matrix(run, s, q),
-                    contains_text("uneven_3D (coordinate 'q1', base 'base', end 'a') moves along axes that are not constant"));
+  CHECK_THROWS_WITH(
+      mass_matrix(run, s, q),
+      contains_text("uneven_3D (coordinate 'q1', base 'base', end 'a') moves along axes that are not constant"));
   CHECK_THROWS_AS(forward_dynamics(run, s, q, v, x), bad_argument);
   CHECK_THROWS_AS(mass_matrix_inverse(run, s, q), bad_argument);
   CHECK_THROWS_AS(jacobian(run, s, q, "a"), bad_argument);
-  CHECK_THROWS_WITH(torque_regressor(run, s, q, v, x),
-                    contains_text("uneven_3D (coordinate 'q1', base 'base', end 'a') moves along axes that are not constant"));
+  CHECK_THROWS_WITH(
+      torque_regressor(run, s, q, v, x),
+      contains_text("uneven_3D (coordinate 'q1', base 'base', end 'a') moves along axes that are not constant"));
   CHECK_NOTHROW(forward_kinematics(run, s, q, "a"));
 }
 
