@@ -234,8 +234,10 @@ KTE_FUNCTION auto manipulator_dynamics_model<runtime_chain>::computeStateRate(do
 KTE_FUNCTION const Eigen::VectorXd& manipulator_dynamics_model<runtime_chain>::accelerations_in_step() const {
   detail::check_regular_tree(chain(), s_), detail::check_positions(s_);
   const auto none = [](int) { return 0.0; };
-  return detail::constrained_accelerations(chain(), s_, none,
-                                           detail::rows_of_stage(detail::runtime_model_loops{*this, s_, loops_}));
+  const detail::runtime_model_loops loops{*this, s_, loops_};
+  const auto& a = detail::constrained_accelerations(chain(), s_, none, detail::rows_of_stage(loops));
+  detail::note_stage(loops);
+  return a;
 }
 KTE_FUNCTION bool manipulator_dynamics_model<runtime_chain>::jacobian(double t, const state& x,
                                                                       jacobian_matrix& j) const {

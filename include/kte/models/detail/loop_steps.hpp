@@ -4,6 +4,8 @@
 #include <kte/dynamics/configuration_space.hpp>
 #include <kte/dynamics/state_vectors.hpp>
 
+#include <utility>
+
 /// Steps of a model whose chain has loops. J_S and R belong to the independent rows selected at the state x0 where a
 /// step begins, and N = M^-1 J_S^T R^-1 (dynamics/closed_loops/loop_factor.hpp):
 ///
@@ -26,6 +28,7 @@ struct loop_step {
   loop_factor factor;
   double gap = 0;      ///< the largest residual
   double sliding = 0;  ///< the largest residual rate, relative to the largest possible for these rates of coordinates
+  double nearest = 1;  ///< the smallest pivot of its stages, relative to that of x0
 };
 
 /// The loops of a runtime model; other models have the same functions.
@@ -79,7 +82,8 @@ inline constexpr double least_pivot_of_branch = 1e-7;
 /// distinguished.
 template <class Loops, class X>
 void check_step(const Loops& loops, const X& x0) {
-  const auto& step = step_from(loops, x0);
+  auto& step = step_from(loops, x0);
+  step.nearest = 1;
   if (step.gap > off_loops_above) [[unlikely]]
     raise<bad_argument>("kte: the state is off the loops: " + gap_text(loops.closures(), step.equations) +
                         ": kte::assemble finds one that is on them");
@@ -93,13 +97,27 @@ void check_step(const Loops& loops, const X& x0) {
           "kte: the loops are as near to a singular configuration as rounding, where the mechanism may go on "
           "in several ways: larger tolerances pass it in one step");
 }
-/// Raises `bad_argument` if a step from x0 ends much nearer to a singular configuration than it began: velocities at
-/// the end would have errors of eps over the pivot. A shorter step ends before the singular configuration, and the next
-/// step passes it.
+/// Notes how near a stage of a step is to a singular configuration, after its accelerations.
+template <class Loops>
+void note_stage(const Loops& loops) {
+  auto& step = loops.step();
+  if (step.x0.size() == 0) return;
+  const auto& stage = loops.workspace();
+  for (std::size_t i = 0; i < stage.factor.parts.size(); ++i)
+    step.nearest = (std::min)(
+        step.nearest, stage.factor.smallest_pivot(stage.equations, i) / step.factor.smallest_pivot(step.equations, i));
+}
+/// Raises `bad_argument` if a step from x0 ends much nearer to a singular configuration than it began, where velocities
+/// would have errors of eps over the pivot. A shorter step ends before the singular configuration, and the next step
+/// passes it. Also if a stage was there: off the loops by e, with a pivot of the size of e, it has wrong directions of
+/// closure forces, and the error estimate does not see all stages.
 template <class Loops, class X>
 void check_step_end(const Loops& loops, const X& x0) {
-  constexpr double near = 1e-4, nearer = 1e-2;
-  const auto& start = step_from(loops, x0);
+  constexpr double near = 1e-4, nearer = 1e-2, nearest_stage = 1e-2;
+  auto& start = step_from(loops, x0);
+  if (std::exchange(start.nearest, 1) < nearest_stage) [[unlikely]]
+    raise<bad_argument>(
+        "kte: a stage of the step is too near to a singular configuration of the loops: a shorter step");
   const auto& end = loops.workspace();
   for (std::size_t i = 0; i < end.factor.parts.size(); ++i) {
     const double pivot = end.factor.smallest_pivot(end.equations, i);

@@ -93,6 +93,7 @@ struct static_model_loops<static_chain<Gravity, E...>> {
     s.take(g), check_regular(m.chain(), s);
     static_loops<chain_type>::accelerate(static_closures<chain_type, std::remove_const_t<decltype(g)>>{{m.chain(), g}},
                                          s, g, tau, rows_of_stage(loops));
+    note_stage(loops);
     return s.work.forces;
   }
   /// The closure forces of the last accelerations.
