@@ -123,18 +123,18 @@ struct implicit_follower {
   constexpr std::array<T, M> values(const std::array<T, N>& q, const Things& things) const {
     using S = typename detail::derivatives_of<T>::plain;
     std::array<S, M> start;
-    bool near = false;
+    bool starts_near = false;
     const auto take = [&](std::size_t k, const auto& z) {
       const S z_k = as<S>(detail::derivatives_of<std::remove_cvref_t<decltype(z)>>::value(z));
       start[k] = S(guess[k]) + z_k;
-      near |= any(z_k != S(0));
+      starts_near |= any(z_k != S(0));
     };
     [&]<std::size_t... K>(std::index_sequence<K...>) {
       const int done[]{(take(K, std::get<N + K>(things)), 0)...};
       (void)done;
     }
     (std::make_index_sequence<M>{});
-    return detail::implicit_value<T>(law, q, start, near,
+    return detail::implicit_value<T>(law, q, start, starts_near,
                                      [](detail::no_solution_of why, const auto& at) { refuse(why, at); });
   }
   template <class S>

@@ -61,13 +61,14 @@ constexpr numbers<T, M> with_derivatives(const Law& law, const numbers<T, N>& q,
   return y;
 }
 template <class T, std::size_t N, std::size_t M, class Law, class S, class Fail>
-constexpr numbers<T, M> implicit_value(const Law& law, const numbers<T, N>& q, const numbers<S, M>& start, bool near,
-                                       const Fail& fail) {
+constexpr numbers<T, M> implicit_value(const Law& law, const numbers<T, N>& q, const numbers<S, M>& start,
+                                       bool starts_near, const Fail& fail) {
   using of = derivatives_of<T>;
   if constexpr (requires { S::lanes; }) {
     using one = typename of::template with<typename S::value_type>;
-    return lane_by_lane<one>(
-        q, start, [&](const auto& at, const auto& from) { return implicit_value<one>(law, at, from, near, fail); });
+    return lane_by_lane<one>(q, start, [&](const auto& at, const auto& from) {
+      return implicit_value<one>(law, at, from, starts_near, fail);
+    });
   } else {
     numbers<S, N> plain;
     for (std::size_t i = 0; i < N; ++i) plain[i] = of::value(q[i]);
@@ -77,7 +78,7 @@ constexpr numbers<T, M> implicit_value(const Law& law, const numbers<T, N>& q, c
       if (why != no_solution_of::none) [[unlikely]]
         fail(why, plain);
     };
-    require(newton.solve(start, near, x));
+    require(newton.solve(start, starts_near, x));
     if constexpr (of::order > 0) {
       const rate_certainty rates = newton.rates(x);
       if (!(rates.error <= error_for_more_digits)) [[unlikely]] {

@@ -103,8 +103,8 @@ class newton_solver {
 
   constexpr newton_solver(const Law& law, const numbers<S, N>& q) : law_(law), q_(q) {}
 
-  /// `near`: the start is close to the solution, on its branch.
-  constexpr no_solution_of solve(const vector& start, bool near, implicit_solution<S, M>& x) const {
+  /// `starts_near`: the start is close to the solution, on its branch.
+  constexpr no_solution_of solve(const vector& start, bool starts_near, implicit_solution<S, M>& x) const {
     using std::sqrt;
     const S eps = std::numeric_limits<S>::epsilon(), half_digits = S(sqrt(eps));
     x.y = start;
@@ -115,7 +115,7 @@ class newton_solver {
       const vector d = product(x.inverse, f);
       const S size = largest(d, x.y);
       if (!(size < std::numeric_limits<S>::infinity())) return no_solution_of::undetermined;
-      if (near && step == 1 && size > S(1e3) * eps && size > before / S(4)) return no_solution_of::ambiguous;
+      if (starts_near && step == 1 && size > S(1e3) * eps && size > before / S(4)) return no_solution_of::ambiguous;
       if (size <= S(4) * eps || (before >= S(0) && size < half_digits && size * S(2) > before)) {
         move(x.y, d, S(1));
         return no_solution_of::none;

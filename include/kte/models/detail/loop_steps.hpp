@@ -113,7 +113,7 @@ void note_stage(const Loops& loops) {
 /// closure forces, and the error estimate does not see all stages.
 template <class Loops, class X>
 void check_step_end(const Loops& loops, const X& x0) {
-  constexpr double near = 1e-4, nearer = 1e-2, nearest_stage = 1e-2;
+  constexpr double near_it = 1e-4, nearer = 1e-2, nearest_stage = 1e-2;
   auto& start = step_from(loops, x0);
   if (std::exchange(start.nearest, 1) < nearest_stage) [[unlikely]]
     raise<bad_argument>(
@@ -121,7 +121,7 @@ void check_step_end(const Loops& loops, const X& x0) {
   const auto& end = loops.workspace();
   for (std::size_t i = 0; i < end.factor.parts.size(); ++i) {
     const double pivot = end.factor.smallest_pivot(end.equations, i);
-    if (pivot < near && pivot < nearer * start.factor.smallest_pivot(start.equations, i)) [[unlikely]]
+    if (pivot < near_it && pivot < nearer * start.factor.smallest_pivot(start.equations, i)) [[unlikely]]
       raise<bad_argument>("kte: the step ends too near to a singular configuration of the loops: a shorter step");
   }
 }
