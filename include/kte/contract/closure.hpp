@@ -116,6 +116,8 @@ KTE_INLINE constexpr auto& row_of(V& linear, V& angular, const closure_rows& row
 /// at its origin.
 template <class Core>
 struct closure {
+  static constexpr bool reads_positions = true;  ///< residuals depend on them
+
   template <class A, class B, class Loop>
   KTE_INLINE constexpr auto doForce(const A& a, const B& b, const Loop& loop) const {
     using S = std::remove_cvref_t<decltype(loop.force.x)>;
