@@ -113,7 +113,7 @@ void note_stage(const Loops& loops) {
 /// closure forces, and the error estimate does not see all stages.
 template <class Loops, class X>
 void check_step_end(const Loops& loops, const X& x0) {
-  constexpr double near_it = 1e-4, nearer = 1e-2, nearest_stage = 1e-2;
+  constexpr double near_it = 1e-4, nearer = 1e-2, nearest_stage = 3e-3;
   auto& start = step_from(loops, x0);
   if (std::exchange(start.nearest, 1) < nearest_stage) [[unlikely]]
     raise<bad_argument>(
