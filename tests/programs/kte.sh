@@ -301,7 +301,7 @@ head -1 names.csv >out
 prints 't,shoulder__1_,'
 prints 'upper__arm/position/x'
 gives 0 'wrote names.html' "$kte" view names.urdf names.csv
-gives 0 'names.mcap has numbers alone' "$kte" simulate names.urdf --time 0.1 --record names.mcap
+gives 0 'names.mcap has numbers only' "$kte" simulate names.urdf --time 0.1 --record names.mcap
 gives 0 'wrote names.html' "$kte" view names.urdf names.mcap
 
 if [ -n "$(find . -name called)" ]; then wrong "a shell has read a file's name"; fi
