@@ -41,6 +41,7 @@ template <class S = double>
 struct friction_options {
   S tolerance = S(1e-12);   ///< of the residual
   bool least_norm = true;   ///< of all lambda with the same u', the one of least norm
+  bool polish = false;      ///< one more step of Newton's method where it helps
   int newton_steps = 40;    ///< at most, from each starting point
   int admm_steps = 2000;    ///< at most
   int sweeps = 1000;        ///< of the Gauss-Seidel method, at most

@@ -54,7 +54,15 @@ class friction_newton {
     if (!damped) std::copy_n(best_.data(), m, lambda);
     return step;
   }
-  const S* velocity() const { return u_.data(); }
+  /// Undamped steps as long as the residual falls by half. Returns their number.
+  int polish(const friction_system<S>& p, S* lambda, S& residual) {
+    int steps = 0;
+    for (S before = 2 * residual; residual < before / 2 && residual > S(0) && steps < 8; ++steps) {
+      before = residual;
+      solve(p, lambda, S(0), 1, S(0), false, residual);
+    }
+    return steps;
+  }
 
  private:
   S evaluate(const friction_system<S>& p, const S* lambda, S shift) {

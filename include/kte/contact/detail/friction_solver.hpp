@@ -97,6 +97,7 @@ const friction_solution<S>& friction_solver<S>::solve(const friction_problem<S>&
       std::fill(found_.lambda.begin(), found_.lambda.end(), S(0));
     if (pressed) press();
     solved = iterate(o);
+    if (solved && o.polish) found_.iterations += newton_.polish(system_, found_.lambda.data(), found_.residual);
     again = false;
     detail::find_modes(system_, found_);
     for (std::size_t k = 0; k < p.contacts.size() && solved; ++k) {
