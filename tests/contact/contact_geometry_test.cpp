@@ -16,9 +16,9 @@ using namespace kte::test;
 namespace {
 
 template <kind Dim = kind::frame_3D, class Surface>
-auto touching(const Surface& s, double radius) {
+auto touching(const Surface& s, double radius, const vec3<>& offset = {}) {
   using surface_type = std::remove_cvref_t<decltype(s.template in<Dim>())>;
-  return core::contact_geometry<Dim, surface_type>{s.template in<Dim>(), radius};
+  return core::contact_geometry<Dim, surface_type>{s.template in<Dim>(), radius, offset};
 }
 template <class S, class Geometry>
 void check_laws(const Geometry& g, const vec3<>& about, bool is_distance) {
@@ -48,6 +48,7 @@ TEST_CASE("rates of gaps and slips are their derivatives", "[laws]") {
     check_laws_in_both(touching(half_space{}, radius), {0, 0, 0.5});
     check_laws_in_both(touching(half_space(vec3{0.6, 0.0, 0.8}), radius), {0, 0, 0.5});
     check_laws_in_both(touching(ball(0.7), radius), {0.4, 0.3, 0.9});
+    check_laws_in_both(touching(ball(0.7), radius, {0.1, 0.2, -0.3}), {0.8, 0.6, 1.2});
     check_laws_in_both(touching(bowl(1.7), radius), {0.4, 0.3, 0.9});
     check_laws_in_both(touching(cylinder(0.7), radius), {0.8, 0.5, 0});
     check_laws_in_both(touching(cylinder(0.7, vec3{0, 1, 0}), radius), {0.2, 0, 1});
@@ -77,6 +78,8 @@ TEST_CASE("gaps, normals and points of contact") {
   CHECK(near(touching(bowl(1.1), 0.1).point(at({0.6, 0, 0.8})), vec3<>{0.66, 0, 0.88}, 1e-15));
   CHECK(touching(bowl(1.5), 0.1).gap(at({0, 0, 0})) == within(1.4, 1e-15));
   CHECK(touching(cylinder(0.5), 0.1).gap(at({0.6, 0.8, 7})) == within(0.4, 1e-15));
+
+  CHECK(near(touching(ball(0.9), 0.1, {0.3, 0, 0.4}).point(at({0.3, 0, 0.4})), vec3<>{0.54, 0, 0.72}, 1e-15));
 
   // A sphere in a parabola y = x^2 at its lowest point, and beside it: (0.5, 0.25) with the normal (-1, 1)/sqrt(2).
   const auto valley = [](const auto& x) { return x * x; };

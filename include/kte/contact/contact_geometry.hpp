@@ -18,49 +18,52 @@ template <kind Dim, class Surface = contact_surface>
 struct contact_geometry {
   Surface surface{};
   double radius = 0;  ///< m
+  vec3<> offset{};    ///< of the centre of the sphere from the origin of B, in axes of B, m
 
   /// g, m.
   template <class M>
   KTE_INLINE constexpr auto gap(const M& m) const {
     using S = std::remove_cvref_t<decltype(m.position.x)>;
-    return S(surface.at(m.position, radius).distance - S(radius));
+    return S(surface.at(position(m), radius).distance - S(radius));
   }
   /// g_dot, m/s.
   template <class M>
   KTE_INLINE constexpr auto gap_dot(const M& m) const {
-    return dot(normal(m), m.rotation * m.velocity);
+    return dot(normal(m), velocity(m));
   }
   /// g_ddot, m/s^2.
   template <class M>
   KTE_INLINE constexpr auto gap_ddot(const M& m) const {
-    const auto v = m.rotation * m.velocity;
-    return dot(normal(m), m.rotation * m.acceleration) + dot(v, surface.bend(m.position, v, radius));
+    const auto v = velocity(m);
+    return dot(normal(m), acceleration(m)) + dot(v, surface.bend(position(m), v, radius));
   }
   /// n, from A to B.
   template <class M>
   KTE_INLINE constexpr auto normal(const M& m) const {
-    return surface.at(m.position, radius).normal;
+    return surface.at(position(m), radius).normal;
   }
   /// c, m.
   template <class M>
   KTE_INLINE constexpr auto point(const M& m) const {
-    return m.position - radius * normal(m);
+    return position(m) - radius * normal(m);
   }
   /// u, m/s: the velocity of the point of B at c relative to that of A.
   template <class M>
   KTE_INLINE constexpr auto slip(const M& m) const {
-    return m.rotation * m.velocity - radius * cross(m.rotation * m.ang_velocity, normal(m));
+    return velocity(m) - radius * cross(m.rotation * m.ang_velocity, normal(m));
   }
   /// u_dot, m/s^2.
   template <class M>
   KTE_INLINE constexpr auto slip_rate(const M& m) const {
-    const auto w = m.rotation * m.ang_velocity;
-    const auto turns = surface.bend(m.position, m.rotation * m.velocity, radius);
-    return m.rotation * m.acceleration - radius * (cross(m.rotation * m.ang_acceleration, normal(m)) + cross(w, turns));
+    const auto turns = surface.bend(position(m), velocity(m), radius);
+    return acceleration(m) -
+           radius * (cross(m.rotation * m.ang_acceleration, normal(m)) + cross(m.rotation * m.ang_velocity, turns));
   }
   constexpr void check(const parameter_check& where) const {
     surface.template check<Dim>(where);
     where.not_negative(radius, "radius must be finite and not negative");
+    where.finite(offset, "offset must be finite");
+    if constexpr (Dim == kind::frame_2D) where.require(offset.z == 0, "offset must be in the plane", offset.z);
     if constexpr (requires { surface.shape; })
       where.require(surface.shape != surface_shape::bowl || radius < surface.radius,
                     "radius must be below that of the bowl", radius);
@@ -68,7 +71,24 @@ struct contact_geometry {
   template <class Self, class Visit>
   static constexpr void parameters(Self& self, Visit&& visit) {
     Surface::parameters(self.surface, visit);
-    visit("radius", self.radius);
+    visit("radius", self.radius), visit("offset", self.offset);
+  }
+
+ private:
+  // The centre of the sphere, in axes of A.
+  template <class M>
+  KTE_INLINE constexpr auto position(const M& m) const {
+    return as<std::remove_cvref_t<decltype(m.position.x)>>(m.position + m.rotation * offset);
+  }
+  template <class M>
+  KTE_INLINE constexpr auto velocity(const M& m) const {
+    return as<std::remove_cvref_t<decltype(m.position.x)>>(m.rotation * plus_cross(m.velocity, m.ang_velocity, offset));
+  }
+  template <class M>
+  KTE_INLINE constexpr auto acceleration(const M& m) const {
+    const auto& w = m.ang_velocity;
+    return as<std::remove_cvref_t<decltype(m.position.x)>>(
+        m.rotation * plus_cross(plus_cross(m.acceleration, m.ang_acceleration, offset), w, cross(w, offset)));
   }
 };
 

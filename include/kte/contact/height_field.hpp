@@ -18,7 +18,7 @@ namespace kte {
 /// curvature of valleys.
 template <class Height>
 struct height_field {
-  static constexpr bool holds_code = true;
+  static constexpr bool holds_code = true;  ///< files cannot hold it
   /// Whether it is a curve y = h(x) of the plane.
   static constexpr bool in_plane = requires(const Height& h) { h(1.0); };
 
@@ -31,6 +31,7 @@ struct height_field {
                   "kte: a height field is a function h(x) in the plane, h(x, y) in space");
     return *this;
   }
+  /// s and n for a sphere of a radius, m, about p.
   template <class S>
   KTE_INLINE constexpr surface_point<S> at(const vec3<S>& p, double radius) const {
     const auto x = upright(p);
@@ -41,6 +42,7 @@ struct height_field {
     const vec3<S> n = near.normal(), d{S(x.x - near.x), S(x.y - near.y), S(x.z - near.h)};
     return {S(dot(n, d)), turned(n)};
   }
+  /// n_dot where p moves by v.
   template <class S>
   KTE_INLINE constexpr vec3<S> bend(const vec3<S>& p, const vec3<S>& v, double radius) const {
     const auto x = upright(p), u = upright(v);

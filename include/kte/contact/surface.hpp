@@ -17,7 +17,7 @@ namespace kte {
 ///   surface([](const auto& p) { return p.x * p.x / 4 + p.y * p.y + p.z * p.z - 1; })       // an ellipsoid, for points
 template <class Distance>
 struct surface {
-  static constexpr bool holds_code = true;
+  static constexpr bool holds_code = true;  ///< files cannot hold it
 
   Distance distance;
 
@@ -26,6 +26,7 @@ struct surface {
   constexpr const surface& in() const {
     return *this;
   }
+  /// s and n for a sphere of a radius, m, about p.
   template <class S>
   KTE_INLINE constexpr surface_point<S> at(const vec3<S>& p, double radius) const {
     using number = dual<S, 3>;
@@ -36,6 +37,7 @@ struct surface {
     if (radius != 0) check_distance(length);
     return {S(f.value / length), as<S>(n)};
   }
+  /// n_dot where p moves by v.
   template <class S>
   KTE_INLINE constexpr vec3<S> bend(const vec3<S>& p, const vec3<S>& v, double) const {
     using gradient = dual<S, 3>;

@@ -13,12 +13,18 @@ namespace kte {
 /// (1)
 template <class S>
 struct surface_point {
-  S distance;
-  vec3<S> normal;
+  S distance;      ///< s, m
+  vec3<S> normal;  ///< n
 };
 
 /// The shapes of `contact_surface`; `any` only while it is read from a file.
-enum class surface_shape : unsigned char { any, half_space, ball, bowl, cylinder };
+enum class surface_shape : unsigned char {
+  any,         ///< not known yet
+  half_space,  ///< below a plane
+  ball,        ///< outside a sphere
+  bowl,        ///< inside a sphere
+  cylinder     ///< outside a cylinder
+};
 
 /// A half space, ball, bowl or cylinder. With d = p, for a cylinder the part of p normal to its axis:
 ///
@@ -27,7 +33,7 @@ enum class surface_shape : unsigned char { any, half_space, ball, bowl, cylinder
 ///   bowl         s = R - |d|         n = -d/|d|,  H = -(1 - n n^T)/|d|
 ///   cylinder     s = |d| - R         n = d/|d|,   H = (1 - n n^T - a a^T)/|d|
 struct contact_surface {
-  surface_shape shape = surface_shape::any;
+  surface_shape shape = surface_shape::any;  ///< what it is
   vec3<> axis{};      ///< the normal of a half space, zero for that of its dimension; the axis of a cylinder
   double radius = 0;  ///< m
 
@@ -38,6 +44,7 @@ struct contact_surface {
     if (!unset) return *this;
     return {shape, Dim == kind::frame_2D ? vec3<>{0, 1, 0} : vec3<>{0, 0, 1}, 0};
   }
+  /// (1)
   template <class S>
   KTE_INLINE constexpr surface_point<S> at(const vec3<S>& p, double) const {
     if (shape == surface_shape::half_space) return {S(dot(axis, p)), as<S>(axis)};
@@ -45,6 +52,7 @@ struct contact_surface {
     if (shape == surface_shape::bowl) return {S(S(radius) - length), as<S>(-direction)};
     return {S(length - S(radius)), as<S>(direction)};
   }
+  /// (2)
   template <class S>
   KTE_INLINE constexpr vec3<S> bend(const vec3<S>& p, const vec3<S>& v, double) const {
     if (shape == surface_shape::half_space) return {S(0), S(0), S(0)};
