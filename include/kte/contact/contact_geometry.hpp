@@ -16,6 +16,10 @@ namespace kte::core {
 /// g_dot = n.u. (3) is the rate of the components of u in axes of A.
 template <kind Dim, class Surface = contact_surface>
 struct contact_geometry {
+  using surface_type = Surface;
+  static constexpr char compliant_name[] = "compliant_contact";  ///< the type of its compliant element in files
+  static constexpr char bristle_name[] = "bristle_contact";      ///< likewise with friction by bristles
+
   Surface surface{};
   double radius = 0;  ///< m
   vec3<> offset{};    ///< of the centre of the sphere from the origin of B, in axes of B, m

@@ -16,6 +16,9 @@ namespace kte::core {
 ///
 /// A disc that lies flat, a = n or -n, has no lowest point; then (1), except g, to (3) raise `bad_argument`.
 struct disc_geometry {
+  using surface_type = contact_surface;
+  static constexpr char compliant_name[] = "compliant_disc_contact";  ///< the type of its compliant element in files
+
   contact_surface surface{};
   vec3<> axis{};
   double radius = 0;  ///< m
@@ -68,7 +71,6 @@ struct disc_geometry {
     where.unit(axis, "axis must have length 1");
     where.positive(radius, "radius must be finite and positive");
   }
-  static constexpr auto optional_parameters = contact_surface::optional_parameters;
   template <class Self, class Visit>
   static constexpr void parameters(Self& self, Visit&& visit) {
     contact_surface::parameters(self.surface, visit);

@@ -83,8 +83,6 @@ struct contact_surface {
     }
   }
   /// The parameters of its shape; those of all shapes, all optional, if it is `any`.
-  static constexpr std::array<std::string_view, 5> optional_parameters{"normal", "ball_radius", "bowl_radius",
-                                                                       "cylinder_radius", "cylinder_axis"};
   template <class Self, class Visit>
   static constexpr void parameters(Self& self, Visit&& visit) {
     switch (self.shape) {
