@@ -20,14 +20,14 @@ decltype(auto) model_in(const F& f) {
 /// Time stepping of models with rigid contacts, after Moreau and Jean, order 1, with a fixed step h:
 ///
 ///   q_m = q (+) h/2 v                                                                          (1)
-///   v^+ = v + h a_0(t + h/2, q_m, v) + M^-1 J^T P,   with P of contacts with gaps g(q_m) <= 0   (2)
+///   v^+ = v + h a_0(t + h/2, q_m, v_m) + M^-1 J^T P,   P of contacts with gaps g(q_m) <= 0      (2)
 ///   q^+ = q (+) h/2 (v + v^+)                                                                  (3)
 ///
-/// P satisfies Coulomb's law exactly at the velocity level: cones are not linearised (dynamics/contacts/
-/// velocity_step.hpp). Nothing locates the time of an impact, so that any number of contacts may open and close in a
-/// step. A penetration of the size h |v| at an impact remains: correcting it would change velocities. Elements are
-/// explicit: stiff springs, dampers and controllers need a small h. Models with internal states are refused. Dense
-/// output: linear.
+/// with v_m = v, then again with v_m = (v + v^+)/2. P satisfies Coulomb's law exactly at the velocity level: cones are
+/// not linearised (dynamics/contacts/ velocity_step.hpp). Nothing locates the time of an impact, so that any number of
+/// contacts may open and close in a step. A penetration of the size h |v| at an impact remains: correcting it would
+/// change velocities. Elements are explicit: stiff springs, dampers and controllers need a small h. Models with
+/// internal states are refused. Dense output: linear.
 ///
 /// Moreau, Numerical aspects of the sweeping process, Computer Methods in Applied Mechanics and Engineering 177 (1999);
 /// Jean, The non-smooth contact dynamics method, same volume.
@@ -69,10 +69,15 @@ class moreau_jean : public fixed_step<moreau_jean<F, X>, F, X> {
     const auto v = f.velocities_of(this->x_);
     d_.head(n) = (h / 2) * v, d_.tail(n).setZero();
     this->displace(d_);  // (1)
-    if constexpr (requires { f.set_inputs(end, this->next_); }) f.set_inputs(this->time_ + h / 2, this->next_);
-    ++this->statistics_.evaluations;
-    const auto& after = stepper_.velocities(detail::model_in(f), this->time_ + h / 2, this->next_, h);  // (2)
-    d_.head(n) = (h / 2) * (v + after), d_.tail(n) = after - v;
+    const S middle = this->time_ + h / 2;
+    for (int i = 0; i < 2; ++i) {  // (2)
+      if (i > 0) this->next_.tail(n) = (v + after_) / 2;
+      if constexpr (requires { f.set_inputs(middle, this->next_); }) f.set_inputs(middle, this->next_);
+      ++this->statistics_.evaluations;
+      after_ = v;
+      stepper_.step(detail::model_in(f), middle, this->next_, h, after_);
+    }
+    d_.head(n) = (h / 2) * (v + after_), d_.tail(n) = after_ - v;
     this->displace_at_last(d_);  // (3)
   }
   static constexpr int degree() { return 1; }
@@ -80,6 +85,7 @@ class moreau_jean : public fixed_step<moreau_jean<F, X>, F, X> {
 
   detail::contact_stepper<model_type> stepper_;
   rate d_;
+  Eigen::VectorXd after_;  ///< v^+
 };
 template <class F, class V>
 moreau_jean(F, const typename V::Scalar&, const Eigen::MatrixBase<V>&, const typename V::Scalar&)

@@ -27,13 +27,16 @@ std::string names_of_touching(const Contacts& c, const contact_workspace& m) {
     names.append(i == 0 ? "'" : ", '").append(c.loop_name(m.place(m.touched(i)).loop)).append("'");
   return names;
 }
-/// Finds the forces of the contacts that touch. Throws `no_solution`.
+/// Finds the forces of the contacts that touch, those of least norm if there are several with the same motion, unless
+/// `any`. Throws `no_solution`.
 template <class Contacts>
-bool solve_friction(const Contacts& c, contact_solver& m) {
+bool solve_friction(const Contacts& c, contact_solver& m, bool any = false) {
   m.modes.clear();
   if (m.touching.empty()) return false;
   const friction_problem<> p(m.w, m.bias, m.laws);
-  const auto& r = m.solver.solve(p);
+  friction_options<> options;
+  options.least_norm = !any;
+  const auto& r = m.solver.solve(p, options);
   if (!r.solved()) [[unlikely]]
     raise<no_solution>("kte: no contact forces satisfy the laws of friction at contacts " + names_of_touching(c, m) +
                        (r.status == friction_status::no_solution

@@ -5,15 +5,15 @@
 /// The step of velocities of time stepping with contacts, in the working memory of a state.
 namespace kte::detail {
 
-/// The velocities at the end of a step h, from q and v of the state, with impulses P of the contacts with gaps of at
-/// most zero (Moreau 1999; Jean, Computer Methods in Applied Mechanics and Engineering 177, 1999):
+/// The velocities at the end of a step h, from v, with forces at the state, and impulses P of the contacts with gaps of
+/// at most zero (Moreau 1999; Jean, Computer Methods in Applied Mechanics and Engineering 177, 1999):
 ///
 ///   v^+ = v + h a_0 + M^-1 J^T P,   u^+ = W P + J (v + h a_0)                                  (1)
 ///   u_n' = u_n^+ + e min(u_n, 0),   u_t' = u_t^+, a friction problem of lambda = P             (2)
 ///
 /// a_0: the accelerations without contacts. Closures are satisfied by v^+. Contacts of the state get the forces P/h.
 template <class Contacts, class State>
-const Eigen::VectorXd& step_velocities(const Contacts& c, State& s, contact_solver& m, double h, Eigen::VectorXd& v) {
+void step_velocities(const Contacts& c, State& s, contact_solver& m, double h, Eigen::VectorXd& v) {
   check_loops(c, s);
   auto& e = m.equations;
   const bool tree = s.tree().plan.tree;
@@ -35,7 +35,7 @@ const Eigen::VectorXd& step_velocities(const Contacts& c, State& s, contact_solv
     m.bias[x.first] += x.place.law.restitution * (std::min)(dot(x.place.normal, x.slip), 0.0) / e.places.length;
   }
   m.make_matrix(c, s, at_end);
-  (void)solve_friction(c, m);
+  (void)solve_friction(c, m, true);
   v += h * m.before;
   m.accelerate(s, m.change_of_motion);
   v += m.change_of_motion;
@@ -44,7 +44,6 @@ const Eigen::VectorXd& step_velocities(const Contacts& c, State& s, contact_solv
     auto& force = s.template get<kind::contact>(x.slot).force;
     force = (1 / h) * force;
   }
-  return v;
 }
 
 }  // namespace kte::detail

@@ -17,14 +17,12 @@ class contact_stepper<manipulator_dynamics_model<runtime_chain>> {
 
  public:
   explicit contact_stepper(const model_type& m) : s_(m.make_state()) {}
-  /// From the state x at the time t.
+  /// The velocities v after a step h, replacing those before it, with forces at the state x.
   template <class X>
-  const Eigen::VectorXd& velocities(const model_type& m, double t, const X& x, double h) {
+  void step(const model_type& m, double t, const X& x, double h, Eigen::VectorXd& v) {
     m.setJointStates(t, x, s_), check_positions(s_), check_regular_tree(m, s_);
-    v_ = m.velocities_of(x);
-    step_velocities(contacts_of(m.chain()), s_, contact_memory(m.chain(), s_), h, v_);
-    check_result(s_, diagnose_state{"a velocity", s_});
-    return v_;
+    step_velocities(contacts_of(m.chain()), s_, contact_memory(m.chain(), s_), h, v);
+    check_result(s_, diagnose_state{"an acceleration", s_});
   }
   template <class Name>
   const contact_state<>& contact(const Name& name) const {
@@ -33,7 +31,6 @@ class contact_stepper<manipulator_dynamics_model<runtime_chain>> {
 
  private:
   runtime_state s_;
-  Eigen::VectorXd v_;
 };
 
 template <class Gravity, class... E, class Output>
@@ -45,20 +42,18 @@ class contact_stepper<manipulator_dynamics_model<static_chain<Gravity, E...>, do
   template <class Model>
   explicit contact_stepper(const Model& m) : s_(m.chain()) {}
   template <class Model, class X>
-  const Eigen::VectorXd& velocities(const Model& m, double t, const X& x, double h) {
-    const double *q = x.data(), *v = q + wiring::nq;
+  void step(const Model& m, double t, const X& x, double h, Eigen::VectorXd& v) {
+    const double *q = x.data(), *rates = q + wiring::nq;
     const configuration<double, wiring, const double*> at(q);
     at.check();
-    const auto bases = m.bases_at(t, v + wiring::dofs);
+    const auto bases = m.bases_at(t, rates + wiring::dofs);
     bases.check();
-    const given g{at, each<double, const double*>{v}, same<zero_t>{}, bases};
+    const given g{at, each<double, const double*>{rates}, same<zero_t>{}, bases};
     s_.take(g), check_regular(m.chain(), s_);
-    v_ = m.velocities_of(x);
     step_velocities(static_contacts<chain_type, std::remove_const_t<decltype(g)>>{{{m.chain(), g}}}, s_, s_.contacts, h,
-                    v_);
-    check_accelerations<wiring>(joint_vector<double, chain_type::dofs>(v_), g,
+                    v);
+    check_accelerations<wiring>(joint_vector<double, chain_type::dofs>(v), g,
                                 joint_vector<double, chain_type::dofs>::Zero().eval());
-    return v_;
   }
   template <key_type Key>
   const contact_state<>& contact(const Key&) const {
@@ -67,7 +62,6 @@ class contact_stepper<manipulator_dynamics_model<static_chain<Gravity, E...>, do
 
  private:
   static_contact_state<chain_type> s_;
-  Eigen::VectorXd v_;
 };
 
 }  // namespace kte::detail
