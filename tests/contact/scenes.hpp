@@ -66,7 +66,8 @@ class scenes {
     Eigen::VectorXd v(6 * boxes);
     for (int k = 0; k < boxes; ++k) {
       const double m = k % 2 == 0 ? 1 : 10;
-      inverse.block<6, 6>(6 * k, 6 * k) = Eigen::Matrix<double, 6, 1>(1 / m, 1 / m, 1 / m, 6 / m, 6 / m, 6 / m).asDiagonal();
+      inverse.block<6, 6>(6 * k, 6 * k) =
+          Eigen::Matrix<double, 6, 1>(1 / m, 1 / m, 1 / m, 6 / m, 6 / m, 6 / m).asDiagonal();
       for (int c = 0; c < 4; ++c) {
         const double x = c & 1 ? 0.5 : -0.5, y = c & 2 ? 0.5 : -0.5;
         J.block<3, 6>(12 * k + 3 * c, 6 * k) = rows({x, y, -0.5}, Eigen::Matrix3d::Identity());
@@ -98,7 +99,8 @@ class scenes {
     Eigen::Matrix<double, 6, 6> inverse = Eigen::Matrix<double, 6, 6>::Zero();
     inverse.topLeftCorner<3, 3>() = Eigen::Matrix3d::Identity() / m;
     inverse.bottomRightCorner<3, 3>() =
-        turned * Eigen::Vector3d(3 / (y * y + z * z), 3 / (x * x + z * z), 3 / (x * x + y * y)).asDiagonal() * turned.transpose() / m;
+        turned * Eigen::Vector3d(3 / (y * y + z * z), 3 / (x * x + z * z), 3 / (x * x + y * y)).asDiagonal() *
+        turned.transpose() / m;
     return inverse;
   }
   Eigen::VectorXd state(int n, const std::vector<double>& mean) {

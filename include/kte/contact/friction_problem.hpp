@@ -21,9 +21,9 @@ struct friction_contact {
 
 /// What a contact does in a solution of a friction problem.
 enum class friction_mode {
-  open,   ///< lambda = 0, u_n' >= 0
-  sticks, ///< u' = 0, |lambda_t| <= mu_s lambda_n
-  slides  ///< u_n' = 0, lambda_t = -mu lambda_n u_t'/|u_t'|
+  open,    ///< lambda = 0, u_n' >= 0
+  sticks,  ///< u' = 0, |lambda_t| <= mu_s lambda_n
+  slides   ///< u_n' = 0, lambda_t = -mu lambda_n u_t'/|u_t'|
 };
 
 /// The algorithm that found a solution of a friction problem.
@@ -39,12 +39,12 @@ enum class friction_status {
 /// Settings of the solution of a friction problem.
 template <class S = double>
 struct friction_options {
-  S tolerance = S(1e-12);   ///< of the residual
-  bool least_norm = true;   ///< of all lambda with the same u', the one of least norm
-  bool polish = false;      ///< one more step of Newton's method where it helps
-  int newton_steps = 40;    ///< at most, from each starting point
-  int admm_steps = 2000;    ///< at most
-  int sweeps = 1000;        ///< of the Gauss-Seidel method, at most
+  S tolerance = S(1e-12);  ///< of the residual
+  bool least_norm = true;  ///< of all lambda with the same u', the one of least norm
+  bool polish = false;     ///< one more step of Newton's method where it helps
+  int newton_steps = 40;   ///< at most, from each starting point
+  int admm_steps = 2000;   ///< at most
+  int sweeps = 1000;       ///< of the Gauss-Seidel method, at most
 };
 
 /// A friction problem: find lambda with u' = W lambda + b and, for each contact,
@@ -64,7 +64,9 @@ struct friction_problem {
   std::span<const friction_contact<S>> contacts;
 
   friction_problem(Eigen::Ref<const matrix> W_, Eigen::Ref<const vector> b_, std::span<const friction_contact<S>> of)
-      : W(W_.data(), W_.rows(), W_.cols(), Eigen::OuterStride<>(W_.outerStride())), b(b_.data(), b_.size()), contacts(of) {}
+      : W(W_.data(), W_.rows(), W_.cols(), Eigen::OuterStride<>(W_.outerStride())),
+        b(b_.data(), b_.size()),
+        contacts(of) {}
 };
 
 }  // namespace kte

@@ -41,7 +41,8 @@ class impact_solver {
     all_ = &p;
     options_ = options, options_.polish = true;
     const auto m = static_cast<std::size_t>(p.b.size());
-    found_.status = friction_status::solved, found_.residual = S(0), found_.rounds = 1, found_.restitution_factor = S(1);
+    found_.status = friction_status::solved, found_.residual = S(0), found_.rounds = 1,
+    found_.restitution_factor = S(1);
     found_.impulse.assign(m, S(0)), found_.modes.assign(p.contacts.size(), friction_mode::open);
     found_.u.assign(p.b.data(), p.b.data() + m);
     if (law == impact_law::sequential)
@@ -49,7 +50,8 @@ class impact_solver {
     else
       resolve(p, restitution, 0);
     found_.energy = S(0);
-    for (std::size_t r = 0; r < m; ++r) found_.energy += found_.impulse[r] * (found_.u[r] + p.b[static_cast<Eigen::Index>(r)]) / 2;
+    for (std::size_t r = 0; r < m; ++r)
+      found_.energy += found_.impulse[r] * (found_.u[r] + p.b[static_cast<Eigen::Index>(r)]) / 2;
     return found_;
   }
 

@@ -7,8 +7,9 @@
 
 namespace kte::detail {
 
-/// Solves A x = c in place for a matrix in rows of `stride` numbers, a multiple of 4, with c in column n and n < stride: Gaussian
-/// elimination with partial pivoting, four columns at a time. c becomes x. False if a pivot is zero or not finite.
+/// Solves A x = c in place for a matrix in rows of `stride` numbers, a multiple of 4, with c in column n and n <
+/// stride: Gaussian elimination with partial pivoting, four columns at a time. c becomes x. False if a pivot is zero or
+/// not finite.
 template <class S>
 bool eliminate(S* A, Eigen::Index n, Eigen::Index stride) {
   using four = Eigen::Map<Eigen::Array<S, 4, 1>>;

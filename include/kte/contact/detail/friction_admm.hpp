@@ -50,7 +50,8 @@ class friction_admm {
   static S eta(const friction_system<S>& p) { return p.unit * S(1e-6); }
   void factor(const friction_system<S>& p) {
     matrix_.resize(p.size, p.size);
-    for (Eigen::Index j = 0; j < p.size; ++j) matrix_.col(j) = typename friction_system<S>::const_view(p.column(j), p.size);
+    for (Eigen::Index j = 0; j < p.size; ++j)
+      matrix_.col(j) = typename friction_system<S>::const_view(p.column(j), p.size);
     matrix_.diagonal().array() += eta(p) + rho_;
     factor_.compute(matrix_);
   }

@@ -35,9 +35,12 @@ class friction_enumeration {
       const int of = modes_of(p, k), mode = combination % of;
       combination /= of;
       const bool smooth = of == 2;
-      modes[k] = mode == of - 1 ? friction_mode::open : mode == 0 && !smooth ? friction_mode::sticks : friction_mode::slides;
+      modes[k] = mode == of - 1         ? friction_mode::open
+                 : mode == 0 && !smooth ? friction_mode::sticks
+                                        : friction_mode::slides;
       if (smooth && !contact.sliding && modes[k] == friction_mode::slides) modes[k] = friction_mode::slides;
-      p.mu[k] = modes[k] == friction_mode::slides ? contact.friction : contact.sticking_friction.value_or(contact.friction);
+      p.mu[k] =
+          modes[k] == friction_mode::slides ? contact.friction : contact.sticking_friction.value_or(contact.friction);
       if (modes[k] == friction_mode::open) {
         if (contact.pressed) return false;
         continue;
@@ -56,7 +59,8 @@ class friction_enumeration {
       rows_[n] = contact.rows;
       coefficient_[n] = {S(1), S(0), S(0)};
       if (const auto& d = contact.sliding)
-        for (int c = 1; c < contact.rows; ++c) coefficient_[n][static_cast<std::size_t>(c)] = -p.mu[k] * (*d)[static_cast<std::size_t>(c - 1)];
+        for (int c = 1; c < contact.rows; ++c)
+          coefficient_[n][static_cast<std::size_t>(c)] = -p.mu[k] * (*d)[static_cast<std::size_t>(c - 1)];
       else if (!smooth)
         coefficient_[n][1] = mode == 1 ? p.mu[k] : S(-p.mu[k]);
       G_(n, generators) = S(1);
@@ -64,7 +68,8 @@ class friction_enumeration {
     }
     for (int j = 0; j < n; ++j)
       for (int i = 0; i < n; ++i)
-        for (int c = 0; c < rows_[j]; ++c) R_(i, j) += coefficient_[j][static_cast<std::size_t>(c)] * p.column(unknown_row_[j] + c)[unknown_row_[i]];
+        for (int c = 0; c < rows_[j]; ++c)
+          R_(i, j) += coefficient_[j][static_cast<std::size_t>(c)] * p.column(unknown_row_[j] + c)[unknown_row_[i]];
     for (int i = 0; i < n; ++i) C_[i] = -p.b[unknown_row_[i]];
     small_vector<S, 6> x = small_vector<S, 6>::Zero(n);
     if (n > 0) {
@@ -79,7 +84,8 @@ class friction_enumeration {
     }
     std::fill_n(lambda, p.size, S(0));
     for (int j = 0; j < n; ++j)
-      for (int c = 0; c < rows_[j]; ++c) lambda[unknown_row_[j] + c] += x[j] * coefficient_[j][static_cast<std::size_t>(c)];
+      for (int c = 0; c < rows_[j]; ++c)
+        lambda[unknown_row_[j] + c] += x[j] * coefficient_[j][static_cast<std::size_t>(c)];
     for (std::size_t k = 0; k < p.contacts.size(); ++k)
       if (p.contacts[k].pressed && !(lambda[p.first[k]] > S(0))) return false;
     return true;

@@ -52,7 +52,8 @@ std::array<S, 3> contact_alone(const friction_system<S>& p, int i, const std::ar
   const auto consider = [&](const std::array<S, 3>& l) {
     if (!(l[0] > S(0)) || !(l[1] * slip(l, 1) + (n == 3 ? S(l[2] * slip(l, 2)) : S(0)) <= S(0))) return;
     S far(0);
-    for (int e = 0; e < n; ++e) far += (l[static_cast<std::size_t>(e)] - start[e]) * (l[static_cast<std::size_t>(e)] - start[e]);
+    for (int e = 0; e < n; ++e)
+      far += (l[static_cast<std::size_t>(e)] - start[e]) * (l[static_cast<std::size_t>(e)] - start[e]);
     if (distance < S(0) || far < distance) distance = far, best = l;
   };
   if (n == 2) {
@@ -105,7 +106,8 @@ void gauss_seidel_sweep(const friction_system<S>& p, S* lambda, S* u) {
     for (int j = 0; j < n; ++j) {
       const S change = l[static_cast<std::size_t>(j)] - lambda[r + j];
       if (change == S(0)) continue;
-      typename friction_system<S>::view(u, p.size) += change * typename friction_system<S>::const_view(p.column(r + j), p.size);
+      typename friction_system<S>::view(u, p.size) +=
+          change * typename friction_system<S>::const_view(p.column(r + j), p.size);
       lambda[r + j] = l[static_cast<std::size_t>(j)];
     }
   }

@@ -5,10 +5,10 @@
 
 namespace kte::detail {
 
-/// Newton's method on the natural map of a friction problem, in the unknowns of its active contacts. With tau = lambda -
-/// rho u, a contact is open if tau_n <= 0 (no unknown); else it sticks if |tau_t| <= mu tau_n (all rows of lambda are
-/// unknown, u = 0), or slides along t = tau_t/|tau_t|: unknown are lambda_n, with lambda_t = mu lambda_n t, and in space
-/// lambda_s across t. The equations of sliding are linear in the new lambda:
+/// Newton's method on the natural map of a friction problem, in the unknowns of its active contacts. With tau = lambda
+/// - rho u, a contact is open if tau_n <= 0 (no unknown); else it sticks if |tau_t| <= mu tau_n (all rows of lambda are
+/// unknown, u = 0), or slides along t = tau_t/|tau_t|: unknown are lambda_n, with lambda_t = mu lambda_n t, and in
+/// space lambda_s across t. The equations of sliding are linear in the new lambda:
 ///
 ///   u_n = 0,   u_s + kappa lambda_s = 0,   kappa = (|tau_t| - mu tau_n)/(rho_t mu tau_n)        (1)
 template <class S>
@@ -27,7 +27,7 @@ class friction_newton {
     std::copy_n(lambda, m, best_.data());
     int step = 0;
     for (; step < steps && !(residual <= tolerance); ++step) {
-      if (!direction(p, lambda, shift, merit <= S(1e-6))) break;
+      if (!direction(p, lambda, shift, shift == S(0) && merit <= S(1e-6))) break;
       S a(1);
       S best_merit(-1), best_a(1);
       for (int halving = 0;; ++halving) {
@@ -93,7 +93,8 @@ class friction_newton {
       const int n = contact.rows;
       const S eps_n = shift * p.unit, eps_t = shift * p.unit;
       if (const auto& d = contact.sliding) {
-        unknowns_.push_back({i, n, {S(1), -p.mu[k] * (*d)[0], n == 3 ? S(-p.mu[k] * (*d)[1]) : S(0)}, {S(1), S(0), S(0)}, eps_n});
+        unknowns_.push_back(
+            {i, n, {S(1), -p.mu[k] * (*d)[0], n == 3 ? S(-p.mu[k] * (*d)[1]) : S(0)}, {S(1), S(0), S(0)}, eps_n});
         continue;
       }
       if (!(p.mu[k] > S(0))) {
@@ -112,7 +113,8 @@ class friction_newton {
         const S c1 = t1 / length, c2 = t2 / length;
         unknowns_.push_back({i, n, {S(1), p.mu[k] * c1, p.mu[k] * c2}, {S(1), S(0), S(0)}, eps_n});
         if (n == 3)
-          unknowns_.push_back({i, n, {S(0), -c2, c1}, {S(0), -c2, c1}, eps_t + (length - radius) / (p.rho_t[k] * radius)});
+          unknowns_.push_back(
+              {i, n, {S(0), -c2, c1}, {S(0), -c2, c1}, eps_t + (length - radius) / (p.rho_t[k] * radius)});
       }
     }
   }

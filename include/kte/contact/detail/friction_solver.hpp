@@ -19,7 +19,6 @@ void find_modes(const friction_system<S>& p, friction_solution<S>& x) {
     const S t1 = x.lambda[r + 1], t2 = n == 3 ? x.lambda[r + 2] : S(0);
     if (!(x.lambda[r] > S(1e-10) * largest)) {
       x.modes[k] = friction_mode::open;
-      for (int c = 0; c < n; ++c) x.lambda[r + static_cast<std::size_t>(c)] = S(0);
     } else {
       const bool inside = sqrt(t1 * t1 + t2 * t2) < p.mu[k] * x.lambda[r] * S(1 - 1e-9);
       x.modes[k] = inside && !p.contacts[k].sliding ? friction_mode::sticks : friction_mode::slides;
@@ -31,7 +30,8 @@ template <class S>
 void check_friction_problem(const friction_problem<S>& p) {
   Eigen::Index rows = 0;
   for (const auto& contact : p.contacts) {
-    if (contact.rows != 2 && contact.rows != 3) detail::raise<bad_argument>("friction problem: a contact has 2 or 3 rows");
+    if (contact.rows != 2 && contact.rows != 3)
+      detail::raise<bad_argument>("friction problem: a contact has 2 or 3 rows");
     if (!(contact.friction >= S(0)) || !(contact.friction - contact.friction == S(0)))
       detail::raise<bad_argument>("friction problem: friction must be finite and not negative");
     if (contact.sticking_friction && !(*contact.sticking_friction >= contact.friction))
@@ -62,10 +62,8 @@ bool friction_solver<S>::iterate(const friction_options<S>& o) {
   const auto keep = [&] {
     if (residual < best) best = residual, best_.assign(found_.lambda.begin(), found_.lambda.end());
   };
-  for (const double ratio : {0.1, 0.5}) {
-    if (rescue_.continuation(system_, newton_, lambda, o, n, residual, S(ratio))) return done(friction_method::continuation);
-    keep();
-  }
+  if (rescue_.continuation(system_, newton_, lambda, o, n, residual)) return done(friction_method::continuation);
+  keep();
   if (rescue_.admm(system_, newton_, lambda, o, n, residual)) return done(friction_method::admm);
   keep();
   if (rescue_.gauss_seidel(system_, newton_, lambda, o, n, residual)) return done(friction_method::gauss_seidel);
@@ -132,7 +130,8 @@ std::span<const friction_solution<S>> friction_solver<S>::solutions(const fricti
   system_.assign(p);
   const int combinations = enumeration_.combinations(system_);
   if (combinations == 0)
-    detail::raise<bad_argument>("friction problem: only piecewise linear problems of up to 64 combinations have a list of solutions");
+    detail::raise<bad_argument>(
+        "friction problem: only piecewise linear problems of up to 64 combinations have a list of solutions");
   return enumerate(o);
 }
 
@@ -171,7 +170,8 @@ const friction_solution<S>& friction_solver<S>::choose(const friction_options<S>
   const auto found = enumerate(o);
   const auto m = static_cast<std::size_t>(system_.size);
   if (found.empty()) {
-    found_.lambda.assign(m, S(0)), found_.u.resize(m), found_.modes.assign(system_.contacts.size(), friction_mode::open);
+    found_.lambda.assign(m, S(0)), found_.u.resize(m),
+        found_.modes.assign(system_.contacts.size(), friction_mode::open);
     system_.velocity(found_.lambda.data(), found_.u.data());
     found_.residual = system_.residual(found_.lambda.data(), found_.u.data(), F_.data());
     found_.status = friction_status::no_solution, found_.method = friction_method::enumeration;

@@ -91,7 +91,8 @@ void impact_solver<S>::one_at_a_time(const friction_problem<S>& p, std::span<con
   }
   before_ = found_.u;
   const std::vector<S> zero(p.contacts.size(), S(0));
-  resolve({p.W, Eigen::Map<const typename friction_problem<S>::vector>(before_.data(), p.b.size()), p.contacts}, zero, 0);
+  resolve({p.W, Eigen::Map<const typename friction_problem<S>::vector>(before_.data(), p.b.size()), p.contacts}, zero,
+          0);
 }
 
 }  // namespace kte

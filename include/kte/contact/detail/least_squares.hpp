@@ -13,8 +13,8 @@ using small_matrix = Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic, 0, R, C>;
 template <class S, int R>
 using small_vector = Eigen::Matrix<S, Eigen::Dynamic, 1, 0, R, 1>;
 
-/// The a >= 0 that minimizes |A G a - c|^2 + d^2 |G a|^2 with a small d (Lawson and Hanson, Solving least squares problems,
-/// 1974, chapter 23): of all G a >= 0 with A G a = c the one of least norm. At most 6 unknowns.
+/// The a >= 0 that minimizes |A G a - c|^2 + d^2 |G a|^2 with a small d (Lawson and Hanson, Solving least squares
+/// problems, 1974, chapter 23): of all G a >= 0 with A G a = c the one of least norm. At most 6 unknowns.
 template <class S>
 small_vector<S, 6> nonnegative_least_squares(const small_matrix<S, 6, 6>& A, const small_matrix<S, 6, 6>& G,
                                              const small_vector<S, 6>& c) {
@@ -46,7 +46,8 @@ small_vector<S, 6> nonnegative_least_squares(const small_matrix<S, 6, 6>& A, con
       int blocking = -1;
       for (int j = 0, k = 0; j < m; ++j) {
         if (!active[j]) continue;
-        if (z[k] <= S(0) && a[j] - z[k] > S(0) && a[j] / (a[j] - z[k]) < step) step = a[j] / (a[j] - z[k]), blocking = j;
+        if (z[k] <= S(0) && a[j] - z[k] > S(0) && a[j] / (a[j] - z[k]) < step)
+          step = a[j] / (a[j] - z[k]), blocking = j;
         ++k;
       }
       for (int j = 0, k = 0; j < m; ++j)
