@@ -21,6 +21,9 @@ KTE_ELEMENT(ang_velocity_measure_3D)
 KTE_ELEMENT(base<kind::gen>)
 KTE_ELEMENT(base<kind::frame_2D>)
 KTE_ELEMENT(base<kind::frame_3D>)
+#include <kte/elements/bristle_contact.hpp>
+KTE_ELEMENT(bristle_contact<kind::frame_2D, core::contact_geometry<kind::frame_2D>>)
+KTE_ELEMENT(bristle_contact<kind::frame_3D, core::contact_geometry<kind::frame_3D>>)
 #include <kte/elements/bushing.hpp>
 KTE_ELEMENT(bushing_3D)
 #include <kte/elements/closures/axis_closures.hpp>
@@ -44,6 +47,11 @@ KTE_ELEMENT(distance<kind::frame_3D>)
 KTE_ELEMENT(point_on_line<kind::frame_2D>)
 KTE_ELEMENT(point_on_line<kind::frame_3D>)
 KTE_ELEMENT(point_on_plane_3D)
+#include <kte/elements/compliant_contact.hpp>
+KTE_ELEMENT(compliant_contact<kind::frame_2D, core::contact_geometry<kind::frame_2D>>)
+KTE_ELEMENT(compliant_contact<kind::frame_3D, core::contact_geometry<kind::frame_3D>>)
+KTE_ELEMENT(compliant_contact<kind::frame_3D, core::disc_geometry>)
+#include <kte/elements/compliant_shapes.hpp>
 #include <kte/elements/constant_force.hpp>
 KTE_ELEMENT(constant_force<kind::frame_2D, vec3<double, double, zero_t>, vec3<zero_t, zero_t, double>>)
 KTE_ELEMENT(constant_force<kind::frame_3D, vec3<>, vec3<>>)
