@@ -27,20 +27,29 @@ enum class friction_mode {
 };
 
 /// The algorithm that found a solution of a friction problem.
-enum class friction_method { none, enumeration, newton, continuation, admm, gauss_seidel };
+enum class friction_method {
+  none,          ///< no algorithm was needed, or none succeeded
+  enumeration,   ///< of combinations of modes
+  newton,        ///< Newton's method on the natural map
+  continuation,  ///< Newton's method, from solutions for W + eps I with eps from 1 to 0
+  admm,          ///< Newton's method from iterates of the alternating direction method of multipliers
+  gauss_seidel   ///< Newton's method from iterates of the nonlinear Gauss-Seidel method
+};
 /// How the solution of a friction problem ended.
 enum class friction_status {
-  solved,
+  solved,             ///< lambda satisfies all laws
   several_solutions,  ///< solved; by enumeration, and there are solutions with other u'
   no_solution,        ///< by enumeration: there is none
-  not_converged       ///< lambda is the iterate with the smallest residual of all methods
+  not_converged       ///< lambda has the smallest residual of all iterates
 };
 
 /// Settings of the solution of a friction problem.
 template <class S = double>
 struct friction_options {
   S tolerance = S(1e-12);  ///< of the residual
-  bool least_norm = true;  ///< of all lambda with the same u', the one of least norm
+  /// lambda is the limit of those for W + eps I, eps to 0, as of contacts of equal stiffness: if all of them stick, the
+  /// lambda of least norm with this u'. Costs time only where W is singular; false: lambda is near it, to about 1e-7.
+  bool least_norm = true;
   bool polish = false;     ///< one more step of Newton's method where it helps
   int newton_steps = 40;   ///< at most, from each starting point
   int admm_steps = 2000;   ///< at most

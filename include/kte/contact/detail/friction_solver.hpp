@@ -79,9 +79,13 @@ const friction_solution<S>& friction_solver<S>::solve(const friction_problem<S>&
   detail::check_friction_problem(p);
   system_.assign(p);
   const auto m = static_cast<std::size_t>(p.b.size());
-  bool plane = p.contacts.size() <= 3, pressed = false;
-  for (const auto& contact : p.contacts) plane = plane && contact.rows == 2, pressed = pressed || contact.pressed;
-  if (plane || (pressed && enumeration_.combinations(system_) > 0)) return choose(o, start);
+  bool plane = p.contacts.size() <= 3, pressed = false, jammed = false;
+  for (std::size_t k = 0; k < p.contacts.size(); ++k) {
+    const auto& contact = p.contacts[k];
+    plane = plane && contact.rows == 2, pressed = pressed || contact.pressed;
+    jammed = jammed || system_.is_jammed(k);
+  }
+  if (plane || ((pressed || jammed) && enumeration_.combinations(system_) > 0)) return choose(o, start);
 
   found_.lambda.resize(m), found_.u.resize(m), found_.modes.resize(p.contacts.size()), F_.resize(m);
   found_.iterations = 0;
@@ -95,6 +99,7 @@ const friction_solution<S>& friction_solver<S>::solve(const friction_problem<S>&
       std::fill(found_.lambda.begin(), found_.lambda.end(), S(0));
     if (pressed) press();
     solved = iterate(o);
+    if (solved && o.least_norm) newton_.balance(system_, found_.lambda.data(), o.tolerance, found_.residual);
     if (solved && o.polish) found_.iterations += newton_.polish(system_, found_.lambda.data(), found_.residual);
     again = false;
     detail::find_modes(system_, found_);
@@ -115,11 +120,10 @@ const friction_solution<S>& friction_solver<S>::solve(const friction_problem<S>&
 /// Starts from contacts that all stick.
 template <class S>
 void friction_solver<S>::press() {
-  const Eigen::Index m = system_.size;
-  Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic> A(m, m);
-  for (Eigen::Index j = 0; j < m; ++j) A.col(j) = typename detail::friction_system<S>::const_view(system_.column(j), m);
-  typename detail::friction_system<S>::view(found_.lambda.data(), m) =
-      -A.completeOrthogonalDecomposition().solve(typename detail::friction_system<S>::const_view(system_.b, m));
+  detail::cholesky<S> factor;
+  factor.factor(system_.W, system_.size, system_.stride, S(1e-9) * system_.unit);
+  for (Eigen::Index r = 0; r < system_.size; ++r) found_.lambda[static_cast<std::size_t>(r)] = -system_.b[r];
+  factor.solve(found_.lambda.data());
 }
 
 template <class S>
