@@ -1,15 +1,14 @@
-#include "catch.hpp"
-#include "contact/friction_scenes.hpp"
-#include "digits50.hpp"
-
 #include <kte/contact/friction_solver.hpp>
 
 #include <Eigen/Dense>
 
 #include <functional>
 
+#include "catch.hpp"
+#include "contact/friction_scenes.hpp"
+#include "digits50.hpp"
+
 using namespace kte;
-using Catch::Matchers::WithinAbs;
 using test::digits50;
 using test::friction_scene;
 using test::friction_scenes;
@@ -48,15 +47,23 @@ TEST_CASE("Friction: all random problems of a few points are solved, by the laws
 
 TEST_CASE("Friction: 1e4 random problems of 1 to 4 points, 1e3 of 8, plates and towers", "[long]") {
   for (int n = 1; n <= 4; ++n) {
-    CHECK(worst_of(5000, [n](auto& r) { return r.plate(n); }, 1) < 1e-10);
-    CHECK(worst_of(5000, [n](auto& r) { return r.points(n); }, 2) < 1e-10);
+    CHECK(worst_of(
+              5000, [n](auto& r) { return r.plate(n); }, 1) < 1e-10);
+    CHECK(worst_of(
+              5000, [n](auto& r) { return r.points(n); }, 2) < 1e-10);
   }
-  CHECK(worst_of(1000, [](auto& r) { return r.plate(8); }, 3) < 1e-10);
-  CHECK(worst_of(1000, [](auto& r) { return r.points(8); }, 4) < 1e-10);
-  CHECK(worst_of(100, [](auto& r) { return r.plate(16); }, 5) < 1e-10);
-  CHECK(worst_of(50, [](auto& r) { return r.plate(32); }, 6) < 1e-10);
-  CHECK(worst_of(100, [](auto& r) { return r.tower(8); }, 7) < 1e-10);
-  CHECK(worst_of(100, [](auto& r) { return r.tower(8, 1.0); }, 8) < 1e-10);
+  CHECK(worst_of(
+            1000, [](auto& r) { return r.plate(8); }, 3) < 1e-10);
+  CHECK(worst_of(
+            1000, [](auto& r) { return r.points(8); }, 4) < 1e-10);
+  CHECK(worst_of(
+            100, [](auto& r) { return r.plate(16); }, 5) < 1e-10);
+  CHECK(worst_of(
+            50, [](auto& r) { return r.plate(32); }, 6) < 1e-10);
+  CHECK(worst_of(
+            100, [](auto& r) { return r.tower(8); }, 7) < 1e-10);
+  CHECK(worst_of(
+            100, [](auto& r) { return r.tower(8, 1.0); }, 8) < 1e-10);
 }
 
 TEST_CASE("Friction: Newton's method and the Gauss-Seidel method agree where the solution is unique") {
@@ -71,7 +78,7 @@ TEST_CASE("Friction: Newton's method and the Gauss-Seidel method agree where the
     for (std::size_t k = 0; k < 4; ++k) system.mu[k] = 0.3;
     std::vector<double> lambda(12, 0.0), u(s.b.data(), s.b.data() + 12);
     for (int sweep = 0; sweep < 400; ++sweep) detail::gauss_seidel_sweep(system, lambda.data(), u.data());
-    for (std::size_t r = 0; r < 12; ++r) CHECK_THAT(x.lambda[r], WithinAbs(lambda[r], 1e-11));
+    for (std::size_t r = 0; r < 12; ++r) CHECK(x.lambda[r] == within(lambda[r], 1e-11));
   }
 }
 
@@ -119,24 +126,30 @@ TEST_CASE("Friction: the same solution in numbers of 50 digits") {
     friction_options<> polished;
     polished.polish = true;
     const auto& x = solver.solve(s.problem(), polished);
-    for (std::size_t r = 0; r < 12; ++r) CHECK_THAT(x.lambda[r], WithinAbs(static_cast<double>(y.lambda[r]), 1e-14));
+    for (std::size_t r = 0; r < 12; ++r) CHECK(x.lambda[r] == within(static_cast<double>(y.lambda[r]), 1e-14));
   }
 }
 
 TEST_CASE("Friction: a plate that sticks has the lambda of least norm") {
   friction_scenes random(14);
   friction_solver<> solver;
+  int inside_all = 0;
   for (int i = 0; i < 20; ++i) {
-    friction_scene s = random.plate(8, 2.0);
+    friction_scene s = random.plate(8, 0.8);
     Eigen::VectorXd pressing = Eigen::VectorXd::Zero(24);  // forces whose motion b undoes
     for (int k = 0; k < 8; ++k) pressing.segment<3>(3 * k) << random.uniform(0.8, 1), random.normal() / 10, 0.1;
     s.b = -s.W * pressing;
+    const Eigen::VectorXd least = -s.W.completeOrthogonalDecomposition().solve(s.b);
+    bool inside = true;
+    for (int k = 0; k < 8; ++k) inside &= least.segment<2>(3 * k + 1).norm() < 0.79 * least[3 * k];
+    if (!inside) continue;
+    ++inside_all;
     const auto& x = solver.solve(s.problem());
     REQUIRE(x.solved());
-    const Eigen::VectorXd least = -s.W.completeOrthogonalDecomposition().solve(s.b);
-    for (Eigen::Index r = 0; r < 24; ++r) CHECK_THAT(x.lambda[static_cast<std::size_t>(r)], WithinAbs(least[r], 1e-11));
+    for (Eigen::Index r = 0; r < 24; ++r) CHECK(x.lambda[static_cast<std::size_t>(r)] == within(least[r], 1e-11));
     for (const auto mode : x.modes) CHECK(mode == friction_mode::sticks);
   }
+  CHECK(inside_all > 5);
 }
 
 TEST_CASE("Friction: from a start, and with storage used before") {

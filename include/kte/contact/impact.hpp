@@ -23,9 +23,9 @@ struct impact_solution {
 
 /// Resolves impacts with Newton's restitution e of each contact:
 ///
-///   u^+ = W P + u^-, a friction problem of lambda = P, u_n' = u_n^+ + e u_n^-, u_t' = u_t^+     (1)
+///   u^+ = W P + u^-, a friction problem of lambda = P, u_n' = u_n^+ + e min(0, u_n^-), u_t' = u_t^+     (1)
 ///   T^+ - T^- = P.(u^+ + u^-)/2                                                                 (2)
-///   if (2) > 0: e -> theta e with the largest theta in [0, 1] that has (2) <= 0                 (3)
+///   if (2) > 0, or (1) has no solution: e -> theta e, theta the largest in [0, 1] with (2) <= 0  (3)
 ///
 /// With e = 0, (2) is never positive. A contact that is `pressed` has a tangential impact: P_n > 0 is demanded.
 template <class S = double>
