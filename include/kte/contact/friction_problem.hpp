@@ -50,10 +50,10 @@ struct friction_options {
   /// lambda is the limit of those for W + eps I, eps to 0, as of contacts of equal stiffness: if all of them stick, the
   /// lambda of least norm with this u'. Costs time only where W is singular; false: lambda is near it, to about 1e-7.
   bool least_norm = true;
-  bool polish = false;     ///< one more step of Newton's method where it helps
-  int newton_steps = 40;   ///< at most, from each starting point
-  int admm_steps = 2000;   ///< at most
-  int sweeps = 1000;       ///< of the Gauss-Seidel method, at most
+  bool polish = false;    ///< one more step of Newton's method where it helps
+  int newton_steps = 40;  ///< at most, from each starting point
+  int admm_steps = 2000;  ///< at most
+  int sweeps = 1000;      ///< of the Gauss-Seidel method, at most
 };
 
 /// A friction problem: find lambda with u' = W lambda + b and, for each contact,
