@@ -109,7 +109,7 @@ TEST_CASE("Friction: enumeration finds what Newton's method finds in the plane")
   CHECK(compared > 190);
 }
 
-TEST_CASE("Friction: the same solution in numbers of 50 digits") {
+TEST_CASE("Friction: double agrees with numbers of 50 digits") {
   friction_scenes random(13);
   friction_solver<> solver;
   friction_solver<digits50> exact;

@@ -49,7 +49,7 @@ TEST_CASE("Impact: Painleve's rod: no solution, a tangential impact, and two sol
   CHECK(x.u[0] == within(0, 1e-15));
 }
 
-TEST_CASE("Impact: the same tangential impact in space") {
+TEST_CASE("Impact: a tangential impact in space equals that in the plane") {
   const Eigen::MatrixXd plane = rod(1);
   Eigen::MatrixXd W = Eigen::MatrixXd::Zero(3, 3);
   W.topLeftCorner<2, 2>() = plane;

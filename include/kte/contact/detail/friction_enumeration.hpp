@@ -95,7 +95,7 @@ class friction_enumeration {
   }
 
  private:
-  /// Of all x = G a with A x = c, a >= 0, the least; G: the edges of the friction cones.
+  /// The least x = G a with A x = c, a >= 0. G: the edges of the friction cones.
   std::array<S, 6> least_of(const std::array<S, 48>& A, int n, int generators) const {
     using std::sqrt;
     small_columns<S, 12, 6> B{};
