@@ -67,11 +67,11 @@ class friction_newton {
   void balance(const friction_system<S>& p, S* lambda, S tolerance, S& residual) {
     if (!(smallest_ < S(1e-7) * p.unit)) return;
     kept_.assign(lambda, lambda + p.size);
-    const S before = residual;
+    const S before = residual, slack = S(1e-9) * view(lambda, p.size).cwiseAbs().maxCoeff();
     for (S shift(0); shift<S(1e-3); shift = shift> S(0) ? S(shift * S(100)) : S(1e-7)) {
       if (shift > S(0)) solve(p, lambda, shift, 20, S(1e-9), false, residual);
       evaluate(p, lambda, shift);
-      unknowns_.choose(p, lambda, u_.data(), S(0));
+      unknowns_.choose(p, lambda, u_.data(), S(0), shift > S(0) ? S(0) : slack);
       unknowns_.assemble(p, nullptr, S(0));
       if (unknowns_.size() > 0 && !limit_.solve(unknowns_.equations(), unknowns_.size(), unknowns_.stride())) continue;
       unknowns_.put(p, lambda);

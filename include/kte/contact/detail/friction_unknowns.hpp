@@ -20,8 +20,9 @@ class friction_unknowns {
     S diagonal;
   };
 
-  /// Chooses the unknowns at lambda and u; adds `shift` to the diagonal.
-  void choose(const friction_system<S>& p, const S* lambda, const S* velocity, S shift) {
+  /// Chooses the unknowns at lambda and u; adds `shift` to the diagonal. Contacts within `slack` of
+  /// closing or sticking do so.
+  void choose(const friction_system<S>& p, const S* lambda, const S* velocity, S shift, S slack = S(0)) {
     using std::sqrt;
     unknowns_.clear();
     for (int i = 0; i < p.count(); ++i) {
@@ -30,7 +31,7 @@ class friction_unknowns {
       const Eigen::Index r = p.first[k];
       const S* u = velocity + r;
       const S tau_n = lambda[r] - p.rho_n[k] * u[0];
-      if (!(tau_n > S(0))) continue;
+      if (!(tau_n > -slack)) continue;
       const S radius = p.mu[k] * tau_n;
       const int n = contact.rows;
       const S eps = shift * p.unit;
@@ -45,13 +46,13 @@ class friction_unknowns {
       }
       const S t1 = lambda[r + 1] - p.rho_t[k] * u[1], t2 = n == 3 ? S(lambda[r + 2] - p.rho_t[k] * u[2]) : S(0);
       const S length = sqrt(t1 * t1 + t2 * t2);
-      if (length <= radius) {
+      if (length <= radius + slack) {
         for (int c = 0; c < n; ++c) {
           unknown x{i, n, {S(0), S(0), S(0)}, {S(0), S(0), S(0)}, eps};
           x.of_lambda[c] = x.of_u[c] = S(1);
           unknowns_.push_back(x);
         }
-      } else {
+      } else if (radius > S(0)) {
         const S c1 = t1 / length, c2 = t2 / length;
         unknowns_.push_back({i, n, {S(1), p.mu[k] * c1, p.mu[k] * c2}, {S(1), S(0), S(0)}, eps});
         if (n == 3)
