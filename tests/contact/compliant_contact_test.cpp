@@ -3,9 +3,9 @@
 #include <kte/elements/bristle_contact.hpp>
 #include <kte/elements/compliant_contact.hpp>
 #include <kte/elements/compliant_shapes.hpp>
+#include <kte/static.hpp>
 #include <kte/testing/file_round_trip.hpp>
 #include <kte/testing/static_is_runtime.hpp>
-#include <kte/static.hpp>
 
 #include <numbers>
 

@@ -21,30 +21,39 @@ struct friction_contact {
 
 /// What a contact does in a solution of a friction problem.
 enum class friction_mode {
-  open,   ///< lambda = 0, u_n' >= 0
-  sticks, ///< u' = 0, |lambda_t| <= mu_s lambda_n
-  slides  ///< u_n' = 0, lambda_t = -mu lambda_n u_t'/|u_t'|
+  open,    ///< lambda = 0, u_n' >= 0
+  sticks,  ///< u' = 0, |lambda_t| <= mu_s lambda_n
+  slides   ///< u_n' = 0, lambda_t = -mu lambda_n u_t'/|u_t'|
 };
 
 /// The algorithm that found a solution of a friction problem.
-enum class friction_method { none, enumeration, newton, continuation, admm, gauss_seidel };
+enum class friction_method {
+  none,          ///< no algorithm was needed, or none succeeded
+  enumeration,   ///< of combinations of modes
+  newton,        ///< Newton's method on the natural map
+  continuation,  ///< Newton's method, from solutions for W + eps I with eps from 1 to 0
+  admm,          ///< Newton's method from iterates of the alternating direction method of multipliers
+  gauss_seidel   ///< Newton's method from iterates of the nonlinear Gauss-Seidel method
+};
 /// How the solution of a friction problem ended.
 enum class friction_status {
-  solved,
+  solved,             ///< lambda satisfies all laws
   several_solutions,  ///< solved; by enumeration, and there are solutions with other u'
   no_solution,        ///< by enumeration: there is none
-  not_converged       ///< lambda is the iterate with the smallest residual of all methods
+  not_converged       ///< lambda has the smallest residual of all iterates
 };
 
 /// Settings of the solution of a friction problem.
 template <class S = double>
 struct friction_options {
-  S tolerance = S(1e-12);   ///< of the residual
-  bool least_norm = true;   ///< of all lambda with the same u', the one of least norm
-  bool polish = false;      ///< one more step of Newton's method where it helps
-  int newton_steps = 40;    ///< at most, from each starting point
-  int admm_steps = 2000;    ///< at most
-  int sweeps = 1000;        ///< of the Gauss-Seidel method, at most
+  S tolerance = S(1e-12);  ///< of the residual
+  /// lambda is the limit of those for W + eps I, eps to 0, as of contacts of equal stiffness: if all of them stick, the
+  /// lambda of least norm with this u'. Costs time only where W is singular; false: lambda is near it, to about 1e-7.
+  bool least_norm = true;
+  bool polish = false;    ///< one more step of Newton's method where it helps
+  int newton_steps = 40;  ///< at most, from each starting point
+  int admm_steps = 2000;  ///< at most
+  int sweeps = 1000;      ///< of the Gauss-Seidel method, at most
 };
 
 /// A friction problem: find lambda with u' = W lambda + b and, for each contact,
@@ -64,7 +73,9 @@ struct friction_problem {
   std::span<const friction_contact<S>> contacts;
 
   friction_problem(Eigen::Ref<const matrix> W_, Eigen::Ref<const vector> b_, std::span<const friction_contact<S>> of)
-      : W(W_.data(), W_.rows(), W_.cols(), Eigen::OuterStride<>(W_.outerStride())), b(b_.data(), b_.size()), contacts(of) {}
+      : W(W_.data(), W_.rows(), W_.cols(), Eigen::OuterStride<>(W_.outerStride())),
+        b(b_.data(), b_.size()),
+        contacts(of) {}
 };
 
 }  // namespace kte

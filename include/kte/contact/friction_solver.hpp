@@ -29,17 +29,18 @@ struct friction_solution {
 template <class S = double>
 class friction_solver {
  public:
-  /// The solution of p, from the start `lambda` if it is given (m numbers): by enumeration for plane problems of up to 3
-  /// contacts; else by Newton's method on the natural map of Alart and Curnier, and if that fails, by it with damping,
-  /// from solutions of regularised problems (W + eps I, eps to 0), from iterates of ADMM, and from those of the
-  /// Gauss-Seidel method. W that is singular: see `friction_options::least_norm`.
+  /// The solution of p, from the start `lambda` if it is given (m numbers): by enumeration for plane problems of up to
+  /// 3 contacts; else by Newton's method on the natural map of Alart and Curnier, and if that fails, by it with
+  /// damping, from solutions of regularised problems (W + eps I, eps to 0), from iterates of ADMM, and from those of
+  /// the Gauss-Seidel method. W that is singular: see `friction_options::least_norm`.
   const friction_solution<S>& solve(const friction_problem<S>& p, const friction_options<S>& options = {},
                                     std::span<const S> start = {});
 
-  /// All solutions with different u' of a problem of plane contacts, contacts that slide in a fixed direction or have no
-  /// friction: at most 64 combinations of modes; throws `bad_argument` else. If several have one u', that with most
+  /// All solutions with different u' of a problem of plane contacts, contacts that slide in a fixed direction or have
+  /// no friction: at most 64 combinations of modes; throws `bad_argument` else. If several have one u', that with most
   /// sticking contacts.
-  std::span<const friction_solution<S>> solutions(const friction_problem<S>& p, const friction_options<S>& options = {});
+  std::span<const friction_solution<S>> solutions(const friction_problem<S>& p,
+                                                  const friction_options<S>& options = {});
 
  private:
   bool iterate(const friction_options<S>& options);

@@ -23,9 +23,9 @@ struct impact_solution {
 
 /// Resolves impacts with Newton's restitution e of each contact:
 ///
-///   u^+ = W P + u^-, a friction problem of lambda = P, u_n' = u_n^+ + e u_n^-, u_t' = u_t^+     (1)
+///   u^+ = W P + u^-, a friction problem of lambda = P, u_n' = u_n^+ + e min(0, u_n^-), u_t' = u_t^+     (1)
 ///   T^+ - T^- = P.(u^+ + u^-)/2                                                                 (2)
-///   if (2) > 0: e -> theta e with the largest theta in [0, 1] that has (2) <= 0                 (3)
+///   if (2) > 0, or (1) has no solution: e -> theta e, theta the largest in [0, 1] with (2) <= 0  (3)
 ///
 /// With e = 0, (2) is never positive. A contact that is `pressed` has a tangential impact: P_n > 0 is demanded.
 template <class S = double>
@@ -41,7 +41,8 @@ class impact_solver {
     all_ = &p;
     options_ = options, options_.polish = true;
     const auto m = static_cast<std::size_t>(p.b.size());
-    found_.status = friction_status::solved, found_.residual = S(0), found_.rounds = 1, found_.restitution_factor = S(1);
+    found_.status = friction_status::solved, found_.residual = S(0), found_.rounds = 1,
+    found_.restitution_factor = S(1);
     found_.impulse.assign(m, S(0)), found_.modes.assign(p.contacts.size(), friction_mode::open);
     found_.u.assign(p.b.data(), p.b.data() + m);
     if (law == impact_law::sequential)
@@ -49,7 +50,8 @@ class impact_solver {
     else
       resolve(p, restitution, 0);
     found_.energy = S(0);
-    for (std::size_t r = 0; r < m; ++r) found_.energy += found_.impulse[r] * (found_.u[r] + p.b[static_cast<Eigen::Index>(r)]) / 2;
+    for (std::size_t r = 0; r < m; ++r)
+      found_.energy += found_.impulse[r] * (found_.u[r] + p.b[static_cast<Eigen::Index>(r)]) / 2;
     return found_;
   }
 

@@ -3,23 +3,26 @@
 #include <Eigen/Core>
 
 #include <cmath>
-#include <utility>
+#include <limits>
 
 namespace kte::detail {
 
-/// Solves A x = c in place for a matrix in rows of `stride` numbers, a multiple of 4, with c in column n and n < stride: Gaussian
-/// elimination with partial pivoting, four columns at a time. c becomes x. False if a pivot is zero or not finite.
+/// Solves A x = c in place: Gaussian elimination with partial pivoting, four columns at a time. A has rows of `stride`
+/// numbers, a multiple of 4 above n, with c in column n, which becomes x. Returns the smallest pivot; 0 without a
+/// solution.
 template <class S>
-bool eliminate(S* A, Eigen::Index n, Eigen::Index stride) {
+S eliminate(S* A, Eigen::Index n, Eigen::Index stride) {
   using four = Eigen::Map<Eigen::Array<S, 4, 1>>;
   using std::abs;
   const Eigen::Index blocks = n / 4 + 1;
+  S smallest = std::numeric_limits<S>::max();
   for (Eigen::Index k = 0; k < n; ++k) {
     Eigen::Index pivot = k;
     S largest = abs(A[k * stride + k]);
     for (Eigen::Index i = k + 1; i < n; ++i)
       if (const S size = abs(A[i * stride + k]); size > largest) largest = size, pivot = i;
-    if (!(largest > S(0)) || !(largest - largest == S(0))) return false;
+    if (!(largest > S(0)) || !(largest - largest == S(0))) return S(0);
+    if (largest < smallest) smallest = largest;
     S* const top = A + k * stride;
     if (pivot != k) {
       S* const other = A + pivot * stride;
@@ -42,7 +45,7 @@ bool eliminate(S* A, Eigen::Index n, Eigen::Index stride) {
     for (Eigen::Index j = k + 1; j < n; ++j) sum -= A[k * stride + j] * A[j * stride + n];
     A[k * stride + n] = sum / A[k * stride + k];
   }
-  return true;
+  return smallest;
 }
 
 }  // namespace kte::detail

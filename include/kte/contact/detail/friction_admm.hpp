@@ -1,8 +1,7 @@
 #pragma once
 
+#include <kte/contact/detail/cholesky.hpp>
 #include <kte/contact/detail/friction_system.hpp>
-
-#include <Eigen/Cholesky>
 
 namespace kte::detail {
 
@@ -30,7 +29,7 @@ class friction_admm {
     using std::sqrt;
     right_ = eta(p) * x_ + rho_ * y_ + z_ - typename friction_system<S>::const_view(p.b, p.size);
     for (int i = 0; i < p.count(); ++i) right_[p.first[static_cast<std::size_t>(i)]] -= shift(p, i);
-    factor_.solveInPlace(right_);
+    factor_.solve(right_.data());
     x_.swap(right_);
     before_ = y_;
     y_ = x_ - z_ / rho_;
@@ -48,12 +47,7 @@ class friction_admm {
 
  private:
   static S eta(const friction_system<S>& p) { return p.unit * S(1e-6); }
-  void factor(const friction_system<S>& p) {
-    matrix_.resize(p.size, p.size);
-    for (Eigen::Index j = 0; j < p.size; ++j) matrix_.col(j) = typename friction_system<S>::const_view(p.column(j), p.size);
-    matrix_.diagonal().array() += eta(p) + rho_;
-    factor_.compute(matrix_);
-  }
+  void factor(const friction_system<S>& p) { factor_.factor(p.W, p.size, p.stride, eta(p) + rho_); }
   S shift(const friction_system<S>& p, int i) const {
     using std::sqrt;
     const auto k = static_cast<std::size_t>(i);
@@ -90,8 +84,7 @@ class friction_admm {
   }
 
   vector x_, y_, z_, right_, before_;
-  Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic> matrix_;
-  Eigen::LLT<Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>> factor_;
+  cholesky<S> factor_;
   S rho_{};
   int steps_ = 0;
 };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/contact/detail/eliminate.hpp>
 #include <kte/contact/detail/friction_system.hpp>
 #include <kte/contact/detail/least_squares.hpp>
 
@@ -28,16 +29,18 @@ class friction_enumeration {
   /// lambda of a combination, sticking first, open last, and the modes; false if it has none >= 0. Sets p.mu to the
   /// friction of each mode.
   bool solve(friction_system<S>& p, int combination, S* lambda, friction_mode* modes) {
-    G_.setZero(), R_.setZero(), C_.setZero();
+    G_ = {};
     int n = 0, generators = 0;
     for (std::size_t k = 0; k < p.contacts.size(); ++k) {
       const auto& contact = p.contacts[k];
       const int of = modes_of(p, k), mode = combination % of;
       combination /= of;
       const bool smooth = of == 2;
-      modes[k] = mode == of - 1 ? friction_mode::open : mode == 0 && !smooth ? friction_mode::sticks : friction_mode::slides;
-      if (smooth && !contact.sliding && modes[k] == friction_mode::slides) modes[k] = friction_mode::slides;
-      p.mu[k] = modes[k] == friction_mode::slides ? contact.friction : contact.sticking_friction.value_or(contact.friction);
+      modes[k] = mode == of - 1         ? friction_mode::open
+                 : mode == 0 && !smooth ? friction_mode::sticks
+                                        : friction_mode::slides;
+      p.mu[k] =
+          modes[k] == friction_mode::slides ? contact.friction : contact.sticking_friction.value_or(contact.friction);
       if (modes[k] == friction_mode::open) {
         if (contact.pressed) return false;
         continue;
@@ -48,46 +51,78 @@ class friction_enumeration {
         unknown_row_[n + 1] = row + 1;
         coefficient_[n] = {S(1), S(0), S(0)}, coefficient_[n + 1] = {S(1), S(0), S(0)};
         rows_[n] = rows_[n + 1] = 1;
-        G_(n, generators) = G_(n, generators + 1) = S(1);
-        G_(n + 1, generators) = p.mu[k], G_(n + 1, generators + 1) = -p.mu[k];
+        edge(generators, n) = edge(generators + 1, n) = S(1);
+        edge(generators, n + 1) = p.mu[k], edge(generators + 1, n + 1) = -p.mu[k];
         n += 2, generators += 2;
         continue;
       }
       rows_[n] = contact.rows;
       coefficient_[n] = {S(1), S(0), S(0)};
       if (const auto& d = contact.sliding)
-        for (int c = 1; c < contact.rows; ++c) coefficient_[n][static_cast<std::size_t>(c)] = -p.mu[k] * (*d)[static_cast<std::size_t>(c - 1)];
+        for (int c = 1; c < contact.rows; ++c)
+          coefficient_[n][static_cast<std::size_t>(c)] = -p.mu[k] * (*d)[static_cast<std::size_t>(c - 1)];
       else if (!smooth)
         coefficient_[n][1] = mode == 1 ? p.mu[k] : S(-p.mu[k]);
-      G_(n, generators) = S(1);
+      edge(generators, n) = S(1);
       ++n, ++generators;
     }
-    for (int j = 0; j < n; ++j)
-      for (int i = 0; i < n; ++i)
-        for (int c = 0; c < rows_[j]; ++c) R_(i, j) += coefficient_[j][static_cast<std::size_t>(c)] * p.column(unknown_row_[j] + c)[unknown_row_[i]];
-    for (int i = 0; i < n; ++i) C_[i] = -p.b[unknown_row_[i]];
-    small_vector<S, 6> x = small_vector<S, 6>::Zero(n);
+    const auto entry = [&](int i, int j) {  // of R^T W C
+      S sum(0);
+      for (int c = 0; c < rows_[j]; ++c)
+        sum += coefficient_[j][static_cast<std::size_t>(c)] * p.column(unknown_row_[j] + c)[unknown_row_[i]];
+      return sum;
+    };
+    std::array<S, 48> A{};
+    for (int i = 0; i < n; ++i) {
+      for (int j = 0; j < n; ++j) A[static_cast<std::size_t>(8 * i + j)] = entry(i, j);
+      A[static_cast<std::size_t>(8 * i + n)] = -p.b[unknown_row_[i]];
+    }
+    std::array<S, 6> x{};
     if (n > 0) {
-      const small_matrix<S, 6, 6> A = R_.topLeftCorner(n, n);
-      const Eigen::FullPivLU<small_matrix<S, 6, 6>> lu(A);
-      using std::abs;
-      if (abs(lu.matrixLU()(n - 1, n - 1)) > S(1e-10) * lu.maxPivot())
-        x = lu.solve(C_.head(n));
+      std::array<S, 48> eliminated = A;
+      if (eliminate(eliminated.data(), n, 8) > S(1e-9) * p.unit)
+        for (int i = 0; i < n; ++i) x[static_cast<std::size_t>(i)] = eliminated[static_cast<std::size_t>(8 * i + n)];
       else
-        x = G_.topLeftCorner(n, generators) *
-            nonnegative_least_squares<S>(A, G_.topLeftCorner(n, generators), C_.head(n));
+        x = least_of(A, n, generators);
     }
     std::fill_n(lambda, p.size, S(0));
     for (int j = 0; j < n; ++j)
-      for (int c = 0; c < rows_[j]; ++c) lambda[unknown_row_[j] + c] += x[j] * coefficient_[j][static_cast<std::size_t>(c)];
+      for (int c = 0; c < rows_[j]; ++c)
+        lambda[unknown_row_[j] + c] += x[static_cast<std::size_t>(j)] * coefficient_[j][static_cast<std::size_t>(c)];
     for (std::size_t k = 0; k < p.contacts.size(); ++k)
       if (p.contacts[k].pressed && !(lambda[p.first[k]] > S(0))) return false;
     return true;
   }
 
  private:
-  small_matrix<S, 6, 6> G_ = small_matrix<S, 6, 6>::Zero(6, 6), R_ = small_matrix<S, 6, 6>::Zero(6, 6);
-  small_vector<S, 6> C_ = small_vector<S, 6>::Zero(6);
+  /// The least x = G a with A x = c, a >= 0. G: the edges of the friction cones.
+  std::array<S, 6> least_of(const std::array<S, 48>& A, int n, int generators) const {
+    using std::sqrt;
+    small_columns<S, 12, 6> B{};
+    std::array<S, 12> right{};
+    S size(0);
+    for (int i = 0; i < n; ++i) size = std::max<S>(size, A[static_cast<std::size_t>(9 * i)]);
+    const S small = S(10) * sqrt(std::numeric_limits<S>::epsilon()) * size;
+    const auto un = static_cast<std::size_t>(n), ug = static_cast<std::size_t>(generators);
+    for (std::size_t i = 0; i < un; ++i) {
+      right[i] = A[8 * i + un];
+      for (std::size_t g = 0; g < ug; ++g) {
+        for (std::size_t j = 0; j < un; ++j) B[g][i] += A[8 * i + j] * G_[g][j];
+        B[g][6 + i] = small * G_[g][i];
+      }
+    }
+    const auto a = nonnegative_least_squares<S>(B, right, ug);
+    std::array<S, 6> x{};
+    for (std::size_t g = 0; g < ug; ++g)
+      for (std::size_t j = 0; j < un; ++j) x[j] += a[g] * G_[g][j];
+    return x;
+  }
+
+  S& edge(int generator, int unknown) {
+    return G_[static_cast<std::size_t>(generator)][static_cast<std::size_t>(unknown)];
+  }
+
+  small_columns<S, 6, 6> G_{};
   Eigen::Index unknown_row_[7]{};
   int rows_[7]{};
   std::array<S, 3> coefficient_[7]{};

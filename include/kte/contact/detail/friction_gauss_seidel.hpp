@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/contact/detail/eliminate.hpp>
 #include <kte/contact/detail/friction_system.hpp>
 
 namespace kte::detail {
@@ -36,13 +37,13 @@ std::array<S, 3> contact_alone(const friction_system<S>& p, int i, const std::ar
   }
   if (!(mu > S(0))) return {-b[0] / W[0][0], S(0), S(0)};
   // Sticking
-  Eigen::Matrix<S, 3, 3> A = Eigen::Matrix<S, 3, 3>::Identity();
-  for (int j = 0; j < n; ++j)
-    for (int e = 0; e < n; ++e) A(e, j) = W[e][j];
-  const Eigen::Matrix<S, 3, 1> c(-b[0], -b[1], n == 3 ? S(-b[2]) : S(0));
-  A.diagonal().array() += p.unit * S(1e-12);
-  const Eigen::Matrix<S, 3, 1> x = A.inverse() * c;
-  if (x[0] >= S(0) && x[1] * x[1] + x[2] * x[2] <= mu * mu * x[0] * x[0]) return {x[0], x[1], x[2]};
+  std::array<S, 12> A{W[0][0], W[0][1], W[0][2], -b[0],   W[1][0], W[1][1],
+                      W[1][2], -b[1],   W[2][0], W[2][1], W[2][2], -b[2]};
+  for (std::size_t e = 0; e < 3; ++e) A[5 * e] += p.unit * S(1e-12);
+  if (eliminate(A.data(), 3, 4) > S(0)) {
+    const std::array<S, 3> x{A[3], A[7], A[11]};
+    if (x[0] >= S(0) && x[1] * x[1] + x[2] * x[2] <= mu * mu * x[0] * x[0]) return x;
+  }
   // Sliding
   const auto slip = [&](const std::array<S, 3>& l, int row) {
     return b[static_cast<std::size_t>(row)] + W[row][0] * l[0] + W[row][1] * l[1] + W[row][2] * l[2];
@@ -52,7 +53,8 @@ std::array<S, 3> contact_alone(const friction_system<S>& p, int i, const std::ar
   const auto consider = [&](const std::array<S, 3>& l) {
     if (!(l[0] > S(0)) || !(l[1] * slip(l, 1) + (n == 3 ? S(l[2] * slip(l, 2)) : S(0)) <= S(0))) return;
     S far(0);
-    for (int e = 0; e < n; ++e) far += (l[static_cast<std::size_t>(e)] - start[e]) * (l[static_cast<std::size_t>(e)] - start[e]);
+    for (int e = 0; e < n; ++e)
+      far += (l[static_cast<std::size_t>(e)] - start[e]) * (l[static_cast<std::size_t>(e)] - start[e]);
     if (distance < S(0) || far < distance) distance = far, best = l;
   };
   if (n == 2) {
@@ -89,7 +91,7 @@ std::array<S, 3> contact_alone(const friction_system<S>& p, int i, const std::ar
   return best;
 }
 
-/// One sweep of the Gauss-Seidel method over the contacts: each is solved exactly, with the others as they are.
+/// One sweep of the Gauss-Seidel method over the contacts: solves each exactly, with the others fixed.
 template <class S>
 void gauss_seidel_sweep(const friction_system<S>& p, S* lambda, S* u) {
   for (int i = 0; i < p.count(); ++i) {
@@ -105,7 +107,8 @@ void gauss_seidel_sweep(const friction_system<S>& p, S* lambda, S* u) {
     for (int j = 0; j < n; ++j) {
       const S change = l[static_cast<std::size_t>(j)] - lambda[r + j];
       if (change == S(0)) continue;
-      typename friction_system<S>::view(u, p.size) += change * typename friction_system<S>::const_view(p.column(r + j), p.size);
+      typename friction_system<S>::view(u, p.size) +=
+          change * typename friction_system<S>::const_view(p.column(r + j), p.size);
       lambda[r + j] = l[static_cast<std::size_t>(j)];
     }
   }

@@ -10,14 +10,30 @@ namespace kte::detail {
 template <class S>
 class friction_rescue {
  public:
-  /// Regularised problems W + eps I, eps from 1 to 1e-4, then 0: Newton's method, each from the solution before.
+  /// Regularised problems W + eps I, eps from 1 to 1e-9: Newton's method, each from the solution before, and from there
+  /// that of W itself. The ratio of one eps to the next is 1/10; where Newton's method fails, its root, at least 0.95.
   bool continuation(const friction_system<S>& p, friction_newton<S>& newton, S* lambda, const friction_options<S>& o,
-                    int& iterations, S& residual, S ratio) {
-    std::fill_n(lambda, p.size, S(0));
-    for (S eps(1); eps > S(1e-5); eps *= ratio)
-      iterations += newton.solve(p, lambda, eps, 20, S(1e-3), true, residual);
-    iterations += newton.solve(p, lambda, S(0), o.newton_steps, o.tolerance, false, residual);
-    return residual <= o.tolerance;
+                    int& iterations, S& residual) {
+    using std::sqrt;
+    const auto m = static_cast<std::size_t>(p.size);
+    kept_.assign(m, S(0));
+    S eps(10), ratio(0.1);
+    for (int stage = 0; stage < 60 && eps > S(1e-9); ++stage) {
+      std::copy_n(kept_.begin(), m, lambda);
+      iterations += newton.solve(p, lambda, eps * ratio, 12, S(1e-9), false, residual);
+      if (!(residual <= S(1e-9))) iterations += newton.solve(p, lambda, eps * ratio, 25, S(1e-9), true, residual);
+      const bool solved = residual <= S(1e-9);
+      if (!solved && ratio < S(0.9)) {
+        ratio = sqrt(ratio);
+        continue;
+      }
+      eps *= ratio;
+      if (solved) ratio = std::max<S>(ratio * ratio, S(0.1));
+      std::copy_n(lambda, m, kept_.begin());
+      iterations += newton.solve(p, lambda, S(0), 10, o.tolerance, false, residual);
+      if (residual <= o.tolerance) return true;
+    }
+    return false;
   }
   bool admm(const friction_system<S>& p, friction_newton<S>& newton, S* lambda, const friction_options<S>& o,
             int& iterations, S& residual) {

@@ -1,48 +1,10 @@
 #pragma once
 
+#include <kte/contact/detail/cholesky.hpp>
+#include <kte/contact/detail/friction_modes.hpp>
 #include <kte/contact/friction_solver.hpp>
-#include <kte/errors.hpp>
 
 namespace kte {
-
-namespace detail {
-
-/// The modes of lambda: open if lambda_n <= 1e-10 of the largest, sticks if |lambda_t| < mu lambda_n (1 - 1e-9).
-template <class S>
-void find_modes(const friction_system<S>& p, friction_solution<S>& x) {
-  using std::sqrt;
-  S largest(0);
-  for (const Eigen::Index r : p.first) largest = std::max<S>(largest, x.lambda[static_cast<std::size_t>(r)]);
-  for (std::size_t k = 0; k < p.contacts.size(); ++k) {
-    const auto r = static_cast<std::size_t>(p.first[k]);
-    const int n = p.contacts[k].rows;
-    const S t1 = x.lambda[r + 1], t2 = n == 3 ? x.lambda[r + 2] : S(0);
-    if (!(x.lambda[r] > S(1e-10) * largest)) {
-      x.modes[k] = friction_mode::open;
-      for (int c = 0; c < n; ++c) x.lambda[r + static_cast<std::size_t>(c)] = S(0);
-    } else {
-      const bool inside = sqrt(t1 * t1 + t2 * t2) < p.mu[k] * x.lambda[r] * S(1 - 1e-9);
-      x.modes[k] = inside && !p.contacts[k].sliding ? friction_mode::sticks : friction_mode::slides;
-    }
-  }
-}
-
-template <class S>
-void check_friction_problem(const friction_problem<S>& p) {
-  Eigen::Index rows = 0;
-  for (const auto& contact : p.contacts) {
-    if (contact.rows != 2 && contact.rows != 3) detail::raise<bad_argument>("friction problem: a contact has 2 or 3 rows");
-    if (!(contact.friction >= S(0)) || !(contact.friction - contact.friction == S(0)))
-      detail::raise<bad_argument>("friction problem: friction must be finite and not negative");
-    if (contact.sticking_friction && !(*contact.sticking_friction >= contact.friction))
-      detail::raise<bad_argument>("friction problem: friction of sticking must not be below that of sliding");
-    rows += contact.rows;
-  }
-  if (p.W.rows() != rows || p.W.cols() != rows || p.b.size() != rows)
-    detail::raise<bad_argument>("friction problem: the sizes of W and b must be the number of rows of all contacts");
-}
-
-}  // namespace detail
 
 template <class S>
 bool friction_solver<S>::iterate(const friction_options<S>& o) {
@@ -62,10 +24,8 @@ bool friction_solver<S>::iterate(const friction_options<S>& o) {
   const auto keep = [&] {
     if (residual < best) best = residual, best_.assign(found_.lambda.begin(), found_.lambda.end());
   };
-  for (const double ratio : {0.1, 0.5}) {
-    if (rescue_.continuation(system_, newton_, lambda, o, n, residual, S(ratio))) return done(friction_method::continuation);
-    keep();
-  }
+  if (rescue_.continuation(system_, newton_, lambda, o, n, residual)) return done(friction_method::continuation);
+  keep();
   if (rescue_.admm(system_, newton_, lambda, o, n, residual)) return done(friction_method::admm);
   keep();
   if (rescue_.gauss_seidel(system_, newton_, lambda, o, n, residual)) return done(friction_method::gauss_seidel);
@@ -81,9 +41,13 @@ const friction_solution<S>& friction_solver<S>::solve(const friction_problem<S>&
   detail::check_friction_problem(p);
   system_.assign(p);
   const auto m = static_cast<std::size_t>(p.b.size());
-  bool plane = p.contacts.size() <= 3, pressed = false;
-  for (const auto& contact : p.contacts) plane = plane && contact.rows == 2, pressed = pressed || contact.pressed;
-  if (plane || (pressed && enumeration_.combinations(system_) > 0)) return choose(o, start);
+  bool plane = p.contacts.size() <= 3, pressed = false, jammed = false;
+  for (std::size_t k = 0; k < p.contacts.size(); ++k) {
+    const auto& contact = p.contacts[k];
+    plane = plane && contact.rows == 2, pressed = pressed || contact.pressed;
+    jammed = jammed || system_.is_jammed(k);
+  }
+  if (plane || ((pressed || jammed) && enumeration_.combinations(system_) > 0)) return choose(o, start);
 
   found_.lambda.resize(m), found_.u.resize(m), found_.modes.resize(p.contacts.size()), F_.resize(m);
   found_.iterations = 0;
@@ -97,6 +61,7 @@ const friction_solution<S>& friction_solver<S>::solve(const friction_problem<S>&
       std::fill(found_.lambda.begin(), found_.lambda.end(), S(0));
     if (pressed) press();
     solved = iterate(o);
+    if (solved && o.least_norm) newton_.balance(system_, found_.lambda.data(), o.tolerance, found_.residual);
     if (solved && o.polish) found_.iterations += newton_.polish(system_, found_.lambda.data(), found_.residual);
     again = false;
     detail::find_modes(system_, found_);
@@ -117,11 +82,10 @@ const friction_solution<S>& friction_solver<S>::solve(const friction_problem<S>&
 /// Starts from contacts that all stick.
 template <class S>
 void friction_solver<S>::press() {
-  const Eigen::Index m = system_.size;
-  Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic> A(m, m);
-  for (Eigen::Index j = 0; j < m; ++j) A.col(j) = typename detail::friction_system<S>::const_view(system_.column(j), m);
-  typename detail::friction_system<S>::view(found_.lambda.data(), m) =
-      -A.completeOrthogonalDecomposition().solve(typename detail::friction_system<S>::const_view(system_.b, m));
+  detail::cholesky<S> factor;
+  factor.factor(system_.W, system_.size, system_.stride, S(1e-9) * system_.unit);
+  for (Eigen::Index r = 0; r < system_.size; ++r) found_.lambda[static_cast<std::size_t>(r)] = -system_.b[r];
+  factor.solve(found_.lambda.data());
 }
 
 template <class S>
@@ -132,7 +96,8 @@ std::span<const friction_solution<S>> friction_solver<S>::solutions(const fricti
   system_.assign(p);
   const int combinations = enumeration_.combinations(system_);
   if (combinations == 0)
-    detail::raise<bad_argument>("friction problem: only piecewise linear problems of up to 64 combinations have a list of solutions");
+    detail::raise<bad_argument>(
+        "friction problem: only piecewise linear problems of up to 64 combinations have a list of solutions");
   return enumerate(o);
 }
 
@@ -171,7 +136,8 @@ const friction_solution<S>& friction_solver<S>::choose(const friction_options<S>
   const auto found = enumerate(o);
   const auto m = static_cast<std::size_t>(system_.size);
   if (found.empty()) {
-    found_.lambda.assign(m, S(0)), found_.u.resize(m), found_.modes.assign(system_.contacts.size(), friction_mode::open);
+    found_.lambda.assign(m, S(0)), found_.u.resize(m),
+        found_.modes.assign(system_.contacts.size(), friction_mode::open);
     system_.velocity(found_.lambda.data(), found_.u.data());
     found_.residual = system_.residual(found_.lambda.data(), found_.u.data(), F_.data());
     found_.status = friction_status::no_solution, found_.method = friction_method::enumeration;

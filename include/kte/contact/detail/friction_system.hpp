@@ -48,6 +48,15 @@ struct friction_system {
     }
   }
 
+  /// Whether contact k slides in a fixed direction d with W_nn - mu W_nt d <= 0 (Painleve).
+  bool is_jammed(std::size_t k) const {
+    const auto& d = contacts[k].sliding;
+    if (!d) return false;
+    S sum = column(first[k])[first[k]];
+    for (int c = 0; c + 1 < contacts[k].rows; ++c)
+      sum -= mu[k] * (*d)[static_cast<std::size_t>(c)] * column(first[k] + 1 + c)[first[k]];
+    return !(sum > S(0));
+  }
   /// u = W lambda + b.
   void velocity(const S* lambda, S* u) const {
     view out(u, size);

@@ -4,7 +4,8 @@
 
 namespace kte {
 
-/// Solves (1) with theta e for `part`, whose b is u^-. Returns (2) relative to the sum of |P| (|u^+| + |u^-|)/2.
+/// Solves (1) with theta e for `part`, whose b is u^-. Returns (2) relative to the sum of |P| (|u^+| + |u^-|)/2;
+/// 1 if there is no solution: contacts may not be able to separate as fast as their e demand.
 template <class S>
 S impact_solver<S>::gain(S theta, const friction_problem<S>& part, std::span<const S> restitution) {
   using std::abs;
@@ -12,12 +13,13 @@ S impact_solver<S>::gain(S theta, const friction_problem<S>& part, std::span<con
   b_.assign(part.b.data(), part.b.data() + m);
   std::size_t row = 0;
   for (std::size_t k = 0; k < part.contacts.size(); ++k) {
-    b_[row] += theta * restitution[k] * b_[row];
+    b_[row] += theta * restitution[k] * std::min<S>(b_[row], S(0));
     row += static_cast<std::size_t>(part.contacts[k].rows);
   }
   friction_problem<S> shifted(part);
   new (&shifted.b) Eigen::Map<const typename friction_problem<S>::vector>(b_.data(), part.b.size());
   last_ = &solver_.solve(shifted, options_, start_);
+  if (!last_->solved()) return S(1);
   start_ = last_->lambda;
   S energy(0), scale(0);
   for (std::size_t r = 0; r < m; ++r) {
@@ -35,7 +37,7 @@ void impact_solver<S>::resolve(const friction_problem<S>& part, std::span<const 
   const S rounding = S(16) * std::numeric_limits<S>::epsilon();
   start_.clear();
   S low(0), high(1), at_high = gain(high, part, restitution);
-  if (at_high > std::max<S>(rounding, last_->residual) && last_->solved()) {
+  if (at_high > std::max<S>(rounding, last_->residual)) {
     S at_low = std::min<S>(gain(low, part, restitution), S(0));
     int side = 0;
     // The secant method with the Illinois rule
@@ -66,8 +68,13 @@ void impact_solver<S>::resolve(const friction_problem<S>& part, std::span<const 
       found_.u[i] += all_->W(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(row + r)) * P;
   }
   for (std::size_t k = 0; k < last_->modes.size(); ++k) found_.modes[first + k] = last_->modes[k];
-  found_.residual = std::max<S>(found_.residual, last_->residual);
-  if (last_->status != friction_status::solved) found_.status = last_->status;
+  S of_part(0), of_all(0);
+  for (const S& P : last_->lambda) of_part = std::max<S>(of_part, abs(P));
+  for (const S& P : found_.impulse) of_all = std::max<S>(of_all, abs(P));
+  const S residual = of_all > S(0) ? S(last_->residual * of_part / of_all) : last_->residual;
+  found_.residual = std::max<S>(found_.residual, residual);
+  if (!last_->solved() && !(residual <= options_.tolerance && last_->status == friction_status::not_converged))
+    found_.status = last_->status;
 }
 
 /// The fastest contact first, until none approaches; after 200 rounds all at once with e = 0.
@@ -90,8 +97,9 @@ void impact_solver<S>::one_at_a_time(const friction_problem<S>& p, std::span<con
             restitution.subspan(fastest, 1), fastest);
   }
   before_ = found_.u;
-  const std::vector<S> none(p.contacts.size(), S(0));
-  resolve({p.W, Eigen::Map<const typename friction_problem<S>::vector>(before_.data(), p.b.size()), p.contacts}, none, 0);
+  const std::vector<S> zero(p.contacts.size(), S(0));
+  resolve({p.W, Eigen::Map<const typename friction_problem<S>::vector>(before_.data(), p.b.size()), p.contacts}, zero,
+          0);
 }
 
 }  // namespace kte
