@@ -77,6 +77,7 @@ TEST_CASE("gaps, normals and points of contact") {
   CHECK(touching(bowl(1.5), 0.1).gap(at({0.6, 0, 0.8})) == within(0.4, 1e-15));
   CHECK(near(touching(bowl(1.1), 0.1).point(at({0.6, 0, 0.8})), vec3<>{0.66, 0, 0.88}, 1e-15));
   CHECK(touching(bowl(1.5), 0.1).gap(at({0, 0, 0})) == within(1.4, 1e-15));
+  CHECK(touching<kind::frame_2D>(cylinder(0.5, vec3{1, 0, 0}), 0.1).gap(at({7, -0.9, 0})) == within(0.3, 1e-15));
   CHECK(touching(cylinder(0.5), 0.1).gap(at({0.6, 0.8, 7})) == within(0.4, 1e-15));
 
   CHECK(near(touching(ball(0.9), 0.1, {0.3, 0, 0.4}).point(at({0.3, 0, 0.4})), vec3<>{0.54, 0, 0.72}, 1e-15));
