@@ -18,6 +18,7 @@ template <kind Dim, class Surface = contact_surface>
 struct contact_geometry {
   using surface_type = Surface;
   static constexpr char compliant_name[] = "compliant_contact";  ///< the type of its compliant element in files
+  static constexpr char rigid_name[] = "sphere_contact";         ///< the type of its rigid element in files
   static constexpr char bristle_name[] = "bristle_contact";      ///< likewise with friction by bristles
 
   Surface surface{};
@@ -96,3 +97,14 @@ struct contact_geometry {
 };
 
 }  // namespace kte::core
+
+namespace kte::detail {
+/// The contact of a sphere about a point of frame 2 with a surface.
+template <kind Dim, class Surface>
+constexpr auto sphere_on(const Surface& surface, double radius, const vec3<>& offset) {
+  if constexpr (std::is_base_of_v<contact_surface, Surface>)
+    return core::contact_geometry<Dim, contact_surface>{surface.template in<Dim>(), radius, offset};
+  else
+    return core::contact_geometry<Dim, Surface>{surface.template in<Dim>(), radius, offset};
+}
+}  // namespace kte::detail

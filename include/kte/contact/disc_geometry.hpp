@@ -18,6 +18,7 @@ namespace kte::core {
 struct disc_geometry {
   using surface_type = contact_surface;
   static constexpr char compliant_name[] = "compliant_disc_contact";  ///< the type of its compliant element in files
+  static constexpr char rigid_name[] = "disc_contact";                ///< the type of its rigid element in files
 
   contact_surface surface{};
   vec3<> axis{};

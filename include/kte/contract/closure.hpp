@@ -98,28 +98,6 @@ KTE_INLINE constexpr auto& row_of(V& linear, V& angular, const closure_rows& row
   const int i = k < rows.linear ? k : k - rows.linear;
   return i == 0 ? v.x : i == 1 ? v.y : v.z;
 }
-/// The loads on A and B of the forces of rows: on B with the power of the forces at the rates of rows, for any rates;
-/// the opposite on A.
-template <kind Dim, class Core, class S>
-KTE_INLINE constexpr auto loads_of_closing(const Core& core, closing_motion<S> m, const vec3<S>& force,
-                                           const vec3<S>& torque) {
-  m.velocity = m.ang_velocity = {};
-  const auto power = [&](S& rate) KTE_INLINE_LAMBDA {
-    rate = S(1);
-    const auto rows = rows_in_numbers<S>(core.residual_dot(m));
-    rate = S(0);
-    S sum(0);
-    for (int k = 0; k < Core::rows.count(); ++k)
-      sum = S(sum + row_of(force, torque, Core::rows, k) * rows[static_cast<std::size_t>(k)]);
-    return sum;
-  };
-  const auto load = [&](vec3<S>& rates) KTE_INLINE_LAMBDA {
-    return vec3<S>{power(rates.x), power(rates.y), power(rates.z)};
-  };
-  const wrench<vec3<S>, vec3<S>> on_b{load(m.velocity), load(m.ang_velocity)};
-  const wrench<vec3<S>, vec3<S>> on_a = transmit(m, on_b);
-  return make_loads(in_space_of<Dim>(wrench{-on_a.force, -on_a.torque}), in_space_of<Dim>(on_b));
-}
 }  // namespace detail
 
 /// Two frames A, B that a closure holds together. A core derived from it has
@@ -143,8 +121,24 @@ struct closure {
   template <class A, class B, class Loop>
   KTE_INLINE constexpr auto doForce(const A& a, const B& b, const Loop& loop) const {
     using S = std::remove_cvref_t<decltype(loop.force.x)>;
-    return detail::loads_of_closing<Core::ports[0].what>(core(), detail::as_closing_motion<S>(relative(a, b)),
-                                                         loop.force, loop.torque);
+    auto m = detail::as_closing_motion<S>(relative(a, b));
+    m.velocity = m.ang_velocity = {};
+    const auto power = [&](S& rate) KTE_INLINE_LAMBDA {
+      rate = S(1);
+      const auto rows = detail::rows_in_numbers<S>(core().residual_dot(m));
+      rate = S(0);
+      S sum(0);
+      for (int k = 0; k < Core::rows.count(); ++k)
+        sum = S(sum + detail::row_of(loop.force, loop.torque, Core::rows, k) * rows[static_cast<std::size_t>(k)]);
+      return sum;
+    };
+    const auto load = [&](vec3<S>& rates) KTE_INLINE_LAMBDA {
+      return vec3<S>{power(rates.x), power(rates.y), power(rates.z)};
+    };
+    const wrench<vec3<S>, vec3<S>> on_b{load(m.velocity), load(m.ang_velocity)};
+    const wrench<vec3<S>, vec3<S>> on_a = transmit(m, on_b);
+    return make_loads(detail::in_space_of<Core::ports[0].what>(wrench{-on_a.force, -on_a.torque}),
+                      detail::in_space_of<Core::ports[0].what>(on_b));
   }
   /// Writes (1) to the loop; called by doMotion.
   template <class A, class B, class S>

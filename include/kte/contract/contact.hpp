@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kte/contract/closure.hpp>
+#include <kte/contact/contact_between.hpp>
 #include <kte/frames/contact_state.hpp>
 
 namespace kte {
@@ -22,7 +22,7 @@ struct touch {
 };
 template <kind Dim>
 inline constexpr std::array<port, 3> contact_ports{
-    {{Dim, access::on, "surface"}, {Dim, access::on, "body"}, {kind::contact, access::keep, "contact"}}};
+    {{Dim, access::on, "frame1"}, {Dim, access::on, "frame2"}, {kind::contact, access::keep, "contact"}}};
 }  // namespace detail
 
 /// A rigid contact of a body B with a surface of a frame A. A core derived from it has a `contact_law law`, and
@@ -60,7 +60,8 @@ struct contact {
   template <class A, class B, class Contact>
   KTE_INLINE constexpr auto doForce(const A& a, const B& b, const Contact& x) const {
     using S = std::remove_cvref_t<decltype(x.gap)>;
-    return detail::loads_of_closing<Dim>(core(), detail::as_closing_motion<S>(relative(a, b)), x.force, vec3<S>{});
+    const auto m = detail::as_closing_motion<S>(relative(a, b));
+    return detail::loads_at_contact<Dim>(m, x.force, as<S>(core().point(m)));
   }
   /// Writes gap, slip and point; called by doMotion.
   template <class A, class B, class S>
@@ -85,13 +86,5 @@ struct contact {
       return make_rows(v.x, v.y, v.z);
   }
 };
-
-namespace detail {
-constexpr void check_law(const contact_law& law, const parameter_check& where) {
-  where.not_negative(law.friction, "friction must not be negative");
-  where.not_negative(law.restitution, "restitution must be between 0 and 1");
-  where.require(law.restitution <= 1, "restitution must be between 0 and 1", law.restitution);
-}
-}  // namespace detail
 
 }  // namespace kte

@@ -172,6 +172,10 @@ KTE_ELEMENT(placed_3D<core::revolute_joint<kind::frame_3D, vec3<one_t, zero_t, z
 KTE_ELEMENT(placed_3D<core::revolute_joint<kind::frame_3D, vec3<zero_t, one_t, zero_t>>>)
 KTE_ELEMENT(placed_3D<core::revolute_joint<kind::frame_3D, vec3<zero_t, zero_t, one_t>>>)
 KTE_ELEMENT(placed_3D<core::revolute_joint<kind::frame_3D, vec3<>>>)
+#include <kte/elements/rigid_contact.hpp>
+KTE_ELEMENT(rigid_contact<kind::frame_2D, core::contact_geometry<kind::frame_2D>>)
+KTE_ELEMENT(rigid_contact<kind::frame_3D, core::contact_geometry<kind::frame_3D>>)
+KTE_ELEMENT(rigid_contact<kind::frame_3D, core::disc_geometry>)
 #include <kte/elements/rigid_link.hpp>
 KTE_ELEMENT(rigid_link_gen<double>)
 KTE_ELEMENT(rigid_link<kind::frame_2D, rotation_2D<>, vec3<double, double, zero_t>>)

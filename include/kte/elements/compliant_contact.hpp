@@ -105,14 +105,6 @@ struct compliant_contact : compliant_normal_force<Dim, Geometry, compliant_conta
 }  // namespace core
 
 namespace detail {
-/// The contact of a sphere about a point of frame 2 with a surface.
-template <kind Dim, class Surface>
-constexpr auto sphere_on(const Surface& surface, double radius, const vec3<>& offset) {
-  if constexpr (std::is_base_of_v<contact_surface, Surface>)
-    return core::contact_geometry<Dim, contact_surface>{surface.template in<Dim>(), radius, offset};
-  else
-    return core::contact_geometry<Dim, Surface>{surface.template in<Dim>(), radius, offset};
-}
 template <kind Dim, class Geometry, class A, class B>
 constexpr auto compliant(const Geometry& g, const A& frame1, const B& frame2, const compliant_contact_parameters& p) {
   return connect(core::compliant_contact<Dim, Geometry>{{g, p}}, frame1, frame2);
