@@ -10,7 +10,6 @@
 #include <numbers>
 
 #include "catch.hpp"
-#include "chain/registered.hpp"
 #include "elements/laws.hpp"
 
 using namespace kte;
