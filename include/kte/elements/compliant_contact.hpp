@@ -1,8 +1,8 @@
 #pragma once
 
-#include <kte/contact/contact_between.hpp>
 #include <kte/contact/contact_geometry.hpp>
 #include <kte/contact/disc_geometry.hpp>
+#include <kte/contract/contact_between.hpp>
 #include <kte/kernels/hunt_crossley.hpp>
 
 namespace kte {
