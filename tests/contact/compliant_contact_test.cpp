@@ -3,6 +3,7 @@
 #include <kte/elements/bristle_contact.hpp>
 #include <kte/elements/compliant_contact.hpp>
 #include <kte/elements/compliant_shapes.hpp>
+#include <kte/math/pack_functions.hpp>
 #include <kte/static.hpp>
 #include <kte/testing/file_round_trip.hpp>
 #include <kte/testing/static_is_runtime.hpp>
@@ -17,6 +18,14 @@ using namespace kte::test;
 
 namespace {
 
+// clang-format off
+inline constexpr struct ground_ final : frame_3D_key<"ground"> {} ground;
+inline constexpr struct body_   final : frame_3D_key<"body">   {} body;
+inline constexpr struct hair_x_ final : internal_key<"hair_x"> {} hair_x;
+inline constexpr struct hair_y_ final : internal_key<"hair_y"> {} hair_y;
+inline constexpr struct hair_z_ final : internal_key<"hair_z"> {} hair_z;
+// clang-format on
+
 constexpr compliant_contact_parameters rubber{
     .stiffness = 3, .exponent = 1.5, .dissipation = 0.25, .friction = 0.5, .slip_speed = 0.125};
 constexpr compliant_contact_parameters spring{.stiffness = 3, .exponent = 3};
@@ -30,6 +39,7 @@ const auto waves = [](const auto& x, const auto& y) {
   using std::sin;
   return 0.1 * sin(x) + 0.15 * x * y;
 };
+const auto flat = [](const auto& x, const auto& y) { return 0.0 * (x + y); };
 const auto hill = [](const auto& x) { return 0.3 * x * x; };
 const auto slope = [](const auto& p) { return 0.6 * p.x + 0.8 * p.y; };
 
@@ -201,4 +211,32 @@ TEST_CASE("contacts are equal in static and runtime chains") {
   CHECK(testing::static_is_runtime(bristle_contact_3D("a", "b", "x", "y", "z", half_space{}, 0.7, brush), draw) <
         1e-14);
   CHECK(testing::static_is_runtime(bristle_contact_2D("a", "b", "z", half_space{}, 0.7, brush), draw) < 1e-14);
+}
+
+TEST_CASE("contacts take packs, where some states touch and others do not") {
+  const auto check = [](const auto& e) {
+    const auto c = chain(base_3D(ground), base_3D(body), e);
+    const auto put = [](auto& frame, const auto& height) {
+      using S = std::remove_cvref_t<decltype(height)>;
+      frame.position = {S(0.1), S(0.2), height}, frame.velocity = {S(1), S(2), S(-0.5)}, frame.ang_velocity.x = S(3);
+    };
+    const auto height = [](std::size_t i) { return 0.5 + 0.15 * static_cast<double>(i); };
+    auto all = make_state<pack<double, 4>>(c);
+    pack<double, 4> heights(0.0);
+    for (std::size_t i = 0; i < 4; ++i) heights.set(i, height(i));
+    put(all[body], heights);
+    c.doForce(all);
+    for (std::size_t i = 0; i < 4; ++i) {
+      auto one = make_state(c);
+      put(one[body], height(i));
+      c.doForce(one);
+      const auto& f = one[body].force;
+      const auto& of_pack = all[body].force;
+      CHECK(near(vec3<>{of_pack.x[i], of_pack.y[i], of_pack.z[i]}, f, 1e-14));
+      CHECK((f.z > 0) == (i < 2));
+    }
+  };
+  check(compliant_contact_3D(ground, body, half_space{}, 0.7, rubber));
+  check(bristle_contact_3D(ground, body, hair_x, hair_y, hair_z, half_space{}, 0.7, brush));
+  check(compliant_contact_3D(ground, body, height_field(flat), 0.7, rubber));
 }

@@ -102,6 +102,28 @@ TEST_CASE("a sphere slides, then rolls") {
         within(rolled(manipulator_dynamics_model(regularized), 1e-8), 1e-12));
 }
 
+TEST_CASE("on a slope that holds, bristles rest and regularized friction creeps") {
+  constexpr double slope = 0.3, friction = 0.4;
+  auto p = smooth;
+  p.friction = friction, p.slip_speed = 1e-3;
+  auto b = brush;
+  b.friction = friction;
+  const auto speed = [&](const auto& contact, double t) {
+    const auto c = chain(base_2D(ground), prismatic_joint_2D(x, ground, slide, axis::x),
+                         prismatic_joint_2D(y, slide, lift, axis::y), inertia_2D(lift, planar_body(1.0, 0.0)), contact)
+                       .gravity(vec3{g * std::sin(slope), -g * std::cos(slope), zero});
+    const manipulator_dynamics_model m(c);
+    rodas solver(std::cref(m), 0.0, m.make_x(vector(Eigen::Vector2d(0, -depth)), vector(Eigen::Vector2d(-0.5, 0))),
+                 {.absolute = 1e-10, .relative = 1e-10});
+    solver.integrate(t, element_events(m));
+    return solver.state()[2];
+  };
+  const double creep =
+      1e-3 * std::sin(slope) / std::sqrt(std::pow(friction * std::cos(slope), 2) - std::pow(std::sin(slope), 2));
+  CHECK(speed(compliant_contact_2D(ground, lift, half_space{}, 0, p), 5) == within(creep, 1e-9));
+  CHECK(speed(bristle_contact_2D(ground, lift, hairs, half_space{}, 0, b), 5) == within(0, 1e-9));
+}
+
 TEST_CASE("two free spheres collide: momentum is kept, energy never grows") {
   const auto c = two_spheres();
   const manipulator_dynamics_model<runtime_chain> m(c);
