@@ -221,17 +221,17 @@ TEST_CASE("contacts take packs, where some states touch and others do not") {
       frame.position = {S(0.1), S(0.2), height}, frame.velocity = {S(1), S(2), S(-0.5)}, frame.ang_velocity.x = S(3);
     };
     const auto height = [](std::size_t i) { return 0.5 + 0.15 * static_cast<double>(i); };
-    auto all = make_state<pack<double, 4>>(c);
+    auto packed = make_state<pack<double, 4>>(c);
     pack<double, 4> heights(0.0);
     for (std::size_t i = 0; i < 4; ++i) heights.set(i, height(i));
-    put(all[body], heights);
-    c.doForce(all);
+    put(packed[body], heights);
+    c.doForce(packed);
     for (std::size_t i = 0; i < 4; ++i) {
       auto one = make_state(c);
       put(one[body], height(i));
       c.doForce(one);
       const auto& f = one[body].force;
-      const auto& of_pack = all[body].force;
+      const auto& of_pack = packed[body].force;
       CHECK(near(vec3<>{of_pack.x[i], of_pack.y[i], of_pack.z[i]}, f, 1e-14));
       CHECK((f.z > 0) == (i < 2));
     }

@@ -47,7 +47,8 @@ class height_grid {
   template <class X, class Y>
   auto operator()(const X& x, const Y& y) const {
     using T = decltype(x + y);
-    static_assert(!requires { T::lanes; }, "kte: a height_grid takes no packs");
+    static_assert(
+        !requires { T::lanes; }, "kte: a height_grid takes no packs");
     const auto [u, beyond_x] = clamped(T(T(x - T(at_.x)) / T(at_.step_x)), at_.columns);
     const auto [w, beyond_y] = clamped(T(T(y - T(at_.y)) / T(at_.step_y)), rows_);
     const auto a = weights(u, at_.columns), b = weights(w, rows_);
