@@ -227,10 +227,10 @@ TEST_CASE("contacts take packs, where some states touch and others do not") {
     put(packed[body], heights);
     c.doForce(packed);
     for (std::size_t i = 0; i < 4; ++i) {
-      auto one = make_state(c);
-      put(one[body], height(i));
-      c.doForce(one);
-      const auto& f = one[body].force;
+      auto alone = make_state(c);
+      put(alone[body], height(i));
+      c.doForce(alone);
+      const auto& f = alone[body].force;
       const auto& of_pack = packed[body].force;
       CHECK(near(vec3<>{of_pack.x[i], of_pack.y[i], of_pack.z[i]}, f, 1e-14));
       CHECK((f.z > 0) == (i < 2));
