@@ -1,6 +1,9 @@
 #pragma once
 
-/// Rigid contacts with friction (docs/contact.md): elements, accelerations with contact forces, impacts.
+/// Contacts with friction (docs/contact.md): elements, surfaces, accelerations with contact forces, impacts.
+#include <kte/contact/height_field.hpp>
+#include <kte/contact/height_grid.hpp>
+#include <kte/contact/surface.hpp>
 #include <kte/dynamics/contacts/contact_dynamics.hpp>
 #include <kte/dynamics/contacts/impact.hpp>
 #include <kte/dynamics/contacts/static_chains.hpp>

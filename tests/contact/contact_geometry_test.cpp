@@ -1,6 +1,7 @@
 #include <kte/contact/contact_geometry.hpp>
 #include <kte/contact/disc_geometry.hpp>
 #include <kte/contact/height_field.hpp>
+#include <kte/contact/height_grid.hpp>
 #include <kte/contact/surface.hpp>
 #include <kte/kte.hpp>
 #include <kte/testing/contact_laws.hpp>
@@ -77,6 +78,7 @@ TEST_CASE("gaps, normals and points of contact") {
   CHECK(touching(bowl(1.5), 0.1).gap(at({0.6, 0, 0.8})) == within(0.4, 1e-15));
   CHECK(near(touching(bowl(1.1), 0.1).point(at({0.6, 0, 0.8})), vec3<>{0.66, 0, 0.88}, 1e-15));
   CHECK(touching(bowl(1.5), 0.1).gap(at({0, 0, 0})) == within(1.4, 1e-15));
+  CHECK(touching<kind::frame_2D>(cylinder(0.5, vec3{1, 0, 0}), 0.1).gap(at({7, -0.9, 0})) == within(0.3, 1e-15));
   CHECK(touching(cylinder(0.5), 0.1).gap(at({0.6, 0.8, 7})) == within(0.4, 1e-15));
 
   CHECK(near(touching(ball(0.9), 0.1, {0.3, 0, 0.4}).point(at({0.3, 0, 0.4})), vec3<>{0.54, 0, 0.72}, 1e-15));
@@ -113,4 +115,33 @@ TEST_CASE("contacts without a defined point are refused") {
   CHECK(complaint([&] { (void)touching(height_field(narrow), 0.2).gap(deep); }) ==
         "kte: no point of a height field is nearest to a sphere on it: the radius of the sphere must be below the "
         "radii of curvature of valleys");
+}
+
+TEST_CASE("a height through a grid") {
+  const auto at = [](double x, double y) { return 0.25 * x - 0.5 * y + 0.125 * x * y; };
+  std::vector<double> heights, waves_at;
+  for (int i = 0; i < 9; ++i)
+    for (int j = 0; j < 12; ++j) {
+      heights.push_back(at(-1 + 0.25 * j, 2 + 0.5 * i));
+      waves_at.push_back(waves(-1 + 0.25 * j, 2 + 0.5 * i));
+    }
+  const height_grid::layout place{.x = -1, .y = 2, .step_x = 0.25, .step_y = 0.5, .columns = 12};
+  const height_grid plane(place, heights), rough(place, waves_at);
+  for (const double x : {-1.0, -0.9, 0.3, 1.7, 1.75})
+    for (const double y : {2.0, 3.3, 5.9, 6.0}) CHECK(plane(x, y) == within(at(x, y), 1e-14));
+  CHECK(plane(-3.0, 4.0) == within(at(-3, 4), 1e-13));  // beyond the grid along its slopes
+  CHECK(plane(0.5, 8.0) == within(at(0.5, 8), 1e-13));
+  CHECK(rough(0.25, 3.5) == within(waves(0.25, 3.5), 1e-14));
+  CHECK(rough(0.3, 3.7) == within(waves(0.3, 3.7), 1e-3));
+  random_numbers draw(8);
+  CHECK(testing::contact_rates_are_derivatives<double>(touching(height_field(rough), 0), draw, {0.4, 3.6, 1.0}, false) <
+        1e-6);  // of the third derivative, which jumps
+  CHECK(complaint([&] {
+          height_grid(place, {1, 2, 3});
+        }) == "kte: a height_grid needs full rows of heights, two or more in both directions");
+  auto flat = place;
+  flat.step_x = 0;
+  CHECK(complaint([&] { height_grid(flat, heights); }) == "kte: a height_grid needs finite and positive steps");
+  heights[5] = not_a_number;
+  CHECK(complaint([&] { height_grid(place, heights); }) == "kte: a height_grid needs finite heights");
 }

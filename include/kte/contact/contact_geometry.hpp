@@ -69,9 +69,8 @@ struct contact_geometry {
     where.not_negative(radius, "radius must be finite and not negative");
     where.finite(offset, "offset must be finite");
     if constexpr (Dim == kind::frame_2D) where.require(offset.z == 0, "offset must be in the plane", offset.z);
-    if constexpr (requires { surface.shape; })
-      where.require(surface.shape != surface_shape::bowl || radius < surface.radius,
-                    "radius must be below that of the bowl", radius);
+    if constexpr (std::is_same_v<Surface, contact_surface>)
+      where.require(surface.radius >= 0 || radius < -surface.radius, "radius must be below that of the bowl", radius);
   }
   template <class Self, class Visit>
   static constexpr void parameters(Self& self, Visit&& visit) {

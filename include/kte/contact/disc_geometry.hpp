@@ -67,15 +67,13 @@ struct disc_geometry {
     return m.rotation * m.acceleration - radius * (cross(m.rotation * m.ang_acceleration, e) + cross(w, e_dot));  // (3)
   }
   constexpr void check(const parameter_check& where) const {
-    surface.check<kind::frame_3D>(where);
-    where.require(surface.shape == surface_shape::half_space, "a disc touches half spaces only", surface.radius);
+    where.unit(surface.axis, "normal must have length 1");
     where.unit(axis, "axis must have length 1");
     where.positive(radius, "radius must be finite and positive");
   }
   template <class Self, class Visit>
   static constexpr void parameters(Self& self, Visit&& visit) {
-    contact_surface::parameters(self.surface, visit);
-    visit("axis", self.axis), visit("radius", self.radius);
+    visit("normal", self.surface.axis), visit("axis", self.axis), visit("radius", self.radius);
   }
 
  private:

@@ -7,7 +7,7 @@
 namespace kte {
 
 /// The ground below a smooth height z = h(x, y), m, in axes of the frame; in the plane y = h(x). `h` takes numbers of
-/// any type, as it is differentiated with dual numbers. With N = (-h_x, -h_y, 1):
+/// any type, because it is differentiated with dual numbers. With N = (-h_x, -h_y, 1):
 ///
 ///   point:   s = (z - h)/|N|,  n = N/|N|  at x, y of the point                                        (1)
 ///   sphere:  the distance from its centre p to the nearest point f of the surface, by Newton's method:

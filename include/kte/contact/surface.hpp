@@ -7,7 +7,7 @@
 namespace kte {
 
 /// A surface by your function f(p) of a point in axes of the frame, zero on the surface and positive outside. It takes
-/// a `vec3` of numbers of any type, as it is differentiated with dual numbers; in the plane p.z is 0.
+/// a `vec3` of numbers of any type, because it is differentiated with dual numbers; in the plane p.z is 0.
 ///
 ///   s = f/|grad f|,   n = grad f/|grad f|,   H v = (f_pp v - n (n.f_pp v))/|grad f|          (1)
 ///

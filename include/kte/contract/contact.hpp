@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kte/contact/contact_between.hpp>
+#include <kte/contract/contact_between.hpp>
 #include <kte/frames/contact_state.hpp>
 
 namespace kte {

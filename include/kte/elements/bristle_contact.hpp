@@ -33,6 +33,9 @@ namespace core {
 template <kind Dim, class Geometry>
 struct bristle_contact : compliant_normal_force<Dim, Geometry, bristle_contact_parameters> {
   static constexpr type_name type{Geometry::bristle_name, Dim};
+  static constexpr const char* arguments =
+      "{surface_axis, surface_radius}, radius, {stiffness, exponent, dissipation, friction, slip_speed, "
+      "bristle_stiffness, bristle_damping}, offset";
   static constexpr auto ports = [] {
     constexpr port first{Dim, access::on, "frame1"}, second{Dim, access::on, "frame2"};
     if constexpr (Dim == kind::frame_2D)
@@ -136,14 +139,14 @@ constexpr auto bristled(const Geometry& g, const bristle_contact_parameters& p, 
 ///   bristle_contact_2D(ground, tip, hairs, half_space{}, 0.02,
 ///                      {.stiffness = 1e6, .dissipation = 0.5, .friction = 0.7, .bristle_stiffness = 1e4,
 ///                       .bristle_damping = 30.0})
-template <class A, class B, class Z, class Surface, entry Radius>
+template <class A, class B, class Z, class Surface = contact_surface, entry Radius = double>
 [[nodiscard]] constexpr auto bristle_contact_2D(const A& frame1, const B& frame2, const Z& bristles,
                                                 const Surface& surface, const Radius& radius,
                                                 const bristle_contact_parameters& p) {
   return detail::bristled<kind::frame_2D>(detail::sphere_on<kind::frame_2D>(surface, as<double>(radius), {}), p, frame1,
                                           frame2, bristles);
 }
-template <class A, class B, class Z, class Surface, class Offset, entry Radius>
+template <class A, class B, class Z, class Surface = contact_surface, class Offset, entry Radius = double>
 [[nodiscard]] constexpr auto bristle_contact_2D(const A& frame1, const B& frame2, const Z& bristles,
                                                 const Surface& surface, const Radius& radius,
                                                 const bristle_contact_parameters& p, const Offset& offset) {
@@ -152,14 +155,15 @@ template <class A, class B, class Z, class Surface, class Offset, entry Radius>
       frame2, bristles);
 }
 /// A compliant contact in space with friction by bristles, whose deflection is three internal states.
-template <class A, class B, class ZX, class ZY, class ZZ, class Surface, entry Radius>
+template <class A, class B, class ZX, class ZY, class ZZ, class Surface = contact_surface, entry Radius = double>
 [[nodiscard]] constexpr auto bristle_contact_3D(const A& frame1, const B& frame2, const ZX& bristles_x,
                                                 const ZY& bristles_y, const ZZ& bristles_z, const Surface& surface,
                                                 const Radius& radius, const bristle_contact_parameters& p) {
   return detail::bristled<kind::frame_3D>(detail::sphere_on<kind::frame_3D>(surface, as<double>(radius), {}), p, frame1,
                                           frame2, bristles_x, bristles_y, bristles_z);
 }
-template <class A, class B, class ZX, class ZY, class ZZ, class Surface, class X, class Y, class Z, entry Radius>
+template <class A, class B, class ZX, class ZY, class ZZ, class Surface = contact_surface, class X, class Y, class Z,
+          entry Radius = double>
 [[nodiscard]] constexpr auto bristle_contact_3D(const A& frame1, const B& frame2, const ZX& bristles_x,
                                                 const ZY& bristles_y, const ZZ& bristles_z, const Surface& surface,
                                                 const Radius& radius, const bristle_contact_parameters& p,

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <kte/contact/contact_between.hpp>
 #include <kte/contact/contact_geometry.hpp>
 #include <kte/contact/disc_geometry.hpp>
+#include <kte/contract/contact_between.hpp>
 #include <kte/kernels/hunt_crossley.hpp>
 
 namespace kte {
@@ -25,9 +25,8 @@ struct compliant_normal_force {
   static constexpr bool reads_positions = true;
   static constexpr bool holds_code = requires { requires Geometry::surface_type::holds_code; };
   static constexpr bool may_have_no_value = true;
-  static constexpr std::array<std::string_view, 10> optional_parameters{
-      "normal", "ball_radius", "bowl_radius", "cylinder_radius", "cylinder_axis",
-      "offset", "exponent",    "dissipation", "friction",        "slip_speed"};
+  static constexpr std::array<std::string_view, 5> optional_parameters{"offset", "exponent", "dissipation", "friction",
+                                                                       "slip_speed"};
 
   Geometry geometry{};
   Parameters p{};
@@ -79,6 +78,10 @@ struct compliant_normal_force {
 template <kind Dim, class Geometry>
 struct compliant_contact : compliant_normal_force<Dim, Geometry, compliant_contact_parameters> {
   static constexpr type_name type{Geometry::compliant_name, Dim};
+  static constexpr const char* arguments =
+      std::is_same_v<Geometry, disc_geometry>
+          ? "{normal}, axis, radius, {stiffness, exponent, dissipation, friction, slip_speed}"
+          : "{surface_axis, surface_radius}, radius, {stiffness, exponent, dissipation, friction, slip_speed}, offset";
   static constexpr std::array<port, 2> ports{{{Dim, access::on, "frame1"}, {Dim, access::on, "frame2"}}};
 
   template <class A, class B>
@@ -113,13 +116,13 @@ constexpr auto compliant(const Geometry& g, const A& frame1, const B& frame2, co
 ///
 ///   compliant_contact_2D(ground, tip, half_space{}, 0.02,
 ///                        {.stiffness = 1e6, .dissipation = 0.5, .friction = 0.7, .slip_speed = 1e-3})
-template <class A, class B, class Surface, entry Radius>
+template <class A, class B, class Surface = contact_surface, entry Radius = double>
 [[nodiscard]] constexpr auto compliant_contact_2D(const A& frame1, const B& frame2, const Surface& surface,
                                                   const Radius& radius, const compliant_contact_parameters& p) {
   return detail::compliant<kind::frame_2D>(detail::sphere_on<kind::frame_2D>(surface, as<double>(radius), {}), frame1,
                                            frame2, p);
 }
-template <class A, class B, class Surface, class Offset, entry Radius>
+template <class A, class B, class Surface = contact_surface, class Offset, entry Radius = double>
 [[nodiscard]] constexpr auto compliant_contact_2D(const A& frame1, const B& frame2, const Surface& surface,
                                                   const Radius& radius, const compliant_contact_parameters& p,
                                                   const Offset& offset) {
@@ -130,13 +133,13 @@ template <class A, class B, class Surface, class Offset, entry Radius>
 /// A compliant contact, in space, of a surface of frame1 with a sphere of a radius, m (0: a point), about the origin of
 /// frame2, or about the point `offset` of it, m. Surfaces: `half_space`, `ball`, `bowl`, `cylinder`, `height_field`,
 /// `surface`.
-template <class A, class B, class Surface, entry Radius>
+template <class A, class B, class Surface = contact_surface, entry Radius = double>
 [[nodiscard]] constexpr auto compliant_contact_3D(const A& frame1, const B& frame2, const Surface& surface,
                                                   const Radius& radius, const compliant_contact_parameters& p) {
   return detail::compliant<kind::frame_3D>(detail::sphere_on<kind::frame_3D>(surface, as<double>(radius), {}), frame1,
                                            frame2, p);
 }
-template <class A, class B, class Surface, class X, class Y, class Z, entry Radius>
+template <class A, class B, class Surface = contact_surface, class X, class Y, class Z, entry Radius = double>
 [[nodiscard]] constexpr auto compliant_contact_3D(const A& frame1, const B& frame2, const Surface& surface,
                                                   const Radius& radius, const compliant_contact_parameters& p,
                                                   const vec3<X, Y, Z>& offset) {

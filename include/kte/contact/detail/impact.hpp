@@ -97,8 +97,8 @@ void impact_solver<S>::one_at_a_time(const friction_problem<S>& p, std::span<con
             restitution.subspan(fastest, 1), fastest);
   }
   before_ = found_.u;
-  const std::vector<S> zero(p.contacts.size(), S(0));
-  resolve({p.W, Eigen::Map<const typename friction_problem<S>::vector>(before_.data(), p.b.size()), p.contacts}, zero,
+  const std::vector<S> none(p.contacts.size(), S(0));
+  resolve({p.W, Eigen::Map<const typename friction_problem<S>::vector>(before_.data(), p.b.size()), p.contacts}, none,
           0);
 }
 
