@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/recursions/coriolis.hpp>
 #include <kte/tree/composite.hpp>
 #include <kte/tree/newton_euler.hpp>
 #include <kte/tree/simd4.hpp>
@@ -55,25 +56,7 @@ struct body_variation {
   vec3<S> force;         ///< 2 B gives the force `force` x w
   mat3<vec3<S>> torque;  ///< and the torque `torque` w
 };
-/// [a]x [b]x
-template <class S>
-KTE_INLINE mat3<vec3<S>> cross_twice(const vec3<S>& a, const vec3<S>& b) {
-  const S d = dot(a, b);
-  mat3<vec3<S>> m{b.x * a, b.y * a, b.z * a};
-  m.x.x -= d, m.y.y -= d, m.z.z -= d;
-  return m;
-}
-/// [w]x J - J [w]x - [J w]x of a symmetric J, which is
-///
-///   [w]x (2 J - tr J)          (3)
-///
-/// for [J w]x is tr(J) [w]x - J [w]x - [w]x J.
-template <class S>
-KTE_INLINE mat3<vec3<S>> gyroscopic(const vec3<S>& w, const sym3<S>& j) {
-  const S xy = j.xy + j.xy, xz = j.xz + j.xz, yz = j.yz + j.yz;
-  const sym3<S> twice{j.xx - j.yy - j.zz, xy, xz, j.yy - j.zz - j.xx, yz, j.zz - j.xx - j.yy};
-  return as<S>(cross_matrix(w) * full(twice));
-}
+using engine::cross_twice, engine::gyroscopic;
 template <class S>
 struct variation_memory {
   std::vector<axis_variation<S>> axes;
