@@ -20,7 +20,7 @@ template <class S = double, class Gravity, class... E>
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
   Eigen::Matrix<S, parameters_of<chain_type>, 1> pi;
-  for_each_element<chain_type>([&]<std::size_t I>() KTE_INLINE_LAMBDA {
+  unroll<chain_type::size>([&]<std::size_t I>() KTE_INLINE_LAMBDA {
     constexpr int first = first_parameter<chain_type>[I], count = parameter_count<core_of<chain_type, I>>;
     if constexpr (count == 1) {
       pi[first] = as<S>(c.template core<I>().template mass<S>());

@@ -21,7 +21,7 @@ class unrolled_coriolis {
   KTE_INLINE auto result() {
     joint_matrix<S, Chain::dofs> m;
     m.setZero();
-    for_each_element<Chain>([this]<std::size_t I>() KTE_INLINE_LAMBDA { this->template add<I>(); });
+    unroll<Chain::size>([this]<std::size_t I>() KTE_INLINE_LAMBDA { this->template add<I>(); });
     engine::coriolis_terms(
         joints_, changes_.data(), bodies_.data(), [&m](int j, int k, const S& c_jk, const S&) KTE_INLINE_LAMBDA {
           const int to = joints::row[static_cast<std::size_t>(j)], by = joints::row[static_cast<std::size_t>(k)];

@@ -9,12 +9,6 @@
 /// over numbers.
 namespace kte::detail {
 
-/// Calls f<I>() for the elements of a chain, in order.
-template <class Chain, class F>
-KTE_INLINE constexpr void for_each_element(const F& f) {
-  for_each_number<int{Chain::size}>([&f]<int I>() KTE_INLINE_LAMBDA { f.template operator()<std::size_t{I}>(); });
-}
-
 /// A joint or link: the element whose end is its base, or -1; the number of its first axis among all axes; the rows of
 /// its coordinates.
 struct tree_step {
@@ -99,7 +93,7 @@ class unrolled_joints {
   }();
 
   KTE_INLINE unrolled_joints(const Chain& c, const Given& g) : motion_(c, g) {
-    for_each_element<Chain>([this]<std::size_t I>() KTE_INLINE_LAMBDA { this->template place<I>(); });
+    unroll<Chain::size>([this]<std::size_t I>() KTE_INLINE_LAMBDA { this->template place<I>(); });
   }
   template <std::size_t I, std::size_t P>
   KTE_INLINE constexpr decltype(auto) at_port() const {
@@ -135,7 +129,7 @@ class unrolled_joints {
       static_assert(sizeof(pass_over<Chain, I>) > 0);
     } else if constexpr (steps[I].axes > 0) {
       step_[std::size_t{joints::joint_at[I]}] = as<S>(way_over<int{I}>());
-      for_each_number<steps[I].axes>([&]<int N>() KTE_INLINE_LAMBDA {
+      unroll<steps[I].axes>([&]<int N>() KTE_INLINE_LAMBDA {
         const auto s = motion_.template joint_axis<I, N>();
         const auto& r = at_port<I, port_count<core_t<I>> - 1>().rotation;
         axes_[steps[I].first + N] = {as<S>(r * s.velocity), as<S>(r * s.ang_velocity)};

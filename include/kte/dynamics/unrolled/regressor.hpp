@@ -47,9 +47,8 @@ class unrolled_regressor {
 
   KTE_INLINE unrolled_regressor(const Chain& c, const Given& g, matrix_type& y) : chain_(c), joints_(c, g), y_(y) {
     y_.setZero(rows, parameters_of<Chain>);
-    for_each_element<Chain>([this]<std::size_t I>() KTE_INLINE_LAMBDA { this->template add<I>(); });
-    for_each_element<Chain>([this]<std::size_t I>()
-                                KTE_INLINE_LAMBDA { this->template pull_back<Chain::size - 1 - I>(); });
+    unroll<Chain::size>([this]<std::size_t I>() KTE_INLINE_LAMBDA { this->template add<I>(); });
+    unroll<Chain::size>([this]<std::size_t I>() KTE_INLINE_LAMBDA { this->template pull_back<Chain::size - 1 - I>(); });
   }
 
  private:
