@@ -57,7 +57,7 @@ struct joints_of {
     }
     return at;
   }();
-  static constexpr int joint_of(int element) { return element < 0 ? -1 : joint_at[static_cast<std::size_t>(element)]; }
+  static constexpr int joint_of(int e) { return e < 0 ? -1 : joint_at[static_cast<std::size_t>(e)]; }
   static constexpr auto element = [] {
     std::array<std::size_t, count + 1> e{};
     for (std::size_t i = Chain::size; i-- > 0;)
