@@ -81,16 +81,10 @@ rigid_numbers<P> rigid_numbers_of(const Core& core) {
     const auto at_zero = plain_coordinate<k>(false);
     x.at_zero = plain_pose<P>(core.relative(position_only(at_zero)));
     x.tried = plain_pose<P>(core.relative(position_only(plain_coordinate<k>(true))));
-    const auto axis = [&]<int N>(std::integral_constant<int, N>) {
+    unroll<joint_dofs<Core>>([&]<int N>() {
       const auto s = axis_of<N>(core, at_zero);
       x.linear[std::size_t{N}] = as<P>(s.velocity), x.angular[std::size_t{N}] = as<P>(s.ang_velocity);
-      return 0;
-    };
-    [&]<int... N>(std::integer_sequence<int, N...>) {
-      const int done[]{axis(std::integral_constant<int, N>{})...};
-      (void)done;
-    }
-    (std::make_integer_sequence<int, joint_dofs<Core>>{});
+    });
   }
   return x;
 }

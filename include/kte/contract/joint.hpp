@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kte/contract/transmission.hpp>
+#include <kte/detail/unroll.hpp>
 #include <kte/frames/articulated.hpp>
 
 #include <type_traits>
@@ -23,16 +24,6 @@ inline constexpr bool has_mass = requires(const Core& c) {
 template <class M, class H, class J, class Motion>
 KTE_INLINE constexpr auto accelerating_wrench(const composite<M, H, J>& b, const Motion& m) {
   return kte::accelerating_wrench(b, m.velocity, m.ang_velocity);
-}
-
-/// Calls f<0>(), f<1>(), ..., f<N - 1>().
-template <int N, class F>
-KTE_INLINE constexpr void for_each_number(const F& f) {
-  const auto all_of_them = [&]<int... K>(std::integer_sequence<int, K...>) KTE_INLINE_LAMBDA {
-    const int done[]{(f.template operator()<K>(), 0)..., 0};
-    (void)done;
-  };
-  all_of_them(std::make_integer_sequence<int, N>{});
 }
 
 /// The motion of a joint at its coordinate, or at a tuple of its coordinates.

@@ -3,6 +3,7 @@
 #include <kte/contract/core_checks.hpp>
 #include <kte/contract/thing.hpp>
 #include <kte/detail/numbered.hpp>
+#include <kte/detail/unroll.hpp>
 #include <kte/frames/motion.hpp>
 #include <kte/math/sincos.hpp>
 
@@ -120,16 +121,16 @@ struct stored_element {
   template <std::size_t... P>
   KTE_INLINE constexpr void move(std::index_sequence<P...>) const {
     if constexpr (has_output) write(core.doMotion(input<P>()...));
-    if constexpr (kept_count < Core >> 0)
-      write_rates(core.z_dot(input<P>()...), std::make_index_sequence<kept_count<Core>>{});
+    if constexpr (kept_count < Core >> 0) write_rates(core.z_dot(input<P>()...));
     if constexpr (is_closure<Core>) core.put_residual(stored<P>()...);
     if constexpr (is_contact<Core>) core.put_contact(stored<P>()...);
   }
   /// Updates the sines, cosines and matrices of the coordinates that it reads as angles and rotations.
   template <std::size_t... P>
   KTE_INLINE constexpr void update_angles(std::index_sequence<P...>) const {
-    const int done[]{(update_one<P>(), 0)..., 0};
-    (void)done;
+    unroll(std::index_sequence<P...>{}, [this]<std::size_t N>() KTE_INLINE_LAMBDA {
+      if constexpr (at<N>.how == access::angle) update_angle(this->template stored<N>());
+    });
   }
   template <std::size_t... P>
   KTE_INLINE constexpr void force(std::index_sequence<P...>) const {
@@ -166,8 +167,7 @@ struct stored_element {
   /// The internal states after its law has changed; unchanged without `switched`.
   template <std::size_t... P>
   KTE_INLINE constexpr void switch_over(std::index_sequence<P...>) const {
-    if constexpr (has_switched<Core, decltype(input<P>())...>)
-      write_kept(core.switched(input<P>()...), std::make_index_sequence<kept_count<Core>>{});
+    if constexpr (has_switched<Core, decltype(input<P>())...>) write_kept(core.switched(input<P>()...));
   }
   /// The loads of a distributed mass due to accelerations only.
   template <std::size_t... P>
@@ -227,10 +227,6 @@ struct stored_element {
   }
 
  private:
-  template <std::size_t P>
-  KTE_INLINE constexpr void update_one() const {
-    if constexpr (at<P>.how == access::angle) update_angle(stored<P>());
-  }
   template <class M>
   KTE_INLINE constexpr void write(const M& m) const {
     auto& x = stored<ports - 1>();
@@ -244,24 +240,19 @@ struct stored_element {
       set_motion(x, m);
     }
   }
-  template <class Rates, std::size_t... N>
-  KTE_INLINE constexpr void write_rates(const Rates& rates, std::index_sequence<N...>) const {
-    const int done[]{(write_rate<N>(rates), 0)...};
-    (void)done;
+  template <class Rates>
+  KTE_INLINE constexpr void write_rates(const Rates& rates) const {
+    unroll<kept_count<Core>>([&]<std::size_t N>() KTE_INLINE_LAMBDA {
+      auto& z = this->template stored<kept_port<Core, N>>();
+      z.z_dot = as<std::remove_cvref_t<decltype(z.z_dot)>>(rate_of_kept<N>(rates));
+    });
   }
-  template <class Kept, std::size_t... N>
-  KTE_INLINE constexpr void write_kept(const Kept& kept, std::index_sequence<N...>) const {
-    const int done[]{(write_one(rate_of_kept<N>(kept), stored<kept_port<Core, N>>()), 0)...};
-    (void)done;
-  }
-  template <class X, class Z>
-  KTE_INLINE static constexpr void write_one(const X& x, Z& to) {
-    to.z = as<std::remove_cvref_t<decltype(to.z)>>(x);
-  }
-  template <std::size_t N, class Rates>
-  KTE_INLINE constexpr void write_rate(const Rates& rates) const {
-    auto& z = stored<kept_port<Core, N>>();
-    z.z_dot = as<std::remove_cvref_t<decltype(z.z)>>(rate_of_kept<N>(rates));
+  template <class Kept>
+  KTE_INLINE constexpr void write_kept(const Kept& kept) const {
+    unroll<kept_count<Core>>([&]<std::size_t N>() KTE_INLINE_LAMBDA {
+      auto& z = this->template stored<kept_port<Core, N>>().z;
+      z = as<std::remove_cvref_t<decltype(z)>>(rate_of_kept<N>(kept));
+    });
   }
   template <std::size_t... P, class Loads>
   KTE_INLINE constexpr void spread(const Loads& l) const {

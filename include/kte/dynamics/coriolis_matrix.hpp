@@ -32,7 +32,6 @@ auto coriolis_of_coordinates(const Elements& c, State& s) {
   for (int i = 0; i < n; ++i) mass(i, i) += S(t.own_mass[static_cast<std::size_t>(i)]);
   // Projects C from all coordinates to the degrees of freedom, by the ratios E of dependent coordinates: E^T (C E + M
   // dE/dt)
-  // dE/dt)
   pull_back_followers_with_rates(c, s, [&](int to, int from, const S& ratio, const S& rate) {
     coriolis.col(to) += ratio * coriolis.col(from) + rate * mass.col(from);
     mass.col(to) += ratio * mass.col(from);
@@ -55,9 +54,9 @@ Matrix with_transpose(const Matrix& m) {
 ///
 ///   dM/dt - 2 C  is skew-symmetric,   dM/dt = C + C^T          (1)
 ///
-/// as passivity-based and adaptive controllers require (tree/coriolis.hpp). Bases are at rest. For elements with both a
-/// mass and forces, only the mass is included. Units: kg m^2/s, kg m/s, kg/s. Cost: O(n d); no heap allocation for
-/// small trees of joints.
+/// as passivity-based and adaptive controllers require (recursions/coriolis.hpp). Bases are at rest. For elements with
+/// both a mass and forces, only the mass is included. Units: kg m^2/s, kg m/s, kg/s. Cost: O(n d); no heap allocation
+/// for small trees of joints.
 template <class Gravity, class... E, indexable Q, indexable V>
 [[nodiscard]] auto coriolis_matrix(const static_chain<Gravity, E...>& c, const Q& q, const V& v) {
   using namespace detail;

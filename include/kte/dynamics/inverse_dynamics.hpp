@@ -18,11 +18,7 @@ namespace detail {
 template <kind K, int V, class L, class Sign, class X>
 KTE_INLINE void spread_load(const L& load, Sign sign, X& f) {
   using S = typename X::Scalar;
-  const auto each_number = [&]<int... N>(std::integer_sequence<int, N...>) KTE_INLINE_LAMBDA {
-    const int done[]{(f[V + N] = as<S>(sign * number_of<K, N>(load)), 0)..., 0};
-    (void)done;
-  };
-  each_number(std::make_integer_sequence<int, nv_of(K)>{});
+  unroll<nv_of(K)>([&]<int N>() KTE_INLINE_LAMBDA { f[V + N] = as<S>(sign * number_of<K, N>(load)); });
 }
 /// The generalized forces on all degrees of freedom: those of virtual power (`sign` 1), or those to apply for the given
 /// motion (`sign` -1).
@@ -30,14 +26,10 @@ template <class S, class Pass, class Sign>
 KTE_INLINE auto forces_of(const Pass& pass, Sign sign) {
   using wiring = typename Pass::chain_type::wiring;
   joint_vector<S, wiring::dofs> f;
-  const auto read = [&]<std::size_t... I>(std::index_sequence<I...>) KTE_INLINE_LAMBDA {
-    const int done[]{(spread_load<wiring::template free<I>.what, wiring::template free<I>.v>(
-                          pass.template load<wiring::template free<I>.what, wiring::template free<I>.slot>(), sign, f),
-                      0)...,
-                     0};
-    (void)done;
-  };
-  read(std::make_index_sequence<wiring::freedoms>{});
+  unroll<wiring::freedoms>([&]<std::size_t I>() KTE_INLINE_LAMBDA {
+    constexpr freedom at = wiring::template free<I>;
+    spread_load<at.what, at.v>(pass.template load<at.what, at.slot>(), sign, f);
+  });
   return f;
 }
 /// The generalized forces of a chain at the given arguments.

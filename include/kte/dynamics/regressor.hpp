@@ -20,7 +20,7 @@ template <class S = double, class Gravity, class... E>
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
   Eigen::Matrix<S, parameters_of<chain_type>, 1> pi;
-  for_each_element<chain_type>([&]<std::size_t I>() KTE_INLINE_LAMBDA {
+  unroll<chain_type::size>([&]<std::size_t I>() KTE_INLINE_LAMBDA {
     constexpr int first = first_parameter<chain_type>[I], count = parameter_count<core_of<chain_type, I>>;
     if constexpr (count == 1) {
       pi[first] = as<S>(c.template core<I>().template mass<S>());
@@ -28,8 +28,8 @@ template <class S = double, class Gravity, class... E>
       const auto b = c.template core<I>().template mass<S>();
       const vec3<S> h = as<S>(b.moment);
       const sym3<S> j = as<S>(b.inertia);
-      const tree::per_parameter<S> all{as<S>(b.mass), h.x, h.y, h.z, j.xx, j.xy, j.yy, j.xz, j.yz, j.zz};
-      for (int i = 0; i < count; ++i) pi[first + i] = tree::parameter_at(all, i, count);
+      const engine::per_parameter<S> all{as<S>(b.mass), h.x, h.y, h.z, j.xx, j.xy, j.yy, j.xz, j.yz, j.zz};
+      for (int i = 0; i < count; ++i) pi[first + i] = engine::parameter_at(all, i, count);
     }
   });
   return pi;
@@ -122,9 +122,9 @@ runtime_matrix<S> regressor_of(const runtime_chain& c, basic_runtime_state<S>& s
       return;
     }
     const auto& place = t.body_tree.frame(e.ports[0].what, index);
-    tree::forces_by_parameters(t.body_tree, s.work, place, [&](int k, const tree::per_parameter<S>& x) {
+    tree::forces_by_parameters(t.body_tree, s.work, place, [&](int k, const engine::per_parameter<S>& x) {
       const int row = t.body_tree.row[static_cast<std::size_t>(k)];
-      for (int i = 0; i < count; ++i) y(row, first + i) += tree::parameter_at(x, i, count);
+      for (int i = 0; i < count; ++i) y(row, first + i) += engine::parameter_at(x, i, count);
     });
   });
   pull_back_followers(runtime_elements{c}, s,
@@ -142,8 +142,8 @@ KTE_FUNCTION Eigen::VectorXd inertial_parameters(const runtime_chain& c) {
   Eigen::VectorXd pi(for_each_parametric(c, [](auto&&...) {}));
   for_each_parametric(c, [&pi](const topology::connection&, const element_numbers<double>& n, int first, int count) {
     const auto& [m, h, j] = n.weight;
-    const tree::per_parameter<double> all{m, h.x, h.y, h.z, j.xx, j.xy, j.yy, j.xz, j.yz, j.zz};
-    for (int i = 0; i < count; ++i) pi[first + i] = n.has_mass ? n.mass : tree::parameter_at(all, i, count);
+    const engine::per_parameter<double> all{m, h.x, h.y, h.z, j.xx, j.xy, j.yy, j.xz, j.yz, j.zz};
+    for (int i = 0; i < count; ++i) pi[first + i] = n.has_mass ? n.mass : engine::parameter_at(all, i, count);
   });
   return pi;
 }

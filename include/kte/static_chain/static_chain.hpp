@@ -61,17 +61,19 @@ class static_chain {
   template <class State>
   constexpr void doMotion(State& s) const {
     check<State>();
-    forward([](const auto& x) { x.motion(inputs_of(x)); }, s, std::index_sequence_for<E...>{});
+    forward([](const auto& x) { x.motion(inputs_of(x)); }, s);
   }
   template <class State>
   constexpr void clearForce(State& s) const {
     check<State>();
-    forward([](const auto& x) { x.clear(ports_of(x)); }, s, std::index_sequence_for<E...>{});
+    forward([](const auto& x) { x.clear(ports_of(x)); }, s);
   }
   template <class State>
   constexpr void doForce(State& s) const {
     check<State>();
-    backward([](const auto& x) { x.force(inputs_of(x)); }, s, std::index_sequence_for<E...>{});
+    detail::unroll<size>([&]<std::size_t I>() KTE_INLINE_LAMBDA {
+      this->template one<size - 1 - I>([](const auto& x) { x.force(inputs_of(x)); }, s);
+    });
   }
 
   /// The signals that elements write (measures, controls), in order, computed by the last doMotion. A vector signal
@@ -82,7 +84,8 @@ class static_chain {
     constexpr std::size_t n = (output_numbers<typename E::core_type> + ... + 0);
     std::array<typename State::scalar, n> y{};
     std::size_t i = 0;
-    const auto put = [&]<class Core, std::size_t I>(std::type_identity<Core>, std::integral_constant<std::size_t, I>) {
+    detail::unroll<size>([&]<std::size_t I>() {
+      using Core = core_type<I>;
       if constexpr (output_numbers < Core >> 0) {
         const auto& x = s.template get<Core::ports.back().what>(wiring::slot(I, port_count<Core> - 1));
         if constexpr (output_numbers<Core> == 3)
@@ -90,14 +93,7 @@ class static_chain {
         else
           y[i++] = x;
       }
-      return 0;
-    };
-    [&]<std::size_t... I>(std::index_sequence<I...>) {
-      const int done[]{put(std::type_identity<typename E::core_type>{}, std::integral_constant<std::size_t, I>{})...,
-                       0};
-      (void)done;
-    }
-    (std::index_sequence_for<E...>{});
+    });
     return y;
   }
 
@@ -167,15 +163,9 @@ class static_chain {
   [[gnu::noinline]] static constexpr void apart(const F& f, const Core& core, S& s, const int* index) {
     f(detail::stored_element<Core, S, detail::by_index>{core, s, {index}});
   }
-  template <class F, class S, std::size_t... I>
-  KTE_INLINE constexpr void forward(const F& f, S& s, std::index_sequence<I...>) const {
-    const int done[]{(one<I>(f, s), 0)..., 0};
-    (void)done;
-  }
-  template <class F, class S, std::size_t... I>
-  KTE_INLINE constexpr void backward(const F& f, S& s, std::index_sequence<I...>) const {
-    const int done[]{(one<size - 1 - I>(f, s), 0)..., 0};
-    (void)done;
+  template <class F, class S>
+  KTE_INLINE constexpr void forward(const F& f, S& s) const {
+    detail::unroll<size>([&]<std::size_t I>() KTE_INLINE_LAMBDA { this->template one<I>(f, s); });
   }
 
   boost::hana::tuple<E...> elements_;

@@ -22,8 +22,8 @@ namespace kte::tree {
 template <class P, class S, class Put>
 void vary_forces(const body_tree<P>& f, const memory<P, S>& m, variation_memory<S>& v, const Put& put) {
   const std::size_t bases = static_cast<std::size_t>(f.bases);
-  using numbers = simd4<S>;
-  using vectors = vec3<numbers>;
+  using four = simd<S, 4>;
+  using vectors = vec3<four>;
   for (std::size_t i = f.nodes.size(); i-- > 0;) {
     const body_node<P>& r = f.nodes[i];
     const world_place<S>& place = m.world[bases + i];
@@ -36,7 +36,7 @@ void vary_forces(const body_tree<P>& f, const memory<P, S>& m, variation_memory<
     for (int k = r.first; k < r.first + r.axes; ++k) {
       const axis_variation<S>& x = v.axes[static_cast<std::size_t>(k)];
       vectors linear, angular, turning;
-      load_simd4<S>(linear, x.linear), load_simd4<S>(angular, x.angular), load_simd4<S>(turning, x.turning);
+      load_vectors<S>(linear, x.linear), load_vectors<S>(angular, x.angular), load_vectors<S>(turning, x.turning);
       vectors force{mass * linear.x, mass * linear.y, mass * linear.z};
       add_cross(force, angular, h), add_cross(force, b.force, turning);
       vectors torque{inertia.xx * angular.x + inertia.xy * angular.y + inertia.xz * angular.z,
@@ -47,13 +47,13 @@ void vary_forces(const body_tree<P>& f, const memory<P, S>& m, variation_memory<
       torque.y += b.torque.y.x * turning.x + b.torque.y.y * turning.y + b.torque.y.z * turning.z;
       torque.z += b.torque.z.x * turning.x + b.torque.z.y * turning.y + b.torque.z.z * turning.z;
       vectors pushing = force;  // zero except F_a
-      const auto power_on = [&](const spatial_motion<S>& s, bool slides, numbers& power) KTE_INLINE_LAMBDA {
+      const auto power_on = [&](const spatial_motion<S>& s, bool slides, four& power) KTE_INLINE_LAMBDA {
         power = s.angular.x * torque.x + s.angular.y * torque.y + s.angular.z * torque.z;
         if (slides) power += s.linear.x * pushing.x + s.linear.y * pushing.y + s.linear.z * pushing.z;
       };
       const bool slides = r.moves != joint::revolute;
       for (int j = r.first; j < r.first + r.axes; ++j) {
-        numbers own;
+        four own;
         power_on(v.axes[static_cast<std::size_t>(j)].axis(), slides, own);
         put(j, k, S(own[0]), S(own[1]), S(own[2]));
       }
@@ -74,7 +74,7 @@ void vary_forces(const body_tree<P>& f, const memory<P, S>& m, variation_memory<
       const vec3<S> by_a{force.x[2], force.y[2], force.z[2]};
       for (std::size_t slot = bases + i;;) {
         vectors ways;
-        load_simd4<S>(ways, v.bodies[slot].ways);
+        load_vectors<S>(ways, v.bodies[slot].ways);
         add_cross(torque, ways, force);
         vectors from_rates;  // F_a thrice, 2B^T s
         repeat_third<S>(torque.x, from_rates.x), repeat_third<S>(torque.y, from_rates.y);
@@ -84,8 +84,8 @@ void vary_forces(const body_tree<P>& f, const memory<P, S>& m, variation_memory<
         const bool before_slides = before.moves != joint::revolute;
         for (int j = before.first; j < before.first + before.axes; ++j) {
           const axis_variation<S>& y = v.axes[static_cast<std::size_t>(j)];
-          load_simd4<S>(linear, y.linear), load_simd4<S>(angular, y.angular);
-          numbers on, back;
+          load_vectors<S>(linear, y.linear), load_vectors<S>(angular, y.angular);
+          four on, back;
           power_on(y.axis(), before_slides, on);
           back = angular.x * from_rates.x + angular.y * from_rates.y + angular.z * from_rates.z;
           back += by_a.x * linear.x + by_a.y * linear.y + by_a.z * linear.z;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/recursions/world_joints.hpp>
 #include <kte/tree/memory.hpp>
 
 /// Transforms components between the axes of a body and of its parent.
@@ -102,11 +103,7 @@ KTE_INLINE S& component(vec3<S>& linear, vec3<S>& angular, int n) {
   return *components[n];
 }
 
-/// The power of a wrench on an axis.
-template <class S>
-KTE_INLINE S power_on(const world_axis<S>& s, const dense_wrench<S>& w) {
-  return dot(s.linear, w.force) + dot(s.angular, w.torque);
-}
+using engine::power_on;
 /// dS/dt of axis k of a `varying` joint at these rates, in the axes of the body.
 template <class P, class S>
 world_axis<S> rate_of_axis(const body_node<P>& r, const joint_transform<S>& at, int k, const S* rate) {

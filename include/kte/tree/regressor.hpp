@@ -1,44 +1,13 @@
 #pragma once
 
+#include <kte/recursions/regressor.hpp>
 #include <kte/tree/jacobian.hpp>
 
 namespace kte::tree {
 
-/// A number for each inertial parameter of a body, in the order of `inertial_parameters` (dynamics/regressor.hpp):
-///
-///   m,  m c_x, m c_y, m c_z,  I_xx, I_xy, I_yy, I_xz, I_yz, I_zz          (1)
-template <class S>
-using per_parameter = std::array<S, 10>;
-/// Parameter i of a body with `count` parameters: in the plane four, m, m c_x, m c_y, I_zz; otherwise all ten.
-template <class S>
-KTE_INLINE const S& parameter_at(const per_parameter<S>& all, int i, int count) {
-  constexpr std::array<std::size_t, 4> in_plane{0, 1, 2, 9};
-  return all[count == 4 ? in_plane[static_cast<std::size_t>(i)] : static_cast<std::size_t>(i)];
-}
-
-/// The power of the body wrench for a motion x on a velocity v, u of its frame, by inertial parameters. The
-/// Newton-Euler equations are linear in them (Atkeson, An, Hollerbach 1986): with h = m c and I about the origin,
-///
-///   f = m a + al x h + w x (w x h),   n = I al + w x I w + h x a                                  (2)
-///   v . f + u . n = m (v . a) + h . (v x al + (v x w) x w + a x u) + u . I al + (u x w) . I w      (3)
-template <class S, class Motion>
-per_parameter<S> power_by_parameters(const Motion& x, const vec3<S>& v, const vec3<S>& u) {
-  const vec3<S>&a = x.acceleration, &w = x.ang_velocity, &al = x.ang_acceleration;
-  const vec3<S> h = cross(v, al) + cross(cross(v, w), w) + cross(a, u), d = cross(u, w);
-  return {S(dot(v, a)),
-          h.x,
-          h.y,
-          h.z,
-          S(u.x * al.x + d.x * w.x),
-          S((u.x * al.y + u.y * al.x) + (d.x * w.y + d.y * w.x)),
-          S(u.y * al.y + d.y * w.y),
-          S((u.x * al.z + u.z * al.x) + (d.x * w.z + d.z * w.x)),
-          S((u.y * al.z + u.z * al.y) + (d.y * w.z + d.z * w.y)),
-          S(u.z * al.z + d.z * w.z)};
-}
-
 /// The forces on all axes for the motion of a body fixed to a frame, by inertial parameters: put(k, y) for each axis k
 /// between the frame and its base; y uses the column of axis k in the Jacobian of the frame. Call `move_bodies` first.
+/// `forces_by_parameters` for joints in the world (recursions/regressor.hpp) takes 1.25 times as long.
 template <class P, class S, class Put>
 void forces_by_parameters(const body_tree<P>& f, const memory<P, S>& m, const frame_place<P>& frame, const Put& put) {
   const body_motion<S>& b = m.bodies[static_cast<std::size_t>(frame.slot)];
@@ -46,7 +15,7 @@ void forces_by_parameters(const body_tree<P>& f, const memory<P, S>& m, const fr
                          at_rest(as<S>(frame.at.rotation), as<S>(frame.at.position)));
   dense_pose<S> in_base;
   jacobian_columns(f, m, frame, in_base, [&](int k, const auto& v, const auto& u) {
-    put(k, power_by_parameters(x, components<S>(v), components<S>(u)));
+    put(k, engine::power_by_parameters(x, components<S>(v), components<S>(u)));
   });
 }
 

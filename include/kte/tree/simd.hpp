@@ -2,6 +2,7 @@
 
 #include <kte/detail/inline.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -9,45 +10,85 @@
 #include <type_traits>
 #include <utility>
 
-/// As many contiguous numbers as fit into a register. Not packs (math/pack.hpp), which are scalars with all functions;
-/// this compiles faster.
+/// Contiguous numbers with common arithmetic, usually as many as fit into a register. Not packs (math/pack.hpp), which
+/// are scalars with all functions; this compiles faster.
 namespace kte::tree {
 
-/// `type` has +, -, * with itself and with S; for most scalars it is a single number.
+/// How many numbers of type S fit into a register; 1 for most scalars.
 template <class S>
+inline constexpr std::size_t register_lanes = 1;
+#if defined(__GNUC__) || defined(__clang__)
+#  ifdef __AVX__
+inline constexpr std::size_t register_bytes = 32;
+#  else
+inline constexpr std::size_t register_bytes = 16;
+#  endif
+template <>
+inline constexpr std::size_t register_lanes<double> = register_bytes / sizeof(double);
+template <>
+inline constexpr std::size_t register_lanes<float> = register_bytes / sizeof(float);
+#endif
+
+/// N numbers without a register.
+template <class S, std::size_t N>
+struct numbers {
+  std::array<S, N> n;
+
+  KTE_INLINE S& operator[](int i) { return n[static_cast<std::size_t>(i)]; }
+  KTE_INLINE const S& operator[](int i) const { return n[static_cast<std::size_t>(i)]; }
+  KTE_INLINE numbers& operator+=(const numbers& b) { return *this = *this + b; }
+  KTE_INLINE friend numbers operator+(const numbers& a, const numbers& b) {
+    return each([&](int i) { return S(a[i] + b[i]); });
+  }
+  KTE_INLINE friend numbers operator-(const numbers& a, const numbers& b) {
+    return each([&](int i) { return S(a[i] - b[i]); });
+  }
+  KTE_INLINE friend numbers operator*(const numbers& a, const numbers& b) {
+    return each([&](int i) { return S(a[i] * b[i]); });
+  }
+  KTE_INLINE friend numbers operator*(const S& a, const numbers& b) {
+    return each([&](int i) { return S(a * b[i]); });
+  }
+  KTE_INLINE friend numbers operator*(const numbers& a, const S& b) { return b * a; }
+
+ private:
+  template <class F>
+  KTE_INLINE static numbers each(const F& f) {
+    numbers x;
+    for (int i = 0; i < static_cast<int>(N); ++i) x[i] = f(i);
+    return x;
+  }
+};
+/// `type` has +, -, * with itself and with S, and [] unless it is a single number. Pass it by reference, because not
+/// all processors pass it in a register.
+template <class S, std::size_t N = register_lanes<S>>
 struct simd_of {
+  using type = numbers<S, N>;
+  static constexpr std::size_t count = N;
+};
+template <class S>
+struct simd_of<S, 1> {
   using type = S;
   static constexpr std::size_t count = 1;
 };
-#if defined(__GNUC__) || defined(__clang__)
-#  ifdef __AVX__
-#    define KTE_REGISTER 32
-#  else
-#    define KTE_REGISTER 16
-#  endif
-template <>
-struct simd_of<double> {
-  typedef double type __attribute__((vector_size(KTE_REGISTER)));
-  static constexpr std::size_t count = sizeof(type) / sizeof(double);
+template <class S, std::size_t N>
+requires(N > 1 && register_lanes<S> > 1) struct simd_of<S, N> {
+  typedef S type __attribute__((vector_size(N * sizeof(S))));
+  static constexpr std::size_t count = N;
 };
-template <>
-struct simd_of<float> {
-  typedef float type __attribute__((vector_size(KTE_REGISTER)));
-  static constexpr std::size_t count = sizeof(type) / sizeof(float);
-};
-#  undef KTE_REGISTER
-#endif
-template <class S>
-using simd = typename simd_of<S>::type;
+template <class S, std::size_t N = register_lanes<S>>
+using simd = typename simd_of<S, N>::type;
 
 /// The most numbers in a register: this many numbers before and after a row may be read and written.
 inline constexpr std::size_t most_lanes = 8;
 
-/// Simd: simd<S>, or S itself.
+/// Simd: simd<S, N>, or S itself.
 template <class S, class Simd>
 KTE_INLINE void load(Simd& x, const S* from) {
   if constexpr (std::is_same_v<Simd, S>)
     x = *from;
+  else if constexpr (requires { x.n; })
+    std::copy_n(from, x.n.size(), x.n.data());
   else
     std::memcpy(&x, from, sizeof x);
 }

@@ -1,8 +1,9 @@
 #pragma once
 
+#include <kte/recursions/coriolis.hpp>
 #include <kte/tree/composite.hpp>
 #include <kte/tree/newton_euler.hpp>
-#include <kte/tree/simd4.hpp>
+#include <kte/tree/simd.hpp>
 
 /// Derivatives of inverse dynamics (Singh, Russo and Wensing, Efficient analytical derivatives of rigid-body dynamics
 /// using spatial vector algebra, 2022), in world axes at the origin of each body. A spatial motion is (linear,
@@ -21,6 +22,32 @@ struct spatial_motion {
 template <class S>
 KTE_INLINE spatial_motion<S> cross(const spatial_motion<S>& a, const spatial_motion<S>& b) {
   return {cross(a.angular, b.linear) + cross(a.linear, b.angular), cross(a.angular, b.angular)};
+}
+
+/// Four vectors side by side, in memory.
+template <class S>
+struct four_vectors {
+  std::array<S, 4> x{}, y{}, z{};
+
+  KTE_INLINE void set(std::size_t i, const vec3<S>& v) { x[i] = v.x, y[i] = v.y, z[i] = v.z; }
+  KTE_INLINE vec3<S> get(std::size_t i) const { return {x[i], y[i], z[i]}; }
+};
+template <class S>
+KTE_INLINE void load_vectors(vec3<simd<S, 4>>& to, const four_vectors<S>& from) {
+  load<S>(to.x, from.x.data()), load<S>(to.y, from.y.data()), load<S>(to.z, from.z.data());
+}
+/// to += a x b
+template <class To, class A, class B>
+KTE_INLINE void add_cross(To& to, const A& a, const B& b) {
+  to.x += a.y * b.z - a.z * b.y, to.y += a.z * b.x - a.x * b.z, to.z += a.x * b.y - a.y * b.x;
+}
+/// (x_2, x_2, x_2, x_3)
+template <class S>
+KTE_INLINE void repeat_third(const simd<S, 4>& x, simd<S, 4>& y) {
+  if constexpr (requires { x.n; })
+    y.n = {x[2], x[2], x[2], x[3]};
+  else
+    y = __builtin_shufflevector(x, x, 2, 2, 2, 3);
 }
 
 /// For an axis s of a body with velocity v, whose parent has v_p, a_p (all at the origin of the body):
@@ -55,25 +82,7 @@ struct body_variation {
   vec3<S> force;         ///< 2 B gives the force `force` x w
   mat3<vec3<S>> torque;  ///< and the torque `torque` w
 };
-/// [a]x [b]x
-template <class S>
-KTE_INLINE mat3<vec3<S>> cross_twice(const vec3<S>& a, const vec3<S>& b) {
-  const S d = dot(a, b);
-  mat3<vec3<S>> m{b.x * a, b.y * a, b.z * a};
-  m.x.x -= d, m.y.y -= d, m.z.z -= d;
-  return m;
-}
-/// [w]x J - J [w]x - [J w]x of a symmetric J, which is
-///
-///   [w]x (2 J - tr J)          (3)
-///
-/// for [J w]x is tr(J) [w]x - J [w]x - [w]x J.
-template <class S>
-KTE_INLINE mat3<vec3<S>> gyroscopic(const vec3<S>& w, const sym3<S>& j) {
-  const S xy = j.xy + j.xy, xz = j.xz + j.xz, yz = j.yz + j.yz;
-  const sym3<S> twice{j.xx - j.yy - j.zz, xy, xz, j.yy - j.zz - j.xx, yz, j.zz - j.xx - j.yy};
-  return as<S>(cross_matrix(w) * full(twice));
-}
+using engine::cross_twice, engine::gyroscopic;
 template <class S>
 struct variation_memory {
   std::vector<axis_variation<S>> axes;

@@ -91,14 +91,11 @@ class internal_rates_of {
 
  public:
   internal_rates_of(const Chain& c, const Seen& seen, S* z_dot) : chain_(c), seen_(seen), z_dot_(z_dot) {}
-  void compute() const { all(std::make_index_sequence<Chain::size>{}); }
+  void compute() const {
+    unroll<Chain::size>([this]<std::size_t I>() { this->template one<I>(); });
+  }
 
  private:
-  template <std::size_t... I>
-  void all(std::index_sequence<I...>) const {
-    const int done[]{(one<I>(), 0)..., 0};
-    (void)done;
-  }
   template <std::size_t I>
   void one() const {
     using core = typename Chain::template core_type<I>;
@@ -108,11 +105,8 @@ class internal_rates_of {
   void compute(std::index_sequence<P...>) const {
     using core = typename Chain::template core_type<I>;
     const auto rates = chain_.template core<I>().z_dot(seen_.template seen<I, P>()...);
-    [&]<std::size_t... N>(std::index_sequence<N...>) {
-      const int done[]{(z_dot_[wiring::slot(I, kept_port<core, N>)] = as<S>(rate_of_kept<N>(rates)), 0)...};
-      (void)done;
-    }
-    (std::make_index_sequence<kept_count<core>>{});
+    unroll<kept_count<core>>(
+        [&]<std::size_t N>() { z_dot_[wiring::slot(I, kept_port<core, N>)] = as<S>(rate_of_kept<N>(rates)); });
   }
 
   const Chain& chain_;

@@ -11,14 +11,9 @@ namespace detail {
 template <class State, class Visit>
 KTE_INLINE constexpr void for_each_freedom(State& s, const Visit& visit) {
   using wiring = typename std::remove_const_t<State>::wiring;
-  const auto all = [&]<std::size_t... I>(std::index_sequence<I...>) KTE_INLINE_LAMBDA {
-    const int done[]{
-        (visit(s.template get<wiring::template free<I>.what>(wiring::template free<I>.slot), wiring::template free<I>),
-         0)...,
-        0};
-    (void)done;
-  };
-  all(std::make_index_sequence<wiring::freedoms>{});
+  unroll<wiring::freedoms>([&]<std::size_t I>() KTE_INLINE_LAMBDA {
+    visit(s.template get<wiring::template free<I>.what>(wiring::template free<I>.slot), wiring::template free<I>);
+  });
 }
 /// Whether a state may have items of kind K. For static chains this is known at compile time, and nothing is
 /// instantiated for other kinds.

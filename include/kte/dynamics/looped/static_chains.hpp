@@ -59,13 +59,12 @@ void do_step(const Chain& c, State& s) {
 }
 /// By number of the element.
 template <class Step, class Chain, class State>
-inline constexpr auto steps_of = []<std::size_t... I>(std::index_sequence<I...>) {
+inline constexpr auto steps_of = [] {
   std::array<void (*)(const Chain&, State&), Chain::size> all{};
-  const int done[]{(all[I] = &do_step<Step, I, Chain, State>, 0)..., 0};
-  (void)done;
+  unroll(typename acting_elements<Chain>::type{},
+         [&all]<std::size_t I>() { all[I] = &do_step<Step, I, Chain, State>; });
   return all;
-}
-(typename acting_elements<Chain>::type{});
+}();
 
 /// The elements of a static chain for the loops over body nodes.
 template <class Chain, class Given>
@@ -135,11 +134,9 @@ struct static_elements {
   /// Calls f<e>(core of element e).
   template <class F>
   void with_core(int e, const F& f) const {
-    [&]<std::size_t... I>(std::index_sequence<I...>) {
-      const int done[]{(e == static_cast<int>(I) ? (f.template operator()<I>(chain.template core<I>()), 0) : 0)..., 0};
-      (void)done;
-    }
-    (std::make_index_sequence<Chain::size>{});
+    unroll<Chain::size>([&]<std::size_t I>() {
+      if (e == static_cast<int>(I)) f.template operator()<I>(chain.template core<I>());
+    });
   }
   template <class Step, class State>
   void run(int e, State& s) const {

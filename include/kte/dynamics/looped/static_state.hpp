@@ -61,17 +61,25 @@ class static_state {
 
   explicit static_state(const Chain& c)
       : tree_(static_connections<Chain>{}, static_plan<Chain>,
-              [&c](const auto& each) { each_element(c, each, std::make_index_sequence<Chain::size>{}); }),
+              [&c](const auto& each) {
+                unroll<Chain::size>([&]<std::size_t I>() { each(I, numbers_of<parameter>(c.template core<I>())); });
+              }),
         work(tree_, dofs(), Chain::size) {}
 
   /// Copies all given quantities (dynamics/unrolled/given.hpp).
   template <class Given>
   void take(const Given& g) {
-    take_coordinates(g, std::make_index_sequence<wiring::freedoms>{});
-    take_fixed(g, given_things<wiring, kind::gen>{});
-    take_inputs(g, given_things<wiring, kind::input>{});
-    take_vectors(g, given_things<wiring, kind::vector>{});
-    take_internals(g, std::make_integer_sequence<int, wiring::count(kind::internal)>{});
+    unroll<wiring::freedoms>([&]<std::size_t F>() {
+      constexpr freedom at = wiring::template free<F>;
+      take_coordinate(get<at.what>(at.slot), g.template coordinate<at.what, at.slot>());
+    });
+    unroll(given_things<wiring, kind::gen>{},
+           [&]<std::size_t I>() { take_coordinate(get<kind::gen>(I), g.template fixed<int{I}>()); });
+    unroll(given_things<wiring, kind::input>{},
+           [&]<std::size_t I>() { get<kind::input>(I) = as<S>(g.template input<int{I}>()); });
+    unroll(given_things<wiring, kind::vector>{},
+           [&]<std::size_t I>() { get<kind::vector>(I) = as<S>(g.template vector<int{I}>()); });
+    unroll<wiring::count(kind::internal)>([&]<int I>() { get<kind::internal>(I).z = as<S>(g.template internal<I>()); });
     for_each_base<wiring>([&]<kind K, int Slot>() { take_base(get<K>(Slot), g.template base<K, Slot>()); });
   }
 
@@ -92,11 +100,6 @@ class static_state {
   }
 
  private:
-  template <class Each, std::size_t... I>
-  static void each_element(const Chain& c, const Each& each, std::index_sequence<I...>) {
-    const int done[]{(each(I, numbers_of<parameter>(c.template core<I>())), 0)..., 0};
-    (void)done;
-  }
   /// Copies a number; quantities that were not computed become zero.
   template <class To, class From>
   static void take_number(To& to, const From& from) {
@@ -128,35 +131,6 @@ class static_state {
       take_number(to.acceleration, m.acceleration);
     }
     take_number(to.ang_velocity, m.ang_velocity), take_number(to.ang_acceleration, m.ang_acceleration);
-  }
-  template <class Given, std::size_t... F>
-  void take_coordinates(const Given& g, std::index_sequence<F...>) {
-    const int done[]{
-        (take_coordinate(get<wiring::template free<F>.what>(wiring::template free<F>.slot),
-                         g.template coordinate<wiring::template free<F>.what, wiring::template free<F>.slot>()),
-         0)...,
-        0};
-    (void)done;
-  }
-  template <class Given, std::size_t... I>
-  void take_fixed(const Given& g, std::index_sequence<I...>) {
-    const int done[]{(take_coordinate(get<kind::gen>(I), g.template fixed<int{I}>()), 0)..., 0};
-    (void)done;
-  }
-  template <class Given, std::size_t... I>
-  void take_inputs(const Given& g, std::index_sequence<I...>) {
-    const int done[]{(get<kind::input>(I) = as<S>(g.template input<int{I}>()), 0)..., 0};
-    (void)done;
-  }
-  template <class Given, std::size_t... I>
-  void take_vectors(const Given& g, std::index_sequence<I...>) {
-    const int done[]{(get<kind::vector>(I) = as<S>(g.template vector<int{I}>()), 0)..., 0};
-    (void)done;
-  }
-  template <class Given, int... I>
-  void take_internals(const Given& g, std::integer_sequence<int, I...>) {
-    const int done[]{(get<kind::internal>(I).z = as<S>(g.template internal<I>()), 0)..., 0};
-    (void)done;
   }
   /// Returns x, or the other value if x was not computed.
   template <class X, class Other>

@@ -161,7 +161,7 @@ class articulated_chain<S, Chain, Given, std::index_sequence<E...>>
     const engine::unrolled<bodies_type> d{bodies};
     engine::articulate<engine::nothing>(d, engine::nothing{}, bias_of_body{}, needed_alone{}, force_of_body{},
                                         factors_.data(), unmoved_);
-    without_joints(tau, a, std::make_index_sequence<wiring::freedoms>{});
+    unroll<wiring::freedoms>([&]<std::size_t F>() KTE_INLINE_LAMBDA { this->template without_joint<F>(tau, a); });
     const int given[]{(put_given<E>(a), 0)..., 0};
     (void)given;
     engine::accelerate<engine::nothing>(
@@ -226,7 +226,7 @@ class articulated_chain<S, Chain, Given, std::index_sequence<E...>>
   template <std::size_t I>
   KTE_INLINE constexpr void put_given(vector& a) const {
     if constexpr (is_free_joint<Chain, I> && !axes::template is_free<I>)
-      for_each_number<joint_dofs<core_t<I>>>([&]<int N>() KTE_INLINE_LAMBDA {
+      unroll<joint_dofs<core_t<I>>>([&]<int N>() KTE_INLINE_LAMBDA {
         constexpr int row = axes::template row<I> + N;
         a[row] = this->given_.a.template at<row>();
       });
@@ -238,11 +238,6 @@ class articulated_chain<S, Chain, Given, std::index_sequence<E...>>
     for (const auto& place : loads_on<wiring, wiring::template free<F>.what, wiring::template free<F>.slot>)
       if (is_joint[place.element]) return false;
     return true;
-  }
-  template <std::size_t... F>
-  KTE_INLINE void without_joints(const vector& tau, vector& a, std::index_sequence<F...>) {
-    const int done[]{(without_joint<F>(tau, a), 0)..., 0};
-    (void)done;
   }
   template <std::size_t F>
   KTE_INLINE constexpr void without_joint(const vector& tau, vector& a) {

@@ -52,13 +52,7 @@ class columns {
   /// Calls f<N>() for each axis of joint I.
   template <std::size_t I, class F>
   KTE_INLINE static constexpr void for_each_axis(const F& f) {
-    if constexpr (moves_by_coordinate<I>) {
-      const auto each = [&]<int... N>(std::integer_sequence<int, N...>) KTE_INLINE_LAMBDA {
-        const int done[]{(f.template operator()<N>(), 0)..., 0};
-        (void)done;
-      };
-      each(std::make_integer_sequence<int, joint_dofs<core_t<I>>>{});
-    }
+    if constexpr (moves_by_coordinate<I>) unroll<joint_dofs<core_t<I>>>(f);
   }
   /// Adds the effect of the unit rate of axis N of joint I. For a dependent coordinate it is added to the leading
   /// coordinates by the chain rule; effects of joints that share a coordinate add up.
@@ -94,7 +88,7 @@ class columns {
             put_number(matrix_(5, j), angular.z);
     } else if constexpr (wiring::writer(K, Slot) >= 0) {  // q_end' = sum of ratio_p q_p'
       constexpr std::size_t w{wiring::writer(K, Slot)};
-      for_each_number<int{input_count<core_t<w>>}>([&]<int P>() KTE_INLINE_LAMBDA {
+      unroll<int{input_count<core_t<w>>}>([&]<int P>() KTE_INLINE_LAMBDA {
         if constexpr (types::template what<w, P> == kind::gen) {
           const auto ratio = this->template rate_of_follower<w, P>(typename types::template inputs<w>{});
           this->template put_on<kind::gen, wiring::slot(w, P), 0>(ratio * linear, ratio * angular);

@@ -18,23 +18,18 @@ class coordinate_derivatives {
   matrix &by_q, &by_v, &by_a;
 
   /// Subtracts the derivatives of these forces, because tau is the force that elements do not provide.
-  KTE_INLINE void subtract() const { elements(std::make_index_sequence<Chain::size>{}); }
+  KTE_INLINE void subtract() const {
+    unroll<Chain::size>([this]<std::size_t I>() KTE_INLINE_LAMBDA { this->template element<I>(); });
+  }
 
  private:
-  template <std::size_t... I>
-  KTE_INLINE void elements(std::index_sequence<I...>) const {
-    const int done[]{(element<I>(), 0)..., 0};
-    (void)done;
-  }
   template <std::size_t I>
   KTE_INLINE void element() const {
     using core = typename types::template core<I>;
-    if constexpr (is_on_coordinates<core>) ports<I>(std::make_index_sequence<port_count<core>>{});
-  }
-  template <std::size_t I, std::size_t... P>
-  KTE_INLINE void ports(std::index_sequence<P...> all) const {
-    const int done[]{(by_port<I, P>(all), 0)..., 0};
-    (void)done;
+    if constexpr (is_on_coordinates<core>)
+      unroll<port_count<core>>([this]<std::size_t P>() KTE_INLINE_LAMBDA {
+        this->template by_port<I, P>(std::make_index_sequence<port_count<core>>{});
+      });
   }
   template <std::size_t I, std::size_t P>
   static constexpr bool free =

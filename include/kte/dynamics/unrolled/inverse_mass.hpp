@@ -77,7 +77,7 @@ class inverted_mass<S, Chain, Given, std::index_sequence<E...>> : articulated_ch
  private:
   template <class Driver, class Matrix>
   KTE_INLINE void columns(const Driver& d, Matrix& m) {
-    for_each_number<int{forces.groups}>([&]<int G>() KTE_INLINE_LAMBDA { this->template load_group<G>(d); });
+    unroll<int{forces.groups}>([&]<int G>() KTE_INLINE_LAMBDA { this->template load_group<G>(d); });
     sum_answers<forces>(left_, rate_, m);
     each_jointless_mass([&m]<int Row>(std::integral_constant<int, Row>, const S& mass) KTE_INLINE_LAMBDA {
       m.col(Row).setZero(), m.row(Row).setZero();
@@ -104,7 +104,7 @@ class inverted_mass<S, Chain, Given, std::index_sequence<E...>> : articulated_ch
   /// Calls f(row, mass) for each degree of freedom that moves no joint.
   template <class F>
   KTE_INLINE void each_jointless_mass(const F& f) const {
-    for_each_number<int{wiring::freedoms}>([&]<int N>() KTE_INLINE_LAMBDA {
+    unroll<int{wiring::freedoms}>([&]<int N>() KTE_INLINE_LAMBDA {
       if constexpr (base::template moves_no_joint<std::size_t{N}>()) {
         constexpr freedom at = wiring::template free<std::size_t{N}>;
         f(std::integral_constant<int, at.v>{}, as<S>(this->template mass_on_coordinate<S, at.what, at.slot>()));

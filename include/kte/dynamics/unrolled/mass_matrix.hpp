@@ -62,7 +62,8 @@ class unrolled_mass {
     engine::mass_matrix(engine::unrolled<bodies_type>{bodies},
                         mass_entries<S, coordinates, written_once>{M, column, sum_});
     sum_ += column;
-    coordinate_masses(std::make_index_sequence<Chain::size>{});
+    unroll<Chain::size>([this]<std::size_t I>()
+                            KTE_INLINE_LAMBDA { this->template coordinate_mass<Chain::size - 1 - I>(); });
     if constexpr (!written_once) sum_ = detail::zero_or_nan(M.data(), static_cast<std::size_t>(M.size()));
   }
   /// 0 if all numbers are finite, unless they are close to overflow.
@@ -71,15 +72,9 @@ class unrolled_mass {
  private:
   static constexpr bool written_once = [] {
     bool once = coordinates == wiring::dofs;
-    const auto look = [&]<class Core>(std::type_identity<Core>) {
-      if (Core::ports[0].what == kind::gen && has_mass<Core, S>) once = false;
-      return 0;
-    };
-    const auto all = [&]<std::size_t... I>(std::index_sequence<I...>) {
-      const int done[]{look(std::type_identity<core_t<I>>{})..., 0};
-      (void)done;
-    };
-    all(std::make_index_sequence<Chain::size>{});
+    unroll<Chain::size>([&once]<std::size_t I>() {
+      if (core_t<I>::ports[0].what == kind::gen && has_mass<core_t<I>, S>) once = false;
+    });
     constexpr auto& t = wiring::table;
     for (std::size_t f = 0; f < wiring::freedoms; ++f) {
       int users = 0;
@@ -91,11 +86,6 @@ class unrolled_mass {
   }();
 
   // ---- coordinates: their own masses, and dependent coordinates
-  template <std::size_t... I>
-  KTE_INLINE void coordinate_masses(std::index_sequence<I...>) {
-    const int done[]{(coordinate_mass<Chain::size - 1 - I>(), 0)..., 0};
-    (void)done;
-  }
   template <std::size_t I>
   KTE_INLINE void coordinate_mass() {
     constexpr int b = axes::template row_of_coordinate<core_t<I>::ports[0].what, wiring::slot(I, 0)>;

@@ -38,7 +38,7 @@ class momentum_columns : columns<S, Chain, Given, Rows> {
   KTE_INLINE constexpr void put(const B& b, const C& inertia) {
     using frame = typename bodies_type::template end<I>;
     const auto& x = motion_.template get<frame::what, frame::slot>();
-    for_each_number<B::axes>([&]<int N>() KTE_INLINE_LAMBDA {
+    unroll<B::axes>([&]<int N>() KTE_INLINE_LAMBDA {
       const auto s = b.template axis<N>();
       const auto w = accelerating_wrench(inertia, s.linear, s.angular);
       if constexpr (Rows == 3) {

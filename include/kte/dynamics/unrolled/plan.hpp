@@ -45,13 +45,10 @@ using given_things = typename numbers_where<is_given<Wiring, K>>::type;
 /// Calls f<K, Slot>() for every frame that no element writes.
 template <class Wiring, class F>
 KTE_INLINE void for_each_base(const F& f) {
-  const auto all =
-      [&f]<std::size_t... P, std::size_t... Q>(std::index_sequence<P...>, std::index_sequence<Q...>) KTE_INLINE_LAMBDA {
-    const int done[]{(f.template operator()<kind::frame_2D, int{P}>(), 0)...,
-                     (f.template operator()<kind::frame_3D, int{Q}>(), 0)..., 0};
-    (void)done;
-  };
-  all(given_things<Wiring, kind::frame_2D>{}, given_things<Wiring, kind::frame_3D>{});
+  unroll(given_things<Wiring, kind::frame_2D>{},
+         [&f]<std::size_t I>() KTE_INLINE_LAMBDA { f.template operator()<kind::frame_2D, int{I}>(); });
+  unroll(given_things<Wiring, kind::frame_3D>{},
+         [&f]<std::size_t I>() KTE_INLINE_LAMBDA { f.template operator()<kind::frame_3D, int{I}>(); });
 }
 
 }  // namespace kte::detail

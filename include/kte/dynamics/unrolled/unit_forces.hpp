@@ -100,19 +100,19 @@ KTE_INLINE void sum_answers_between(const Rows& left, const Rows& rate, Matrix& 
     tree::load<S>(e, left[row].data() + width * H);
     for (std::size_t k = 0; k < g.count; ++k) sum[k] += rate[row][width * G + k] * e;
   }
-  for_each_number<int{g.count}>([&]<int K>() KTE_INLINE_LAMBDA {
+  unroll<int{g.count}>([&]<int K>() KTE_INLINE_LAMBDA {
     std::array<S, width> numbers;
     tree::store<S>(sum[K], numbers.data());
     constexpr std::size_t first = G == H ? K : 0;
-    for_each_number<int{h.count - first}>([&]<int L>() KTE_INLINE_LAMBDA {
+    unroll<int{h.count - first}>([&]<int L>() KTE_INLINE_LAMBDA {
       inverse(h.row[first + L], g.row[K]) = inverse(g.row[K], h.row[first + L]) = numbers[first + L];
     });
   });
 }
 template <const auto& Forces, class Rows, class Matrix>
 KTE_INLINE void sum_answers(const Rows& left, const Rows& rate, Matrix& inverse) {
-  for_each_number<int{Forces.groups}>([&]<int G>() KTE_INLINE_LAMBDA {
-    for_each_number<int{Forces.groups} - G>(
+  unroll<int{Forces.groups}>([&]<int G>() KTE_INLINE_LAMBDA {
+    unroll<int{Forces.groups} - G>(
         [&]<int H>() KTE_INLINE_LAMBDA { sum_answers_between<Forces, G, G + H>(left, rate, inverse); });
   });
 }

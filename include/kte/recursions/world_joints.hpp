@@ -1,0 +1,32 @@
+#pragma once
+
+#include <kte/contract/joint_axis.hpp>
+#include <kte/math/rigid_body.hpp>
+
+#include <concepts>
+
+/// The joints of a mechanism as numbers in axes of the world, for recursions over pairs of joints or bodies: they would
+/// be too much code for each pair, and in these axes no number is a typed constant.
+namespace kte::engine {
+
+using kte::detail::joint_axis;
+
+/// Joints, parents first; the body of joint i is fixed to its end.
+///   count(), parent(i)     their number; the parent of joint i, or -1
+///   first(i), axes(i)      its axes, by number
+///   axis(k)                the motion at the unit rate of axis k, at the end of its joint
+///   step(i)                from the end of its parent, or its base, to its end, m
+template <class T>
+concept world_joints = requires(const T& t) {
+  { t.count() } -> std::convertible_to<int>;
+  { t.parent(0) } -> std::convertible_to<int>;
+  t.first(0), t.axes(0), t.axis(0).angular, t.step(0);
+};
+
+/// s . w: the power of a wrench on an axis.
+template <class S>
+KTE_INLINE S power_on(const joint_axis<S>& s, const wrench<vec3<S>, vec3<S>>& w) {
+  return dot(s.linear, w.force) + dot(s.angular, w.torque);
+}
+
+}  // namespace kte::engine
