@@ -25,7 +25,7 @@ class pivoted_qr {
     if (rows_ != rows || columns_ != columns) {
       rows_ = rows, columns_ = columns;
       b_.setZero(rows + padding, columns);
-      diagonal_.resize(columns), square_.resize(columns);
+      diagonal_.resize(columns), inverse_.resize(columns), square_.resize(columns);
       chosen.reserve(static_cast<std::size_t>(columns));
     }
     return {b_.data(), rows, columns, Eigen::OuterStride<>(rows + padding)};
@@ -76,7 +76,7 @@ class pivoted_qr {
   /// x becomes R^-1 x.
   void solve(double* x) const {
     for (Eigen::Index k = rank(); k-- > 0;) {
-      x[k] /= diagonal_[k];
+      x[k] *= inverse_[k];
       for (Eigen::Index i = 0; i < k; ++i) x[i] -= b_(i, k) * x[k];
     }
   }
@@ -84,7 +84,7 @@ class pivoted_qr {
   void solve_transposed(double* x) const {
     for (Eigen::Index k = 0; k < rank(); ++k) {
       for (Eigen::Index i = 0; i < k; ++i) x[k] -= b_(i, k) * x[i];
-      x[k] /= diagonal_[k];
+      x[k] *= inverse_[k];
     }
   }
   Eigen::MatrixXd q() const {
@@ -125,7 +125,7 @@ class pivoted_qr {
   /// diagonal on.
   void reflect(Eigen::Index k, double norm) {
     const double d = b_(k, k) > 0 ? -norm : norm;
-    diagonal_[k] = d;
+    diagonal_[k] = d, inverse_[k] = 1 / d;
     b_(k, k) -= d;
     const double square = -d * b_(k, k);
     square_[k] = square > 0 ? 1 / square : 0;
@@ -146,7 +146,7 @@ class pivoted_qr {
 
   Eigen::Index rows_ = 0, columns_ = 0;
   Eigen::MatrixXd b_;
-  Eigen::VectorXd diagonal_, square_;
+  Eigen::VectorXd diagonal_, inverse_, square_;  ///< R_kk, 1 / R_kk, and 2 / |v|^2 of reflections
 };
 
 }  // namespace kte::detail
