@@ -2,6 +2,7 @@
 
 #include <kte/tree/articulated.hpp>
 #include <kte/tree/columns.hpp>
+#include <kte/tree/jacobian.hpp>
 
 #include <vector>
 
@@ -13,7 +14,8 @@ inline constexpr std::size_t most_axes = 6;  ///< of a joint
 /// The bodies on the path of loads to the bases, outermost first.
 struct load_way {
   std::vector<int> nodes;
-  std::vector<int> next;  ///< by place in `nodes`: the place of the parent, or -1
+  std::vector<int> next;     ///< by place in `nodes`: the place of the parent, or -1
+  std::vector<char> loaded;  ///< by place: whether loads act there, or come from a node other than the one before
 };
 /// Articulated inertias at some positions: joint transforms by body, factors by axis.
 template <class S>
@@ -73,7 +75,7 @@ struct no_powers {
 ///   e = f + s.W,   W' = W - U D^-1 e          (1)
 ///
 /// by put(axis, e). The sum of e_k D^-1 e_l over all axes is the acceleration of load k due to load l
-/// (recursions/inverse_mass.hpp). `loads`: by place in `way`, one load per lane; `force`: by place, `most_axes` forces
+/// (recursions/inverse_mass.hpp). `loads`: by place in `way`, if `loaded`, one load per lane; `force`: by place, `most_axes` forces
 /// for the axes of the joint there, or null.
 ///
 /// If `Sum` is `load_powers`, it adds up the powers of the loads on the accelerations of the mechanism: with the bias
@@ -93,10 +95,10 @@ void send_to_bases(const body_tree<P>& f, const memory<P, S>& m, const load_way&
     const auto i = static_cast<std::size_t>(way.nodes[n]);
     const body_node<P>& r = f.nodes[i];
     const axis_factors<S>* const factors = &m.factors[static_cast<std::size_t>(r.first)];
-    if (at_hand)
+    if (!at_hand)
+      load = way.loaded[n] ? loads[n] : simd_wrench<S>{};
+    else if (way.loaded[n])
       add_to(load, loads[n]);
-    else
-      load = loads[n];
     const joint_transform<S>& at = m.joint_transforms[i];
     const S* const forces = force + (force ? most_axes * n : 0);
     simd<S> e;
@@ -146,21 +148,12 @@ struct moving_place {
 template <class P, class S>
 int place_and_velocity(const body_tree<P>& f, const memory<P, S>& m, const frame_place<P>& frame, int top,
                        moving_place<S>& x) {
-  auto units = directions_of<S>(as<S>(frame.at.rotation));
-  x.position = as<S>(frame.at.position), x.velocity = {};
-  int slot = frame.slot;
-  while (slot >= f.bases && slot != top) {
-    const auto i = static_cast<std::size_t>(slot - f.bases);
-    const body_node<P>& r = f.nodes[i];
-    const placed<P, S> at{r, m.joint_transforms[i]};
-    vec3<S> linear{}, angular{};
-    along_axes(r, m.joint_transforms[i], &m.rate[static_cast<std::size_t>(r.first)], linear, angular);
-    x.velocity = at.out(vec3<S>(x.velocity + linear + cross(angular, x.position)));
-    x.position = at.at.position + at.out(x.position);
-    units = at.units_out(units);
-    slot = r.parent;
-  }
-  x.rotation = components<S>(units);
+  dense_pose<S> at;
+  direction<S> velocity{};
+  const auto move = [&velocity, rate = m.rate.data()](int k, const direction<S>& linear, const direction<S>&)
+                        KTE_INLINE_LAMBDA { velocity = velocity + rate[k] * linear; };
+  const int slot = jacobian_columns(f, m, frame, at, move, top);
+  x = {at.rotation, at.position, at.rotation * components<S>(velocity)};
   return slot;
 }
 /// Writes to `acceleration` the accelerations of axes, from rest and on bases at rest, for the part `rate` of their

@@ -108,7 +108,7 @@ class loop_equations {
         else
           tree::add_to(loads_[static_cast<std::size_t>(at)], moved);
       };
-      loads_.assign(x.way.nodes.size(), simd_load{});
+      clear_loads(x.way);
       enter(0, x.frame1, on1), enter(1, x.frame2, on2);
       const auto put_lanes = [&](int axis, const tree::simd<double>& e) KTE_INLINE_LAMBDA {
         const auto place = static_cast<std::size_t>(places.place_of_axis[static_cast<std::size_t>(axis)]);
@@ -191,6 +191,11 @@ class loop_equations {
   int column_of_row(int row) const {
     return places.column_of_place[static_cast<std::size_t>(places.place_of_row[static_cast<std::size_t>(row)])];
   }
+  void clear_loads(const tree::load_way& way) {
+    loads_.resize((std::max)(loads_.size(), way.nodes.size()));
+    for (std::size_t n = 0; n < way.nodes.size(); ++n)
+      if (way.loaded[n]) loads_[n] = simd_load{};
+  }
   template <class State>
   static void put_accelerations(State& s, const Eigen::VectorXd& a) {
     for_each_listed_freedom(s, [&a](auto& x, const freedom& at) { put<vector_of::a>(x, at, a); });
@@ -211,7 +216,7 @@ class loop_equations {
     coordinate_rows(c, s, x, [&](const auto& values, const double* by) {
       powers<Accelerate> sum;
       double of_jointless = 0;
-      loads_.assign(x.way.nodes.size(), simd_load{}), forces_.assign(tree::most_axes * x.way.nodes.size(), 0);
+      clear_loads(x.way), forces_.assign(tree::most_axes * x.way.nodes.size(), 0);
       for (std::size_t n = 0; n < x.dofs.size(); ++n) {
         const auto place = static_cast<std::size_t>(places.place_of_row[static_cast<std::size_t>(x.dofs[n])]);
         if (x.enters[n] >= 0) {
