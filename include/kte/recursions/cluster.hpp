@@ -25,15 +25,15 @@ struct cluster_values {
 };
 
 /// Adds a body to D, U, u, with its bias motion: `column` are its wrenches for each rate, of all bodies beyond it in
-/// the cluster, and then added to those of what it stands on, `to`. `ratios`: the rates of its axes by y', axis by
-/// axis. `n`: how many there are, or one by type.
-template <body B, class X, class M, class S, class N>
-KTE_INLINE void add_to_cluster(const B& b, const X& x, const M& m, const S* ratios, wrench<vec3<S>, vec3<S>>* column,
+/// the cluster, and then added to those of what it stands on, `to`. rates(k): those of axis k by y'. `n`: how many
+/// there are, or one by type.
+template <body B, class X, class M, class Rates, class S, class N>
+KTE_INLINE void add_to_cluster(const B& b, const X& x, const M& m, const Rates& rates, wrench<vec3<S>, vec3<S>>* column,
                                wrench<vec3<S>, vec3<S>>* to, const cluster_values<S>& c, const N& n) {
   const auto with_axis = [&](int k, const auto& s) KTE_INLINE_LAMBDA {
     const S bias = as<S>(power(s, x.bias));
     for (std::size_t d = 0; d < n; ++d) {
-      const S& ratio = ratios[static_cast<std::size_t>(k) * n + d];
+      const S& ratio = rates(k)[d];
       c.force[d] -= ratio * bias;
       for (std::size_t e = 0; e < n; ++e) {
         const S mass = ratio * as<S>(power(s, column[e]));
@@ -44,12 +44,11 @@ KTE_INLINE void add_to_cluster(const B& b, const X& x, const M& m, const S* rati
   const auto between = [&](int k, int l, const S& mass) KTE_INLINE_LAMBDA {
     for (std::size_t d = 0; d < n; ++d)
       for (std::size_t e = 0; e < n; ++e)
-        c.mass[d * n + e] +=
-            ratios[static_cast<std::size_t>(k) * n + d] * ratios[static_cast<std::size_t>(l) * n + e] * mass;
+        c.mass[d * n + e] += rates(k)[d] * rates(l)[e] * mass;
   };
   const auto add = [&](int k, const auto& u) KTE_INLINE_LAMBDA {
     for (std::size_t d = 0; d < n; ++d) {
-      const S& ratio = ratios[static_cast<std::size_t>(k) * n + d];
+      const S& ratio = rates(k)[d];
       assign(column[d], column[d] + wrench{ratio * u.force, ratio * u.torque});
     }
   };
