@@ -65,16 +65,26 @@ struct cluster_elimination {
   template <class B, class X>
   KTE_INLINE void add(const B& b, const cluster_node& node, const X& x) const {
     const auto values = in.x.of(in.layout.of(node));
-    dense_wrench<S>* const columns = in.x.columns.data();
-    const auto add_bodies = [&](const auto& n) KTE_INLINE_LAMBDA {
-      engine::add_to_cluster(b, x, biases[&b.r - in.f.nodes.data()], in.rates_of(b), columns + node.columns,
-                             columns + node.to, values, n);
-    };
-    if (values.n == 1) [[likely]]
-      add_bodies(std::integral_constant<std::size_t, 1>{});
-    else
-      add_bodies(values.n);
+    if constexpr (engine::never_free<B>) {
+      if (values.n == 1) [[likely]] {
+        dense_wrench<S>* const columns = in.x.columns.data();
+        engine::add_to_cluster_of_one(b, x, biases[&b.r - in.f.nodes.data()], in.rates_of(b)(0)[0],
+                                      columns[node.columns], columns[node.to], values);
+      } else {
+        const X copy = x;  // so that x stays in registers
+        add_any(b, node, copy, values);
+      }
+    } else {
+      add_any(b, node, x, values);
+    }
     if (node.first && !close_cluster(values) && unmoved < 0) unmoved = b.first();
+  }
+  template <class B, class X>
+  [[gnu::noinline]] void add_any(const B b, const cluster_node& node, const X& x,
+                                 const engine::cluster_values<S>& values) const {
+    dense_wrench<S>* const columns = in.x.columns.data();
+    engine::add_to_cluster(b, x, biases[&b.r - in.f.nodes.data()], in.rates_of(b), columns + node.columns,
+                           columns + node.to, values);
   }
 };
 template <class P, class S, class ToParent>
