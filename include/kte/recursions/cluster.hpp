@@ -43,8 +43,7 @@ KTE_INLINE void add_to_cluster(const B& b, const X& x, const M& m, const Rates& 
   };
   const auto between = [&](int k, int l, const S& mass) KTE_INLINE_LAMBDA {
     for (std::size_t d = 0; d < n; ++d)
-      for (std::size_t e = 0; e < n; ++e)
-        c.mass[d * n + e] += rates(k)[d] * rates(l)[e] * mass;
+      for (std::size_t e = 0; e < n; ++e) c.mass[d * n + e] += rates(k)[d] * rates(l)[e] * mass;
   };
   const auto add = [&](int k, const auto& u) KTE_INLINE_LAMBDA {
     for (std::size_t d = 0; d < n; ++d) {

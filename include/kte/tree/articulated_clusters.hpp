@@ -12,9 +12,7 @@ class clustered_bodies : public articulated_bodies<P, S> {
  public:
   clustered_bodies(const body_tree<P>& f, const memory<P, S>& m, const cluster_layout& layout)
       : articulated_bodies<P, S>(f, m), in_cluster_(layout.nodes.data()) {}
-  KTE_INLINE bool usual(int i) const {
-    return this->nodes_[i].moves == joint::revolute && in_cluster_[i].cluster >= 0;
-  }
+  KTE_INLINE bool usual(int i) const { return this->nodes_[i].moves == joint::revolute && in_cluster_[i].cluster >= 0; }
   KTE_INLINE jointed_body<about_z, P, S, given_joint> body(int i) const {
     return {this->nodes_[i], this->joint_transforms_[i]};
   }
@@ -178,7 +176,8 @@ int articulate_clusters(const body_tree<P>& f, memory<P, S>& m, const cluster_la
   const in_clusters<P, S> in{f, layout, x};
   engine::looped<clustered_bodies<P, S>>{bodies}.template inward<false, articulated_body<S>, false>(
       m.articulated.data(), biases, engine::articulated_alone<std::remove_const_t<decltype(own)>>{own},
-      cluster_elimination<P, S, eliminate>{in, m.biases.data() + f.bases, eliminate{force, m.factors.data(), unmoved}, unmoved},
+      cluster_elimination<P, S, eliminate>{in, m.biases.data() + f.bases, eliminate{force, m.factors.data(), unmoved},
+                                           unmoved},
       cluster_to_parent<P, S, to_parent>{in, to_parent{force}});
   return unmoved;
 }

@@ -32,8 +32,8 @@ struct cluster_node {
 /// An element that writes a coordinate of a cluster.
 struct cluster_follower {
   int element = 0;
-  int written = -1;  ///< the coordinate; -1: it writes none
-  int row = -1;      ///< the row of this coordinate
+  int written = -1;    ///< the coordinate; -1: it writes none
+  int row = -1;        ///< the row of this coordinate
   bool alone = false;  ///< whether its motion depends on one coordinate only
   struct followed {
     std::size_t port;

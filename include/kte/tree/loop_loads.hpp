@@ -75,8 +75,8 @@ struct no_powers {
 ///   e = f + s.W,   W' = W - U D^-1 e          (1)
 ///
 /// by put(axis, e). The sum of e_k D^-1 e_l over all axes is the acceleration of load k due to load l
-/// (recursions/inverse_mass.hpp). `loads`: by place in `way`, if `loaded`, one load per lane; `force`: by place, `most_axes` forces
-/// for the axes of the joint there, or null.
+/// (recursions/inverse_mass.hpp). `loads`: by place in `way`, if `loaded`, one load per lane; `force`: by place,
+/// `most_axes` forces for the axes of the joint there, or null.
 ///
 /// If `Sum` is `load_powers`, it adds up the powers of the loads on the accelerations of the mechanism: with the bias
 /// motion c of a body and the rate u D^-1 of an axis in the working memory,

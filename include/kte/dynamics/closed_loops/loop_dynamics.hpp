@@ -71,8 +71,8 @@ void put_loop_forces(const closure_places& at, const Eigen::VectorXd& multiplier
 ///
 ///   a = a0 - d(J_dot v + J a0),   lambda = -multipliers(J_dot v + J a0)          (1)
 ///
-/// a0: accelerations of the tree; J a0 of trees is a sum on the way inward, and a is computed once. The rows are those of `rows`; if there are none, or they are dependent, rows are
-/// selected here.
+/// a0: accelerations of the tree; J a0 of trees is a sum on the way inward, and a is computed once. The rows are those
+/// of `rows`; if there are none, or they are dependent, rows are selected here.
 template <class Closures, class State, class Tau>
 void accelerate_on_loops(const Closures& c, State& s, loop_workspace& m, const Tau& applied,
                          const loop_factor* rows = nullptr) {

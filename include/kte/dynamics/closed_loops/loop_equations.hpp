@@ -121,12 +121,14 @@ class loop_equations {
       if constexpr (Accelerate) {
         double left[lanes];
         tree::store<double>(sum.sum, left);
-        for (int r = first; r < (std::min)(first + lanes, x.rows.count()); ++r) acceleration[x.first + r] = left[r - first];
+        for (int r = first; r < (std::min)(first + lanes, x.rows.count()); ++r)
+          acceleration[x.first + r] = left[r - first];
       }
     }
     if constexpr (Accelerate) {
       double rows[6];
-      c.close_frames(x.element, accelerated<false>(s, x, ends_[static_cast<std::size_t>(closure)], m), closing::residual_ddot, rows);
+      c.close_frames(x.element, accelerated<false>(s, x, ends_[static_cast<std::size_t>(closure)], m),
+                     closing::residual_ddot, rows);
       for (int r = 0; r < x.rows.count(); ++r) acceleration[x.first + r] += places.scale(x, r) * rows[r];
     }
   }

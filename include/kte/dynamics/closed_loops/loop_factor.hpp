@@ -241,7 +241,8 @@ class loop_factor {
     if (e.places.blocks[i].closures.size() > 1) b.setZero();
     int first = 0;
     for (const int k : e.places.blocks[i].closures) {
-      e.half_solve<Accelerate>(c, s, k, root_, [&](int column, int row, double entry) { b(column, first + row) = entry; });
+      e.half_solve<Accelerate>(c, s, k, root_,
+                               [&](int column, int row, double entry) { b(column, first + row) = entry; });
       first += e.places.closures[static_cast<std::size_t>(k)].rows.count();
     }
   }

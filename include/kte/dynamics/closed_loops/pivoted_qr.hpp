@@ -176,7 +176,7 @@ class pivoted_qr {
   }
 
   Eigen::Index rows_ = 0, columns_ = 0;
-  Eigen::MatrixXd b_, r_;                               ///< reflections; R above its diagonal
+  Eigen::MatrixXd b_, r_;                                 ///< reflections; R above its diagonal
   Eigen::VectorXd diagonal_, inverse_, factor_, square_;  ///< R_kk, 1 / R_kk, 2 / |v|^2; squares of remaining columns
 };
 
