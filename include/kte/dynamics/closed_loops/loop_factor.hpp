@@ -19,6 +19,16 @@
 namespace kte::detail {
 
 class loop_factor {
+  /// (5) for `half_change`.
+  auto put_multipliers(const loop_equations& e, Eigen::VectorXd& lambda) {
+    lambda.setZero(e.places.rows);
+    return [this, &e, &lambda](const pivoted_qr& p, const loop_block& b) {
+      p.solve(chosen_.data());
+      for (std::size_t k = 0; k < p.chosen.size(); ++k)
+        lambda[e.places.row_of(b, p.chosen[k])] = chosen_[static_cast<Eigen::Index>(k)];
+    };
+  }
+
  public:
   /// (1) at the positions of the state, for use at other positions too; call `at_positions` first, with J unless the
   /// chain is a tree.
@@ -174,15 +184,6 @@ class loop_factor {
   std::vector<pivoted_qr> parts;  ///< by block
 
  private:
-  /// (5) for `half_change`.
-  auto put_multipliers(const loop_equations& e, Eigen::VectorXd& lambda) {
-    lambda.setZero(e.places.rows);
-    return [this, &e, &lambda](const pivoted_qr& p, const loop_block& b) {
-      p.solve(chosen_.data());
-      for (std::size_t k = 0; k < p.chosen.size(); ++k)
-        lambda[e.places.row_of(b, p.chosen[k])] = chosen_[static_cast<Eigen::Index>(k)];
-    };
-  }
   /// Calls visit(axis or -1, row, D^-1/2 y) by place.
   template <class Visit>
   void each_rate(const loop_equations& e, const Eigen::VectorXd& y, const Visit& visit) const {
