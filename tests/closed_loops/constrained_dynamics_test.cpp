@@ -250,3 +250,37 @@ TEST_CASE("algorithms of trees refuse chains with loops, by name") {
   CHECK_NOTHROW(mass_matrix(c, s, q));
   CHECK_NOTHROW(energy(c, s, q, v));
 }
+
+TEST_CASE("closures on a base that turns act as on a heavy hub that turns as fast") {
+  const auto arm_on = [](runtime_chain c, const std::string& hub) {
+    std::string below = hub;
+    for (const std::string n : {"1", "2", "3", "4"}) {
+      const bool even = n == "2" || n == "4";
+      c << rigid_link_3D(below, "seat" + n, vec3<>{0.1, 0.05, 0.3})
+        << revolute_joint_3D("q" + n, "seat" + n, "link" + n, vec3<>{0, even ? 1.0 : 0.0, even ? 0.0 : 1.0})
+        << inertia_3D("link" + n, rigid_body{1.0, vec3<>{0.01, 0.02, 0.1}, sym3<>{0.02, 0, 0, 0.02, 0, 0.01}});
+      below = "link" + n;
+    }
+    c << inertia_gen("lone", 0.3) << point_on_plane_3D("plane", hub, "link2", along_x(1.0))
+      << coupled_coordinates("belt", "lone", "q4", 1.0, -2.0, 0.1);
+    return c;
+  };
+  runtime_chain turning, heavy;
+  turning.gravity(along_z(-9.81)) << base_3D("hub");
+  heavy.gravity(along_z(-9.81)) << revolute_joint_3D("turn", "base", "hub", axis::z)
+                                << inertia_3D("hub", rigid_body{1.0, vec3<>{}, sym3<>{1e14, 0, 0, 1e14, 0, 1e14}});
+  const auto on_base = arm_on(std::move(turning), "hub"), on_hub = arm_on(std::move(heavy), "hub");
+  auto s = on_base.make_state(), t = on_hub.make_state();
+  s.frame_3D("hub").ang_velocity = {0, 0, 1.7};
+  t.coordinate("turn").q_dot = 1.7;
+  double q = 0.3;
+  for (const char* n : {"q1", "q2", "q3", "q4", "lone"}) {
+    for (auto* x : {&s.coordinate(n), &t.coordinate(n)}) x->q = q, x->q_dot = 0.5 - q;
+    q += 0.2;
+  }
+  forward_dynamics(on_base, s), forward_dynamics(on_hub, t);
+  for (const char* n : {"q1", "q2", "q3", "q4", "lone"})
+    CHECK(std::abs(s.coordinate(n).q_ddot - t.coordinate(n).q_ddot) < 1e-10);
+  CHECK(std::abs(s.loop("plane").force.x - t.loop("plane").force.x) < 1e-10);
+  CHECK(std::abs(s.coordinate("q2").q_ddot) > 1e-3);
+}

@@ -64,8 +64,9 @@ struct four_bar_parameters {
   template <class S>
   constexpr derivatives<S> derive(const vec2<S>& e, const vec2<S>& along_coupler, const vec2<S>& to_pivot) const {
     const S a(lengths.crank), b(lengths.coupler), d(lengths.rocker);
-    const vec2<S> u{along_coupler.x / b, along_coupler.y / b};
-    const vec2<S> v{(along_coupler.x - to_pivot.x) / d, (along_coupler.y - to_pivot.y) / d};
+    const S to_u = S(1) / b, to_v = S(1) / d;
+    const vec2<S> u{along_coupler.x * to_u, along_coupler.y * to_u};
+    const vec2<S> v{(along_coupler.x - to_pivot.x) * to_v, (along_coupler.y - to_pivot.y) * to_v};
     const auto times = [](const vec2<S>& x, const vec2<S>& y) { return x.x * y.x + x.y * y.y; };
     const auto across = [](const vec2<S>& x, const vec2<S>& y) { return x.x * y.y - x.y * y.x; };  // x_n.y
     const S sine = across(u, v), cosine = times(u, v), by_coupler = S(1) / (b * sine), by_rocker = S(1) / (d * sine);

@@ -64,6 +64,13 @@ concept body_with_axes = body<B> && requires(const B& b) {
   { b.free() } -> std::convertible_to<bool>;
 } &&(B::axes == 0 || requires(const B& b) { b.template axis<0>(), b.template mass<0>(); });
 
+/// Whether a joint is not free to move by its type.
+template <class B>
+inline constexpr bool never_free = false;
+template <body_with_axes B>
+requires requires { requires B::never_free; }
+inline constexpr bool never_free<B> = true;
+
 /// S x
 template <int K = 0, body_with_axes B, class S>
 KTE_INLINE constexpr auto sum_along_axes(const B& b, const S* x) {

@@ -67,8 +67,8 @@ constexpr vec2<S> dyad(const vec2<S>& r, const S& b, const S& c, const S& side, 
   using std::sqrt;
   const S rr = r.x * r.x + r.y * r.y, u = (b * b - c * c + rr) / S(2), k = b * b * rr - u * u, bc = b * c;
   require_transmission(k, S(bc * bc), words, angle, rates);
-  const S h = side * S(sqrt(k));
-  return {(u * r.x - h * r.y) / rr, (u * r.y + h * r.x) / rr};
+  const S h = side * S(sqrt(k)), inverse = S(1) / rr;
+  return {(u * r.x - h * r.y) * inverse, (u * r.y + h * r.x) * inverse};
 }
 
 /// The angle from a unit vector e to w, between -pi and pi.

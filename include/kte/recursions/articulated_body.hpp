@@ -177,7 +177,7 @@ inline constexpr bool without_joint<B> = B::axes == 0;
 template <body B, class C, class Y, class Force>
 KTE_INLINE constexpr auto seen_by_parent(const B& b, const C& c, const Y& y, const Force& force) {
   constexpr std::integral_constant<int, 0> first{};
-  if constexpr (without_joint<B>) {
+  if constexpr (without_joint<B> || never_free<B>) {
     const auto more = accelerating_wrench(y.inertia, c.linear, c.angular);
     return pulled_back(b, articulated_body{y.inertia, y.bias + more}, c.centripetal);
   } else if constexpr (B::always_free) {
@@ -205,7 +205,7 @@ KTE_INLINE constexpr auto seen_by_parent(const B& b, const C& c, const Y& y, con
 template <body_with_axes B, class X, class Force, class S, class Unmoved>
 KTE_INLINE constexpr auto eliminated(const B& b, const X& x, const Force& force, axis_factors<S>* factors,
                                      Unmoved& unmoved) {
-  if constexpr (B::axes == 0) {
+  if constexpr (B::axes == 0 || never_free<B>) {
     return fresh(x);
   } else {
     const auto all_axes = [&]() KTE_INLINE_LAMBDA {
@@ -334,6 +334,8 @@ template <class S, body B, class A>
 KTE_INLINE constexpr auto accelerated_if_free(const B& b, const axis_factors<S>* factors, const A& a, S* change) {
   if constexpr (B::always_free) {
     return accelerated<0>(b, factors, a, change);
+  } else if constexpr (never_free<B>) {
+    return a;
   } else {
     dense<S, A> x;
     assign(x, a);

@@ -25,15 +25,15 @@ struct cluster_values {
 };
 
 /// Adds a body to D, U, u, with its bias motion: `column` are its wrenches for each rate, of all bodies beyond it in
-/// the cluster, and then added to those of what it stands on, `to`. `ratios`: the rates of its axes by y', axis by
-/// axis. `n`: how many there are, or one by type.
-template <body B, class X, class M, class S, class N>
-KTE_INLINE void add_to_cluster(const B& b, const X& x, const M& m, const S* ratios, wrench<vec3<S>, vec3<S>>* column,
-                               wrench<vec3<S>, vec3<S>>* to, const cluster_values<S>& c, const N& n) {
+/// the cluster, and then added to those of what it stands on, `to`. rates(k): those of axis k by y'.
+template <body B, class X, class M, class Rates, class S>
+KTE_INLINE void add_to_cluster(const B& b, const X& x, const M& m, const Rates& rates, wrench<vec3<S>, vec3<S>>* column,
+                               wrench<vec3<S>, vec3<S>>* to, const cluster_values<S>& c) {
+  const std::size_t n = c.n;
   const auto with_axis = [&](int k, const auto& s) KTE_INLINE_LAMBDA {
     const S bias = as<S>(power(s, x.bias));
     for (std::size_t d = 0; d < n; ++d) {
-      const S& ratio = ratios[static_cast<std::size_t>(k) * n + d];
+      const S& ratio = rates(k)[d];
       c.force[d] -= ratio * bias;
       for (std::size_t e = 0; e < n; ++e) {
         const S mass = ratio * as<S>(power(s, column[e]));
@@ -43,13 +43,11 @@ KTE_INLINE void add_to_cluster(const B& b, const X& x, const M& m, const S* rati
   };
   const auto between = [&](int k, int l, const S& mass) KTE_INLINE_LAMBDA {
     for (std::size_t d = 0; d < n; ++d)
-      for (std::size_t e = 0; e < n; ++e)
-        c.mass[d * n + e] +=
-            ratios[static_cast<std::size_t>(k) * n + d] * ratios[static_cast<std::size_t>(l) * n + e] * mass;
+      for (std::size_t e = 0; e < n; ++e) c.mass[d * n + e] += rates(k)[d] * rates(l)[e] * mass;
   };
   const auto add = [&](int k, const auto& u) KTE_INLINE_LAMBDA {
     for (std::size_t d = 0; d < n; ++d) {
-      const S& ratio = ratios[static_cast<std::size_t>(k) * n + d];
+      const S& ratio = rates(k)[d];
       assign(column[d], column[d] + wrench{ratio * u.force, ratio * u.torque});
     }
   };
@@ -80,6 +78,24 @@ KTE_INLINE void add_to_cluster(const B& b, const X& x, const M& m, const S* rati
     c.force[d] -= as<S>(power(a, column[d]));
     assign(to[d], to[d] + pulled_back(b, column[d]));
   }
+}
+/// As `add_to_cluster` for one rate y' and a joint of one axis with the rate `ratio` y', in numbers that no store can
+/// change. `column` is not needed again.
+template <body_with_axes B, class X, class M, class S>
+KTE_INLINE void add_to_cluster_of_one(const B& b, const X& x, const M& m, const S& ratio,
+                                      const wrench<vec3<S>, vec3<S>>& column, wrench<vec3<S>, vec3<S>>& to,
+                                      const cluster_values<S>& c) {
+  static_assert(B::axes == 1);
+  const auto s = b.template axis<0>();
+  const auto u = accelerating_wrench(x.inertia, s.linear, s.angular);
+  wrench<vec3<S>, vec3<S>> sum = column;
+  const S mass = as<S>(constant<2>{} * power(s, sum) + ratio * power(s, u));
+  assign(sum, sum + wrench{ratio * u.force, ratio * u.torque});
+  const motion_vector a{b.in(m.centripetal) + m.linear, m.angular};
+  const S force = as<S>(ratio * power(s, x.bias) + power(a, sum));
+  const auto carried = pulled_back(b, sum);
+  c.mass[0] += ratio * mass, c.force[0] -= force;
+  assign(to, to + carried);
 }
 /// (2): what the base of a cluster carries, after sums over its bodies.
 template <class I, class W, class S>

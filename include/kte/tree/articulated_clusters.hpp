@@ -6,33 +6,19 @@
 /// Forward dynamics of the body nodes of a tree with clusters (recursions/cluster.hpp).
 namespace kte::tree {
 
-/// A joint that is free to move and has no mass on its coordinate, or a joint in a cluster.
-struct joint_that_may_be_in_cluster {
-  static constexpr bool always = false;
-  static constexpr zero_t mass{};
-  bool free;
-};
 /// The body nodes of a tree with clusters, where most joints are in one.
 template <class P, class S>
 class clustered_bodies : public articulated_bodies<P, S> {
  public:
   clustered_bodies(const body_tree<P>& f, const memory<P, S>& m, const cluster_layout& layout)
-      : articulated_bodies<P, S>(f, m),
-        in_cluster_(layout.of_node.data()),
-        free_(m.is_free.data()),
-        mass_(m.own_mass.data()) {}
-  KTE_INLINE bool usual(int i) const {
-    return this->nodes_[i].moves == joint::revolute &&
-           (in_cluster_[i] >= 0 || (free_[i] && mass_[this->nodes_[i].first] == P(0)));
-  }
-  KTE_INLINE jointed_body<about_z, P, S, joint_that_may_be_in_cluster> body(int i) const {
-    return {this->nodes_[i], this->joint_transforms_[i], {free_[i] != 0}};
+      : articulated_bodies<P, S>(f, m), in_cluster_(layout.nodes.data()) {}
+  KTE_INLINE bool usual(int i) const { return this->nodes_[i].moves == joint::revolute && in_cluster_[i].cluster >= 0; }
+  KTE_INLINE jointed_body<about_z, P, S, given_joint> body(int i) const {
+    return {this->nodes_[i], this->joint_transforms_[i]};
   }
 
  private:
-  const int* in_cluster_;
-  const char* free_;
-  const P* mass_;
+  const cluster_node* in_cluster_;
 };
 
 /// Steps of the recursion for bodies of clusters; for others those of trees.
@@ -42,48 +28,61 @@ struct in_clusters {
   const cluster_layout& layout;
   cluster_memory<S>& x;
 
-  /// Which body node it is; -1: in no cluster.
+  /// What a body is in a cluster; null: it is in none.
   template <class B>
-  KTE_INLINE int node_of(const B& b) const {
+  KTE_INLINE const cluster_node* node_of(const B& b) const {
     if constexpr (B::always_free) {
-      return -1;
+      return nullptr;
     } else {
-      const auto node = static_cast<int>(&b.r - f.nodes.data());
-      return layout.has(node) ? node : -1;
+      const cluster_node* const node = layout.nodes.data() + (&b.r - f.nodes.data());
+      return engine::never_free<B> || node->cluster >= 0 ? node : nullptr;
     }
   }
-  KTE_INLINE const S* ratios(int node) const { return x.rates.data() + layout.rates[static_cast<std::size_t>(node)]; }
-  KTE_INLINE dense_wrench<S>* column(int node) const {
-    return x.columns.data() + layout.columns[static_cast<std::size_t>(node)];
+  /// The rates of axis k of a body, by number.
+  template <class B>
+  KTE_INLINE auto rates_of(const B& b) const {
+    const int* const row = f.row.data() + b.first();
+    const std::size_t* const place = layout.rates.data();
+    const S* const rates = x.rates.data();
+    return [=](int k) KTE_INLINE_LAMBDA { return rates + place[row[k]]; };
   }
 };
 template <class P, class S, class Eliminate>
 struct cluster_elimination {
   in_clusters<P, S> in;
-  const bias_motion<S>* biases;  ///< of slots
+  const bias_motion<S>* biases;  ///< of body nodes
   Eliminate eliminate;
   int& unmoved;
   template <class B, class X, class Ends>
   KTE_INLINE auto operator()(const B& b, const X& x, const Ends& ends) const {
-    if (const int node = in.node_of(b); node >= 0) add(b, node, x);
+    if (const cluster_node* const node = in.node_of(b)) add(b, *node, x);
     return eliminate(b, x, ends);
   }
 
  private:
   template <class B, class X>
-  KTE_INLINE void add(const B& b, int node, const X& x) const {
-    const cluster& c = in.layout.at(node);
-    const auto values = in.x.of(c);
-    const int parent = b.r.parent;
-    dense_wrench<S>* const to = parent == c.base ? values.load : in.column(parent - in.f.bases);
-    const auto add_bodies = [&](const auto& n) KTE_INLINE_LAMBDA {
-      engine::add_to_cluster(b, x, biases[in.f.bases + node], in.ratios(node), in.column(node), to, values, n);
-    };
-    if (values.n == 1) [[likely]]
-      add_bodies(std::integral_constant<std::size_t, 1>{});
-    else
-      add_bodies(values.n);
-    if (node == c.first_node && !close_cluster(values) && unmoved < 0) unmoved = b.first();
+  KTE_INLINE void add(const B& b, const cluster_node& node, const X& x) const {
+    const auto values = in.x.of(in.layout.of(node));
+    if constexpr (engine::never_free<B>) {
+      if (values.n == 1) [[likely]] {
+        dense_wrench<S>* const columns = in.x.columns.data();
+        engine::add_to_cluster_of_one(b, x, biases[&b.r - in.f.nodes.data()], in.rates_of(b)(0)[0],
+                                      columns[node.columns], columns[node.to], values);
+      } else {
+        const X copy = x;  // so that x stays in registers
+        add_any(b, node, copy, values);
+      }
+    } else {
+      add_any(b, node, x, values);
+    }
+    if (node.first && !close_cluster(values) && unmoved < 0) unmoved = b.first();
+  }
+  template <class B, class X>
+  [[gnu::noinline]] void add_any(const B b, const cluster_node& node, const X& x,
+                                 const engine::cluster_values<S>& values) const {
+    dense_wrench<S>* const columns = in.x.columns.data();
+    engine::add_to_cluster(b, x, biases[&b.r - in.f.nodes.data()], in.rates_of(b), columns + node.columns,
+                           columns + node.to, values);
   }
 };
 template <class P, class S, class ToParent>
@@ -95,11 +94,11 @@ struct cluster_to_parent {
     if constexpr (B::always_free) {
       return to_parent(b, m, y);
     } else {
-      const int node = in.node_of(b);
+      const cluster_node* const node = in.node_of(b);
       const auto sum = to_parent(b, m, y);
       engine::dense<S, decltype(engine::articulated_body{sum.inertia, sum.bias})> left;
-      if (node >= 0 && node == in.layout.at(node).first_node)
-        engine::assign(left, engine::less_cluster(sum, in.x.of(in.layout.at(node))));
+      if (node != nullptr && node->first)
+        engine::assign(left, engine::less_cluster(sum, in.x.of(in.layout.of(*node))));
       else
         engine::assign(left, sum);
       return left;
@@ -116,27 +115,38 @@ struct acceleration_in_cluster {
       return of_child(b, m, parent);
     } else {
       auto moved = of_child(b, m, parent);
-      if (const int node = in.node_of(b); node >= 0) add(b, node, parent, moved);
+      if (const cluster_node* const node = in.node_of(b)) add(b, *node, parent, moved);
       return moved;
     }
   }
 
  private:
   template <class B, class A, class Moved>
-  KTE_INLINE void add(const B& b, int node, const A& base, Moved& moved) const {
-    const cluster& c = in.layout.at(node);
+  KTE_INLINE void add(const B& b, const cluster_node& node, const A& base, Moved& moved) const {
+    const cluster& c = in.layout.of(node);
+    const std::size_t n = c.dofs.size();
     S* const y = in.x.acceleration.data() + c.column;
-    if (node == c.first_node)
-      for (std::size_t d = 0; d < c.dofs.size(); ++d) y[d] = engine::cluster_acceleration(base, in.x.of(c), d);
-    S more[6]{};
-    const S* ratio = in.ratios(node);
-    for (int k = 0; k < b.r.axes; ++k) {
-      for (std::size_t d = 0; d < c.dofs.size(); ++d) more[k] += *ratio++ * y[d];
-      of_child.change[b.first() + k] += more[k];
+    if (node.first)
+      for (std::size_t d = 0; d < n; ++d) y[d] = engine::cluster_acceleration(base, in.x.of(c), d);
+    const auto rates = in.rates_of(b);
+    const auto more_of = [&](int k) KTE_INLINE_LAMBDA {
+      S more(0);
+      for (std::size_t d = 0; d < n; ++d) more += rates(k)[d] * y[d];
+      of_child.change[b.first() + k] += more;
+      return more;
+    };
+    const auto move = [&](const auto& by) KTE_INLINE_LAMBDA {
+      engine::assign(moved.acceleration, moved.acceleration + by.linear);
+      engine::assign(moved.ang_acceleration, moved.ang_acceleration + by.angular);
+    };
+    if constexpr (engine::never_free<B>) {
+      static_assert(B::axes == 1);
+      move(more_of(0) * b.template axis<0>());
+    } else {
+      S more[6]{};
+      for (int k = 0; k < b.r.axes; ++k) more[k] = more_of(k);
+      move(b.along_axes(more));
     }
-    const auto [linear, angular] = b.along_axes(more);
-    engine::assign(moved.acceleration, moved.acceleration + linear);
-    engine::assign(moved.ang_acceleration, moved.ang_acceleration + angular);
   }
 };
 
@@ -166,7 +176,8 @@ int articulate_clusters(const body_tree<P>& f, memory<P, S>& m, const cluster_la
   const in_clusters<P, S> in{f, layout, x};
   engine::looped<clustered_bodies<P, S>>{bodies}.template inward<false, articulated_body<S>, false>(
       m.articulated.data(), biases, engine::articulated_alone<std::remove_const_t<decltype(own)>>{own},
-      cluster_elimination<P, S, eliminate>{in, m.biases.data(), eliminate{force, m.factors.data(), unmoved}, unmoved},
+      cluster_elimination<P, S, eliminate>{in, m.biases.data() + f.bases, eliminate{force, m.factors.data(), unmoved},
+                                           unmoved},
       cluster_to_parent<P, S, to_parent>{in, to_parent{force}});
   return unmoved;
 }

@@ -29,9 +29,13 @@ struct along_and_about_z {
     return engine::motion_vector{vec3{zero, zero, r.slides}, vec3{zero, zero, r.turns}};
   }
 };
-/// Joints that are free to move without masses on their coordinates, and other joints.
+/// Joints that are free to move without masses on their coordinates, joints whose acceleration is given, and others.
 struct free_joint {
   static constexpr bool always = true, free = true;
+  static constexpr zero_t mass{};
+};
+struct given_joint {
+  static constexpr bool always = false, free = false;
   static constexpr zero_t mass{};
 };
 template <class P>
@@ -50,7 +54,7 @@ struct jointed_body {
 
   [[no_unique_address]] Freedom freedom = {};
 
-  static constexpr bool always_free = Freedom::always;
+  static constexpr bool always_free = Freedom::always, never_free = std::is_same_v<Freedom, given_joint>;
   KTE_INLINE constexpr bool free() const { return freedom.free; }
   template <int>
   KTE_INLINE constexpr auto mass() const {

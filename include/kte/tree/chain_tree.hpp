@@ -90,16 +90,28 @@ class chain_tree {
   template <class Connections>
   void find_clusters(const Connections& c) {
     std::vector<std::pair<int, int>> links;
+    std::vector<tree::cluster_follower> all;
     const auto row = [this](int i) { return plan.row_of_gen[static_cast<std::size_t>(i)]; };
     for (const int f : followers) {
       const auto e = static_cast<std::size_t>(f);
       const auto ports = c.ports(e);
       const std::size_t last = ports.size() - 1;
+      auto& x = all.emplace_back();
+      x.element = f;
       if (ports[last].what != kind::gen) continue;
-      for (std::size_t p = 0; p < last; ++p)
-        if (ports[p].what == kind::gen) links.emplace_back(row(c.index(e, p)), row(c.index(e, last)));
+      x.written = c.index(e, last), x.row = row(x.written), x.alone = true;
+      for (std::size_t p = 0; p < last; ++p) {
+        x.alone &= !is_signal(ports[p].what) || ports[p].what == kind::internal;
+        if (ports[p].what != kind::gen) continue;
+        const int followed = c.index(e, p);
+        links.emplace_back(row(followed), x.row);
+        if (std::none_of(x.followed.begin(), x.followed.end(), [&](const auto& y) { return y.coordinate == followed; }))
+          x.followed.push_back({p, followed, row(followed)});
+      }
+      x.alone &= x.followed.size() == 1;
     }
     clusters = tree::clusters_of(body_tree, plan.coordinates, dofs_, links);
+    clusters.followers = std::move(all);
   }
 
   template <class T>

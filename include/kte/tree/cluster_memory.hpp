@@ -4,7 +4,6 @@
 #include <kte/recursions/cluster.hpp>
 #include <kte/tree/clusters.hpp>
 #include <kte/tree/memory.hpp>
-#include <kte/tree/ratios.hpp>
 
 /// The numbers of clusters (recursions/cluster.hpp) on the way inward and outward.
 namespace kte::tree {
@@ -12,51 +11,51 @@ namespace kte::tree {
 /// What articulated bodies with clusters work with; made by the first call.
 template <class S>
 struct cluster_memory {
-  struct step {
-    int to, from;
-    S ratio;
-  };
-  std::vector<step> steps;            ///< how coordinates follow others, in order
-  std::vector<std::size_t> followed;  ///< ports of a follower
-  ratios<S> j;
-  std::vector<dense_wrench<S>> columns;     ///< of body nodes, by `cluster_layout::columns`
-  std::vector<dense_wrench<S>> load, gain;  ///< of degrees of freedom, by `cluster::column`
-  std::vector<S> force, acceleration;       ///< the same
-  std::vector<S> rates;                     ///< of axes, by `cluster_layout::rates`
-  std::vector<S> mass;                      ///< by `cluster::square`
+  std::vector<dense_wrench<S>> columns;  ///< U of clusters, then those of body nodes (`cluster_node::columns`)
+  std::vector<dense_wrench<S>> gain;     ///< of degrees of freedom, by `cluster::column`
+  std::vector<S> force, acceleration;    ///< the same
+  std::vector<S> rates;                  ///< of coordinates, by `cluster_layout::rates`
+  std::vector<S> mass;                   ///< by `cluster::square`
 
   engine::cluster_values<S> of(const cluster& c) {
-    return {c.dofs.size(), load.data() + c.column, gain.data() + c.column, mass.data() + c.square,
+    return {c.dofs.size(), columns.data() + c.column, gain.data() + c.column, mass.data() + c.square,
             force.data() + c.column};
+  }
+  /// The rates of a coordinate by the degrees of freedom of its cluster.
+  S* rates_of(const cluster_layout& layout, int row) {
+    return rates.data() + layout.rates[static_cast<std::size_t>(row)];
   }
 };
 
-/// Starts D and u at the ratios of `x.j`, from masses of coordinates, by row, and forces(row of a degree of freedom).
-template <class P, class S, class Masses, class Forces>
-void open_clusters(const body_tree<P>& f, const cluster_layout& layout, cluster_memory<S>& x, const Masses& own_mass,
-                   const Forces& forces) {
-  x.columns.assign(layout.all_columns, {}), x.load.assign(layout.all_dofs, {}), x.gain.resize(layout.all_dofs);
-  x.force.resize(layout.all_dofs), x.acceleration.resize(layout.all_dofs), x.mass.assign(layout.all_squares, S(0));
+/// Rates of coordinates before followers add to them: one of a degree of freedom, zero of others.
+template <class S>
+void open_rates(const cluster_layout& layout, cluster_memory<S>& x) {
   x.rates.assign(layout.all_rates, S(0));
-  const auto place = [&layout](int dof) {
-    return static_cast<std::size_t>(layout.place[static_cast<std::size_t>(dof)]);
-  };
-  for (std::size_t i = 0; i < f.nodes.size(); ++i) {
-    if (layout.of_node[i] < 0) continue;
-    const std::size_t n = layout.at(static_cast<int>(i)).dofs.size();
-    for (int k = 0; k < f.nodes[i].axes; ++k)
-      for (const auto& [dof, ratio] : x.j.of(f.row[static_cast<std::size_t>(f.nodes[i].first + k)]))
-        x.rates[layout.rates[i] + static_cast<std::size_t>(k) * n + place(dof)] = ratio;
-  }
+  for (const cluster& c : layout.clusters)
+    for (std::size_t d = 0; d < c.dofs.size(); ++d) x.rates_of(layout, c.dofs[d])[d] = S(1);
+}
+/// Coordinate `to` has `ratio` times the rate of coordinate `from` of its cluster, rows.
+template <class S>
+void add_rates(const cluster_layout& layout, cluster_memory<S>& x, int to, int from, const S& ratio) {
+  const cluster& c = layout.clusters[static_cast<std::size_t>(layout.of_row[static_cast<std::size_t>(to)])];
+  const S* const followed = x.rates_of(layout, from);
+  S* const own = x.rates_of(layout, to);
+  for (std::size_t d = 0; d < c.dofs.size(); ++d) own[d] += ratio * followed[d];
+}
+/// Starts D and u, from masses of coordinates, by row, and forces(row of a degree of freedom).
+template <class S, class Masses, class Forces>
+void open_clusters(const cluster_layout& layout, cluster_memory<S>& x, const Masses* own_mass, const Forces& forces) {
+  x.columns.assign(layout.all_columns, {}), x.gain.resize(layout.all_dofs);
+  x.force.resize(layout.all_dofs), x.acceleration.resize(layout.all_dofs), x.mass.assign(layout.all_squares, S(0));
   for (const cluster& c : layout.clusters) {
     const auto values = x.of(c);
     for (std::size_t d = 0; d < values.n; ++d) values.force[d] = forces(c.dofs[d]);
+    if (own_mass == nullptr) continue;
     for (const int row : c.rows) {
-      const S mass(own_mass[static_cast<std::size_t>(row)]);
-      if (all(mass == S(0))) continue;
-      for (const auto& [a, ratio] : x.j.of(row))
-        for (const auto& [b, factor] : x.j.of(row))
-          values.mass[place(a) * values.n + place(b)] += ratio * factor * mass;
+      const S mass(own_mass[row]);
+      const S* const rates = x.rates_of(layout, row);
+      for (std::size_t a = 0; a < values.n; ++a)
+        for (std::size_t b = 0; b < values.n; ++b) values.mass[a * values.n + b] += rates[a] * rates[b] * mass;
     }
   }
 }

@@ -22,22 +22,38 @@ struct cluster {
   std::size_t column = 0;  ///< place of its degrees of freedom among those of all clusters
   std::size_t square = 0;  ///< place of a matrix of them
 };
+/// A body node in a cluster. Wrenches are one for each degree of freedom of the cluster.
+struct cluster_node {
+  int cluster = -1;         ///< -1: in none
+  bool first = false;       ///< the first body node of the cluster
+  std::size_t columns = 0;  ///< the place of its wrenches; those of a cluster, U, are at `cluster::column`
+  std::size_t to = 0;       ///< the place of the wrenches of what it stands on
+};
+/// An element that writes a coordinate of a cluster.
+struct cluster_follower {
+  int element = 0;
+  int written = -1;    ///< the coordinate; -1: it writes none
+  int row = -1;        ///< the row of this coordinate
+  bool alone = false;  ///< whether its motion depends on one coordinate only
+  struct followed {
+    std::size_t port;
+    int coordinate, row;
+  };
+  std::vector<followed> followed;
+};
 struct cluster_layout {
   std::vector<cluster> clusters;
-  std::vector<int> of_node;  ///< body nodes: the cluster, or -1
-  std::vector<std::size_t>
-      columns;                     ///< body nodes: the place of wrenches, one for each degree of freedom of the cluster
-  std::vector<std::size_t> rates;  ///< body nodes: the place of rates of its axes by these degrees of freedom
-  std::vector<int> of_row;         ///< coordinates: the cluster, or -1
+  std::vector<cluster_node> nodes;          ///< by body node
+  std::vector<cluster_follower> followers;  ///< in order
+  std::vector<int> of_row;                  ///< coordinates: the cluster, or -1
+  std::vector<std::size_t> rates;  ///< coordinates: the place of their rates by the degrees of freedom of the cluster
   std::vector<int> place;          ///< degrees of freedom: the number in the cluster
   std::size_t all_columns = 0, all_rates = 0, all_dofs = 0, all_squares = 0;
   /// Whether all coordinates that follow others are in clusters.
   bool complete = false;
 
-  bool has(int node) const { return complete && of_node[static_cast<std::size_t>(node)] >= 0; }
-  const cluster& at(int node) const {
-    return clusters[static_cast<std::size_t>(of_node[static_cast<std::size_t>(node)])];
-  }
+  bool has(int node) const { return complete && nodes[static_cast<std::size_t>(node)].cluster >= 0; }
+  const cluster& of(const cluster_node& x) const { return clusters[static_cast<std::size_t>(x.cluster)]; }
 };
 
 /// Sets of numbers.
@@ -105,8 +121,7 @@ cluster_layout clusters_of(const body_tree<P>& f, int coordinates, int dofs,
       if (grown) at(linked, row_of(i)) = 1;
     }
   }
-  x.of_row.assign(count, -1), x.of_node.assign(f.nodes.size(), -1), x.columns.assign(f.nodes.size(), 0),
-      x.rates = x.columns;
+  x.of_row.assign(count, -1), x.rates.assign(count, 0), x.nodes.assign(f.nodes.size(), {});
   x.place.assign(static_cast<std::size_t>(dofs), -1);
   std::vector<int> number(count, -1);  // of sets
   for (int r = 0; r < coordinates; ++r) {
@@ -126,14 +141,17 @@ cluster_layout clusters_of(const body_tree<P>& f, int coordinates, int dofs,
   for (cluster& c : x.clusters) {
     c.column = x.all_dofs, c.square = x.all_squares;
     x.all_dofs += c.dofs.size(), x.all_squares += c.dofs.size() * c.dofs.size();
+    for (const int r : c.rows) at(x.rates, r) = std::exchange(x.all_rates, x.all_rates + c.dofs.size());
   }
+  x.all_columns = x.all_dofs;
   for (int i = 0; i < nodes; ++i) {
     const int n = at(x.of_row, row_of(i));
     if (n < 0) continue;
     cluster& c = at(x.clusters, n);
-    at(x.of_node, i) = n, at(x.columns, i) = x.all_columns, at(x.rates, i) = x.all_rates;
+    const int parent = at(f.nodes, i).parent;
+    at(x.nodes, i) = {n, c.first_node < 0, x.all_columns,
+                      parent == c.base ? c.column : at(x.nodes, parent - f.bases).columns};
     x.all_columns += c.dofs.size();
-    x.all_rates += c.dofs.size() * static_cast<std::size_t>(at(f.nodes, i).axes);
     if (c.first_node < 0) c.first_node = i;
   }
   x.complete = true;

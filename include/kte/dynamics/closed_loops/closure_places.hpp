@@ -148,6 +148,13 @@ class closure_places {
     };
     for (const int i : nodes) x.way.next.push_back(place_of(f.nodes[static_cast<std::size_t>(i)].parent - f.bases));
     for (const int i : ends) x.enters.push_back(place_of(i));
+    x.way.loaded.assign(nodes.size(), 0);
+    const auto load = [&x](int place) {
+      if (place >= 0) x.way.loaded[static_cast<std::size_t>(place)] = 1;
+    };
+    if (x.of_frames()) std::for_each(x.enters.begin(), x.enters.end(), load);
+    for (std::size_t n = 0; n < nodes.size(); ++n)
+      if (x.way.next[n] != static_cast<int>(n) + 1) load(x.way.next[n]);
   }
   /// All places where the factor of a closure has entries.
   template <class State>

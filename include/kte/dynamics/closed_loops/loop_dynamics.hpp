@@ -71,8 +71,8 @@ void put_loop_forces(const closure_places& at, const Eigen::VectorXd& multiplier
 ///
 ///   a = a0 - d(J_dot v + J a0),   lambda = -multipliers(J_dot v + J a0)          (1)
 ///
-/// a0: accelerations of the tree. The rows are those of `rows`; if there are none, or they are dependent, rows are
-/// selected here.
+/// a0: accelerations of the tree; J a0 of trees is a sum on the way inward, and a is computed once. The rows are those
+/// of `rows`; if there are none, or they are dependent, rows are selected here.
 template <class Closures, class State, class Tau>
 void accelerate_on_loops(const Closures& c, State& s, loop_workspace& m, const Tau& applied,
                          const loop_factor* rows = nullptr) {
@@ -80,24 +80,32 @@ void accelerate_on_loops(const Closures& c, State& s, loop_workspace& m, const T
   auto& e = m.equations;
   auto& factor = m.factor;
   auto &change = m.change, &multipliers = m.multipliers;
-  const bool tree = s.tree().plan.tree;
-  accelerate_by_tree(c.elements(), s, applied, {});
-  auto& a = s.work.forces;
-  e.at_positions(c, s, !tree, tree);
-  if (tree) {  // the working memory has everything
+  const auto rows_at_state = [&]<bool Accelerate>(std::bool_constant<Accelerate>) {
+    if (!rows || !factor.keep<Accelerate>(c, s, e, *rows, least_pivot))
+      factor.choose<Accelerate>(c, s, e, least_pivot_at(e.residual));
+  };
+  if (s.tree().plan.tree) {
+    const auto biases = articulate_under(c.elements(), s, applied, {});
+    e.at_positions(c, s, false, true);
     factor.take_articulated(s, e);
-    e.accelerate_residuals(c, s, [&a](int i) { return a[i]; });
+    rows_at_state(std::true_type{});
+    factor.subtract_change(s, e, e.acceleration, multipliers);
+    accelerate_after(s, biases);
   } else {
+    accelerate_by_tree(c.elements(), s, applied, {});
+    e.at_positions(c, s, true);
+    auto& a = s.work.forces;
     change = a;
     for_each_listed_freedom(s, [&change = change](auto& x, const freedom& at) { put<vector_of::a>(x, at, change); });
     factor.factorize(c, s, e);
     e.at_rates(c, s);
     e.acceleration += e.times(change);
     a = change;
+    rows_at_state(std::false_type{});
+    factor.least_change(s, e, e.acceleration, change, multipliers);
+    a -= change;
   }
-  if (!rows || !factor.keep(c, s, e, *rows, least_pivot)) factor.choose(c, s, e, least_pivot_at(e.residual));
-  factor.least_change(s, e, e.acceleration, change, multipliers);
-  a -= change, multipliers = -multipliers;
+  multipliers = -multipliers;
   put_loop_forces(e.places, multipliers, s);
 }
 /// `accelerate_on_loops` with the results in a runtime state.

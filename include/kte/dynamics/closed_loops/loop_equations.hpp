@@ -67,32 +67,23 @@ class loop_equations {
     tree::move_bodies<true>(f, s.work);
     for (std::size_t k = 0; k < places.closures.size(); ++k)
       if (places.closures[k].of_frames()) find_places(s, places.closures[k], ends_[k]);
-    accelerate_residuals(c, s, [](int) { return 0.0; });
-  }
-  /// Computes the second derivatives of residuals at the motions of bodies in the working memory; call `at_positions`
-  /// first. a(i): the accelerations of degrees of freedom.
-  template <class Closures, class State, class A>
-  void accelerate_residuals(const Closures& c, State& s, const A& a) {
     for (std::size_t k = 0; k < places.closures.size(); ++k) {
       const auto& x = places.closures[k];
       double rows[6];
-      if (x.of_frames()) {
+      if (x.of_frames())
         c.close_frames(x.element, accelerated(s, x, ends_[k], motions_[k]), closing::residual_ddot, rows);
-      } else {
-        coordinate_rows(c, s, x, [&](const auto& values, const double* by) {
-          rows[0] = values[1];
-          for (std::size_t n = 0; n < x.dofs.size(); ++n) rows[0] += by[n] * a(x.dofs[n]);
-        });
-      }
+      else
+        coordinate_rows(c, s, x, [&](const auto& values, const double*) { rows[0] = values[1]; });
       for (int r = 0; r < x.rows.count(); ++r) acceleration[x.first + r] = places.scale(x, r) * rows[r];
     }
   }
   /// Calls put(column of its block, row, entry) for L^-T J^T of the rows of a closure, in a tree whose articulated
-  /// inertias are in the working memory; call `at_positions` first. `root`: D^-1/2 by place.
-  template <class Closures, class State, class Put>
+  /// inertias are in the working memory; call `at_positions` first. `root`: D^-1/2 by place. With `Accelerate` it also
+  /// computes the second derivatives of the residuals, from bias motions and forces in the working memory.
+  template <bool Accelerate, class Closures, class State, class Put>
   void half_solve(const Closures& c, State& s, int closure, const Eigen::VectorXd& root, const Put& put) {
     const auto& x = places.closures[static_cast<std::size_t>(closure)];
-    if (!x.of_frames()) return half_solve_coordinates(c, s, x, root, put);
+    if (!x.of_frames()) return half_solve_coordinates<Accelerate>(c, s, x, root, put);
     double units[6 * closing_stride]{};
     const auto& m = motions_[static_cast<std::size_t>(closure)];
     c.close_frames(x.element, m, closing::wrenches, units);
@@ -106,14 +97,18 @@ class loop_equations {
       tree::load_vectors<double>(on2.torque, units + 3 * closing_stride + first, closing_stride);
       simd_load on1 = tree::seen_from<double>(m.rotation, m.position, on2);
       for (auto* v : {&on1.force, &on1.torque}) v->x = -v->x, v->y = -v->y, v->z = -v->z;
+      powers<Accelerate> sum;
       const auto enter = [&](std::size_t port, const runtime_frame& frame, const simd_load& load) {
         const int at = x.enters[port];
-        if (at < 0) return;
-        const auto& place = f.frame(frame.what, frame.index).at;
-        tree::add_to(loads_[static_cast<std::size_t>(at)],
-                     tree::seen_from<double>(place.rotation, place.position, load));
+        if (at < 0 && !Accelerate) return;
+        const auto& place = f.frame(frame.what, frame.index);
+        const auto moved = tree::seen_from<double>(place.at.rotation, place.at.position, load);
+        if (at < 0)
+          sum.at_base(moved, s.work.bodies[static_cast<std::size_t>(place.slot)]);
+        else
+          tree::add_to(loads_[static_cast<std::size_t>(at)], moved);
       };
-      loads_.assign(x.way.nodes.size(), simd_load{});
+      clear_loads(x.way);
       enter(0, x.frame1, on1), enter(1, x.frame2, on2);
       const auto put_lanes = [&](int axis, const tree::simd<double>& e) KTE_INLINE_LAMBDA {
         const auto place = static_cast<std::size_t>(places.place_of_axis[static_cast<std::size_t>(axis)]);
@@ -122,7 +117,19 @@ class loop_equations {
         for (int r = first; r < (std::min)(first + lanes, x.rows.count()); ++r)
           put(places.column_of_place[place], r, root[static_cast<Eigen::Index>(place)] * left[r - first]);
       };
-      tree::send_to_bases(f, s.work, x.way, loads_.data(), static_cast<const double*>(nullptr), put_lanes);
+      tree::send_to_bases(f, s.work, x.way, loads_.data(), static_cast<const double*>(nullptr), put_lanes, sum);
+      if constexpr (Accelerate) {
+        double left[lanes];
+        tree::store<double>(sum.sum, left);
+        for (int r = first; r < (std::min)(first + lanes, x.rows.count()); ++r)
+          acceleration[x.first + r] = left[r - first];
+      }
+    }
+    if constexpr (Accelerate) {
+      double rows[6];
+      c.close_frames(x.element, accelerated<false>(s, x, ends_[static_cast<std::size_t>(closure)], m),
+                     closing::residual_ddot, rows);
+      for (int r = 0; r < x.rows.count(); ++r) acceleration[x.first + r] += places.scale(x, r) * rows[r];
     }
   }
   /// J x of all rows for x by degrees of freedom; `times_sizes`: the sums of |J| |x|.
@@ -181,8 +188,15 @@ class loop_equations {
     return {to_a * (at.second.position - at.first.position), to_a * at.second.rotation, {}, {}, {}, {}};
   }
   using simd_load = tree::simd_wrench<double>;
+  template <bool Accelerate>
+  using powers = std::conditional_t<Accelerate, tree::load_powers<double>, const tree::no_powers>;
   int column_of_row(int row) const {
     return places.column_of_place[static_cast<std::size_t>(places.place_of_row[static_cast<std::size_t>(row)])];
+  }
+  void clear_loads(const tree::load_way& way) {
+    loads_.resize((std::max)(loads_.size(), way.nodes.size()));
+    for (std::size_t n = 0; n < way.nodes.size(); ++n)
+      if (way.loaded[n]) loads_[n] = simd_load{};
   }
   template <class State>
   static void put_accelerations(State& s, const Eigen::VectorXd& a) {
@@ -198,11 +212,13 @@ class loop_equations {
       }
     visit(c.close_coordinates(x.element, q, v, by), by);
   }
-  template <class Closures, class State, class Put>
+  template <bool Accelerate, class Closures, class State, class Put>
   void half_solve_coordinates(const Closures& c, State& s, const closure_place& x, const Eigen::VectorXd& root,
                               const Put& put) {
-    coordinate_rows(c, s, x, [&](const auto&, const double* by) {
-      loads_.assign(x.way.nodes.size(), simd_load{}), forces_.assign(tree::most_axes * x.way.nodes.size(), 0);
+    coordinate_rows(c, s, x, [&](const auto& values, const double* by) {
+      powers<Accelerate> sum;
+      double of_jointless = 0;
+      clear_loads(x.way), forces_.assign(tree::most_axes * x.way.nodes.size(), 0);
       for (std::size_t n = 0; n < x.dofs.size(); ++n) {
         const auto place = static_cast<std::size_t>(places.place_of_row[static_cast<std::size_t>(x.dofs[n])]);
         if (x.enters[n] >= 0) {
@@ -210,9 +226,11 @@ class loop_equations {
               by[n];
           continue;
         }
-        double sum = 0;
-        for (std::size_t k = 0; k < x.dofs.size(); ++k) sum += x.dofs[k] == x.dofs[n] ? by[k] : 0;
-        put(places.column_of_place[place], 0, root[static_cast<Eigen::Index>(place)] * sum);
+        double all = 0;
+        for (std::size_t k = 0; k < x.dofs.size(); ++k) all += x.dofs[k] == x.dofs[n] ? by[k] : 0;
+        put(places.column_of_place[place], 0, root[static_cast<Eigen::Index>(place)] * all);
+        if constexpr (Accelerate)
+          of_jointless += by[n] * s.work.forces[x.dofs[n]] / s.tree().own_mass[static_cast<std::size_t>(x.dofs[n])];
       }
       const auto put_first = [&](int axis, const tree::simd<double>& e) {
         const auto place = static_cast<std::size_t>(places.place_of_axis[static_cast<std::size_t>(axis)]);
@@ -220,7 +238,12 @@ class loop_equations {
         tree::store<double>(e, left);
         put(places.column_of_place[place], 0, root[static_cast<Eigen::Index>(place)] * left[0]);
       };
-      tree::send_to_bases(s.tree().body_tree, s.work, x.way, loads_.data(), forces_.data(), put_first);
+      tree::send_to_bases(s.tree().body_tree, s.work, x.way, loads_.data(), forces_.data(), put_first, sum);
+      if constexpr (Accelerate) {
+        double left[tree::simd_of<double>::count];
+        tree::store<double>(sum.sum, left);
+        acceleration[x.first] = values[1] + of_jointless + left[0];
+      }
     });
   }
   /// Calls visit(row, degree of freedom, entry of J).
@@ -294,13 +317,19 @@ class loop_equations {
   ///   p'' = R a_2 - (a_1 + al_1 x p + w_1 x (w_1 x p) + 2 w_1 x p')                        (2)
   ///   al = al_2 - R^T al_1 + w x R^T w_1                                                   (3)
   ///
-  /// where w_1 in (1) is relative to the common body.
-  template <class State, class S>
+  /// where w_1 in (1) is relative to the common body. Without `Bodies` the accelerations of bodies count as zero, and
+  /// angular velocities are those of bias motions.
+  template <bool Bodies = true, class State, class S>
   static closing_motion<S> accelerated(const State& s, const closure_place& x, const ends_of_closure<S>& ends,
                                        closing_motion<S> m) {
     const auto& f = s.tree().body_tree;
     const auto &at_a = f.frame(x.frame1.what, x.frame1.index), &at_b = f.frame(x.frame2.what, x.frame2.index);
-    const auto body_of = [&s](int slot) -> const auto& { return s.work.bodies[static_cast<std::size_t>(slot)]; };
+    const auto body_of = [&s](int slot) -> const auto& {
+      if constexpr (Bodies)
+        return s.work.bodies[static_cast<std::size_t>(slot)];
+      else
+        return s.work.biases[static_cast<std::size_t>(slot)];
+    };
     const auto& [a, b, common] = ends;
     const auto to_a = transpose(a.rotation);
     const auto frame_motion = [&](const auto& at) {
@@ -308,9 +337,12 @@ class loop_equations {
       const auto& p = at.at.position;
       const auto& w = body.ang_velocity;
       const auto back = transpose(at.at.rotation);
-      return std::array<vec3<S>, 3>{
-          back * w, back * (body.acceleration + cross(body.ang_acceleration, p) + cross(w, cross(w, p))),
-          back * body.ang_acceleration};
+      if constexpr (Bodies)
+        return std::array<vec3<S>, 3>{
+            back * w, back * (body.acceleration + cross(body.ang_acceleration, p) + cross(w, cross(w, p))),
+            back * body.ang_acceleration};
+      else
+        return std::array<vec3<S>, 3>{back * w, back * cross(w, cross(w, p)), vec3<S>{}};
     };
     const auto [w1, a1, al1] = frame_motion(at_a);
     const auto [w2, a2, al2] = frame_motion(at_b);

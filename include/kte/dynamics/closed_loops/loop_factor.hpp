@@ -19,6 +19,16 @@
 namespace kte::detail {
 
 class loop_factor {
+  /// (5) for `half_change`.
+  auto put_multipliers(const loop_equations& e, Eigen::VectorXd& lambda) {
+    lambda.setZero(e.places.rows);
+    return [this, &e, &lambda](const pivoted_qr& p, const loop_block& b) {
+      p.solve(chosen_.data());
+      for (std::size_t k = 0; k < p.chosen.size(); ++k)
+        lambda[e.places.row_of(b, p.chosen[k])] = chosen_[static_cast<Eigen::Index>(k)];
+    };
+  }
+
  public:
   /// (1) at the positions of the state, for use at other positions too; call `at_positions` first, with J unless the
   /// chain is a tree.
@@ -47,25 +57,25 @@ class loop_factor {
     keeps_ = false;
   }
   /// (2) and (3); call (1) at the positions of the state first. Rows with pivots below `least` times the first are
-  /// dependent.
-  template <class Closures, class State>
+  /// dependent. With `Accelerate` also the second derivatives of residuals (`loop_equations::half_solve`).
+  template <bool Accelerate = false, class Closures, class State>
   void choose(const Closures& c, State& s, loop_equations& e, double least) {
     parts.resize(e.places.blocks.size());
     for (std::size_t i = 0; i < parts.size(); ++i) {
       const auto& b = e.places.blocks[i];
-      put_half_solved(c, s, e, i, parts[i].matrix(static_cast<Eigen::Index>(b.places.size()), b.rows));
+      put_half_solved<Accelerate>(c, s, e, i, parts[i].matrix(static_cast<Eigen::Index>(b.places.size()), b.rows));
       parts[i].choose(least, 1e-13 * reach(e, i));  // pivots below the rounding of their possible size are zero
     }
   }
   /// (2) and (3) for the rows of `chosen`. Returns false if they are dependent.
-  template <class Closures, class State>
+  template <bool Accelerate = false, class Closures, class State>
   bool keep(const Closures& c, State& s, loop_equations& e, const loop_factor& chosen, double least) {
     parts.resize(e.places.blocks.size());
     for (std::size_t i = 0; i < parts.size(); ++i) {
       const auto& rows = chosen.parts[i].chosen;
       const auto& b = e.places.blocks[i];
       all_.resize(static_cast<Eigen::Index>(b.places.size()), b.rows);
-      put_half_solved(c, s, e, i, all_);
+      put_half_solved<Accelerate>(c, s, e, i, all_);
       auto m = parts[i].matrix(all_.rows(), static_cast<Eigen::Index>(rows.size()));
       for (std::size_t k = 0; k < rows.size(); ++k) m.col(static_cast<Eigen::Index>(k)) = all_.col(rows[k]);
       if (!parts[i].take(rows, least)) return false;
@@ -88,11 +98,18 @@ class loop_factor {
   template <class State>
   void least_change(State& s, const loop_equations& e, const Eigen::VectorXd& c, Eigen::VectorXd& d,
                     Eigen::VectorXd& lambda) {
-    lambda.setZero(e.places.rows);
-    least_change(s, e, c, d, [&](const pivoted_qr& p, const loop_block& b) {
-      p.solve(chosen_.data());
-      for (std::size_t k = 0; k < p.chosen.size(); ++k)
-        lambda[e.places.row_of(b, p.chosen[k])] = chosen_[static_cast<Eigen::Index>(k)];
+    least_change(s, e, c, d, put_multipliers(e, lambda));
+  }
+  /// For a tree with articulated inertias in the working memory of the state: subtracts (4) from the rates u D^-1 of
+  /// axes, and M times (4) from the forces on coordinates that move no joint; with (5).
+  template <class State>
+  void subtract_change(State& s, const loop_equations& e, const Eigen::VectorXd& c, Eigen::VectorXd& lambda) {
+    half_change(e, c, put_multipliers(e, lambda));
+    each_rate(e, left_, [&s](int axis, int row, double rate) {
+      if (axis >= 0)
+        s.work.factors[static_cast<std::size_t>(axis)].rate -= rate;
+      else
+        s.work.forces[row] -= s.tree().own_mass[static_cast<std::size_t>(row)] * rate;
     });
   }
   template <class State>
@@ -114,14 +131,9 @@ class loop_factor {
       return;
     }
     auto& factors = keeps_ ? kept_.factors : s.work.factors;
-    for (Eigen::Index k = 0; k < n; ++k) {
-      const int axis = at.axis_of_place[static_cast<std::size_t>(k)];
-      const double rate = y[k] * root_[k];
-      if (axis >= 0)
-        factors[static_cast<std::size_t>(axis)].rate = rate;
-      else
-        d[at.row_of_place[static_cast<std::size_t>(k)]] = rate;
-    }
+    each_rate(e, y, [&](int axis, int row, double rate) {
+      (axis >= 0 ? factors[static_cast<std::size_t>(axis)].rate : d[row]) = rate;
+    });
     tree::accelerate_from_rest(s.tree().body_tree, s.work, keeps_ ? kept_.joint_transforms : s.work.joint_transforms,
                                factors.data());
     for (std::size_t k = 0; k < at.axis_of_place.size(); ++k)
@@ -142,7 +154,7 @@ class loop_factor {
     }
     const auto& places = e.places.blocks[i].places;
     if (s.tree().plan.tree)
-      return e.half_solve(c, s, closure, root_, [&](int column, int row, double entry) {
+      return e.half_solve<false>(c, s, closure, root_, [&](int column, int row, double entry) {
         put(places[static_cast<std::size_t>(column)], row, entry);
       });
     const int rows = e.places.closures[static_cast<std::size_t>(closure)].rows.count();
@@ -172,10 +184,17 @@ class loop_factor {
   std::vector<pivoted_qr> parts;  ///< by block
 
  private:
-  /// (4), and calls visit(factor of a block, the block) when R^-T c of its selected rows is in `chosen_`.
-  template <class State, class Visit>
-  void least_change(State& s, const loop_equations& e, const Eigen::VectorXd& c, Eigen::VectorXd& d,
-                    const Visit& visit) {
+  /// Calls visit(axis or -1, row, D^-1/2 y) by place.
+  template <class Visit>
+  void each_rate(const loop_equations& e, const Eigen::VectorXd& y, const Visit& visit) const {
+    for (std::size_t k = 0; k < e.places.axis_of_place.size(); ++k)
+      visit(e.places.axis_of_place[k], e.places.row_of_place[k],
+            y[static_cast<Eigen::Index>(k)] * root_[static_cast<Eigen::Index>(k)]);
+  }
+  /// Q R^-T c of (4), to `left_`; calls visit(factor of a block, the block) when R^-T c of its selected rows is in
+  /// `chosen_`.
+  template <class Visit>
+  void half_change(const loop_equations& e, const Eigen::VectorXd& c, const Visit& visit) {
     const auto& at = e.places;
     const auto n = static_cast<Eigen::Index>(at.row_of_place.size());
     left_.setZero(n);
@@ -191,6 +210,12 @@ class loop_factor {
       for (std::size_t k = 0; k < b.places.size(); ++k) left_[b.places[k]] = half_[static_cast<Eigen::Index>(k)];
       visit(p, b);
     }
+  }
+  /// (4), with `visit` of `half_change`.
+  template <class State, class Visit>
+  void least_change(State& s, const loop_equations& e, const Eigen::VectorXd& c, Eigen::VectorXd& d,
+                    const Visit& visit) {
+    half_change(e, c, visit);
     other_half(s, e, left_, d);
   }
   /// The possible size of a row of B of block i.
@@ -206,7 +231,7 @@ class loop_factor {
     for (Eigen::Index k = 0; k < root_.size(); ++k) root_[k] = mass_.inverse_root(static_cast<int>(k));
   }
   /// (2) for block i.
-  template <class Closures, class State>
+  template <bool Accelerate, class Closures, class State>
   void put_half_solved(const Closures& c, State& s, loop_equations& e, std::size_t i,
                        Eigen::Ref<Eigen::MatrixXd> b) const {
     if (!s.tree().plan.tree) {
@@ -217,7 +242,8 @@ class loop_factor {
     if (e.places.blocks[i].closures.size() > 1) b.setZero();
     int first = 0;
     for (const int k : e.places.blocks[i].closures) {
-      e.half_solve(c, s, k, root_, [&](int column, int row, double entry) { b(column, first + row) = entry; });
+      e.half_solve<Accelerate>(c, s, k, root_,
+                               [&](int column, int row, double entry) { b(column, first + row) = entry; });
       first += e.places.closures[static_cast<std::size_t>(k)].rows.count();
     }
   }

@@ -24,28 +24,34 @@ class pivoted_qr {
   block matrix(Eigen::Index rows, Eigen::Index columns) {
     if (rows_ != rows || columns_ != columns) {
       rows_ = rows, columns_ = columns;
-      b_.setZero(rows + padding, columns);
-      diagonal_.resize(columns), square_.resize(columns);
+      b_.setZero((rows + padding) / lanes * lanes, columns), r_.setZero(columns, columns);
+      diagonal_.resize(columns), inverse_.resize(columns), factor_.resize(columns), square_.resize(columns);
       chosen.reserve(static_cast<std::size_t>(columns));
     }
-    return {b_.data(), rows, columns, Eigen::OuterStride<>(rows + padding)};
+    return {b_.data(), rows, columns, Eigen::OuterStride<>(b_.rows())};
   }
   /// Selects the column with the largest remaining norm in each step. Columns whose norm is below `least` times the
   /// first, or below `zero`, count as dependent.
   void choose(double least, double zero = 0) {
     chosen.resize(static_cast<std::size_t>(columns_));
     for (std::size_t i = 0; i < chosen.size(); ++i) chosen[i] = static_cast<int>(i);
-    largest = smallest = 0;
+    find_squares();
     Eigen::Index k = 0;
     for (; k < (std::min)(rows_, columns_); ++k) {
       Eigen::Index best = k;
       double most = -1;
       for (Eigen::Index j = k; j < columns_; ++j)
-        if (const double square = square_of(k, j); square > most) most = square, best = j;
+        if (square_[j] > most) most = square_[j], best = j;
       const double norm = std::sqrt(most);
       if (!(norm > least * largest) || !(norm > zero)) break;
       if (best != k) {
-        b_.col(k).swap(b_.col(best));
+        for (Eigen::Index i = 0; i < b_.rows(); i += lanes) {
+          simd x, y;
+          tree::load<double>(x, at(i, k)), tree::load<double>(y, at(i, best));
+          tree::store<double>(y, at(i, k)), tree::store<double>(x, at(i, best));
+        }
+        for (Eigen::Index i = 0; i < k; ++i) std::swap(r_(i, k), r_(i, best));
+        square_[best] = square_[k];
         std::swap(chosen[static_cast<std::size_t>(k)], chosen[static_cast<std::size_t>(best)]);
       }
       reflect(k, norm);
@@ -57,7 +63,8 @@ class pivoted_qr {
     chosen = columns;
     largest = smallest = 0;
     if (rows_ < columns_) return false;
-    for (Eigen::Index k = 0; k < columns_; ++k) reflect(k, std::sqrt(square_of(k, k)));
+    find_squares();
+    for (Eigen::Index k = 0; k < columns_; ++k) reflect(k, std::sqrt(square_[k]));
     return columns_ == 0 || smallest > least * largest;
   }
   Eigen::Index rank() const { return static_cast<Eigen::Index>(chosen.size()); }
@@ -65,26 +72,30 @@ class pivoted_qr {
   /// y = Q x.
   void times_q(const double* x, double* y) const {
     const Eigen::Index n = rank();
-    for (Eigen::Index i = 0; i < rows_; ++i) y[i] = i < n ? x[i] : 0;
-    for (Eigen::Index i = 0; i < padding; ++i) y[rows_ + i] = 0;
-    for (Eigen::Index k = n; k-- > 0;) reflect_from(k, y + k);
+    for (Eigen::Index first = 0; first < b_.rows(); first += lanes) {
+      simd part{};
+      for (Eigen::Index i = first; i < (std::min)(n, first + lanes); ++i)
+        tree::simd_lane<double>(static_cast<int>(i - first)).put(part, x[i]);
+      tree::store<double>(part, y + first);
+    }
+    for (Eigen::Index k = n; k-- > 0;) reflect_by(k, y);
   }
   /// The first numbers of y become Q^T y.
   void times_q_transposed(double* y) const {
-    for (Eigen::Index k = 0; k < rank(); ++k) reflect_from(k, y + k);
+    for (Eigen::Index k = 0; k < rank(); ++k) reflect_by(k, y);
   }
   /// x becomes R^-1 x.
   void solve(double* x) const {
     for (Eigen::Index k = rank(); k-- > 0;) {
-      x[k] /= diagonal_[k];
-      for (Eigen::Index i = 0; i < k; ++i) x[i] -= b_(i, k) * x[k];
+      x[k] *= inverse_[k];
+      for (Eigen::Index i = 0; i < k; ++i) x[i] -= r_(i, k) * x[k];
     }
   }
   /// x becomes R^-T x.
   void solve_transposed(double* x) const {
     for (Eigen::Index k = 0; k < rank(); ++k) {
-      for (Eigen::Index i = 0; i < k; ++i) x[k] -= b_(i, k) * x[i];
-      x[k] /= diagonal_[k];
+      for (Eigen::Index i = 0; i < k; ++i) x[k] -= r_(i, k) * x[i];
+      x[k] *= inverse_[k];
     }
   }
   Eigen::MatrixXd q() const {
@@ -94,7 +105,7 @@ class pivoted_qr {
     return all.topRows(rows_);
   }
   Eigen::MatrixXd r() const {
-    Eigen::MatrixXd all = b_.topLeftCorner(rank(), rank()).triangularView<Eigen::StrictlyUpper>();
+    Eigen::MatrixXd all = r_.topLeftCorner(rank(), rank()).triangularView<Eigen::StrictlyUpper>();
     all.diagonal() = diagonal_.head(rank());
     return all;
   }
@@ -103,50 +114,70 @@ class pivoted_qr {
   using simd = tree::simd<double>;
   static constexpr Eigen::Index lanes = padding + 1;
 
-  /// x . y of n numbers and the zeros behind them.
-  KTE_INLINE static double dot(Eigen::Index n, const double* x, const double* y) {
+  // Registers begin at multiples of their size, so that each one that is loaded was stored as a whole.
+  double* at(Eigen::Index row, Eigen::Index column) { return &b_.coeffRef(row, column); }
+  const double* at(Eigen::Index row, Eigen::Index column) const { return &b_.coeffRef(row, column); }
+  static Eigen::Index first_of(Eigen::Index row) { return row / lanes * lanes; }
+
+  KTE_INLINE static double sum_of(const simd& x) {
+    double each[lanes], all = 0;
+    tree::store<double>(x, each);
+    for (Eigen::Index i = 0; i < lanes; ++i) all += each[i];
+    return all;
+  }
+  /// x . y from number `first` on.
+  KTE_INLINE double dot(Eigen::Index first, const double* x, const double* y) const {
     simd sum{}, a, b;
-    for (Eigen::Index i = 0; i < n; i += lanes) {
+    for (Eigen::Index i = first; i < b_.rows(); i += lanes) {
       tree::load<double>(a, x + i), tree::load<double>(b, y + i);
       sum += a * b;
     }
-    double each[lanes];
-    tree::store<double>(sum, each);
-    double all = each[0];
-    for (Eigen::Index i = 1; i < lanes; ++i) all += each[i];
-    return all;
+    return sum_of(sum);
   }
-  /// Of column j from row k on.
-  double square_of(Eigen::Index k, Eigen::Index j) const {
-    const double* const x = &b_.coeffRef(k, j);
-    return dot(rows_ - k, x, x);
+  void find_squares() {
+    largest = smallest = 0;
+    for (Eigen::Index j = 0; j < columns_; ++j) square_[j] = dot(0, at(0, j), at(0, j));
   }
-  /// Reflects column k onto axis k by 1 - v v^T / (-d v_0), v of the column less d on its axis; keeps v from the
-  /// diagonal on.
+  /// Reflects column k, of this norm, onto axis k by 1 - v v^T / (-d v_0), v of the column less d on its axis. Keeps v
+  /// in the column; row k of the others goes to R.
   void reflect(Eigen::Index k, double norm) {
-    const double d = b_(k, k) > 0 ? -norm : norm;
-    diagonal_[k] = d;
-    b_(k, k) -= d;
-    const double square = -d * b_(k, k);
-    square_[k] = square > 0 ? 1 / square : 0;
+    const Eigen::Index first = first_of(k);
+    const tree::simd_lane<double> lane(static_cast<int>(k - first));
+    const double own = b_(k, k), d = own > 0 ? -norm : norm, v0 = own - d, half = -d * v0;
+    diagonal_[k] = d, inverse_[k] = 1 / d, factor_[k] = half > 0 ? 1 / half : 0;
     largest = k == 0 ? norm : (std::max)(largest, norm), smallest = k == 0 ? norm : (std::min)(smallest, norm);
-    for (Eigen::Index j = k + 1; j < columns_; ++j) reflect_from(k, &b_.coeffRef(k, j));
-  }
-  KTE_INLINE void reflect_from(Eigen::Index k, double* y) const {
-    const Eigen::Index n = rows_ - k;
-    const double* const v = &b_.coeffRef(k, k);
-    const double along = square_[k] * dot(n, v, y);
     simd a, b;
-    for (Eigen::Index i = 0; i < n; i += lanes) {
-      tree::load<double>(a, v + i), tree::load<double>(b, y + i);
+    tree::load<double>(a, at(first, k));
+    lane.put(a, v0);
+    tree::store<double>(a, at(first, k));
+    for (Eigen::Index j = k + 1; j < columns_; ++j) {
+      const double along = factor_[k] * dot(first, at(0, k), at(0, j));
+      r_(k, j) = b_(k, j) - along * v0;
+      simd square{};
+      for (Eigen::Index i = first; i < b_.rows(); i += lanes) {
+        tree::load<double>(a, at(i, k)), tree::load<double>(b, at(i, j));
+        b -= along * a;
+        if (i == first) lane.put(b, 0.0);
+        square += b * b;
+        tree::store<double>(b, at(i, j));
+      }
+      square_[j] = sum_of(square);
+    }
+  }
+  KTE_INLINE void reflect_by(Eigen::Index k, double* y) const {
+    const Eigen::Index first = first_of(k);
+    const double along = factor_[k] * dot(first, at(0, k), y);
+    simd a, b;
+    for (Eigen::Index i = first; i < b_.rows(); i += lanes) {
+      tree::load<double>(a, at(i, k)), tree::load<double>(b, y + i);
       b -= along * a;
       tree::store<double>(b, y + i);
     }
   }
 
   Eigen::Index rows_ = 0, columns_ = 0;
-  Eigen::MatrixXd b_;
-  Eigen::VectorXd diagonal_, square_;
+  Eigen::MatrixXd b_, r_;                                 ///< reflections; R above its diagonal
+  Eigen::VectorXd diagonal_, inverse_, factor_, square_;  ///< R_kk, 1 / R_kk, 2 / |v|^2; squares of remaining columns
 };
 
 }  // namespace kte::detail

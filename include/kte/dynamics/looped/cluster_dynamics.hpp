@@ -8,69 +8,45 @@
 /// dynamics/looped/inverse_dynamics.hpp.
 namespace kte::detail {
 
-/// The coordinates that an element follows, by the first port of each.
-template <class Elements>
-void followed_ports(const Elements& c, int follower, std::vector<std::size_t>& followed) {
-  const auto ports = c.ports(follower);
-  followed.clear();
-  for (std::size_t p = 0; p + 1 < ports.size(); ++p) {
-    bool first = ports[p].what == kind::gen;
-    for (const std::size_t before : followed) first &= c.index(follower, before) != c.index(follower, p);
-    if (first) followed.push_back(p);
-  }
-}
-/// Moves a follower, and says put(port, rate of what it writes by that coordinate). A coordinate that follows a
-/// single other one is known from its motion at a rate of one,
+/// Moves a follower, and says put(row of a coordinate, rate of what it writes by that coordinate). The motion of an
+/// element that follows one coordinate is known from that at a rate of one,
 ///
 ///   y' = f_1 q',   y'' = f_1 q'' + f_2 q'^2          (1)
 template <class Elements, class State, class Put>
-void move_and_derive(const Elements& c, State& s, int follower, const std::vector<std::size_t>& followed,
-                     const Put& put) {
+void move_and_derive(const Elements& c, State& s, const tree::cluster_follower& x, const Put& put) {
   using S = typename State::scalar;
-  const auto ports = c.ports(follower);
-  auto& end = s.template get<kind::gen>(c.written(follower));
-  bool only_coordinates = true;
-  for (std::size_t p = 0; p + 1 < ports.size(); ++p)
-    only_coordinates &= !is_signal(ports[p].what) || ports[p].what == kind::internal;
-  if (followed.size() == 1 && only_coordinates) {
-    auto& q = s.template get<kind::gen>(c.index(follower, followed[0]));
-    const S v = q.q_dot, a = q.q_ddot;
-    q.q_dot = S(1), q.q_ddot = S(0);
-    c.move(follower, s);
-    q.q_dot = v, q.q_ddot = a;
-    const S ratio = end.q_dot, curvature = end.q_ddot;
-    end.q_dot = ratio * v, end.q_ddot = ratio * a + curvature * (v * v);
-    put(followed[0], ratio);
-  } else {
-    c.move(follower, s);
-    for (const std::size_t p : followed)
-      put(p, ratio_of(c, s, follower, s.template get<kind::gen>(c.index(follower, p))));
+  if (!x.alone) {
+    c.move(x.element, s);
+    for (const auto& [port, coordinate, row] : x.followed)
+      put(row, ratio_of(c, s, x.element, s.template get<kind::gen>(coordinate)));
+    return;
   }
+  auto& q = s.template get<kind::gen>(x.followed[0].coordinate);
+  auto& end = s.template get<kind::gen>(x.written);
+  const S v = q.q_dot, a = q.q_ddot;
+  q.q_dot = S(1), q.q_ddot = S(0);
+  c.move(x.element, s);
+  q.q_dot = v, q.q_ddot = a;
+  const S ratio = end.q_dot, curvature = end.q_ddot;
+  end.q_dot = ratio * v, end.q_ddot = ratio * a + curvature * (v * v);
+  put(x.followed[0].row, ratio);
 }
 /// Moves all followers, and finds how coordinates follow degrees of freedom.
 template <class Elements, class State>
 void move_and_derive_followers(const Elements& c, State& s) {
   using S = typename State::scalar;
   const auto& t = s.tree();
-  auto& x = s.work.clusters;
-  const auto row = [&t](int coordinate) { return t.plan.row_of_gen[static_cast<std::size_t>(coordinate)]; };
-  auto& steps = x.steps;
-  steps.clear();
-  for (const int e : t.followers) {
-    if (c.ports(e).back().what != kind::gen) {
-      c.move(e, s);
+  auto& values = s.work.clusters;
+  tree::open_rates(t.clusters, values);
+  for (const auto& x : t.clusters.followers) {
+    if (x.written < 0) {
+      c.move(x.element, s);
       continue;
     }
-    followed_ports(c, e, x.followed);
-    move_and_derive(c, s, e, x.followed, [&](std::size_t port, const S& ratio) {
-      steps.push_back({row(c.index(e, port)), row(c.written(e)), ratio});
-    });
-    if constexpr (State::has_sines) update_angle(s.template get<kind::gen>(c.written(e)));
+    move_and_derive(c, s, x, [&](int row, const S& ratio) { tree::add_rates(t.clusters, values, x.row, row, ratio); });
+    if constexpr (State::has_sines) update_angle(s.template get<kind::gen>(x.written));
   }
   for (const auto& [k, slot] : t.turned) with_coordinate(s, k, slot, [](auto& y) { update_angle(y); });
-  x.j.clear();
-  for (auto step = steps.rbegin(); step != steps.rend(); ++step) x.j.add(step->to, step->from, step->ratio);
-  x.j.finish(s.dofs(), t.plan.coordinates);
 }
 /// The forces of elements on the degrees of freedom, at the rates of the state and no accelerations of degrees of
 /// freedom; with what is on coordinates that follow them.
@@ -92,8 +68,12 @@ void forces_by_rates(const Elements& c, State& s) {
   for (std::size_t i = 0; i < t.plan.row_of_gen.size(); ++i) {
     const int row = t.plan.row_of_gen[i];
     if (row < s.dofs()) continue;
+    const int in = t.clusters.of_row[static_cast<std::size_t>(row)];
+    if (in < 0) continue;
     const S f = s.template get<kind::gen>(static_cast<int>(i)).f;
-    for (const auto& [dof, ratio] : w.clusters.j.of(row)) w.forces[dof] += ratio * f;
+    const auto& dofs = t.clusters.clusters[static_cast<std::size_t>(in)].dofs;
+    const S* const rates = w.clusters.rates_of(t.clusters, row);
+    for (std::size_t d = 0; d < dofs.size(); ++d) w.forces[dofs[d]] += rates[d] * f;
   }
 }
 /// A cluster with a rate that moves no mass, or one that is not finite.
@@ -119,7 +99,8 @@ void accelerate_clustered(const Elements& c, State& s, const Tau& tau) {
   for (int i = 0; i < s.dofs(); ++i) w.forces[i] += tau(i);
   for (std::size_t k = 0; k < t.body_tree.row.size(); ++k)
     w.force[k] = t.body_tree.row[k] < s.dofs() ? w.forces[t.body_tree.row[k]] : S(0);
-  tree::open_clusters(t.body_tree, t.clusters, w.clusters, t.own_mass, [&w](int row) { return w.forces[row]; });
+  tree::open_clusters(t.clusters, w.clusters, t.has_own_mass ? t.own_mass.data() : nullptr,
+                      [&w](int row) { return w.forces[row]; });
   if (const int bad = tree::articulate_clusters(t.body_tree, w, t.clusters, w.clusters, biases); bad >= 0)
       [[unlikely]] {
     const int in = t.clusters.of_row[static_cast<std::size_t>(t.body_tree.row[static_cast<std::size_t>(bad)])];

@@ -34,10 +34,10 @@ void check_jointless_masses(const Elements& c, const State& s) {
         [[unlikely]]
       c.diagnose_mass(s, row, true);
 }
-/// Accelerations from the forces tau(i) and those of the elements, written to `forces`, by ABA; for trees. Rows that
-/// are `prescribed` keep the accelerations of the state.
+/// Articulated inertias and bias forces under the forces tau(i) and those of the elements, by ABA; for trees. Rows that
+/// are `prescribed` keep the accelerations of the state. Returns the bias motions.
 template <class Elements, class State, class Tau>
-void accelerate_articulated(const Elements& c, State& s, const Tau& tau, std::span<const char> prescribed) {
+auto articulate_under(const Elements& c, State& s, const Tau& tau, std::span<const char> prescribed) {
   using S = typename State::scalar;
   const auto& t = s.tree();
   auto& w = s.work;
@@ -57,11 +57,17 @@ void accelerate_articulated(const Elements& c, State& s, const Tau& tau, std::sp
   if (const int bad = tree::articulate(t.body_tree, w, biases); bad >= 0) [[unlikely]]
     diagnose_axis(c, s, bad);
   if (!t.on_frames.empty() || !t.late.empty()) take_rates(s);  // accelerations of prescribed joints
+  check_jointless_masses(c, s);
+  return biases;
+}
+/// Accelerations after `articulate_under`, written to `forces`.
+template <class State, class Biases>
+void accelerate_after(State& s, const Biases& biases) {
+  const auto& t = s.tree();
+  auto& w = s.work;
   tree::accelerate(t.body_tree, w, biases);
   for (std::size_t k = 0; k < t.body_tree.row.size(); ++k)
     if (t.body_tree.row[k] < s.dofs()) w.forces[t.body_tree.row[k]] = w.acceleration[k];
-  if (t.plan.jointless_dofs.empty()) return;
-  check_jointless_masses(c, s);
   for (const int row : t.plan.jointless_dofs) {
     if (!w.prescribed[static_cast<std::size_t>(row)]) {
       w.forces[row] /= t.own_mass[static_cast<std::size_t>(row)];
@@ -71,6 +77,12 @@ void accelerate_articulated(const Elements& c, State& s, const Tau& tau, std::sp
       if (at.v == row) visit_a(x, [&](const auto& a) { w.forces[row] = a; });
     });
   }
+}
+
+/// Accelerations from the forces tau(i) and those of the elements, written to `forces`, by ABA; for trees.
+template <class Elements, class State, class Tau>
+void accelerate_articulated(const Elements& c, State& s, const Tau& tau, std::span<const char> prescribed) {
+  accelerate_after(s, articulate_under(c, s, tau, prescribed));
 }
 
 /// Forward dynamics of any chain, by factorization of its mass matrix.
