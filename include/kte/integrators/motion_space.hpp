@@ -57,6 +57,9 @@ inline constexpr bool changes_when_called<std::reference_wrapper<const F>, S, X>
 ///   f.tangential(x, e)       what `settle` takes away of a displacement is taken out of an error estimate e
 ///   f.check_end(x, next)     optional: throws where a step of another length should end elsewhere than at `next`
 ///
+/// A right-hand side of vectors may have the same functions, with `settle(x, out)` instead, and with e in the numbers of
+/// x (models/vector_form.hpp).
+///
 /// They throw `bad_argument` if this is not possible; a shorter step may succeed.
 template <class F, class X>
 concept moves_on_group = requires(const F& f, const X& x, X& out, const typename F::rate& d, typename F::rate& r) {
@@ -73,6 +76,13 @@ concept settles_states = moves_on_group<F, X> && requires(const F& f, const X& x
   f.begin_step(x);
   f.settle(x, d, out);
   f.tangential(x, d);
+};
+/// Whether a right-hand side keeps states that are vectors on a manifold.
+template <class F, class X>
+concept settles_vectors = !moves_on_group<F, X> && requires(const F& f, const X& x, X& out) {
+  f.begin_step(x);
+  f.settle(x, out);
+  f.tangential(x, out);
 };
 template <class F, class X>
 struct rate_type {
