@@ -53,8 +53,8 @@ TEST_CASE("a closure of coordinates acts on each by its derivative, and stores i
   loop_state<> loop;
   loop.torque.x = 3;
   const auto f = c.doForce(a, b, loop);
-  CHECK(f.template get<0>() == within(3 * 2 * std::sin(0.4), 1e-15));
-  CHECK(f.template get<1>() == within(3 * 2 * 1.5 * std::cos(0.4), 1e-15));
+  CHECK(nth<0>(f) == within(3 * 2 * std::sin(0.4), 1e-15));
+  CHECK(nth<1>(f) == within(3 * 2 * 1.5 * std::cos(0.4), 1e-15));
   c.put_residual(a, b, loop);
   CHECK(loop.ang_residual.x == within(2 * 1.5 * std::sin(0.4), 1e-15));
 }

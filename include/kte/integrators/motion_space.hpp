@@ -1,9 +1,13 @@
 #pragma once
 
+#include <kte/detail/raise.hpp>
+#include <kte/errors.hpp>
+
 #include <Eigen/Core>
 
 #include <concepts>
 #include <functional>
+#include <string>
 #include <type_traits>
 
 /// States that are not vectors: those with rotations. Integrators then work on displacements d from the state x at the
@@ -84,6 +88,14 @@ concept settles_vectors = !moves_on_group<F, X> && requires(const F& f, const X&
   f.settle(x, out);
   f.tangential(x, out);
 };
+/// Throws `bad_argument` if a right-hand side f keeps states on closed loops, for integrators of another library.
+template <class F>
+void refuse_loops(const F& f, const char* library) {
+  if constexpr (requires { unwrapped(f).has_loops(); })
+    if (unwrapped(f).has_loops())
+      raise<bad_argument>(std::string("kte: ") + library +
+                          " does not keep states on closed loops: use an integrator of kte");
+}
 template <class F, class X>
 struct rate_type {
   using type = X;

@@ -48,6 +48,11 @@ class vector_form {
   }
 
   // ---- chains with loops (integrators/motion_space.hpp); no effect for other chains
+  /// Whether the chain has closures of loops.
+  [[nodiscard]] bool has_loops() const {
+    if constexpr (settles) return detail::unwrapped(f_).has_loops();
+    return false;
+  }
   /// Chooses the independent rows of closures for the step from x0. Throws `bad_argument` if x0 is off the loops.
   void begin_step(const state& x0) const requires(settles) { detail::unwrapped(f_).begin_step(x0); }
   /// Projects x, the end of a step from x0 or a state within it, onto the loops. Throws `bad_argument`, naming the
@@ -75,7 +80,8 @@ class vector_form {
   }
   /// Throws `bad_argument` where the step from x0 ends too near to a singular configuration.
   void check_end(const state& x0, const state& next) const requires(settles) {
-    detail::unwrapped(f_).check_end(x0, next);
+    const auto& m = detail::unwrapped(f_);
+    if constexpr (requires { m.check_end(x0, next); }) m.check_end(x0, next);
   }
 
  private:
