@@ -52,7 +52,7 @@ vector_13 equations(const Q& q, const V& v, const V& tau) {
 }
 }  // namespace floating_loops
 
-/// The same as a static chain.
+/// A static chain of these elements.
 inline constexpr struct rod_ final : loop_key<"rod"> {
 } rod;
 inline constexpr struct plane_ final : loop_key<"plane"> {

@@ -97,8 +97,7 @@ TEST_CASE("adams and bdf: closed loops with rotations keep their momentum and un
       << inertia_3D(x + "a", body) << rigid_link_3D(x + "a", x + "b", vec3<>{x == "l" ? -0.5 : 0.5, 0.6, 0});
   c << coincident_points_3D("joined", "lb", "rb");
   auto s = c.make_state();
-  const vector q = neutral_configuration(c),
-               v = consistent_velocities(c, s, q, vector::LinSpaced(c.dofs(), -1, 1.5));
+  const vector q = neutral_configuration(c), v = consistent_velocities(c, s, q, vector::LinSpaced(c.dofs(), -1, 1.5));
   const model m(c);
   prince_dormand87 fine(std::cref(m), 0.0, m.make_x(q, v), {.absolute = 1e-13, .relative = 1e-13});
   fine.integrate(2);

@@ -3,11 +3,14 @@
 #include <kte/integrators/dormand_prince45.hpp>
 #include <kte/integrators/esdirk.hpp>
 #include <kte/integrators/euler.hpp>
+#include <kte/integrators/fehlberg45.hpp>
 #include <kte/integrators/implicit_midpoint.hpp>
 #include <kte/integrators/kennedy_carpenter34.hpp>
 #include <kte/integrators/midpoint.hpp>
 #include <kte/integrators/runge_kutta4.hpp>
 #include <kte/integrators/runge_kutta5.hpp>
+#include <kte/integrators/semi_implicit_euler.hpp>
+#include <kte/integrators/stormer_verlet.hpp>
 
 #include "catch.hpp"
 #include "closed_loops/mechanisms.hpp"
@@ -134,9 +137,12 @@ TEST_CASE("every one-step method keeps loops closed, and its order") {
   CHECK(order([&](double h) { return runge_kutta4(f, 0.0, x0, h); }, 1e-2) > 3.8);
   CHECK(order([&](double h) { return runge_kutta5(f, 0.0, x0, h); }, 1e-2) > 4.7);
   CHECK(order([&](double h) { return implicit_midpoint(f, 0.0, x0, h); }, 1e-2) > 1.9);
+  CHECK(order([&](double h) { return stormer_verlet(f, 0.0, x0, h); }, 1e-2) > 1.9);
+  CHECK(order([&](double h) { return semi_implicit_euler(f, 0.0, x0, h); }, 1e-3) > 0.9);
   CHECK(pendulum_off(bogacki_shampine23(f, 0.0, x0, {.absolute = 1e-8, .relative = 1e-8})) < 1e-6);
   CHECK(pendulum_off(dormand_prince45(f, 0.0, x0, {.absolute = 1e-10, .relative = 1e-10})) < 1e-8);
   CHECK(pendulum_off(kennedy_carpenter34(f, 0.0, x0, {.absolute = 1e-8, .relative = 1e-8})) < 1e-5);
+  CHECK(pendulum_off(fehlberg45(f, 0.0, x0, {.absolute = 1e-9, .relative = 1e-9})) < 1e-6);
 }
 
 TEST_CASE("a loop through a floating base keeps momentum") {

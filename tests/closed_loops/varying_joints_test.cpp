@@ -48,7 +48,9 @@ vector difference(const F& f, double h = 2e-4) {
 double off(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
   return (a - b).cwiseAbs().maxCoeff() / (1 + b.cwiseAbs().maxCoeff());
 }
-vector drawn(random_numbers& draw) { return vector::NullaryExpr(4, [&] { return draw(); }); }
+vector drawn(random_numbers& draw) {
+  return vector::NullaryExpr(4, [&] { return draw(); });
+}
 
 }  // namespace
 
@@ -102,8 +104,8 @@ TEST_CASE("a loop through joints of varying axes stays closed") {
 
 TEST_CASE("an equilibrium of joints of varying axes, with and without loops") {
   runtime_chain c;
-  c << arm() << spring_gen("q", "p", 0.1, 200.0) << spring_gen("u", "w", -0.1, 200.0) << spring_gen("p", "w", 0.2, 150.0)
-    << spring_3D("ground", "tip", 0.3, 400.0);
+  c << arm() << spring_gen("q", "p", 0.1, 200.0) << spring_gen("u", "w", -0.1, 200.0)
+    << spring_gen("p", "w", 0.2, 150.0) << spring_3D("ground", "tip", 0.3, 400.0);
   auto s = c.make_state();
   const vector none = vector::Zero(4);
   const auto r = static_equilibrium(c, s, none);

@@ -14,10 +14,10 @@ struct two_hinges : transmission<two_hinges> {
 
   template <class A, class B>
   constexpr auto relative(const A& a, const B& b) const {
-    const motion first{zero3{},           rotation_about(axis::x, a.cos, a.sin), zero3{},
-                       axis::x * a.q_dot, zero3{},                               axis::x * a.q_ddot};
-    const motion second{zero3{},           rotation_about(axis::y, b.cos, b.sin), zero3{},
-                        axis::y * b.q_dot, zero3{},                               axis::y * b.q_ddot};
+    const motion first{zero3{},           rotation_about(axis::x, a.cos, a.sin), zero3{}, axis::x * a.q_dot, zero3{},
+                       axis::x * a.q_ddot};
+    const motion second{zero3{},           rotation_about(axis::y, b.cos, b.sin), zero3{}, axis::y * b.q_dot, zero3{},
+                        axis::y * b.q_ddot};
     return compose(first, second);
   }
   constexpr void check(const parameter_check&) const {}

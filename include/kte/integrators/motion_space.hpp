@@ -61,8 +61,8 @@ inline constexpr bool changes_when_called<std::reference_wrapper<const F>, S, X>
 ///   f.tangential(x, e)       what `settle` takes away of a displacement is taken out of an error estimate e
 ///   f.check_end(x, next)     optional: throws where a step of another length should end elsewhere than at `next`
 ///
-/// A right-hand side of vectors may have the same functions, with `settle(x, out)` instead, and with e in the numbers of
-/// x (models/vector_form.hpp).
+/// A right-hand side of vectors may have the same functions, with `settle(x, out)` instead, and with e in the numbers
+/// of x (models/vector_form.hpp).
 ///
 /// They throw `bad_argument` if this is not possible; a shorter step may succeed.
 template <class F, class X>

@@ -39,8 +39,8 @@ class moving_state {
   /// Whether states are not vectors.
   static constexpr bool on_group = moves_on_group<detail::unwrapped_type<F>, X>;
   /// Whether states are kept on a manifold.
-  static constexpr bool settles = detail::settles_states<detail::unwrapped_type<F>, X> ||
-                                  detail::settles_vectors<detail::unwrapped_type<F>, X>;
+  static constexpr bool settles =
+      detail::settles_states<detail::unwrapped_type<F>, X> || detail::settles_vectors<detail::unwrapped_type<F>, X>;
   struct nothing {};
   template <class T>
   using if_on_group = std::conditional_t<on_group, T, nothing>;

@@ -34,8 +34,10 @@ class vector_form {
   }
   /// The Jacobian of the model, if all its coordinates are numbers. Returns whether it is available.
   template <class J>
-  bool jacobian(const S& t, const state& x, J& j) requires(
-      std::is_same_v<J, typename model::jacobian_matrix>&& requires(model& m) { m.jacobian(t, x, j); }) {
+  bool jacobian(const S& t, const state& x,
+                J& j) requires(std::is_same_v<J, typename model::jacobian_matrix>&& requires(model& m) {
+    m.jacobian(t, x, j);
+  }) {
     auto& m = detail::unwrapped(f_);
     for (const detail::freedom& f : m.freedoms())
       if (f.what != kind::gen) return false;

@@ -5,8 +5,8 @@
 #include <kte/dynamics/closed_loops/at_run_time.hpp>
 #include <kte/dynamics/closed_loops/closure_derivatives.hpp>
 
-/// Static chains with loops: the equations of motion in actuated coordinates, derivatives and all assemblies. Arguments,
-/// results and errors as for runtime chains, without a state; `actuated` and `held` also accept keys.
+/// Static chains with loops: the equations of motion in actuated coordinates, derivatives and all assemblies.
+/// Arguments, results and errors as for runtime chains, without a state; `actuated` and `held` also accept keys.
 namespace kte {
 
 template <class Gravity, class... E, indexable Q, indexable V, indexable T>
