@@ -88,13 +88,13 @@ concept settles_vectors = !moves_on_group<F, X> && requires(const F& f, const X&
   f.settle(x, out);
   f.tangential(x, out);
 };
-/// Throws `bad_argument` if a right-hand side f keeps states on closed loops, for integrators of another library.
+/// Throws `bad_argument` if a right-hand side f keeps states on closed loops, for `methods` that do not.
 template <class F>
-void refuse_loops(const F& f, const char* library) {
+void refuse_loops(const F& f, const char* methods) {
   if constexpr (requires { unwrapped(f).has_loops(); })
     if (unwrapped(f).has_loops())
-      raise<bad_argument>(std::string("kte: ") + library +
-                          " does not keep states on closed loops: use an integrator of kte");
+      raise<bad_argument>(std::string("kte: ") + methods +
+                          " do not keep loops closed: use a one-step method of kte, or kte::vector_form");
 }
 template <class F, class X>
 struct rate_type {
