@@ -65,7 +65,7 @@ class vector_form {
     rate d(m.rates());
     const S *from = x0.data(), *to = x.data();
     for (const detail::freedom& f : m.freedoms()) detail::displacement_between<S>(f, from, to, d);
-    const Eigen::Index rest = m.rates() - m.velocity_count();
+    const Eigen::Index rest = m.rates() - m.velocities_of(x0).size();
     d.tail(rest) = x.tail(rest) - x0.tail(rest);
     m.settle(x0, d, x);
   }
@@ -75,7 +75,7 @@ class vector_form {
     if (!m.has_loops()) return;
     rate r(m.rates());
     for (const detail::freedom& f : m.freedoms()) detail::velocity_of_one<S>(f, x0.data(), e.data(), r);
-    const Eigen::Index rest = m.rates() - m.velocity_count();
+    const Eigen::Index rest = m.rates() - m.velocities_of(x0).size();
     r.tail(rest) = e.tail(rest);
     m.tangential(x0, r);
     put_rate(m, x0, r, e);
@@ -93,7 +93,7 @@ class vector_form {
   template <class R>
   static void put_rate(const model& m, const state& x, const R& r, state& out) {
     for (const detail::freedom& f : m.freedoms()) detail::rate_of_one<S>(f, x.data(), r.data(), out);
-    const Eigen::Index rest = r.size() - m.velocity_count();
+    const Eigen::Index rest = r.size() - m.velocities_of(x).size();
     for (Eigen::Index i = 1; i <= rest; ++i) out[out.size() - i] = r[r.size() - i];
   }
 
