@@ -143,9 +143,7 @@ TEST_CASE("every one-step method keeps loops closed, and its order") {
   CHECK(pendulum_off(bogacki_shampine23(f, 0.0, x0, {.absolute = 1e-8, .relative = 1e-8})) < 1e-6);
   CHECK(pendulum_off(dormand_prince45(f, 0.0, x0, {.absolute = 1e-10, .relative = 1e-10})) < 1e-8);
   CHECK(pendulum_off(kennedy_carpenter34(f, 0.0, x0, {.absolute = 1e-8, .relative = 1e-8})) < 1e-5);
-  CHECK_THROWS_WITH(variational2(f, 0.0, x0, 1e-2),
-                    "kte: variational integrators do not keep loops closed: use a "
-                    "one-step method of kte, or kte::vector_form");
+  CHECK_THROWS_WITH(variational2(f, 0.0, x0, 1e-2), contains_text("does not know closures of loops"));
   CHECK(pendulum_off(fehlberg45(f, 0.0, x0, {.absolute = 1e-9, .relative = 1e-9})) < 1e-6);
 }
 
