@@ -107,11 +107,7 @@ bool accelerate_with_contacts(const Contacts& c, State& s, contact_solver& m, co
       raise<bad_argument>("kte: contact '" + c.loop_name(m.place(x).loop) + "' approaches at " +
                           number(-dot(x.place.normal, x.slip)) + " m/s: kte::impact gives the velocities after it");
     if (slides(m, x)) m.let_slide(i);
-    const auto& at = m.place(x);
-    const auto row = [&](int k) {
-      return k < at.rows.count() ? e.acceleration[at.first + k] / e.places.scale(at, k) : 0.0;
-    };
-    m.put_rows(x, {row(0), row(1), row(2)}, m.bias);
+    m.put_rows(x, m.unscaled(x, e.acceleration), m.bias);
     m.bias[x.first] += x.place.bending / e.places.length;
   }
   m.make_matrix(c, s, e.acceleration);

@@ -55,12 +55,7 @@ void strike(const Contacts& c, State& s, contact_solver& m, impact_memory& memor
   e.at_positions(c, s, true);
   m.factor.factorize(c, s, e);
   m.before = e.times(v);
-  for (auto& x : m.contacts) {
-    const auto& at = m.place(x);
-    x.place = c.touch_at(at.element, loop_equations::motion_between(s, at));
-    const auto row = [&](int k) { return k < at.rows.count() ? m.before[at.first + k] / e.places.scale(at, k) : 0.0; };
-    x.slip = {row(0), row(1), row(2)};
-  }
+  m.find_positions(c, s, m.before);
   m.choose([](const contact_at&) { return true; });
   auto& r = memory.result;
   r.energy = 0, r.restitution = 1;
