@@ -90,7 +90,7 @@ concept settles_vectors = !moves_on_group<F, X> && requires(const F& f, const X&
 };
 /// Throws `bad_argument` if a right-hand side f keeps states on closed loops, for `methods` that do not.
 template <class F>
-void refuse_loops(const F& f, const char* methods) {
+void refuse_moving_on_loops(const F& f, const char* methods) {
   if constexpr (requires { unwrapped(f).has_loops(); })
     if (unwrapped(f).has_loops())
       raise<bad_argument>(std::string("kte: ") + methods +
