@@ -5,6 +5,15 @@
 
 namespace kte {
 
+namespace detail {
+/// Whether a model fills a matrix J with its Jacobian.
+template <class Model, class X, class J>
+concept fills_jacobian = requires(Model& m, const X& x, J& j) {
+  requires std::is_same_v<J, typename Model::jacobian_matrix>;
+  m.jacobian(typename X::Scalar(0), x, j);
+};
+}  // namespace detail
+
 /// A model with the rates of all numbers of x, for methods that accept vectors only (`adams`, `bdf`):
 ///
 ///   x' = (q', v', z'),   q' = v for numbers, R v for positions, q (0, w/2) for quaternions q
@@ -34,10 +43,7 @@ class vector_form {
   }
   /// The Jacobian of the model, if all its coordinates are numbers. Returns whether it is available.
   template <class J>
-  bool jacobian(const S& t, const state& x,
-                J& j) requires(std::is_same_v<J, typename model::jacobian_matrix>&& requires(model& m) {
-    m.jacobian(t, x, j);
-  }) {
+  requires(detail::fills_jacobian<model, state, J>) bool jacobian(const S& t, const state& x, J& j) {
     auto& m = detail::unwrapped(f_);
     for (const detail::freedom& f : m.freedoms())
       if (f.what != kind::gen) return false;
