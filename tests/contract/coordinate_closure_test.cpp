@@ -17,7 +17,6 @@ struct arm_rise : coordinate_closure<arm_rise> {
 
   template <class Q>
   constexpr auto value(const Q& q1, const Q& q2) const {
-    using std::sin;
     return Q(r * by_parameter(0, q1, q2));
   }
   template <class Q>
@@ -27,9 +26,7 @@ struct arm_rise : coordinate_closure<arm_rise> {
   }
 };
 /// A closure without derivatives by its numbers.
-struct plain : coordinate_closure<plain> {
-  static constexpr auto ports = detail::coordinate_closure_ports<1>;
-};
+struct plain : coordinate_closure<plain> {};
 
 }  // namespace
 
