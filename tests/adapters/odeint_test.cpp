@@ -33,6 +33,16 @@ X integrated(auto stepper, double t_end, double h) {
   return x;
 }
 
+struct on_loops : pendulum {
+  static constexpr bool has_loops() { return true; }
+};
+
+TEST_CASE("odeint refuses systems with closed loops") {
+  CHECK_THROWS_WITH(
+      odeint_system(on_loops{}),
+      "kte: steppers of odeint do not keep loops closed: use a one-step method of kte, or kte::vector_form");
+}
+
 TEST_CASE("odeint: one step of Dormand and Prince is the same") {
   dormand_prince45 solver(pendulum(), 0.0, horizontal, {.absolute = 1e30, .relative = 1e30});
   solver.integrate(100);  // the next step proposed is a long one, so that each of the following is one step

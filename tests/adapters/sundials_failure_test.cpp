@@ -29,6 +29,16 @@ void with_each(const F& f, const Run& run, const tolerances<double>& tol = {}) {
   SECTION("implicit Runge-Kutta") { run(kvaerno); }
 }
 
+/// A system that claims closed loops.
+struct on_loops {
+  static constexpr bool has_loops() { return true; }
+  scalar_state operator()(double, const scalar_state& x) const { return x; }
+};
+
+TEST_CASE("SUNDIALS: systems with closed loops are refused") {
+  CHECK_THROWS_WITH(kte::sundials::bdf(on_loops{}, 0.0, scalar_state(1.0)), contains_text("do not keep loops closed"));
+}
+
 TEST_CASE("SUNDIALS: a blow-up in finite time stops with the last good state") {
   const auto square = [](double, const scalar_state& x) { return scalar_state(x[0] * x[0]); };
   with_each(square, [](auto& solver) {

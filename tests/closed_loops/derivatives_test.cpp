@@ -1,4 +1,4 @@
-#include <kte/dynamics/closed_loops/closure_derivatives.hpp>
+#include <kte/dynamics/closed_loops/static_derivatives.hpp>
 #include <kte/dynamics/jacobian_rate.hpp>
 
 #include "catch.hpp"
@@ -51,6 +51,16 @@ vector_13 equations(const Q& q, const V& v, const V& tau) {
   return all.fullPivLu().solve(right);
 }
 }  // namespace floating_loops
+
+/// A static chain of these elements.
+inline constexpr struct rod_ final : loop_key<"rod"> {
+} rod;
+inline constexpr struct plane_ final : loop_key<"plane"> {
+} plane;
+const auto closed_floating =
+    chain(small_chains::floating, distance_3D(rod, small_chains::ground, small_chains::tip, floating_loops::length),
+          point_on_plane_3D(plane, small_chains::ground, small_chains::aside, floating_loops::normal))
+        .gravity(small_chains::weight);
 
 /// Derivatives of a and lambda by differences in all directions, where no row depends on others.
 void check_by_differences(const runtime_chain& c, const vector& q, const vector& v, const vector& tau) {
@@ -122,7 +132,8 @@ TEST_CASE("derivatives of constrained dynamics equal those of the equations of m
   const auto drawn = [&] { return vector::NullaryExpr(11, [&] { return draw(); }).eval(); };
   const vector q = assemble(c, s, integrate(c, neutral_configuration(c), drawn(), 1.0));
   const vector v = consistent_velocities(c, s, q, drawn()), tau = drawn();
-  const auto r = constrained_dynamics_derivatives(c, s, q, v, tau);
+  const std::array all{constrained_dynamics_derivatives(c, s, q, v, tau),
+                       constrained_dynamics_derivatives(closed_floating, q, v, tau)};
 
   using vector_11 = Eigen::Matrix<big, 11, 1>;
   const Eigen::Matrix<big, 13, 1> q_big = q.cast<big>();
@@ -130,8 +141,10 @@ TEST_CASE("derivatives of constrained dynamics equal those of the equations of m
   const big step("1e-16");
   const auto slope = [&](const auto& f) { return ((f(step) - f(-step)) / (2 * step)).template cast<double>().eval(); };
   const vector here = floating_loops::equations(q_big, v_big, tau_big).cast<double>();
-  CHECK(largest_difference(r.a, here.head(11)) < 1e-13);
-  CHECK(largest_difference(r.lambda, here.tail(2)) < 1e-13);
+  for (const auto& r : all) {
+    CHECK(largest_difference(r.a, here.head(11)) < 1e-13);
+    CHECK(largest_difference(r.lambda, here.tail(2)) < 1e-13);
+  }
   for (int k = 0; k < 11; ++k) {
     const vector_11 e = vector_11::Unit(k);
     const vector by_q = slope([&](const big& h) {
@@ -141,12 +154,14 @@ TEST_CASE("derivatives of constrained dynamics equal those of the equations of m
         slope([&](const big& h) { return floating_loops::equations(q_big, vector_11(v_big + h * e), tau_big); });
     const vector by_tau =
         slope([&](const big& h) { return floating_loops::equations(q_big, v_big, vector_11(tau_big + h * e)); });
-    CHECK(largest_difference(r.by_q.col(k), by_q.head(11)) < 1e-12);
-    CHECK(largest_difference(r.by_v.col(k), by_v.head(11)) < 1e-12);
-    CHECK(largest_difference(r.by_tau.col(k), by_tau.head(11)) < 1e-12);
-    CHECK(largest_difference(r.lambda_by_q.col(k), by_q.tail(2)) < 1e-12);
-    CHECK(largest_difference(r.lambda_by_v.col(k), by_v.tail(2)) < 1e-12);
-    CHECK(largest_difference(r.lambda_by_tau.col(k), by_tau.tail(2)) < 1e-12);
+    for (const auto& r : all) {
+      CHECK(largest_difference(r.by_q.col(k), by_q.head(11)) < 1e-12);
+      CHECK(largest_difference(r.by_v.col(k), by_v.head(11)) < 1e-12);
+      CHECK(largest_difference(r.by_tau.col(k), by_tau.head(11)) < 1e-12);
+      CHECK(largest_difference(r.lambda_by_q.col(k), by_q.tail(2)) < 1e-12);
+      CHECK(largest_difference(r.lambda_by_v.col(k), by_v.tail(2)) < 1e-12);
+      CHECK(largest_difference(r.lambda_by_tau.col(k), by_tau.tail(2)) < 1e-12);
+    }
   }
 }
 

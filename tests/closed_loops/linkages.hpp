@@ -140,6 +140,15 @@ inline vector cut_governor_q() {
   return numbers({0, 0.5, 0.05, 0, 1, c, 0, s, 0, -0.05, 0, 1, 0, -s, 0, c});
 }
 
+/// Its velocities: rods turn with the shaft, w = 2 pi z in their own axes, and their hinges move.
+inline vector cut_governor_v() {
+  const double w = 2 * pi;
+  vector v = vector::Unit(14, 0) * w;
+  for (int rod = 0; rod < 2; ++rod)
+    v.segment(2 + 6 * rod, 6) = numbers({0, w * 0.05, 0, -w * 0.5, 0, w * std::cos(pi / 6)});
+  return v;
+}
+
 /// A Stewart platform: six legs of a universal joint and a slide with a spring of 2e4 N/m, from a base of radius 1 m to
 /// a platform of radius 0.5 m and 20 kg. The first leg carries the platform by a ball, five are closed by points.
 inline runtime_chain stewart() {

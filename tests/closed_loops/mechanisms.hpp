@@ -156,5 +156,12 @@ inline vector by_one_matrix(const runtime_chain& c, runtime_state& s, const vect
   right << tau - bias, -gamma;
   return all.fullPivLu().solve(right);
 }
+/// The largest residual and rate of one that loops have at a state x of a model, m and rad.
+template <class Model>
+double open_by(const runtime_chain& c, runtime_state& s, const Model& m, const vector& x) {
+  const auto r = kte::loops(c, s, vector(m.positions_of(x)));
+  const vector rates = loop_jacobian(c, s, vector(m.positions_of(x))) * m.velocities_of(x);
+  return (std::max)(r.gap, rates.cwiseAbs().maxCoeff());
+}
 
 }  // namespace kte::test::loops

@@ -1,3 +1,4 @@
+#include <kte/contract/coordinate_holder.hpp>
 #include <kte/deprecated.hpp>
 #include <kte/dynamics/centroidal.hpp>
 #include <kte/dynamics/subtree_inertia.hpp>

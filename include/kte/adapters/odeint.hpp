@@ -33,7 +33,7 @@ namespace kte {
 template <class F>
 class odeint_system {
  public:
-  explicit odeint_system(F&& f) : f_(std::forward<F>(f)) {}
+  explicit odeint_system(F&& f) : f_(std::forward<F>(f)) { detail::refuse_moving_on_loops(f_, "steppers of odeint"); }
 
   template <class X, class S>
   void operator()(const X& x, X& x_dot, const S& t) {

@@ -24,6 +24,10 @@ namespace kte {
 ///
 ///   x(t + theta h) = x + int P - theta^2 (3 - 2 theta) h g_k (f(t + h, x1) - f(t + h, p))             (5)
 ///
+/// If states are kept on constraints (models/vector_form.hpp), the end of a step and interpolated states are projected
+/// onto them. The history then consists of slopes on the constraints, and errors are compared without their part normal
+/// to them.
+///
 /// For smooth, expensive right-hand sides and for tight tolerances: few evaluations, but more overhead than one-step
 /// methods. `integrate` continues with the history of the previous call if time, direction and slope are unchanged.
 /// Otherwise, and after `restart`, it starts again with order 1. Use a one-step method for inputs that jump at every
@@ -109,7 +113,7 @@ class adams : public integrator<adams<F, X>, F, X> {
   detail::adams_errors<S> predict(const S& end) {
     h_ = end - this->time_;
     past_.aim(end, order_);
-    this->next_ = this->x_ + h_ * past_.mean();
+    this->move_to(this->x_ + h_ * past_.mean());
     this->evaluate(end, this->next_, predicted_);
     change_ = predicted_ - past_.slope();
     weights_.weigh(this->x_, this->next_);
@@ -128,12 +132,16 @@ class adams : public integrator<adams<F, X>, F, X> {
         [&](int i, int j) { return norm(this->rounding_of_rate(i, j, past_.newest())); });
     return level * level;
   }
-  /// (3), and the slope there, which is added to the history. Returns false if the error is not finite.
+  /// (3), projected onto constraints, and the slope there, which is added to the history. Returns false if the error is
+  /// not finite.
   bool correct(const S& end, detail::adams_errors<S>& e) {
     by_ = h_ * past_.g(order_);
     this->next_ += by_ * change_;
+    if constexpr (base::settles)
+      if (this->next_is_finite()) this->settle_next();
     this->evaluate(end, this->next_, slope_);
     past_.offer(slope_);
+    if (this->next_is_finite()) this->check_end();
     if (!this->next_is_finite() || !detail::all_finite(slope_)) {
       e.same = std::numeric_limits<S>::quiet_NaN();
       return false;
@@ -147,7 +155,7 @@ class adams : public integrator<adams<F, X>, F, X> {
   template <class E>
   S square(int k, const E& e) const {
     const S factor = h_ * (past_.g(k) - past_.g(k - 1));
-    return factor * factor * weights_.square(e, this->x_, this->next_);
+    return factor * factor * weights_.square(this->tangential(e), this->x_, this->next_);
   }
 
   int degree() const { return interpolated_ < 3 ? 3 : interpolated_; }
@@ -155,6 +163,7 @@ class adams : public integrator<adams<F, X>, F, X> {
     const S s = theta * h_;
     past_.interpolate(s, interpolated_, x);
     x = this->previous_ + s * x - (theta * theta * (3 - 2 * theta) * by_) * (slope_ - predicted_);  // (5)
+    this->settle_within(x);
   }
 
   detail::error_weights<X> weights_;

@@ -71,7 +71,10 @@ class adams_bashforth_moulton : public fixed_step<adams_bashforth_moulton<Formul
     if (!multistep_) runge_kutta(end);
     for (std::size_t i = order; i > 0; --i) slopes_[i].swap(slopes_[i - 1]);
     if (multistep_) predict_and_correct(end);
-    if (this->next_is_finite()) this->evaluate(end, this->next_, slopes_.front());  // (3)
+    if (this->next_is_finite()) {
+      this->settle_next();
+      this->evaluate(end, this->next_, slopes_.front());  // (3)
+    }
     if (!detail::all_finite(slopes_.front())) [[unlikely]]
       this->fail("the next slope is not a finite number", failure_reason::not_finite);
     if (multistep_) gap_ = (h * detail::coefficient<S, Formula::corrector[0]>()) * (slopes_.front() - gap_);
@@ -114,6 +117,7 @@ class adams_bashforth_moulton : public fixed_step<adams_bashforth_moulton<Formul
       x = this->previous_;
       add_integral<start_tableau::interpolant>(theta, k_, x);
     }
+    this->settle_within(x);
   }
   template <auto Rows, class Slopes>
   void add_integral(const S& theta, const Slopes& slopes, X& x) const {

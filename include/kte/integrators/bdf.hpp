@@ -31,6 +31,10 @@ struct bdf_settings {
 /// eigenvalues of each Jacobian give the frequencies w. If order 2 allows a longer step than the stable steps of higher
 /// orders, as for flexible systems whose fast modes are at rest, the order stays at 2.
 ///
+/// If states are kept on constraints (models/vector_form.hpp), the end of a step and interpolated states are projected
+/// onto them. The history then consists of states on the constraints, and errors are compared without their part normal
+/// to them.
+///
 /// The history is kept from one `integrate` to the next, unless time, state, direction or the slope f(t, x) has
 /// changed. It then starts again with order 1.
 ///
@@ -124,7 +128,10 @@ class bdf : public bdf_step<bdf<F, X>, F, X> {
     return length * next.factor;
   }
   int degree() const { return order_of_last_; }
-  void dense(const S& theta, X& x) const { this->differences_.interpolate(order_of_last_, theta, this->previous_, x); }
+  void dense(const S& theta, X& x) const {
+    this->differences_.interpolate(order_of_last_, theta, this->previous_, x);
+    this->settle_within(x);
+  }
 
   detail::step_choice<S> steps_{2};
   S time_of_history_{0};

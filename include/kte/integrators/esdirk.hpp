@@ -108,8 +108,11 @@ class esdirk : public implicit_stages<esdirk<Tableau, F, X>, F, X> {
     if (obstacle) return {none, obstacle};
     this->displace(this->d_);  // (2)
     if (!this->next_is_finite()) return {none};
+    this->settle_next();
+    this->check_end();
     estimate_error(h);
-    return {detail::error_norm(this->tolerances_, sum_, this->magnitudes(this->x_), this->magnitudes(this->next_))};
+    return {detail::error_norm(this->tolerances_, this->tangential(sum_), this->magnitudes(this->x_),
+                               this->magnitudes(this->next_))};
   }
   void renew_jacobian(const S& h) {
     if (last_h_ == S(0)) {

@@ -37,12 +37,14 @@ class fixed_step : public integrator<Method, F, X> {
   template <class D>
   void displace_at_last(const D& d) {
     displace_with_lost(d);
-    this->settle_next();
-    if constexpr (base::settles) total_ = this->displacement();
     if constexpr (!base::on_group) {
       lost_ = total_ - (this->next_ - this->x_);
-    } else if constexpr (requires { this->system().rounding(this->x_, total_, this->next_, lost_); }) {
-      this->system().rounding(this->x_, total_, this->next_, lost_);
+      this->settle_next();
+    } else {
+      this->settle_next();
+      if constexpr (base::settles) total_ = this->displacement();
+      if constexpr (requires { this->system().rounding(this->x_, total_, this->next_, lost_); })
+        this->system().rounding(this->x_, total_, this->next_, lost_);
     }
   }
   /// `detail::iterate` within a step h. Values that are not finite remain, so that `advance` rejects the new state.

@@ -14,7 +14,8 @@ namespace kte {
 /// J is f.jacobian(t, x, J) if f has it, as models do: f fills a square matrix J of the right size, and may return
 /// false if it cannot. Otherwise J is computed by differences (f(x + d_j) - f(x)) / d_j, with one evaluation per column
 /// and d_j = sqrt(eps) max(|x_j|, absolute_j / relative_j), or sqrt(eps) if that is 0. For states with rotations, J is
-/// the derivative of the rate of the displacement by the displacement, at 0.
+/// the derivative of the rate of the displacement by the displacement, at 0. If states are kept on constraints, f is
+/// evaluated on them only: J, by differences, and the stages are those of f at the projected state.
 template <class Method, class F, class X>
 class implicit_integrator : public integrator<Method, F, X> {
   using base = integrator<Method, F, X>;
@@ -58,6 +59,17 @@ class implicit_integrator : public integrator<Method, F, X> {
         this->statistics_.rejected, [&](const S& end) { return this->attempted([&] { return try_step(end); }); },
         this->failing()));
   }
+  /// next_ = state (+) d, and then projected onto constraints, for evaluations of f. Off the constraints, f may change
+  /// by 1 / distance from a singular configuration; W would make that a restriction of the step.
+  template <class D>
+  void displace_on_constraints(const D& d) {
+    this->displace(d);
+    project();
+  }
+  void project() {
+    if constexpr (base::settles)
+      if (this->next_is_finite()) this->settle_next();
+  }
   /// Computes J at the present time and state, where f is `slope`. Overwrites `next_`.
   void differentiate(const rate& slope) {
     ++this->statistics_.jacobians;
@@ -69,7 +81,7 @@ class implicit_integrator : public integrator<Method, F, X> {
       for (Eigen::Index j = 0; j < this->rates(); ++j) {
         const S x = abs(sizes[j]), least = least_size(j);
         d[j] = root_of_epsilon() * (x < least ? least : x == S(0) ? S(1) : x);
-        this->displace(d);
+        displace_on_constraints(d);
         this->slope(this->time_, shifted_);
         jacobian_.col(j) = (shifted_ - slope) / d[j];
         d[j] = S(0);

@@ -1,9 +1,13 @@
 #pragma once
 
+#include <kte/detail/raise.hpp>
+#include <kte/errors.hpp>
+
 #include <Eigen/Core>
 
 #include <concepts>
 #include <functional>
+#include <string>
 #include <type_traits>
 
 /// States that are not vectors: those with rotations. Integrators then work on displacements d from the state x at the
@@ -57,6 +61,9 @@ inline constexpr bool changes_when_called<std::reference_wrapper<const F>, S, X>
 ///   f.tangential(x, e)       what `settle` takes away of a displacement is taken out of an error estimate e
 ///   f.check_end(x, next)     optional: throws where a step of another length should end elsewhere than at `next`
 ///
+/// A right-hand side of vectors may have the same functions, with `settle(x, out)` instead, and with e in the numbers
+/// of x (models/vector_form.hpp).
+///
 /// They throw `bad_argument` if this is not possible; a shorter step may succeed.
 template <class F, class X>
 concept moves_on_group = requires(const F& f, const X& x, X& out, const typename F::rate& d, typename F::rate& r) {
@@ -74,6 +81,21 @@ concept settles_states = moves_on_group<F, X> && requires(const F& f, const X& x
   f.settle(x, d, out);
   f.tangential(x, d);
 };
+/// Whether a right-hand side keeps states that are vectors on a manifold.
+template <class F, class X>
+concept settles_vectors = !moves_on_group<F, X> && requires(const F& f, const X& x, X& out) {
+  f.begin_step(x);
+  f.settle(x, out);
+  f.tangential(x, out);
+};
+/// Throws `bad_argument` if a right-hand side f keeps states on closed loops, for `methods` that do not.
+template <class F>
+void refuse_moving_on_loops(const F& f, const char* methods) {
+  if constexpr (requires { unwrapped(f).has_loops(); })
+    if (unwrapped(f).has_loops())
+      raise<bad_argument>(std::string("kte: ") + methods +
+                          " do not keep loops closed: use a one-step method of kte, or kte::vector_form");
+}
 template <class F, class X>
 struct rate_type {
   using type = X;

@@ -39,7 +39,8 @@ class moving_state {
   /// Whether states are not vectors.
   static constexpr bool on_group = moves_on_group<detail::unwrapped_type<F>, X>;
   /// Whether states are kept on a manifold.
-  static constexpr bool settles = detail::settles_states<detail::unwrapped_type<F>, X>;
+  static constexpr bool settles =
+      detail::settles_states<detail::unwrapped_type<F>, X> || detail::settles_vectors<detail::unwrapped_type<F>, X>;
   struct nothing {};
   template <class T>
   using if_on_group = std::conditional_t<on_group, T, nothing>;
@@ -80,17 +81,29 @@ class moving_state {
     if constexpr (on_group) {
       d_ = d;
       system().displace(x_, d_, next_);
-      settled_ = false;
     } else {
       next_ = x_ + d;
     }
+    settled_ = false;
+  }
+  /// next_ = x, for states that are vectors.
+  template <class V>
+  void move_to(const V& x) {
+    next_ = x;
+    settled_ = false;
   }
   /// Projects `next_`, the end of the step, onto the constraints, with its displacement. Exceptions pass through
   /// `computes`.
   void settle_next() {
     if constexpr (settles) {
       if (settled_) return;
-      ask([&] { system().settle(x_, d_, next_); });
+      ask([&] {
+        if constexpr (on_group) {
+          system().settle(x_, d_, next_);
+        } else {
+          system().settle(x_, next_);
+        }
+      });
       settled_ = true;
     }
   }
@@ -107,8 +120,15 @@ class moving_state {
   decltype(auto) tangential(E e) const {
     if constexpr (settles) {
       error_ = e;
-      ask([&] { system().tangential(x_, error_); });
-      return (error_);
+      return tangential_in_place();
+    } else {
+      return e;
+    }
+  }
+  const rate& tangential(const rate& e) const {
+    if constexpr (settles) {
+      error_ = e;
+      return tangential_in_place();
     } else {
       return e;
     }
@@ -131,7 +151,15 @@ class moving_state {
   template <class D>
   void displaced(const D& d, X& x) const {
     displaced_freely(d, x);
-    if constexpr (settles) system().settle(previous_, within_, x);
+    if constexpr (settles && on_group) {
+      system().settle(previous_, within_, x);
+    } else {
+      settle_within(x);
+    }
+  }
+  /// Projects a vector, a state within the last step, onto the constraints.
+  void settle_within(X& x) const {
+    if constexpr (settles && !on_group) system().settle(previous_, x);
   }
   /// The rate of the displacement d from the start of the last step, for a `dense` that needs evaluations. Overwrites
   /// `next_`.
@@ -206,6 +234,10 @@ class moving_state {
   mutable step_statistics statistics_;
 
  private:
+  const rate& tangential_in_place() const requires(settles) {
+    ask([&] { system().tangential(x_, error_); });
+    return error_;
+  }
   template <class D>
   void displaced_freely(const D& d, X& x) const {
     if constexpr (on_group) {

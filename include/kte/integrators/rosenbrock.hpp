@@ -30,7 +30,7 @@ struct rosenbrock_table {
 ///
 /// Hairer and Wanner, Solving Ordinary Differential Equations II, 1996, IV.7, (7.24), (7.25). J and f_t are those of
 /// `implicit_integrator`: exact if f has them, otherwise by differences. One Jacobian a step, one factorization a try,
-/// and s evaluations a step, or s - 1 if the last stage is at the end of the step (`first_same_as_last`).
+/// and s evaluations a step, or s - 1 if the last stage is at x1 (`first_same_as_last`).
 ///
 /// `Coefficients` has `stages`, `order_of_error` (of e in h), `first_same_as_last` and table<S>(). `dense` of the table
 /// holds the coefficients of theta, theta^2, ... in p_i.
@@ -80,11 +80,15 @@ class rosenbrock : public implicit_integrator<rosenbrock<Coefficients, F, X>, F,
     if (!this->factorize(table_.gamma * h))
       return {none, {"the matrix I - gamma h J is singular", failure_reason::singular_matrix}};
     for (std::size_t i = 0; i < stages; ++i) stage(i, h, end);
-    combine(table_.m);
-    this->displace(sum_);  // (3)
+    if constexpr (!Coefficients::first_same_as_last) {
+      combine(table_.m);
+      this->displace_on_constraints(sum_);  // (3)
+    }
     if (!this->next_is_finite()) return {none};
+    this->check_end();
     combine(table_.e);  // (4)
-    return {detail::error_norm(this->tolerances_, sum_, this->magnitudes(this->x_), this->magnitudes(this->next_))};
+    return {detail::error_norm(this->tolerances_, this->tangential(sum_), this->magnitudes(this->x_),
+                               this->magnitudes(this->next_))};
   }
   /// (2)
   void stage(std::size_t i, const S& h, const S& end) {
@@ -92,7 +96,7 @@ class rosenbrock : public implicit_integrator<rosenbrock<Coefficients, F, X>, F,
       u_[0] = slope_;
     } else {
       combine(table_.a[i]);
-      this->displace(sum_);
+      this->displace_on_constraints(sum_);  // also (3), if that is the last stage
       const S& alpha = table_.alpha[i];
       this->evaluate(alpha == S(1) ? end : S(this->time_ + alpha * h), this->next_, last_slope_);
       u_[i] = last_slope_;

@@ -30,7 +30,9 @@ namespace kte {
 /// Review 46 (2004), (4.2), (5.4). The integrator calls `before`, `after` and `settle`.
 template <class F, class X>
 class solution {
-  static constexpr bool on_group = moves_on_group<detail::unwrapped_type<F>, X>;
+  using system = detail::unwrapped_type<F>;
+  static constexpr bool on_group = moves_on_group<system, X>;
+  static constexpr bool uses_system = on_group || detail::settles_vectors<system, X>;
 
  public:
   using S = typename X::Scalar;
@@ -160,23 +162,23 @@ class solution {
   void displace(X& x) const {
     if constexpr (on_group) {
       detail::unwrapped(motion_).displace(from_, d_, x);
-      if constexpr (detail::settles_states<detail::unwrapped_type<F>, X>)
-        detail::unwrapped(motion_).settle(from_, d_, x);
+      if constexpr (detail::settles_states<system, X>) detail::unwrapped(motion_).settle(from_, d_, x);
     } else {
       x = from_ + d_;
+      if constexpr (uses_system) detail::unwrapped(motion_).settle(from_, x);
     }
   }
   struct nothing {};
   template <class Method>
   static auto motion_of(const integrator<Method, F, X>& solver) {
-    if constexpr (on_group) {
+    if constexpr (uses_system) {
       return solver.function();
     } else {
       return nothing{};
     }
   }
 
-  [[no_unique_address]] std::conditional_t<on_group, std::remove_const_t<F>, nothing> motion_;
+  [[no_unique_address]] std::conditional_t<uses_system, std::remove_const_t<F>, nothing> motion_;
   S begin_, end_;
   X last_;
   std::vector<piece> pieces_;

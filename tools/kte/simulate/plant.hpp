@@ -54,6 +54,7 @@ class plant {
   void begin_step(const state& x) const { model_.begin_step(x); }
   void settle(const state& x, rate& d, state& out) const { model_.settle(x, d, out); }
   void tangential(const state& x, rate& e) const { model_.tangential(x, e); }
+  void check_end(const state& x, const state& next) const { model_.check_end(x, next); }
 
  private:
   model_type model_;

@@ -61,6 +61,7 @@ class integrator : public kte::integrator<Method, F, X> {
   integrator(F f, const S& t0, const Eigen::MatrixBase<V>& x0, const tolerances<S>& tol)
       : base(std::move(f), t0, x0), y_(vector_of(this->x_)), tolerances_(tol) {
     tol.check(this->x_.size());
+    kte::detail::refuse_moving_on_loops(this->function(), "solvers of SUNDIALS");
   }
   ~integrator() = default;
 

@@ -115,7 +115,7 @@ inline loop_variations vary_loops(const runtime_chain& c, runtime_state& s, cons
   for (auto* m : {&r.accelerations_by_q, &r.accelerations_by_v, &r.velocities_by_q}) m->setZero(rows, n);
   derivative_state& d = state_with_derivatives(c, s);
   take_given(s, d);
-  take_bases(s), place_in_world(s);
+  take_bases(s), place_in_world(s), place_second_axes(c, s);
   tree::place_bases_in_duals(s.tree().body_tree, s.work, d.work);
   const closures_in_duals closures(c, s, e.places, d);
   const auto derive = [&](const directions& moving) -> const auto& {

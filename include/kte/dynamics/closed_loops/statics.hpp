@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kte/dynamics/closed_loops/actuated_derivatives.hpp>
+#include <kte/dynamics/closed_loops/at_run_time.hpp>
 #include <kte/dynamics/natural_modes.hpp>
 #include <kte/dynamics/static_equilibrium.hpp>
 
@@ -45,6 +46,20 @@ equilibrium static_equilibrium(const runtime_chain& c, runtime_state& s, const Q
   return detail::take(c, s, q0, none, detail::found_later{}).call([&] {
     return detail::equilibrium_of_loops(c, s, by.names);
   });
+}
+
+// ---- static chains
+template <class Gravity, class... E, indexable Q>
+[[nodiscard]] natural_modes_result natural_modes(const static_chain<Gravity, E...>& c, const Q& q,
+                                                 const actuated_coordinates& by) {
+  const auto x = detail::positions_at_run_time<static_chain<Gravity, E...>>(q);
+  return detail::at_run_time(c, [&](const auto& r, auto& s) { return natural_modes(r, s, x, by); });
+}
+template <class Gravity, class... E, indexable Q>
+[[nodiscard]] equilibrium static_equilibrium(const static_chain<Gravity, E...>& c, const Q& q0,
+                                             const actuated_coordinates& by) {
+  const auto x = detail::positions_at_run_time<static_chain<Gravity, E...>>(q0);
+  return detail::at_run_time(c, [&](const auto& r, auto& s) { return static_equilibrium(r, s, x, by); });
 }
 
 }  // namespace kte

@@ -102,6 +102,33 @@ void rate_of_one(const freedom& f, const Q& q, const V& v, Out& out) {
                  unit_quaternion<S>{S(0), half * angular.x, half * angular.y, half * angular.z};
   out[r] = d.w, out[r + 1] = d.x, out[r + 2] = d.y, out[r + 3] = d.z;
 }
+/// v of a rate of the numbers of q, without the change of the length of quaternions: the inverse of `rate_of_one`.
+template <class S, class Q, class R, class Out>
+void velocity_of_one(const freedom& f, const Q& q, const R& rate, Out& out) {
+  const auto i = static_cast<std::size_t>(f.q);
+  if (f.what == kind::gen) {
+    out[f.v] = S(rate[i]);
+    return;
+  }
+  std::size_t r = i;  // of the rotation
+  int angular = f.v;
+  if (f.what != kind::rotation_3D) {
+    const bool in_plane = f.what == kind::pose_2D;
+    const vec3<S> moved{S(rate[i]), S(rate[i + 1]), in_plane ? S(0) : S(rate[i + 2])};
+    const auto p = as<S>(conjugate(pose_from<S>(f.what, q, i).rotation) * moved);
+    out[f.v] = p.x, out[f.v + 1] = p.y;
+    if (in_plane) {
+      out[f.v + 2] = S(rate[i + 2]);
+      return;
+    }
+    out[f.v + 2] = p.z;
+    r += 3, angular += 3;
+  }
+  const unit_quaternion<S> a{S(q[r]), S(q[r + 1]), S(q[r + 2]), S(q[r + 3])};
+  const auto d = conjugate(a) * unit_quaternion<S>{S(rate[r]), S(rate[r + 1]), S(rate[r + 2]), S(rate[r + 3])};
+  const S twice = S(2) / (a.w * a.w + a.x * a.x + a.y * a.y + a.z * a.z);
+  put_vector(out, angular, vec3<S>{twice * d.x, twice * d.y, twice * d.z});
+}
 template <class Out>
 void neutral_one(const freedom& f, Out& out) {
   for (int k = 0; k < nq_of(f.what); ++k) out[f.q + k] = 0;

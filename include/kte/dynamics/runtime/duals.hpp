@@ -119,6 +119,13 @@ void inverse_dynamics_in_duals(const Elements& elements, const basic_runtime_sta
   for (auto& f : d.forces) f = -f;
 }
 
+/// Places joints with varying axes with the second derivatives of their axes, for `inverse_dynamics_in_duals`.
+template <std::same_as<double> S>
+void place_second_axes(const runtime_chain& c, basic_runtime_state<S>& s) {
+  for (const int i : s.tree().body_tree.varying)
+    place_varying(runtime_elements{c}, s, s.tree().body_tree.nodes[static_cast<std::size_t>(i)],
+                  s.work.joint_transforms[static_cast<std::size_t>(i)], true);
+}
 /// Derivatives by q and v at the state, written to `of_forces`; call inverse dynamics first. by_a is the mass matrix,
 /// minus the derivatives of load-dependent friction.
 template <std::same_as<double> S>
@@ -130,9 +137,7 @@ void derive_forces_by_duals(const runtime_chain& c, basic_runtime_state<S>& s) {
   auto& d = state_with_derivatives(c, s);
   take_given(s, d);
   place_in_world(s);
-  for (const int i : s.tree().body_tree.varying)
-    place_varying(runtime_elements{c}, s, s.tree().body_tree.nodes[static_cast<std::size_t>(i)],
-                  s.work.joint_transforms[static_cast<std::size_t>(i)], true);
+  place_second_axes(c, s);
   tree::place_bases_in_duals(s.tree().body_tree, s.work, d.work);
   derive_by_duals(
       s.freedoms(), std::span(d.q), std::span(d.v), std::span(d.a), load_dependent,

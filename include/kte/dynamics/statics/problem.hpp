@@ -230,7 +230,7 @@ KTE_FUNCTION void static_problem::derive(const loaded_elements& elements) {
   using number = derivative_number;
   auto& d = state_with_derivatives(chain_, state_);
   take_given(state_, d);
-  place_in_world(state_);
+  place_in_world(state_), place_second_axes(chain_, state_);
   tree::place_bases_in_duals(state_.tree().body_tree, state_.work, d.work);
   const int* const colour = pattern_.colour.data();
   for (int first = 0; first < pattern_.colours; first += number::variables) {

@@ -61,6 +61,11 @@ class backward_differences {
     columns_.col(k + 1) = d;
     for (int j = k; j >= 0; --j) columns_.col(j) += columns_.col(j + 1);
   }
+  /// Sets D^0, which differs by rounding errors.
+  template <class X>
+  void replace(const X& x) {
+    columns_.col(0) = x;
+  }
   /// (3): the polynomial of degree k with steps r h.
   void rescale(int k, const S& r) {
     const square change = changes(k, r);

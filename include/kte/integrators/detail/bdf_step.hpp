@@ -68,20 +68,23 @@ class bdf_step : public implicit_integrator<Method, F, X> {
     differences_.combine(
         order_, [&](int j) { return formulas_.history(order_, j); }, history_);
     correction_.setZero();
-    this->next_ = predicted_;
+    this->move_to(predicted_);
     const S rounding = size(std::numeric_limits<S>::epsilon() * this->x_) + abs(c_) * floor_.size();
     newton_.begin(S(0.05), rounding);  // a small part of the permitted error
     auto progress = detail::newton::go_on;
     while (progress == detail::newton::go_on) {
+      this->project();
       this->evaluate(end, this->next_, change_);
       change_ = c_ * change_ - history_ - correction_;
       this->solve(change_);
       correction_ += change_;
-      this->next_ = predicted_ + correction_;
+      this->move_to(predicted_ + correction_);
       progress = newton_.judge(size(change_));
     }
     if (progress == detail::newton::hopeless)
       obstacle_ = this->next_is_finite() ? detail::diverging : detail::not_finite;
+    if constexpr (base::settles)
+      if (progress == detail::newton::converged) settle_solution();
     return progress == detail::newton::converged;
   }
   /// The factor on the tolerances for the error of a try. W^-1 maps the rounding error of f to that of the solution.
@@ -109,7 +112,11 @@ class bdf_step : public implicit_integrator<Method, F, X> {
   /// Adds the state `next_` to the history.
   void extend_history() {
     differences_.add(order_, correction_);
-    this->next_ = differences_[0];
+    if constexpr (base::settles) {
+      differences_.replace(this->next_);  // without rounding errors
+    } else {
+      this->next_ = differences_[0];
+    }
     ++equal_steps_;
     slope_is_known_ = jacobian_is_new_ = false;
   }
@@ -124,6 +131,12 @@ class bdf_step : public implicit_integrator<Method, F, X> {
   bool jacobian_is_new_ = false;  ///< whether J is that of the present state
 
  private:
+  /// Projects the solution onto the constraints; d goes with it, so that the history is on them.
+  void settle_solution() {
+    this->settle_next();
+    this->check_end();
+    correction_ = this->next_ - predicted_;
+  }
   bool factorize_for(const S& c) {
     if (matrix_is_known_ && c == c_) return true;
     newton_.forget();
@@ -136,7 +149,7 @@ class bdf_step : public implicit_integrator<Method, F, X> {
   /// about the tolerance (tests/integrators/bdf_problems_test.cpp).
   template <class E>
   S size(const E& e) const {
-    return 10 * detail::error_norm(this->tolerances_, e, this->x_, this->next_);
+    return 10 * detail::error_norm(this->tolerances_, this->tangential(e), this->x_, this->next_);
   }
 
   detail::bdf_coefficients<S> formulas_;

@@ -114,10 +114,10 @@ class erased_system {
 template <class F, class X>
 inline constexpr bool is_erased = false;
 template <class F>
-requires(
-    std::is_same_v<rate_of<F, Eigen::VectorXd>, Eigen::VectorXd>&& std::is_copy_constructible_v<F>&&
-        std::invocable<F&, const double&, const Eigen::VectorXd&>) inline constexpr bool is_erased<F, Eigen::VectorXd> =
-    true;
+requires(std::is_same_v<rate_of<F, Eigen::VectorXd>, Eigen::VectorXd>&& std::is_copy_constructible_v<F> &&
+         !settles_vectors<unwrapped_type<F>, Eigen::VectorXd> &&
+         std::invocable<F&, const double&,
+                        const Eigen::VectorXd&>) inline constexpr bool is_erased<F, Eigen::VectorXd> = true;
 
 /// The type in which explicit methods store a right-hand side F of states X.
 template <class F, class X>

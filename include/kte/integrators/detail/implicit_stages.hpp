@@ -64,7 +64,7 @@ class implicit_stages : public implicit_integrator<Method, F, X> {
     d_ = b + c * k;
     newton_.begin(newton_tolerance_, size(std::numeric_limits<S>::epsilon() * this->magnitudes(this->x_)));
     for (bool first = true;; first = false) {
-      this->displace(d_);
+      this->displace_on_constraints(d_);
       this->evaluate(t, this->next_, stage_slope_);
       k = stage_slope_;
       this->pull_back(k);

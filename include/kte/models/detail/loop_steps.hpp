@@ -27,7 +27,7 @@ struct loop_step {
   loop_equations equations;  ///< at x0
   loop_factor factor;
   double gap = 0;      ///< the largest residual
-  double sliding = 0;  ///< the largest residual rate, relative to the largest possible for these rates of coordinates
+  double sliding = 0;  ///< the largest residual rate, relative to the largest terms of J v
   double nearest = 1;  ///< the smallest pivot of its stages, relative to that of x0
 };
 
@@ -63,10 +63,10 @@ loop_step& step_from(const Loops& loops, const X& x0) {
   choose_rows(loops.closures(), loops.state(), e, step.factor);
   step.gap = e.residual.cwiseAbs().maxCoeff();
   const Eigen::VectorXd v = loops.model.velocities_of(x0);
-  const Eigen::VectorXd rates = e.times(v), most = e.times_sizes(v);
-  step.sliding = 0;
-  for (Eigen::Index k = 0; k < rates.size(); ++k)
-    if (most[k] > 0) step.sliding = (std::max)(step.sliding, std::abs(rates[k]) / most.maxCoeff());
+  const double rate = e.times(v).cwiseAbs().maxCoeff(), most = e.times_sizes(v).maxCoeff();
+  // the terms of J v may all be rounding errors, where bodies move along the loops
+  const double fastest = e.times_sizes(Eigen::VectorXd::Constant(v.size(), v.cwiseAbs().maxCoeff())).maxCoeff();
+  step.sliding = rate > 0 ? rate / (most + 1e-7 * fastest) : 0;
   step.x0 = x0;
   return step;
 }
