@@ -90,8 +90,9 @@ void impact_solver<S>::one_at_a_time(const friction_problem<S>& p, std::span<con
             restitution.subspan(fastest, 1), fastest);
   }
   before_ = found_.u;
-  const std::vector<S> zero(p.contacts.size(), S(0));
-  resolve({p.W, Eigen::Map<const typename friction_problem<S>::vector>(before_.data(), p.b.size()), p.contacts}, zero, 0);
+  const std::vector<S> no_restitution(p.contacts.size(), S(0));
+  resolve({p.W, Eigen::Map<const typename friction_problem<S>::vector>(before_.data(), p.b.size()), p.contacts},
+          no_restitution, 0);
 }
 
 }  // namespace kte

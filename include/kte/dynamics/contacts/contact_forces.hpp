@@ -12,7 +12,13 @@ struct contact_solver : contact_workspace {
   using contact_workspace::contact_workspace;
   friction_solver<double> solver;
   std::vector<contact_mode> modes;  ///< of contacts that touch
-  Eigen::VectorXd loop_forces, change_of_motion, before;
+  Eigen::VectorXd loop_forces, change_of_motion, before, velocities;
+
+  /// Calls put(number of the contact, force or impulse) for the contacts that touch.
+  template <class Put>
+  void each_force(const Put& put) const {
+    for (const int i : touching) put(static_cast<std::size_t>(i), force_of(contacts[static_cast<std::size_t>(i)]));
+  }
 };
 
 constexpr contact_mode as_contact_mode(friction_mode mode) {
