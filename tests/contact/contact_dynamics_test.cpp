@@ -60,12 +60,13 @@ TEST_CASE("a box on a slope slides, sticks, and begins to slide") {
     return contact_dynamics(c, s, q, numbers({speed, 0, 0}), zeros(3));
   };
   // Forces by moments about the mass: (r_y - l_y) 0.1 + 0.05 f_x = 0
+  // of forces that are not unique, where both corners stick, those of least norm, to 1e-12 of them
   const auto check = [](const contact_dynamics_result& r, double a, double friction, contact_mode mode) {
-    CHECK(largest(r.a - numbers({a, 0, 0})) <= rounded);
+    CHECK(largest(r.a - numbers({a, 0, 0})) <= (mode == contact_mode::sticks ? 1e-11 : rounded));
     const vec3<> l = r.force("l"), right = r.force("r");
     CHECK(l.x + right.x == within(friction, 10 * rounded));
-    CHECK(l.y == within(g + 0.25 * friction, 10 * rounded));
-    CHECK(right.y == within(g - 0.25 * friction, 10 * rounded));
+    CHECK(l.y == within(g + 0.25 * friction, 1e-11));
+    CHECK(right.y == within(g - 0.25 * friction, 1e-11));
     CHECK((mode_of(r.contact("l")) == mode && mode_of(r.contact("r")) == mode));
     CHECK(!r.several);
   };
@@ -103,6 +104,7 @@ TEST_CASE("a sphere slips, then rolls") {
   CHECK(largest(slips.a - numbers({-mu * g, 0, -mu * g * 2 * r / 0.02})) <= 10 * rounded);
   // Rolls on a slope: (m + I/r^2) a = m g_x
   c.gravity(vec3<>{0.3, -g, 0});
+  s = c.make_state();
   const double a = 2 * 0.3 / (2 + 0.02 / (r * r));
   const auto& rolls = contact_dynamics(c, s, q, numbers({1, 0, -1 / r}), zeros(3));
   CHECK(largest(rolls.a - numbers({a, 0, -a / r})) <= 10 * rounded);
@@ -413,7 +415,7 @@ TEST_CASE("a static four-bar that touches a wall has the accelerations and force
   s = same.make_state();
   // The rocker's tip moves on a circle about (1, 0), which crosses the ball
   int touches = 0;
-  for (const double torque : {0.0, 20.0, -20.0}) {
+  for (const double torque : {0.0, 200.0, -200.0}) {
     const Eigen::Vector3d tau(0, 0, torque), still(0, 0, 0);
     const auto x = contact_dynamics(c, q, still, tau);
     const auto& y = contact_dynamics(same, s, q, still, tau);
@@ -422,7 +424,7 @@ TEST_CASE("a static four-bar that touches a wall has the accelerations and force
     CHECK(x.contact(foot).mode == y.contact("foot").mode);
     touches += mode_of(x.contact(foot)) != contact_mode::open;
     CHECK(largest(loop_jacobian(same, s, q) * y.a) <= 1e-12 * (1 + largest(y.a)));
-    const vector v = consistent_velocities(same, s, q, Eigen::Vector3d(0, 0, torque / 10));
+    const vector v = consistent_velocities(same, s, q, Eigen::Vector3d(0, 0, torque / 100));
     const auto struck = impact(c, q, v);
     const auto& other = impact(same, s, q, v);
     CHECK(largest(struck.v - other.v) <= 1e-13 * (1 + largest(other.v)));
@@ -444,6 +446,9 @@ TEST_CASE("errors of contacts name them") {
                        says("no contact 'foot'"));
   CHECK_THROWS_MATCHES(kte::forward_dynamics(c, s, q, zeros(3), zeros(3)), bad_argument, says("contacts"));
   CHECK_THROWS_MATCHES(kte::inverse_dynamics(c, s, q, zeros(3), zeros(3)), bad_argument, says("contacts"));
+  CHECK_THROWS_MATCHES(constrained_dynamics(c, s, q, zeros(3), zeros(3)), bad_argument, says("contacts"));
+  CHECK_THROWS_MATCHES(hybrid_dynamics(c, s, q, zeros(3), zeros(3), {"pose"}), bad_argument, says("contacts"));
+  CHECK_THROWS_MATCHES(joint_reactions(c, s, q, zeros(3), zeros(3)), bad_argument, says("contacts"));
   const auto refuses = [](const contact_law& bad, const char* why) {
     CHECK_THROWS_MATCHES(box(0, bad), bad_parameter, says(why));
   };

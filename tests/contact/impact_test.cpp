@@ -51,10 +51,9 @@ TEST_CASE("Painleve's rod: no forces, and the tangential impact") {
   CHECK_THROWS_MATCHES(contact_dynamics(x.c, x.s, x.q(), x.v(-1, 0, 0), zeros(3)), no_solution,
                        says("contacts 'tip': a jam (Painleve): kte::impact"));
   const auto& r = impact(x.c, x.s, x.q(), x.v(-1, 0, 0));
-  CHECK(r.impulse("tip").x == within(0.34098653505963, 1e-14));
-  CHECK(r.impulse("tip").y == within(0.46894493629482, 1e-14));
-  CHECK(largest(r.v - x.to_body(-0.53105506370518 - 0.1279584012 * 0, 0.34098653505963, 0.63110323860592)) < 1);
-  CHECK(r.v[2] == within(0.63110323860592, 1e-14));
+  CHECK(r.impulse("tip").y == within(0.34098653505963, 1e-14));
+  CHECK(r.impulse("tip").x == within(0.46894493629482, 1e-14));
+  CHECK(largest(r.v - x.to_body(-0.53105506370518, 0.34098653505963, 0.63110323860592)) <= 2e-14);
   CHECK(r.energy < 0);
   // With omega = 5 there are two solutions
   const auto& two = contact_dynamics(x.c, x.s, x.q(), x.v(-1, 0, 5), zeros(3));
@@ -63,7 +62,7 @@ TEST_CASE("Painleve's rod: no forces, and the tangential impact") {
 
 TEST_CASE("Newton's restitution with friction would gain energy: all coefficients are reduced") {
   rod x(0.8, {0.5, 0.9});
-  const vector v = x.v(-1, -0.5, 0);
+  const vector v = x.v(0.5, -1, 0);
   const auto& r = impact(x.c, x.s, x.q(), v);
   CHECK(r.restitution == within(0.8971651092469972, 1e-12));
   CHECK(std::abs(r.energy) <= 1e-14);
@@ -180,9 +179,7 @@ TEST_CASE("an impact of a linkage puts velocities off its loops onto them, and c
   c << sphere_contact_2D("c", "base", "t1", half_space{}, 0.0, {0.3, 0.5});
   auto s = c.make_state();
   // Bars along x, all points on the floor; velocities off the loop
-  const vector q = numbers({0, 0, 0}), v = numbers({-1, -2, 0.5});
-  (void)q;
-  const vector at = four_bar_numbers(1, std::numbers::pi / 2);
+  const vector v = numbers({-1, -2, 0.5}), at = four_bar_numbers(1, std::numbers::pi / 2);
   const double before = energy(c, s, at, v);
   const auto& r = impact(c, s, at, v);
   CHECK(largest(loop_jacobian(c, s, at) * r.v) <= 1e-14);
@@ -205,7 +202,7 @@ TEST_CASE("a jam is a tangential impact, and static chains have the same impacts
               rigid_link_2D(body, tip, along_x(-1.0)), point_contact_2D(foot, world, tip, half_space{}, law))
             .gravity(along_y(-g));
     rod x(law.friction > 1 ? 1.0 : 0.8, law);
-    const vector v = x.v(-1, law.friction > 1 ? 0 : -0.5, 0);
+    const vector v = law.friction > 1 ? x.v(-1, 0, 0) : x.v(0.5, -1, 0);
     const auto r = impact(c, x.q(), v);
     const auto& same = impact(x.c, x.s, x.q(), v);
     CHECK(largest(r.v - same.v) <= 1e-14);

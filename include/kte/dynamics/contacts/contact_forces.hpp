@@ -33,10 +33,23 @@ std::string names_of_touching(const Contacts& c, const contact_workspace& m) {
     names.append(i == 0 ? "'" : ", '").append(c.loop_name(m.place(m.touched(i)).loop)).append("'");
   return names;
 }
+/// Writes the modes of the contacts that touch, from those of the solution: contacts without force that separate are
+/// open.
+template <class Numbers>
+void put_modes(contact_solver& m, const std::vector<friction_mode>& found, const Numbers& lambda, const Numbers& u) {
+  const auto row = [&m](std::size_t i) { return static_cast<std::size_t>(m.touched(i).first); };
+  double force = 0;
+  for (std::size_t i = 0; i < found.size(); ++i) force = std::max(force, lambda[row(i)]);
+  const double rate = m.bias.cwiseAbs().maxCoeff();
+  m.modes.clear();
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const bool apart = lambda[row(i)] <= 1e-10 * force && u[row(i)] > 1e-10 * rate;
+    m.modes.push_back(apart ? contact_mode::open : as_contact_mode(found[i]));
+  }
+}
 /// Finds the forces of the contacts that touch. Throws `no_solution`.
 template <class Contacts>
 bool solve_friction(const Contacts& c, contact_solver& m) {
-  m.modes.clear();
   if (m.touching.empty()) return false;
   const friction_problem<> p(m.w, m.bias, m.laws);
   const auto& r = m.solver.solve(p);
@@ -46,7 +59,7 @@ bool solve_friction(const Contacts& c, contact_solver& m) {
                             ? ": a jam (Painleve): kte::impact finds the velocities after it"
                             : "; residual " + number(r.residual)));
   for (Eigen::Index k = 0; k < m.forces.size(); ++k) m.forces[k] = r.lambda[static_cast<std::size_t>(k)];
-  for (const auto mode : r.modes) m.modes.push_back(as_contact_mode(mode));
+  put_modes(m, r.modes, r.lambda, r.u);
   return r.status == friction_status::several_solutions;
 }
 /// The normal and the tangential velocity of a contact, relative to `rest_velocity`.
@@ -113,11 +126,7 @@ bool accelerate_with_contacts(const Contacts& c, State& s, contact_solver& m, co
       raise<bad_argument>("kte: contact '" + c.loop_name(m.place(x).loop) + "' approaches at " +
                           number(-dot(x.place.normal, x.slip)) + " m/s: kte::impact gives the velocities after it");
     if (slides(m, x)) m.let_slide(i);
-    const auto& at = m.place(x);
-    const auto row = [&](int k) {
-      return k < at.rows.count() ? e.acceleration[at.first + k] / e.places.scale(at, k) : 0.0;
-    };
-    m.put_rows(x, {row(0), row(1), row(2)}, m.bias);
+    m.put_rows(x, m.unscaled(x, e.acceleration), m.bias);
     m.bias[x.first] += x.place.bending / e.places.length;
   }
   m.make_matrix(c, s, e.acceleration);

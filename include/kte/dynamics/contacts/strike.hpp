@@ -46,7 +46,6 @@ void strike(const Contacts& c, State& s, contact_solver& m, impact_memory& memor
     if (is_jammed(m, i)) m.laws[i].pressed = true, memory.restitution[i] = 0;
     m.laws[i].sliding.reset();
   }
-  m.modes.clear();
   if (!m.touching.empty()) {
     const auto& found = memory.solver.solve({m.w, m.bias, m.laws}, memory.restitution, law);
     if (!found.solved()) [[unlikely]]
@@ -54,7 +53,7 @@ void strike(const Contacts& c, State& s, contact_solver& m, impact_memory& memor
                          "; residual " + number(found.residual));
     for (Eigen::Index k = 0; k < m.forces.size(); ++k) m.forces[k] = found.impulse[static_cast<std::size_t>(k)];
     r.energy = found.energy, r.restitution = found.restitution_factor;
-    for (const auto mode : found.modes) m.modes.push_back(as_contact_mode(mode));
+    put_modes(m, found.modes, found.impulse, found.u);
   }
   r.energy -= m.energy_of_closures();
   m.accelerate(s, m.change_of_motion);
