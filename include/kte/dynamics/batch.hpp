@@ -155,7 +155,7 @@ template <int W = 0, class Q, class V, class A, class Tau, class Executor = in_t
           class P = detail::pack_of<detail::number_in<Q>, W, 1>>
 void inverse_dynamics(const runtime_chain& chain, const Q& q, const V& v, const A& a, Tau&& tau,
                       Executor&& executor = {}) {
-  kte::detail::refuse_loops(chain);
+  kte::detail::refuse_loops(chain), kte::detail::refuse_contacts(chain);
   const auto nq = static_cast<std::size_t>(chain.nq()), nv = static_cast<std::size_t>(chain.dofs());
   const std::size_t n = detail::states_in(q, nq, "q");
   detail::check(v, nv, n, "v"), detail::check(a, nv, n, "a"), detail::check(tau, nv, n, "tau");

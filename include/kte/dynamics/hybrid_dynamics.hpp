@@ -132,7 +132,7 @@ hybrid_dynamics_result<S, Eigen::Dynamic> hybrid_dynamics(const runtime_chain& c
                                                           const V& v, const X& known,
                                                           const std::vector<std::string_view>& prescribed) {
   using namespace detail;
-  check_regular_tree(c, s);
+  check_regular_tree(c, s), refuse_contacts(c);
   if (!std::is_same_v<S, double> || hybrid_accelerations_on_loops == nullptr)
     refuse_loops(c, ": with numbers in double, and #include <kte/loops.hpp>, it does");
   const auto n = static_cast<std::size_t>(s.dofs());

@@ -109,6 +109,7 @@ namespace kte {
 
 template <class S>
 const runtime_vector<S>& inverse_dynamics(const runtime_chain& c, basic_runtime_state<S>& s) {
+  detail::refuse_contacts(c);
   detail::refuse_loops(c, ": inverse_dynamics(c, s, q, v, a, kte::actuated(\"q1\")) of kte/loops.hpp does");
   detail::coordinate_forces(c, s);
   detail::take_generalized_forces(s);

@@ -87,7 +87,7 @@ inline wrench<vec3<>, vec3<>> joint_reaction(const runtime_chain& c, runtime_sta
 template <indexable Q, indexable V, indexable A>
 wrench<vec3<>, vec3<>> joint_reaction(const runtime_chain& c, runtime_state& s, const Q& q, const V& v, const A& a,
                                       const name_or_handle& frame) {
-  (void)detail::find_moved_frame(c, frame), detail::refuse_loops(c);
+  (void)detail::find_moved_frame(c, frame), detail::refuse_loops(c), detail::refuse_contacts(c);
   return detail::take(c, s, q, v, a).call([&] { return joint_reaction(c, s, frame); });
 }
 /// The wrenches of all joints and links, in the order of the chain.
@@ -105,7 +105,7 @@ inline std::vector<joint_reaction_entry> joint_reactions(const runtime_chain& c,
 template <indexable Q, indexable V, indexable A>
 std::vector<joint_reaction_entry> joint_reactions(const runtime_chain& c, runtime_state& s, const Q& q, const V& v,
                                                   const A& a) {
-  detail::refuse_loops(c);
+  detail::refuse_loops(c), detail::refuse_contacts(c);
   return detail::take(c, s, q, v, a).call([&] { return joint_reactions(c, s); });
 }
 

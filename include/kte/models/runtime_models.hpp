@@ -20,7 +20,7 @@ template <>
 class inverse_dynamics_model<runtime_chain> : public unchanging_chain {
  public:
   explicit inverse_dynamics_model(const runtime_chain& c) : unchanging_chain(c), s_(make_state()) {
-    detail::refuse_loops(c);
+    detail::refuse_loops(c), detail::refuse_contacts(c);
   }
 
   template <indexable Q, indexable V, indexable A>

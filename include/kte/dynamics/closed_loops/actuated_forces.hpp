@@ -99,6 +99,7 @@ KTE_FUNCTION Eigen::MatrixXd actuated_motion(const runtime_chain& c, runtime_sta
 }
 KTE_FUNCTION Eigen::VectorXd actuated_forces(const runtime_chain& c, runtime_state& s,
                                              const std::vector<std::string>& names) {
+  refuse_contacts(c);
   const Eigen::MatrixXd g = actuated_motion(c, s, names);
   if (has_loops(c)) check_accelerations_on_loops(closures_of(c), s, loops_of(c, s).equations);
   coordinate_forces(c, s);

@@ -124,6 +124,7 @@ KTE_FUNCTION loops_report loops_at_state(const runtime_chain& c, runtime_state& 
 }
 KTE_FUNCTION const constrained_dynamics_result& constrained_dynamics_under_kept(const runtime_chain& c,
                                                                                 runtime_state& s) {
+  refuse_contacts(c);
   auto& m = loops_of(c, s);
   const auto& at = m.equations.places;
   auto& r = m.result;

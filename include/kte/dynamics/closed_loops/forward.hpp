@@ -12,6 +12,7 @@ inline const Eigen::VectorXd& (*accelerations_on_loops)(const runtime_chain&, ru
 /// At checked positions, under the forces applied(i).
 template <class S, class Tau>
 const runtime_vector<S>& accelerations_of_chain(const runtime_chain& c, basic_runtime_state<S>& s, const Tau& applied) {
+  refuse_contacts(c);
   if constexpr (std::is_same_v<S, double>)
     if (has_loops(c)) [[unlikely]] {
       if (accelerations_on_loops == nullptr)
@@ -19,7 +20,6 @@ const runtime_vector<S>& accelerations_of_chain(const runtime_chain& c, basic_ru
       for (int i = 0; i < s.dofs(); ++i) s.work.kept[static_cast<std::size_t>(i)] = applied(i);
       return accelerations_on_loops(c, s);
     }
-  refuse_contacts(c);
   if constexpr (has_lanes_of_double<S>)
     if (has_loops(c)) [[unlikely]]
       throw bad_argument("kte: forward dynamics of a chain with closures of loops in packs: kte::batch has it");

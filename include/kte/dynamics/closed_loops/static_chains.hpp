@@ -103,6 +103,7 @@ using not_moving = same<zero_t>;
 template <class Gravity, class... E, indexable Q, indexable V, indexable T>
 [[nodiscard]] auto constrained_dynamics(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const T& tau) {
   using chain_type = static_chain<Gravity, E...>;
+  static_assert(sizeof(detail::check_contacts_of<chain_type>) > 0);
   check_size<chain_type::dofs>(v, "v"), check_size<chain_type::dofs>(tau, "tau");
   joint_vector<double, chain_type::dofs> f;
   for (int i = 0; i < chain_type::dofs; ++i) f[i] = static_cast<double>(tau[static_cast<std::size_t>(i)]);
@@ -176,6 +177,7 @@ template <class Gravity, class... E, indexable Q, indexable V, indexable A>
 [[nodiscard]] Eigen::VectorXd inverse_dynamics(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const A& a,
                                                const actuated_coordinates& by) {
   using chain_type = static_chain<Gravity, E...>;
+  static_assert(sizeof(detail::check_contacts_of<chain_type>) > 0);
   check_size<chain_type::dofs>(v, "v"), check_size<chain_type::dofs>(a, "a");
   return detail::with_loops_at(
       c, q, detail::each<double, V>{v}, detail::each<double, A>{a},

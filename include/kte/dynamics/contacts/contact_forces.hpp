@@ -12,7 +12,13 @@ struct contact_solver : contact_workspace {
   using contact_workspace::contact_workspace;
   friction_solver<double> solver;
   std::vector<contact_mode> modes;  ///< of contacts that touch
-  Eigen::VectorXd loop_forces, change_of_motion, before;
+  Eigen::VectorXd loop_forces, change_of_motion, before, velocities;
+
+  /// Calls put(number of the contact, force or impulse) for the contacts that touch.
+  template <class Put>
+  void each_force(const Put& put) const {
+    for (const int i : touching) put(static_cast<std::size_t>(i), force_of(contacts[static_cast<std::size_t>(i)]));
+  }
 };
 
 constexpr contact_mode as_contact_mode(friction_mode mode) {
@@ -26,6 +32,20 @@ std::string names_of_touching(const Contacts& c, const contact_workspace& m) {
   for (std::size_t i = 0; i < m.touching.size(); ++i)
     names.append(i == 0 ? "'" : ", '").append(c.loop_name(m.place(m.touched(i)).loop)).append("'");
   return names;
+}
+/// Writes the modes of the contacts that touch, from those of the solution: contacts without force that separate are
+/// open.
+template <class Numbers>
+void put_modes(contact_solver& m, const std::vector<friction_mode>& found, const Numbers& lambda, const Numbers& u) {
+  const auto row = [&m](std::size_t i) { return static_cast<std::size_t>(m.touched(i).first); };
+  double force = 0;
+  for (std::size_t i = 0; i < found.size(); ++i) force = std::max(force, lambda[row(i)]);
+  const double rate = m.bias.cwiseAbs().maxCoeff();
+  m.modes.clear();
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const bool apart = lambda[row(i)] <= 1e-10 * force && u[row(i)] > 1e-10 * rate;
+    m.modes.push_back(apart ? contact_mode::open : as_contact_mode(found[i]));
+  }
 }
 /// Finds the forces of the contacts that touch, those of least norm if there are several with the same motion, unless
 /// `any`. Throws `no_solution`.
@@ -43,7 +63,7 @@ bool solve_friction(const Contacts& c, contact_solver& m, bool any = false) {
                             ? ": a jam (Painleve): kte::impact finds the velocities after it"
                             : "; residual " + number(r.residual)));
   for (Eigen::Index k = 0; k < m.forces.size(); ++k) m.forces[k] = r.lambda[static_cast<std::size_t>(k)];
-  for (const auto mode : r.modes) m.modes.push_back(as_contact_mode(mode));
+  put_modes(m, r.modes, r.lambda, r.u);
   return r.status == friction_status::several_solutions;
 }
 /// The normal and the tangential velocity of a contact, relative to `rest_velocity`.

@@ -65,4 +65,37 @@ template <class Gravity, class... E, indexable Q, indexable V, indexable T>
   });
 }
 
+/// The result of `impact` of a static chain.
+template <class Chain>
+struct static_impact_result {
+  joint_vector<double, Chain::dofs> v;  ///< velocities after the impact
+  double energy = 0;                    ///< as for runtime chains
+  double restitution = 1;               ///< as for runtime chains
+  std::array<vec3<>, static_cast<std::size_t>(Chain::wiring::count(kind::contact))> impulses{};
+
+  /// The impulse of a contact on its body, Ns, in axes of its surface.
+  template <key_type Key>
+  const vec3<>& impulse(const Key&) const {
+    return impulses[detail::slot_of_contact<Chain, Key>];
+  }
+};
+
+/// As for runtime chains; r.v, r.impulse(foot).
+template <class Gravity, class... E, indexable Q, indexable V>
+[[nodiscard]] auto impact(const static_chain<Gravity, E...>& c, const Q& q, const V& v,
+                          impact_law law = impact_law::at_once) {
+  using chain_type = static_chain<Gravity, E...>;
+  check_size<chain_type::dofs>(v, "v");
+  return detail::with_contacts_at(c, q, v, [&](const auto& contacts, auto& s) {
+    static_impact_result<chain_type> r;
+    Eigen::VectorXd& after = s.contacts.velocities;
+    after.resize(chain_type::dofs);
+    for (int i = 0; i < chain_type::dofs; ++i) after[i] = static_cast<double>(v[static_cast<std::size_t>(i)]);
+    detail::strike(contacts, s, s.contacts, s.impacts, law, after);
+    r.v = after, r.energy = s.impacts.result.energy, r.restitution = s.impacts.result.restitution;
+    s.contacts.each_force([&r](std::size_t i, const vec3<>& p) { r.impulses[i] = p; });
+    return r;
+  });
+}
+
 }  // namespace kte

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kte/dynamics/closed_loops/static_closures.hpp>
-#include <kte/dynamics/contacts/contact_forces.hpp>
+#include <kte/dynamics/contacts/strike.hpp>
 
 namespace kte::detail {
 
@@ -39,6 +39,7 @@ struct static_contact_state : static_state<double, Chain> {
   explicit static_contact_state(const Chain& c)
       : static_state<double, Chain>(c), contacts(static_contacts<Chain, nothing>{{{c, nothing_given}}}, *this) {}
   contact_solver contacts;
+  impact_memory impacts;
 
  private:
   static constexpr nothing nothing_given{};

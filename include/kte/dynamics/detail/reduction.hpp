@@ -41,7 +41,7 @@ class chain_reduction {
  public:
   template <class Q>
   chain_reduction(const runtime_chain& c, const Q& q) : chain_(c), state_(c.make_state()) {
-    refuse_loops(c);
+    refuse_loops(c), refuse_contacts(c);
     take(c, state_, q);
     for (std::size_t k = 0; k < kinds; ++k) locked_[k].resize(c.wiring().names[k].size());
   }

@@ -19,7 +19,7 @@ class momenta_of<unchanging_chain, S> {
 
  public:
   explicit momenta_of(const unchanging_chain& c) : s_(c.make_state()) {
-    refuse_loops(c);
+    refuse_loops(c), refuse_contacts(c);
     if (c.wiring().count(kind::internal) > 0)
       raise<bad_argument>(
           "kte: variational integrators do not support internal states of elements, as that of " +
