@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kte/contract/element_core.hpp>
-#include <kte/math/dual_number.hpp>
+#include <kte/math/plain_scalar.hpp>
 #include <kte/math/quaternion.hpp>
 #include <kte/math/rigid_body.hpp>
 
@@ -13,11 +13,6 @@
 
 /// Cores with parameters in another scalar: `core_in<S>(core)`.
 namespace kte::detail {
-
-template <class T>
-inline constexpr bool is_pack = false;
-template <class T>
-requires(requires { typename T::register_functions; }) inline constexpr bool is_pack<T> = true;
 
 /// A number that is not a whole number or a truth value: double, a pack, a dual number, a multiprecision number.
 template <class T>
