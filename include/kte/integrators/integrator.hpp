@@ -25,11 +25,12 @@ inline constexpr keep_step_t keep_step{};
 /// Base of all integrators of x' = f(t, x): holds time and state, calls observers, keeps the last step for dense
 /// output.
 ///
-/// X: the state, an Eigen column vector of fixed or dynamic size, of any real scalar S. Explicit Runge-Kutta methods also
-/// integrate packs: one state in each lane, all at the same times, which are then numbers of type S of one lane. F: called as f(t, x), returns
-/// x' as anything that can be assigned to an X, or to an F::rate where states have rotations (`moves_on_group`). f is
-/// copied; pass `std::ref(f)` to share it. A fixed size allocates nothing. A dynamic size allocates nothing after the
-/// first step, except in f itself, which may return a reference to a vector that it keeps.
+/// X: the state, an Eigen column vector of fixed or dynamic size, of any real scalar S. Explicit Runge-Kutta methods
+/// also integrate packs: one state in each lane, all at the same times, which are then numbers of type S of one lane.
+/// F: called as f(t, x), returns x' as anything that can be assigned to an X, or to an F::rate where states have
+/// rotations (`moves_on_group`). f is copied; pass `std::ref(f)` to share it. A fixed size allocates nothing. A dynamic
+/// size allocates nothing after the first step, except in f itself, which may return a reference to a vector that it
+/// keeps.
 ///
 /// A method derives from this class with itself as `Method` and has four functions:
 ///
@@ -140,8 +141,9 @@ class integrator : public moving_state<F, X> {
                   "kte: this right-hand side changes when it is called: pass std::ref(f), not std::cref(f)");
     static_assert(base::is_called || detail::changes_when_called<F, S, X>,
                   "kte: a right-hand side is called as f(t, x)");
-    static_assert(std::is_same_v<S, typename X::Scalar> || requires { Method::integrates_packs; },
-                  "kte: of integrators, explicit Runge-Kutta methods integrate packs of states");
+    static_assert(
+        std::is_same_v<S, typename X::Scalar> || requires { Method::integrates_packs; },
+        "kte: of integrators, explicit Runge-Kutta methods integrate packs of states");
     restart(t0, x0);
   }
 

@@ -18,8 +18,8 @@ struct plain_scalar_of {
   using type = S;
 };
 template <class S>
-requires(is_pack<S>)
-struct plain_scalar_of<S> : plain_scalar_of<typename S::value_type> {};
+requires(is_pack<S>) struct plain_scalar_of<S> : plain_scalar_of<typename S::value_type> {
+};
 template <class T, int N>
 struct plain_scalar_of<dual<T, N>> : plain_scalar_of<T> {};
 template <class S>
@@ -53,8 +53,7 @@ struct time_scalar_of {
   using type = S;
 };
 template <class S>
-requires(is_pack<S>)
-struct time_scalar_of<S> {
+requires(is_pack<S>) struct time_scalar_of<S> {
   using type = typename S::value_type;
 };
 template <class S>
@@ -65,8 +64,7 @@ constexpr const S& largest_lane(const S& x) {
   return x;
 }
 template <class S>
-requires(is_pack<S>)
-constexpr typename S::value_type largest_lane(const S& x) {
+requires(is_pack<S>) constexpr typename S::value_type largest_lane(const S& x) {
   auto most = x[0];
   for (std::size_t i = 1; i < std::size_t{S::lanes}; ++i)
     if (!(x[i] <= most)) most = most != most ? most : x[i];

@@ -31,7 +31,8 @@ constexpr std::array<std::string_view, sizeof...(Keys)> names_of(const element<C
 }
 template <class T>
 [[noreturn, gnu::cold]] void raise_fixed(std::string_view path, const T&) {
-  raise<bad_argument>("kte: the parameter '" + std::string(path) + "' is a typed constant, which is fixed by the type " +
+  raise<bad_argument>("kte: the parameter '" + std::string(path) +
+                      "' is a typed constant, which is fixed by the type " +
                       "of the chain; build the chain with a number there");
 }
 /// Sets the number of a path in all elements (an array of pointers to cores would lose their types).
@@ -92,9 +93,7 @@ template <class Gravity, class... E, class S, class... More>
   set(first.path, number(first.value));
   (set(more.path, number(more.value)), ...);
   detail::check_gravity(gravity);
-  boost::hana::for_each(elements, [](auto& e) {
-    detail::check_parameters(e.core, detail::names_of(e));
-  });
+  boost::hana::for_each(elements, [](auto& e) { detail::check_parameters(e.core, detail::names_of(e)); });
   return std::remove_const_t<decltype(wide)>(elements, gravity);
 }
 

@@ -27,7 +27,11 @@ constexpr bool at_component(T& x, std::string_view component, const Put& put) {
   } else if constexpr (requires { x.xx, x.zz; }) {
     return one(x.xx, "xx") || one(x.xy, "xy") || one(x.xz, "xz") || one(x.yy, "yy") || one(x.yz, "yz") ||
            one(x.zz, "zz");
-  } else if constexpr (requires { requires entry<decltype(x.x)>; requires !requires { x.w; }; x.z; }) {
+  } else if constexpr (requires {
+                         requires entry<decltype(x.x)>;
+                         requires !requires { x.w; };
+                         x.z;
+                       }) {
     return one(x.x, "x") || one(x.y, "y") || one(x.z, "z");
   } else {
     return false;

@@ -55,7 +55,8 @@ class sweep {
   /// Computes all cases in memory.
   [[nodiscard]] sweep_table table() const {
     std::vector<detail::sweep_rows> all(static_cast<std::size_t>(shards()));
-    run(numbers_to(shards()), [&](std::uint64_t shard) { return all[static_cast<std::size_t>(shard)] = rows_of(shard); });
+    run(numbers_to(shards()),
+        [&](std::uint64_t shard) { return all[static_cast<std::size_t>(shard)] = rows_of(shard); });
     memory_table out(columns());
     out.reserve(static_cast<std::size_t>(cases_.count()));
     detail::row_merger<memory_table> merger(cases_, kept_, out);

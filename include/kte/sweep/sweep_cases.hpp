@@ -12,8 +12,8 @@
 
 namespace kte {
 
-/// What a sweep varies: a number of cases, and a value for each column in each case. A value is a function of the number
-/// of the case only, so that cases can be computed in any order, and need no memory.
+/// What a sweep varies: a number of cases, and a value for each column in each case. A value is a function of the
+/// number of the case only, so that cases can be computed in any order, and need no memory.
 ///
 ///   kte::values("length", {0.5, 1.0}) * kte::evenly("mass", 1, 2, 101)      // a grid of 202 cases
 ///   kte::random_cases(1'000'000, seed, {kte::uniform("mass", 1, 2), kte::normal("push", 0, 0.1)})
@@ -56,8 +56,9 @@ class sweep_cases {
 /// One column with n values from `first` to `last`, evenly spaced: first + i (last - first) / (n - 1).
 [[nodiscard]] inline sweep_cases evenly(std::string name, double first, double last, std::uint64_t n) {
   return {{std::move(name)}, n, [=](std::uint64_t i, std::size_t) {
-            return i == 0 ? first : i + 1 == n ? last
-                                               : first + static_cast<double>(i) * ((last - first) / static_cast<double>(n - 1));
+            return i == 0       ? first
+                   : i + 1 == n ? last
+                                : first + static_cast<double>(i) * ((last - first) / static_cast<double>(n - 1));
           }};
 }
 /// Cases given as a list, each with one value per column. Throws `bad_argument` for one of another size.

@@ -92,7 +92,8 @@ class in_packs_of {
     detail::check_kept(kept, names.size());
     for (std::uint64_t i = first; i <= last; ++i)
       out.add(
-          i, [&](std::size_t k) { return static_cast<double>(kept[static_cast<decltype(kept.size())>(k)][i - first]); }, names);
+          i, [&](std::size_t k) { return static_cast<double>(kept[static_cast<decltype(kept.size())>(k)][i - first]); },
+          names);
   }
   F f_;
 };

@@ -23,7 +23,8 @@ struct sweep_progress {
   [[nodiscard]] double left() const { return rate() > 0 ? static_cast<double>(total - done) / rate() : 0; }
 };
 
-/// Prints progress as a line on stderr, over the previous one: `512000 of 1000000 cases, 3 failed, 61000 per s, 8 s left`.
+/// Prints progress as a line on stderr, over the previous one: `512000 of 1000000 cases, 3 failed, 61000 per s, 8 s
+/// left`.
 inline void print_progress(const sweep_progress& p) {
   std::fprintf(stderr, "\r%llu of %llu cases, %llu failed, %.4g per s, %.0f s left   %s",
                static_cast<unsigned long long>(p.done), static_cast<unsigned long long>(p.total),
@@ -34,7 +35,8 @@ inline void print_progress(const sweep_progress& p) {
 struct sweep_options {
   /// Cases computed and saved together. A killed run loses the unfinished shards.
   std::uint64_t shard_size = 1024;
-  /// Runs shards: `kte::batch::in_this_thread()`, `kte::batch::threads(n)`, or a custom one (kte/dynamics/executors.hpp).
+  /// Runs shards: `kte::batch::in_this_thread()`, `kte::batch::threads(n)`, or a custom one
+  /// (kte/dynamics/executors.hpp).
   std::function<void(std::size_t, const std::function<void(std::size_t)>&)> executor = batch::in_this_thread();
   /// Called after a shard, at most twice a second, and at the end: `kte::print_progress`.
   std::function<void(const sweep_progress&)> progress{};

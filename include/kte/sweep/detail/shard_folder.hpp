@@ -64,8 +64,9 @@ class shard_folder {
     std::string reasons = "case,reason\n";
     for (std::uint64_t k = 0; k < n; ++k) {
       const auto part = read_shard(shard(k), sweep_);
-      if (!part) raise<bad_file>("kte: cannot merge '" + folder_.string() + "': shard " + std::to_string(k) + " of " +
-                                 std::to_string(n) + " is missing");
+      if (!part)
+        raise<bad_file>("kte: cannot merge '" + folder_.string() + "': shard " + std::to_string(k) + " of " +
+                        std::to_string(n) + " is missing");
       rows.add(*part);
       for (const auto& f : part->failures) append_reason(reasons, f);
     }
