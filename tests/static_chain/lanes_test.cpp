@@ -9,7 +9,7 @@
 #include "digits50.hpp"
 #include "robots/iiwa14.hpp"
 
-using kte::test::says;
+using kte::test::digits50, kte::test::says;
 
 using namespace models;
 using P = kte::pack<double, 8>;

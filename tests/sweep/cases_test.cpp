@@ -8,7 +8,7 @@
 using kte::test::says;
 
 TEST_CASE("a grid: the last column changes fastest") {
-  const auto grid = kte::values("a", {1, 2}) * kte::evenly("b", 0, 1, 3);
+  const auto grid = kte::one_of("a", {1, 2}) * kte::evenly("b", 0, 1, 3);
   CHECK(grid.names() == std::vector<std::string>{"a", "b"});
   REQUIRE(grid.count() == 6);
   const double a[]{1, 1, 1, 2, 2, 2}, b[]{0, 0.5, 1, 0, 0.5, 1};
@@ -41,10 +41,10 @@ TEST_CASE("random cases: a function of seed, case and column, with the distribut
     distinct.insert(u);
   }
   const double N = static_cast<double>(n);
-  CHECK(mean / N == within(1, 0.03));     // deviation 1.15 / sqrt(n) = 0.008
-  CHECK(square / N == within(4, 0.15));   // deviation 4 sqrt(2 / n) = 0.04
-  CHECK(decades / N == within(0, 0.015)); // deviation 0.58 / sqrt(n) = 0.004
-  CHECK(together / N == within(0, 0.07)); // deviation 2.3 / sqrt(n) = 0.016
+  CHECK(mean / N == within(1, 0.03));      // deviation 1.15 / sqrt(n) = 0.008
+  CHECK(square / N == within(4, 0.15));    // deviation 4 sqrt(2 / n) = 0.04
+  CHECK(decades / N == within(0, 0.015));  // deviation 0.58 / sqrt(n) = 0.004
+  CHECK(together / N == within(0, 0.07));  // deviation 2.3 / sqrt(n) = 0.016
   CHECK(distinct.size() == n);
   CHECK(more(77, 1) == x(77, 1));
   CHECK(other(77, 1) != x(77, 1));
@@ -64,8 +64,14 @@ TEST_CASE("the inverse of the normal distribution") {
 
 TEST_CASE("Sobol points") {
   // The first points in three dimensions, in Gray code order.
-  const double expected[][3]{{0, 0, 0},          {0.5, 0.5, 0.5},       {0.75, 0.25, 0.25},   {0.25, 0.75, 0.75},
-                             {0.375, 0.375, 0.625}, {0.875, 0.875, 0.125}, {0.625, 0.125, 0.875}, {0.125, 0.625, 0.375}};
+  const double expected[][3]{{0, 0, 0},
+                             {0.5, 0.5, 0.5},
+                             {0.75, 0.25, 0.25},
+                             {0.25, 0.75, 0.75},
+                             {0.375, 0.375, 0.625},
+                             {0.875, 0.875, 0.125},
+                             {0.625, 0.125, 0.875},
+                             {0.125, 0.625, 0.375}};
   std::vector<kte::distributed> columns;
   for (std::size_t j = 0; j < 21; ++j) columns.push_back(kte::uniform("x" + std::to_string(j), 0, 1));
   const auto x = kte::sobol_cases(1024, columns);

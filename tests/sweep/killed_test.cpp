@@ -1,13 +1,12 @@
 #include <kte/sweep.hpp>
 
 #include <csignal>
+#include <sys/wait.h>
 #include <thread>
+#include <unistd.h>
 
 #include "catch.hpp"
 #include "sweep/folder.hpp"
-
-#include <sys/wait.h>
-#include <unistd.h>
 
 namespace {
 
@@ -24,14 +23,13 @@ TEST_CASE("a sweep that is killed continues where it was, and gives the same byt
   const folder at;
   const auto cases = kte::random_cases(400, 3, {kte::normal("x", 0, 1)});
   const auto sweep_of = [&cases](int microseconds, std::size_t threads) {
-    return kte::sweep(
-        cases, {"square"},
-        [microseconds](const auto& c) {
-          ::usleep(static_cast<useconds_t>(microseconds));
-          if (c.index() == 11) throw kte::bad_argument("eleven");
-          return std::array{c["x"] * c["x"]};
-        },
-        {.shard_size = 10, .executor = kte::batch::threads(threads)});
+    return kte::sweep(cases, {"square"},
+                      [microseconds](const auto& c) {
+                        ::usleep(static_cast<useconds_t>(microseconds));
+                        if (c.index() == 11) throw kte::bad_argument("eleven");
+                        return std::array{c["x"] * c["x"]};
+                      },
+                      {.shard_size = 10, .executor = kte::batch::threads(threads)});
   };
   sweep_of(0, 1).to(at / "whole.npy");
 

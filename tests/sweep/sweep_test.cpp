@@ -12,7 +12,7 @@ using kte::test::says;
 
 namespace {
 
-const auto cases = kte::random_cases(1000, 1, {kte::uniform("x", 0, 1)}) * kte::values("y", {1, 2});
+const auto cases = kte::random_cases(1000, 1, {kte::uniform("x", 0, 1)}) * kte::one_of("y", {1, 2});
 /// Fails in some cases, and gives no number in one.
 const auto f = [](const auto& c) {
   if (c.index() % 400 == 7) throw kte::bad_argument("kte: not \"this\",\none");
@@ -90,7 +90,7 @@ TEST_CASE("a damaged shard is computed again, one of another sweep is refused") 
   for (const auto& other :
        {kte::sweep(cases, kept, f, {.shard_size = 250}), kte::sweep(cases, kept, f, {.shard_size = 500, .note = "2"}),
         kte::sweep(cases, {"product", "sum"}, f, {.shard_size = 500}),
-        kte::sweep(kte::random_cases(1000, 2, {kte::uniform("x", 0, 1)}) * kte::values("y", {1, 2}), kept, f,
+        kte::sweep(kte::random_cases(1000, 2, {kte::uniform("x", 0, 1)}) * kte::one_of("y", {1, 2}), kept, f,
                    {.shard_size = 500})})
     CHECK_THROWS_MATCHES(other.to(file), kte::bad_argument, says("has shards of another sweep"));
   whole.to(file);
@@ -115,7 +115,7 @@ TEST_CASE("cases in lanes: those that fail are found, the others are not affecte
 
 TEST_CASE("statistics and progress") {
   std::vector<kte::sweep_progress> told;
-  const auto cases_4 = kte::values("x", {1, 2, 3, 6});
+  const auto cases_4 = kte::one_of("x", {1, 2, 3, 6});
   const auto summary =
       kte::sweep(cases_4, {"same"}, [](const auto& c) { return std::vector{c["x"]}; },
                  {.shard_size = 1, .progress = [&](const kte::sweep_progress& p) { told.push_back(p); }})
@@ -132,7 +132,7 @@ TEST_CASE("statistics and progress") {
 }
 
 TEST_CASE("what a sweep refuses") {
-  const auto x = kte::values("x", {1, 2});
+  const auto x = kte::one_of("x", {1, 2});
   CHECK_THROWS_MATCHES(kte::sweep(x, {"x"}, f), kte::bad_argument, says("two columns are named 'x'"));
   CHECK_THROWS_MATCHES(kte::sweep(x, kept, f, {.shard_size = 0}), kte::bad_argument, says("at least one case"));
   CHECK_THROWS_MATCHES(kte::sweep(x, kept, f).to("a.xyz"), kte::bad_argument, says("no extension of a table"));

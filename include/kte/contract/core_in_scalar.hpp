@@ -7,6 +7,7 @@
 
 #include <array>
 #include <concepts>
+#include <initializer_list>
 #include <limits>
 #include <type_traits>
 #include <vector>
@@ -44,26 +45,26 @@ struct with_scalar<std::vector<T, A>, S> {
 template <class T, class S>
 using in_scalar = typename with_scalar<T, S>::type;
 
-/// Whether a core has parameters that are packs: it is then several elements, one in each lane.
+/// Whether a core has parameters that are packs or dual numbers, which do not convert to double.
 template <class Core>
-inline constexpr bool has_packs = false;
-template <class T>
-requires(is_pack<T>) inline constexpr bool has_packs<T> = true;
+inline constexpr bool has_packs_or_duals = is_pack<Core> || is_dual<Core>;
 template <template <class...> class T, class... A>
-requires(!is_pack<T<A...>>) inline constexpr bool has_packs<T<A...>> = (has_packs<A> || ...);
+requires(!is_pack<T<A...>>) inline constexpr bool has_packs_or_duals<T<A...>> = (has_packs_or_duals<A> || ...);
 template <template <kind, class...> class T, kind K, class... A>
-inline constexpr bool has_packs<T<K, A...>> = (has_packs<A> || ...);
+inline constexpr bool has_packs_or_duals<T<K, A...>> = (has_packs_or_duals<A> || ...);
 
-/// The number of lanes of the packs in a core; 1 if there are none.
-template <class Core>
-inline constexpr std::size_t lanes_in = 1;
-template <class T>
-requires(is_pack<T>) inline constexpr std::size_t lanes_in<T> = std::size_t{T::lanes};
 constexpr std::size_t most_lanes(std::initializer_list<std::size_t> all) {
   std::size_t most = 1;
   for (const auto n : all) most = n > most ? n : most;
   return most;
 }
+/// The number of lanes of the packs in a core; 1 if there are none.
+template <class Core>
+inline constexpr std::size_t lanes_in = 1;
+template <class T>
+requires(is_pack<T>) inline constexpr std::size_t lanes_in<T> = std::size_t{T::lanes};
+template <class T, int N>
+inline constexpr std::size_t lanes_in<dual<T, N>> = lanes_in<T>;
 template <template <class...> class T, class... A>
 requires(!is_pack<T<A...>>) inline constexpr std::size_t lanes_in<T<A...>> = most_lanes({lanes_in<A>...});
 template <template <kind, class...> class T, kind K, class... A>
@@ -77,7 +78,7 @@ struct to_scalar {
     return S(x);
   }
 };
-/// One lane of a pack, as a number of type S.
+/// One lane of a pack, without derivatives, as a number of type S.
 template <class S>
 struct to_lane {
   std::size_t lane;
@@ -85,6 +86,8 @@ struct to_lane {
   constexpr S operator()(const T& x) const {
     if constexpr (is_pack<T>) {
       return S(x[lane]);
+    } else if constexpr (is_dual<T>) {
+      return (*this)(x.value);
     } else {
       return S(x);
     }

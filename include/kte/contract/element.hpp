@@ -100,15 +100,20 @@ struct check_core {
 }  // namespace detail
 
 namespace detail {
-/// Checks the parameters of a core with these connections; those that are packs lane by lane. Throws `bad_parameter`.
+/// The message of an element, with its lane if there are several.
+inline std::string in_lane(std::size_t lane, std::size_t lanes, const std::string& message) {
+  return lanes == 1 ? message : "kte: lane " + std::to_string(lane) + ": " + message.substr(5);
+}
+/// Checks the parameters of a core with these connections; packs lane by lane, of dual numbers the values. Throws
+/// `bad_parameter`.
 template <class Core, class Texts>
 constexpr void check_parameters(const Core& core, const Texts& texts) {
   parameter_check::breach broken;
   const parameter_check where{Core::type, Core::ports, texts, broken};
-  if constexpr (has_packs<Core>) {
+  if constexpr (has_packs_or_duals<Core>) {
     for (std::size_t lane = 0; lane < lanes_in<Core>; ++lane) {
       converted<double>(core, to_lane<double>{lane}).check(where);
-      if (broken.rule) raise<bad_parameter>("kte: lane " + std::to_string(lane) + ": " + where().substr(5));
+      if (broken.rule) raise<bad_parameter>(in_lane(lane, lanes_in<Core>, where()));
     }
   } else {
     core.check(where);

@@ -17,7 +17,7 @@ namespace kte::detail {
 /// Rejects gravity that is not finite, in any lane.
 template <class X, class Y, class Z>
 constexpr void check_gravity(const vec3<X, Y, Z>& gravity) {
-  if constexpr (has_packs<vec3<X, Y, Z>>) {
+  if constexpr (has_packs_or_duals<vec3<X, Y, Z>>) {
     for (std::size_t lane = 0; lane < lanes_in<vec3<X, Y, Z>>; ++lane) {
       in_scalar<vec3<X, Y, Z>, double> g{};
       convert_numbers(gravity, g, to_lane<double>{lane});

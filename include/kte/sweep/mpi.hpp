@@ -9,9 +9,8 @@
 #if !defined(MPICH_SKIP_MPICXX)
 #  define MPICH_SKIP_MPICXX 1
 #endif
-#include <mpi.h>
-
 #include <exception>
+#include <mpi.h>
 #include <string>
 
 /// Sweeps on clusters, by MPI (libopenmpi-dev). Programs call MPI_Init and MPI_Finalize, and link MPI.
@@ -25,7 +24,8 @@ class shared_counter {
   explicit shared_counter(MPI_Comm all) {
     int rank = 0;
     MPI_Comm_rank(all, &rank);
-    MPI_Win_allocate(rank == 0 ? sizeof(std::uint64_t) : 0, sizeof(std::uint64_t), MPI_INFO_NULL, all, &value_, &window_);
+    MPI_Win_allocate(rank == 0 ? sizeof(std::uint64_t) : 0, sizeof(std::uint64_t), MPI_INFO_NULL, all, &value_,
+                     &window_);
     if (rank == 0) {
       MPI_Win_lock(MPI_LOCK_EXCLUSIVE, 0, 0, window_);
       *value_ = 0;

@@ -15,7 +15,7 @@ namespace kte {
 /// What a sweep varies: a number of cases, and a value for each column in each case. A value is a function of the
 /// number of the case only, so that cases can be computed in any order, and need no memory.
 ///
-///   kte::values("length", {0.5, 1.0}) * kte::evenly("mass", 1, 2, 101)      // a grid of 202 cases
+///   kte::one_of("length", {0.5, 1.0}) * kte::evenly("mass", 1, 2, 101)      // a grid of 202 cases
 ///   kte::random_cases(1'000'000, seed, {kte::uniform("mass", 1, 2), kte::normal("push", 0, 0.1)})
 class sweep_cases {
  public:
@@ -49,7 +49,7 @@ class sweep_cases {
 };
 
 /// One column with these values.
-[[nodiscard]] inline sweep_cases values(std::string name, std::vector<double> numbers) {
+[[nodiscard]] inline sweep_cases one_of(std::string name, std::vector<double> numbers) {
   const std::uint64_t n = numbers.size();
   return {{std::move(name)}, n, [x = std::move(numbers)](std::uint64_t i, std::size_t) { return x[i]; }};
 }
