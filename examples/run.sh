@@ -8,7 +8,7 @@ install_packages
 echo "Building the examples in build/examples"
 cmake --preset examples
 cmake --build --preset examples
-for example in pendulum arm swing reach cart_pole own_element pictures; do
+for example in pendulum arm swing reach cart_pole own_element pictures sweep; do
   echo "Running $example"
   (cd build/examples/examples && ./$example)
 done
