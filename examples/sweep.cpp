@@ -40,7 +40,8 @@ struct moving {
   X operator()(double, const X& x) const {
     const auto q = x.template head<n>(), v = x.template tail<n>();
     X rate;
-    rate << v, kte::forward_dynamics(chain, q, v, law(q, v));
+    rate.template head<n>() = v;
+    rate.template tail<n>() = kte::forward_dynamics(chain, q, v, law(q, v));
     return rate;
   }
 };

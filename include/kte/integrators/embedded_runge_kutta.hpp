@@ -41,7 +41,7 @@ class embedded_runge_kutta : public integrator<embedded_runge_kutta<Tableau, F, 
  public:
   using typename base::rate;
   using typename base::S;
-  static constexpr bool integrates_packs = true;
+  static constexpr bool integrates_packs = true;  ///< many states at once, in lanes
 
   /// f(t, x), start time, s, start state, tolerances. Throws `bad_argument` for invalid tolerances, and for a start
   /// that is not finite.

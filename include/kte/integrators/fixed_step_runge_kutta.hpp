@@ -30,7 +30,7 @@ class fixed_step_runge_kutta : public fixed_step<fixed_step_runge_kutta<Tableau,
  public:
   using typename base::rate;
   using typename base::S;
-  static constexpr bool integrates_packs = true;
+  static constexpr bool integrates_packs = true;  ///< many states at once, in lanes
 
   /// f(t, x), start time, s, start state, step, s. Throws `bad_argument` for a step that is not positive, and for a
   /// start that is not finite.

@@ -13,6 +13,7 @@ namespace kte {
 /// `log_uniform` and `normal`.
 class distributed {
  public:
+  /// The distributions.
   enum class kind { uniform, log_uniform, normal };
 
   distributed(std::string name, kind k, double a, double b) : name_(std::move(name)), kind_(k), a_(a), b_(b) {}

@@ -25,6 +25,7 @@ class sweep_cases {
   sweep_cases(std::vector<std::string> names, std::uint64_t count, value_function value)
       : names_(std::move(names)), count_(count), value_(std::move(value)) {}
 
+  /// The names of the columns.
   [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
   /// The number of cases.
   [[nodiscard]] std::uint64_t count() const { return count_; }

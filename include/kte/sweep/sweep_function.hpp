@@ -97,6 +97,7 @@ class in_packs_of {
   }
   F f_;
 };
+/// A function f of a sweep on packs P; see `in_packs_of`.
 template <class P, class F>
 [[nodiscard]] in_packs_of<P, F> in_packs(F f) {
   return in_packs_of<P, F>(std::move(f));

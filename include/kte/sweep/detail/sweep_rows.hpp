@@ -10,8 +10,8 @@ namespace kte {
 
 /// A case without a result: its number, and the reason.
 struct sweep_failure {
-  std::uint64_t index = 0;
-  std::string reason;
+  std::uint64_t index = 0;  ///< the number of the case
+  std::string reason;       ///< the text of the exception
   friend bool operator==(const sweep_failure&, const sweep_failure&) = default;
 };
 
