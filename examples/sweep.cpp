@@ -67,12 +67,15 @@ auto reach() {
     const auto known = kte::in<pack>(robots::iiwa14.gravity(kte::along_z(-9.81)));
     using joints = Eigen::Matrix<pack, 7, 1>;
     const joints goal = joints::Constant(pack(0.5)), zero = joints::Zero();
+    joints stiffness, damping;
+    stiffness << 400, 400, 300, 200, 50, 20, 5;
+    damping << 40, 40, 30, 20, 5, 2, 0.5;
     const auto law = [&](const auto& q, const auto& v) {
       const joints held = kte::inverse_dynamics(known, q, zero, zero);
-      return (held - 200 * (q - goal) - 20 * v).eval();
+      return (held - stiffness.cwiseProduct(q - goal) - damping.cwiseProduct(v)).eval();
     };
     Eigen::Matrix<pack, 14, 1> start = Eigen::Matrix<pack, 14, 1>::Zero();
-    kte::runge_kutta4 solver(moving{chain, law}, 0.0, start, 0.0005);
+    kte::runge_kutta4 solver(moving{chain, law}, 0.0, start, 0.001);
     solver.integrate(1.0);
     pack error(0.0), speed(0.0);
     for (int i = 0; i < 7; ++i) {

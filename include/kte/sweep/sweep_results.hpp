@@ -16,7 +16,7 @@ struct column_statistics {
   std::uint64_t count = 0;                                  ///< cases with a number
   double least = std::numeric_limits<double>::quiet_NaN();  ///< the smallest number; NaN if there is none
   double most = least;                                      ///< the largest number
-  double mean = 0;                                          ///< of the numbers
+  double mean = least;                                      ///< of the numbers
   double squares = 0;                                       ///< the sum of the squared deviations from the mean
 
   /// The standard deviation of a sample: sqrt(squares / (count - 1)).
@@ -27,8 +27,8 @@ struct column_statistics {
     ++count;
     if (!(least <= x)) least = x;
     if (!(most >= x)) most = x;
-    const double d = x - mean;
-    mean += d / static_cast<double>(count);
+    const double d = count == 1 ? 0 : x - mean;
+    mean = count == 1 ? x : mean + d / static_cast<double>(count);
     squares += d * (x - mean);
   }
 };
