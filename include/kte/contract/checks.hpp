@@ -38,6 +38,8 @@ struct check_kind {
                 "kte: this port of the element takes an internal state (internal_key)");
   static_assert(rule < Core, Key, fits || Wanted != kind::loop >,
                 "kte: this port of the element takes the name of a closure (loop_key)");
+  static_assert(rule < Core, Key, fits || Wanted != kind::contact >,
+                "kte: this port of the element takes the name of a contact (contact_key)");
 };
 /// The first port that is connected to an item of another kind, or N.
 template <std::size_t N>
@@ -106,6 +108,11 @@ struct check_closures {
   static_assert(rule<Core, void, None>,
                 "kte: this algorithm does not support closures of loops; forward_dynamics, constrained_dynamics, and "
                 "inverse_dynamics with kte::actuated do, of kte/loops.hpp");
+};
+template <class Core, bool None>
+struct check_contacts {
+  static_assert(rule<Core, void, None>,
+                "kte: this algorithm does not support contacts; contact_dynamics of kte/contacts.hpp does");
 };
 /// The result of a rejected element: its error has been reported, and no further errors follow.
 struct refused {

@@ -20,6 +20,7 @@
 ///   input, internal                  number                                                      none
 ///   vector                           vec3                                                        none
 ///   loop                             loop_state                                                  none
+///   contact                          contact_state                                               none
 ///
 /// A load acts on the mechanism: the wrench on a frame at its origin, in its axes, N and Nm.
 namespace kte {
@@ -212,7 +213,7 @@ concept base_core = element_core<Core> && Core::ports.back().how == access::base
 /// A force: spring, damper, motor. It writes nothing.
 template <class Core>
 concept force_core = element_core<Core> && !Core::ports.back().writes() && !detail::is_closure<Core> &&
-                     detail::force_fits<Core>(detail::things_read<Core>{});
+                     !detail::is_contact<Core> && detail::force_fits<Core>(detail::things_read<Core>{});
 /// A body: a force with `mass<S>()`, in numbers of type S, on its first port. On a coordinate it is a number, kg or kg
 /// m^2; on a frame a `composite` about its origin, in its axes.
 template <class Core>
@@ -266,5 +267,9 @@ concept lock_core = stateful_core<Core> && locks_coordinate<Core> && std::is_bas
 /// rows.
 template <class Core>
 concept closure_core = element_core<Core> && detail::is_closure<Core> &&(Core::rows.count() > 0);
+/// A contact with friction between two frames: it derives from `contact<Core>` (contract/contact.hpp), with `gap`,
+/// `normal`, `point`, `slip` and `slip_rate`.
+template <class Core>
+concept contact_core = element_core<Core> && detail::is_contact<Core> &&(Core::rows.count() > 0);
 
 }  // namespace kte

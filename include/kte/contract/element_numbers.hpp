@@ -14,14 +14,14 @@ enum class part : unsigned char {
   follower,  ///< writes a coordinate from others or from signals
   mover,     ///< writes a frame in another way
   signal,    ///< writes a signal
-  closure,   ///< closes a loop; not part of the tree
+  closure,   ///< closes a loop, or is a contact; not part of the tree
   force      ///< all others: acts on the items at its ports; may have a mass on a coordinate
 };
 
 /// Whether an element has more than the properties that body nodes store.
 template <class Core>
-inline constexpr bool acts =
-    !is_transmission<Core> && !is_closure<Core> && !is_rigid_body<Core> && Core::ports.back().how != access::base;
+inline constexpr bool acts = !is_transmission<Core> && !is_closure<Core> && !is_contact<Core> && !is_rigid_body<Core> &&
+                             Core::ports.back().how != access::base;
 
 template <class P>
 struct element_numbers {
@@ -118,7 +118,7 @@ element_numbers<P> numbers_of(const Core& core) {
   constexpr port last = Core::ports.back();
   n.load_dependent_friction = load_dependent_friction<Core>, n.distributed_mass = distributed_mass<Core>;
   n.locks_coordinate = locks_coordinate<Core>, n.power_dual = power_dual<Core>;
-  if constexpr (is_closure<Core>) {
+  if constexpr (is_closure<Core> || is_contact<Core>) {
     n.is = part::closure;
   } else if constexpr (is_transmission<Core>) {
     n.is = part::rigid;

@@ -25,16 +25,17 @@ enum class kind : unsigned char {
   pose_3D,      ///< a coordinate that is a pose in space
   internal,     ///< an internal state of one element, a number with a rate: the deflection of bristles in friction
   vector,       ///< a signal of three numbers
-  loop          ///< the forces and residuals of one closure of a kinematic loop
+  loop,         ///< the forces and residuals of one closure of a kinematic loop
+  contact       ///< the force, gap and mode of one contact
 };
 /// The number of kinds.
-inline constexpr std::size_t kinds = 10;
+inline constexpr std::size_t kinds = 11;
 
 /// Whether it is a frame, in the plane or in space.
 [[nodiscard]] constexpr bool is_frame(kind k) { return k == kind::frame_2D || k == kind::frame_3D; }
 /// Whether it is a signal: numbers without a force.
 [[nodiscard]] constexpr bool is_signal(kind k) {
-  return k == kind::input || k == kind::internal || k == kind::vector || k == kind::loop;
+  return k == kind::input || k == kind::internal || k == kind::vector || k == kind::loop || k == kind::contact;
 }
 /// The size of a signal in the inputs u of a chain, if no element writes it.
 [[nodiscard]] constexpr int nu_of(kind k) { return k == kind::input ? 1 : k == kind::vector ? 3 : 0; }
@@ -72,6 +73,8 @@ inline constexpr std::size_t kinds = 10;
       return "vector";
     case kind::loop:
       return "closure";
+    case kind::contact:
+      return "contact";
   }
   return "";
 }
@@ -130,6 +133,9 @@ struct internal_key : key<kind::internal, Text> {};
 /// The key of a loop that a closure closes.
 template <fixed_string Text>
 struct loop_key : key<kind::loop, Text> {};
+/// The key of a contact.
+template <fixed_string Text>
+struct contact_key : key<kind::contact, Text> {};
 
 /// The time, s: in models of systems (models/) an input of this name is the time, and not part of u.
 inline constexpr struct chain_time_ final : input_key<"time"> {

@@ -123,6 +123,7 @@ struct stored_element {
     if constexpr (kept_count < Core >> 0)
       write_rates(core.z_dot(input<P>()...), std::make_index_sequence<kept_count<Core>>{});
     if constexpr (is_closure<Core>) core.put_residual(stored<P>()...);
+    if constexpr (is_contact<Core>) core.put_contact(stored<P>()...);
   }
   /// Updates the sines, cosines and matrices of the coordinates that it reads as angles and rotations.
   template <std::size_t... P>

@@ -47,6 +47,9 @@ inline constexpr bool writes_signal = Core::ports.back().how == access::out&& is
 /// name of the loop.
 template <class Core>
 inline constexpr bool is_closure = Core::ports.back().what == kind::loop&& Core::ports.back().how == access::keep;
+/// Whether it is a contact: its core derives from `contact` (contract/contact.hpp), and its last port is its name.
+template <class Core>
+inline constexpr bool is_contact = Core::ports.back().what == kind::contact&& Core::ports.back().how == access::keep;
 }  // namespace detail
 
 /// An element in a message: "revolute_joint_3D (coordinate 'q', base 'a', end 'b')".

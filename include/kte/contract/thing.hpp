@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kte/contract/key.hpp>
+#include <kte/frames/contact_state.hpp>
 #include <kte/frames/coordinates.hpp>
 #include <kte/frames/frame_3D.hpp>
 #include <kte/frames/gen_coord.hpp>
@@ -16,7 +17,7 @@ namespace kte::detail {
 /// In the order of `kind`.
 template <class S>
 using things = std::tuple<gen_coord<S>, frame_2D<S>, frame_3D<S>, S, rotation_coord_3D<S>, pose_coord_2D<S>,
-                          pose_coord_3D<S>, internal_state<S>, vec3<S>, loop_state<S>>;
+                          pose_coord_3D<S>, internal_state<S>, vec3<S>, loop_state<S>, contact_state<S>>;
 template <kind K, class S>
 using thing_of = std::tuple_element_t<static_cast<std::size_t>(K), things<S>>;
 
@@ -46,6 +47,8 @@ template <class S>
 inline constexpr kind kind_of_thing<vec3<S, S, S>> = kind::vector;
 template <class S>
 inline constexpr kind kind_of_thing<loop_state<S>> = kind::loop;
+template <class S>
+inline constexpr kind kind_of_thing<contact_state<S>> = kind::contact;
 
 /// Member K of a tuple with one member per kind.
 template <kind K, class Tuple>

@@ -2,6 +2,7 @@
 
 #include <kte/contract/port.hpp>
 #include <kte/detail/numbered.hpp>
+#include <kte/frames/contact_state.hpp>
 #include <kte/frames/loop_state.hpp>
 #include <kte/frames/motion.hpp>
 
@@ -47,6 +48,10 @@ struct sample<kind::vector> {
 template <>
 struct sample<kind::loop> {
   using type = loop_state<>;
+};
+template <>
+struct sample<kind::contact> {
+  using type = contact_state<>;
 };
 
 template <class Core, std::size_t... P>

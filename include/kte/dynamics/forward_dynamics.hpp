@@ -24,6 +24,7 @@ KTE_INLINE void articulated_accelerations(const Chain& c, const Given& g, const 
 template <class S, class Chain, class At, class V, class Base>
 KTE_INLINE auto accelerations_under(const Chain& c, const At& at, const V& v, const Base& base,
                                     const joint_vector<S, Chain::dofs>& tau) {
+  static_assert(sizeof(check_contacts_of<Chain>) > 0);
   at.check(), base.check();
   joint_vector<S, Chain::dofs> a;
   if constexpr (has_closures<Chain>) {

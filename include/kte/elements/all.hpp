@@ -21,6 +21,9 @@ KTE_ELEMENT(ang_velocity_measure_3D)
 KTE_ELEMENT(base<kind::gen>)
 KTE_ELEMENT(base<kind::frame_2D>)
 KTE_ELEMENT(base<kind::frame_3D>)
+#include <kte/elements/bristle_contact.hpp>
+KTE_ELEMENT(bristle_contact<kind::frame_2D, core::contact_geometry<kind::frame_2D>>)
+KTE_ELEMENT(bristle_contact<kind::frame_3D, core::contact_geometry<kind::frame_3D>>)
 #include <kte/elements/bushing.hpp>
 KTE_ELEMENT(bushing_3D)
 #include <kte/elements/closures/axis_closures.hpp>
@@ -44,6 +47,11 @@ KTE_ELEMENT(distance<kind::frame_3D>)
 KTE_ELEMENT(point_on_line<kind::frame_2D>)
 KTE_ELEMENT(point_on_line<kind::frame_3D>)
 KTE_ELEMENT(point_on_plane_3D)
+#include <kte/elements/compliant_contact.hpp>
+KTE_ELEMENT(compliant_contact<kind::frame_2D, core::contact_geometry<kind::frame_2D>>)
+KTE_ELEMENT(compliant_contact<kind::frame_3D, core::contact_geometry<kind::frame_3D>>)
+KTE_ELEMENT(compliant_contact<kind::frame_3D, core::disc_geometry>)
+#include <kte/elements/compliant_shapes.hpp>
 #include <kte/elements/constant_force.hpp>
 KTE_ELEMENT(constant_force<kind::frame_2D, vec3<double, double, zero_t>, vec3<zero_t, zero_t, double>>)
 KTE_ELEMENT(constant_force<kind::frame_3D, vec3<>, vec3<>>)
@@ -164,6 +172,10 @@ KTE_ELEMENT(placed_3D<core::revolute_joint<kind::frame_3D, vec3<one_t, zero_t, z
 KTE_ELEMENT(placed_3D<core::revolute_joint<kind::frame_3D, vec3<zero_t, one_t, zero_t>>>)
 KTE_ELEMENT(placed_3D<core::revolute_joint<kind::frame_3D, vec3<zero_t, zero_t, one_t>>>)
 KTE_ELEMENT(placed_3D<core::revolute_joint<kind::frame_3D, vec3<>>>)
+#include <kte/elements/rigid_contact.hpp>
+KTE_ELEMENT(rigid_contact<kind::frame_2D, core::contact_geometry<kind::frame_2D>>)
+KTE_ELEMENT(rigid_contact<kind::frame_3D, core::contact_geometry<kind::frame_3D>>)
+KTE_ELEMENT(rigid_contact<kind::frame_3D, core::disc_geometry>)
 #include <kte/elements/rigid_link.hpp>
 KTE_ELEMENT(rigid_link_gen<double>)
 KTE_ELEMENT(rigid_link<kind::frame_2D, rotation_2D<>, vec3<double, double, zero_t>>)

@@ -64,8 +64,8 @@ inline constexpr std::string_view content_fields[]{"chain", "thing", "state", "m
 /// The names of limits, in the order of `joint_limits`.
 inline constexpr std::string_view limit_fields[]{"lower", "upper", "rate", "acceleration", "jerk", "effort"};
 /// The names of kinds in files, in the order of `kind`.
-inline constexpr std::string_view kind_names[]{"coordinate", "frame_2D", "frame_3D", "input",  "rotation_3D",
-                                               "pose_2D",    "pose_3D",  "internal", "vector", "loop"};
+inline constexpr std::string_view kind_names[]{"coordinate", "frame_2D", "frame_3D", "input", "rotation_3D", "pose_2D",
+                                               "pose_3D",    "internal", "vector",   "loop",  "contact"};
 static_assert(std::size(kind_names) == kinds);
 }  // namespace detail
 

@@ -130,5 +130,11 @@ std::ostream& operator<<(std::ostream& out, const loop_state<S>& x) {
   return detail::print_fields(out, "residual", x.residual, "ang_residual", x.ang_residual, "force", x.force, "torque",
                               x.torque);
 }
+template <class S>
+std::ostream& operator<<(std::ostream& out, const contact_state<S>& x) {
+  static constexpr std::string_view names[]{"open", "sticks", "slides"};
+  out << names[static_cast<std::size_t>(mode_of(x))] << ' ';
+  return detail::print_fields(out, "gap", x.gap, "slip", x.slip, "force", x.force);
+}
 
 }  // namespace kte

@@ -75,6 +75,16 @@ struct quantities_of<loop_state<S>> {
                                       {"torque", 'f', "xyz", read_member<&T::torque>}};
 };
 template <class S>
+struct quantities_of<contact_state<S>> {
+  using T = contact_state<S>;
+  static constexpr quantity<T> list[]{{"gap", 'q', "", read_member<&T::gap>},
+                                      {"slip", 'v', "xyz", read_member<&T::slip>},
+                                      {"point", 'q', "xyz", read_member<&T::point>},
+                                      {"force", 'f', "xyz", read_member<&T::force>},
+                                      {"direction", 'v', "xyz", read_member<&T::direction>},
+                                      {"mode", 'q', "", read_member<&T::mode>}};
+};
+template <class S>
 struct quantities_of<rotation_coord_3D<S>> {
   using T = rotation_coord_3D<S>;
   static constexpr quantity<T> list[]{{"rotation", 'q', "wxyz", read_member<&T::rotation>},

@@ -44,6 +44,11 @@ template <class T, int N, class A>
   for (std::size_t i = 0; i < std::size_t{N}; ++i) y.set(i, std::atan2(y[i], x[i]));
   return y;
 }
+template <class T, int N, class A>
+[[nodiscard]] KTE_INLINE pack<T, N, A> pow(pack<T, N, A> x, double exponent) {
+  for (std::size_t i = 0; i < std::size_t{N}; ++i) x.set(i, std::pow(x[i], static_cast<T>(exponent)));
+  return x;
+}
 /// The smaller, or larger, of each pair of elements, as std::min and std::max.
 template <class T, int N, class A>
 KTE_INLINE pack<T, N, A>(min)(const pack<T, N, A>& a, const pack<T, N, A>& b) {

@@ -43,6 +43,9 @@ class header_writer {
     if (e.ports().back().what == kind::loop)
       throw bad_argument("kte: no header can hold a " + std::string(e.type()) +
                          ": static chains do not support closures of loops");
+    if (e.ports().back().what == kind::contact)
+      throw bad_argument("kte: no header can hold a " + std::string(e.type()) +
+                         ": contacts hold a surface, which headers do not support");
     std::string names;
     for (std::size_t p = 0; p < e.ports().size(); ++p)
       names.append(p == 0 ? "" : ", ").append(key(e.ports()[p].what, e.names()[p]));
@@ -57,8 +60,9 @@ class header_writer {
     auto& known = known_[{is_frame(k), name}];
     if (known.empty()) {
       known = identifiers_.make(name);
-      static constexpr std::array<const char*, kinds> types{"coord",   "frame_2D", "frame_3D", "input",  "rotation_3D",
-                                                            "pose_2D", "pose_3D",  "internal", "vector", "loop"};
+      static constexpr std::array<const char*, kinds> types{"coord",       "frame_2D", "frame_3D", "input",
+                                                            "rotation_3D", "pose_2D",  "pose_3D",  "internal",
+                                                            "vector",      "loop",     "contact"};
       keys_ += "inline constexpr struct " + known + "key final : ::kte::" + types[static_cast<std::size_t>(k)] +
                "_key<" + cpp_text(name) + "> {} " + known + ";\n";
     }

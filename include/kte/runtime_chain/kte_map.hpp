@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kte/contract/closure.hpp>
+#include <kte/contract/contact.hpp>
 #include <kte/contract/element_numbers.hpp>
 #include <kte/contract/joint_axis.hpp>
 #include <kte/contract/port.hpp>
@@ -119,6 +119,8 @@ class kte_element : public kte_map {
   /// The residual, its second derivative and the wrenches of rows for several motions: `all_rows_of_closing` numbers a
   /// motion.
   virtual void close_frames(std::span<const detail::closing_motion<double>>, double* /*rows*/) const {}
+  /// The place of a contact for the motion of its body in the frame of its surface.
+  virtual detail::touch touch_at(const detail::closing_motion<double>&) const { return {}; }
   /// Whether a closed loop of rotations is at the true solution, not half a turn away.
   virtual bool is_upright(const detail::closing_motion<double>&) const { return true; }
   /// The residual of a closure of coordinates at q with rates v, its derivatives by the coordinates, and its second

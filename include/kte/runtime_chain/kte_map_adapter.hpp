@@ -42,6 +42,7 @@ class kte_map_adapter final : public kte_element {
     std::copy(c.index.begin(), c.index.end(), index_.begin());
     c.rigid = detail::is_transmission<Core>, c.distributed_mass = distributed_mass<Core>;
     c.load = is_load<Core>, c.closes = detail::is_closure<Core>;
+    c.touches = detail::is_contact<Core>;
     c.starts_in_place = starts_in_place<Core>;
     const bool on_frames =
         std::any_of(Core::ports.begin(), Core::ports.end(), [](const port& p) { return is_frame(p.what); });
@@ -99,7 +100,7 @@ class kte_map_adapter final : public kte_element {
   }
 
   closure_rows rows() const override {
-    if constexpr (detail::is_closure<Core>)
+    if constexpr (detail::is_closure<Core> || detail::is_contact<Core>)
       return Core::rows;
     else
       return {};
@@ -121,6 +122,12 @@ class kte_map_adapter final : public kte_element {
           detail::close_frames_by(core_, m, what, rows);
           rows += (what == detail::closing::wrenches ? 6 : 1) * detail::closing_stride;
         }
+  }
+  detail::touch touch_at([[maybe_unused]] const detail::closing_motion<double>& m) const override {
+    if constexpr (detail::is_contact<Core>)
+      return core_.touch_at(m);
+    else
+      return {};
   }
   bool is_upright([[maybe_unused]] const detail::closing_motion<double>& m) const override {
     return detail::is_upright_by(core_, m);
@@ -162,7 +169,8 @@ class kte_map_adapter final : public kte_element {
 
  private:
   using inputs = std::make_index_sequence<input_count<Core>>;
-  static constexpr bool closes_frames = detail::is_closure<Core> && is_frame(Core::ports[0].what);
+  static constexpr bool closes_frames =
+      (detail::is_closure<Core> || detail::is_contact<Core>)&&is_frame(Core::ports[0].what);
   static constexpr bool closes_coordinates = detail::is_closure<Core> && !closes_frames;
 
   template <class State>

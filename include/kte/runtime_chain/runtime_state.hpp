@@ -104,6 +104,9 @@ class basic_runtime_state {
   /// The state of a closed loop by name or handle.
   loop_state<S>& loop(const name_or_handle& name) { return at<kind::loop>(*this, name); }
   const loop_state<S>& loop(const name_or_handle& name) const { return at<kind::loop>(*this, name); }
+  /// The state of a contact by name or handle.
+  contact_state<S>& contact(const name_or_handle& name) { return at<kind::contact>(*this, name); }
+  const contact_state<S>& contact(const name_or_handle& name) const { return at<kind::contact>(*this, name); }
   /// A coordinate that is a rotation, by name or handle.
   rotation_coord_3D<S>& rotation_3D(const name_or_handle& name) { return at<kind::rotation_3D>(*this, name); }
   const rotation_coord_3D<S>& rotation_3D(const name_or_handle& name) const {
@@ -160,7 +163,7 @@ class basic_runtime_state {
   /// Working memory of the algorithms; not for users.
   detail::loop_memory<parameter, S> work;
   detail::own_memory with_derivatives;
-  detail::own_memory loops;
+  detail::own_memory loops, contacts, impacts;
   std::vector<S> before;  ///< q, v, a that a call has replaced, until the call can no longer fail
 };
 

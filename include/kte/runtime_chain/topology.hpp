@@ -46,6 +46,7 @@ class topology {
     bool distributed_mass = false;  ///< whether it has a mass between several ports
     bool load = false;              ///< whether it is an external load
     bool closes = false;            ///< whether it closes a loop
+    bool touches = false;           ///< whether it is a contact
     bool starts_in_place = false;   ///< whether its internal states follow from the position at the start of a motion
   };
 

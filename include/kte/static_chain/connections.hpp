@@ -81,9 +81,10 @@ struct shapes_of {
   }();
   /// Whether no part of the chain requires the loops over body nodes.
   static constexpr bool common = [] {
-    const bool rare[]{(follows_freely<Core> || kte::distributed_mass<Core> || kte::load_dependent_friction<Core> ||
-                       kte::locks_coordinate<Core> || is_closure<Core> || kte::varying_axes<Core>)...,
-                      false};
+    const bool rare[]{
+        (follows_freely<Core> || kte::distributed_mass<Core> || kte::load_dependent_friction<Core> ||
+         kte::locks_coordinate<Core> || is_closure<Core> || is_contact<Core> || kte::varying_axes<Core>)...,
+        false};
     for (std::size_t e = 0; e < sizeof...(Core); ++e)
       if (rare[e] || acts_freely[e]) return false;
     return true;

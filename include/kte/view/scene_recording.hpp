@@ -114,7 +114,7 @@ class scene_recording : public recorded_scene {
   }
   template <kind K, class State>
   static void put_thing(const detail::thing_source& from, std::size_t row, double t, State& s) {
-    if constexpr (!is_frame(K) && K != kind::loop) {
+    if constexpr (!is_frame(K) && K != kind::loop && K != kind::contact) {
       std::size_t column = 0;
       const auto take = [&](auto& x) {
         x = static_cast<std::remove_reference_t<decltype(x)>>(from.columns.empty() ? t

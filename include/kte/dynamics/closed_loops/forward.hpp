@@ -19,6 +19,7 @@ const runtime_vector<S>& accelerations_of_chain(const runtime_chain& c, basic_ru
       for (int i = 0; i < s.dofs(); ++i) s.work.kept[static_cast<std::size_t>(i)] = applied(i);
       return accelerations_on_loops(c, s);
     }
+  refuse_contacts(c);
   if constexpr (has_lanes_of_double<S>)
     if (has_loops(c)) [[unlikely]]
       throw bad_argument("kte: forward dynamics of a chain with closures of loops in packs: kte::batch has it");

@@ -101,6 +101,57 @@ class loop_factor {
     least_change(s, e, c, d);
     return d;
   }
+  /// d = L^-1 y, y by places, which may be overwritten; d by degrees of freedom. Overwrites the motion in the working
+  /// memory of the state.
+  template <class State>
+  void other_half(State& s, const loop_equations& e, Eigen::VectorXd& y, Eigen::VectorXd& d) {
+    const auto& at = e.places;
+    const auto n = static_cast<Eigen::Index>(at.row_of_place.size());
+    d.resize(n);
+    if (!s.tree().plan.tree) {
+      mass_.other_half(y.data());
+      d = y.head(n);
+      return;
+    }
+    auto& factors = keeps_ ? kept_.factors : s.work.factors;
+    for (Eigen::Index k = 0; k < n; ++k) {
+      const int axis = at.axis_of_place[static_cast<std::size_t>(k)];
+      const double rate = y[k] * root_[k];
+      if (axis >= 0)
+        factors[static_cast<std::size_t>(axis)].rate = rate;
+      else
+        d[at.row_of_place[static_cast<std::size_t>(k)]] = rate;
+    }
+    tree::accelerate_from_rest(s.tree().body_tree, s.work, keeps_ ? kept_.joint_transforms : s.work.joint_transforms,
+                               factors.data());
+    for (std::size_t k = 0; k < at.axis_of_place.size(); ++k)
+      if (const int axis = at.axis_of_place[k]; axis >= 0)
+        d[at.row_of_place[k]] = s.work.acceleration[static_cast<std::size_t>(axis)];
+  }
+  /// Calls put(place, row, entry) for L^-T J^T of the rows of a closure; call (1) at the positions of the state first.
+  template <class Closures, class State, class Put>
+  void half_solve(const Closures& c, State& s, loop_equations& e, int closure, const Put& put) {
+    std::size_t i = 0;
+    int first = 0;
+    for (;; ++i, first = 0) {
+      const auto& in_block = e.places.blocks[i].closures;
+      std::size_t k = 0;
+      for (; k < in_block.size() && in_block[k] != closure; ++k)
+        first += e.places.closures[static_cast<std::size_t>(in_block[k])].rows.count();
+      if (k < in_block.size()) break;
+    }
+    const auto& places = e.places.blocks[i].places;
+    if (s.tree().plan.tree)
+      return e.half_solve(c, s, closure, root_, [&](int column, int row, double entry) {
+        put(places[static_cast<std::size_t>(column)], row, entry);
+      });
+    const int rows = e.places.closures[static_cast<std::size_t>(closure)].rows.count();
+    for (int r = 0; r < rows; ++r) {
+      half_ = e.jacobian[i].row(first + r).transpose();
+      mass_.half_solve(half_.data());
+      for (std::size_t k = 0; k < places.size(); ++k) put(places[k], r, half_[static_cast<Eigen::Index>(k)]);
+    }
+  }
   bool is_chosen(const loop_equations& e, int row) const {
     for (std::size_t i = 0; i < parts.size(); ++i)
       for (const int k : parts[i].chosen)
@@ -127,7 +178,7 @@ class loop_factor {
                     const Visit& visit) {
     const auto& at = e.places;
     const auto n = static_cast<Eigen::Index>(at.row_of_place.size());
-    left_.setZero(n), d.resize(n);
+    left_.setZero(n);
     if (chosen_.size() < at.rows) chosen_.resize(at.rows);
     if (half_.size() < n + pivoted_qr::padding) half_.resize(n + pivoted_qr::padding);
     for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -140,25 +191,7 @@ class loop_factor {
       for (std::size_t k = 0; k < b.places.size(); ++k) left_[b.places[k]] = half_[static_cast<Eigen::Index>(k)];
       visit(p, b);
     }
-    if (!s.tree().plan.tree) {
-      mass_.other_half(left_.data());
-      d = left_;
-      return;
-    }
-    auto& factors = keeps_ ? kept_.factors : s.work.factors;
-    for (Eigen::Index k = 0; k < n; ++k) {
-      const int axis = at.axis_of_place[static_cast<std::size_t>(k)];
-      const double rate = left_[k] * root_[k];
-      if (axis >= 0)
-        factors[static_cast<std::size_t>(axis)].rate = rate;
-      else
-        d[at.row_of_place[static_cast<std::size_t>(k)]] = rate;
-    }
-    tree::accelerate_from_rest(s.tree().body_tree, s.work, keeps_ ? kept_.joint_transforms : s.work.joint_transforms,
-                               factors.data());
-    for (std::size_t k = 0; k < at.axis_of_place.size(); ++k)
-      if (const int axis = at.axis_of_place[k]; axis >= 0)
-        d[at.row_of_place[k]] = s.work.acceleration[static_cast<std::size_t>(axis)];
+    other_half(s, e, left_, d);
   }
   /// The possible size of a row of B of block i.
   double reach(const loop_equations& e, std::size_t i) const {

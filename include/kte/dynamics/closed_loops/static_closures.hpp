@@ -5,8 +5,9 @@
 
 namespace kte::detail {
 
-/// The closures of a static chain among its elements, as in dynamics/closed_loops/runtime_closures.hpp.
-template <class Chain, class Given>
+/// The closures of a static chain among its elements, as in dynamics/closed_loops/runtime_closures.hpp. `Is`: the
+/// elements that count.
+template <class Chain, class Given, template <class> class Is = closes_loop>
 struct static_closures : static_elements<Chain, Given> {
   using wiring = typename Chain::wiring;
 
@@ -47,28 +48,30 @@ struct static_closures : static_elements<Chain, Given> {
     (std::make_index_sequence<Chain::size>{});
     return text;
   }
-  static std::string loop_name(int loop) {
-    return std::string(loop_names<Chain>::table[static_cast<std::size_t>(loop)]);
-  }
+  static std::string loop_name(int loop) { return name<kind::loop>(loop); }
 
- private:
-  template <class C>
-  struct loop_names;
-  template <class Gravity, class... E>
-  struct loop_names<static_chain<Gravity, E...>> {
+ protected:
+  template <kind K, class C>
+  struct names_of;
+  template <kind K, class Gravity, class... E>
+  struct names_of<K, static_chain<Gravity, E...>> {
     static constexpr auto table = [] {
-      std::array<std::string_view, std::size_t{wiring::count(kind::loop)} + 1> names{};
+      std::array<std::string_view, std::size_t{wiring::count(K)} + 1> names{};
       const auto at_ports = names_at_ports<wiring, E...>();
       for (std::size_t p = 0; p < std::size_t{wiring::ports}; ++p)
-        if (wiring::table.what[p] == kind::loop) names[static_cast<std::size_t>(wiring::table.slot[p])] = at_ports[p];
+        if (wiring::table.what[p] == K) names[static_cast<std::size_t>(wiring::table.slot[p])] = at_ports[p];
       return names;
     }();
   };
+  template <kind K>
+  static std::string name(int slot) {
+    return std::string(names_of<K, Chain>::table[static_cast<std::size_t>(slot)]);
+  }
   /// Calls f<number>(core of a closure).
   template <class F>
   void each(const F& f) const {
     const auto one = [&]<std::size_t I>() {
-      if constexpr (is_closure<core_of<Chain, I>>) f.template operator()<I>(this->chain.template core<I>());
+      if constexpr (Is<core_of<Chain, I>>::value) f.template operator()<I>(this->chain.template core<I>());
       return 0;
     };
     [&]<std::size_t... I>(std::index_sequence<I...>) {

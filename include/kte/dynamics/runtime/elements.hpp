@@ -86,6 +86,18 @@ void check_regular_tree(const runtime_chain& c, const basic_runtime_state<S>& s)
   if (s.tree().irregular) [[unlikely]]
     refuse_chain(c, s.tree().irregular);
 }
+/// Whether a chain has contacts.
+inline bool has_contacts(const runtime_chain& c) { return c.wiring().count(kind::contact) > 0; }
+/// Throws `bad_argument`, naming the first contact, for a chain with contacts in an algorithm that does not support
+/// them.
+inline void refuse_contacts(const runtime_chain& c) {
+  if (!has_contacts(c)) [[likely]]
+    return;
+  const auto& elements = c.wiring().elements;
+  const auto first = std::find_if(elements.begin(), elements.end(), [](const auto& e) { return e.touches; });
+  throw bad_argument("kte: this algorithm does not support contacts, as " + describe_element(*first->element) +
+                     ": contact_dynamics computes motions with contact forces");
+}
 /// Throws `bad_argument`, naming the first closure, for a chain with loops in an algorithm that does not support them.
 inline void refuse_loops(const runtime_chain& c, const char* instead = "") {
   if (!has_loops(c)) [[likely]]
@@ -99,7 +111,7 @@ inline void refuse_loops(const runtime_chain& c, const char* instead = "") {
 template <class S>
 void check_regular(const runtime_chain& c, const basic_runtime_state<S>& s) {
   check_regular_tree(c, s);
-  refuse_loops(c);
+  refuse_loops(c), refuse_contacts(c);
 }
 /// Throws for a chain whose motion only the passes support.
 template <class S>

@@ -137,6 +137,8 @@ struct flow_types {
       return g.template internal<Slot>();
     } else if constexpr (K == kind::loop) {
       return loop_state<>{};  // of a tree: no forces
+    } else if constexpr (K == kind::contact) {
+      return contact_state<>{};
     } else if constexpr (is_frame(K)) {
       return g.template base<K, Slot>();
     } else if constexpr (wiring::template is_free<K, Slot>) {
@@ -146,7 +148,8 @@ struct flow_types {
     }
   }
   template <kind K, int Slot>
-  static constexpr int writer = K == kind::internal || K == kind::loop ? -1 : wiring::writer(K, Slot);
+  static constexpr int writer = K == kind::internal || K == kind::loop || K == kind::contact ? -1
+                                                                                             : wiring::writer(K, Slot);
 
   /// Whether element I writes a coordinate that turns a joint, which needs its sine and cosine.
   template <std::size_t I>

@@ -47,6 +47,8 @@ struct has_distributed_mass : std::bool_constant<distributed_mass<Core>> {};
 template <class Core>
 struct closes_loop : std::bool_constant<is_closure<Core>> {};
 template <class Core>
+struct touches : std::bool_constant<is_contact<Core>> {};
+template <class Core>
 struct is_load_dependent : std::bool_constant<load_dependent_friction<Core>> {};
 
 /// Whether joints have load-dependent friction.
@@ -59,8 +61,11 @@ template <class Chain, class Core = first_element<Chain, has_own_loads>>
 using check_loads_of = check_loads<Core, std::is_void_v<Core>>;
 template <class Chain, class Core = first_element<Chain, has_distributed_mass>>
 using check_bodies_of = check_bodies<Core, std::is_void_v<Core>>;
+template <class Chain, class Core = first_element<Chain, touches>>
+using check_contacts_of = check_contacts<Core, std::is_void_v<Core>>;
+/// Refuses closures and contacts.
 template <class Chain, class Core = first_element<Chain, closes_loop>>
-using check_closures_of = check_closures<Core, std::is_void_v<Core>>;
+struct check_closures_of : check_closures<Core, std::is_void_v<Core>>, check_contacts_of<Chain> {};
 /// Whether a static chain has closures.
 template <class Chain>
 inline constexpr bool has_closures = !Chain::common && !std::is_void_v<first_element<Chain, closes_loop>>;

@@ -128,6 +128,10 @@ std::array<S, 7> load_in_world(const loop_state<S>&) {
   return {};
 }
 template <class S>
+std::array<S, 7> load_in_world(const contact_state<S>&) {
+  return {};
+}
+template <class S>
 std::array<S, 7> load_in_world(const S&) {
   return {};
 }
@@ -149,6 +153,10 @@ std::pair<S, S> power(const internal_state<S>&) {
 }
 template <class S>
 std::pair<S, S> power(const loop_state<S>&) {
+  return {S(0), S(0)};
+}
+template <class S>
+std::pair<S, S> power(const contact_state<S>&) {
   return {S(0), S(0)};
 }
 template <class S>

@@ -50,6 +50,8 @@ void move(internal_state<S>& x, const S& t) {
 template <class S>
 void move(loop_state<S>&, const S&) {}
 template <class S>
+void move(contact_state<S>&, const S&) {}
+template <class S>
 void move(S&, const S&) {}  // a signal
 template <class S>
 void move(vec3<S>&, const S&) {}
@@ -87,6 +89,8 @@ kte::detail::thing_of<K, S> random_thing(Draw& draw) {
     return {number(), S(0)};
   } else if constexpr (K == kind::loop) {
     return {.force = vector(), .torque = vector()};
+  } else if constexpr (K == kind::contact) {
+    return {.force = vector()};
   } else if constexpr (K == kind::vector) {
     return vector();
   } else {
@@ -174,7 +178,8 @@ class trial {
   template <class Draw, std::size_t... K>
   void draw_all(Draw& draw, std::index_sequence<K...>) {
     const auto draw_kind = [&draw]<kind Kind>(auto& things) {
-      if ((Kind == kind::vector || Kind == kind::loop) && !has_port(Kind)) return;  // other numbers are unchanged
+      if ((Kind == kind::vector || Kind == kind::loop || Kind == kind::contact) && !has_port(Kind))
+        return;  // other numbers are unchanged
       for (auto& x : things) x = random_thing<Kind, S>(draw);
     };
     (draw_kind.template operator()<static_cast<kind>(K)>(std::get<K>(things_)), ...);

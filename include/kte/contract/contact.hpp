@@ -1,0 +1,90 @@
+#pragma once
+
+#include <kte/contact/contact_between.hpp>
+#include <kte/frames/contact_state.hpp>
+
+namespace kte {
+
+/// Dry friction and restitution of a rigid contact.
+struct contact_law {
+  double friction = 0;     ///< Coulomb's coefficient
+  double restitution = 0;  ///< Newton's coefficient, 0 to 1
+};
+
+namespace detail {
+/// A contact at a position.
+struct touch {
+  vec3<> normal;  ///< n, unit, from the surface of A to the body B, in axes of A
+  vec3<> point;   ///< where the force acts
+  double gap = 0;
+  double bending = 0;  ///< g'' - n . u', from the curvature of the surface
+  contact_law law;
+};
+template <kind Dim>
+inline constexpr std::array<port, 3> contact_ports{
+    {{Dim, access::on, "frame1"}, {Dim, access::on, "frame2"}, {kind::contact, access::keep, "contact"}}};
+}  // namespace detail
+
+/// A rigid contact of a body B with a surface of a frame A. A core derived from it has a `contact_law law`, and
+///
+///   gap(m)          g: distance of the body from the surface, m, negative inside          (1)
+///   normal(m)       n: the unit normal of the surface there, towards the body
+///   gap_ddot(m)     its second derivative, with accelerations; n . u' if the normal is constant
+///   point(m)        c: the point of contact
+///   slip(m)         u: velocity of the material point of B at c relative to A, linear in the rates of m          (2)
+///   slip_rate(m)    its derivative, with accelerations          (3)
+///
+/// in axes of A, where m is the motion of B in A, as for closures. The rate of the gap is n . u. Algorithms use the
+/// rows of a closed contact as those of a closure with the residual g n and the rate u: a contact that sticks has three
+/// rows, two in the plane. The ports are A, B and the name of the contact.
+///
+/// The force f on B acts at c, the opposite on A at the same c: its power is f . u for any gap.
+template <class Core, kind Dim>
+struct contact {
+  static constexpr bool reads_positions = true;
+  static constexpr auto ports = detail::contact_ports<Dim>;
+  static constexpr closure_rows rows{Dim == kind::frame_2D ? 2 : 3, 0};
+
+  template <class M>
+  constexpr auto residual(const M& m) const {
+    return rows_of(core().gap(m) * core().normal(m));
+  }
+  template <class M>
+  constexpr auto residual_dot(const M& m) const {
+    return rows_of(core().slip(m));
+  }
+  template <class M>
+  constexpr auto residual_ddot(const M& m) const {
+    return rows_of(core().slip_rate(m));
+  }
+  template <class A, class B, class Contact>
+  KTE_INLINE constexpr auto doForce(const A& a, const B& b, const Contact& x) const {
+    using S = std::remove_cvref_t<decltype(x.gap)>;
+    const auto m = detail::as_closing_motion<S>(relative(a, b));
+    return detail::loads_at_contact<Dim>(m, x.force, as<S>(core().point(m)));
+  }
+  /// Writes gap, slip and point; called by doMotion.
+  template <class A, class B, class S>
+  constexpr void put_contact(const A& a, const B& b, contact_state<S>& x) const {
+    const auto m = detail::as_closing_motion<S>(relative(spatial(a), spatial(b)));
+    x.gap = as<S>(core().gap(m)), x.slip = as<S>(core().slip(m)), x.point = as<S>(core().point(m));
+  }
+  /// The place of the contact for the motion m.
+  constexpr detail::touch touch_at(const detail::closing_motion<double>& m) const {
+    const auto n = as<double>(core().normal(m));
+    return {n, as<double>(core().point(m)), as<double>(core().gap(m)),
+            as<double>(core().gap_ddot(m)) - dot(n, as<double>(core().slip_rate(m))), core().law};
+  }
+
+ private:
+  KTE_INLINE constexpr const Core& core() const { return static_cast<const Core&>(*this); }
+  template <class V>
+  static constexpr auto rows_of(const V& v) {
+    if constexpr (Dim == kind::frame_2D)
+      return make_rows(v.x, v.y);
+    else
+      return make_rows(v.x, v.y, v.z);
+  }
+};
+
+}  // namespace kte

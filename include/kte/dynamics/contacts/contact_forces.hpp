@@ -1,0 +1,121 @@
+#pragma once
+
+#include <kte/contact/friction_solver.hpp>
+#include <kte/dynamics/contacts/contact_results.hpp>
+#include <kte/dynamics/contacts/contact_rows.hpp>
+#include <kte/errors.hpp>
+
+/// Accelerations with contact forces, in the working memory of a state.
+namespace kte::detail {
+
+struct contact_solver : contact_workspace {
+  using contact_workspace::contact_workspace;
+  friction_solver<double> solver;
+  std::vector<contact_mode> modes;  ///< of contacts that touch
+  Eigen::VectorXd loop_forces, change_of_motion, before;
+};
+
+constexpr contact_mode as_contact_mode(friction_mode mode) {
+  return mode == friction_mode::open     ? contact_mode::open
+         : mode == friction_mode::sticks ? contact_mode::sticks
+                                         : contact_mode::slides;
+}
+template <class Contacts>
+std::string names_of_touching(const Contacts& c, const contact_workspace& m) {
+  std::string names;
+  for (std::size_t i = 0; i < m.touching.size(); ++i)
+    names.append(i == 0 ? "'" : ", '").append(c.loop_name(m.place(m.touched(i)).loop)).append("'");
+  return names;
+}
+/// Finds the forces of the contacts that touch. Throws `no_solution`.
+template <class Contacts>
+bool solve_friction(const Contacts& c, contact_solver& m) {
+  m.modes.clear();
+  if (m.touching.empty()) return false;
+  const friction_problem<> p(m.w, m.bias, m.laws);
+  const auto& r = m.solver.solve(p);
+  if (!r.solved()) [[unlikely]]
+    raise<no_solution>("kte: no contact forces satisfy the laws of friction at contacts " + names_of_touching(c, m) +
+                       (r.status == friction_status::no_solution
+                            ? ": a jam (Painleve): kte::impact finds the velocities after it"
+                            : "; residual " + number(r.residual)));
+  for (Eigen::Index k = 0; k < m.forces.size(); ++k) m.forces[k] = r.lambda[static_cast<std::size_t>(k)];
+  for (const auto mode : r.modes) m.modes.push_back(as_contact_mode(mode));
+  return r.status == friction_status::several_solutions;
+}
+/// The normal and the tangential velocity of a contact, relative to `rest_velocity`.
+inline double normal_velocity(const contact_workspace& m, const contact_at& x) {
+  return dot(x.place.normal, x.slip) / (rest_velocity * m.equations.places.length);
+}
+inline bool slides(const contact_workspace& m, const contact_at& x) {
+  const vec3<> t = contact_workspace::tangential(x);
+  return std::sqrt(dot(t, t)) > rest_velocity * m.equations.places.length;
+}
+inline vec3<> unit_of(const vec3<>& v) {
+  const double length = std::sqrt(dot(v, v));
+  return length > 0 ? (1 / length) * v : vec3<>{};
+}
+/// Writes all contacts to the state, with the forces found by `solve_friction`.
+template <class State>
+void put_contacts(const contact_solver& m, State& s) {
+  for (const auto& x : m.contacts) {
+    auto& to = s.template get<kind::contact>(x.slot);
+    to.gap = x.place.gap, to.slip = x.slip, to.point = x.place.point;
+    to.force = to.direction = {}, to.mode = static_cast<double>(contact_mode::open);
+  }
+  for (std::size_t i = 0; i < m.touching.size(); ++i) {
+    const auto& x = m.touched(i);
+    auto& to = s.template get<kind::contact>(x.slot);
+    to.force = m.force_of(x);
+    to.mode = static_cast<double>(m.modes[i]);
+    if (m.modes[i] != contact_mode::slides) continue;
+    to.direction = unit_of(m.laws[i].sliding ? contact_workspace::tangential(x)
+                                             : dot(x.place.normal, to.force) * x.place.normal - to.force);
+  }
+}
+
+/// Accelerations under applied(i), written to `forces` of the working memory, with the contact forces:
+///
+///   u' = W lambda + b,   a = a_0 + L^-1 B lambda          (1)
+///
+/// a_0: accelerations of the tree, b: u' for a_0. Returns whether there are several solutions.
+template <class Contacts, class State, class Tau>
+bool accelerate_with_contacts(const Contacts& c, State& s, contact_solver& m, const Tau& applied) {
+  check_loops(c, s);
+  auto& e = m.equations;
+  const bool tree = s.tree().plan.tree;
+  accelerate_by_tree(c.elements(), s, applied, {});
+  auto& a = s.work.forces;
+  m.before = a;
+  const auto& a0 = m.before;
+  e.at_positions(c, s, !tree, tree);
+  if (tree) {
+    m.factor.take_articulated(s, e);
+    m.find(c, s);
+    e.accelerate_residuals(c, s, [&a](int i) { return a[i]; });
+  } else {
+    for_each_listed_freedom(s, [&a0](auto& x, const freedom& at) { put<vector_of::a>(x, at, a0); });
+    m.factor.factorize(c, s, e);
+    e.at_rates(c, s);
+    m.find(c, s);
+    e.acceleration += e.times(a0);
+  }
+  m.choose([&](const contact_at& x) { return !(normal_velocity(m, x) > 1); });
+  for (std::size_t i = 0; i < m.touching.size(); ++i) {
+    const auto& x = m.touched(i);
+    if (normal_velocity(m, x) < -1) [[unlikely]]
+      raise<bad_argument>("kte: contact '" + c.loop_name(m.place(x).loop) + "' approaches at " +
+                          number(-dot(x.place.normal, x.slip)) + " m/s: kte::impact gives the velocities after it");
+    if (slides(m, x)) m.let_slide(i);
+    m.put_rows(x, m.unscaled(x, e.acceleration), m.bias);
+    m.bias[x.first] += x.place.bending / e.places.length;
+  }
+  m.make_matrix(c, s, e.acceleration);
+  const bool several = solve_friction(c, m);
+  m.accelerate(s, m.change_of_motion);
+  a = a0 + m.change_of_motion;
+  put_contacts(m, s);
+  return several;
+}
+
+}  // namespace kte::detail

@@ -1,0 +1,228 @@
+#pragma once
+
+#include <kte/contact/friction_problem.hpp>
+#include <kte/dynamics/closed_loops/loop_dynamics.hpp>
+#include <kte/frames/contact_state.hpp>
+
+#include <array>
+#include <string>
+#include <vector>
+
+/// The contacts that touch at a state, in rows (n, t_1, t_2) of a basis of each contact, (n, t_1) in the plane. Rows in
+/// m are divided by the length of the chain, as those of closures.
+///
+///   u = J v,   u' = J a + J_dot v                                     (1)
+///   W = B^T B,   B = L^-T J^T,   M = L^T L                            (2)
+///
+/// With closures, J_C v = 0, the motion is on the loops, and B is projected: with B_C = Q R,
+///
+///   B <- (1 - Q Q^T) B,   u' <- u' - B^T Q R^-T u'_C                  (3)
+namespace kte::detail {
+
+/// The basis of a contact in axes of its surface: the normal, and tangents.
+using contact_basis = std::array<vec3<>, 3>;
+inline contact_basis basis_along(const vec3<>& n, const vec3<>& t) { return {n, t, cross(n, t)}; }
+/// With tangents of any direction; `planar`: in the plane x, y.
+inline contact_basis basis_at(const vec3<>& n, bool planar) {
+  if (planar) return basis_along(n, {n.y, -n.x, 0});
+  const vec3<> other = std::abs(n.x) < 0.6 ? vec3<>{1, 0, 0} : vec3<>{0, 1, 0};
+  const vec3<> t = cross(n, other);
+  return basis_along(n, (1 / std::sqrt(dot(t, t))) * t);
+}
+
+/// A contact at a state.
+struct contact_at {
+  int closure = 0;  ///< its number among closures and contacts
+  int slot = 0;     ///< its number among contacts
+  bool planar = false;
+  touch place{};
+  vec3<> slip{};  ///< velocity of the body on the surface, m/s, in axes of the surface
+  contact_basis basis{};
+  int first = 0;  ///< its first row among those that touch
+  int rows() const { return planar ? 2 : 3; }
+};
+
+/// Contacts touch below this gap, relative to the length of the chain.
+inline constexpr double touching_gap = 1e-9;
+/// Velocities below this one count as rest, m/s relative to the length of the chain.
+inline constexpr double rest_velocity = 1e-9;
+
+/// The equations of the contacts of a chain, and its memory.
+struct contact_workspace {
+  template <class Contacts, class State>
+  contact_workspace(const Contacts& c, const State& s) : equations(c, s) {
+    const auto& all = equations.places.closures;
+    for (std::size_t i = 0; i < all.size(); ++i)
+      if (c.touches(all[i].element)) {
+        contact_at x;
+        x.closure = static_cast<int>(i), x.slot = all[i].loop - c.loops();
+        x.planar = all[i].rows.count() == 2;
+        contacts.push_back(x);
+      } else {
+        closures.push_back(static_cast<int>(i));
+      }
+  }
+
+  loop_equations equations;
+  loop_factor factor;
+  std::vector<contact_at> contacts;
+  std::vector<int> closures;
+  std::vector<int> touching;  ///< numbers among `contacts`
+
+  Eigen::MatrixXd b;       ///< B of (2): places by rows of contacts that touch
+  Eigen::MatrixXd w;       ///< W
+  Eigen::VectorXd bias;    ///< u' without forces of contacts, or u
+  Eigen::VectorXd forces;  ///< lambda
+  std::vector<friction_contact<>> laws;
+  pivoted_qr loops;            ///< B_C = Q R
+  Eigen::VectorXd loop_bias;   ///< R^-T u'_C
+  Eigen::MatrixXd overlap;     ///< Q^T B
+  std::vector<int> loop_rows;  ///< of closures, among all
+  Eigen::VectorXd half, change;
+
+  const closure_place& place(const contact_at& x) const {
+    return equations.places.closures[static_cast<std::size_t>(x.closure)];
+  }
+  contact_at& touched(std::size_t i) { return contacts[static_cast<std::size_t>(touching[i])]; }
+  const contact_at& touched(std::size_t i) const { return contacts[static_cast<std::size_t>(touching[i])]; }
+
+  /// Computes the places and slip velocities of all contacts from motions in the working memory of the state.
+  template <class Contacts, class State>
+  void find(const Contacts& c, const State& s) {
+    for (auto& x : contacts) {
+      const auto& at = place(x);
+      const auto m = loop_equations::moving_between(s, at);
+      x.place = c.touch_at(at.element, m);
+      double rows[6]{};
+      c.close_frames(at.element, m, closing::residual_dot, rows);
+      x.slip = {rows[0], rows[1], x.planar ? 0 : rows[2]};
+    }
+  }
+  /// The rows of a contact of those of all, such as J v, in m.
+  vec3<> unscaled(const contact_at& x, const Eigen::VectorXd& all) const {
+    const auto& at = place(x);
+    const auto row = [&](int k) { return k < at.rows.count() ? all[at.first + k] / equations.places.scale(at, k) : 0.0; };
+    return {row(0), row(1), row(2)};
+  }
+  /// Computes the places of all contacts at the positions of the state, with slip velocities from J v.
+  template <class Contacts, class State>
+  void find_positions(const Contacts& c, const State& s, const Eigen::VectorXd& rates) {
+    for (auto& x : contacts) {
+      const auto& at = place(x);
+      x.place = c.touch_at(at.element, loop_equations::motion_between(s, at));
+      x.slip = unscaled(x, rates);
+    }
+  }
+  /// Chooses the contacts that touch, and sets their bases: along the slip velocity if they slide.
+  template <class Chosen>
+  void choose(const Chosen& chosen) {
+    touching.clear(), laws.clear();
+    int row = 0;
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+      auto& x = contacts[i];
+      if (!(x.place.gap <= touching_gap * equations.places.length) || !chosen(x)) continue;
+      x.basis = basis_at(x.place.normal, x.planar), x.first = row;
+      touching.push_back(static_cast<int>(i)), row += x.rows();
+      friction_contact<> law;
+      law.rows = x.rows(), law.friction = x.place.law.friction;
+      laws.push_back(law);
+    }
+    bias.resize(row), forces.setZero(row);
+  }
+  /// The contact i of those that touch slides in the direction of its slip velocity.
+  void let_slide(std::size_t i) {
+    auto& x = touched(i);
+    const vec3<> t = tangential(x);
+    x.basis = basis_along(x.place.normal, (1 / std::sqrt(dot(t, t))) * t);
+    laws[i].sliding = std::array<double, 2>{1, 0};
+  }
+  static vec3<> tangential(const contact_at& x) { return x.slip - dot(x.place.normal, x.slip) * x.place.normal; }
+  /// The rows of contact x of those of a vector in axes of its surface.
+  void put_rows(const contact_at& x, const vec3<>& of, Eigen::VectorXd& rows) const {
+    for (int k = 0; k < x.rows(); ++k)
+      rows[x.first + k] = dot(x.basis[static_cast<std::size_t>(k)], of) / equations.places.length;
+  }
+  vec3<> force_of(const contact_at& x) const {
+    vec3<> f{};
+    for (int k = 0; k < x.rows(); ++k)
+      f = f + forces[x.first + k] / equations.places.length * x.basis[static_cast<std::size_t>(k)];
+    return f;
+  }
+  /// (2) and (3); call (1) of the factor at the positions of the state first. `of_closures`: u' of their rows.
+  template <class Contacts, class State>
+  void make_matrix(const Contacts& c, State& s, const Eigen::VectorXd& of_closures) {
+    const auto places = static_cast<Eigen::Index>(equations.places.row_of_place.size());
+    b.setZero(places, bias.size());
+    for (std::size_t i = 0; i < touching.size(); ++i) {
+      const auto& x = touched(i);
+      factor.half_solve(c, s, equations, x.closure, [&](int at, int row, double entry) {
+        for (int k = 0; k < x.rows(); ++k) {
+          const auto& axis = x.basis[static_cast<std::size_t>(k)];
+          b(at, x.first + k) += (row == 0 ? axis.x : row == 1 ? axis.y : axis.z) * entry;
+        }
+      });
+    }
+    if (!closures.empty()) project(c, s, of_closures);
+    w.noalias() = b.transpose() * b;
+  }
+  /// d = L^-1 B lambda, with the part of closures, by degrees of freedom.
+  template <class State>
+  void accelerate(State& s, Eigen::VectorXd& d) {
+    half.setZero(b.rows() + pivoted_qr::padding);
+    half.head(b.rows()).noalias() = b * forces;
+    if (!closures.empty()) {
+      change.setZero(b.rows() + pivoted_qr::padding);
+      loops.times_q(loop_bias.data(), change.data());
+      half -= change;
+    }
+    factor.other_half(s, equations, half, d);
+  }
+
+  /// The forces of closures, by rows of all: R^-1 (-R^-T u'_C - Q^T B lambda).
+  void put_loop_forces(Eigen::VectorXd& all) {
+    all.setZero(equations.places.rows);
+    if (closures.empty()) return;
+    half = -loop_bias;
+    half.head(loops.rank()) -= overlap * forces;
+    loops.solve(half.data());
+    for (std::size_t k = 0; k < loops.chosen.size(); ++k)
+      all[loop_rows[static_cast<std::size_t>(loops.chosen[k])]] = half[static_cast<Eigen::Index>(k)];
+  }
+
+ private:
+  template <class Contacts, class State>
+  void project(const Contacts& c, State& s, const Eigen::VectorXd& of_closures) {
+    int rows = 0;
+    for (const int k : closures) rows += equations.places.closures[static_cast<std::size_t>(k)].rows.count();
+    auto of = loops.matrix(b.rows(), rows);
+    of.setZero();
+    int first = 0;
+    for (const int k : closures) {
+      factor.half_solve(c, s, equations, k, [&](int at, int row, double entry) { of(at, first + row) = entry; });
+      first += equations.places.closures[static_cast<std::size_t>(k)].rows.count();
+    }
+    loops.choose(least_pivot);
+    loop_bias.setZero(rows + pivoted_qr::padding);
+    loop_rows.clear();
+    for (const int k : closures) {
+      const auto& x = equations.places.closures[static_cast<std::size_t>(k)];
+      for (int r = 0; r < x.rows.count(); ++r) loop_rows.push_back(x.first + r);
+    }
+    for (std::size_t k = 0; k < loops.chosen.size(); ++k)
+      loop_bias[static_cast<Eigen::Index>(k)] = of_closures[loop_rows[static_cast<std::size_t>(loops.chosen[k])]];
+    loops.solve_transposed(loop_bias.data());
+    const auto rank = loops.rank();
+    overlap.resize(rank, b.cols());
+    half.resize(b.rows() + pivoted_qr::padding), change.resize(half.size());
+    for (Eigen::Index k = 0; k < b.cols(); ++k) {
+      half.setZero(), half.head(b.rows()) = b.col(k);
+      loops.times_q_transposed(half.data());
+      overlap.col(k) = half.head(rank);
+      bias[k] -= overlap.col(k).dot(loop_bias.head(rank));
+      loops.times_q(half.data(), change.data());
+      b.col(k) -= change.head(b.rows());
+    }
+  }
+};
+
+}  // namespace kte::detail

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <kte/dynamics/closed_loops/static_closures.hpp>
+#include <kte/dynamics/contacts/contact_forces.hpp>
+
+namespace kte::detail {
+
+template <class Core>
+struct closes_or_touches : std::bool_constant<is_closure<Core> || is_contact<Core>> {};
+
+/// The closures and contacts of a static chain, as in dynamics/contacts/runtime_contacts.hpp.
+template <class Chain, class Given>
+struct static_contacts : static_closures<Chain, Given, closes_or_touches> {
+  using base = static_closures<Chain, Given, closes_or_touches>;
+  using wiring = typename Chain::wiring;
+
+  bool touches(int e) const {
+    bool is = false;
+    this->at(e, [&is]<class Core>(const Core&) { is = is_contact<Core>; });
+    return is;
+  }
+  touch touch_at(int e, const closing_motion<double>& m) const {
+    touch found;
+    this->at(e, [&]<class Core>(const Core& core) {
+      if constexpr (is_contact<Core>) found = core.touch_at(m);
+    });
+    return found;
+  }
+  int written(int e) const { return base::written(e) + (touches(e) ? loops() : 0); }
+  static std::string loop_name(int i) {
+    return i < loops() ? base::template name<kind::loop>(i) : base::template name<kind::contact>(i - loops());
+  }
+  static constexpr int loops() { return wiring::count(kind::loop); }
+};
+
+/// The state of a static chain with contacts, and the memory for them.
+template <class Chain>
+struct static_contact_state : static_state<double, Chain> {
+  explicit static_contact_state(const Chain& c)
+      : static_state<double, Chain>(c), contacts(static_contacts<Chain, nothing>{{{c, nothing_given}}}, *this) {}
+  contact_solver contacts;
+
+ private:
+  static constexpr nothing nothing_given{};
+};
+
+}  // namespace kte::detail

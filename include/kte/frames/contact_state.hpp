@@ -1,0 +1,38 @@
+#pragma once
+
+#include <kte/math/vec.hpp>
+
+namespace kte {
+
+/// The mode of a contact.
+enum class contact_mode : unsigned char {
+  open,    ///< apart
+  sticks,  ///< touches at rest; also rolling
+  slides   ///< touches and slides
+};
+
+/// The state of a contact of a body B with the surface of a frame A, in axes of A. `gap`, `slip` and `point` are those
+/// of the last doMotion.
+///   gap         m, negative inside
+///   slip        m/s, velocity of the material point of B relative to A
+///   point       m, where the force acts
+///   force       N, on B; the opposite acts on A at the same point
+///   direction   unit vector of sliding, or zero
+///   mode        a `contact_mode` as a number
+template <class Scalar = double>
+struct contact_state {
+  Scalar gap{};
+  vec3<Scalar> slip{};
+  vec3<Scalar> point{};
+  vec3<Scalar> force{};
+  vec3<Scalar> direction{};
+  Scalar mode{};
+};
+
+/// The mode of a contact.
+template <class S>
+[[nodiscard]] constexpr contact_mode mode_of(const contact_state<S>& x) {
+  return x.mode == S(1) ? contact_mode::sticks : x.mode == S(2) ? contact_mode::slides : contact_mode::open;
+}
+
+}  // namespace kte
