@@ -96,5 +96,13 @@ template <class Gravity, class... E, class S, class... More>
   boost::hana::for_each(elements, [](auto& e) { detail::check_parameters(e.core, detail::names_of(e)); });
   return std::remove_const_t<decltype(wide)>(elements, gravity);
 }
+template <class Chain, class... Parameters>
+auto lanes(const Chain& c, const Parameters&...) {
+  static_assert(
+      detail::fit<Chain>,
+      "kte: call it as lanes(chain, kte::parameter{\"tool/mass\", masses}, ...), with a static chain; runtime "
+      "chains have the same parameters in all lanes");
+  return c;
+}
 
 }  // namespace kte
