@@ -53,7 +53,7 @@ TEST_CASE("lanes with different parameters have the results of chains of these p
   }
 }
 
-TEST_CASE("a robot in lanes: bodies, of which inertias about the origin follow") {
+TEST_CASE("a robot in lanes: inertias about the origin follow from parameters of bodies") {
   const auto arms = kte::lanes(robots::iiwa14, kte::parameter{"link7/mass", masses},
                                kte::parameter{"link7/com/z", lengths}, kte::parameter{"link3/inertia/xx", P(0.03)});
   std::array<P, 7> x;
