@@ -29,6 +29,9 @@ namespace detail {
 /// What a model of a static chain with closures adds: models/detail/static_model_loops.hpp, of kte/loops.hpp.
 template <class Chain>
 struct static_model_loops;
+/// Time stepping with contacts: models/detail/contact_stepper.hpp, of kte/contacts.hpp.
+template <class Model>
+class contact_stepper;
 template <class Chain>
 struct memory_of_loops {
   using type = nothing;
@@ -357,6 +360,8 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
   template <class, class, class>
   friend class manipulator_dynamics_model;
   friend loops;
+  template <class Model>
+  friend class detail::contact_stepper;
   template <class F>
   manipulator_dynamics_model(const chain_type& c, const F& f) : base(c), output_(f) {}
 

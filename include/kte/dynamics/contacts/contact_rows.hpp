@@ -101,7 +101,9 @@ struct contact_workspace {
   /// The rows of a contact of those of all, such as J v, in m.
   vec3<> unscaled(const contact_at& x, const Eigen::VectorXd& all) const {
     const auto& at = place(x);
-    const auto row = [&](int k) { return k < at.rows.count() ? all[at.first + k] / equations.places.scale(at, k) : 0.0; };
+    const auto row = [&](int k) {
+      return k < at.rows.count() ? all[at.first + k] / equations.places.scale(at, k) : 0.0;
+    };
     return {row(0), row(1), row(2)};
   }
   /// Computes the places of all contacts at the positions of the state, with slip velocities from J v.
