@@ -7,4 +7,4 @@
 #include <kte/dynamics/contacts/contact_dynamics.hpp>
 #include <kte/dynamics/contacts/impact.hpp>
 #include <kte/dynamics/contacts/static_chains.hpp>
-#include <kte/integrators/moreau_jean.hpp>
+#include <kte/models/moreau_jean.hpp>

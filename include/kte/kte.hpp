@@ -11,6 +11,8 @@
 ///
 ///   kte/dynamics.hpp                   all algorithms: also derivatives, M^-1, hybrid dynamics, momenta, the regressor
 ///   kte/dynamics/batch.hpp             many states at once, in packs
+///   kte/static_chain/lanes.hpp         static chains with other parameters in each lane of packs, or in other scalars
+///   kte/sweep.hpp                      a function on many cases, in packs, threads and processes
 ///   kte/statics.hpp                    equilibria under loads, their paths, natural modes
 ///   kte/simulation.hpp                 chains as systems x' = f(t, x), all integrators, events
 ///   kte/control.hpp                    linear systems of models, LQR, Riccati equations

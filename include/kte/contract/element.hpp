@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kte/contract/core_checks.hpp>
+#include <kte/contract/core_in_scalar.hpp>
 #include <kte/contract/parameter_check.hpp>
 
 #include <array>
@@ -98,6 +99,29 @@ struct check_core {
 };
 }  // namespace detail
 
+namespace detail {
+/// The message of an element, with its lane if there are several.
+inline std::string in_lane(std::size_t lane, std::size_t lanes, const std::string& message) {
+  return lanes == 1 ? message : "kte: lane " + std::to_string(lane) + ": " + message.substr(5);
+}
+/// Checks the parameters of a core with these connections; packs lane by lane, of dual numbers the values. Throws
+/// `bad_parameter`.
+template <class Core, class Texts>
+constexpr void check_parameters(const Core& core, const Texts& texts) {
+  parameter_check::breach broken;
+  const parameter_check where{Core::type, Core::ports, texts, broken};
+  if constexpr (has_packs_or_duals<Core>) {
+    for (std::size_t lane = 0; lane < lanes_in<Core>; ++lane) {
+      converted<double>(core, to_lane<double>{lane}).check(where);
+      if (broken.rule) raise<bad_parameter>(in_lane(lane, lanes_in<Core>, where()));
+    }
+  } else {
+    core.check(where);
+    require<bad_parameter>(!broken.rule, where, broken.rule, broken.value);
+  }
+}
+}  // namespace detail
+
 /// Connects a core: keys make an element of a static chain, texts an element of a runtime chain. The parameters are
 /// checked first, so that the message can name the element.
 template <class Core, class... Names>
@@ -120,20 +144,14 @@ constexpr auto connect(const Core& core, const Names&... names) {
       return detail::refused{};
     } else {
       const std::array<std::string_view, sizeof...(Names)> texts{Names::name...};
-      parameter_check::breach broken;
-      const parameter_check where{Core::type, Core::ports, texts, broken};
-      core.check(where);
-      detail::require<bad_parameter>(!broken.rule, where, broken.rule, broken.value);
+      detail::check_parameters(core, texts);
       return element<Core, Names...>{core};
     }
   } else if constexpr (!(text_type<Names> && ...)) {
     return detail::refused{};
   } else {
     const std::array<std::string_view, sizeof...(Names)> texts{std::string_view(names)...};
-    parameter_check::breach broken;
-    const parameter_check where{Core::type, Core::ports, texts, broken};
-    core.check(where);
-    detail::require<bad_parameter>(!broken.rule, where, broken.rule, broken.value);
+    detail::check_parameters(core, texts);
     return named_element<Core>{core, {std::string(std::string_view(names))...}};
   }
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/contract/core_in_scalar.hpp>
 #include <kte/errors.hpp>
 #include <kte/math/vec.hpp>
 
@@ -13,14 +14,22 @@
 /// The gravity of a chain, m/s^2 in the axes of its bases. Zero is none.
 namespace kte::detail {
 
-/// Rejects gravity that is not finite.
+/// Rejects gravity that is not finite, in any lane.
 template <class X, class Y, class Z>
 constexpr void check_gravity(const vec3<X, Y, Z>& gravity) {
-  const vec3<> g = as<double>(gravity);
-  constexpr double largest = (std::numeric_limits<double>::max)();
-  for (const double x : {g.x, g.y, g.z}) {
-    const auto text = [x] { return "kte: gravity must be finite, got " + number(x); };
-    require<bad_parameter>(-largest <= x && x <= largest, text, "kte: gravity must be finite", x);
+  if constexpr (has_packs_or_duals<vec3<X, Y, Z>>) {
+    for (std::size_t lane = 0; lane < lanes_in<vec3<X, Y, Z>>; ++lane) {
+      in_scalar<vec3<X, Y, Z>, double> g{};
+      convert_numbers(gravity, g, to_lane<double>{lane});
+      check_gravity(g);
+    }
+  } else {
+    const vec3<> g = as<double>(gravity);
+    constexpr double largest = (std::numeric_limits<double>::max)();
+    for (const double x : {g.x, g.y, g.z}) {
+      const auto text = [x] { return "kte: gravity must be finite, got " + number(x); };
+      require<bad_parameter>(-largest <= x && x <= largest, text, "kte: gravity must be finite", x);
+    }
   }
 }
 

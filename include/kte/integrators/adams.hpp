@@ -179,7 +179,7 @@ class adams : public integrator<adams<F, X>, F, X> {
 };
 
 template <class F, class V>
-adams(F, const typename V::Scalar&, const Eigen::MatrixBase<V>&, const tolerances<typename V::Scalar>& = {})
-    -> adams<F, typename V::PlainObject>;
+adams(F, const typename V::Scalar&, const Eigen::MatrixBase<V>&,
+      const tolerances<detail::time_scalar<typename V::Scalar>>& = {}) -> adams<F, typename V::PlainObject>;
 
 }  // namespace kte

@@ -139,7 +139,8 @@ class bdf : public bdf_step<bdf<F, X>, F, X> {
 };
 
 template <class F, class V>
-bdf(F, const typename V::Scalar&, const Eigen::MatrixBase<V>&, const tolerances<typename V::Scalar>& = {},
-    const bdf_settings& = {}) -> bdf<F, typename V::PlainObject>;
+bdf(F, const typename V::Scalar&, const Eigen::MatrixBase<V>&,
+    const tolerances<detail::time_scalar<typename V::Scalar>>& = {}, const bdf_settings& = {})
+    -> bdf<F, typename V::PlainObject>;
 
 }  // namespace kte

@@ -25,7 +25,7 @@ class bogacki_shampine23 : public embedded_runge_kutta<bogacki_shampine23_tablea
 
 template <class F, class V>
 bogacki_shampine23(F, const typename V::Scalar&, const Eigen::MatrixBase<V>&,
-                   const tolerances<typename V::Scalar>& = {})
+                   const tolerances<detail::time_scalar<typename V::Scalar>>& = {})
     -> bogacki_shampine23<detail::system_of<F, typename V::PlainObject>, typename V::PlainObject>;
 
 }  // namespace kte

@@ -43,7 +43,8 @@ class dormand_prince45 : public embedded_runge_kutta<dormand_prince45_tableau, F
 };
 
 template <class F, class V>
-dormand_prince45(F, const typename V::Scalar&, const Eigen::MatrixBase<V>&, const tolerances<typename V::Scalar>& = {})
+dormand_prince45(F, const typename V::Scalar&, const Eigen::MatrixBase<V>&,
+                 const tolerances<detail::time_scalar<typename V::Scalar>>& = {})
     -> dormand_prince45<detail::system_of<F, typename V::PlainObject>, typename V::PlainObject>;
 
 }  // namespace kte

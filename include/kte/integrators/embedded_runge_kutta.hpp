@@ -26,6 +26,9 @@ namespace kte {
 ///
 /// (3) is compared with the tolerances, or with the rounding error if that is larger (`rounding_floor`).
 ///
+/// In packs, all lanes have the steps of the lane with the largest error: each lane is within the tolerances, and its
+/// digits beyond them depend on the other lanes.
+///
 /// A `Tableau` has `stages`, `order_of_error` (of e in h), `c`, `a`, `embedded` (b_i), and may have `dense` (d_i) or
 /// `extension`.
 template <class Tableau, class F, class X>
@@ -38,6 +41,7 @@ class embedded_runge_kutta : public integrator<embedded_runge_kutta<Tableau, F, 
  public:
   using typename base::rate;
   using typename base::S;
+  static constexpr bool integrates_packs = true;  ///< many states at once, in lanes
 
   /// f(t, x), start time, s, start state, tolerances. Throws `bad_argument` for invalid tolerances, and for a start
   /// that is not finite.

@@ -33,7 +33,8 @@ class fehlberg45 : public embedded_runge_kutta<fehlberg45_tableau, F, X> {
 };
 
 template <class F, class V>
-fehlberg45(F, const typename V::Scalar&, const Eigen::MatrixBase<V>&, const tolerances<typename V::Scalar>& = {})
+fehlberg45(F, const typename V::Scalar&, const Eigen::MatrixBase<V>&,
+           const tolerances<detail::time_scalar<typename V::Scalar>>& = {})
     -> fehlberg45<detail::system_of<F, typename V::PlainObject>, typename V::PlainObject>;
 
 }  // namespace kte

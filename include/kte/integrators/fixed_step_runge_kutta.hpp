@@ -16,6 +16,8 @@ namespace kte {
 ///   x1 = x + h sum_i b_i k_i                               (2)
 ///   x(t + theta h) = x + h sum_i p_i(theta) k_i            (3)
 ///
+/// In packs, a lane has the steps and results of a state integrated alone.
+///
 /// For states with rotations these are the methods of Munthe-Kaas (integrators/motion_space.hpp).
 /// A `Tableau` has `stages`, `c`, `a`, `weights` (b_i), and `interpolant`: the coefficients of theta, theta^2, ... in
 /// p_i.
@@ -28,6 +30,7 @@ class fixed_step_runge_kutta : public fixed_step<fixed_step_runge_kutta<Tableau,
  public:
   using typename base::rate;
   using typename base::S;
+  static constexpr bool integrates_packs = true;  ///< many states at once, in lanes
 
   /// f(t, x), start time, s, start state, step, s. Throws `bad_argument` for a step that is not positive, and for a
   /// start that is not finite.

@@ -25,10 +25,12 @@ inline constexpr keep_step_t keep_step{};
 /// Base of all integrators of x' = f(t, x): holds time and state, calls observers, keeps the last step for dense
 /// output.
 ///
-/// X: the state, an Eigen column vector of fixed or dynamic size, of any real scalar S. F: called as f(t, x), returns
-/// x' as anything that can be assigned to an X, or to an F::rate where states have rotations (`moves_on_group`). f is
-/// copied; pass `std::ref(f)` to share it. A fixed size allocates nothing. A dynamic size allocates nothing after the
-/// first step, except in f itself, which may return a reference to a vector that it keeps.
+/// X: the state, an Eigen column vector of fixed or dynamic size, of any real scalar S. Explicit Runge-Kutta methods
+/// also integrate packs: one state in each lane, all at the same times, which are then numbers of type S of one lane.
+/// F: called as f(t, x), returns x' as anything that can be assigned to an X, or to an F::rate where states have
+/// rotations (`moves_on_group`). f is copied; pass `std::ref(f)` to share it. A fixed size allocates nothing. A dynamic
+/// size allocates nothing after the first step, except in f itself, which may return a reference to a vector that it
+/// keeps.
 ///
 /// A method derives from this class with itself as `Method` and has four functions:
 ///
@@ -139,6 +141,9 @@ class integrator : public moving_state<F, X> {
                   "kte: this right-hand side changes when it is called: pass std::ref(f), not std::cref(f)");
     static_assert(base::is_called || detail::changes_when_called<F, S, X>,
                   "kte: a right-hand side is called as f(t, x)");
+    static_assert(
+        std::is_same_v<S, typename X::Scalar> || requires { Method::integrates_packs; },
+        "kte: of integrators, explicit Runge-Kutta methods integrate packs of states");
     restart(t0, x0);
   }
 
@@ -162,7 +167,7 @@ class integrator : public moving_state<F, X> {
     const bool not_finite = reason == failure_reason::not_finite;
     long long component = -1;
     for (Eigen::Index i = next_.size(); not_finite && i-- > 0;)
-      if (!detail::is_finite(S(next_[i]))) component = i;
+      if (!detail::is_finite(typename X::Scalar(next_[i]))) component = i;
     detail::raise<integration_failure>(
         "kte: integration stopped at t = " + detail::number(t) + ": " + why +
             (not_finite || this->cause().empty() ? this->reason() : "; beyond, f cannot be computed" + this->reason()),
@@ -312,7 +317,7 @@ template <class Method, class F, class X>
 void integrator<Method, F, X>::restart(const S& t, const X& x, keep_step_t) {
   detail::check_finite(t, "start time");
   if (x.size() == 0) detail::raise<bad_argument>("kte: the start state is empty");
-  for (Eigen::Index i = 0; i < x.size(); ++i) detail::check_finite(S(x[i]), "start state");
+  for (Eigen::Index i = 0; i < x.size(); ++i) detail::check_finite(typename X::Scalar(x[i]), "start state");
   this->place(x);
   time_ = previous_time_ = t;
 }

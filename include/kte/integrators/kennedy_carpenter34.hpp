@@ -55,6 +55,7 @@ class kennedy_carpenter34 : public esdirk<kennedy_carpenter34_tableau, F, X> {
 
 template <class F, class V>
 kennedy_carpenter34(F, const typename V::Scalar&, const Eigen::MatrixBase<V>&,
-                    const tolerances<typename V::Scalar>& = {}) -> kennedy_carpenter34<F, typename V::PlainObject>;
+                    const tolerances<detail::time_scalar<typename V::Scalar>>& = {})
+    -> kennedy_carpenter34<F, typename V::PlainObject>;
 
 }  // namespace kte

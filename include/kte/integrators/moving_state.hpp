@@ -27,7 +27,7 @@ struct step_statistics {
 template <class F, class X>
 class moving_state {
  public:
-  using S = typename X::Scalar;
+  using S = detail::time_scalar<typename X::Scalar>;  ///< of time, steps and errors
   using rate = rate_of<F, X>;
   static_assert(X::ColsAtCompileTime == 1, "kte: a state is a column vector");
   static_assert(!detail::has_states_on_group<detail::unwrapped_type<F>> || moves_on_group<detail::unwrapped_type<F>, X>,

@@ -133,7 +133,8 @@ class prince_dormand87 : public embedded_runge_kutta<prince_dormand87_tableau, F
 };
 
 template <class F, class V>
-prince_dormand87(F, const typename V::Scalar&, const Eigen::MatrixBase<V>&, const tolerances<typename V::Scalar>& = {})
+prince_dormand87(F, const typename V::Scalar&, const Eigen::MatrixBase<V>&,
+                 const tolerances<detail::time_scalar<typename V::Scalar>>& = {})
     -> prince_dormand87<detail::system_of<F, typename V::PlainObject>, typename V::PlainObject>;
 
 }  // namespace kte

@@ -66,7 +66,7 @@ class rodas : public rosenbrock<rodas_coefficients, F, X> {
 };
 
 template <class F, class V>
-rodas(F, const typename V::Scalar&, const Eigen::MatrixBase<V>&, const tolerances<typename V::Scalar>& = {})
-    -> rodas<F, typename V::PlainObject>;
+rodas(F, const typename V::Scalar&, const Eigen::MatrixBase<V>&,
+      const tolerances<detail::time_scalar<typename V::Scalar>>& = {}) -> rodas<F, typename V::PlainObject>;
 
 }  // namespace kte

@@ -47,7 +47,8 @@ class rosenbrock23 : public rosenbrock<rosenbrock23_coefficients, F, X> {
 };
 
 template <class F, class V>
-rosenbrock23(F, const typename V::Scalar&, const Eigen::MatrixBase<V>&, const tolerances<typename V::Scalar>& = {})
+rosenbrock23(F, const typename V::Scalar&, const Eigen::MatrixBase<V>&,
+             const tolerances<detail::time_scalar<typename V::Scalar>>& = {})
     -> rosenbrock23<F, typename V::PlainObject>;
 
 }  // namespace kte

@@ -35,7 +35,7 @@ class solution {
   static constexpr bool uses_system = on_group || detail::settles_vectors<system, X>;
 
  public:
-  using S = typename X::Scalar;
+  using S = detail::time_scalar<typename X::Scalar>;
   using rate = rate_of<F, X>;
   using follows_steps = void;
 
@@ -139,7 +139,7 @@ class solution {
 
   void evaluate_piece(const piece& p, const S& t, X& x) const {
     const S theta = (t - p.begin) / p.length;
-    const S* numbers = numbers_.data() + p.first;
+    const typename X::Scalar* numbers = numbers_.data() + p.first;
     from_ = Eigen::Map<const X>(numbers, last_.size());
     numbers += last_.size();
     d_.setZero();
@@ -182,7 +182,7 @@ class solution {
   S begin_, end_;
   X last_;
   std::vector<piece> pieces_;
-  std::vector<S> numbers_;
+  std::vector<typename X::Scalar> numbers_;
   mutable X from_;
   mutable rate d_;
 };

@@ -3,6 +3,7 @@
 #include <kte/errors.hpp>
 #include <kte/integrators/detail/packet_sum.hpp>
 #include <kte/math/plain_scalar.hpp>
+#include <kte/math/select.hpp>
 
 #include <Eigen/Core>
 
@@ -22,10 +23,10 @@ struct every {
 
 namespace detail {
 
-/// Whether x is neither infinite nor NaN, for any scalar.
+/// Whether x is neither infinite nor NaN, for any scalar; for a pack, in all lanes.
 template <class S>
 constexpr bool is_finite(const S& x) {
-  return x - x == S(0);
+  return all(x - x == S(0));
 }
 
 /// Whether all numbers of a vector or matrix are finite.
@@ -34,7 +35,7 @@ bool all_finite(const Eigen::MatrixBase<M>& x) {
   using S = typename M::Scalar;
   S sum(0);
   for (Eigen::Index j = 0; j < x.cols(); ++j) sum += sum_by_packets(x.col(j) * S(0));
-  return sum == S(0);
+  return all(sum == S(0));
 }
 
 /// Checks a time or a setting that must be finite, or finite and positive. Throws `bad_argument` with its name and

@@ -85,10 +85,10 @@ struct tolerances {
   std::string out_of_reach(const X& sizes) const {
     using std::abs;
     for (Eigen::Index i = 0; i < sizes.size(); ++i) {
-      const S x = abs(S(sizes[i])), w = absolute[i] + relative[i] * x;
+      const S x = detail::largest_lane(abs(typename X::Scalar(sizes[i]))), w = absolute[i] + relative[i] * x;
       if (w < least_relative() * x)
         return "the tolerance " + detail::number(static_cast<double>(w)) + " of component " + std::to_string(i) +
-               ", which is " + detail::number(static_cast<double>(sizes[i])) +
+               ", which is " + detail::number(detail::as_double(sizes[i])) +
                ", is out of reach of the arithmetic: " + detail::number(static_cast<double>(least_relative() * x)) +
                " or more";
     }

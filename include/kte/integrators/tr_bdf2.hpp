@@ -39,7 +39,7 @@ class tr_bdf2 : public esdirk<tr_bdf2_tableau, F, X> {
 };
 
 template <class F, class V>
-tr_bdf2(F, const typename V::Scalar&, const Eigen::MatrixBase<V>&, const tolerances<typename V::Scalar>& = {})
-    -> tr_bdf2<F, typename V::PlainObject>;
+tr_bdf2(F, const typename V::Scalar&, const Eigen::MatrixBase<V>&,
+        const tolerances<detail::time_scalar<typename V::Scalar>>& = {}) -> tr_bdf2<F, typename V::PlainObject>;
 
 }  // namespace kte

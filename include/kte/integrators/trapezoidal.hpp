@@ -34,7 +34,7 @@ class trapezoidal : public esdirk<trapezoidal_tableau, F, X> {
 };
 
 template <class F, class V>
-trapezoidal(F, const typename V::Scalar&, const Eigen::MatrixBase<V>&, const tolerances<typename V::Scalar>& = {})
-    -> trapezoidal<F, typename V::PlainObject>;
+trapezoidal(F, const typename V::Scalar&, const Eigen::MatrixBase<V>&,
+            const tolerances<detail::time_scalar<typename V::Scalar>>& = {}) -> trapezoidal<F, typename V::PlainObject>;
 
 }  // namespace kte

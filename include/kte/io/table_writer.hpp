@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/detail/compiled.hpp>
 #include <kte/io/file.hpp>
 #include <kte/io/mcap_table.hpp>
 #include <kte/io/npy_table.hpp>

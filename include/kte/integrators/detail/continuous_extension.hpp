@@ -24,7 +24,7 @@ template <class Tableau, class Rate>
 requires requires { typename Tableau::extension; }
 class continuous_extension<Tableau, Rate> {
   using extension = typename Tableau::extension;
-  using S = typename Rate::Scalar;
+  using S = time_scalar<typename Rate::Scalar>;
 
  public:
   static constexpr std::size_t stages = extension::stages;

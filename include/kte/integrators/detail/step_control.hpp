@@ -14,35 +14,38 @@ template <class S, class E, class X>
                                                         const X& x1) {
   using std::abs;
   using std::sqrt;
-  S sum(0);
+  using scalar = typename E::Scalar;
+  scalar sum(0);
   for (Eigen::Index i = 0; i < e.size(); ++i) {
-    const S a = abs(x0[i]), b = abs(x1[i]), w = tol.absolute[i] + tol.relative[i] * (a < b ? b : a);
-    const S r = w == S(0) ? S(0) : S(e.coeff(i) / w);
+    const scalar a = abs(x0[i]), b = abs(x1[i]), w = tol.absolute[i] + tol.relative[i] * select(a < b, b, a);
+    const scalar r = select(w == scalar(0), scalar(0), scalar(e.coeff(i) / w));
     sum += r * r;
   }
-  return sqrt(S(sum / S(static_cast<double>(e.size()))));
+  return sqrt(S(largest_lane(sum) / S(static_cast<double>(e.size()))));
 }
 
 /// The norm of the error e of a step from x0 to x1, which is at most 1 within the tolerances:
 ///
 ///   |e| = sqrt(1/n sum_i (e_i / w_i)^2),   w_i = absolute_i + relative_i max(|x0_i|, |x1_i|)      (1)
 ///
-/// Components that are and stay 0, with an absolute tolerance of 0, are excluded.
+/// Components that are and stay 0, with an absolute tolerance of 0, are excluded. In packs it is the largest norm of
+/// all lanes.
 ///
 /// Hairer, Norsett and Wanner, Solving Ordinary Differential Equations I, 1993, II.4, (4.10), (4.11).
 template <class S, class E, class X>
 S error_norm(const tolerances<S>& tol, const E& e, const X& x0, const X& x1) {
   using std::abs;
   using std::sqrt;
-  S sum(0);
+  using scalar = typename E::Scalar;
+  scalar sum(0);
   for (Eigen::Index i = 0; i < e.size(); ++i) {
-    const S a = abs(x0[i]), b = abs(x1[i]);
-    const S r = e.coeff(i) / (tol.absolute[i] + tol.relative[i] * (a < b ? b : a));
+    const scalar a = abs(x0[i]), b = abs(x1[i]);
+    const scalar r = e.coeff(i) / (tol.absolute[i] + tol.relative[i] * select(a < b, b, a));
     sum += r * r;
   }
   if (!is_finite(sum)) [[unlikely]]
     return error_norm_without_zeros(tol, e, x0, x1);
-  return sqrt(S(sum / S(static_cast<double>(e.size()))));
+  return sqrt(S(largest_lane(sum) / S(static_cast<double>(e.size()))));
 }
 
 /// The factor from one step to the next, for a step error of order h^k. err_n is the norm (1) of the error, err_{n-1}

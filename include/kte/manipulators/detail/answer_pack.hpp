@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kte/math/pack_functions.hpp>
+#include <kte/math/plain_scalar.hpp>
 
 namespace kte::detail {
 
@@ -33,11 +34,6 @@ void store_pack(const typename answer_pack<S>::type& x, S* to) {
     x.store(to);
 }
 
-/// Whether a scalar contains several poses.
-template <class S>
-inline constexpr bool is_pack = requires {
-  S::lanes;
-};
 /// A T; for packs one T per lane.
 template <class S, class T>
 struct one_for_each_lane {

@@ -1,0 +1,5 @@
+#pragma once
+
+/// Sweeps: a function on many cases, in packs, threads and processes (docs/sweeps.md). Packs are in kte/math/pack.hpp,
+/// ready-made simulations in kte/sweep/final_state.hpp, clusters in kte/sweep/mpi.hpp.
+#include <kte/sweep/sweep.hpp>
