@@ -256,8 +256,8 @@ TEST_CASE("closures on a base that turns act as on a heavy hub that turns as fas
     std::string below = hub;
     for (const std::string n : {"1", "2", "3", "4"}) {
       const bool even = n == "2" || n == "4";
-      c << rigid_link_3D(below, "seat" + n, vec3<>{0.1, 0.05, 0.3})
-        << revolute_joint_3D("q" + n, "seat" + n, "link" + n, vec3<>{0, even ? 1.0 : 0.0, even ? 0.0 : 1.0})
+      c << rigid_link_3D(below, "place" + n, vec3<>{0.1, 0.05, 0.3})
+        << revolute_joint_3D("q" + n, "place" + n, "link" + n, vec3<>{0, even ? 1.0 : 0.0, even ? 0.0 : 1.0})
         << inertia_3D("link" + n, rigid_body{1.0, vec3<>{0.01, 0.02, 0.1}, sym3<>{0.02, 0, 0, 0.02, 0, 0.01}});
       below = "link" + n;
     }

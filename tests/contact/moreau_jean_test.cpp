@@ -1,22 +1,29 @@
-#include "catch.hpp"
-
 #include <kte/contacts.hpp>
 #include <kte/elements/rigid_contact.hpp>
 #include <kte/simulation.hpp>
 #include <kte/static.hpp>
+
+#include "catch.hpp"
 
 using namespace kte;
 using namespace kte::test;
 
 namespace {
 
-inline constexpr struct world_ final : frame_2D_key<"world"> {} world;
-inline constexpr struct box_ final : frame_2D_key<"box"> {} box;
-inline constexpr struct left_ final : frame_2D_key<"left"> {} left_corner;
-inline constexpr struct right_ final : frame_2D_key<"right"> {} right_corner;
-inline constexpr struct pose_ final : pose_2D_key<"pose"> {} pose_of_box;
-inline constexpr struct left_contact_ final : contact_key<"left foot"> {} left_foot;
-inline constexpr struct right_contact_ final : contact_key<"right foot"> {} right_foot;
+inline constexpr struct world_ final : frame_2D_key<"world"> {
+} world;
+inline constexpr struct box_ final : frame_2D_key<"box"> {
+} box;
+inline constexpr struct left_ final : frame_2D_key<"left"> {
+} left_corner;
+inline constexpr struct right_ final : frame_2D_key<"right"> {
+} right_corner;
+inline constexpr struct pose_ final : pose_2D_key<"pose"> {
+} pose_of_box;
+inline constexpr struct left_contact_ final : contact_key<"left foot"> {
+} left_foot;
+inline constexpr struct right_contact_ final : contact_key<"right foot"> {
+} right_foot;
 
 constexpr double g = 9.81;
 

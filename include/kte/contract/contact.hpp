@@ -41,18 +41,21 @@ inline constexpr std::array<port, 3> contact_ports{
 /// The force f on B acts at c, the opposite on A at the same c: its power is f . u for any gap.
 template <class Core, kind Dim>
 struct contact {
-  static constexpr bool reads_positions = true;
+  static constexpr bool reads_positions = true;  ///< gaps depend on them
   static constexpr auto ports = detail::contact_ports<Dim>;
   static constexpr closure_rows rows{Dim == kind::frame_2D ? 2 : 3, 0};
 
+  /// (1) as rows: g n.
   template <class M>
   constexpr auto residual(const M& m) const {
     return rows_of(core().gap(m) * core().normal(m));
   }
+  /// (2) as rows.
   template <class M>
   constexpr auto residual_dot(const M& m) const {
     return rows_of(core().slip(m));
   }
+  /// (3) as rows.
   template <class M>
   constexpr auto residual_ddot(const M& m) const {
     return rows_of(core().slip_rate(m));

@@ -163,7 +163,9 @@ class basic_runtime_state {
   /// Working memory of the algorithms; not for users.
   detail::loop_memory<parameter, S> work;
   detail::own_memory with_derivatives;
-  detail::own_memory loops, contacts, impacts;
+  detail::own_memory loops;
+  detail::own_memory contacts;  ///< of contact dynamics; not for users
+  detail::own_memory impacts;   ///< of impacts; not for users
   std::vector<S> before;  ///< q, v, a that a call has replaced, until the call can no longer fail
 };
 

@@ -13,7 +13,7 @@ constexpr auto element_in(const element<Core, Keys...>& e) {
 }  // namespace detail
 
 /// A static chain with all parameters, and gravity, in the scalar S: float, a pack, a dual number, a multiprecision
-/// number. Numbers are converted as they are; typed constants, lists (tables of springs) and functions are unchanged.
+/// number. Numbers are converted; typed constants, lists (tables of springs) and functions are unchanged.
 ///
 ///   const auto fast = kte::in<float>(arm);   // no arithmetic in double with states in float
 ///

@@ -11,7 +11,7 @@
 /// `tool/inertia/zz`, `gravity/z`.
 namespace kte::detail {
 
-/// What is left of `path` after a name and a slash; empty if it does not begin with them.
+/// The rest of `path` after a name and a slash; empty if it does not begin with them.
 constexpr std::string_view after_name(std::string_view path, std::string_view name) {
   return path.size() > name.size() && path.starts_with(name) && path[name.size()] == '/' ? path.substr(name.size() + 1)
                                                                                          : std::string_view{};

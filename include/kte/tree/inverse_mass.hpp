@@ -7,7 +7,7 @@
 
 namespace kte::tree {
 
-/// Sums of products of rows, up to `most` of which are collected: for the axes l of a limb,
+/// Sums of products of rows, collected up to `most` at a time: for the axes l of a limb,
 ///
 ///   x_jk += sum_l D_l^-1 e_lj e_lk       from the first axis of the body of l on          (1)
 ///
