@@ -1,5 +1,6 @@
 #include <kte/dynamics/batch.hpp>
 #include <kte/dynamics/closed_loops/static_derivatives.hpp>
+#include <kte/dynamics/closed_loops/statics.hpp>
 #include <kte/models/runtime_dynamics_model.hpp>
 
 #include "catch.hpp"
@@ -99,6 +100,23 @@ TEST_CASE("a loop through joints of varying axes stays closed") {
   solver.integrate(1.0);
   CHECK(open_by(c, s, m, solver.state()) < 1e-13);
   CHECK(energy_of() == within(before, 1e-7));
+}
+
+TEST_CASE("an equilibrium of joints of varying axes, with and without loops") {
+  runtime_chain c;
+  c << arm() << spring_3D("ground", "tip", 0.3, 40.0);
+  for (const char* coordinate : {"q", "p", "u", "w"}) c << joint_stiffness_gen(coordinate, 2000.0);
+  auto s = c.make_state();
+  const vector none = vector::Zero(4);
+  const auto r = static_equilibrium(c, s, none);
+  CHECK(forward_dynamics(c, s, vector(r.q), none, none).cwiseAbs().maxCoeff() < 1e-7);
+  c << distance_3D("rod", "ground", "hand", 0.45);
+  auto t = c.make_state();
+  const vector on = assemble(c, t, r.q, held("p", "u", "w"));
+  const auto by = actuated("p", "u", "w");
+  const auto x = static_equilibrium(c, t, on, by);
+  CHECK(constrained_dynamics(c, t, x.q, none, none).a.cwiseAbs().maxCoeff() < 1e-6);
+  CHECK(natural_modes(c, t, x.q, by).frequency.size() == 3);
 }
 
 TEST_CASE("joints of varying axes in packs: static chains, and by name not in runtime chains") {
