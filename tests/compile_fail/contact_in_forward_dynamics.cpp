@@ -1,7 +1,7 @@
 // expect: error: .*kte: this algorithm does not support contacts; contact_dynamics
-#include <kte/kte.hpp>
 #include <kte/contacts.hpp>
 #include <kte/elements/rigid_contact.hpp>
+#include <kte/kte.hpp>
 
 inline constexpr struct foot_ final : kte::contact_key<"foot"> {
 } foot;
@@ -13,9 +13,9 @@ inline constexpr struct end_ final : kte::frame_2D_key<"end"> {
 } end;
 
 int main() {
-  constexpr auto c = kte::chain(kte::prismatic_joint_2D(q, base, end, kte::axis::y),
-                                kte::inertia_2D(end, kte::point_mass(1.0)),
-                                kte::point_contact_2D(foot, base, end, kte::half_space{}, {0.5, 0}));
+  constexpr auto c =
+      kte::chain(kte::prismatic_joint_2D(q, base, end, kte::axis::y), kte::inertia_2D(end, kte::point_mass(1.0)),
+                 kte::point_contact_2D(foot, base, end, kte::half_space{}, {0.5, 0}));
   const double zero[1]{};
   return static_cast<int>(kte::forward_dynamics(c, zero, zero, zero)[0]);
 }

@@ -31,9 +31,7 @@ struct rod {
   }
   vector q() const { return numbers({std::cos(angle), std::sin(angle), angle}); }
   /// v where the tip moves by (x, y) and the rod turns by w.
-  vector v(double x, double y, double w) const {
-    return to_body(x - w * std::sin(angle), y + w * std::cos(angle), w);
-  }
+  vector v(double x, double y, double w) const { return to_body(x - w * std::sin(angle), y + w * std::cos(angle), w); }
   vector to_body(double x, double y, double w) const {
     const double cs = std::cos(angle), sn = std::sin(angle);
     return numbers({cs * x + sn * y, -sn * x + cs * y, w});
@@ -102,8 +100,7 @@ TEST_CASE("a rimless wheel keeps the factor eta of its rate at each spoke") {
   auto s = c.make_state();
   // Rolls to the right about foot 0, at (-sin, -cos) of the hub: v = w x (sin, cos)
   const double w = -1.5;
-  const auto& r =
-      impact(c, s, numbers({0, std::cos(half), 0}), numbers({-w * std::cos(half), w * std::sin(half), w}));
+  const auto& r = impact(c, s, numbers({0, std::cos(half), 0}), numbers({-w * std::cos(half), w * std::sin(half), w}));
   CHECK(r.v[2] == within(eta * w, 2e-15));
   CHECK(largest(r.v - eta * w * numbers({-std::cos(half), -std::sin(half), 1})) <= 2e-15);
   CHECK(std::abs(r.impulse("foot0").y) <= 1e-15);
@@ -197,10 +194,9 @@ TEST_CASE("a jam is a tangential impact, and static chains have the same impacts
   constexpr tip_ tip{};
   constexpr foot_ foot{};
   for (const contact_law law : {contact_law{2, 0}, contact_law{0.5, 0.9}}) {
-    const auto c =
-        chain(free_joint_2D(pose_{}, world, body), inertia_2D(body, planar_body(1.0, 1.0 / 3)),
-              rigid_link_2D(body, tip, along_x(-1.0)), point_contact_2D(foot, world, tip, half_space{}, law))
-            .gravity(along_y(-g));
+    const auto c = chain(free_joint_2D(pose_{}, world, body), inertia_2D(body, planar_body(1.0, 1.0 / 3)),
+                         rigid_link_2D(body, tip, along_x(-1.0)), point_contact_2D(foot, world, tip, half_space{}, law))
+                       .gravity(along_y(-g));
     rod x(law.friction > 1 ? 1.0 : 0.8, law);
     const vector v = law.friction > 1 ? x.v(-1, 0, 0) : x.v(0.5, -1, 0);
     const auto r = impact(c, x.q(), v);

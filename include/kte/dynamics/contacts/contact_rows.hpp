@@ -181,9 +181,7 @@ struct contact_workspace {
   }
 
   /// The kinetic energy lost where velocities are projected onto the closures, J: u'_C is J_C v.
-  double energy_of_closures() const {
-    return closures.empty() ? 0.0 : loop_bias.head(loops.rank()).squaredNorm() / 2;
-  }
+  double energy_of_closures() const { return closures.empty() ? 0.0 : loop_bias.head(loops.rank()).squaredNorm() / 2; }
   /// The forces of closures, by rows of all: R^-1 (-R^-T u'_C - Q^T B lambda).
   void put_loop_forces(Eigen::VectorXd& all) {
     all.setZero(equations.places.rows);
