@@ -166,7 +166,7 @@ class basic_runtime_state {
   detail::own_memory loops;
   detail::own_memory contacts;  ///< of contact dynamics; not for users
   detail::own_memory impacts;   ///< of impacts; not for users
-  std::vector<S> before;  ///< q, v, a that a call has replaced, until the call can no longer fail
+  std::vector<S> before;        ///< q, v, a that a call has replaced, until the call can no longer fail
 };
 
 // Defined outside the class. Members defined in the class would be inline, and g++ also compiles inline members that

@@ -67,13 +67,23 @@ class loop_equations {
     tree::move_bodies<true>(f, s.work);
     for (std::size_t k = 0; k < places.closures.size(); ++k)
       if (places.closures[k].of_frames()) find_places(s, places.closures[k], ends_[k]);
+    accelerate_residuals(c, s, [](int) { return 0.0; });
+  }
+  /// Computes the second derivatives of residuals at the motions of bodies in the working memory; call `at_positions`
+  /// first. a(i): the accelerations of degrees of freedom.
+  template <class Closures, class State, class A>
+  void accelerate_residuals(const Closures& c, State& s, const A& a) {
     for (std::size_t k = 0; k < places.closures.size(); ++k) {
       const auto& x = places.closures[k];
       double rows[6];
-      if (x.of_frames())
+      if (x.of_frames()) {
         c.close_frames(x.element, accelerated(s, x, ends_[k], motions_[k]), closing::residual_ddot, rows);
-      else
-        coordinate_rows(c, s, x, [&](const auto& values, const double*) { rows[0] = values[1]; });
+      } else {
+        coordinate_rows(c, s, x, [&](const auto& values, const double* by) {
+          rows[0] = values[1];
+          for (std::size_t n = 0; n < x.dofs.size(); ++n) rows[0] += by[n] * a(x.dofs[n]);
+        });
+      }
       for (int r = 0; r < x.rows.count(); ++r) acceleration[x.first + r] = places.scale(x, r) * rows[r];
     }
   }

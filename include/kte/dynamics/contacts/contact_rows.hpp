@@ -106,15 +106,6 @@ struct contact_workspace {
     };
     return {row(0), row(1), row(2)};
   }
-  /// Computes the places of all contacts at the positions of the state, with slip velocities from J v.
-  template <class Contacts, class State>
-  void find_positions(const Contacts& c, const State& s, const Eigen::VectorXd& rates) {
-    for (auto& x : contacts) {
-      const auto& at = place(x);
-      x.place = c.touch_at(at.element, loop_equations::motion_between(s, at));
-      x.slip = unscaled(x, rates);
-    }
-  }
   /// Chooses the contacts that touch, and sets their bases: along the slip velocity if they slide.
   template <class Chosen>
   void choose(const Chosen& chosen) {

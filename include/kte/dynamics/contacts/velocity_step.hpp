@@ -24,14 +24,18 @@ void step_velocities(const Contacts& c, State& s, contact_solver& m, double h, E
   if (tree)
     m.factor.take_articulated(s, e);
   else
-    m.factor.factorize(c, s, e);
-  m.find_positions(c, s, e.times(v));
+    m.factor.factorize(c, s, e), e.at_rates(c, s);
+  m.find(c, s);  // with the velocities of the state, and of bases
+  m.change_of_motion.resize(s.dofs());
+  read_listed_numbers<vector_of::v>(s, m.change_of_motion);
+  const Eigen::VectorXd to_start = e.times(v - m.change_of_motion);
   m.change_of_motion = v + h * m.before;
-  const Eigen::VectorXd at_end = e.times(m.change_of_motion);
+  const Eigen::VectorXd at_end = e.times(m.change_of_motion), by_forces = h * e.times(m.before);
   m.choose([](const contact_at& x) { return x.place.gap <= 0; });
+  for (auto& x : m.contacts) x.slip = x.slip + m.unscaled(x, to_start);
   for (std::size_t i = 0; i < m.touching.size(); ++i) {
     const auto& x = m.touched(i);
-    m.put_rows(x, m.unscaled(x, at_end), m.bias);
+    m.put_rows(x, x.slip + m.unscaled(x, by_forces), m.bias);
     m.bias[x.first] += x.place.law.restitution * (std::min)(dot(x.place.normal, x.slip), 0.0) / e.places.length;
   }
   m.make_matrix(c, s, at_end);
