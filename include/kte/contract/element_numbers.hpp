@@ -2,6 +2,7 @@
 
 #include <kte/contract/joint.hpp>
 #include <kte/contract/rigid_numbers.hpp>
+#include <kte/detail/unroll.hpp>
 
 /// An element in numbers, for the loops over body nodes (tree/body_node.hpp).
 namespace kte::detail {

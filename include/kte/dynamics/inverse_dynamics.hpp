@@ -3,6 +3,7 @@
 
 // Included first, so that static_assert messages appear near the top.
 // clang-format off
+#include <kte/detail/unroll.hpp>
 #include <kte/kernels/joint_vector.hpp>
 // clang-format on
 

@@ -1,6 +1,7 @@
 #ifndef KTE_REGRESSOR_HPP
 #define KTE_REGRESSOR_HPP
 
+#include <kte/detail/unroll.hpp>
 #include <kte/dynamics/unrolled/regressor.hpp>
 
 /// Inverse dynamics as a linear function of the inertial parameters of the bodies, for their identification.

@@ -2,6 +2,7 @@
 
 #include <kte/contract/gravity.hpp>
 #include <kte/contract/passes.hpp>
+#include <kte/detail/unroll.hpp>
 #include <kte/static_chain/connections.hpp>
 #include <kte/static_chain/kept_states.hpp>
 #include <kte/static_chain/state.hpp>

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kte/contract/passes.hpp>
+#include <kte/detail/unroll.hpp>
 #include <kte/dynamics/unrolled/given.hpp>
 
 /// Internal states of elements in fused evaluations.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/detail/unroll.hpp>
 #include <kte/kernels/joint_vector.hpp>
 #include <kte/static_chain/state.hpp>
 

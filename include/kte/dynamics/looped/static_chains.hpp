@@ -2,6 +2,7 @@
 
 #include <kte/contract/force_derivatives.hpp>
 #include <kte/contract/varying_joint.hpp>
+#include <kte/detail/unroll.hpp>
 #include <kte/dynamics/looped/derivatives.hpp>
 #include <kte/dynamics/looped/mass_matrix_inverse.hpp>
 #include <kte/dynamics/looped/static_state.hpp>

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kte/contract/thing_lists.hpp>
+#include <kte/detail/unroll.hpp>
 #include <kte/dynamics/unrolled/given.hpp>
 #include <kte/dynamics/unrolled/plan.hpp>
 #include <kte/math/plain_scalar.hpp>

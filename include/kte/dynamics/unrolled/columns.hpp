@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/detail/unroll.hpp>
 #include <kte/dynamics/forward_kinematics.hpp>
 #include <kte/dynamics/unrolled/tree.hpp>
 

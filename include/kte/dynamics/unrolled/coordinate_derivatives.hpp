@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kte/contract/coordinate_variation.hpp>
+#include <kte/detail/unroll.hpp>
 #include <kte/dynamics/unrolled/given.hpp>
 
 /// Derivatives of the forces of elements on generalized coordinates: springs, dampers, masses.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/detail/unroll.hpp>
 #include <kte/dynamics/unrolled/joints.hpp>
 #include <kte/recursions/coriolis.hpp>
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/detail/unroll.hpp>
 #include <kte/dynamics/unrolled/articulated.hpp>
 #include <kte/dynamics/unrolled/unit_forces.hpp>
 #include <kte/recursions/inverse_mass.hpp>

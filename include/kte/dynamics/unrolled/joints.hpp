@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/detail/unroll.hpp>
 #include <kte/dynamics/unrolled/given_bases.hpp>
 #include <kte/recursions/world_joints.hpp>
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/detail/unroll.hpp>
 #include <kte/dynamics/looped/static_chains.hpp>
 #include <kte/dynamics/unrolled/bodies.hpp>
 #include <kte/dynamics/unrolled/given.hpp>

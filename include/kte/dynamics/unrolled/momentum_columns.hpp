@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/detail/unroll.hpp>
 #include <kte/dynamics/centre_of_mass.hpp>
 #include <kte/dynamics/unrolled/columns.hpp>
 

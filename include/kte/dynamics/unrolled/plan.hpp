@@ -2,6 +2,7 @@
 
 #include <kte/contract/joint.hpp>
 #include <kte/detail/numbers_where.hpp>
+#include <kte/detail/unroll.hpp>
 #include <kte/math/dual_number.hpp>
 #include <kte/static_chain/connections.hpp>
 #include <kte/static_chain/static_chain.hpp>

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/detail/unroll.hpp>
 #include <kte/dynamics/unrolled/tree.hpp>
 #include <kte/frames/motion.hpp>
 #include <kte/kernels/joint_vector.hpp>
