@@ -38,6 +38,10 @@ void visit_quantities(T& x, const Visit& visit) {
     if constexpr (requires { x.residual; }) {
       member("residual", x.residual), member("ang_residual", x.ang_residual);
     }
+    if constexpr (requires { x.mode; }) {
+      member("gap", x.gap), member("slip", x.slip), member("point", x.point);
+      member("direction", x.direction), member("mode", x.mode);
+    }
     if constexpr (requires { x.force; }) member("force", x.force);
     if constexpr (requires { x.torque; }) member("torque", x.torque);
     if constexpr (requires { x.z_dot; }) member("z", x.z), member("z_dot", x.z_dot);
