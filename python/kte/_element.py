@@ -29,7 +29,7 @@ class Element:
 
     def __init__(self, type: str, ports: Dict[str, str], parameters: Dict[str, List[float]]) -> None:
         self.type = type
-        self.ports = dict(sorted(ports.items(), key=lambda port: port[0] != "loop"))  # of closures the first
+        self.ports = dict(sorted(ports.items(), key=lambda port: port[0] not in ("loop", "contact")))  # their names first
         self.parameters = parameters
 
     def __repr__(self) -> str:

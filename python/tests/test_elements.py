@@ -15,6 +15,8 @@ def example(function):
             break
         if p.annotation == "str":
             arguments.append("the " + p.name)
+        elif p.name == "surface_radius":
+            arguments.append(0.0)  # a half space
         elif "axis" in p.name or p.name in ("normal", "tangent"):
             arguments.append([1, 0] if function.__name__.endswith("2D") else [1, 0, 0])
         elif p.annotation == "float":

@@ -97,7 +97,7 @@ def read(path):
 def function(family, dimension, text, rows):
     name = family if dimension == "-" else f"{family}_{dimension}"
     ports = [r for r in rows if r.what == "port"]
-    ports.sort(key=lambda r: r.name != "loop")  # of closures the first, as in C++
+    ports.sort(key=lambda r: r.name not in ("loop", "contact"))  # the name of a closure or contact first, as in C++
     parameters = [r for r in rows if r.what not in ("port", "axis z")]
     taken = {p.name for p in ports}
     for p in parameters:
@@ -169,7 +169,7 @@ def main(page, out):
         for dimension in dict.fromkeys(r.dimension for r in rows):
             made.append(function(family, dimension, text, [r for r in rows if r.dimension == dimension]))
     head = [
-        '"""The elements: joints, links, inertias, forces, motors, sensors, closures of loops. SI units.',
+        '"""The elements: joints, links, inertias, forces, motors, sensors, closures of loops, contacts. SI units.',
         "",
         "Ports take the names of coordinates, frames and signals, as strings; parameters are positional or keywords.",
         '"""',
