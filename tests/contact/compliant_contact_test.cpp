@@ -82,9 +82,9 @@ void check_laws_in_both(const Element& e) {
 TEST_CASE("forces of compliant contacts are opposite, and independent of their place", "[laws]") {
   check_laws_in_both(compliant_contact_3D("a", "b", half_space{}, 0.7, rubber));
   check_laws_in_both(compliant_contact_2D("a", "b", half_space{}, 0.7, rubber));
-  check_laws_in_both(compliant_contact_3D("a", "b", ball(0.7), 0.7, rubber, vec3{0.1, 0.2, 0.3}));
-  check_laws_in_both(compliant_contact_3D("a", "b", bowl(0.7), 0.2, rubber));
-  check_laws_in_both(compliant_contact_3D("a", "b", cylinder(0.7), 0.2, rubber));
+  check_laws_in_both(compliant_contact_3D("a", "b", ball_surface(0.7), 0.7, rubber, vec3{0.1, 0.2, 0.3}));
+  check_laws_in_both(compliant_contact_3D("a", "b", bowl_surface(0.7), 0.2, rubber));
+  check_laws_in_both(compliant_contact_3D("a", "b", cylinder_surface(0.7), 0.2, rubber));
   check_laws_in_both(compliant_contact_3D("a", "b", height_field(waves), 0, rubber));
   check_laws_in_both(compliant_contact_2D("a", "b", height_field(hill), 0.1, rubber, vec2{0.1, 0.2}));
   check_laws_in_both(compliant_contact_2D("a", "b", surface(slope), 0, rubber));
@@ -99,8 +99,8 @@ TEST_CASE("without dissipation and friction the force is the gradient of the ene
     CHECK(testing::force_is_gradient<digits50>(e, draw, energy_of(e)) < 20 * by_differences<digits50>);
   };
   check(compliant_contact_3D("a", "b", half_space{}, 0.7, spring));
-  check(compliant_contact_2D("a", "b", ball(0.75), 0.5, spring, vec2{0.25, 0.5}));
-  check(compliant_contact_3D("a", "b", bowl(0.75), 0.25, spring));
+  check(compliant_contact_2D("a", "b", ball_surface(0.75), 0.5, spring, vec2{0.25, 0.5}));
+  check(compliant_contact_3D("a", "b", bowl_surface(0.75), 0.25, spring));
   check(compliant_contact_3D("a", "b", height_field(waves), 0.25, spring));
   check(compliant_disc_contact_3D("a", "b", half_space{}, axis::y, 0.75, spring));
 }
@@ -121,7 +121,7 @@ TEST_CASE("friction and dissipation take power", "[laws]") {
           }) == 0);
   };
   check(compliant_contact_3D("a", "b", half_space{}, 0.7, rubber));
-  check(compliant_contact_2D("a", "b", ball(0.75), 0.5, rubber));
+  check(compliant_contact_2D("a", "b", ball_surface(0.75), 0.5, rubber));
 }
 
 TEST_CASE("a contact by hand") {
@@ -184,7 +184,7 @@ TEST_CASE("bad parameters of contacts are refused by name") {
   CHECK(what({.stiffness = not_a_number}) == element + "stiffness must be finite and positive, got nan");
   CHECK(complaint([] { (void)compliant_contact_3D("a", "b", half_space{}, -1, rubber); }) ==
         element + "radius must be finite and not negative, got -1");
-  CHECK(complaint([] { (void)compliant_contact_3D("a", "b", bowl(0.5), 0.5, rubber); }) ==
+  CHECK(complaint([] { (void)compliant_contact_3D("a", "b", bowl_surface(0.5), 0.5, rubber); }) ==
         element + "radius must be below that of the bowl, got 0.5");
   CHECK(complaint([] {
           (void)compliant_contact_3D("a", "b", half_space(vec3{0, 0, 2}), 0.5, rubber);
@@ -193,7 +193,7 @@ TEST_CASE("bad parameters of contacts are refused by name") {
           (void)compliant_contact_2D("a", "b", half_space(vec3{0, 0, 1}), 0.5, rubber);
         }) ==
         "kte: compliant_contact_2D (frame1 'a', frame2 'b'): the normal surface_axis must be in the plane, got 1");
-  CHECK(complaint([] { (void)ball(-1); }) ==
+  CHECK(complaint([] { (void)ball_surface(-1); }) ==
         "kte: the radius of a ball, bowl or cylinder must be finite and positive, got -1");
   CHECK(complaint([] { (void)half_space(vec3<>{}); }) == "kte: the normal of a half space must have length 1, got 0");
   auto soft = brush;
@@ -205,7 +205,7 @@ TEST_CASE("bad parameters of contacts are refused by name") {
 TEST_CASE("contacts are equal in static and runtime chains") {
   random_numbers draw(6);
   CHECK(testing::static_is_runtime(compliant_contact_3D("a", "b", half_space{}, 0.7, rubber), draw) < 1e-14);
-  CHECK(testing::static_is_runtime(compliant_contact_2D("a", "b", ball(0.7), 0.7, rubber), draw) < 1e-14);
+  CHECK(testing::static_is_runtime(compliant_contact_2D("a", "b", ball_surface(0.7), 0.7, rubber), draw) < 1e-14);
   CHECK(testing::static_is_runtime(compliant_disc_contact_3D("a", "b", half_space{}, axis::y, 0.7, rubber), draw) <
         1e-14);
   CHECK(testing::static_is_runtime(bristle_contact_3D("a", "b", "x", "y", "z", half_space{}, 0.7, brush), draw) <

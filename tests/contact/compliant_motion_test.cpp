@@ -79,7 +79,7 @@ runtime_chain two_spheres() {
   };
   c << base_3D("world") << free_joint_3D("pose1", "world", "ball1") << inertia_3D("ball1", sphere(1))
     << free_joint_3D("pose2", "world", "ball2") << inertia_3D("ball2", sphere(2))
-    << bristle_contact_3D("ball1", "ball2", "zx", "zy", "zz", ball(r), r, brush);
+    << bristle_contact_3D("ball1", "ball2", "zx", "zy", "zz", ball_surface(r), r, brush);
   return c;
 }
 

@@ -202,20 +202,20 @@ TEST_CASE("in a bowl, on a ball and on a cylinder the curvature bends the path")
     CHECK(largest(x.a - numbers({a.x, a.y, 0})) <= 2 * rounded);
     CHECK(mode_of(x.contact("c")) == contact_mode::slides);
   };
-  check(disc(sphere_contact_2D("c", "world", "body", bowl(R), r, {})), R - r, 1);
-  check(disc(sphere_contact_2D("c", "world", "body", ball(R), r, {})), R + r, -1);
-  check(disc(point_contact_2D("c", "world", "body", ball(R), {})), R, -1);
+  check(disc(sphere_contact_2D("c", "world", "body", bowl_surface(R), r, {})), R - r, 1);
+  check(disc(sphere_contact_2D("c", "world", "body", ball_surface(R), r, {})), R + r, -1);
+  check(disc(point_contact_2D("c", "world", "body", ball_surface(R), {})), R, -1);
   check(disc(point_contact_2D("c", "world", "body",
                               surface([R](const auto& p) { return p.x * p.x + p.y * p.y - R * R; }), {})),
         R, -1);
   // Fast enough, a sphere leaves the ball: v^2 > g R cos
-  auto c = disc(sphere_contact_2D("c", "world", "body", ball(R), r, {}));
+  auto c = disc(sphere_contact_2D("c", "world", "body", ball_surface(R), r, {}));
   auto s = c.make_state();
   const auto& off = contact_dynamics(c, s, numbers({0, R + r, 0}), numbers({3, 0, 0}), zeros(3));
   CHECK(largest(off.a - numbers({0, -g, 0})) == 0);
   CHECK(mode_of(off.contact("c")) == contact_mode::open);
   // Along the axis of a cylinder nothing bends
-  auto k = sphere(sphere_contact_3D("c", "world", "body", cylinder(R, axis::y), r, {}));
+  auto k = sphere(sphere_contact_3D("c", "world", "body", cylinder_surface(R, axis::y), r, {}));
   auto t = k.make_state();
   const auto& on = contact_dynamics(k, t, numbers({0, 0, R + r, 1, 0, 0, 0}), numbers({1, 2, 0, 0, 0, 0}), zeros(6));
   CHECK(largest(on.a - numbers({0, 0, -1 / (R + r), 0, 0, 0})) <= rounded);
@@ -398,7 +398,7 @@ TEST_CASE("a static four-bar that touches a wall has the accelerations and force
                  revolute_joint_2D(coupler, A, b), inertia_2D(b, body), rigid_link_2D(b, B1, along_x(1.1)),
                  revolute_joint_2D(rocker, world, r).at(vec2<>{1, 0}), inertia_2D(r, body),
                  rigid_link_2D(r, B2, along_x(0.8)), coincident_points_2D(pin, B1, B2),
-                 sphere_contact_2D(foot, world, B2, ball(radius_of_ball), 0.1, {0.3, 0.5}))
+                 sphere_contact_2D(foot, world, B2, ball_surface(radius_of_ball), 0.1, {0.3, 0.5}))
         .gravity(along_y(-g));
   };
   const auto measured = four_bar(0.5);

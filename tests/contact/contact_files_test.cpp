@@ -27,12 +27,12 @@ runtime_chain touching() {
   c << base_3D("ground") << free_joint_3D("pose", "ground", "body") << base_2D("floor")
     << free_joint_2D("place", "floor", "box");
   c << sphere_contact_3D("1", "ground", "body", half_space(vec3<>{0.6, 0, 0.8}), 0.1, law)
-    << sphere_contact_3D("2", "ground", "body", bowl(2.0), 0.1, law, vec3{0.1, 0.2, 0.3})
-    << sphere_contact_3D("3", "ground", "body", cylinder(0.5), 0.1, law)
-    << point_contact_3D("4", "ground", "body", ball(0.5), {})
+    << sphere_contact_3D("2", "ground", "body", bowl_surface(2.0), 0.1, law, vec3{0.1, 0.2, 0.3})
+    << sphere_contact_3D("3", "ground", "body", cylinder_surface(0.5), 0.1, law)
+    << point_contact_3D("4", "ground", "body", ball_surface(0.5), {})
     << disc_contact_3D("5", "ground", "body", half_space{}, axis::y, 0.3, law)
     << sphere_contact_2D("6", "floor", "box", half_space{}, 0.1, law, vec2{0.1, 0.2})
-    << point_contact_2D("7", "floor", "box", ball(0.4), law);
+    << point_contact_2D("7", "floor", "box", ball_surface(0.4), law);
   return c;
 }
 

@@ -48,12 +48,12 @@ TEST_CASE("rates of gaps and slips are their derivatives", "[laws]") {
     CAPTURE(radius);
     check_laws_in_both(touching(half_space{}, radius), {0, 0, 0.5});
     check_laws_in_both(touching(half_space(vec3{0.6, 0.0, 0.8}), radius), {0, 0, 0.5});
-    check_laws_in_both(touching(ball(0.7), radius), {0.4, 0.3, 0.9});
-    check_laws_in_both(touching(ball(0.7), radius, {0.1, 0.2, -0.3}), {0.8, 0.6, 1.2});
-    check_laws_in_both(touching(bowl(1.7), radius), {0.4, 0.3, 0.9});
-    check_laws_in_both(touching(cylinder(0.7), radius), {0.8, 0.5, 0});
-    check_laws_in_both(touching(cylinder(0.7, vec3{0, 1, 0}), radius), {0.2, 0, 1});
-    check_laws<double>(touching(cylinder(0.7, vec3{0.6, 0.0, 0.8}), radius), {0.2, 1, 0}, true);
+    check_laws_in_both(touching(ball_surface(0.7), radius), {0.4, 0.3, 0.9});
+    check_laws_in_both(touching(ball_surface(0.7), radius, {0.1, 0.2, -0.3}), {0.8, 0.6, 1.2});
+    check_laws_in_both(touching(bowl_surface(1.7), radius), {0.4, 0.3, 0.9});
+    check_laws_in_both(touching(cylinder_surface(0.7), radius), {0.8, 0.5, 0});
+    check_laws_in_both(touching(cylinder_surface(0.7, vec3{0, 1, 0}), radius), {0.2, 0, 1});
+    check_laws<double>(touching(cylinder_surface(0.7, vec3{0.6, 0.0, 0.8}), radius), {0.2, 1, 0}, true);
     check_laws_in_both(touching(height_field(waves), radius), {0.3, 0.2, 0.2}, radius != 0);
     check_laws_in_both(touching<kind::frame_2D>(height_field(hill), radius), {0.3, 0.2, 0}, radius != 0);
   }
@@ -73,15 +73,16 @@ TEST_CASE("gaps, normals and points of contact") {
   CHECK(near(plane.slip(at({3, 4, 0.2})), vec3<>{1 - 0.2 * 0.25, 2 + 0.2 * 0.5, 3}, 1e-15));
   CHECK(touching<kind::frame_2D>(half_space{}, 0.2).gap(at({3, 0.5, 0})) == within(0.3, 1e-15));
 
-  CHECK(touching(ball(0.5), 0.1).gap(at({0.6, 0, 0.8})) == within(0.4, 1e-15));
-  CHECK(near(touching(ball(0.9), 0.1).point(at({0.6, 0, 0.8})), vec3<>{0.54, 0, 0.72}, 1e-15));
-  CHECK(touching(bowl(1.5), 0.1).gap(at({0.6, 0, 0.8})) == within(0.4, 1e-15));
-  CHECK(near(touching(bowl(1.1), 0.1).point(at({0.6, 0, 0.8})), vec3<>{0.66, 0, 0.88}, 1e-15));
-  CHECK(touching(bowl(1.5), 0.1).gap(at({0, 0, 0})) == within(1.4, 1e-15));
-  CHECK(touching<kind::frame_2D>(cylinder(0.5, vec3{1, 0, 0}), 0.1).gap(at({7, -0.9, 0})) == within(0.3, 1e-15));
-  CHECK(touching(cylinder(0.5), 0.1).gap(at({0.6, 0.8, 7})) == within(0.4, 1e-15));
+  CHECK(touching(ball_surface(0.5), 0.1).gap(at({0.6, 0, 0.8})) == within(0.4, 1e-15));
+  CHECK(near(touching(ball_surface(0.9), 0.1).point(at({0.6, 0, 0.8})), vec3<>{0.54, 0, 0.72}, 1e-15));
+  CHECK(touching(bowl_surface(1.5), 0.1).gap(at({0.6, 0, 0.8})) == within(0.4, 1e-15));
+  CHECK(near(touching(bowl_surface(1.1), 0.1).point(at({0.6, 0, 0.8})), vec3<>{0.66, 0, 0.88}, 1e-15));
+  CHECK(touching(bowl_surface(1.5), 0.1).gap(at({0, 0, 0})) == within(1.4, 1e-15));
+  CHECK(touching<kind::frame_2D>(cylinder_surface(0.5, vec3{1, 0, 0}), 0.1).gap(at({7, -0.9, 0})) ==
+        within(0.3, 1e-15));
+  CHECK(touching(cylinder_surface(0.5), 0.1).gap(at({0.6, 0.8, 7})) == within(0.4, 1e-15));
 
-  CHECK(near(touching(ball(0.9), 0.1, {0.3, 0, 0.4}).point(at({0.3, 0, 0.4})), vec3<>{0.54, 0, 0.72}, 1e-15));
+  CHECK(near(touching(ball_surface(0.9), 0.1, {0.3, 0, 0.4}).point(at({0.3, 0, 0.4})), vec3<>{0.54, 0, 0.72}, 1e-15));
 
   // A sphere in a parabola y = x^2 at its lowest point, and beside it: (0.5, 0.25) with the normal (-1, 1)/sqrt(2).
   const auto valley = [](const auto& x) { return x * x; };

@@ -88,8 +88,8 @@ class friction_scenes {
   friction_scene plane(int points, double mu, double spread) {
     Eigen::MatrixXd J(2 * points, 3);
     for (int i = 0; i < points; ++i) {
-      const double angle = spread * uniform(-1, 1), x = uniform(-1, 1), y = uniform(-1, 1), c = cos(angle),
-                   s = sin(angle);
+      const double angle = spread * uniform(-1, 1), x = uniform(-1, 1), y = uniform(-1, 1), c = std::cos(angle),
+                   s = std::sin(angle);
       J.row(2 * i) << -s, c, c * x + s * y;
       J.row(2 * i + 1) << c, s, s * x - c * y;
     }

@@ -120,9 +120,9 @@ TEST_CASE("a sphere with spin bounces") {
   CHECK(largest(slips.v - numbers({mu * P / m, 0, e * 3, 0, 100 - R * mu * P / I, 5})) <= 1e-13);
   CHECK(slips.impulse("c").x == within(mu * P, 1e-14));
   // Slow spin: it sticks, u_t = 0 with W_t = 1/m + R^2/I
-  const double stop = (0.3 - R * 5) / (1 / m + R * R / I);
-  const auto& sticks = impact(c, s, q, numbers({0.3, 0, -3, 0, 5, 0}));
-  CHECK(largest(sticks.v - numbers({0.3 - stop / m, 0, e * 3, 0, 5 + R * stop / I, 0})) <= 1e-13);
+  const double halt = (0.3 - R * 5) / (1 / m + R * R / I);
+  const auto& stopped = impact(c, s, q, numbers({0.3, 0, -3, 0, 5, 0}));
+  CHECK(largest(stopped.v - numbers({0.3 - halt / m, 0, e * 3, 0, 5 + R * halt / I, 0})) <= 1e-13);
 }
 
 TEST_CASE("on a base that moves, velocities of the surface count") {

@@ -13,7 +13,7 @@ namespace {
 template <class Core>
 constexpr int shapes = base_core<Core> + force_core<Core> +
                        (link_core<Core> || joint_core<Core>)+coordinate_follower_core<Core> +
-                       frame_follower_core<Core> + signal_core<Core> + closure_core<Core>;
+                       frame_follower_core<Core> + signal_core<Core> + closure_core<Core> + contact_core<Core>;
 
 template <class Core>
 void check_core() {

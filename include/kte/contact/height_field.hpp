@@ -38,8 +38,8 @@ struct height_field {
     const ground<S> below = at_foot(x.x, x.y);
     const S rise = S(x.z - below.h), along = S(rise / below.steepness());
     if (radius == 0) return {along, turned(below.normal())};
-    const ground<S> near = nearest(x, along, radius);
-    const vec3<S> n = near.normal(), d{S(x.x - near.x), S(x.y - near.y), S(x.z - near.h)};
+    const ground<S> foot = nearest(x, along, radius);
+    const vec3<S> n = foot.normal(), d{S(x.x - foot.x), S(x.y - foot.y), S(x.z - foot.h)};
     return {S(dot(n, d)), turned(n)};
   }
   /// n_dot where p moves by v.

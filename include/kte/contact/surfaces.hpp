@@ -47,7 +47,7 @@ struct contact_surface {
   KTE_INLINE constexpr vec3<S> bend(const vec3<S>& p, const vec3<S>& v, double) const {
     if (radius == 0) return {S(0), S(0), S(0)};
     const auto [length, n] = detail::to_polar(across(p));
-    const S far = select(length == S(0), S(1), S(length)), curvature = S(S(radius < 0 ? -1 : 1) / far);
+    const S reach = select(length == S(0), S(1), S(length)), curvature = S(S(radius < 0 ? -1 : 1) / reach);
     const vec3<S> u = across(v);
     return as<S>(curvature * (u - dot(n, u) * n));
   }
@@ -98,19 +98,22 @@ struct half_space : contact_surface {
   constexpr half_space(const vec2<X, Y>& normal) : half_space(vec3{normal.x, normal.y, zero}) {}  // NOLINT
 };
 /// The outside of a ball of a radius, m, about the origin of the frame; of a circle in the plane.
-struct ball : contact_surface {
-  constexpr explicit ball(double radius_of_ball) : contact_surface{{}, detail::radius_of_surface(radius_of_ball)} {}
+struct ball_surface : contact_surface {
+  constexpr explicit ball_surface(double radius_of_ball)
+      : contact_surface{{}, detail::radius_of_surface(radius_of_ball)} {}
 };
 /// The inside of a sphere of a radius, m, about the origin of the frame; of a circle in the plane.
-struct bowl : contact_surface {
-  constexpr explicit bowl(double radius_of_bowl) : contact_surface{{}, -detail::radius_of_surface(radius_of_bowl)} {}
+struct bowl_surface : contact_surface {
+  constexpr explicit bowl_surface(double radius_of_bowl)
+      : contact_surface{{}, -detail::radius_of_surface(radius_of_bowl)} {}
 };
 /// The outside of a cylinder of a radius, m, without ends, whose axis, by default z, goes through the origin of the
 /// frame. In the plane, with an axis in the plane, it is a straight bar.
-struct cylinder : contact_surface {
-  constexpr explicit cylinder(double radius_of_cylinder) : cylinder(radius_of_cylinder, vec3<>{0, 0, 1}) {}
+struct cylinder_surface : contact_surface {
+  constexpr explicit cylinder_surface(double radius_of_cylinder)
+      : cylinder_surface(radius_of_cylinder, vec3<>{0, 0, 1}) {}
   template <class X, class Y, class Z>
-  constexpr cylinder(double radius_of_cylinder, const vec3<X, Y, Z>& along)
+  constexpr cylinder_surface(double radius_of_cylinder, const vec3<X, Y, Z>& along)
       : contact_surface{as<double>(along), detail::radius_of_surface(radius_of_cylinder)} {}
 };
 

@@ -104,20 +104,12 @@ namespace detail {
 inline std::string in_lane(std::size_t lane, std::size_t lanes, const std::string& message) {
   return lanes == 1 ? message : "kte: lane " + std::to_string(lane) + ": " + message.substr(5);
 }
-/// Checks the parameters of a core with these connections; packs lane by lane, of dual numbers the values. Throws
-/// `bad_parameter`.
-template <class Core, class Texts>
-constexpr void check_parameters(const Core& core, const Texts& texts) {
-  parameter_check::breach broken;
-  const parameter_check where{Core::type, Core::ports, texts, broken};
-  if constexpr (has_packs_or_duals<Core>) {
-    for (std::size_t lane = 0; lane < lanes_in<Core>; ++lane) {
-      converted<double>(core, to_lane<double>{lane}).check(where);
-      if (broken.rule) raise<bad_parameter>(in_lane(lane, lanes_in<Core>, where()));
-    }
-  } else {
-    core.check(where);
-    require<bad_parameter>(!broken.rule, where, broken.rule, broken.value);
+/// Checks the parameters of a core lane by lane; of dual numbers the values. Throws `bad_parameter`.
+template <class Core>
+constexpr void check_lanes(const Core& core, const parameter_check& where) {
+  for (std::size_t lane = 0; lane < lanes_in<Core>; ++lane) {
+    converted<double>(core, to_lane<double>{lane}).check(where);
+    if (where.broken.rule) raise<bad_parameter>(in_lane(lane, lanes_in<Core>, where()));
   }
 }
 }  // namespace detail
@@ -144,14 +136,28 @@ constexpr auto connect(const Core& core, const Names&... names) {
       return detail::refused{};
     } else {
       const std::array<std::string_view, sizeof...(Names)> texts{Names::name...};
-      detail::check_parameters(core, texts);
+      parameter_check::breach broken;
+      const parameter_check where{Core::type, Core::ports, texts, broken};
+      if constexpr (detail::has_packs_or_duals<Core>) {
+        detail::check_lanes(core, where);
+      } else {  // here, so that the error of a constant expression is short
+        core.check(where);
+        detail::require<bad_parameter>(!broken.rule, where, broken.rule, broken.value);
+      }
       return element<Core, Names...>{core};
     }
   } else if constexpr (!(text_type<Names> && ...)) {
     return detail::refused{};
   } else {
     const std::array<std::string_view, sizeof...(Names)> texts{std::string_view(names)...};
-    detail::check_parameters(core, texts);
+    parameter_check::breach broken;
+    const parameter_check where{Core::type, Core::ports, texts, broken};
+    if constexpr (detail::has_packs_or_duals<Core>) {
+      detail::check_lanes(core, where);
+    } else {  // here, so that the error of a constant expression is short
+      core.check(where);
+      detail::require<bad_parameter>(!broken.rule, where, broken.rule, broken.value);
+    }
     return named_element<Core>{core, {std::string(std::string_view(names))...}};
   }
 }

@@ -45,7 +45,7 @@ class threads {
         }
       }
     };
-    const std::size_t helpers = std::max<std::size_t>((std::min)(n_, tasks), 1) - 1;
+    const std::size_t helpers = (std::max<std::size_t>)((std::min)(n_, tasks), 1) - 1;
     std::vector<std::thread> team;
     team.reserve(helpers);
     try {

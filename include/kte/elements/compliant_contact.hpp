@@ -131,8 +131,8 @@ template <class A, class B, class Surface = contact_surface, class Offset, entry
       frame2, p);
 }
 /// A compliant contact, in space, of a surface of frame1 with a sphere of a radius, m (0: a point), about the origin of
-/// frame2, or about the point `offset` of it, m. Surfaces: `half_space`, `ball`, `bowl`, `cylinder`, `height_field`,
-/// `surface`.
+/// frame2, or about the point `offset` of it, m. Surfaces: `half_space`, `ball_surface`, `bowl_surface`,
+/// `cylinder_surface`, `height_field`, `surface`.
 template <class A, class B, class Surface = contact_surface, entry Radius = double>
 [[nodiscard]] constexpr auto compliant_contact_3D(const A& frame1, const B& frame2, const Surface& surface,
                                                   const Radius& radius, const compliant_contact_parameters& p) {

@@ -97,7 +97,7 @@ template <class C, class A, class B, class Surface, entry Radius, class Offset>
 ///
 ///   sphere_contact_3D(foot, ground, shank_tip, half_space{}, 0.016, {.friction = 0.7, .restitution = 0.0})
 ///
-/// Surfaces: `half_space`, `ball`, `bowl`, `cylinder`, `height_field`, `surface`.
+/// Surfaces: `half_space`, `ball_surface`, `bowl_surface`, `cylinder_surface`, `height_field`, `surface`.
 template <class C, class A, class B, class Surface, entry Radius>
 [[nodiscard]] constexpr auto sphere_contact_3D(const C& contact, const A& frame1, const B& frame2,
                                                const Surface& surface, const Radius& radius, const contact_law& law) {

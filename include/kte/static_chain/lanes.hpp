@@ -93,7 +93,10 @@ template <class Gravity, class... E, class S, class... More>
   set(first.path, number(first.value));
   (set(more.path, number(more.value)), ...);
   detail::check_gravity(gravity);
-  boost::hana::for_each(elements, [](auto& e) { detail::check_parameters(e.core, detail::names_of(e)); });
+  boost::hana::for_each(elements, []<class Core, class... Keys>(element<Core, Keys...>& e) {
+    parameter_check::breach broken;
+    detail::check_lanes(e.core, parameter_check{Core::type, Core::ports, detail::names_of(e), broken});
+  });
   return std::remove_const_t<decltype(wide)>(elements, gravity);
 }
 template <class Chain, class... Parameters>

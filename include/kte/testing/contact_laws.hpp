@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kte/contact/contact_geometry.hpp>
+#include <kte/contract/closure.hpp>
 #include <kte/testing/element_laws.hpp>
 
 /// Laws of the geometry of contacts, for surfaces of kte and of users, like those of testing/element_laws.hpp.

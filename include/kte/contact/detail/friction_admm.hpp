@@ -70,7 +70,7 @@ class friction_admm {
     if (const auto& d = p.contacts[k].sliding) {
       S along = y[r];
       for (int c = 0; c + 1 < n; ++c) along -= mu * (*d)[static_cast<std::size_t>(c)] * y[r + 1 + c];
-      y[r] = std::max<S>(S(0), along / (S(1) + mu * mu));
+      y[r] = (std::max<S>)(S(0), along / (S(1) + mu * mu));
       for (int c = 0; c + 1 < n; ++c) y[r + 1 + c] = -mu * (*d)[static_cast<std::size_t>(c)] * y[r];
       return;
     }
@@ -78,7 +78,7 @@ class friction_admm {
     for (int c = 1; c < n; ++c) length += y[r + c] * y[r + c];
     length = sqrt(length);
     if (length <= mu * y[r]) return;
-    const S normal = std::max<S>(S(0), (y[r] + mu * length) / (S(1) + mu * mu));
+    const S normal = (std::max<S>)(S(0), (y[r] + mu * length) / (S(1) + mu * mu));
     for (int c = 1; c < n; ++c) y[r + c] *= length > S(0) ? S(mu * normal / length) : S(0);
     y[r] = normal;
   }

@@ -101,14 +101,14 @@ class friction_enumeration {
     small_columns<S, 12, 6> B{};
     std::array<S, 12> right{};
     S size(0);
-    for (int i = 0; i < n; ++i) size = std::max<S>(size, A[static_cast<std::size_t>(9 * i)]);
-    const S small = S(10) * sqrt(std::numeric_limits<S>::epsilon()) * size;
+    for (int i = 0; i < n; ++i) size = (std::max<S>)(size, A[static_cast<std::size_t>(9 * i)]);
+    const S tiny = S(10) * sqrt(std::numeric_limits<S>::epsilon()) * size;
     const auto un = static_cast<std::size_t>(n), ug = static_cast<std::size_t>(generators);
     for (std::size_t i = 0; i < un; ++i) {
       right[i] = A[8 * i + un];
       for (std::size_t g = 0; g < ug; ++g) {
         for (std::size_t j = 0; j < un; ++j) B[g][i] += A[8 * i + j] * G_[g][j];
-        B[g][6 + i] = small * G_[g][i];
+        B[g][6 + i] = tiny * G_[g][i];
       }
     }
     const auto a = nonnegative_least_squares<S>(B, right, ug);

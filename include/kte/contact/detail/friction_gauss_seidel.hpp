@@ -52,10 +52,10 @@ std::array<S, 3> contact_alone(const friction_system<S>& p, int i, const std::ar
   S distance(-1);
   const auto consider = [&](const std::array<S, 3>& l) {
     if (!(l[0] > S(0)) || !(l[1] * slip(l, 1) + (n == 3 ? S(l[2] * slip(l, 2)) : S(0)) <= S(0))) return;
-    S far(0);
+    S moved(0);
     for (int e = 0; e < n; ++e)
-      far += (l[static_cast<std::size_t>(e)] - start[e]) * (l[static_cast<std::size_t>(e)] - start[e]);
-    if (distance < S(0) || far < distance) distance = far, best = l;
+      moved += (l[static_cast<std::size_t>(e)] - start[e]) * (l[static_cast<std::size_t>(e)] - start[e]);
+    if (distance < S(0) || moved < distance) distance = moved, best = l;
   };
   if (n == 2) {
     consider(sliding(S(1), S(0)));

@@ -10,7 +10,7 @@ template <class S, class Solution>
 void find_modes(const friction_system<S>& p, Solution& x) {
   using std::sqrt;
   S largest(0);
-  for (const Eigen::Index r : p.first) largest = std::max<S>(largest, x.lambda[static_cast<std::size_t>(r)]);
+  for (const Eigen::Index r : p.first) largest = (std::max<S>)(largest, x.lambda[static_cast<std::size_t>(r)]);
   for (std::size_t k = 0; k < p.contacts.size(); ++k) {
     const auto r = static_cast<std::size_t>(p.first[k]);
     const int n = p.contacts[k].rows;

@@ -28,7 +28,7 @@ class friction_rescue {
         continue;
       }
       eps *= ratio;
-      if (solved) ratio = std::max<S>(ratio * ratio, S(0.1));
+      if (solved) ratio = (std::max<S>)(ratio * ratio, S(0.1));
       std::copy_n(lambda, m, kept_.begin());
       iterations += newton.solve(p, lambda, S(0), 10, o.tolerance, false, residual);
       if (residual <= o.tolerance) return true;

@@ -15,7 +15,7 @@ bool friction_solver<S>::iterate(const friction_options<S>& o) {
     found_.method = method;
     return residual <= o.tolerance;
   };
-  n += newton_.solve(system_, lambda, S(0), std::min(o.newton_steps, 15), o.tolerance, false, residual);
+  n += newton_.solve(system_, lambda, S(0), (std::min)(o.newton_steps, 15), o.tolerance, false, residual);
   if (done(friction_method::newton)) return true;
   n += newton_.solve(system_, lambda, S(0), o.newton_steps, o.tolerance, true, residual);
   if (done(friction_method::newton)) return true;
@@ -118,7 +118,7 @@ std::span<const friction_solution<S>> friction_solver<S>::enumerate(const fricti
     if (!(x.residual <= o.tolerance)) continue;
     x.status = friction_status::solved, x.method = friction_method::enumeration, x.iterations = i + 1;
     S scale(0);
-    for (std::size_t r = 0; r < m; ++r) scale = std::max({scale, S(abs(system_.b[r])), S(abs(x.u[r]))});
+    for (std::size_t r = 0; r < m; ++r) scale = (std::max)({scale, S(abs(system_.b[r])), S(abs(x.u[r]))});
     bool known = false;
     for (std::size_t other = 0; other < count && !known; ++other) {
       known = true;

@@ -40,10 +40,10 @@ struct friction_system {
     for (std::size_t i = 0; i < n; ++i) {
       first[i] = row;
       mu[i] = contacts[i].friction;
-      rho_n[i] = S(1) / std::max<S>(column(row)[row], least);
+      rho_n[i] = S(1) / (std::max<S>)(column(row)[row], least);
       S sum(0);
       for (int k = 1; k < contacts[i].rows; ++k) sum += column(row + k)[row + k];
-      rho_t[i] = S(contacts[i].rows - 1) / std::max<S>(sum, least);
+      rho_t[i] = S(contacts[i].rows - 1) / (std::max<S>)(sum, least);
       row += contacts[i].rows;
     }
   }
@@ -77,18 +77,18 @@ struct friction_system {
     for (int i = 0; i < count(); ++i) {
       const auto k = static_cast<std::size_t>(i);
       const Eigen::Index r = first[k];
-      const S pressure = std::max<S>(S(0), lambda[r] - rho_n[k] * u[r]);
+      const S pressure = (std::max<S>)(S(0), lambda[r] - rho_n[k] * u[r]);
       F[r] = lambda[r] - pressure;
-      scale = std::max({scale, S(abs(lambda[r])), S(rho_n[k] * abs(b[r]))});
-      worst = std::max<S>(worst, abs(F[r]));
+      scale = (std::max)({scale, S(abs(lambda[r])), S(rho_n[k] * abs(b[r]))});
+      worst = (std::max<S>)(worst, abs(F[r]));
       const S radius = mu[k] * pressure;
       S length(0);
       S tau[2]{};
       for (int c = 0; c + 1 < contacts[k].rows; ++c) {
         tau[c] = lambda[r + 1 + c] - rho_t[k] * u[r + 1 + c];
         length += tau[c] * tau[c];
-        scale = std::max<S>(scale, abs(lambda[r + 1 + c]));
-        if (radius > S(0) && !contacts[k].sliding) scale = std::max<S>(scale, rho_t[k] * abs(b[r + 1 + c]));
+        scale = (std::max<S>)(scale, abs(lambda[r + 1 + c]));
+        if (radius > S(0) && !contacts[k].sliding) scale = (std::max<S>)(scale, rho_t[k] * abs(b[r + 1 + c]));
       }
       length = sqrt(length);
       const bool inside = length <= radius;
@@ -96,7 +96,7 @@ struct friction_system {
         S target = inside ? tau[c] : tau[c] * radius / length;
         if (const auto& d = contacts[k].sliding) target = -radius * (*d)[static_cast<std::size_t>(c)];
         F[r + 1 + c] = lambda[r + 1 + c] - target;
-        worst = std::max<S>(worst, abs(F[r + 1 + c]));
+        worst = (std::max<S>)(worst, abs(F[r + 1 + c]));
       }
     }
     return scale > S(0) ? S(worst / scale) : worst;

@@ -13,7 +13,7 @@ S impact_solver<S>::gain(S theta, const friction_problem<S>& part, std::span<con
   b_.assign(part.b.data(), part.b.data() + m);
   std::size_t row = 0;
   for (std::size_t k = 0; k < part.contacts.size(); ++k) {
-    b_[row] += theta * restitution[k] * std::min<S>(b_[row], S(0));
+    b_[row] += theta * restitution[k] * (std::min<S>)(b_[row], S(0));
     row += static_cast<std::size_t>(part.contacts[k].rows);
   }
   friction_problem<S> shifted(part);
@@ -37,8 +37,8 @@ void impact_solver<S>::resolve(const friction_problem<S>& part, std::span<const 
   const S rounding = S(16) * std::numeric_limits<S>::epsilon();
   start_.clear();
   S low(0), high(1), at_high = gain(high, part, restitution);
-  if (at_high > std::max<S>(rounding, last_->residual)) {
-    S at_low = std::min<S>(gain(low, part, restitution), S(0));
+  if (at_high > (std::max<S>)(rounding, last_->residual)) {
+    S at_low = (std::min<S>)(gain(low, part, restitution), S(0));
     int side = 0;
     // The secant method with the Illinois rule
     for (int step = 0; step < 200 && high - low > std::numeric_limits<S>::epsilon() && at_low < S(0); ++step) {
@@ -57,7 +57,7 @@ void impact_solver<S>::resolve(const friction_problem<S>& part, std::span<const 
       }
     }
     gain(low, part, restitution);
-    found_.restitution_factor = std::min<S>(found_.restitution_factor, low);
+    found_.restitution_factor = (std::min<S>)(found_.restitution_factor, low);
   }
   std::size_t row = 0;
   for (std::size_t k = 0; k < first; ++k) row += static_cast<std::size_t>(all_->contacts[k].rows);
@@ -69,10 +69,10 @@ void impact_solver<S>::resolve(const friction_problem<S>& part, std::span<const 
   }
   for (std::size_t k = 0; k < last_->modes.size(); ++k) found_.modes[first + k] = last_->modes[k];
   S of_part(0), of_all(0);
-  for (const S& P : last_->lambda) of_part = std::max<S>(of_part, abs(P));
-  for (const S& P : found_.impulse) of_all = std::max<S>(of_all, abs(P));
+  for (const S& P : last_->lambda) of_part = (std::max<S>)(of_part, abs(P));
+  for (const S& P : found_.impulse) of_all = (std::max<S>)(of_all, abs(P));
   const S residual = of_all > S(0) ? S(last_->residual * of_part / of_all) : last_->residual;
-  found_.residual = std::max<S>(found_.residual, residual);
+  found_.residual = (std::max<S>)(found_.residual, residual);
   if (!last_->solved() && !(residual <= options_.tolerance && last_->status == friction_status::not_converged))
     found_.status = last_->status;
 }
@@ -81,7 +81,7 @@ void impact_solver<S>::resolve(const friction_problem<S>& part, std::span<const 
 template <class S>
 void impact_solver<S>::one_at_a_time(const friction_problem<S>& p, std::span<const S> restitution) {
   S scale(0);
-  for (Eigen::Index r = 0; r < p.b.size(); ++r) scale = std::max<S>(scale, p.b[r] < S(0) ? S(-p.b[r]) : p.b[r]);
+  for (Eigen::Index r = 0; r < p.b.size(); ++r) scale = (std::max<S>)(scale, p.b[r] < S(0) ? S(-p.b[r]) : p.b[r]);
   for (found_.rounds = 0; found_.rounds < 200; ++found_.rounds) {
     std::size_t fastest = 0;
     Eigen::Index row = 0, at = 0;

@@ -41,7 +41,7 @@ class singular_limit {
     }
     if (rank == n) return false;
     S size(0);
-    for (Eigen::Index i = 0; i < n; ++i) size = std::max<S>(size, abs(A[i * stride + n]));
+    for (Eigen::Index i = 0; i < n; ++i) size = (std::max<S>)(size, abs(A[i * stride + n]));
     for (Eigen::Index i = 0; i < rank; ++i) std::copy_n(&at(i, 0, width), n + 1, A + i * stride);
     for (Eigen::Index i = rank; i < n; ++i) {
       if (!(abs(at(i, n, width)) <= S(1e-9) * size)) return false;

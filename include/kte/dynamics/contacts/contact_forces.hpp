@@ -39,7 +39,7 @@ template <class Numbers>
 void put_modes(contact_solver& m, const std::vector<friction_mode>& found, const Numbers& lambda, const Numbers& u) {
   const auto row = [&m](std::size_t i) { return static_cast<std::size_t>(m.touched(i).first); };
   double force = 0;
-  for (std::size_t i = 0; i < found.size(); ++i) force = std::max(force, lambda[row(i)]);
+  for (std::size_t i = 0; i < found.size(); ++i) force = (std::max)(force, lambda[row(i)]);
   const double rate = m.bias.cwiseAbs().maxCoeff();
   m.modes.clear();
   for (std::size_t i = 0; i < found.size(); ++i) {

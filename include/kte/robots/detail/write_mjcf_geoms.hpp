@@ -129,7 +129,7 @@ class mjcf_geoms {
   }
   bool find_mesh(const robot_shape& s, geom& g) {
     auto path = o_.mesh_path && !s.mesh.empty() ? o_.mesh_path(s.mesh) : s.mesh;
-    std::string ending = path.substr(path.size() - std::min<std::size_t>(path.size(), 4));
+    std::string ending = path.substr(path.size() - (std::min<std::size_t>)(path.size(), 4));
     for (char& c : ending) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
     if (path.empty()) return leave_out(s, g.owner, "its mesh '" + s.mesh + "' has no file"), false;
     if (path.find("://") != path.npos)
