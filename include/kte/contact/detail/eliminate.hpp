@@ -15,7 +15,7 @@ S eliminate(S* A, Eigen::Index n, Eigen::Index stride) {
   using four = Eigen::Map<Eigen::Array<S, 4, 1>>;
   using std::abs;
   const Eigen::Index blocks = n / 4 + 1;
-  S smallest = std::numeric_limits<S>::max();
+  S smallest = (std::numeric_limits<S>::max)();
   for (Eigen::Index k = 0; k < n; ++k) {
     Eigen::Index pivot = k;
     S largest = abs(A[k * stride + k]);
