@@ -49,7 +49,8 @@ inline std::map<std::string, kte::model_record> all() {
       if (p.name == "rest_rotation") p.values = {0, -1, 0, 1, 0, 0, 0, 0, 1};
     const auto made = made_of_different_numbers(registry, record);
     const auto& e = dynamic_cast<const kte::kte_element&>(*made);
-    if (e.ports().back().what == kte::kind::loop) continue;  // which static chains do not support
+    const kte::kind last = e.ports().back().what;
+    if (last == kte::kind::loop || last == kte::kind::contact) continue;  // headers hold no closures and contacts
     models["of_" + type] = with_bases(e.record(), e);        // with all of its parameters
   }
   const auto link = [](const char* from, const char* to, std::vector<double> position, std::vector<double> rotation) {
