@@ -96,5 +96,5 @@ TEST_CASE("headers of static chains refuse closures") {
   runtime_chain c;
   c << revolute_joint_2D("q", "base", "link") << coincident_points_2D("pin", "base", "link");
   CHECK_THROWS_WITH(to_header(c, "loop"),
-                    test::contains_text("coincident_points_2D: static chains do not support closures"));
+                    test::contains_text("coincident_points_2D: headers do not support closures"));
 }

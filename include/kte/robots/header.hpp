@@ -42,10 +42,10 @@ class header_writer {
                          ": it is not an element of this library");
     if (e.ports().back().what == kind::loop)
       throw bad_argument("kte: no header can hold a " + std::string(e.type()) +
-                         ": static chains do not support closures of loops");
+                         ": headers do not support closures of loops");
     if (e.ports().back().what == kind::contact)
       throw bad_argument("kte: no header can hold a " + std::string(e.type()) +
-                         ": contacts hold a surface, which headers do not support");
+                         ": headers do not support rigid contacts");
     std::string names;
     for (std::size_t p = 0; p < e.ports().size(); ++p)
       names.append(p == 0 ? "" : ", ").append(key(e.ports()[p].what, e.names()[p]));
