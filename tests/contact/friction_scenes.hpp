@@ -21,12 +21,13 @@ struct friction_scene {
   friction_problem<double> problem() const { return {W, b, contacts}; }
 };
 
-/// How far lambda is from the laws of friction, relative to the largest lambda and b: their products, so that no step
-/// length is needed as in the residual of the solver.
+/// How far lambda is from the laws of friction, relative to the largest lambda or b/W_ii, and b: their products, so
+/// that no step length is needed as in the residual of the solver.
 inline double violation(const friction_scene& s, std::span<const double> found) {
   const Eigen::Map<const Eigen::VectorXd> lambda(found.data(), s.b.size());
   const Eigen::VectorXd u = s.W * lambda + s.b;
-  const double speed = s.b.cwiseAbs().maxCoeff(), force = std::max(lambda.cwiseAbs().maxCoeff(), 1e-300);
+  const double speed = s.b.cwiseAbs().maxCoeff(),
+               force = std::max(lambda.cwiseAbs().maxCoeff(), speed / s.W.diagonal().maxCoeff());
   double worst = 0;
   Eigen::Index r = 0;
   for (const auto& contact : s.contacts) {

@@ -11,14 +11,15 @@ template <class S>
 class friction_rescue {
  public:
   /// Regularised problems W + eps I, eps from 1 to 1e-9: Newton's method, each from the solution before, and from there
-  /// that of W itself. The ratio of one eps to the next is 1/10; where Newton's method fails, its root, at least 0.95.
+  /// that of W itself. The ratio of one eps to the next is `least`; where Newton's method fails, its root, at least
+  /// 0.95.
   bool continuation(const friction_system<S>& p, friction_newton<S>& newton, S* lambda, const friction_options<S>& o,
-                    int& iterations, S& residual) {
+                    int& iterations, S& residual, S least = S(0.1), int stages = 60) {
     using std::sqrt;
     const auto m = static_cast<std::size_t>(p.size);
     kept_.assign(m, S(0));
-    S eps(10), ratio(0.1);
-    for (int stage = 0; stage < 60 && eps > S(1e-9); ++stage) {
+    S eps(10), ratio(least);
+    for (int stage = 0; stage < stages && eps > S(1e-9); ++stage) {
       std::copy_n(kept_.begin(), m, lambda);
       iterations += newton.solve(p, lambda, eps * ratio, 12, S(1e-9), false, residual);
       if (!(residual <= S(1e-9))) iterations += newton.solve(p, lambda, eps * ratio, 25, S(1e-9), true, residual);
@@ -28,7 +29,7 @@ class friction_rescue {
         continue;
       }
       eps *= ratio;
-      if (solved) ratio = (std::max<S>)(ratio * ratio, S(0.1));
+      if (solved) ratio = (std::max<S>)(ratio * ratio, least);
       std::copy_n(lambda, m, kept_.begin());
       iterations += newton.solve(p, lambda, S(0), 10, o.tolerance, false, residual);
       if (residual <= o.tolerance) return true;

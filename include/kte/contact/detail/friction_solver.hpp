@@ -30,6 +30,10 @@ bool friction_solver<S>::iterate(const friction_options<S>& o) {
   keep();
   if (rescue_.gauss_seidel(system_, newton_, lambda, o, n, residual)) return done(friction_method::gauss_seidel);
   keep();
+  for (const double least : {0.3, 0.6, 0.85})  // other paths
+    if (rescue_.continuation(system_, newton_, lambda, o, n, residual, S(least), 400))
+      return done(friction_method::continuation);
+  keep();
   found_.lambda.assign(best_.begin(), best_.end());
   residual = best;
   return false;
