@@ -14,6 +14,8 @@
 #include <kte/dynamics/centroidal.hpp>
 #include <kte/dynamics/closed_loops/statics.hpp>
 #include <kte/dynamics/configuration_space.hpp>
+#include <kte/dynamics/contacts/contact_dynamics.hpp>
+#include <kte/dynamics/contacts/impact.hpp>
 #include <kte/dynamics/derivatives.hpp>
 #include <kte/dynamics/energy.hpp>
 #include <kte/dynamics/forward_dynamics.hpp>
