@@ -95,6 +95,5 @@ TEST_CASE("states with loops go through records, and recorders have forces and r
 TEST_CASE("headers of static chains refuse closures") {
   runtime_chain c;
   c << revolute_joint_2D("q", "base", "link") << coincident_points_2D("pin", "base", "link");
-  CHECK_THROWS_WITH(to_header(c, "loop"),
-                    test::contains_text("coincident_points_2D: headers do not support closures"));
+  CHECK_THROWS_WITH(to_header(c, "loop"), test::contains_text("coincident_points_2D: headers do not support closures"));
 }

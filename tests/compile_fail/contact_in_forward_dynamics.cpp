@@ -1,7 +1,7 @@
 // expect: error: .*kte: this algorithm does not support contacts; contact_dynamics
-#include <kte/kte.hpp>
 #include <kte/contacts.hpp>
 #include <kte/elements/rigid_contact.hpp>
+#include <kte/kte.hpp>
 
 inline constexpr struct foot_ final : kte::contact_key<"foot"> {
 } foot;
