@@ -1,5 +1,4 @@
 // expect: error: .*kte: this algorithm does not support contacts; contact_dynamics
-#include <kte/contacts.hpp>
 #include <kte/elements/rigid_contact.hpp>
 #include <kte/kte.hpp>
 

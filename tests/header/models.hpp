@@ -51,7 +51,7 @@ inline std::map<std::string, kte::model_record> all() {
     const auto& e = dynamic_cast<const kte::kte_element&>(*made);
     const kte::kind last = e.ports().back().what;
     if (last == kte::kind::loop || last == kte::kind::contact) continue;  // headers hold no closures and contacts
-    models["of_" + type] = with_bases(e.record(), e);        // with all of its parameters
+    models["of_" + type] = with_bases(e.record(), e);                     // with all of its parameters
   }
   const auto link = [](const char* from, const char* to, std::vector<double> position, std::vector<double> rotation) {
     return kte::element_record{"rigid_link_3D",
