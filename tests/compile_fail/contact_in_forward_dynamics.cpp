@@ -1,6 +1,8 @@
 // expect: error: .*kte: this algorithm does not support contacts; contact_dynamics
-#include <kte/elements/rigid_contact.hpp>
+// clang-format off
 #include <kte/kte.hpp>
+#include <kte/elements/rigid_contact.hpp>
+// clang-format on
 
 inline constexpr struct foot_ final : kte::contact_key<"foot"> {
 } foot;
