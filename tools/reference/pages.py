@@ -19,7 +19,7 @@ FOLDERS = {  # folder of include/kte -> title of its page, in the order of the m
     'static_chain': 'Static chains', 'runtime_chain': 'Runtime chains', 'dynamics': 'Algorithms', 'models': 'Systems',
     'integrators': 'Integrators', 'events': 'Events', 'control': 'Control', 'manipulators': 'Manipulators', 'io': 'Files',
     'robots': 'Robots', 'view': 'View', 'adapters': 'Adapters', 'reak': 'ReaK', 'testing': 'Testing'}
-NOT_NAMES = {'core', 'io', 'sundials', 'robots', 'kte', 'compiled', 'view', 'live', 'detail'}  # CMake targets
+NOT_NAMES = {'core', 'io', 'sundials', 'robots', 'kte', 'compiled', 'view', 'live', 'mpi', 'detail'}  # CMake targets
 KINDS = {'class': 'class', 'forward': 'class', 'enum': 'enumeration', 'enumerator': 'enumerator', 'alias': 'type', 'variable': 'constant',
          'function': 'function', 'concept': 'concept'}
 
