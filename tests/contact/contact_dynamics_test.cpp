@@ -4,6 +4,7 @@
 #include <kte/elements/rigid_contact.hpp>
 
 #include "catch.hpp"
+#include "closed_loops/static_four_bar.hpp"
 #include "closed_loops/tangle.hpp"
 #include "random.hpp"
 
@@ -366,48 +367,21 @@ TEST_CASE("without contacts that touch, accelerations are those of the chain") {
 }
 
 namespace {
-inline constexpr struct world_ final : frame_2D_key<"world"> {
-} world;
-inline constexpr struct crank_ final : coord_key<"crank"> {
-} crank;
-inline constexpr struct coupler_ final : coord_key<"coupler"> {
-} coupler;
-inline constexpr struct rocker_ final : coord_key<"rocker"> {
-} rocker;
-inline constexpr struct a_ final : frame_2D_key<"a"> {
-} a;
-inline constexpr struct A_ final : frame_2D_key<"A"> {
-} A;
-inline constexpr struct b_ final : frame_2D_key<"b"> {
-} b;
-inline constexpr struct B1_ final : frame_2D_key<"B1"> {
-} B1;
-inline constexpr struct r_ final : frame_2D_key<"r"> {
-} r;
-inline constexpr struct B2_ final : frame_2D_key<"B2"> {
-} B2;
-inline constexpr struct pin_ final : loop_key<"pin"> {
-} pin;
 inline constexpr struct foot_ final : contact_key<"foot"> { } foot; }  // namespace
 
 TEST_CASE("a static four-bar that touches a wall has the accelerations and forces of the same at run time") {
-  constexpr auto body = planar_body(1.0, 0.02, along_x(0.3));
-  const Eigen::Vector3d guess(1.1, -0.5, 1.5);
-  const auto four_bar = [&](const auto& radius_of_ball) {
-    return chain(revolute_joint_2D(crank, world, a), inertia_2D(a, body), rigid_link_2D(a, A, along_x(0.4)),
-                 revolute_joint_2D(coupler, A, b), inertia_2D(b, body), rigid_link_2D(b, B1, along_x(1.1)),
-                 revolute_joint_2D(rocker, world, r).at(vec2<>{1, 0}), inertia_2D(r, body),
-                 rigid_link_2D(r, B2, along_x(0.8)), coincident_points_2D(pin, B1, B2),
-                 sphere_contact_2D(foot, world, B2, ball_surface(radius_of_ball), 0.1, {0.3, 0.5}))
+  using namespace kte::test::loops::with_keys;
+  const auto touching = [&](const auto& radius_of_ball) {
+    return chain(four_bar, sphere_contact_2D(foot, base, B2, ball_surface(radius_of_ball), 0.1, {0.3, 0.5}))
         .gravity(along_y(-g));
   };
-  const auto measured = four_bar(0.5);
+  const auto measured = touching(0.5);
   const auto q = assemble(measured, guess, held(crank));
   runtime_chain free;
   free << measured;
   auto s = free.make_state();
   detail::take(free, s, q, Eigen::Vector3d(0, 0, 0)).call([&] { free.doMotion(s); });
-  const auto c = four_bar(0.5 + s.contact("foot").gap);
+  const auto c = touching(0.5 + s.contact("foot").gap);
   runtime_chain same;
   same << c;
   s = same.make_state();

@@ -24,7 +24,7 @@ linear_system<> linearized_loops(const runtime_chain& c, runtime_state& s, const
 template <indexable Q, indexable V, indexable T>
 [[nodiscard]] linear_system<> linearize(const runtime_chain& c, runtime_state& s, const Q& q, const V& v, const T& tau,
                                         const actuated_coordinates& by) {
-  detail::check_regular_tree(c, s);
+  detail::check_regular_tree(c, s), detail::refuse_contacts(c);
   return detail::take(c, s, q, v, detail::found_later{}, tau).call([&] {
     return detail::linearized_loops(c, s, detail::as_vector(tau, s.dofs()), by.names);
   });

@@ -105,6 +105,7 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
     const joint_vector<S, size::v> none = joint_vector<S, size::v>::Zero();
     rate r;
     r.template head<size::v>() = this->velocities_of(x);
+    static_assert(sizeof(detail::check_contacts_of<chain_type>) > 0);
     if constexpr (closes)
       r.template segment<size::v>(size::v) = loops::accelerations(*this, loops_, at, v, bases, none);
     else

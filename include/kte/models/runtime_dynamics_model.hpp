@@ -232,7 +232,7 @@ KTE_FUNCTION auto manipulator_dynamics_model<runtime_chain>::computeStateRate(do
   return rate_;
 }
 KTE_FUNCTION const Eigen::VectorXd& manipulator_dynamics_model<runtime_chain>::accelerations_in_step() const {
-  detail::check_regular_tree(chain(), s_), detail::check_positions(s_);
+  detail::refuse_contacts(chain()), detail::check_regular_tree(chain(), s_), detail::check_positions(s_);
   const auto none = [](int) { return 0.0; };
   const detail::runtime_model_loops loops{*this, s_, loops_};
   const auto& a = detail::constrained_accelerations(chain(), s_, none, detail::rows_of_stage(loops));

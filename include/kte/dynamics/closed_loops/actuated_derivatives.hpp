@@ -29,7 +29,7 @@ template <indexable Q, indexable V, indexable T>
 actuated_dynamics_derivatives_result actuated_dynamics_derivatives(const runtime_chain& c, runtime_state& s, const Q& q,
                                                                    const V& v, const T& tau,
                                                                    const actuated_coordinates& by) {
-  detail::check_regular_tree(c, s);
+  detail::check_regular_tree(c, s), detail::refuse_contacts(c);
   return detail::take(c, s, q, v, detail::found_later{}, tau).call([&] {
     return detail::actuated_dynamics_derived(c, s, detail::as_vector(tau, s.dofs()), by.names);
   });

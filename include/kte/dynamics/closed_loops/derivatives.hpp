@@ -51,7 +51,7 @@ Eigen::VectorXd as_vector(const X& x, int n) {
 template <indexable Q, indexable V, indexable T>
 constrained_dynamics_derivatives_result constrained_dynamics_derivatives(const runtime_chain& c, runtime_state& s,
                                                                          const Q& q, const V& v, const T& tau) {
-  detail::check_regular_tree(c, s);
+  detail::check_regular_tree(c, s), detail::refuse_contacts(c);
   return detail::take(c, s, q, v, detail::found_later{}, tau).call([&] {
     return detail::constrained_dynamics_derived(c, s, detail::as_vector(tau, s.dofs()));
   });

@@ -23,7 +23,7 @@ equilibrium equilibrium_of_loops(const runtime_chain& c, runtime_state& s, const
 template <indexable Q>
 natural_modes_result natural_modes(const runtime_chain& c, runtime_state& s, const Q& q,
                                    const actuated_coordinates& by) {
-  detail::check_regular_tree(c, s);
+  detail::check_regular_tree(c, s), detail::refuse_contacts(c);
   const Eigen::VectorXd none = Eigen::VectorXd::Zero(s.dofs());
   return detail::take(c, s, q, none, detail::found_later{}).call([&] {
     return detail::modes_of_loops(c, s, by.names);
@@ -41,7 +41,7 @@ natural_modes_result natural_modes(const runtime_chain& c, runtime_state& s, con
 /// `no_solution` if 1000 steps do not reach an equilibrium; the state is then unchanged.
 template <indexable Q>
 equilibrium static_equilibrium(const runtime_chain& c, runtime_state& s, const Q& q0, const actuated_coordinates& by) {
-  detail::check_regular_tree(c, s);
+  detail::check_regular_tree(c, s), detail::refuse_contacts(c);
   const Eigen::VectorXd none = Eigen::VectorXd::Zero(s.dofs());
   return detail::take(c, s, q0, none, detail::found_later{}).call([&] {
     return detail::equilibrium_of_loops(c, s, by.names);
