@@ -57,7 +57,7 @@ class event_loop {
         if (!e.function.mend(t, x_)) return;
         any = true;
         record_.before(k, watch::name_of(e), t, safe_);
-        record_.after(x_, false);
+        record_.after(x_, false, watch::change_of(e));
       }
     });
     if (!any) return;
@@ -153,7 +153,7 @@ class event_loop {
         reset = true;
         call_reset(e, s, k, t);
       }
-      record_.after(x_, s.rested);
+      record_.after(x_, s.rested, watch::change_of(e));
       if (e.is_terminal) record_.stop(stop_reason::terminal, k, watch::name_of(e));
     });
     restart(t);

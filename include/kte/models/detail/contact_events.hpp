@@ -1,0 +1,253 @@
+#pragma once
+
+#include <kte/models/detail/contact_steps.hpp>
+
+/// Events of rigid contacts in a model: the functions that pass through zero where a contact changes its mode, and the
+/// change (docs/contact.md).
+namespace kte::detail {
+
+/// Sliding in space slower than this stops, m/s relative to the length of the chain: the direction of slow sliding turns
+/// fast, which is stiff.
+inline constexpr double stop_of_sliding = 1e-8;
+/// Whether a contact slides, at an event.
+inline bool slides_at_event(const contact_solver& m, const contact_at& x) {
+  const vec3<> t = contact_workspace::tangential(x);
+  return std::sqrt(dot(t, t)) > (x.planar ? rest_velocity : 1.01 * stop_of_sliding) * m.equations.places.length;
+}
+
+/// Forces that satisfy the laws and give the accelerations of the modes, if those of least norm do not, and there are
+/// such: contacts are redundant. Returns whether there are.
+template <class Contacts, class State>
+bool find_admissible_forces(const Contacts& c, State& s, contact_solver& m) {
+  const Eigen::VectorXd a = m.change_of_motion, forces = m.forces, bias = m.bias;
+  const auto modes = m.modes;
+  m.make_matrix(c, s, m.equations.acceleration);
+  const auto status = find_friction(m);
+  bool same = false;
+  if (status == friction_status::solved || status == friction_status::several_solutions) {
+    m.accelerate(s, m.change_of_motion);
+    same = (m.change_of_motion - a).norm() <= 1e-8 * a.norm();
+  }
+  m.modes = modes, m.change_of_motion = a;
+  if (!same) m.forces = forces;
+  m.bias = bias;
+  return same;
+}
+/// The normal force of contact i of those that touch, and its reserve of friction, mu lambda_n - |lambda_t|, N.
+inline std::array<double, 2> reserves(const contact_solver& m, std::size_t i) {
+  const auto& x = m.touched(i);
+  const vec3<> force = m.force_of(x);
+  const double normal = dot(force, x.place.normal);
+  const vec3<> t = force - normal * x.place.normal;
+  return {normal, x.place.law.friction * normal - std::sqrt(dot(t, t))};
+}
+/// The functions of contact i of those that touch: its normal force, N; of one that sticks, its reserve of friction; of
+/// one that slides, its velocity in the direction in which sliding began, less that of rest, and relative to zero.
+inline std::array<double, 3> margins_of_closed(const contact_solver& m, std::size_t i, const vec3<>& start, double tiny) {
+  const auto& x = m.touched(i);
+  const auto [normal, reserve] = reserves(m, i);
+  if (m.modes[i] == contact_mode::sticks) return {normal + tiny, reserve + tiny, 1};
+  if (x.place.law.friction == 0) return {normal + tiny, 1, 1};
+  const double along = dot(contact_workspace::tangential(x), start);
+  return {normal + tiny, along - (x.planar ? 0 : stop_of_sliding * m.equations.places.length), x.planar ? 1 : along};
+}
+/// The largest force of contacts that touch, and of those that hold against the other forces, N.
+inline double largest_force(const contact_solver& m, const forces_in_modes& forces) {
+  double most = 0;
+  for (std::size_t i = 0; i < m.touching.size(); ++i) {
+    const auto& x = m.touched(i);
+    const auto b = forces.rows.all.col(forces.rows.of_closures + x.first);
+    most = (std::max)({most, std::abs(m.forces[x.first]), std::abs(m.bias[x.first]) / b.squaredNorm()});
+  }
+  return most / m.equations.places.length;
+}
+/// Replaces forces that do not satisfy the laws by such that do, if there are. Returns the first contact, of those that
+/// touch, that violates them by more than `tolerated`, relative to the largest force; -1: none.
+template <class Contacts, class State>
+int admit_forces(const Contacts& c, State& s, contact_solver& m, forces_in_modes& forces, double tolerated) {
+  const double most = tolerated * largest_force(m, forces);
+  const auto first_wrong = [&] {
+    for (std::size_t i = 0; i < m.touching.size(); ++i) {
+      const auto [normal, reserve] = reserves(m, i);
+      if (normal < -most || (m.modes[i] == contact_mode::sticks && reserve < -most)) return static_cast<int>(i);
+    }
+    return -1;
+  };
+  if (const int wrong = first_wrong(); wrong < 0 || !forces.redundant() || !find_admissible_forces(c, s, m))
+    return wrong;
+  put_contacts(m, s);
+  return -1;
+}
+/// The functions of all contacts at the time t and the state x, by number; of open ones their gap, m.
+template <class Access, class X>
+const std::vector<std::array<double, 3>>& contact_margins(const Access& a, double t, const X& x) {
+  auto& step = a.memory();
+  if (step.margin_x.size() == x.size() && step.margin_x == x && step.margin_time == t) return step.margins;
+  step.margin_x.resize(0);
+  a.at(t, x, [&](const auto& c, auto& s, contact_solver& m) {
+    step.margins.assign(m.contacts.size(), {1, 1, 1});
+    bool closed = false;
+    for (const auto& y : m.contacts)
+      closed |= mode_of(s.template get<kind::contact>(y.slot)) != contact_mode::open;
+    std::vector<vec3<>> starts;
+    for (const auto& y : m.contacts) starts.push_back(s.template get<kind::contact>(y.slot).direction);
+    if (!closed) {
+      m.equations.at_positions(c, s, false);
+      m.find(c, s);
+      m.touching.clear();
+    } else {
+      accelerate_in_modes(c, s, m, step.forces);
+    }
+    for (std::size_t k = 0; k < m.contacts.size(); ++k) step.margins[k][0] = m.contacts[k].place.gap;
+    if (!closed) return;
+    const bool admitted = admit_forces(c, s, m, step.forces, 1e-11) < 0;
+    const double tiny = 1e-11 * largest_force(m, step.forces);
+    for (std::size_t i = 0; i < m.touching.size(); ++i) {
+      const auto k = static_cast<std::size_t>(m.touching[i]);
+      auto& own = step.margins[k] = margins_of_closed(m, i, starts[k], tiny);
+      if (!admitted) continue;
+      own[0] = (std::max)(own[0], tiny);
+      if (m.modes[i] == contact_mode::sticks) own[1] = (std::max)(own[1], tiny);
+    }
+    if (step.forces.jammed >= 0) {
+      auto& own = step.margins[static_cast<std::size_t>(m.touching[static_cast<std::size_t>(step.forces.jammed)])];
+      own[0] = -std::abs(own[0]) - tiny;
+    }
+  });
+  step.margin_x = x, step.margin_time = t;
+  return step.margins;
+}
+
+/// The accelerations of a model at t and x, for stages of steps, written to `forces` of the working memory.
+template <class Access, class Contacts, class State, class X>
+void accelerate_in_step(const Access& a, const Contacts& c, State& s, contact_solver& m, double t, const X& x) {
+  auto& step = a.memory();
+  step.time = t, step.margin_x.resize(0);
+  const bool starts = step.x0.size() == x.size() && step.x0 == x;
+  accelerate_in_modes(c, s, m, step.forces);
+  put_forces_of_closures(m, s);
+  if (!starts) return;
+  const int wrong = admit_forces(c, s, m, step.forces, 1e-6);
+  if (wrong < 0) [[likely]]
+    return;
+  const auto& y = m.touched(static_cast<std::size_t>(wrong));
+  const double normal = reserves(m, static_cast<std::size_t>(wrong))[0];
+  raise<bad_argument>("kte: " + name_of(c, m, y) +
+                      (normal < 0 ? " is closed, but pulls with " + number(-normal) + " N"
+                                  : std::string(" sticks, but its force exceeds friction")) +
+                      ": integrate with kte::element_events(model), which changes modes");
+}
+
+/// What happened to a contact at an event.
+struct contact_change {
+  const char* impact = nullptr;
+  double rest_time = -1;  ///< of bounces that get smaller, s
+  bool bounces = false;
+  contact_mode before{}, after{};
+  vec3<> direction{};  ///< of sliding, before
+  bool turns = false;
+};
+template <class Contacts>
+std::string text_of_changes(const Contacts& c, const contact_solver& m, const std::vector<contact_change>& all) {
+  std::string text;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const auto& x = all[i];
+    std::string words;
+    const auto say = [&words](const std::string& w) { words += (words.empty() ? "" : ", ") + w; };
+    if (x.impact) say(x.impact);
+    if (x.rest_time >= 0) say("rests at " + number(x.rest_time) + " s");
+    if (x.before != x.after || x.impact)
+      say(x.after == contact_mode::sticks   ? "sticks"
+          : x.after == contact_mode::slides ? "slides"
+          : x.impact                        ? "bounces"
+                                            : "lifts");
+    else if (x.turns)
+      say("turns");
+    if (words.empty()) continue;
+    text += (text.empty() ? "'" : "; '") + c.loop_name(m.place(m.contacts[i]).loop) + "': " + words;
+  }
+  return text;
+}
+
+/// Resolves impacts at the state x, finds the modes of all contacts, and puts x on the rows of closed ones:
+///
+///   while contacts approach: impact; then Coulomb's law for accelerations; if that is jammed: tangential impact
+///
+/// A contact whose next bounce is lower than the touching gap comes to rest: bounces at intervals that shrink by e would
+/// end, with a constant acceleration -g_n of the gap, at
+///
+///   t + 2 e w/(g_n (1 - e)),   w: velocity of approach                                    (1)
+template <class Access, class X>
+void resolve_contacts(const Access& a, double t, X& x) {
+  auto& step = a.memory();
+  step.x0.resize(0), step.margin_x.resize(0), step.time = t;
+  const auto& model = a.model;
+  const Eigen::Index n = model.velocity_count(), at_v = x.size() - model.internals() - n;
+  const Eigen::Index at_modes = x.size() - numbers_of_contact * a.contacts();
+  Eigen::VectorXd v = x.segment(at_v, n);
+  std::vector<contact_change> changes;
+  bool done = false, ambiguous = false;
+  for (int round = 0; !done; ++round) {
+    a.at(t, x, [&](const auto& c, auto& s, contact_solver& m) {
+      if (changes.empty()) {
+        changes.resize(m.contacts.size());
+        for (std::size_t i = 0; i < changes.size(); ++i) {
+          const auto& of = s.template get<kind::contact>(m.contacts[i].slot);
+          changes[i].before = mode_of(of), changes[i].direction = of.direction;
+        }
+      }
+      if (round == 50) [[unlikely]]
+        raise<no_solution>("kte: impacts at contacts " + names_of_touching(c, m) + " do not end");
+      const auto note = [&](const char* word) {
+        for (std::size_t i = 0; i < m.touching.size(); ++i)
+          if (m.forces[m.touched(i).first] > 0) changes[static_cast<std::size_t>(m.touching[i])].impact = word;
+      };
+      accelerate_freely(c, s, m, [](int) { return 0.0; });
+      bool approaches = false;
+      for (std::size_t i = 0; i < m.contacts.size(); ++i) {
+        const auto& y = m.contacts[i];
+        refuse_depth(c, m, y, " at the start");
+        if (!m.touches(y) || !(normal_velocity(m, y) < -1)) continue;
+        approaches = true;
+        const double e = y.place.law.restitution, w = -dot(y.place.normal, y.slip);
+        const double gap_ddot = dot(y.place.normal, m.unscaled(y, m.equations.acceleration)) + y.place.bending;
+        changes[i].bounces = !(gap_ddot < 0 && e * w * e * w / (-2 * gap_ddot) < touching_gap * m.equations.places.length);
+        if (!changes[i].bounces && e > 0) changes[i].rest_time = e < 1 ? t + 2 * e * w / (-gap_ddot * (1 - e)) : t;
+      }
+      const auto hit = [&](const char* word) {
+        strike(c, s, m, step.impacts, impact_law::at_once, v, [&](const contact_at& y) {
+          return changes[static_cast<std::size_t>(&y - m.contacts.data())].bounces ? y.place.law.restitution : 0.0;
+        });
+        note(word);
+      };
+      if (approaches) return hit("impact");
+      const auto status = find_contact_forces(
+          c, s, m, [](int) { return 0.0; }, [&m](const contact_at& y) { return slides_at_event(m, y); });
+      if (status == friction_status::no_solution) return hit("tangential impact");
+      if (status == friction_status::not_converged) [[unlikely]]
+        raise_no_forces(c, m, status);
+      ambiguous = status == friction_status::several_solutions;
+      for (std::size_t i = 0; i < m.touching.size(); ++i) {
+        const auto& y = m.touched(i);
+        auto& to = s.template get<kind::contact>(y.slot);
+        if (y.place.law.friction == 0 && mode_of(to) == contact_mode::sticks)
+          to.mode = static_cast<double>(contact_mode::slides), to.direction = y.basis[1];
+      }
+      for (std::size_t i = 0; i < m.contacts.size(); ++i) {
+        const auto& of = s.template get<kind::contact>(m.contacts[i].slot);
+        changes[i].after = mode_of(of);
+        changes[i].turns = mode_of(of) == contact_mode::slides && dot(changes[i].direction, of.direction) < 0.999;
+        put_mode(of, at_modes + numbers_of_contact * m.contacts[i].slot, x);
+      }
+      step.change = text_of_changes(c, m, changes);
+      if (ambiguous) step.change += "; ambiguous: other accelerations satisfy the laws of contact too";
+      done = true;
+    });
+    x.segment(at_v, n) = v;
+  }
+  const X x0 = x;
+  auto d = a.no_displacement();
+  settle_contacts(a, x0, d, x);
+}
+
+}  // namespace kte::detail
