@@ -141,6 +141,10 @@ void accelerate_freely(const Contacts& c, State& s, contact_solver& m, const Tau
     e.acceleration += e.times(a0);
   }
 }
+/// g'' of a contact without contact forces, after `accelerate_freely`.
+inline double free_gap_ddot(const contact_solver& m, const contact_at& x) {
+  return dot(x.place.normal, m.unscaled(x, m.equations.acceleration)) + x.place.bending;
+}
 /// Writes u' of contact i of those that touch, after `accelerate_freely`; its normal part is g''.
 inline void put_bias(contact_solver& m, std::size_t i) {
   const auto& x = m.touched(i);
@@ -151,13 +155,14 @@ inline void put_bias(contact_solver& m, std::size_t i) {
 ///
 ///   u' = W lambda + b,   a = a_0 + L^-1 B lambda          (1)
 ///
-/// a_0: accelerations of the tree, b: u' for a_0. Contacts slide if slides(contact). Raises `bad_argument` for a contact
-/// that approaches. If there are no forces that satisfy the laws, the accelerations are not found.
-template <class Contacts, class State, class Tau, class Slides>
+/// a_0: accelerations of the tree, b: u' for a_0. Contacts that touch open if leaves(contact), and slide if
+/// slides(contact). Raises `bad_argument` for a contact that approaches. If there are no forces that satisfy the laws,
+/// the accelerations are not found.
+template <class Contacts, class State, class Tau, class Leaves, class Slides>
 friction_status find_contact_forces(const Contacts& c, State& s, contact_solver& m, const Tau& applied,
-                                    const Slides& slides) {
+                                    const Leaves& leaves, const Slides& slides) {
   accelerate_freely(c, s, m, applied);
-  m.choose([&](const contact_at& x) { return m.touches(x) && !(normal_velocity(m, x) > 1); });
+  m.choose([&](const contact_at& x) { return m.touches(x) && !leaves(x); });
   for (std::size_t i = 0; i < m.touching.size(); ++i) {
     const auto& x = m.touched(i);
     if (normal_velocity(m, x) < -1) [[unlikely]]
@@ -178,8 +183,9 @@ friction_status find_contact_forces(const Contacts& c, State& s, contact_solver&
 /// several solutions.
 template <class Contacts, class State, class Tau>
 bool accelerate_with_contacts(const Contacts& c, State& s, contact_solver& m, const Tau& applied) {
-  const auto status =
-      find_contact_forces(c, s, m, applied, [&m](const contact_at& x) { return slides(m, x); });
+  const auto status = find_contact_forces(
+      c, s, m, applied, [&m](const contact_at& x) { return normal_velocity(m, x) > 1; },
+      [&m](const contact_at& x) { return slides(m, x); });
   if (status == friction_status::no_solution || status == friction_status::not_converged) [[unlikely]]
     raise_no_forces(c, m, status);
   return status == friction_status::several_solutions;

@@ -12,7 +12,7 @@ inline constexpr double stop_of_sliding = 1e-8;
 /// Whether a contact slides, at an event.
 inline bool slides_at_event(const contact_solver& m, const contact_at& x) {
   const vec3<> t = contact_workspace::tangential(x);
-  return std::sqrt(dot(t, t)) > (x.planar ? rest_velocity : 1.01 * stop_of_sliding) * m.equations.places.length;
+  return std::sqrt(dot(t, t)) > (x.planar ? rest_velocity : 2 * stop_of_sliding) * m.equations.places.length;
 }
 
 /// Forces that satisfy the laws and give the accelerations of the modes, if those of least norm do not, and there are
@@ -33,6 +33,12 @@ bool find_admissible_forces(const Contacts& c, State& s, contact_solver& m) {
   m.bias = bias;
   return same;
 }
+/// Whether a contact that touches leaves the surface, at an event: not if it would fall back from a height that events do
+/// not resolve.
+inline bool leaves_at_event(const contact_solver& m, const contact_at& x) {
+  const double speed = dot(x.place.normal, x.slip), height = 1e-13 * m.equations.places.length;
+  return normal_velocity(m, x) > 1 && speed * speed > 2 * height * std::abs(free_gap_ddot(m, x));
+}
 /// The normal force of contact i of those that touch, and its reserve of friction, mu lambda_n - |lambda_t|, N.
 inline std::array<double, 2> reserves(const contact_solver& m, std::size_t i) {
   const auto& x = m.touched(i);
@@ -49,7 +55,9 @@ inline std::array<double, 3> margins_of_closed(const contact_solver& m, std::siz
   if (m.modes[i] == contact_mode::sticks) return {normal + tiny, reserve + tiny, 1};
   if (x.place.law.friction == 0) return {normal + tiny, 1, 1};
   const double along = dot(contact_workspace::tangential(x), start);
-  return {normal + tiny, along - (x.planar ? 0 : stop_of_sliding * m.equations.places.length), x.planar ? 1 : along};
+  if (x.planar) return {normal + tiny, along, 1};
+  const double length = m.equations.places.length;
+  return {normal + tiny, along - stop_of_sliding * length, along + least_sliding * length};
 }
 /// The largest force of contacts that touch, and of those that hold against the other forces, N.
 inline double largest_force(const contact_solver& m, const forces_in_modes& forces) {
@@ -78,6 +86,11 @@ int admit_forces(const Contacts& c, State& s, contact_solver& m, forces_in_modes
   put_contacts(m, s);
   return -1;
 }
+/// The gap of a contact, m; zero within its rounding error, so that a contact that opens begins at zero.
+inline double gap_beyond_rounding(const contact_solver& m, const contact_at& x) {
+  const double size = m.equations.places.length + std::sqrt(dot(x.place.point, x.place.point));
+  return std::abs(x.place.gap) <= 4 * std::numeric_limits<double>::epsilon() * size ? 0.0 : x.place.gap;
+}
 /// The functions of all contacts at the time t and the state x, by number; of open ones their gap, m.
 template <class Access, class X>
 const std::vector<std::array<double, 3>>& contact_margins(const Access& a, double t, const X& x) {
@@ -98,7 +111,7 @@ const std::vector<std::array<double, 3>>& contact_margins(const Access& a, doubl
     } else {
       accelerate_in_modes(c, s, m, step.forces);
     }
-    for (std::size_t k = 0; k < m.contacts.size(); ++k) step.margins[k][0] = m.contacts[k].place.gap;
+    for (std::size_t k = 0; k < m.contacts.size(); ++k) step.margins[k][0] = gap_beyond_rounding(m, m.contacts[k]);
     if (!closed) return;
     const bool admitted = admit_forces(c, s, m, step.forces, 1e-11) < 0;
     const double tiny = 1e-11 * largest_force(m, step.forces);
@@ -136,6 +149,29 @@ void accelerate_in_step(const Access& a, const Contacts& c, State& s, contact_so
                       (normal < 0 ? " is closed, but pulls with " + number(-normal) + " N"
                                   : std::string(" sticks, but its force exceeds friction")) +
                       ": integrate with kte::element_events(model), which changes modes");
+}
+
+/// Moves x so that the gaps of all contacts that touch are zero, also of those that open.
+template <class Access, class X>
+void close_gaps(const Access& a, double t, X& x) {
+  auto& step = a.memory();
+  Eigen::VectorXd change;
+  for (int i = 0; i < 2; ++i) {
+    a.at(t, x, [&](const auto& c, auto& s, contact_solver& m) {
+      auto& e = m.equations;
+      e.at_positions(c, s, !s.tree().plan.tree);
+      m.factor.factorize(c, s, e);
+      m.find(c, s);
+      m.choose([&m](const contact_at& y) { return m.touches(y); });
+      put_rows_of_gaps(m, step.working);
+      step.working.fill(c, s, m), step.working.factorize(nullptr);
+      put_gaps(m, step.working, step.values);
+      step.working.least_change(s, m, step.values, change);
+    });
+    const X x0 = x;
+    auto d = a.no_displacement();
+    take_from_displacement(a.model, x0, 0, change, d, x);
+  }
 }
 
 /// What happened to a contact at an event.
@@ -210,7 +246,7 @@ void resolve_contacts(const Access& a, double t, X& x) {
         if (!m.touches(y) || !(normal_velocity(m, y) < -1)) continue;
         approaches = true;
         const double e = y.place.law.restitution, w = -dot(y.place.normal, y.slip);
-        const double gap_ddot = dot(y.place.normal, m.unscaled(y, m.equations.acceleration)) + y.place.bending;
+        const double gap_ddot = free_gap_ddot(m, y);
         changes[i].bounces = !(gap_ddot < 0 && e * w * e * w / (-2 * gap_ddot) < touching_gap * m.equations.places.length);
         if (!changes[i].bounces && e > 0) changes[i].rest_time = e < 1 ? t + 2 * e * w / (-gap_ddot * (1 - e)) : t;
       }
@@ -222,7 +258,8 @@ void resolve_contacts(const Access& a, double t, X& x) {
       };
       if (approaches) return hit("impact");
       const auto status = find_contact_forces(
-          c, s, m, [](int) { return 0.0; }, [&m](const contact_at& y) { return slides_at_event(m, y); });
+          c, s, m, [](int) { return 0.0; }, [&m](const contact_at& y) { return leaves_at_event(m, y); },
+          [&m](const contact_at& y) { return slides_at_event(m, y); });
       if (status == friction_status::no_solution) return hit("tangential impact");
       if (status == friction_status::not_converged) [[unlikely]]
         raise_no_forces(c, m, status);
@@ -245,6 +282,7 @@ void resolve_contacts(const Access& a, double t, X& x) {
     });
     x.segment(at_v, n) = v;
   }
+  close_gaps(a, t, x);
   const X x0 = x;
   auto d = a.no_displacement();
   settle_contacts(a, x0, d, x);
