@@ -116,9 +116,7 @@ constexpr int parts_of_contact(const closure_rows& rows) { return rows.linear; }
 template <class Model, class T, class X>
 bool mend_contacts(const Model& model, const T& t, X& x) {
   X after = x;
-  (void)model.resolve_contacts(t, after);
-  bool wrong = false;
-  model.each_contact([&](int, int first) { wrong = wrong || after[first] != x[first]; });
+  bool wrong = !model.resolve_contacts(t, after).empty();
   const auto v = model.velocities_of(x);
   wrong |= (model.velocities_of(after) - v).cwiseAbs().maxCoeff() > 1e-9 * (1 + v.cwiseAbs().maxCoeff());
   if (wrong) x = after;
@@ -138,7 +136,7 @@ struct contact_switching {
   template <class T, class X>
   void switch_over(const T& t, X& x) const {
     auto own = own_part(x);
-    (void)model->resolve_contacts(t, own);
+    (void)model->resolve_contacts(t, own, true);
     x.head(own.size()) = own;
   }
   template <class T, class X>

@@ -128,8 +128,8 @@ class manipulator_dynamics_model<runtime_chain, double, void> : public state_spa
   /// friction or velocity of sliding, 2: sense of sliding in space.
   [[nodiscard]] double contact_margin(double t, const state& x, int contact, int part) const;
   /// Resolves impacts, finds the modes of all contacts, and puts x on the rows of closed ones. Returns what changed,
-  /// valid until the next call.
-  std::string_view resolve_contacts(double t, state& x) const;
+  /// valid until the next call. `along_solution`: x is a state of an integrator with the present modes.
+  std::string_view resolve_contacts(double t, state& x, bool along_solution = false) const;
   /// What the last `resolve_contacts` has changed.
   [[nodiscard]] std::string_view contact_change() const;
 
@@ -253,8 +253,9 @@ KTE_FUNCTION double manipulator_dynamics_model<runtime_chain>::contact_margin(do
   return detail::contact_margins(contacts_of_model(), t, x)[static_cast<std::size_t>(contact)]
                                                            [static_cast<std::size_t>(part)];
 }
-KTE_FUNCTION std::string_view manipulator_dynamics_model<runtime_chain>::resolve_contacts(double t, state& x) const {
-  detail::resolve_contacts(contacts_of_model(), t, x);
+KTE_FUNCTION std::string_view manipulator_dynamics_model<runtime_chain>::resolve_contacts(double t, state& x,
+                                                                                          bool along_solution) const {
+  detail::resolve_contacts(contacts_of_model(), t, x, along_solution);
   return contact_change();
 }
 KTE_FUNCTION std::string_view manipulator_dynamics_model<runtime_chain>::contact_change() const {
@@ -426,7 +427,7 @@ KTE_FUNCTION void manipulator_dynamics_model<runtime_chain>::tangential(const st
   if (detail::has_loops(chain())) detail::make_tangential(detail::runtime_model_loops{*this, s_, step_}, x0, e);
 }
 KTE_FUNCTION void manipulator_dynamics_model<runtime_chain>::begin_step(const state& x0) const {
-  if (detail::has_contacts(chain())) return (void)detail::contact_step_from(contacts_of_model(), x0);
+  if (detail::has_contacts(chain())) return detail::begin_step_with_contacts(contacts_of_model(), x0);
   if (detail::has_loops(chain())) detail::check_step(detail::runtime_model_loops{*this, s_, step_}, x0);
 }
 KTE_FUNCTION void manipulator_dynamics_model<runtime_chain>::check_end(const state& x0, const state&) const {
@@ -453,7 +454,7 @@ KTE_FUNCTION void runtime_switching::switch_over(double t, Eigen::VectorXd& x) c
   if (contact < 0)
     model->switch_over(t, part_of_model, element);
   else
-    (void)model->resolve_contacts(t, part_of_model);
+    (void)model->resolve_contacts(t, part_of_model, true);
   x.head(own()) = part_of_model;
 }
 KTE_FUNCTION bool runtime_switching::mend(double t, Eigen::VectorXd& x) const {

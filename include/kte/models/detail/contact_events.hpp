@@ -69,27 +69,24 @@ inline double largest_force(const contact_solver& m, const forces_in_modes& forc
   }
   return most / m.equations.places.length;
 }
+/// The first contact, of those that touch, whose force violates the laws by more than `tolerated`, N; -1: none.
+inline int first_wrong_mode(const contact_solver& m, double tolerated) {
+  for (std::size_t i = 0; i < m.touching.size(); ++i) {
+    const auto [normal, reserve] = reserves(m, i);
+    if (normal < -tolerated || (m.modes[i] == contact_mode::sticks && reserve < -tolerated)) return static_cast<int>(i);
+  }
+  return -1;
+}
 /// Replaces forces that do not satisfy the laws by such that do, if there are. Returns the first contact, of those that
 /// touch, that violates them by more than `tolerated`, relative to the largest force; -1: none.
 template <class Contacts, class State>
 int admit_forces(const Contacts& c, State& s, contact_solver& m, forces_in_modes& forces, double tolerated) {
   const double most = tolerated * largest_force(m, forces);
-  const auto first_wrong = [&] {
-    for (std::size_t i = 0; i < m.touching.size(); ++i) {
-      const auto [normal, reserve] = reserves(m, i);
-      if (normal < -most || (m.modes[i] == contact_mode::sticks && reserve < -most)) return static_cast<int>(i);
-    }
-    return -1;
-  };
-  if (const int wrong = first_wrong(); wrong < 0 || !forces.redundant() || !find_admissible_forces(c, s, m))
+  if (const int wrong = first_wrong_mode(m, most);
+      wrong < 0 || !forces.redundant() || !find_admissible_forces(c, s, m))
     return wrong;
   put_contacts(m, s);
   return -1;
-}
-/// The gap of a contact, m; zero within its rounding error, so that a contact that opens begins at zero.
-inline double gap_beyond_rounding(const contact_solver& m, const contact_at& x) {
-  const double size = m.equations.places.length + std::sqrt(dot(x.place.point, x.place.point));
-  return std::abs(x.place.gap) <= 4 * std::numeric_limits<double>::epsilon() * size ? 0.0 : x.place.gap;
 }
 /// The functions of all contacts at the time t and the state x, by number; of open ones their gap, m.
 template <class Access, class X>
@@ -99,6 +96,7 @@ const std::vector<std::array<double, 3>>& contact_margins(const Access& a, doubl
   step.margin_x.resize(0);
   a.at(t, x, [&](const auto& c, auto& s, contact_solver& m) {
     step.margins.assign(m.contacts.size(), {1, 1, 1});
+    step.zero_gaps.resize(m.contacts.size());
     bool closed = false;
     for (const auto& y : m.contacts)
       closed |= mode_of(s.template get<kind::contact>(y.slot)) != contact_mode::open;
@@ -111,10 +109,10 @@ const std::vector<std::array<double, 3>>& contact_margins(const Access& a, doubl
     } else {
       accelerate_in_modes(c, s, m, step.forces);
     }
-    for (std::size_t k = 0; k < m.contacts.size(); ++k) step.margins[k][0] = gap_beyond_rounding(m, m.contacts[k]);
+    for (std::size_t k = 0; k < m.contacts.size(); ++k) step.margins[k][0] = m.contacts[k].place.gap - step.zero_gaps[k];
     if (!closed) return;
-    const bool admitted = admit_forces(c, s, m, step.forces, 1e-11) < 0;
-    const double tiny = 1e-11 * largest_force(m, step.forces);
+    const bool admitted = admit_forces(c, s, m, step.forces, 1e-13) < 0;
+    const double tiny = 1e-13 * largest_force(m, step.forces);
     for (std::size_t i = 0; i < m.touching.size(); ++i) {
       const auto k = static_cast<std::size_t>(m.touching[i]);
       auto& own = step.margins[k] = margins_of_closed(m, i, starts[k], tiny);
@@ -131,24 +129,44 @@ const std::vector<std::array<double, 3>>& contact_margins(const Access& a, doubl
   return step.margins;
 }
 
-/// The accelerations of a model at t and x, for stages of steps, written to `forces` of the working memory.
+/// Throws `bad_argument` for modes whose forces violate the laws, after `accelerate_in_modes`.
+template <class Contacts, class State>
+void refuse_wrong_modes(const Contacts& c, State& s, contact_solver& m, forces_in_modes& forces) {
+  const int wrong = admit_forces(c, s, m, forces, 1e-6);
+  if (wrong < 0) return;
+  const auto& x = m.touched(static_cast<std::size_t>(wrong));
+  const double normal = reserves(m, static_cast<std::size_t>(wrong))[0];
+  raise<bad_argument>("kte: " + name_of(c, m, x) +
+                      (normal < 0 ? " is closed, but pulls with " + number(-normal) + " N"
+                                  : std::string(" sticks, but its force exceeds friction")) +
+                      ": integrate with kte::element_events(model), which changes modes");
+}
+/// The accelerations of a model at t and x, for stages of steps, written to `forces` of the working memory. Wrong modes
+/// at the start of a step are noted, because events may mend them, and refused at the next one.
 template <class Access, class Contacts, class State, class X>
 void accelerate_in_step(const Access& a, const Contacts& c, State& s, contact_solver& m, double t, const X& x) {
   auto& step = a.memory();
   step.time = t, step.margin_x.resize(0);
-  const bool starts = step.x0.size() == x.size() && step.x0 == x;
   accelerate_in_modes(c, s, m, step.forces);
   put_forces_of_closures(m, s);
-  if (!starts) return;
-  const int wrong = admit_forces(c, s, m, step.forces, 1e-6);
-  if (wrong < 0) [[likely]]
+  if (first_wrong_mode(m, 1e-6 * largest_force(m, step.forces)) < 0) [[likely]]
     return;
-  const auto& y = m.touched(static_cast<std::size_t>(wrong));
-  const double normal = reserves(m, static_cast<std::size_t>(wrong))[0];
-  raise<bad_argument>("kte: " + name_of(c, m, y) +
-                      (normal < 0 ? " is closed, but pulls with " + number(-normal) + " N"
-                                  : std::string(" sticks, but its force exceeds friction")) +
-                      ": integrate with kte::element_events(model), which changes modes");
+  step.wrong = x;
+  if (step.x0.size() != x.size() || step.x0 != x) return;
+  if (step.begun > 1) refuse_wrong_modes(c, s, m, step.forces);
+  step.starts_wrong = true;
+}
+/// A step begins at x0.
+template <class Access, class X>
+void begin_step_with_contacts(const Access& a, const X& x0) {
+  auto& step = contact_step_from(a, x0);
+  if (!step.starts_wrong) [[likely]]
+    return;
+  step.x0.resize(0), step.wrong.resize(0);  // another integration may begin here, with events
+  a.at(step.time, x0, [&](const auto& c, auto& s, contact_solver& m) {
+    accelerate_in_modes(c, s, m, step.forces);
+    refuse_wrong_modes(c, s, m, step.forces);
+  });
 }
 
 /// Moves x so that the gaps of all contacts that touch are zero, also of those that open.
@@ -213,10 +231,16 @@ std::string text_of_changes(const Contacts& c, const contact_solver& m, const st
 /// end, with a constant acceleration -g_n of the gap, at
 ///
 ///   t + 2 e w/(g_n (1 - e)),   w: velocity of approach                                    (1)
+/// `along_solution`: x is a state of an integrator with the present modes, and first put on their rows.
 template <class Access, class X>
-void resolve_contacts(const Access& a, double t, X& x) {
+void resolve_contacts(const Access& a, double t, X& x, bool along_solution) {
   auto& step = a.memory();
-  step.x0.resize(0), step.margin_x.resize(0), step.time = t;
+  step.x0.resize(0), step.margin_x.resize(0), step.wrong.resize(0), step.time = t;
+  if (along_solution) {
+    const X x0 = x;
+    auto d = a.no_displacement();
+    settle_contacts(a, x0, d, x, false);
+  }
   const auto& model = a.model;
   const Eigen::Index n = model.velocity_count(), at_v = x.size() - model.internals() - n;
   const Eigen::Index at_modes = x.size() - numbers_of_contact * a.contacts();
@@ -286,6 +310,15 @@ void resolve_contacts(const Access& a, double t, X& x) {
   const X x0 = x;
   auto d = a.no_displacement();
   settle_contacts(a, x0, d, x);
+  step.begun = 0;
+  // a contact that has just opened leaves from zero, whatever the rounding error of its gap
+  a.at(t, x, [&](const auto& c, auto& s, contact_solver& m) {
+    m.equations.at_positions(c, s, false);
+    m.find(c, s);
+    step.zero_gaps.assign(m.contacts.size(), 0);
+    for (std::size_t i = 0; i < m.contacts.size(); ++i)
+      if (m.touches(m.contacts[i])) step.zero_gaps[i] = m.contacts[i].place.gap;
+  });
 }
 
 }  // namespace kte::detail

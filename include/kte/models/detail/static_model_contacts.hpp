@@ -56,7 +56,7 @@ struct static_model_contacts<static_chain<Gravity, E...>> {
   }
   template <class Model, class X>
   static void begin_step(const Model& m, memory& kept, const X& x0) {
-    (void)contact_step_from(of(m, kept), x0);
+    begin_step_with_contacts(of(m, kept), x0);
   }
   template <class Model, class X>
   static void check_end(const Model&, memory&, const X&) {}
@@ -87,9 +87,9 @@ struct static_model_contacts<static_chain<Gravity, E...>> {
     return contact_margins(of(m, kept), t, x)[static_cast<std::size_t>(contact)][static_cast<std::size_t>(part)];
   }
   template <class Model, class X>
-  static std::string_view resolve(const Model& m, memory& kept, double t, X& x) {
+  static std::string_view resolve(const Model& m, memory& kept, double t, X& x, bool along_solution) {
     const auto access = of(m, kept);
-    kte::detail::resolve_contacts(access, t, x);
+    kte::detail::resolve_contacts(access, t, x, along_solution);
     return access.memory().change;
   }
   template <class Model>
