@@ -59,7 +59,11 @@ inline std::array<double, 3> margins_of_closed(const contact_solver& m, std::siz
   const double length = m.equations.places.length;
   return {normal + tiny, along - stop_of_sliding * length, along + least_sliding * length};
 }
-/// The largest force of contacts that touch, and of those that hold against the other forces, N.
+/// The largest force of contacts that touch, N.
+inline double largest_force(const contact_solver& m) {
+  return m.forces.size() > 0 ? m.forces.cwiseAbs().maxCoeff() / m.equations.places.length : 0;
+}
+/// The largest force of contacts that touch, and of those that would hold against the other forces, N.
 inline double largest_force(const contact_solver& m, const forces_in_modes& forces) {
   double most = 0;
   for (std::size_t i = 0; i < m.touching.size(); ++i) {
@@ -200,6 +204,7 @@ struct contact_change {
   contact_mode before{}, after{};
   vec3<> direction{};  ///< of sliding, before
   bool turns = false;
+  bool at_limit[2] = {};  ///< whether the normal force, or the reserve of friction, has fallen to zero
 };
 template <class Contacts>
 std::string text_of_changes(const Contacts& c, const contact_solver& m, const std::vector<contact_change>& all) {
@@ -245,6 +250,7 @@ void resolve_contacts(const Access& a, double t, X& x, bool along_solution) {
   const Eigen::Index n = model.velocity_count(), at_v = x.size() - model.internals() - n;
   const Eigen::Index at_modes = x.size() - numbers_of_contact * a.contacts();
   Eigen::VectorXd v = x.segment(at_v, n);
+  const auto margins = contact_margins(a, t, x);
   std::vector<contact_change> changes;
   bool done = false, ambiguous = false;
   for (int round = 0; !done; ++round) {
@@ -253,7 +259,10 @@ void resolve_contacts(const Access& a, double t, X& x, bool along_solution) {
         changes.resize(m.contacts.size());
         for (std::size_t i = 0; i < changes.size(); ++i) {
           const auto& of = s.template get<kind::contact>(m.contacts[i].slot);
-          changes[i].before = mode_of(of), changes[i].direction = of.direction;
+          auto& own = changes[i];
+          own.before = mode_of(of), own.direction = of.direction;
+          own.at_limit[0] = own.before != contact_mode::open && margins[i][0] <= 0;
+          own.at_limit[1] = own.before == contact_mode::sticks && margins[i][1] <= 0;
         }
       }
       if (round == 50) [[unlikely]]
@@ -288,11 +297,25 @@ void resolve_contacts(const Access& a, double t, X& x, bool along_solution) {
       if (status == friction_status::not_converged) [[unlikely]]
         raise_no_forces(c, m, status);
       ambiguous = status == friction_status::several_solutions;
+      // Within the accuracy of the solution, forces at their limits are beyond them.
+      const double most = largest_force(m);
       for (std::size_t i = 0; i < m.touching.size(); ++i) {
         const auto& y = m.touched(i);
+        const auto& own = changes[static_cast<std::size_t>(m.touching[i])];
         auto& to = s.template get<kind::contact>(y.slot);
-        if (y.place.law.friction == 0 && mode_of(to) == contact_mode::sticks)
-          to.mode = static_cast<double>(contact_mode::slides), to.direction = y.basis[1];
+        const auto [normal, reserve] = reserves(m, i);
+        if (own.at_limit[0] && normal <= 1e-9 * most) {
+          to.mode = static_cast<double>(contact_mode::open);
+        } else if (mode_of(to) == contact_mode::sticks) {
+          const vec3<> t_force = to.force - normal * y.place.normal;
+          if (y.place.law.friction == 0)
+            to.direction = y.basis[1];
+          else if (own.at_limit[1] && reserve <= 1e-9 * most)
+            to.direction = unit_of(-t_force);
+          else
+            continue;
+          to.mode = static_cast<double>(contact_mode::slides);
+        }
       }
       for (std::size_t i = 0; i < m.contacts.size(); ++i) {
         const auto& of = s.template get<kind::contact>(m.contacts[i].slot);
