@@ -119,13 +119,14 @@ runtime_matrix<S> centre_of_mass_jacobian_of(const runtime_chain& c, basic_runti
     const auto map = centroidal_momentum_matrix_of(c, s);
     return map.topRows(3) / tree::weight_in_world(s.tree().body_tree, s.work).mass;
   }
-  carry(c, s);
+  refuse_distributed_masses(c, s);
+  carry_bodies<S, engine::world_placement<mat3<vec3<S>>, skip, skip>, composite<S, vec3<S>, skip>>(c, s);
   const auto w = tree::weight_in_world(s.tree().body_tree, s.work);
   const diagnose_state why{"a Jacobian", s};
   (void)divided_by_mass<S>(w.mass, w.moment, why);
   runtime_matrix<S> j = runtime_matrix<S>::Zero(3, s.dofs());
-  for_each_momentum(s, vec3<S>{}, [&j, mass = w.mass](int row, const tree::dense_wrench<S>& h) {
-    auto column = j.col(row);
+  for_each_momentum(s, vec3<S>{}, [to = j.data(), mass = w.mass](int row, const tree::dense_wrench<S>& h) KTE_INLINE_LAMBDA {
+    S* const column = to + 3 * row;
     column[0] += h.force.x / mass, column[1] += h.force.y / mass, column[2] += h.force.z / mass;
   });
   check_result(j.data(), static_cast<std::size_t>(j.size()), why);

@@ -95,6 +95,17 @@ struct looped {
     }
   }
 
+  /// step(body, its value, its number) for each body, with values by slot.
+  template <class Value, class Step>
+  KTE_INLINE void each(const Value* const values, const Step& step) const {
+    const Value* const of_body = values + bodies.bases();
+    for (int i = 0; i < bodies.count(); ++i)
+      if (is_usual(i)) [[likely]]
+        step(bodies.body(i), of_body[i], i);
+      else
+        each_apart(i, of_body[i], step);
+  }
+
   /// From children to parents. A body carries own(rigid body, kept value) plus the values of its children;
   ///   meet(body, carried, ends)                   the value at its joint; `ends`: nothing is passed on
   ///   pull_back(body, kept value, met value)      the contribution to its parent; not for bodies on bases
@@ -151,6 +162,10 @@ struct looped {
     assign(copy, hand);
     f(copy);
     assign(hand, copy);
+  }
+  template <class Value, class Step>
+  [[gnu::noinline]] void each_apart(int i, const Value& value, const Step& step) const {
+    if constexpr (!one_kind) bodies.with_body(i, [&](const body auto& b) { step(b, value, i); });
   }
   template <class Step, class Hand>
   [[gnu::noinline]] void outward_apart(int i, const Step step, Hand& hand) const {

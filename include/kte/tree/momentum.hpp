@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/recursions/momentum.hpp>
 #include <kte/tree/composite.hpp>
 
 namespace kte::tree {
@@ -24,17 +25,14 @@ mass_moment<S> weight_in_world(const body_tree<P>& f, const memory<P, S>& m) {
 /// Calls put(k, momentum at the unit rate of axis k about a point, in world axes).
 template <class P, class S, class Put>
 void momenta(const body_tree<P>& f, const memory<P, S>& m, const vec3<S>& about, const Put& put) {
-  const std::size_t bases = static_cast<std::size_t>(f.bases);
-  for (std::size_t i = 0; i < f.nodes.size(); ++i) {
-    const body_node<P>& r = f.nodes[i];
-    const world_place<S>& x = m.world[bases + i];
-    const vec3<S> arm = x.position - about;
-    for (int k = 0; k < r.axes; ++k) {
-      const dense_wrench<S> own = accelerating(r, m.joint_transforms[i], k, m.carried[bases + i]);
-      const vec3<S> p = x.rotation * own.force;
-      put(r.first + k, dense_wrench<S>{p, x.rotation * own.torque + cross(arm, p)});
-    }
-  }
+  const one_axis_bodies<P, S> bodies(f, m.joint_transforms);
+  const auto pose_of = [world = m.world.data() + f.bases, about](int i) KTE_INLINE_LAMBDA {
+    return pose<const mat3<vec3<S>>&, vec3<S>>{world[i].rotation, world[i].position - about};
+  };
+  const auto put_axis = [first = f.nodes.data(), put](int i, int k, const auto& h) KTE_INLINE_LAMBDA {
+    put(first[i].first + k, dense_wrench<S>{as<S>(h.force), as<S>(h.torque)});
+  };
+  engine::looped<one_axis_bodies<P, S>>{bodies}.each(m.carried.data(), engine::momenta_of_axes{pose_of, put_axis});
 }
 
 }  // namespace kte::tree

@@ -57,12 +57,12 @@ void forces_of_bodies(const runtime_chain& c, basic_runtime_state<S>& s, bool ac
   forces_on_coordinates(runtime_elements{c}, s, acting::bodies, accelerated_bases);
 }
 
-/// Composite inertias of subtrees and joint axes, in the world.
-template <class S>
+/// Composite inertias of subtrees, and the places of bodies in the world. `Place`, `Inertia`: without skipped parts.
+template <class S, class Place = tree::world_place<S>, class Inertia = tree::dense_composite<S>>
 void carry_bodies(const runtime_chain& c, basic_runtime_state<S>& s) {
   place_bodies(runtime_elements{c}, s);
-  place_in_world(s);
-  tree::carry_bodies<true>(s.tree().body_tree, s.work);
+  place_bodies_in_world<Place>(s);
+  tree::carry_bodies<true, Inertia>(s.tree().body_tree, s.work);
 }
 /// The motion of a chain with bodies only.
 template <class S>
@@ -75,8 +75,8 @@ void carry(const runtime_chain& c, basic_runtime_state<S>& s) {
 template <class S, class F>
 void for_each_momentum(basic_runtime_state<S>& s, const vec3<S>& about, const F& visit) {
   const auto& f = s.tree().body_tree;
-  tree::momenta(f, s.work, about,
-                [&](int k, const tree::dense_wrench<S>& h) { visit(f.row[static_cast<std::size_t>(k)], h); });
+  tree::momenta(f, s.work, about, [row = f.row.data(), visit](int k, const auto& h)
+                                      KTE_INLINE_LAMBDA { visit(row[k], h); });
 }
 /// Sets the rates of prescribed coordinates to zero.
 template <class S>

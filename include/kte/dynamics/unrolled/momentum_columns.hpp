@@ -1,8 +1,8 @@
 #pragma once
 
-#include <kte/detail/unroll.hpp>
 #include <kte/dynamics/centre_of_mass.hpp>
 #include <kte/dynamics/unrolled/columns.hpp>
+#include <kte/recursions/momentum.hpp>
 
 namespace kte::detail {
 
@@ -24,32 +24,20 @@ class momentum_columns : columns<S, Chain, Given, Rows> {
   KTE_INLINE auto fill() {
     const bodies_type bodies(motion_);
     const engine::unrolled<bodies_type> d{bodies};
+    const auto pose_of = [this]<class Place>(const Place&) KTE_INLINE_LAMBDA {
+      using frame = typename bodies_type::template end<Place::number>;
+      const auto& x = motion_.template get<frame::what, frame::slot>();
+      return pose{x.rotation, x.position - point_};
+    };
+    const auto put_axis = [this]<class Place, int K, class H>(const Place&, std::integral_constant<int, K>, const H& h)
+        KTE_INLINE_LAMBDA { base::template put<Place::number, K>(h.force, h.torque); };
     return sum_over_grounds(motion_, [&]<class Frame>(const auto& ground) KTE_INLINE_LAMBDA {
       return transported(ground.rotation, ground.position,
-                         engine::composite_inertia_of<Frame>(
-                             d, [this](const auto& b, const auto& inertia, const auto& place) KTE_INLINE_LAMBDA {
-                               this->template put<std::remove_cvref_t<decltype(place)>::number>(b, inertia);
-                               return engine::fresh(inertia);
-                             }));
+                         engine::composite_inertia_of<Frame>(d, engine::momenta_of_axes{pose_of, put_axis}));
     });
   }
 
  private:
-  template <std::size_t I, class B, class C>
-  KTE_INLINE constexpr void put(const B& b, const C& inertia) {
-    using frame = typename bodies_type::template end<I>;
-    const auto& x = motion_.template get<frame::what, frame::slot>();
-    unroll<B::axes>([&]<int N>() KTE_INLINE_LAMBDA {
-      const auto s = b.template axis<N>();
-      const auto w = accelerating_wrench(inertia, s.linear, s.angular);
-      if constexpr (Rows == 3) {
-        base::template put<I, N>(x.rotation * w.force, zero3{});
-      } else {
-        const auto h = transmit(pose{x.rotation, x.position - point_}, w);
-        base::template put<I, N>(h.force, h.torque);
-      }
-    });
-  }
   const motion_type motion_;
   const vec3<S> point_;
 };
