@@ -42,7 +42,7 @@ template <class Gravity, class... E, indexable Q, indexable V, indexable X, key_
   });
 }
 /// The Jacobian of the motion of B relative to A, in axes of B: the velocity and angular velocity of `relative_motion`
-/// are J v. Columns of joints that move both are zero.
+/// are J v. Joints that move both have columns of zeros; those of joints between the base and A are subtracted.
 template <class Gravity, class... E, indexable Q, key_type B, key_type A>
 [[nodiscard]] auto relative_jacobian(const static_chain<Gravity, E...>& c, const Q& q, const B&, const A&) {
   using namespace detail;
@@ -56,9 +56,11 @@ template <class Gravity, class... E, indexable Q, key_type B, key_type A>
                 "kte: this algorithm supports only frames that joints and links move, not frames that follow others");
   using a = branch_of<chain_type, A>;
   using b = branch_of<chain_type, B>;
-  using pass = local_relative_jacobian<S, chain_type, std::remove_const_t<decltype(g)>, a, b>;
+  using pass = unrolled_jacobian<S, chain_type, std::remove_const_t<decltype(g)>>;
   typename pass::matrix_type j;
-  pass(c, g, j).fill(pose_in_frame<a, b>(c, g));
+  pass columns(c, g, j);
+  columns.template inward<b, common_length<a, b>>();
+  columns.template inward<a, common_length<a, b>, a::length>(pose_in_frame<a, b>(c, g), minus_one);
   return j;
 }
 

@@ -2,7 +2,7 @@
 
 #include <kte/recursions/composite_body.hpp>
 
-/// Momenta at unit rates of axes: the columns of the centroidal momentum matrix (Orin, Goswami, Lee, Autonomous Robots
+/// Momenta of bodies. At unit rates of axes: the columns of the centroidal momentum matrix (Orin, Goswami, Lee, Autonomous Robots
 /// 35, 2013, section 3).
 namespace kte::engine {
 
@@ -25,5 +25,25 @@ struct momenta_of_axes {
 };
 template <class Pose, class Put>
 momenta_of_axes(Pose, Put) -> momenta_of_axes<Pose, Put>;
+/// put(momentum) by the motion of its joint alone, v_J, w_J = rate(body):
+///
+///   X I^c (v_J, w_J)          (2)
+///
+/// The sum over all bodies is the momentum with bases at rest. For static chains the momenta of the bodies at their
+/// velocities take half the time (`momentum_at_base`).
+template <class Pose, class Rate, class Put>
+struct momenta_of_joints {
+  Pose pose;
+  Rate rate;
+  Put put;
+  template <body B, class I, class Place>
+  KTE_INLINE constexpr auto operator()(const B& b, const I& inertia, const Place& place) const {
+    const auto s = rate(b);
+    put(transmit(pose(place), accelerating_wrench(inertia, s.linear, s.angular)));
+    return fresh(inertia);
+  }
+};
+template <class Pose, class Rate, class Put>
+momenta_of_joints(Pose, Rate, Put) -> momenta_of_joints<Pose, Rate, Put>;
 
 }  // namespace kte::engine

@@ -22,17 +22,35 @@ mass_moment<S> weight_in_world(const body_tree<P>& f, const memory<P, S>& m) {
   }
   return sum;
 }
+/// The pose of body i in the world, seen from a point.
+template <class P, class S>
+KTE_INLINE auto poses_from(const body_tree<P>& f, const memory<P, S>& m, const vec3<S>& point) {
+  return [world = m.world.data() + f.bases, point](int i) KTE_INLINE_LAMBDA {
+    return pose<const mat3<vec3<S>>&, vec3<S>>{world[i].rotation, world[i].position - point};
+  };
+}
 /// Calls put(k, momentum at the unit rate of axis k about a point, in world axes).
 template <class P, class S, class Put>
 void momenta(const body_tree<P>& f, const memory<P, S>& m, const vec3<S>& about, const Put& put) {
   const one_axis_bodies<P, S> bodies(f, m.joint_transforms);
-  const auto pose_of = [world = m.world.data() + f.bases, about](int i) KTE_INLINE_LAMBDA {
-    return pose<const mat3<vec3<S>>&, vec3<S>>{world[i].rotation, world[i].position - about};
+  const auto put_axis = [nodes = f.nodes.data(), put](int i, int k, const auto& h) KTE_INLINE_LAMBDA {
+    put(nodes[i].first + k, dense_wrench<S>{as<S>(h.force), as<S>(h.torque)});
   };
-  const auto put_axis = [first = f.nodes.data(), put](int i, int k, const auto& h) KTE_INLINE_LAMBDA {
-    put(first[i].first + k, dense_wrench<S>{as<S>(h.force), as<S>(h.torque)});
-  };
-  engine::looped<one_axis_bodies<P, S>>{bodies}.each(m.carried.data(), engine::momenta_of_axes{pose_of, put_axis});
+  engine::looped<one_axis_bodies<P, S>>{bodies}.each(m.carried.data(),
+                                                     engine::momenta_of_axes{poses_from(f, m, about), put_axis});
+}
+/// The momentum of all bodies at `rate`, about a point, with bases at rest.
+template <class P, class S>
+dense_wrench<S> momentum(const body_tree<P>& f, const memory<P, S>& m, const vec3<S>& about) {
+  const one_axis_bodies<P, S> bodies(f, m.joint_transforms);
+  dense_wrench<S> sum{};
+  engine::looped<one_axis_bodies<P, S>>{bodies}.each(
+      m.carried.data(),
+      engine::momenta_of_joints{poses_from(f, m, about),
+                                [rate = m.rate.data()](const auto& b)
+                                    KTE_INLINE_LAMBDA { return b.along_axes(rate + b.first()); },
+                                [&sum](const auto& h) KTE_INLINE_LAMBDA { engine::assign(sum, sum + h); }});
+  return sum;
 }
 
 }  // namespace kte::tree

@@ -99,13 +99,8 @@ void for_each_moved_base(basic_runtime_state<S>& s, const Visit& visit) {
 /// Momentum about a point of the world; call `carry` first. Prescribed coordinates are at rest.
 template <class S>
 tree::dense_wrench<S> momentum_of_coordinates(basic_runtime_state<S>& s, const vec3<S>& about) {
-  const auto& f = s.tree().body_tree;
   take_rates(s), rest_given_coordinates(s);
-  tree::dense_wrench<S> sum{};
-  tree::momenta(f, s.work, about, [&](int k, const tree::dense_wrench<S>& h) {
-    const S& r = s.work.rate[static_cast<std::size_t>(k)];
-    sum = {sum.force + r * h.force, sum.torque + r * h.torque};
-  });
+  tree::dense_wrench<S> sum = tree::momentum(s.tree().body_tree, s.work, about);
   for_each_moved_base(s, [&](const auto& x, std::size_t slot) {
     const tree::dense_composite<S>& all = s.work.carried[slot];
     const tree::world_place<S>& at = s.work.world[slot];

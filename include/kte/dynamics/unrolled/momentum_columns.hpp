@@ -2,7 +2,6 @@
 
 #include <kte/dynamics/centre_of_mass.hpp>
 #include <kte/dynamics/unrolled/columns.hpp>
-#include <kte/recursions/momentum.hpp>
 
 namespace kte::detail {
 
@@ -12,8 +11,6 @@ template <class S, class Chain, class Given, int Rows = 6>
 class momentum_columns : columns<S, Chain, Given, Rows> {
   using base = columns<S, Chain, Given, Rows>;
   using motion_type = unrolled_motion<Chain, Given>;
-  using bodies_type = typed_bodies<S, motion_type, axes_of_joints<Chain>>;
-  static_assert(sizeof(passed_over<Chain>) > 0);
 
  public:
   using typename base::matrix_type;
@@ -22,19 +19,11 @@ class momentum_columns : columns<S, Chain, Given, Rows> {
       : base(c, g, m), motion_(c, g), point_(point) {}
   /// Fills the matrix. Returns the composite inertia of all bodies, about the origin of the bases.
   KTE_INLINE auto fill() {
-    const bodies_type bodies(motion_);
-    const engine::unrolled<bodies_type> d{bodies};
-    const auto pose_of = [this]<class Place>(const Place&) KTE_INLINE_LAMBDA {
-      using frame = typename bodies_type::template end<Place::number>;
-      const auto& x = motion_.template get<frame::what, frame::slot>();
-      return pose{x.rotation, x.position - point_};
-    };
-    const auto put_axis = [this]<class Place, int K, class H>(const Place&, std::integral_constant<int, K>, const H& h)
-        KTE_INLINE_LAMBDA { base::template put<Place::number, K>(h.force, h.torque); };
-    return sum_over_grounds(motion_, [&]<class Frame>(const auto& ground) KTE_INLINE_LAMBDA {
-      return transported(ground.rotation, ground.position,
-                         engine::composite_inertia_of<Frame>(d, engine::momenta_of_axes{pose_of, put_axis}));
-    });
+    return composite_inertia_at_base<S>(
+        motion_, engine::momenta_of_axes{
+                     poses_from(motion_, point_),
+                     [this]<class Place, int K, class H>(const Place&, std::integral_constant<int, K>, const H& h)
+                         KTE_INLINE_LAMBDA { base::template put<Place::number, K>(h.force, h.torque); }});
   }
 
  private:
