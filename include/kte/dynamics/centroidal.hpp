@@ -92,11 +92,12 @@ basic_runtime_jacobian<S> centroidal_momentum_matrix_of(const runtime_chain& c, 
   const auto w = tree::weight_in_world(s.tree().body_tree, s.work);
   basic_runtime_jacobian<S> a = basic_runtime_jacobian<S>::Zero(6, s.tree().plan.coordinates);
   const diagnose_state why{"a momentum", s};
-  for_each_momentum(s, divided_by_mass<S>(w.mass, w.moment, why), [to = a.data()](int row, const tree::dense_wrench<S>& h) KTE_INLINE_LAMBDA {
-    S* const column = to + 6 * row;
-    column[0] += h.force.x, column[1] += h.force.y, column[2] += h.force.z;
-    column[3] += h.torque.x, column[4] += h.torque.y, column[5] += h.torque.z;
-  });
+  for_each_momentum(s, divided_by_mass<S>(w.mass, w.moment, why),
+                    [to = a.data()](int row, const tree::dense_wrench<S>& h) KTE_INLINE_LAMBDA {
+                      S* const column = to + 6 * row;
+                      column[0] += h.force.x, column[1] += h.force.y, column[2] += h.force.z;
+                      column[3] += h.torque.x, column[4] += h.torque.y, column[5] += h.torque.z;
+                    });
   check_result(a.data(), static_cast<std::size_t>(a.size()), why);
   if (a.cols() == s.dofs()) return a;
   return folded(c, s, std::move(a));

@@ -125,10 +125,11 @@ runtime_matrix<S> centre_of_mass_jacobian_of(const runtime_chain& c, basic_runti
   const diagnose_state why{"a Jacobian", s};
   (void)divided_by_mass<S>(w.mass, w.moment, why);
   runtime_matrix<S> j = runtime_matrix<S>::Zero(3, s.dofs());
-  for_each_momentum(s, vec3<S>{}, [to = j.data(), mass = w.mass](int row, const tree::dense_wrench<S>& h) KTE_INLINE_LAMBDA {
-    S* const column = to + 3 * row;
-    column[0] += h.force.x / mass, column[1] += h.force.y / mass, column[2] += h.force.z / mass;
-  });
+  for_each_momentum(s, vec3<S>{},
+                    [to = j.data(), mass = w.mass](int row, const tree::dense_wrench<S>& h) KTE_INLINE_LAMBDA {
+                      S* const column = to + 3 * row;
+                      column[0] += h.force.x / mass, column[1] += h.force.y / mass, column[2] += h.force.z / mass;
+                    });
   check_result(j.data(), static_cast<std::size_t>(j.size()), why);
   return j;
 }

@@ -98,9 +98,8 @@ KTE_INLINE constexpr void each_power(const B& b, const W& w, const Put& put) {
 template <body B, class F>
 KTE_INLINE constexpr void each_axis(const B& b, const F& f) {
   if constexpr (body_with_axes<B>) {
-    detail::unroll<B::axes>([&]<int K>() KTE_INLINE_LAMBDA {
-      f(std::integral_constant<int, K>{}, b.template axis<K>());
-    });
+    detail::unroll<B::axes>([&]<int K>()
+                                KTE_INLINE_LAMBDA { f(std::integral_constant<int, K>{}, b.template axis<K>()); });
   } else {
     b.each_axis(f);
   }

@@ -2,8 +2,8 @@
 
 #include <kte/recursions/composite_body.hpp>
 
-/// Momenta of bodies. At unit rates of axes: the columns of the centroidal momentum matrix (Orin, Goswami, Lee, Autonomous Robots
-/// 35, 2013, section 3).
+/// Momenta of bodies. At unit rates of axes: the columns of the centroidal momentum matrix (Orin, Goswami, Lee,
+/// Autonomous Robots 35, 2013, section 3).
 namespace kte::engine {
 
 /// For a body that carries the composite inertia I^c, put(place, k, momentum) for each axis k of its joint:

@@ -34,9 +34,8 @@ KTE_INLINE constexpr void axes_in_world(const B& b, const R& rotation, Axis* axe
 /// All bodies, from the placements of bases in `kept`.
 template <class Hand, class Driver, class Kept>
 KTE_INLINE void world_placements(const Driver& d, const Kept& kept) {
-  (void)d.template outward<Hand>(kept, [](const body auto& b, const auto& parent) KTE_INLINE_LAMBDA {
-    return placed_in_world(b, parent);
-  });
+  (void)d.template outward<Hand>(
+      kept, [](const body auto& b, const auto& parent) KTE_INLINE_LAMBDA { return placed_in_world(b, parent); });
 }
 /// All bodies and axes.
 template <class Hand, class Driver, class Kept, class Axis>

@@ -75,8 +75,8 @@ void carry(const runtime_chain& c, basic_runtime_state<S>& s) {
 template <class S, class F>
 void for_each_momentum(basic_runtime_state<S>& s, const vec3<S>& about, const F& visit) {
   const auto& f = s.tree().body_tree;
-  tree::momenta(f, s.work, about, [row = f.row.data(), visit](int k, const auto& h)
-                                      KTE_INLINE_LAMBDA { visit(row[k], h); });
+  tree::momenta(f, s.work, about,
+                [row = f.row.data(), visit](int k, const auto& h) KTE_INLINE_LAMBDA { visit(row[k], h); });
 }
 /// Sets the rates of prescribed coordinates to zero.
 template <class S>

@@ -39,8 +39,8 @@ KTE_INLINE constexpr auto sum_over_grounds(const Motion& m, const F& f) {
 
 inline constexpr same_base base_of_nothing{motion{skip{}, skip{}, skip{}, skip{}, skip{}, skip{}}};
 
-/// The composite inertia of a chain at `Given`, about the origin of its bases and in their axes; step: of each body with
-/// the inertia that it carries.
+/// The composite inertia of a chain at `Given`, about the origin of its bases and in their axes; step: of each body
+/// with the inertia that it carries.
 template <class S, class Motion, class Step = engine::same_inertia>
 KTE_INLINE auto composite_inertia_at_base(const Motion& m, const Step& step = {}) {
   using chain_type = typename Motion::chain_type;
@@ -63,7 +63,8 @@ template <class Motion, class P>
 KTE_INLINE auto poses_from(const Motion& m, const P& point) {
   return [&m, &point]<class Place>(const Place&) KTE_INLINE_LAMBDA {
     using types = typename Motion::types;
-    const auto& x = m.template get<types::template output_kind<Place::number>, types::template output_slot<Place::number>>();
+    const auto& x =
+        m.template get<types::template output_kind<Place::number>, types::template output_slot<Place::number>>();
     return pose{x.rotation, x.position - point};
   };
 }
