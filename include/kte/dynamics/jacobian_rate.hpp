@@ -60,12 +60,9 @@ template <class Gravity, class... E, indexable Q, indexable V, key_type Frame, a
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
-  check_configuration<chain_type>(q), check_velocities<chain_type>(v);
-  const configuration<S, typename chain_type::wiring, Q> at(q);
-  at.check();
-  return bias_of<S>(motion_at<Frame>(c, given{at, each<S, V>{v}, same<zero_t>{}, base_at_rest}), axes, [&]() {
-    diagnose<typename chain_type::wiring>("an acceleration", at.q, each<S, V>{v}, same<zero_t>{}, "a");
-  });
+  const auto x = checked_arguments<chain_type>(q, v);
+  return bias_of<S>(motion_at<Frame>(c, given{x.at, x.v, same<zero_t>{}, base_at_rest}), axes,
+                    x.diagnosis("an acceleration"));
 }
 
 // ---- runtime chains, with the bases of the state

@@ -29,10 +29,8 @@ template <class Gravity, class... E, indexable Q>
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
   static_assert(sizeof(check_bodies_of<chain_type>) > 0 && sizeof(check_closures_of<chain_type>) > 0);
-  check_configuration<chain_type>(q);
-  const configuration<S, typename chain_type::wiring, Q> at(q);
-  at.check();
-  const given g{at, same<skip>{}, same<skip>{}, base_with_pose};
+  const auto x = checked_arguments<chain_type>(q);
+  const given g{x.at, same<skip>{}, same<skip>{}, base_with_pose};
   using pass = momentum_columns<S, chain_type, std::remove_const_t<decltype(g)>, 3>;
   typename pass::matrix_type j;
   const auto all = pass(c, g, {}, j).fill();
@@ -54,13 +52,10 @@ template <class Gravity, class... E, indexable Q, indexable V, indexable A>
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
   static_assert(sizeof(check_bodies_of<chain_type>) > 0 && sizeof(check_closures_of<chain_type>) > 0);
-  check_configuration<chain_type>(q), check_velocities<chain_type>(v);
-  check_rates<chain_type>(a, "a", "an acceleration");
-  const configuration<S, typename chain_type::wiring, Q> at(q);
-  at.check();
-  const auto why = [&]() { diagnose<typename chain_type::wiring>("a force", at.q, each<S, V>{v}, each<S, A>{a}, "a"); };
-  const auto w = weight_of<S>(c, at);
-  const auto h = momentum_rate_at_base<S>(c, at, each<S, V>{v}, each<S, A>{a});
+  const auto x = checked_arguments<chain_type>(q, v, a);
+  const auto why = x.diagnosis("a force");
+  const auto w = weight_of<S>(c, x.at);
+  const auto h = momentum_rate_at_base<S>(c, x.at, x.v, x.a);
   return checked<S>(h.force, h.torque - cross(divided_by_mass<S>(w.mass, w.moment, why), h.force), why);  // (1)
 }
 /// The acceleration of the centre of mass, m/s^2: p' over the mass.

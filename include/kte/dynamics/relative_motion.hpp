@@ -16,10 +16,8 @@ template <class Gravity, class... E, indexable Q, key_type B, key_type A>
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
-  check_configuration<chain_type>(q);
-  const configuration<S, typename chain_type::wiring, Q> at(q);
-  at.check();
-  const given g{at, same<skip>{}, same<skip>{}, base_with_pose};
+  const auto x = checked_arguments<chain_type>(q);
+  const given g{x.at, same<skip>{}, same<skip>{}, base_with_pose};
   if constexpr (moved_by_joints<chain_type, A> && moved_by_joints<chain_type, B>)
     return plain_pose<S>(pose_in_frame<branch_of<chain_type, A>, branch_of<chain_type, B>>(c, g));
   else
@@ -32,14 +30,9 @@ template <class Gravity, class... E, indexable Q, indexable V, indexable X, key_
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
-  check_configuration<chain_type>(q), check_velocities<chain_type>(v);
-  check_rates<chain_type>(a, "a", "an acceleration");
-  const configuration<S, typename chain_type::wiring, Q> at(q);
-  at.check();
-  const given g{at, each<S, V>{v}, each<S, X>{a}, base_at_rest};
-  return checked_motion(in_numbers<S>(motion_at<A>(c, g)), in_numbers<S>(motion_at<B>(c, g)), [&]() {
-    diagnose<typename chain_type::wiring>("a motion", at.q, each<S, V>{v}, each<S, X>{a}, "a");
-  });
+  const auto x = checked_arguments<chain_type>(q, v, a);
+  const given g{x.at, x.v, x.a, base_at_rest};
+  return checked_motion(in_numbers<S>(motion_at<A>(c, g)), in_numbers<S>(motion_at<B>(c, g)), x.diagnosis("a motion"));
 }
 /// The Jacobian of the motion of B relative to A, in axes of B: the velocity and angular velocity of `relative_motion`
 /// are J v. Joints that move both have columns of zeros; those of joints between the base and A are subtracted.
@@ -48,10 +41,8 @@ template <class Gravity, class... E, indexable Q, key_type B, key_type A>
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
-  check_configuration<chain_type>(q);
-  const configuration<S, typename chain_type::wiring, Q> at(q);
-  at.check();
-  const given g{at, same<skip>{}, same<skip>{}, base_with_pose};
+  const auto x = checked_arguments<chain_type>(q);
+  const given g{x.at, same<skip>{}, same<skip>{}, base_with_pose};
   static_assert(moved_by_joints<chain_type, A> && moved_by_joints<chain_type, B>,
                 "kte: this algorithm supports only frames that joints and links move, not frames that follow others");
   using a = branch_of<chain_type, A>;

@@ -118,13 +118,11 @@ KTE_INLINE auto jacobian_along(const Chain& c, const At& at) {
 template <bool World, class Frame, class Chain, class Q>
 KTE_INLINE auto jacobian_of(const Chain& c, const Q& q) {
   using S = value_of<Q>;
-  check_configuration<Chain>(q);
-  const configuration<S, typename Chain::wiring, Q> at(q);
-  at.check();
+  const auto x = detail::checked_arguments<Chain>(q);
   if constexpr (!moves_rigidly<Chain, Frame::what, frame_slot<Frame, Chain>()>) {
-    return jacobian_by_rates<World, S, Frame>(c, at);
+    return jacobian_by_rates<World, S, Frame>(c, x.at);
   } else {
-    return jacobian_along<World, S, Frame>(c, at);
+    return jacobian_along<World, S, Frame>(c, x.at);
   }
 }
 

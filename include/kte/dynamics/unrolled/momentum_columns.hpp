@@ -23,7 +23,7 @@ class momentum_columns : columns<S, Chain, Given, Rows> {
         motion_, engine::momenta_of_axes{
                      poses_from(motion_, point_),
                      [this]<class Place, int K, class H>(const Place&, std::integral_constant<int, K>, const H& h)
-                         KTE_INLINE_LAMBDA { base::template put<Place::number, K>(h.force, h.torque); }});
+                         KTE_INLINE_LAMBDA { this->template put<Place::number, K>(h.force, h.torque); }});
   }
 
  private:
