@@ -23,13 +23,14 @@ void place_in_world(const body_tree<P>& f, memory<P, S>& m) {
 }
 
 /// Computes the inertia of each body with all bodies that it carries, at its origin and in its axes; with `Bases` also
-/// those of the bases. `Hand`: without skipped parts.
-template <bool Bases, class Hand, class P, class S>
+/// those of the bases. `Hand`: a type without skipped parts, if there are any.
+template <bool Bases, class Hand = void, class P, class S>
 void carry_bodies(const body_tree<P>& f, memory<P, S>& m) {
+  using hand = std::conditional_t<std::is_void_v<Hand>, dense_composite<S>, Hand>;
   if constexpr (Bases)
     for (std::size_t b = 0; b < f.base_weight.size(); ++b) engine::assign(m.carried[b], f.base_weight[b]);
   const one_axis_bodies<P, S> bodies(f, m.joint_transforms);
-  engine::composite_inertias<Bases, Hand>(engine::looped<one_axis_bodies<P, S>>{bodies}, m.carried.data());
+  engine::composite_inertias<Bases, hand>(engine::looped<one_axis_bodies<P, S>>{bodies}, m.carried.data());
 }
 
 /// The wrench that accelerates the bodies beyond axis k of a joint at its unit rate, in the axes of the body.

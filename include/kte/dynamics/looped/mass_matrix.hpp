@@ -55,7 +55,7 @@ void mass_of_coordinates(const Elements& c, State& s) {
   auto& w = s.work;
   auto& m = w.mass;
   place_bodies(c, s);
-  tree::carry_bodies<false, tree::dense_composite<S>>(t.body_tree, w);
+  tree::carry_bodies<false>(t.body_tree, w);
   auto& j = w.followed.j;
   const bool follow = t.plan.coordinates > s.dofs() && [&] {
     j.clear();
