@@ -1,6 +1,5 @@
 #pragma once
 
-#include <kte/recursions/momentum.hpp>
 #include <kte/tree/composite.hpp>
 
 namespace kte::tree {
@@ -39,17 +38,18 @@ void momenta(const body_tree<P>& f, const memory<P, S>& m, const vec3<S>& about,
   engine::looped<one_axis_bodies<P, S>>{bodies}.each(m.carried.data(),
                                                      engine::momenta_of_axes{poses_from(f, m, about), put_axis});
 }
-/// The momentum of all bodies at `rate`, about a point, with bases at rest.
+/// The momentum of all bodies at `rate`, about a point, with bases at rest: the sum over all joints of X I^c S q_dot,
+/// with the X and I^c of recursions/composite_body.hpp.
 template <class P, class S>
 dense_wrench<S> momentum(const body_tree<P>& f, const memory<P, S>& m, const vec3<S>& about) {
   const one_axis_bodies<P, S> bodies(f, m.joint_transforms);
+  const auto pose_of = poses_from(f, m, about);
   dense_wrench<S> sum{};
   engine::looped<one_axis_bodies<P, S>>{bodies}.each(
-      m.carried.data(),
-      engine::momenta_of_joints{poses_from(f, m, about),
-                                [rate = m.rate.data()](const auto& b)
-                                    KTE_INLINE_LAMBDA { return b.along_axes(rate + b.first()); },
-                                [&sum](const auto& h) KTE_INLINE_LAMBDA { engine::assign(sum, sum + h); }});
+      m.carried.data(), [&](const auto& b, const dense_composite<S>& carried, int i) KTE_INLINE_LAMBDA {
+        const auto [linear, angular] = b.along_axes(m.rate.data() + b.first());
+        engine::assign(sum, sum + transmit(pose_of(i), accelerating_wrench(carried, linear, angular)));
+      });
   return sum;
 }
 

@@ -2,7 +2,7 @@
 
 #include <kte/dynamics/unrolled/bodies.hpp>
 #include <kte/dynamics/unrolled/given_bases.hpp>
-#include <kte/recursions/momentum.hpp>
+#include <kte/recursions/composite_body.hpp>
 
 /// Mass, centre of mass and momentum of static chains.
 namespace kte::detail {
