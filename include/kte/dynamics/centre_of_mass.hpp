@@ -60,8 +60,8 @@ namespace kte {
 template <class S>
 mass_centre<S> centre_of_mass(const runtime_chain& c, basic_runtime_state<S>& s) {
   detail::check_regular_tree(c, s), detail::check_positions(s);
-  detail::carry(c, s);
-  const auto w = tree::weight_in_world(s.tree().body_tree, s.work);
+  detail::refuse_distributed_masses(c, s);
+  const auto w = detail::weigh(c, s);
   return {w.mass, detail::divided_by_mass<S>(w.mass, w.moment, detail::diagnose_state{"a centre of mass", s})};
 }
 template <class S>

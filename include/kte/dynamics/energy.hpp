@@ -88,8 +88,7 @@ S potential_energy(const runtime_chain& c, basic_runtime_state<S>& s) {
     sum += e.element->potential_energy(s);
     if (e.distributed_mass) sum -= dot(c.gravity(), e.element->first_moment(s));
   }
-  detail::carry_bodies(c, s);
-  return detail::checked_energy<S>(sum - dot(c.gravity(), tree::weight_in_world(s.tree().body_tree, s.work).moment),
+  return detail::checked_energy<S>(sum - dot(c.gravity(), detail::weigh(c, s).moment),
                                    detail::diagnose_state{"an energy", s});
 }
 template <class S>
