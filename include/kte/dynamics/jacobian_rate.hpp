@@ -31,10 +31,6 @@ template <class Gravity, class... E, indexable Q, key_type Frame>
     detail::move_to_world_origin(j, p);
   return j;
 }
-template <class Gravity, class... E, indexable Q, key_type Frame>
-[[nodiscard]] auto jacobian(const static_chain<Gravity, E...>& c, const Q& q, const Frame& frame, in_own_axes_t) {
-  return jacobian(c, q, frame);
-}
 
 /// The time derivative J_dot of `jacobian(c, q, frame, axes)` at the velocities v, by dual numbers, exact to rounding.
 template <class Gravity, class... E, indexable Q, indexable V, key_type Frame, axes_of_rates Axes = in_own_axes_t>
