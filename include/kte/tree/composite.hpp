@@ -8,18 +8,16 @@
 
 namespace kte::tree {
 
-/// Computes the axes and origins of all bodies in the world from those of the bases. `Hand`: without skipped ones.
-template <class Hand, class P, class S>
-void place_bodies_in_world(const body_tree<P>& f, memory<P, S>& m) {
+/// Computes the axes and origins of all bodies in the world from those of the bases, and on request the axes of joints.
+/// `Hand`: without skipped ones.
+template <class Hand, class P, class S, class... Axes>
+void place_bodies_in_world(const body_tree<P>& f, memory<P, S>& m, Axes*... axes) {
   const one_axis_bodies<P, S> bodies(f, m.joint_transforms);
-  engine::world_placements<Hand>(engine::looped<one_axis_bodies<P, S>>{bodies}, m.world.data());
+  engine::world_placements<Hand>(engine::looped<one_axis_bodies<P, S>>{bodies}, m.world.data(), axes...);
 }
-/// The same with the axes of joints.
 template <class P, class S>
 void place_in_world(const body_tree<P>& f, memory<P, S>& m) {
-  const one_axis_bodies<P, S> bodies(f, m.joint_transforms);
-  engine::world_placements<world_place<S>>(engine::looped<one_axis_bodies<P, S>>{bodies}, m.world.data(),
-                                           m.axes.data());
+  place_bodies_in_world<world_place<S>>(f, m, m.axes.data());
 }
 
 /// Computes the inertia of each body with all bodies that it carries, at its origin and in its axes; with `Bases` also
