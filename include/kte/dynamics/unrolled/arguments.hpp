@@ -16,16 +16,6 @@ template <class Chain, class V>
 KTE_INLINE void check_velocities(const V& v) {
   check_rates<Chain>(v, "v", "a velocity");
 }
-/// Names the argument that is too large for a finite result.
-template <class Wiring, class Q, class V, class A>
-struct diagnose_arguments {
-  const char* what;
-  Q q;
-  V v;
-  A a;
-  [[noreturn]] KTE_INLINE void operator()() const { diagnose<Wiring>(what, q, v, a, "a"); }
-};
-
 /// The checked arguments of a call on a static chain: their sizes are right and all numbers are finite.
 template <class Chain, class Q, class V, class A>
 struct arguments_of_call {
@@ -35,9 +25,9 @@ struct arguments_of_call {
   A a;
 
   KTE_INLINE arguments_of_call(const Q& q, V of_v, A of_a) : at(q), v(of_v), a(of_a) { at.check(); }
-  /// Diagnoses a result that is not finite, by its name with an article.
+  /// Diagnoses a result that is not finite, by its name with an article: names the argument that is too large.
   KTE_INLINE auto diagnosis(const char* what) const {
-    return diagnose_arguments<wiring, each<value_of<Q>, Q>, V, A>{what, at.q, v, a};
+    return [this, what]() KTE_INLINE_LAMBDA { diagnose<wiring>(what, at.q, v, a, "a"); };
   }
 };
 template <class Chain, class Q>
