@@ -190,8 +190,7 @@ struct base_of_state {
 
 /// Only the positions of prescribed coordinates, and frames whose `Motion` is known.
 template <class Base, class Motion>
-struct only_positions {
-  const Base& base;
+struct only_positions : Base {
   Motion motion;
   template <kind, int>
   KTE_INLINE constexpr const Motion& at() const {
@@ -199,20 +198,8 @@ struct only_positions {
   }
   template <int I>
   KTE_INLINE constexpr auto fixed() const {
-    const auto c = base.template fixed<I>();
+    const auto c = Base::template fixed<I>();
     return coordinate{c.q, zero, zero, c.cos, c.sin};
-  }
-  template <int I>
-  KTE_INLINE constexpr auto input() const {
-    return base.template input<I>();
-  }
-  template <int I>
-  KTE_INLINE constexpr auto vector() const {
-    return base.template vector<I>();
-  }
-  template <int I>
-  KTE_INLINE constexpr auto internal() const {
-    return base.template internal<I>();
   }
 };
 template <class Base, class Motion>
