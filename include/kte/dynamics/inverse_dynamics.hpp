@@ -19,7 +19,10 @@ namespace detail {
 template <kind K, int V, class L, class Sign, class X>
 KTE_INLINE void spread_load(const L& load, Sign sign, X& f) {
   using S = typename X::Scalar;
-  unroll<nv_of(K)>([&]<int N>() KTE_INLINE_LAMBDA { f[V + N] = as<S>(sign * number_of<K, N>(load)); });
+  if constexpr (nv_of(K) == 1)
+    f[V] = as<S>(sign * number_of<K, 0>(load));
+  else
+    unroll<nv_of(K)>([&]<int N>() KTE_INLINE_LAMBDA { f[V + N] = as<S>(sign * number_of<K, N>(load)); });
 }
 /// The generalized forces on all degrees of freedom: those of virtual power (`sign` 1), or those to apply for the given
 /// motion (`sign` -1).
