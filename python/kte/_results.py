@@ -198,7 +198,7 @@ class EventOccurrence(NamedTuple):
 class ColumnStatistics(NamedTuple):
     """Statistics of a kept column of a sweep over the cases with a number, updated in the order of the cases."""
 
-    count: int
+    cases: int
     least: float
     most: float
     mean: float

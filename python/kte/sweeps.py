@@ -1,6 +1,7 @@
 """Sweeps: a simulation, an operation or a function on many cases, in threads and on several machines."""
 from __future__ import annotations
 
+import importlib
 import math
 import os
 from concurrent.futures import FIRST_COMPLETED, Executor, Future, wait
@@ -98,14 +99,12 @@ class SweepTable(Dict[str, Any]):
 
     @property
     def statistics(self) -> Dict[str, ColumnStatistics]:
-        """Statistics of the kept columns: count, least, most, mean, deviation."""
+        """Statistics of the kept columns: cases, least, most, mean, deviation."""
         return self.summary.statistics
 
     def to_pandas(self) -> Any:
         """The table as a pandas DataFrame, with the number of the case as index."""
-        import pandas
-
-        return pandas.DataFrame({name: x for name, x in self.items() if name != "case"}, index=self["case"])
+        return importlib.import_module("pandas").DataFrame({name: x for name, x in self.items() if name != "case"}, index=self["case"])
 
     def __missing__(self, name: str) -> Any:
         raise UnknownName(f"kte: the sweep has no column {name!r}, but {', '.join(self)}")
@@ -289,7 +288,7 @@ def sweep(
         if not named:
             raise BadArgument("kte: keep must name the numbers that the function returns")
         names = list(named)
-        work = _Evaluation(run, varied.names, names)
+        work = _Evaluation(run, varied.names, list(named.values()))
     else:
         raise TypeError(f"kte: run must be a SimulationRun, an OperationRun or a function, not {run!r}")
     for name in names:

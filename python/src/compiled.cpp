@@ -149,7 +149,7 @@ nonlinear_effects, gravity_forces, energy, and the derivatives of dynamics; of `
 and world axes. Their results differ from those of the chain by rounding. Everything else works as for the chain. With
 `inputs`, and if an element is added, functions are those of the chain.
 
-The compiler is that of the variable CXX, or the one that compiled kte. Raises BadArgument with its first messages if it
+The compiler is that of the variable CXX, or that of the build of kte. Raises BadArgument with its first messages if it
 fails, BadFile if there is none.)",
       "chain"_a, "frames"_a = py::tuple());
 }

@@ -26,7 +26,7 @@ class native_run {
   virtual void operator()(const std::vector<double>& values, std::vector<double>& kept) = 0;
 };
 
-/// Of a kte.SimulationRun or kte.OperationRun, for columns of these names.
+/// Makes the run of a kte.SimulationRun or kte.OperationRun, for columns of these names.
 std::unique_ptr<native_run> make_simulation_run(pybind11::handle run, const column_names& columns,
                                                 const column_names& keep, stop_flag stop);
 std::unique_ptr<native_run> make_operation_run(pybind11::handle run, const column_names& columns,

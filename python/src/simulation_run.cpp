@@ -17,15 +17,15 @@ namespace {
 
 /// How rows of a quantity become a number.
 enum class reduction { last, least, most, mean };
-/// What is known of a simulation beside its state.
+/// Results of a simulation other than its state.
 enum class outcome { end_time, events, steps };
 constexpr std::array<std::pair<std::string_view, outcome>, 3> outcomes{
     {{"run/end_time", outcome::end_time}, {"run/events", outcome::events}, {"run/steps", outcome::steps}}};
 constexpr std::array<std::pair<std::string_view, reduction>, 3> reductions{
     {{"min:", reduction::least}, {"max:", reduction::most}, {"mean:", reduction::mean}}};
 
-/// What is kept of a simulation, and its names: quantities of the final state, `max:QUANTITY` ... of its rows, and
-/// outcomes.
+/// The kept numbers of a simulation, and their names: quantities of the final state, `max:QUANTITY` ... of its rows,
+/// and outcomes.
 struct kept_of_simulation {
   struct number {
     bool is_outcome = false;

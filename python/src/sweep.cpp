@@ -120,7 +120,7 @@ std::unique_ptr<native_run> run_from(py::handle run, const column_names& columns
   if (is_simulation(run)) return make_simulation_run(run, columns, quantities, std::move(stop));
   return make_operation_run(run, columns, quantities);
 }
-/// Of a function, or of a run of the library and the quantities that it keeps.
+/// The function of a sweep: a callable, or a pair of a run of the library and the quantities that it keeps.
 kte::detail::range_function function_from(py::object run, const column_names& columns, stop_flag stop) {
   if (!py::isinstance<py::tuple>(run)) return python_run(std::move(run), std::move(stop));
   const auto [native, quantities] = run.cast<std::pair<py::object, column_names>>();

@@ -37,10 +37,10 @@ std::uint64_t count_from(py::handle n) {
 cases_object list_from(py::handle names, py::handle values) {
   auto all = names_from(names);
   const auto columns = static_cast<Py_ssize_t>(all.size());
+  if (const auto given = py::array::ensure(values); given && (given.ndim() != 2 || given.shape(1) != columns))
+    throw kte::bad_argument("kte: values has shape " + py::str(given.attr("shape")).cast<std::string>() +
+                            ", expected (cases, " + std::to_string(columns) + ")");
   const numbers x("values", values, columns);
-  if (!x.several())
-    throw kte::bad_argument("kte: values has shape (" + std::to_string(columns) + ",), expected (cases, " +
-                            std::to_string(columns) + ")");
   std::vector<double> memory;
   const double* const from = x.contiguous(x.states(), memory);
   const auto size = static_cast<std::size_t>(x.states() * columns);

@@ -27,7 +27,7 @@ TEST_CASE("parameters of a runtime chain by their paths") {
   CHECK(record_of(varied.with(std::array{1.0, 0.4, -9.81, 0.2, 0.1})) == record_of(c));
   const auto other = varied.with(std::array{3.0, 0.5, -1.62, 0.3, 0.7});
   CHECK(record_of(other) == record_of(arm(0.5, 3, 0.3, 0.7, -1.62)));
-  CHECK(record_of(varied.with(std::array{1.0, 0.4, -9.81, 0.2, 0.1})) == record_of(c));  // the same again
+  CHECK(record_of(varied.with(std::array{1.0, 0.4, -9.81, 0.2, 0.1})) == record_of(c));  // unchanged by the call before
 }
 
 TEST_CASE("paths that a chain does not have, or several times, and bad values") {

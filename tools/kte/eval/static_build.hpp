@@ -8,7 +8,7 @@
 /// Compiles a program or library for one robot.
 namespace evaluate {
 
-/// Of a program or module: who builds it again may have changed the library.
+/// The time of the build of a program or module, which may have been built again with another library.
 inline std::string time_of_build(const std::filesystem::path& file) {
   std::error_code none;
   const auto time = std::filesystem::last_write_time(file, none);

@@ -18,8 +18,7 @@ using function_of_state = void (*)(const double* const* in, double* const* out, 
 using function_of_states = void (*)(std::size_t states, const double* const* in, double* out, std::size_t threads,
                                     library_failure& f);
 
-/// A function of a robot: its name, the frame that it is of or null, and its two forms, the second of which may be
-/// null.
+/// A function of a robot: its name, its frame or null, and its two forms; the second may be null.
 struct library_function {
   const char* name;
   const char* frame;
