@@ -4,6 +4,7 @@ from __future__ import annotations
 import importlib
 import math
 import os
+import sys
 from concurrent.futures import FIRST_COMPLETED, Executor, Future, wait
 from dataclasses import dataclass
 from itertools import islice
@@ -40,6 +41,11 @@ class Case(Dict[str, float]):
         raise UnknownName(f"kte: the cases have no column {name!r}")
 
 
+def _keep_chain(run: Any) -> None:
+    """Replaces a robot by its chain, which has a pickle."""
+    object.__setattr__(run, "chain", getattr(run.chain, "chain", run.chain))
+
+
 @dataclass(frozen=True)
 class SimulationRun:
     """A simulation for `sweep`: of each case, from `t` for a time, s. Arguments are those of `Simulation`.
@@ -67,6 +73,7 @@ class SimulationRun:
     def __post_init__(self) -> None:
         if math.isnan(self.time):
             raise TypeError("kte: a SimulationRun needs its time, as time=10")
+        _keep_chain(self)
 
 
 @dataclass(frozen=True)
@@ -82,6 +89,9 @@ class OperationRun:
     a: Optional[ArrayLike] = None
     tau: Optional[ArrayLike] = None
     inputs: Optional[Mapping[str, ArrayLike]] = None
+
+    def __post_init__(self) -> None:
+        _keep_chain(self)
 
 
 class SweepTable(Dict[str, Any]):
@@ -116,6 +126,11 @@ class SweepTable(Dict[str, Any]):
 #: Names of kept numbers, or a dict from names to quantities.
 Keep = Union[None, str, Iterable[str], Mapping[str, str]]
 Run = Union[SimulationRun, OperationRun, Callable[[Case], Kept]]
+
+
+def _print_progress(p: SweepProgress) -> None:
+    text = f"{p.done} of {p.total} cases, {p.failed} failed, {p.rate:.4g} per s, {p.left:.0f} s left"
+    print(f"\r{text}   ", end="\n" if p.done == p.total else "", file=sys.stderr, flush=True)
 
 
 class _Evaluation:
@@ -192,17 +207,21 @@ class _Elsewhere:
         waiting = iter(enumerate(shards))
         running = {self._submit(shard): i for i, shard in islice(waiting, _AHEAD)}
         failure: Optional[Tuple[int, BaseException]] = None
-        while running:
-            for future in wait(running, return_when=FIRST_COMPLETED).done:
-                i = running.pop(future)
-                for j, shard in islice(waiting, 1):
-                    running[self._submit(shard)] = j
-                error = future.exception()
-                if error is None:
-                    self.results[shards[i] * self.shard_size] = future.result()
-                    yield i
-                elif failure is None or i < failure[0]:
-                    failure = i, error
+        try:
+            while running:
+                for future in wait(running, return_when=FIRST_COMPLETED).done:
+                    i = running.pop(future)
+                    for j, shard in islice(waiting, 1):
+                        running[self._submit(shard)] = j
+                    error = future.exception()
+                    if error is None:
+                        self.results[shards[i] * self.shard_size] = future.result()
+                        yield i
+                    elif failure is None or i < failure[0]:
+                        failure = i, error
+        finally:
+            for future in running:
+                future.cancel()
         if failure is not None:
             begin = shards[failure[0]] * self.shard_size
             raise Error(
@@ -308,7 +327,8 @@ def sweep(
         elsewhere = _Elsewhere(_executor(client), varied, names, work, shard_size)
         completed = elsewhere.completed(_kte._missing_shards(varied, names, to, shard_size, note))
         work = elsewhere.fetch
-    result = _kte._run_sweep(varied, names, work, to, threads, shard_size, note, progress, completed)
+    report = (_print_progress if progress else None) if isinstance(progress, bool) else progress
+    result = _kte._run_sweep(varied, names, work, to, threads, shard_size, note, report, completed)
     if to is not None:
         return result  # type: ignore[no-any-return]
     columns, failures, summary = result

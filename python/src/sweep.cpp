@@ -127,7 +127,7 @@ kte::detail::range_function function_from(py::object run, const column_names& co
   return run_of_library(run_from(native, columns, quantities, stop), stop);
 }
 
-/// Runs shards in threads, while this one looks for Ctrl-C.
+/// Runs shards in threads, while this one looks for Ctrl-C, which ends the sweep, as an exception of a shard does.
 class watched_threads {
  public:
   watched_threads(std::size_t threads, stop_flag stop) : threads_(threads), stop_(std::move(stop)) {}
@@ -139,8 +139,13 @@ class watched_threads {
     std::thread team([&] {
       try {
         kte::batch::threads{threads_}(tasks, [&](std::size_t i) {
-          if (*stop_) throw stopped{};
-          task(i);
+          try {
+            if (!*stop_) task(i);
+          } catch (const stopped&) {
+          } catch (...) {
+            *stop_ = true;
+            throw;
+          }
         });
       } catch (...) {
         failure = std::current_exception();
@@ -213,14 +218,11 @@ py::tuple as_python(const kte::sweep_table& t) {
 
 kte::sweep_options options_from(std::uint64_t shard_size, const std::string& note, py::object progress) {
   kte::sweep_options o{.shard_size = shard_size, .note = note};
-  if (py::isinstance<py::bool_>(progress)) {
-    if (progress.cast<bool>()) o.progress = kte::print_progress;
-  } else if (!progress.is_none()) {
-    o.progress = [report = shared(std::move(progress))](const kte::sweep_progress& p) {
-      const py::gil_scoped_acquire with;
-      (*report)(as_python(p));
-    };
-  }
+  if (progress.is_none()) return o;
+  o.progress = [report = shared(std::move(progress))](const kte::sweep_progress& p) {
+    const py::gil_scoped_acquire with;
+    (*report)(as_python(p));
+  };
   return o;
 }
 

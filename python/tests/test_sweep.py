@@ -145,6 +145,7 @@ def test_simulations_with_forces_inputs_and_other_failures():
 def test_operations_are_those_of_the_chain(iiwa, random):
     q, v, tau = random.normal(size=(3, 7))
     cases = kte.evenly("q/q3", -1, 1, 5) * kte.evenly("link7/mass", 1, 2, 3)
+    assert pickle.loads(pickle.dumps(kte.OperationRun("energy", iiwa, [0.0] * 7))).chain == iiwa.chain
     table = kte.sweep(cases, kte.OperationRun("forward_dynamics", iiwa, q, v, tau=tau))
     assert list(table)[3:-1] == [f"a/q{i}" for i in range(1, 8)]
     matrix = kte.sweep(cases, kte.OperationRun("mass_matrix", iiwa, q), "M/q1/q3")["M/q1/q3"]
