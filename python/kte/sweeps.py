@@ -1,11 +1,12 @@
 """Sweeps: a simulation, an operation or a function on many cases, in threads and on several machines."""
 from __future__ import annotations
 
+import functools
 import importlib
 import math
 import os
 import sys
-from concurrent.futures import FIRST_COMPLETED, Executor, Future, wait
+from concurrent.futures import FIRST_COMPLETED, Executor, wait
 from dataclasses import dataclass
 from itertools import islice
 from typing import Any, Callable, Dict, Iterable, Iterator, List, Mapping, Optional, Sequence, Tuple, Union, overload
@@ -23,7 +24,7 @@ __all__ = ["Case", "OperationRun", "SimulationRun", "SweepTable", "sweep"]
 #: What a function of a sweep returns: the kept numbers, or a dict that has them.
 Kept = Union[float, ArrayLike, Mapping[str, float]]
 
-_AHEAD = 64  # shards that are given to an executor before their results are fetched
+_AHEAD = 64  # shards that workers have at a time
 
 
 def _remade(function: str, arguments: Tuple[Any, ...]) -> Any:
@@ -181,44 +182,53 @@ def _kept(run: Any, columns: List[str], named: Mapping[str, str]) -> Tuple[List[
     return names, quantities
 
 
-def _executor(client: Any) -> Executor:
-    if isinstance(client, Executor):
-        return client
-    if hasattr(client, "get_executor"):  # of Dask
-        executor: Executor = client.get_executor(pure=False)
-        return executor
-    raise TypeError(f"kte: client must be a client of Dask or a concurrent.futures.Executor, not {client!r}")
+class _Workers:
+    """Those of a client of Dask or of an Executor: `submit` a call, `first` of futures that are done."""
+
+    def __init__(self, client: Any) -> None:
+        self.submit: Callable[..., Any]
+        self.first: Callable[[Iterable[Any]], Any]
+        if isinstance(client, Executor):
+            self.submit = client.submit
+            self.first = lambda futures: wait(futures, return_when=FIRST_COMPLETED).done
+        elif type(client).__module__.partition(".")[0] == "distributed":
+            dask = importlib.import_module("distributed")
+            self.submit = functools.partial(client.submit, pure=False)
+            self.first = lambda futures: dask.wait(list(futures), return_when="FIRST_COMPLETED").done
+        else:
+            raise TypeError(f"kte: client must be a client of Dask or a concurrent.futures.Executor, not {client!r}")
 
 
 class _Elsewhere:
-    """Shards of a sweep as tasks of an executor: ranges of cases, with their values."""
+    """Shards of a sweep as tasks of workers: ranges of cases, with their values."""
 
-    def __init__(self, executor: Executor, cases: Cases, kept: Sequence[str], run: Any, shard_size: int) -> None:
-        self.executor, self.cases, self.kept, self.run, self.shard_size = executor, cases, kept, run, shard_size
+    def __init__(self, workers: _Workers, cases: Cases, kept: Sequence[str], run: Any, shard_size: int) -> None:
+        self.workers, self.cases, self.kept, self.run, self.shard_size = workers, cases, kept, run, shard_size
         self.results: Dict[int, Tuple[Array, List[Tuple[int, str]]]] = {}
 
-    def _submit(self, shard: int) -> "Future[Any]":
+    def _submit(self, shard: int) -> Any:
         begin = shard * self.shard_size
         values = self.cases.values(begin, min(begin + self.shard_size, len(self.cases)))
-        return self.executor.submit(_kte_range, self.cases.names, list(self.kept), self.run, begin, values)
+        return self.workers.submit(_kte_range, self.cases.names, list(self.kept), self.run, begin, values)
 
     def completed(self, shards: Sequence[int]) -> Iterator[int]:
         """The places in `shards` of those whose results are there. If one has none, the others are computed first."""
         waiting = iter(enumerate(shards))
         running = {self._submit(shard): i for i, shard in islice(waiting, _AHEAD)}
-        failure: Optional[Tuple[int, BaseException]] = None
+        failure: Optional[Tuple[int, Exception]] = None
         try:
             while running:
-                for future in wait(running, return_when=FIRST_COMPLETED).done:
+                for future in self.workers.first(running):
                     i = running.pop(future)
                     for j, shard in islice(waiting, 1):
                         running[self._submit(shard)] = j
-                    error = future.exception()
-                    if error is None:
+                    try:
                         self.results[shards[i] * self.shard_size] = future.result()
+                    except Exception as error:
+                        if failure is None or i < failure[0]:
+                            failure = i, error
+                    else:
                         yield i
-                    elif failure is None or i < failure[0]:
-                        failure = i, error
         finally:
             for future in running:
                 future.cancel()
@@ -324,7 +334,7 @@ def sweep(
 
     completed = None
     if client is not None:
-        elsewhere = _Elsewhere(_executor(client), varied, names, work, shard_size)
+        elsewhere = _Elsewhere(_Workers(client), varied, names, work, shard_size)
         completed = elsewhere.completed(_kte._missing_shards(varied, names, to, shard_size, note))
         work = elsewhere.fetch
     report = (_print_progress if progress else None) if isinstance(progress, bool) else progress
