@@ -4,6 +4,7 @@ from __future__ import annotations
 import functools
 import importlib
 import math
+import operator
 import os
 import sys
 from concurrent.futures import FIRST_COMPLETED, Executor, wait
@@ -47,7 +48,7 @@ def _keep_chain(run: Any) -> None:
     object.__setattr__(run, "chain", getattr(run.chain, "chain", run.chain))
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class SimulationRun:
     """A simulation for `sweep`: of each case, from `t` for a time, s. Arguments are those of `Simulation`.
 
@@ -77,7 +78,7 @@ class SimulationRun:
         _keep_chain(self)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class OperationRun:
     """An operation for `sweep`: inverse_dynamics, forward_dynamics, mass_matrix, gravity_forces, static_forces,
     nonlinear_effects, energy, centre_of_mass; or passes, which compute quantities of all frames and coordinates.
@@ -148,6 +149,8 @@ class _Evaluation:
                 raise UnknownName(f"kte: the function of the sweep gave no {absent[0]!r}, but {', '.join(kept)}")
             kept = [kept[name] for name in self.keep]
         try:
+            if kept is None:
+                raise TypeError
             return np.asarray(kept, dtype=float).ravel().tolist()  # type: ignore[no-any-return]
         except (TypeError, ValueError):
             raise TypeError(f"kte: the function of the sweep must return numbers, not {kept!r}") from None
@@ -159,7 +162,10 @@ def _cases(cases: Any) -> Cases:
     if hasattr(cases, "columns") and hasattr(cases, "to_numpy"):  # a DataFrame
         return _kte.list_of_cases([str(name) for name in cases.columns], cases.to_numpy(dtype=float))
     if isinstance(cases, Mapping) and cases:
-        return _kte.list_of_cases(list(cases), np.column_stack([np.asarray(x, dtype=float) for x in cases.values()]))
+        columns = [np.asarray(x, dtype=float) for x in cases.values()]
+        if len({x.shape for x in columns}) > 1 or columns[0].ndim != 1:
+            raise BadArgument(f"kte: cases have columns of shapes {', '.join(str(x.shape) for x in columns)}, expected (cases,)")
+        return _kte.list_of_cases(list(cases), np.column_stack(columns))
     raise TypeError(f"kte: cases must be Cases, a dict of arrays or a DataFrame, not {cases!r}")
 
 
@@ -323,6 +329,7 @@ def sweep(
     for name in names:
         if name in varied.names:
             raise BadArgument(f"kte: the cases have a column {name!r}: keep the result as keep={{'NAME': {name!r}}}")
+    threads, shard_size = (None if x is None else operator.index(x) for x in (threads, shard_size))
     if threads is not None and threads < 1:
         raise BadArgument(f"kte: threads must be at least 1, got {threads}")
     if shard_size is not None and shard_size < 1:

@@ -70,7 +70,11 @@ void put_inputs(const kte::runtime_chain& c, kte::runtime_state& s, py::handle i
 std::vector<std::string> names_from(py::handle names) {
   if (py::isinstance<py::str>(names)) return {names.cast<std::string>()};
   std::vector<std::string> all;
-  for (const auto name : names) all.push_back(name.cast<std::string>());
+  for (const auto name : names) {
+    if (!py::isinstance<py::str>(name))
+      throw py::type_error("kte: a name must be a str, not " + py::repr(name).cast<std::string>());
+    all.push_back(name.cast<std::string>());
+  }
   return all;
 }
 

@@ -22,8 +22,16 @@ constexpr auto check_interval = std::chrono::milliseconds(50);
 
 }  // namespace
 
+void check_solver(const std::string& name) {
+  const std::string known = std::string(solvers_with_tolerances) + ", " + solvers_of_fixed_step + ",";
+  if (name.empty() || (" " + known).find(" " + name + ",") == std::string::npos)
+    throw kte::bad_argument("kte: there is no solver '" + name + "', but " + solvers_with_tolerances +
+                            "; of a fixed step " + solvers_of_fixed_step);
+}
+
 std::unique_ptr<any_solver> start_solver(plant& p, const Eigen::VectorXd& q, const Eigen::VectorXd& v, double t,
                                          const solver_options& o) {
+  check_solver(o.name);
   if (!(o.step > 0)) throw kte::bad_argument("kte: step must be positive, got " + kte::detail::number(o.step));
   plant::state x = p.model().make_x(q, v);
   p.set_inputs(t, x);
@@ -31,9 +39,6 @@ std::unique_ptr<any_solver> start_solver(plant& p, const Eigen::VectorXd& q, con
   auto solver = make_explicit_solver(p, x, t, o);
   if (!solver) solver = make_stiff_solver(p, x, t, o);
   if (!solver) solver = make_fixed_step_solver(p, x, t, o);
-  if (!solver)
-    throw kte::bad_argument("kte: there is no solver '" + o.name + "', but " + solvers_with_tolerances +
-                            "; of a fixed step " + solvers_of_fixed_step);
   return solver;
 }
 

@@ -191,6 +191,7 @@ std::unique_ptr<native_run> make_simulation_run(py::handle run, const std::vecto
         .max_steps = run.attr("max_steps").cast<long long>()}},
       {vector_from("q", run.attr("q"), c.nq()), v.is_none() ? zero : vector_from("v", v, n),
        control.is_none() ? zero : vector_from("control", control, n), inputs_from(c, run.attr("inputs"))}};
+  check_solver(s.solver.name);
   s.solver.tolerances.largest_step = number("largest_step");
   return std::make_unique<simulation_run>(std::move(s), columns, keep, std::move(stop));
 }

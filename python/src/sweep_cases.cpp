@@ -24,14 +24,32 @@ py::tuple reduced(const made_by& how) {
 
 std::vector<kte::distributed> distributions_from(py::handle columns) {
   std::vector<kte::distributed> all;
-  for (const auto c : columns) all.push_back(c.cast<const distribution_object&>().value);
+  for (const auto c : columns) {
+    if (!py::isinstance<distribution_object>(c))
+      throw py::type_error("kte: columns must be distributions, as kte.uniform('tool/mass', 0, 5), not " +
+                           py::repr(c).cast<std::string>());
+    all.push_back(c.cast<const distribution_object&>().value);
+  }
   return all;
 }
-/// Refuses a number of cases below zero in words.
-std::uint64_t count_from(py::handle n) {
-  const auto count = n.cast<long long>();
-  if (count < 0) throw kte::bad_argument("kte: a number of cases must not be negative, got " + std::to_string(count));
-  return static_cast<std::uint64_t>(count);
+/// A list of the columns; one column may be alone.
+py::list list_of(py::handle columns) {
+  if (!py::isinstance<distribution_object>(columns)) return py::list(py::reinterpret_borrow<py::object>(columns));
+  py::list one;
+  one.append(columns);
+  return one;
+}
+/// A whole number that is not negative.
+std::uint64_t whole(const char* name, py::handle n) {
+  const auto number = py::reinterpret_steal<py::int_>(PyNumber_Index(n.ptr()));
+  if (!number) throw py::error_already_set();
+  const std::uint64_t x = PyLong_AsUnsignedLongLong(number.ptr());
+  if (PyErr_Occurred()) {
+    PyErr_Clear();
+    throw kte::bad_argument(std::string("kte: ") + name + " must be from 0 to 2^64 - 1, got " +
+                            py::str(number).cast<std::string>());
+  }
+  return x;
 }
 
 cases_object list_from(py::handle names, py::handle values) {
@@ -83,7 +101,7 @@ case, computed on access.)")
       .def(
           "values",
           [](const cases_object& c, std::uint64_t begin, py::handle end) {
-            const std::uint64_t last = end.is_none() ? c.cases.count() : count_from(end);
+            const std::uint64_t last = end.is_none() ? c.cases.count() : whole("end", end);
             if (begin > last || last > c.cases.count())
               throw kte::bad_argument("kte: there are " + std::to_string(c.cases.count()) + " cases, not those from " +
                                       std::to_string(begin) + " to " + std::to_string(last));
@@ -140,7 +158,7 @@ case, computed on access.)")
   m.def(
       "evenly",
       [](const std::string& name, double first, double last, py::handle n) {
-        return cases_object{kte::evenly(name, first, last, count_from(n)),
+        return cases_object{kte::evenly(name, first, last, whole("n", n)),
                             {"evenly", py::make_tuple(name, first, last, n)}};
       },
       "evenly(name, first, last, n)\n\nCases: one column with n evenly spaced values.", "name"_a, "first"_a, "last"_a,
@@ -150,10 +168,10 @@ case, computed on access.)")
         "names"_a, "values"_a);
   m.def(
       "random_cases",
-      [](py::handle n, std::uint64_t seed, py::handle columns) {
-        return cases_object{
-            kte::random_cases(count_from(n), seed, distributions_from(columns)),
-            {"random_cases", py::make_tuple(n, seed, py::list(py::reinterpret_borrow<py::object>(columns)))}};
+      [](py::handle n, py::handle seed, py::handle columns) {
+        const auto all = list_of(columns);
+        return cases_object{kte::random_cases(whole("n", n), whole("seed", seed), distributions_from(all)),
+                            {"random_cases", py::make_tuple(n, seed, all)}};
       },
       R"(random_cases(n, seed, columns)
 
@@ -163,8 +181,9 @@ seed and its number only: more cases begin with the same ones.)",
   m.def(
       "sobol_cases",
       [](py::handle n, py::handle columns) {
-        return cases_object{kte::sobol_cases(count_from(n), distributions_from(columns)),
-                            {"sobol_cases", py::make_tuple(n, py::list(py::reinterpret_borrow<py::object>(columns)))}};
+        const auto all = list_of(columns);
+        return cases_object{kte::sobol_cases(whole("n", n), distributions_from(all)),
+                            {"sobol_cases", py::make_tuple(n, all)}};
       },
       R"(sobol_cases(n, columns)
 

@@ -105,6 +105,8 @@ def test_errors_are_those_of_the_chain(fast, state):
 def test_chains_and_frames_that_are_refused(arm, four_bar, cache):
     with pytest.raises(kte.UnknownName, match="tol"):
         kte.compile(arm, frames="tol")
+    with pytest.raises(TypeError, match="a name must be a str, not 3"):
+        kte.compile(arm, frames=[3])
     with pytest.raises(kte.BadArgument, match="closures of loops"):
         kte.compile(four_bar)
 

@@ -51,8 +51,15 @@ def test_cases_are_dicts_arrays_and_pickles():
         kte.list_of_cases(["p", "q"], np.zeros((2, 3)))
     with pytest.raises(kte.BadArgument, match="distribution of 'x': mean and deviation"):
         kte.normal("x", 0, -1)
-    with pytest.raises(kte.BadArgument, match="must not be negative, got -1"):
-        kte.evenly("x", 0, 1, -1)
+    for make in (lambda: kte.evenly("x", 0, 1, -1), lambda: kte.random_cases(1, -1, kte.uniform("x", 0, 1))):
+        with pytest.raises(kte.BadArgument, match="(n|seed) must be from 0 to 2.64 - 1, got -1"):
+            make()
+    with pytest.raises(TypeError, match="columns must be distributions, .* not 'x'"):
+        kte.sobol_cases(4, ["x"])
+    with pytest.raises(TypeError, match="'float' object"):
+        kte.evenly("x", 0, 1, 2.5)
+    with pytest.raises(kte.BadArgument, match=r"columns of shapes \(2,\), \(3,\), expected \(cases,\)"):
+        kte.sweep({"a": [1, 2], "b": [1, 2, 3]}, lambda c: 1, "k")
 
 
 @pytest.mark.parametrize("threads", [1, 3])
@@ -79,6 +86,7 @@ def test_results_of_functions_and_their_errors():
     for f, reason in [
         (lambda c: [1, 2], "2 numbers for 1 columns"),
         (lambda c: "one", "TypeError: kte: the function of the sweep must return numbers, not 'one'"),
+        (lambda c: None, "must return numbers, not None"),
         (lambda c: {"x": 1}, "kte: the function of the sweep gave no 'k', but x"),
         (lambda c: c["z"], "kte: the cases have no column 'z'"),
         (lambda c: 1 / 0, "ZeroDivisionError: division by zero"),
@@ -136,6 +144,8 @@ def test_simulations_with_forces_inputs_and_other_failures():
     for column, error in [("b/weight", "no parameter 'b/weight'.*; columns may also be q/NAME"), ("v/p", "no parameter")]:
         with pytest.raises(kte.UnknownName, match=error):
             kte.sweep(kte.one_of(column, [1]), kte.SimulationRun(chain, [0.0], time=1))
+    with pytest.raises(kte.BadArgument, match="no solver 'rk4', but dormand_prince45"):
+        kte.sweep(kte.one_of("motor", [1]), kte.SimulationRun(chain, [0.0], time=1, solver="rk4"))
     with pytest.raises(TypeError, match="needs its time"):
         kte.SimulationRun(chain, [0.0])
     with pytest.raises(kte.BadArgument, match=r"q has shape \(2,\), expected \(1,\)"):
