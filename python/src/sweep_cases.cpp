@@ -47,7 +47,7 @@ std::uint64_t whole(const char* name, py::handle n) {
   if (PyErr_Occurred()) {
     PyErr_Clear();
     throw kte::bad_argument(std::string("kte: ") + name + " must be from 0 to 2^64 - 1, got " +
-                            py::str(number).cast<std::string>());
+                            py::repr(number).cast<std::string>());
   }
   return x;
 }
