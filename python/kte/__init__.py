@@ -21,3 +21,4 @@ from .page import Page as Page
 from .page import view as view
 from .simulation import Event as Event
 from .simulation import simulate as simulate
+from .sweeps import *

@@ -25,6 +25,10 @@ __all__ = [
     "InverseKinematics",
     "Frame",
     "EventOccurrence",
+    "ColumnStatistics",
+    "SweepFailure",
+    "SweepProgress",
+    "SweepSummary",
 ]
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
@@ -189,3 +193,40 @@ class EventOccurrence(NamedTuple):
     v: Array
     q_before: Array
     v_before: Array
+
+
+class ColumnStatistics(NamedTuple):
+    """Statistics of a kept column of a sweep over the cases with a number, updated in the order of the cases."""
+
+    cases: int
+    least: float
+    most: float
+    mean: float
+    deviation: float
+
+
+class SweepFailure(NamedTuple):
+    """A case without a result: its number, and the reason."""
+
+    case: int
+    reason: str
+
+
+class SweepProgress(NamedTuple):
+    """How far a sweep is: cases, of them found from an earlier run, done and failed; time, s, cases per s, time left, s."""
+
+    total: int
+    found: int
+    done: int
+    failed: int
+    seconds: float
+    rate: float
+    left: float
+
+
+class SweepSummary(NamedTuple):
+    """What a sweep has done: counts of cases, and statistics of the kept columns."""
+
+    cases: int
+    failed: int
+    statistics: Dict[str, ColumnStatistics]

@@ -19,5 +19,8 @@ PYBIND11_MODULE(_kte, m) {
   kte_python::bind_robots(m);
   kte_python::bind_inverse_kinematics(m);
   kte_python::bind_simulation(m);
+  kte_python::bind_compiled(m);
+  kte_python::bind_sweep_cases(m);
+  kte_python::bind_sweep(m);
   kte_python::bind_view(m);
 }

@@ -18,6 +18,9 @@ void bind_files(pybind11::module_& m);
 void bind_robots(pybind11::module_& m);
 void bind_inverse_kinematics(pybind11::module_& m);
 void bind_simulation(pybind11::module_& m);
+void bind_compiled(pybind11::module_& m);
+void bind_sweep_cases(pybind11::module_& m);
+void bind_sweep(pybind11::module_& m);
 void bind_view(pybind11::module_& m);
 
 }  // namespace kte_python
