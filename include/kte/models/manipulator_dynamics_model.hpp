@@ -89,6 +89,10 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
   /// Throws `bad_argument` where the step from x0 that has just been computed ends too near to a singular
   /// configuration.
   void check_end(const state& x0, const state&) const requires(closes) { loops::check_end(*this, loops_, x0); }
+  /// The relative distance of x0, where a step begins, from singular configurations of the loops.
+  [[nodiscard]] double singular_distance(const state& x0) const requires(closes) {
+    return loops::singular_distance(*this, loops_, x0);
+  }
   /// x on the loops, wherever it is. Throws `bad_argument` that names a closure which does not close from there.
   state on_loops(const state& x) const requires(closes) {
     state on = x;
