@@ -9,6 +9,7 @@ namespace kte {
 /// The closures of a static chain in a result, by key.
 template <class Chain>
 struct static_loop_results {
+  /// By slot.
   std::array<loop_state<>, static_cast<std::size_t>(Chain::wiring::count(kind::loop))> loops;
 
   /// The forces and residuals of a closure.
