@@ -8,7 +8,6 @@
 
 #include "catch.hpp"
 #include "closed_loops/linkages.hpp"
-#include "closed_loops/static_four_bar.hpp"
 
 // Methods for stiff systems on closed loops: stages and Jacobians are on the loops.
 
@@ -77,16 +76,6 @@ TEST_CASE("stiff methods pass a singular configuration at small tolerances") {
     check(simulated<kennedy_carpenter34>(c, four_bar_q(n, 1.5), four_bar_v(n, 1), 0.1, 1e-12));
     check(simulated<rodas>(c, four_bar_q(n, 1.5), four_bar_v(n, 1), 0.1, 1e-12));
   }
-}
-
-TEST_CASE("stiff methods integrate static chains with loops") {
-  const manipulator_dynamics_model m(with_keys::four_bar);
-  const Eigen::Vector3d q = assemble(with_keys::four_bar, with_keys::guess, held(with_keys::crank));
-  const auto x0 = m.make_x(q, consistent_velocities(with_keys::four_bar, q, Eigen::Vector3d(2, 0, 0)));
-  rodas solver(std::cref(m), 0.0, x0, {.absolute = 1e-8, .relative = 1e-8});
-  prince_dormand87 expected(std::cref(m), 0.0, x0, {.absolute = 1e-11, .relative = 1e-11});
-  solver.integrate(0.3), expected.integrate(0.3);
-  CHECK((solver.state() - expected.state()).cwiseAbs().maxCoeff() < 1e-6);
 }
 
 TEST_CASE("stiff methods: Andrews' squeezer", "[long]") {
