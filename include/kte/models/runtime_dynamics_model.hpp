@@ -437,8 +437,8 @@ KTE_FUNCTION void manipulator_dynamics_model<runtime_chain>::check_end(const sta
   if (detail::has_loops(chain())) detail::check_step_end(detail::runtime_model_loops{*this, s_, step_}, x0);
 }
 KTE_FUNCTION double manipulator_dynamics_model<runtime_chain>::singular_distance(const state& x0) const {
-  if (!detail::has_loops(chain())) return 1;
-  return detail::singular_distance_of(detail::runtime_model_loops{*this, s_, loops_}, x0);
+  if (detail::has_contacts(chain()) || !detail::has_loops(chain())) return 1;
+  return detail::singular_distance_of(detail::runtime_model_loops{*this, s_, step_}, x0);
 }
 KTE_FUNCTION auto manipulator_dynamics_model<runtime_chain>::on_loops(const state& x) const -> state {
   state on = checked(x);
