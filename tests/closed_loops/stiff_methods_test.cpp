@@ -66,6 +66,18 @@ TEST_CASE("stiff methods: a four-bar stays on its branch through singular config
   });
 }
 
+TEST_CASE("stiff methods pass a singular configuration at small tolerances") {
+  for (const int n : {1, 2}) {
+    const auto c = four_bars(n);
+    const auto check = [&](const run& r) {
+      CHECK(pi / 2 - r.x[0] == within(four_bar_angle(n, 1.5, 1, 0.1), 1e-12));
+      CHECK(r.open < 1e-13);
+    };
+    check(simulated<kennedy_carpenter34>(c, four_bar_q(n, 1.5), four_bar_v(n, 1), 0.1, 1e-12));
+    check(simulated<rodas>(c, four_bar_q(n, 1.5), four_bar_v(n, 1), 0.1, 1e-12));
+  }
+}
+
 TEST_CASE("stiff methods: Andrews' squeezer", "[long]") {
   with_all(andrews(), andrews_start(), vector::Zero(7), 0.03, [](const run& r, double tolerance) {
     CHECK(r.x[0] == within(15.8107711951537070971, 2e3 * tolerance));

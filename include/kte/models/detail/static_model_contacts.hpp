@@ -60,6 +60,10 @@ struct static_model_contacts<static_chain<Gravity, E...>> {
   }
   template <class Model, class X>
   static void check_end(const Model&, memory&, const X&) {}
+  template <class Model, class X>
+  static double singular_distance(const Model&, memory&, const X&) {
+    return 1;
+  }
   template <class Model, class X, class Rate>
   static void settle(const Model& m, memory& kept, const X& x0, Rate& d, X& x) {
     settle_contacts(of(m, kept), x0, d, x);
