@@ -9,7 +9,7 @@
 #include "catch.hpp"
 #include "events/sliding_block.hpp"
 
-// What rounding costs, of states and of late times: tolerances are tight.
+// What rounding costs, of states and of late times: long tests, as tolerances are tight.
 
 using namespace kte;
 using namespace kte::test;
@@ -62,7 +62,7 @@ void check_late() {
 
 }  // namespace
 
-TEST_CASE("tolerances near rounding cost no more than their order asks") {
+TEST_CASE("tolerances near rounding cost no more than their order asks", "[long]") {
   constexpr growth order_5{2.6, 4.1};  // 10^(2/5), 10^(3/5)
   SECTION("fehlberg45") { check_rounding<fehlberg45>({0, 1000, 4000}, order_5); }
   SECTION("dormand_prince45") { check_rounding<dormand_prince45>({0, 1000, 4000}, order_5); }
@@ -72,12 +72,12 @@ TEST_CASE("tolerances near rounding cost no more than their order asks") {
   SECTION("rodas") { check_rounding<rodas>({0, 1000}, {3.5, 6.5}); }        // 10^(2/4), 10^(3/4)
 }
 
-TEST_CASE("late times cost methods that need df/dt no more than early ones") {
+TEST_CASE("late times cost methods that need df/dt no more than early ones", "[long]") {
   SECTION("rodas") { check_late<rodas>(); }
   SECTION("rosenbrock23") { check_late<rosenbrock23>(); }
 }
 
-TEST_CASE("differences by time never ask for what was before a start") {
+TEST_CASE("differences by time never ask for what was before a start", "[long]") {
   double first = 1000;
   const auto shake = [&first](double t, const state& x) -> state {
     first = std::min(first, t);

@@ -13,7 +13,7 @@ using namespace kte::test;
 // one tells little. Of 240 runs, 0.7e-13 to 1.4e-13: mean 5.9e-11 to 6.0e-11, standard deviation 4.5e-11, worst 2.2e-10
 // to 2.5e-10, 80 to 85 of 100 below 1e-10, 9130 to 9740 evaluations; by g++ and clang, with and without FMA, and the
 // same when all coefficients were computed by recurrences, as in the literature.
-TEST_CASE("Adams: at the tightest tolerances the error is that of rounding, in most runs below 1e-10") {
+TEST_CASE("Adams: at the tightest tolerances the error is that of rounding, in most runs below 1e-10", "[long]") {
   constexpr int runs = 60;
   double sum = 0, worst = 0;
   int small = 0;

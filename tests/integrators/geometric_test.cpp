@@ -62,7 +62,7 @@ TEST_CASE("geometric methods have their orders, also between steps") {
   SECTION("implicit midpoint") { check_order<implicit_midpoint>(2); }
 }
 
-TEST_CASE("geometric methods let energy oscillate and not drift, unlike Kutta's") {
+TEST_CASE("geometric methods let energy oscillate and not drift, unlike Kutta's", "[long]") {
   const Eigen::Vector2d start(2, 0);
   const auto system = second_order(gravity);
   const double h = 0.05;

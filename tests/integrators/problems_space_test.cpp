@@ -26,7 +26,7 @@ auto state_after(double t) {
 
 }  // namespace
 
-TEST_CASE("the spherical double pendulum reaches its references, without turns about its rods") {
+TEST_CASE("the spherical double pendulum reaches its references, without turns about its rods", "[long]") {
   using problem = equation_of_motion<spherical_double_pendulum>;
   // [400, 2000, 4000; 2e1, 5e2, 7e3; 7e-12, 4e-10, 5e-9]
   check_references<spherical_double_pendulum>(2e-10, {3e-11, 2e-9, 2e-8});
@@ -40,7 +40,7 @@ TEST_CASE("the spherical double pendulum reaches its references, without turns a
   CHECK(std::fabs(w.angular.y) < 1e-10);
   CHECK(std::fabs(problem::v(x)[0]) < 1e-10);
 }
-TEST_CASE("a free body flips as Dzhanibekov saw, with the momentum it has") {
+TEST_CASE("a free body flips as Dzhanibekov saw, with the momentum it has", "[long]") {
   using problem = equation_of_motion<dzhanibekov>;
   // [284, 3161, 31304; 3e2, 3e6, 2e7; 7e-12, 1e-8, 3e-8]: the start is almost an unstable turn
   check_references<dzhanibekov>(4e-9, {3e-11, 6e-8, 2e-7});
@@ -49,17 +49,17 @@ TEST_CASE("a free body flips as Dzhanibekov saw, with the momentum it has") {
   CHECK((problem::angular_momentum(state_after<dzhanibekov>(10)) - h).norm() < 1e-9);
   CHECK(problem::energy(problem::start()) == within_relative(100.0002, 1e-15));
 }
-TEST_CASE("the heavy top reaches its references") {
+TEST_CASE("the heavy top reaches its references", "[long]") {
   using problem = equation_of_motion<heavy_top>;
   // [950, 9600, 19000; 2e2, 9e2, 2e3; 2e-11, 2e-10, 2e-10]
   check_references<heavy_top>(2e-7, {1e-10, 1e-9, 1e-9});
   CHECK(problem::energy(problem::start()) == within_relative(5435.696790865546875, 1e-15));
   CHECK(problem::angular_momentum(problem::start())[2] == within_relative(-70.3124296875, 1e-15));
 }
-TEST_CASE("the robot swings freely to its reference") {
+TEST_CASE("the robot swings freely to its reference", "[long]") {
   check_references<iiwa14_free_swing>(5e-10, {5e-9});  // [1600, 3e4, 1e-9], with rates up to 78 rad/s
 }
-TEST_CASE("the governor reaches its references by explicit steps, both rods alike") {
+TEST_CASE("the governor reaches its references by explicit steps, both rods alike", "[long]") {
   using problem = equation_of_motion<flyball_governor>;
   // [1400, 4900, 9600, 95000; 1e1, 1e1, 1e1, 5e1; 6e-13, 1e-12, 2e-12, 3e-12]: stability limits steps, not accuracy.
   // The damper takes 3e-3 J.

@@ -93,7 +93,7 @@ TEST_CASE("Jacobians of the stiff problems are those of their right-hand sides",
 // A tolerance of 1e-14 lets a step err by less, as the change is that of the column before. Rounding is larger: weights
 // of the extrapolation, of size 10^10 / 10! and there are some ten of them, make 3e-15 of eps = 1e-19 a step, and some
 // 500 steps could sum to 1e-12. A digit is left for the matrices, whose entries cancel.
-TEMPLATE_TEST_CASE("references of the stiff problems agree with an implicit method of order 10", "[laws]",
+TEMPLATE_TEST_CASE("references of the stiff problems agree with an implicit method of order 10", "[long]",
                    hires<long double>, orego<long double>, rober<long double>, vdpol<long double>) {
   for (const auto& r : TestType::references) {
     UNSCOPED_INFO(TestType::name << " at " << static_cast<double>(r.time));

@@ -45,7 +45,7 @@ double error_of(double drift = 0) {
 
 }  // namespace
 
-TEST_CASE("plain problems reach their references with the order 5 that the library has", "[laws]") {
+TEST_CASE("plain problems reach their references with the order 5 that the library has", "[long][laws]") {
   CHECK(error_of<pleiades<>>(1e-8) < 1e-9);           // [2400, 3e3, 1.6e-10]
   CHECK(error_of<kapitza<>>() < 2e-10);               // [8e4, 2e1, 3.5e-11]
   CHECK(error_of<elastic_pendulum<>>(2e-9) < 3e-10);  // [5700, 2e2, 5.6e-11]
@@ -54,7 +54,7 @@ TEST_CASE("plain problems reach their references with the order 5 that the libra
   CHECK(error_of<hires<>>() < 1e-12);                 // [1.3e4, 6e1, 2.6e-13]: G at the start, then errors decay
 }
 
-TEST_CASE("PLEIADES in more digits") {
+TEST_CASE("PLEIADES in more digits", "[long]") {
   const pleiades<long double> f;
   dormand_prince45 solver(f, 0.0L, f.start(), {.absolute = 1e-15L, .relative = 1e-15L});
   solver.integrate(f.t_end);
