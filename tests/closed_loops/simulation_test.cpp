@@ -68,7 +68,7 @@ TEST_CASE("a pendulum in Cartesian coordinates (A01)") {
 
 TEST_CASE("a row of four-bars stays on its branch through singular configurations (A02)") {
   for (const int n : {1, 2, 10})
-    for (const double tolerance : {1e-6, 1e-9, 1e-11, 1e-12}) {
+    for (const double tolerance : {1e-6, 1e-9, 1e-12}) {
       if (n > 2 && tolerance != 1e-9) continue;  // it takes long
       const auto r = simulated(four_bars(n), four_bar_q(n, 0), four_bar_v(n, 1), 10, tolerance);
       const double phi = four_bar_angle(n, 0, 1, 10);
@@ -96,7 +96,7 @@ TEST_CASE("hinges of five rows take as many evaluations as those of two") {
 
 TEST_CASE("a slider-crank of equal bars passes its dead points") {
   const auto c = slider_crank_of_equal_bars();
-  for (const double tolerance : {1e-6, 1e-9, 1e-11, 1e-12}) {
+  for (const double tolerance : {1e-6, 1e-9, 1e-12}) {
     const auto r = simulated(c, numbers({0.3, -0.6}), numbers({8, -16}), 5, tolerance);
     INFO("tolerance " << tolerance);
     const double q = slider_crank_angle(0.3, 8, 5);
