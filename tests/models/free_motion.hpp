@@ -1,7 +1,7 @@
 #pragma once
 
-#include <kte/dynamics/centroidal.hpp>
 #include <kte/dynamics/centre_of_mass.hpp>
+#include <kte/dynamics/centroidal.hpp>
 #include <kte/models/manipulator_dynamics_model.hpp>
 
 #include <cstddef>
