@@ -38,21 +38,20 @@ run simulated(const runtime_chain& c, const vector& q, const vector& v, double t
   r.x = solver.state(), r.evaluations = solver.statistics().evaluations;
   return r;
 }
-/// check(run, tolerance) for the one-step methods; those of order 2 with a hundred times the tolerance.
+/// check(run, tolerance) for the one-step methods; those of order 2 with larger tolerances.
 template <class Check>
-void with_all(const runtime_chain& c, const vector& q, const vector& v, double t_end, double tolerance,
-              const Check& check) {
-  check(simulated<rodas>(c, q, v, t_end, tolerance), tolerance);
-  check(simulated<kennedy_carpenter34>(c, q, v, t_end, tolerance), tolerance);
-  check(simulated<rosenbrock23>(c, q, v, t_end, 100 * tolerance), 100 * tolerance);
-  check(simulated<tr_bdf2>(c, q, v, t_end, 100 * tolerance), 100 * tolerance);
-  check(simulated<trapezoidal>(c, q, v, t_end, 100 * tolerance), 100 * tolerance);
+void with_all(const runtime_chain& c, const vector& q, const vector& v, double t_end, const Check& check) {
+  check(simulated<rodas>(c, q, v, t_end, 1e-7), 1e-7);
+  check(simulated<kennedy_carpenter34>(c, q, v, t_end, 1e-7), 1e-7);
+  check(simulated<rosenbrock23>(c, q, v, t_end, 1e-5), 1e-5);
+  check(simulated<tr_bdf2>(c, q, v, t_end, 1e-5), 1e-5);
+  check(simulated<trapezoidal>(c, q, v, t_end, 1e-5), 1e-5);
 }
 
 }  // namespace
 
 TEST_CASE("stiff methods: a pendulum in Cartesian coordinates") {
-  with_all(pendulum(), numbers({-1, 0}), numbers({0, 0}), 1, 1e-7, [](const run& r, double tolerance) {
+  with_all(pendulum(), numbers({-1, 0}), numbers({0, 0}), 1, [](const run& r, double tolerance) {
     CHECK(std::hypot(r.x[0] - 0.986291751131875, r.x[1] + 0.165010853125541) < 200 * tolerance);
     CHECK(r.open < 5e-15);
   });
@@ -60,7 +59,7 @@ TEST_CASE("stiff methods: a pendulum in Cartesian coordinates") {
 
 TEST_CASE("stiff methods: a four-bar stays on its branch through singular configurations") {
   const double phi = four_bar_angle(1, 0, 1, 4);
-  with_all(four_bars(1), four_bar_q(1, 0), four_bar_v(1, 1), 4, 1e-7, [&](const run& r, double tolerance) {
+  with_all(four_bars(1), four_bar_q(1, 0), four_bar_v(1, 1), 4, [&](const run& r, double tolerance) {
     CHECK(std::abs(pi / 2 - r.x[0] - phi) < 3e3 * tolerance);
     CHECK(std::abs(r.x[0] + r.x[2]) < 1e-12);
     CHECK(r.open < 1e-13);
@@ -68,7 +67,7 @@ TEST_CASE("stiff methods: a four-bar stays on its branch through singular config
 }
 
 TEST_CASE("stiff methods: Andrews' squeezer") {
-  with_all(andrews(), andrews_start(), vector::Zero(7), 0.03, 1e-6, [](const run& r, double tolerance) {
+  with_all(andrews(), andrews_start(), vector::Zero(7), 0.03, [](const run& r, double tolerance) {
     CHECK(r.x[0] == within(15.8107711951537070971, 2e3 * tolerance));
     CHECK(r.open < 1e-13);
   });

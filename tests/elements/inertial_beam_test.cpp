@@ -198,7 +198,7 @@ TEST_CASE("the spin-up of Kane, Ryan and Banerjee", "[long]") {
   // by the trapezoidal rule; the tip lags most by 0.573787 (16 beams, RK4 of 9e-5 s), linear masses err
   // by 1.8e-3.
   constexpr int n = 8;
-  constexpr double L = 10, speed = 6, end = 15, dt = 0.04;
+  constexpr double L = 10, speed = 6, end = 15, dt = 0.02;
   runtime_chain c;
   c << revolute_joint_2D("turn", "ground", "0");
   for (int i = 1; i <= n; ++i) {
