@@ -66,7 +66,7 @@ TEST_CASE("stiff methods: a four-bar stays on its branch through singular config
   });
 }
 
-TEST_CASE("stiff methods: Andrews' squeezer") {
+TEST_CASE("stiff methods: Andrews' squeezer", "[long]") {
   with_all(andrews(), andrews_start(), vector::Zero(7), 0.03, [](const run& r, double tolerance) {
     CHECK(r.x[0] == within(15.8107711951537070971, 2e3 * tolerance));
     CHECK(r.open < 1e-13);
