@@ -57,7 +57,7 @@ TEST_CASE("stiff methods: a pendulum in Cartesian coordinates") {
   });
 }
 
-TEST_CASE("stiff methods: a four-bar stays on its branch through singular configurations", "[long]") {
+TEST_CASE("stiff methods: a four-bar stays on its branch through singular configurations") {
   const double phi = four_bar_angle(1, 0, 1, 4);
   with_all(four_bars(1), four_bar_q(1, 0), four_bar_v(1, 1), 4, [&](const run& r, double tolerance) {
     CHECK(std::abs(pi / 2 - r.x[0] - phi) < 3e3 * tolerance);
@@ -85,7 +85,7 @@ TEST_CASE("stiff methods: Andrews' squeezer", "[long]") {
   });
 }
 
-TEST_CASE("a stiff governor with loops takes a tenth of the evaluations of an explicit method", "[long]") {
+TEST_CASE("a stiff governor with loops takes a tenth of the evaluations of an explicit method") {
   const auto c = cut_governor();
   auto s = c.make_state();
   const vector q = cut_governor_q(), v = consistent_velocities(c, s, q, cut_governor_v());
