@@ -46,4 +46,5 @@
 #include <kte/robots/motors.hpp>
 #include <kte/robots/to_robot.hpp>
 #include <kte/robots/urdf_writer.hpp>
+#include <kte/runtime_chain/lanes.hpp>
 #include <kte/statics.hpp>
