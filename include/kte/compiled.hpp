@@ -22,6 +22,7 @@
 #include <kte/dynamics/frame_motion.hpp>
 #include <kte/dynamics/inverse_dynamics.hpp>
 #include <kte/dynamics/jacobian.hpp>
+#include <kte/dynamics/lanes.hpp>
 #include <kte/dynamics/mass_matrix.hpp>
 #include <kte/dynamics/mass_matrix_inverse.hpp>
 #include <kte/dynamics/regressor.hpp>
@@ -46,5 +47,4 @@
 #include <kte/robots/motors.hpp>
 #include <kte/robots/to_robot.hpp>
 #include <kte/robots/urdf_writer.hpp>
-#include <kte/runtime_chain/lanes.hpp>
 #include <kte/statics.hpp>

@@ -1,5 +1,5 @@
+#include <kte/dynamics/lanes.hpp>
 #include <kte/loops.hpp>
-#include <kte/runtime_chain/lanes.hpp>
 
 #include <array>
 #include <string>

@@ -1,10 +1,10 @@
 #include <kte/dynamics/forward_dynamics.hpp>
+#include <kte/dynamics/lanes.hpp>
 #include <kte/integrators/bogacki_shampine23.hpp>
 #include <kte/integrators/dormand_prince45.hpp>
 #include <kte/integrators/prince_dormand87.hpp>
 #include <kte/integrators/runge_kutta4.hpp>
 #include <kte/math/pack.hpp>
-#include <kte/runtime_chain/lanes.hpp>
 #include <kte/sweep.hpp>
 #include <kte/sweep/final_state.hpp>
 

@@ -79,7 +79,7 @@ auto lanes(const Chain& c, const Parameters&...) {
   static_assert(
       detail::fit<Chain>,
       "kte: call it as lanes(chain, kte::parameter{\"tool/mass\", masses}, ...), with a static chain, or a runtime "
-      "chain and #include <kte/runtime_chain/lanes.hpp>");
+      "chain and #include <kte/dynamics/lanes.hpp>");
   return c;
 }
 

@@ -8,7 +8,7 @@ namespace kte::detail {
 /// Accelerations of a chain with loops under the forces `kept` in the working memory. kte/loops.hpp sets the pointer,
 /// so that programs without loops do not compile this; kte::compiled sets it too.
 inline const Eigen::VectorXd& (*accelerations_on_loops)(const runtime_chain&, runtime_state&) = nullptr;
-/// Those of packs of states; set by `kte::lanes` (runtime_chain/lanes.hpp) and by batches.
+/// Those of packs of states; set by `kte::lanes` (dynamics/lanes.hpp) and by batches.
 template <class S>
 inline const runtime_vector<S>& (*accelerations_on_loops_in_lanes)(const runtime_chain&,
                                                                    basic_runtime_state<S>&) = nullptr;
