@@ -103,7 +103,7 @@ struct random_tree {
   }
 };
 
-struct motion {
+struct state_and_input {
   Eigen::VectorXd q, v, x;
 };
 /// The largest difference of lanes from chains of their parameters, relative to the largest number.
@@ -111,7 +111,7 @@ template <class Chain, class Make>
 double worst_lane(const Chain& c, const varied& parameters, const Make& make) {
   const auto all = parameters.all(c);
   auto s = make_state<P>(all);
-  std::array<motion, 8> m;
+  std::array<state_and_input, 8> m;
   runtime_vector<P> q(c.nq()), v(c.dofs()), x(c.dofs());
   for (std::size_t i = 0; i < 8; ++i) {
     m[i] = make(parameters.one(c, i));
@@ -135,7 +135,7 @@ double worst_lane(const Chain& c, const varied& parameters, const Make& make) {
   for (std::size_t i = 0; i < 8; ++i) {
     const auto one = parameters.one(c, i);
     auto state = one.make_state();
-    const motion& at = m[i];
+    const state_and_input& at = m[i];
     compare(a, Eigen::VectorXd(forward_dynamics(one, state, at.q, at.v, at.x)), i);
     if (!open) continue;
     compare(tau, Eigen::VectorXd(inverse_dynamics(one, state, at.q, at.v, at.x)), i);
@@ -153,7 +153,7 @@ TEST_CASE("random runtime chains in lanes: each lane is the chain of its paramet
     INFO("chain " << k);
     CHECK(worst_lane(t.chain, t.parameters, [&](const runtime_chain& c) {
             const auto drawn = [&] { return Eigen::VectorXd::NullaryExpr(c.dofs(), [&] { return random(); }).eval(); };
-            return motion{integrate(c, neutral_configuration(c), drawn(), 1.0), drawn(), drawn()};
+            return state_and_input{integrate(c, neutral_configuration(c), drawn(), 1.0), drawn(), drawn()};
           }) < 1e-11);
   }
 }
@@ -162,7 +162,7 @@ TEST_CASE("lanes of closed loops: other links, bodies and closures in each lane"
   using namespace kte::test::loops;
   const auto on_loop = [](const runtime_chain& c, const Eigen::VectorXd& guess) {
     auto s = c.make_state();
-    motion m{assemble(c, s, guess), {}, Eigen::VectorXd::Constant(c.dofs(), 0.7)};
+    state_and_input m{assemble(c, s, guess), {}, Eigen::VectorXd::Constant(c.dofs(), 0.7)};
     m.v = consistent_velocities(c, s, m.q, Eigen::VectorXd::Constant(c.dofs(), 0.3).eval());
     return m;
   };
@@ -182,7 +182,8 @@ TEST_CASE("lanes of runtime chains: a joint that is simpler in some lanes, float
     << inertia_3D("tip", rigid_body<>{1.0, vec3<>{0.1, 0, 0}, sym3<>{0.1, 0, 0, 0.1, 0, 0.1}});
   c.gravity(vec3<>{0, 0, -9.81});
   const auto draw = [](const runtime_chain&) {
-    return motion{Eigen::VectorXd::Constant(1, 0.3), Eigen::VectorXd::Constant(1, 0.5), Eigen::VectorXd::Ones(1)};
+    return state_and_input{Eigen::VectorXd::Constant(1, 0.3), Eigen::VectorXd::Constant(1, 0.5),
+                           Eigen::VectorXd::Ones(1)};
   };
   varied p;
   p.add("nut/pitch", ramp(-0.2, 0.1));  // zero in lane 2: it turns only
@@ -200,7 +201,7 @@ TEST_CASE("lanes of runtime chains: a joint that is simpler in some lanes, float
     const auto one = lanes(c, parameter{"tip/mass", static_cast<double>(masses[i])});
     auto t = one.make_state();
     const std::array at{static_cast<double>(0.3f)};
-    CHECK(static_cast<double>(a[0][i]) == Catch::Approx(forward_dynamics(one, t, at, at, at)[0]).epsilon(1e-5));
+    CHECK(static_cast<double>(a[0][i]) == within_relative(forward_dynamics(one, t, at, at, at)[0], 1e-5));
   }
 
   // lanes of a part, in a larger chain, and lanes of lanes
@@ -211,9 +212,10 @@ TEST_CASE("lanes of runtime chains: a joint that is simpler in some lanes, float
   varied together;
   together.add("nut/pitch", ramp(0.1, 0.1)), together.add("end/mass", ramp(0.5, 0.1));
   together.add("gravity/x", ramp(0, 1));
-  auto at_once = make_state<P>(together.all(whole)), one_by_one = make_state<P>(both);
+  const auto all = together.all(whole);
+  auto at_once = make_state<P>(all), one_by_one = make_state<P>(both);
   const std::array<P, 2> y{P(0.3), P(-0.4)};
-  const runtime_vector<P> expected = forward_dynamics(together.all(whole), at_once, y, y, y);
+  const runtime_vector<P> expected = forward_dynamics(all, at_once, y, y, y);
   const auto& got = forward_dynamics(runtime_chain(both), one_by_one, y, y, y);  // of a copy, which has its lanes
   for (std::size_t i = 0; i < 8; ++i) CHECK(got[1][i] == expected[1][i]);
 }

@@ -181,6 +181,8 @@ class runtime_chain : public kte_map {
       throw bad_argument("kte: this chain is part of another one: use the wiring and states of that one");
     return *topology_;
   }
+  /// The wiring of the chain, to share.
+  [[nodiscard]] const shared_topology& shared_wiring() const { return (void)wiring(), topology_; }
   /// The number of degrees of freedom.
   [[nodiscard]] int dofs() const { return wiring().nv; }
   /// The number of entries in a configuration q.

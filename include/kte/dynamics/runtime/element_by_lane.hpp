@@ -63,10 +63,11 @@ void with_item(basic_runtime_state<S>& s, runtime_state& one, kind k, int i, con
       return;  // loops and contacts: their own algorithms
   }
 }
-/// Calls each(element of the lane, state of the lane, lane); the items at the ports are copied there and back.
+/// Calls each(element `number` of the lane, state of the lane, lane); the items at the ports are copied there and back.
 template <class S, class Each>
-void by_lane(const topology::connection& e, basic_runtime_state<S>& s, const Each& each) {
-  auto& one = s.lane.template get<runtime_state>([&s] { return runtime_state(s.made_for()); });
+void by_lane(const runtime_chain& c, int number, basic_runtime_state<S>& s, const Each& each) {
+  const auto& e = c.wiring().elements[static_cast<std::size_t>(number)];
+  auto& one = s.lane.template get<runtime_state>([&c] { return runtime_state(c.shared_wiring()); });
   for (std::size_t lane = 0; lane < std::size_t{S::lanes}; ++lane) {
     for (std::size_t p = 0; p < e.ports.size(); ++p)
       with_item(s, one, e.ports[p].what, e.index[p],
@@ -79,9 +80,9 @@ void by_lane(const topology::connection& e, basic_runtime_state<S>& s, const Eac
 }
 /// `kte_element::friction` under wrenches in packs.
 template <class S>
-S friction_by_lane(const topology::connection& e, basic_runtime_state<S>& s, const wrench<vec3<S>, vec3<S>>& end) {
+S friction_by_lane(const runtime_chain& c, int number, basic_runtime_state<S>& s, const wrench<vec3<S>, vec3<S>>& end) {
   S all(0);
-  by_lane(e, s, [&](const kte_element& x, runtime_state& one, std::size_t lane) {
+  by_lane(c, number, s, [&](const kte_element& x, runtime_state& one, std::size_t lane) {
     wrench<vec3<>, vec3<>> w{};
     read_lane<S>(end, lane, w);
     all.set(lane, static_cast<typename S::value_type>(x.friction(one, w)));

@@ -39,19 +39,19 @@ struct runtime_elements {
   // Packs: lane by lane.
   template <class S>
   requires(is_pack<S>) void move(int e, basic_runtime_state<S>& s) const {
-    by_lane(connection(e), s, [](const kte_element& x, runtime_state& one, std::size_t) { x.doMotion(one); });
+    by_lane(chain, e, s, [](const kte_element& x, runtime_state& one, std::size_t) { x.doMotion(one); });
   }
   template <class S>
   requires(is_pack<S>) void push(int e, basic_runtime_state<S>& s) const {
-    by_lane(connection(e), s, [](const kte_element& x, runtime_state& one, std::size_t) { x.doForce(one); });
+    by_lane(chain, e, s, [](const kte_element& x, runtime_state& one, std::size_t) { x.doForce(one); });
   }
   template <class S>
   requires(is_pack<S>) void mass_loads(int e, basic_runtime_state<S>& s) const {
-    by_lane(connection(e), s, [](const kte_element& x, runtime_state& one, std::size_t) { x.mass_loads(one); });
+    by_lane(chain, e, s, [](const kte_element& x, runtime_state& one, std::size_t) { x.mass_loads(one); });
   }
   template <class S>
   requires(is_pack<S>) S friction(int e, basic_runtime_state<S>& s, const tree::dense_wrench<S>& end)
-  const { return friction_by_lane(connection(e), s, end); }
+  const { return friction_by_lane(chain, e, s, end); }
   template <class S>
   requires(is_pack<S>) tree::dense_pose<S> place_joint(int e, const S* q, joint_axis<S>* axes, bool second)
   const { return place_joint_by_lane(connection(e), q, axes, second); }
