@@ -1,10 +1,12 @@
 #include <kte/dynamics/forward_dynamics.hpp>
 #include <kte/dynamics/lanes.hpp>
+#include <kte/elements/joint_limit.hpp>
 #include <kte/integrators/bogacki_shampine23.hpp>
 #include <kte/integrators/dormand_prince45.hpp>
 #include <kte/integrators/prince_dormand87.hpp>
 #include <kte/integrators/runge_kutta4.hpp>
 #include <kte/math/pack.hpp>
+#include <kte/models/element_events.hpp>
 #include <kte/sweep.hpp>
 #include <kte/sweep/final_state.hpp>
 
@@ -204,4 +206,29 @@ TEST_CASE("runtime chains in lanes with their own steps") {
       random_cases(21, 3,
                    {uniform("mass", 0.5, 3), uniform("damping", 0, 1), uniform("start", 0, 1), uniform("end", 0.2, 1)}),
       {"q1", "q2", "v1", "v2"}, final_state(own_end, start), 1e-10);
+}
+
+TEST_CASE("events of elements in lanes: stops that are hit at other times in each lane") {
+  const auto hinged =
+      chain(revolute_joint_2D(models::q, models::base, models::joint),
+            rigid_link_2D(models::joint, models::tip, along_x(0.5)), inertia_2D(models::tip, planar_body(1.0, 0.1)),
+            joint_limit_gen(models::q, {.lower = -0.4, .upper = 0.5, .stiffness = 3000, .damping = 5}))
+          .gravity(along_y(-9.81));
+  const auto start = [&hinged](const auto& c) {
+    using S = typename std::remove_cvref_t<decltype(c)>::scalar;
+    const auto f = [arm = kte::lanes(hinged, parameter{"tip/mass", c["mass"]})](const S&, const pair<S>& x) {
+      return pair<S>(x[1], forward_dynamics(arm, std::array{x[0]}, std::array{x[1]}, std::array{S(0)})[0]);
+    };
+    return dormand_prince45<std::remove_const_t<decltype(f)>, pair<S>>(f, 0.0, pair<S>(c["start"], S(0)));
+  };
+  const auto of_elements = [&hinged](const sweep_case<double>& c) {
+    const auto arm = kte::lanes(hinged, parameter{"tip/mass", c["mass"]});
+    const auto model = std::make_shared<manipulator_dynamics_model<std::remove_const_t<decltype(arm)>>>(arm);
+    return std::pair(model, element_events(*model));
+  };
+  check_lanes(random_cases(19, 4, {uniform("mass", 0.5, 3), uniform("start", 0, 0.4), uniform("end", 0.5, 1.5)}),
+              {"q", "v", "events"}, final_state(own_end, start).with_events(of_elements).keep([](const auto& end) {
+                return std::array{end.state[0], end.state[1], static_cast<double>(end.events)};
+              }),
+              1e-8);
 }
