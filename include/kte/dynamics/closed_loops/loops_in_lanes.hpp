@@ -205,7 +205,9 @@ template <class S>
 const runtime_vector<S>& accelerations_on_loops_of_packs(const runtime_chain& c, basic_runtime_state<S>& s) {
   if (!s.tree().plan.tree)
     throw bad_argument("kte: forward dynamics in packs of chains with closures: joints must not share coordinates");
-  // The articulated bodies of the tree use `kept` for friction that depends on loads.
+  if (!s.tree().readers.empty())
+    throw bad_argument("kte: " + describe_element(runtime_elements{c}.element(s.tree().readers.front())) +
+                       " has load-dependent friction, which chains with closures do not know");
   const std::vector<S> tau(s.work.kept.begin(), s.work.kept.begin() + s.dofs());
   if (!accelerate_on_loops_in_lanes(c, s, [&tau](int i) { return tau[static_cast<std::size_t>(i)]; }))
     throw no_solution("kte: these states differ in the independent rows of their closures");
