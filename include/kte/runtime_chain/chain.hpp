@@ -105,7 +105,7 @@ class runtime_chain : public kte_map {
     return *this;
   }
   vec3<> gravity() const override { return gravity_; }
-  /// Sets gravity for each lane of packs (`kte::lanes`), m/s^2; an empty list: none of its own for any lane.
+  /// Sets gravity for each lane of packs (`kte::lanes`), m/s^2; an empty list: equal in all lanes.
   runtime_chain& gravity_of_lanes(std::vector<vec3<>> g) {
     for (const auto& x : g) detail::check_gravity(x);
     gravity_of_lanes_.clear();

@@ -92,7 +92,7 @@ class final_state_of {
     } else {
       static_assert(std::is_same_v<S, double>,
                     "kte: in packs with common steps, all cases end at one time: a number; right-hand sides that take "
-                    "a pack of times have ends of their own");
+                    "a pack of times may have different ends");
       return static_cast<double>(t_end_(c));
     }
   }
