@@ -198,10 +198,10 @@ TEST_CASE("lanes of runtime chains: a joint that is simpler in some lanes, float
   const std::array<F, 1> x{F(0.3f)};
   const auto& a = forward_dynamics(many, s, x, x, x);
   for (const std::size_t i : {0u, 5u, 15u}) {
-    const auto one = lanes(c, parameter{"tip/mass", static_cast<double>(masses[i])});
-    auto t = one.make_state();
+    const auto single = lanes(c, parameter{"tip/mass", static_cast<double>(masses[i])});
+    auto t = single.make_state();
     const std::array at{static_cast<double>(0.3f)};
-    CHECK(static_cast<double>(a[0][i]) == within_relative(forward_dynamics(one, t, at, at, at)[0], 1e-5));
+    CHECK(static_cast<double>(a[0][i]) == within_relative(forward_dynamics(single, t, at, at, at)[0], 1e-5));
   }
 
   // lanes of a part, in a larger chain, and lanes of lanes

@@ -7,6 +7,7 @@
 #include <kte/integrators/runge_kutta4.hpp>
 #include <kte/math/pack.hpp>
 #include <kte/models/element_events.hpp>
+#include <kte/static_chain/lanes.hpp>
 #include <kte/sweep.hpp>
 #include <kte/sweep/final_state.hpp>
 
@@ -214,6 +215,8 @@ TEST_CASE("events of elements in lanes: stops that are hit at other times in eac
             rigid_link_2D(models::joint, models::tip, along_x(0.5)), inertia_2D(models::tip, planar_body(1.0, 0.1)),
             joint_limit_gen(models::q, {.lower = -0.4, .upper = 0.5, .stiffness = 3000, .damping = 5}))
           .gravity(along_y(-9.81));
+  CHECK_THROWS_MATCHES(kte::lanes(hinged, parameter{"q/stiffness", P(1.0)}), bad_argument,
+                       kte::test::says("is a double by the type of its element"));
   const auto start = [&hinged](const auto& c) {
     using S = typename std::remove_cvref_t<decltype(c)>::scalar;
     const auto f = [arm = kte::lanes(hinged, parameter{"tip/mass", c["mass"]})](const S&, const pair<S>& x) {

@@ -95,6 +95,11 @@ constexpr bool at_path(Core& core, const Names& names, std::string_view path, bo
                       "' is a typed constant, which is fixed by the type of the chain; build the chain with a number "
                       "there");
 }
+/// Throws for a path of an element whose core has parameters in double only.
+[[noreturn, gnu::cold]] inline void raise_one_number(std::string_view path) {
+  raise<bad_argument>("kte: the parameter '" + std::string(path) +
+                      "' is a double by the type of its element, equal in all lanes");
+}
 
 }  // namespace detail
 }  // namespace kte

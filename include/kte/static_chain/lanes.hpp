@@ -22,8 +22,10 @@ void set_parameter(Elements& elements, std::string_view path, const S& value) {
       const auto put = [&](auto& number) {
         if constexpr (typed_constant<decltype(number)>) {
           raise_fixed(path);
-        } else {
+        } else if constexpr (std::is_assignable_v<decltype(number), const S&>) {
           number = value;
+        } else {
+          raise_one_number(path);
         }
       };
       hits += at_path(e.core, names_of(e), path, all, put);
