@@ -222,7 +222,8 @@ TEST_CASE("events of elements in lanes: stops that are hit at other times in eac
     const auto f = [arm = kte::lanes(hinged, parameter{"tip/mass", c["mass"]})](const S&, const pair<S>& x) {
       return pair<S>(x[1], forward_dynamics(arm, std::array{x[0]}, std::array{x[1]}, std::array{S(0)})[0]);
     };
-    return dormand_prince45<std::remove_const_t<decltype(f)>, pair<S>>(f, 0.0, pair<S>(c["start"], S(0)));
+    return dormand_prince45<std::remove_const_t<decltype(f)>, pair<S>>(
+        f, 0.0, pair<S>(c["start"], S(0)), tolerances<double>{.absolute = 1e-11, .relative = 1e-11});
   };
   const auto of_elements = [&hinged](const sweep_case<double>& c) {
     const auto arm = kte::lanes(hinged, parameter{"tip/mass", c["mass"]});
