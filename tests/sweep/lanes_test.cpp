@@ -213,7 +213,7 @@ TEST_CASE("events of elements in lanes: stops that are hit at other times in eac
   const auto hinged =
       chain(revolute_joint_2D(models::q, models::base, models::joint),
             rigid_link_2D(models::joint, models::tip, along_x(0.5)), inertia_2D(models::tip, planar_body(1.0, 0.1)),
-            joint_limit_gen(models::q, {.lower = -0.4, .upper = 0.5, .stiffness = 3000, .damping = 5}))
+            joint_limit_gen(models::q, {.lower = -0.4, .upper = 0.5, .stiffness = 3000}))
           .gravity(along_y(-9.81));
   CHECK_THROWS_MATCHES(kte::lanes(hinged, parameter{"q/stiffness", P(1.0)}), bad_argument,
                        kte::test::says("is a double by the type of its element"));

@@ -82,9 +82,10 @@ class lane_stepper {
     } else {
       total_ = h_ * combination<tableau::weights>(k_) + lost_;
       next_ = x_ + total_;
+      const P zero = zero_or_nan();
       for (std::size_t i = 0; i < width; ++i) {
         accepted_[i] = active_[i];
-        if (active_[i] && !finite(i)) or_leave(i, failed, [&] { control_.fail_not_finite(time_[i]); });
+        if (active_[i] && zero[i] != S(0)) or_leave(i, failed, [&] { control_.fail_not_finite(time_[i]); });
       }
     }
   }
@@ -139,10 +140,11 @@ class lane_stepper {
       failed(i, e);
     }
   }
-  bool finite(std::size_t i) const {
-    S sum(0);
-    for (Eigen::Index k = 0; k < next_.size(); ++k) sum += next_[k][i] * S(0);
-    return sum == S(0);
+  /// 0 in the lanes whose next state is finite, otherwise NaN.
+  P zero_or_nan() const {
+    P sum(0);
+    for (Eigen::Index k = 0; k < next_.size(); ++k) sum += next_[k] * P(0);
+    return sum;
   }
 
   template <std::size_t I, class F>
@@ -187,13 +189,13 @@ class lane_stepper {
   template <class F, class Failed>
   void judge(F& f, const Failed& failed) {
     const X e = h_ * difference<tableau::a.back(), tableau::embedded>(k_);
-    const P norms = control_.norms(e, x_, next_);
+    const P norms = control_.norms(e, x_, next_), zero = zero_or_nan();
     std::array<bool, width> asks{};
     for (std::size_t i = 0; i < width; ++i) {
       accepted_[i] = false;
       if (!active_[i]) continue;
       S error = norms[i];
-      if (!finite(i))
+      if (zero[i] != S(0))
         error = std::numeric_limits<S>::quiet_NaN();
       else if (!is_finite(error))
         error = control_.norm(of(e, i), of(x_, i), of(next_, i));

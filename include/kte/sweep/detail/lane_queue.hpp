@@ -97,7 +97,7 @@ class lane_queue {
     refill();
     while (open_ > 0) {
       if (!step()) give_up();
-      if (idle_ >= width || open_ == 0) refill();
+      if (idle_ >= 2 * width || open_ == 0) refill();
     }
   }
   lane_result& result(std::uint64_t index) { return results_[static_cast<std::size_t>(index - first_)]; }
