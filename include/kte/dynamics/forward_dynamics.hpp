@@ -1,7 +1,7 @@
 #ifndef KTE_FORWARD_DYNAMICS_HPP
 #define KTE_FORWARD_DYNAMICS_HPP
 
-#include <kte/detail/flattened.hpp>
+#include <kte/dynamics/detail/flattened.hpp>
 #include <kte/dynamics/inverse_dynamics.hpp>
 #include <kte/dynamics/mass_matrix.hpp>
 #include <kte/dynamics/unrolled/articulated.hpp>

@@ -8,7 +8,7 @@
 // clang-format on
 
 #include <kte/contract/transmission.hpp>
-#include <kte/detail/flattened.hpp>
+#include <kte/dynamics/detail/flattened.hpp>
 #include <kte/dynamics/looped/static_chains.hpp>
 #include <kte/dynamics/state_vectors.hpp>
 #include <kte/dynamics/unrolled/given.hpp>

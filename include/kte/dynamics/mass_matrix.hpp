@@ -1,7 +1,7 @@
 #ifndef KTE_MASS_MATRIX_HPP
 #define KTE_MASS_MATRIX_HPP
 
-#include <kte/detail/flattened.hpp>
+#include <kte/dynamics/detail/flattened.hpp>
 #include <kte/dynamics/state_vectors.hpp>
 #include <kte/dynamics/unrolled/mass_matrix.hpp>
 

@@ -208,8 +208,8 @@ const runtime_vector<S>& accelerations_on_loops_of_packs(const runtime_chain& c,
   if (!s.tree().readers.empty())
     throw bad_argument("kte: " + describe_element(runtime_elements{c}.element(s.tree().readers.front())) +
                        " has load-dependent friction, which chains with closures do not know");
-  const std::vector<S> tau(s.work.kept.begin(), s.work.kept.begin() + s.dofs());
-  if (!accelerate_on_loops_in_lanes(c, s, [&tau](int i) { return tau[static_cast<std::size_t>(i)]; }))
+  const auto& kept = s.work.kept;
+  if (!accelerate_on_loops_in_lanes(c, s, [&kept](int i) { return kept[static_cast<std::size_t>(i)]; }))
     throw no_solution("kte: these states differ in the independent rows of their closures");
   check_result(s, [&s] { diagnose("an acceleration", s); });
   return s.work.forces;
