@@ -230,9 +230,10 @@ TEST_CASE("events of elements in lanes: stops that are hit at other times in eac
     const auto model = std::make_shared<manipulator_dynamics_model<std::remove_const_t<decltype(arm)>>>(arm);
     return std::pair(model, element_events(*model));
   };
+  // Stiff stops enlarge the differences of tries that rounding accepts or rejects.
   check_lanes(random_cases(19, 4, {uniform("mass", 0.5, 3), uniform("start", 0, 0.4), uniform("end", 0.5, 1.5)}),
               {"q", "v", "events"}, final_state(own_end, start).with_events(of_elements).keep([](const auto& end) {
                 return std::array{end.state[0], end.state[1], static_cast<double>(end.events)};
               }),
-              1e-8);
+              1e-6);
 }
