@@ -154,7 +154,7 @@ TEST_CASE("random runtime chains in lanes: each lane is the chain of its paramet
     CHECK(worst_lane(t.chain, t.parameters, [&](const runtime_chain& c) {
             const auto drawn = [&] { return Eigen::VectorXd::NullaryExpr(c.dofs(), [&] { return random(); }).eval(); };
             return state_and_input{integrate(c, neutral_configuration(c), drawn(), 1.0), drawn(), drawn()};
-          }) < 1e-11);
+          }) < 1e-13);
   }
 }
 
@@ -169,11 +169,11 @@ TEST_CASE("lanes of closed loops: other links, bodies and closures in each lane"
   varied p;
   p.add("k0/mass", ramp(1, 0.25)), p.add("t1/position/x", ramp(0.8, 0.05)), p.add("gravity/y", ramp(-9, -0.2));
   CHECK(worst_lane(four_bars(2), p, [&](const runtime_chain& c) { return on_loop(c, four_bar_numbers(2, 0.4)); }) <
-        1e-11);
+        1e-12);
   varied rod;
   rod.add("rod/length", ramp(0.9, 0.03)), rod.add("b/mass", ramp(1, 0.5));
   CHECK(worst_lane(pendulum(), rod, [&](const runtime_chain& c) { return on_loop(c, Eigen::Vector2d(0.6, -0.6)); }) <
-        1e-11);
+        1e-12);
 }
 
 TEST_CASE("lanes of runtime chains: a joint that is simpler in some lanes, floats, chains of chains") {
