@@ -43,9 +43,8 @@ class event_loop {
   }
   // ---- the parts of `run`, for lanes of packs: `begin_step`, a step of the solver towards its goal, `after_step`
   void start() {
-    solver_.begin(goal_);
     obey(observer_.start(solver_));
-    if (goes_on()) mend_start();
+    if (!goes_on() || !mend_start()) solver_.begin(goal_);
   }
   bool goes_on() const { return !record_.stopped() && solver_.time() != t_end_; }
   void begin_step() {
@@ -64,7 +63,8 @@ class event_loop {
 
   /// Events at the start: modes of elements that are inconsistent because inputs or the state have been changed. A g
   /// that is merely beyond zero is not an event.
-  void mend_start() {
+  /// Returns whether there were such.
+  bool mend_start() {
     const S t = solver_.time();
     bool any = false;
     watch_.for_each([&](auto& e, status& s, std::size_t k) {
@@ -74,14 +74,15 @@ class event_loop {
         if (!e.function.mend(t, x_)) return;
         any = true;
         record_.before(k, watch::name_of(e), t, safe_);
-        record_.after(x_, false);
+        record_.after(x_, false, watch::change_of(e));
       }
     });
-    if (!any) return;
+    if (!any) return false;
     solver_.restart(t, x_);
     watch_.for_each([&](auto& e, status& s, std::size_t k) { s.renew(watch_.value(e, k, t, x_)); });
     obey(observer_.after(solver_, t, x_));
     go_for(goal_);
+    return true;
   }
   void end_step_or_act(return_path& back) {
     watch_.search(begin_);
@@ -166,7 +167,7 @@ class event_loop {
         reset = true;
         call_reset(e, s, k, t);
       }
-      record_.after(x_, s.rested);
+      record_.after(x_, s.rested, watch::change_of(e));
       if (e.is_terminal) record_.stop(stop_reason::terminal, k, watch::name_of(e));
     });
     restart(t);
