@@ -22,6 +22,7 @@
 #include <kte/dynamics/frame_motion.hpp>
 #include <kte/dynamics/inverse_dynamics.hpp>
 #include <kte/dynamics/jacobian.hpp>
+#include <kte/dynamics/lanes.hpp>
 #include <kte/dynamics/mass_matrix.hpp>
 #include <kte/dynamics/mass_matrix_inverse.hpp>
 #include <kte/dynamics/regressor.hpp>

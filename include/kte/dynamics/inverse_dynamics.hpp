@@ -8,6 +8,7 @@
 // clang-format on
 
 #include <kte/contract/transmission.hpp>
+#include <kte/dynamics/detail/flattened.hpp>
 #include <kte/dynamics/looped/static_chains.hpp>
 #include <kte/dynamics/state_vectors.hpp>
 #include <kte/dynamics/unrolled/given.hpp>
@@ -79,8 +80,10 @@ template <class Gravity, class... E, indexable Q, indexable V, indexable A>
   detail::check_configuration<chain_type>(q), check_size<chain_type::dofs>(v, "v"),
       check_size<chain_type::dofs>(a, "a");
   const detail::configuration<S, typename chain_type::wiring, Q> at(q);
-  return detail::generalized_forces<S>(
-      c, detail::given{at, detail::each<S, V>{v}, detail::each<S, A>{a}, detail::base_under_gravity(c)}, minus_one);
+  return detail::in_one_function<S, detail::is_unrolled<chain_type, S>>([&]() KTE_INLINE_LAMBDA {
+    return detail::generalized_forces<S>(
+        c, detail::given{at, detail::each<S, V>{v}, detail::each<S, A>{a}, detail::base_under_gravity(c)}, minus_one);
+  });
 }
 
 template <class Gravity, class... E, class S>

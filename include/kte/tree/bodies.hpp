@@ -242,7 +242,7 @@ class articulated_bodies : public tree_bodies<P, S> {
     const bool free = free_[i] != 0;
     if (r.has_matrix())
       f(several_axes_body<P, S>{r, at, free, r.moves == joint::varying ? mass_ + r.first : nullptr});
-    else if (r.moves == joint::prismatic && free && mass_[r.first] == P(0))
+    else if (r.moves == joint::prismatic && free && all(mass_[r.first] == P(0)))
       f(jointed_body<along_z, P, S>{r, at});
     else
       f(jointed_body<along_and_about_z, P, S, joint_with_rotor<P>>{r, at, {free, mass_[r.first]}});

@@ -66,7 +66,7 @@ auto turn_of(State& s, const tree::body_node<P>& r) {
   using std::cos;
   using std::sin;
   const auto& c = s.template get<kind::gen>(r.slot);
-  if (r.turns == P(1) && s.has_sine(r.slot)) return tree::turn<S>{c.cos, c.sin};
+  if (all(r.turns == P(1)) && s.has_sine(r.slot)) return tree::turn<S>{c.cos, c.sin};
   const S angle = r.turns * c.q;
   return tree::turn<S>{cos(angle), sin(angle)};
 }
