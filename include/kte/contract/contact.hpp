@@ -12,12 +12,14 @@ struct contact_law {
 };
 
 namespace detail {
-/// A contact at a position.
+/// A contact at a position, and its motion.
 struct touch {
   vec3<> normal;  ///< n, unit, from the surface of A to the body B, in axes of A
   vec3<> point;   ///< where the force acts
   double gap = 0;
   double bending = 0;  ///< g'' - n . u', from the curvature of the surface
+  vec3<> slip;         ///< u
+  vec3<> slip_rate;    ///< u'
   contact_law law;
 };
 template <kind Dim>
@@ -74,9 +76,14 @@ struct contact {
   }
   /// The place of the contact for the motion m.
   constexpr detail::touch touch_at(const detail::closing_motion<double>& m) const {
-    const auto n = as<double>(core().normal(m));
-    return {n, as<double>(core().point(m)), as<double>(core().gap(m)),
-            as<double>(core().gap_ddot(m)) - dot(n, as<double>(core().slip_rate(m))), core().law};
+    const auto n = as<double>(core().normal(m)), rate = as<double>(core().slip_rate(m));
+    return {n,
+            as<double>(core().point(m)),
+            as<double>(core().gap(m)),
+            as<double>(core().gap_ddot(m)) - dot(n, rate),
+            as<double>(core().slip(m)),
+            rate,
+            core().law};
   }
 
  private:

@@ -97,6 +97,18 @@ void put_contacts(const contact_solver& m, State& s) {
   }
 }
 
+/// Chooses the contacts that touch and do not move apart; those with a tangential velocity slide.
+template <class Contacts>
+void choose_contacts(const Contacts& c, contact_solver& m) {
+  m.choose([&](const contact_at& x) { return !(normal_velocity(m, x) > 1); });
+  for (std::size_t i = 0; i < m.touching.size(); ++i) {
+    const auto& x = m.touched(i);
+    if (normal_velocity(m, x) < -1) [[unlikely]]
+      raise<bad_argument>("kte: contact '" + c.loop_name(m.place(x).loop) + "' approaches at " +
+                          number(-dot(x.place.normal, x.slip)) + " m/s: kte::impact gives the velocities after it");
+    if (slides(m, x)) m.let_slide(i);
+  }
+}
 /// Accelerations under applied(i), written to `forces` of the working memory, with the contact forces:
 ///
 ///   u' = W lambda + b,   a = a_0 + L^-1 B lambda          (1)
@@ -106,37 +118,41 @@ template <class Contacts, class State, class Tau>
 bool accelerate_with_contacts(const Contacts& c, State& s, contact_solver& m, const Tau& applied) {
   check_loops(c, s);
   auto& e = m.equations;
-  const bool tree = s.tree().plan.tree;
-  accelerate_by_tree(c.elements(), s, applied, {});
-  auto& a = s.work.forces;
-  m.before = a;
-  const auto& a0 = m.before;
-  e.at_positions(c, s, !tree, tree);
-  if (tree) {
+  bool several = false;
+  const auto find_forces = [&](const auto& make_matrix) {
+    choose_contacts(c, m);
+    make_matrix();
+    several = solve_friction(c, m);
+  };
+  if (s.tree().plan.tree) {
+    const auto biases = articulate_under(c.elements(), s, applied, {});
+    if (!m.closures.empty()) e.at_positions(c, s, false, true);
     m.factor.take_articulated(s, e);
-    m.find(c, s);
-    e.accelerate_residuals(c, s, [&a](int i) { return a[i]; });
+    m.find_biased(c, s);
+    find_forces([&] { m.make_matrix_and_bias(c, s); });
+    m.accelerate_with_tree(s);
+    accelerate_after(s, biases);
   } else {
-    for_each_listed_freedom(s, [&a0](auto& x, const freedom& at) { put<vector_of::a>(x, at, a0); });
+    accelerate_by_tree(c.elements(), s, applied, {});
+    auto& a = s.work.forces;
+    m.before = a;
+    e.at_positions(c, s, true);
+    for_each_listed_freedom(s, [&m](auto& x, const freedom& at) { put<vector_of::a>(x, at, m.before); });
     m.factor.factorize(c, s, e);
     e.at_rates(c, s);
     m.find(c, s);
-    e.acceleration += e.times(a0);
+    e.acceleration += e.times(m.before);
+    find_forces([&] {
+      for (std::size_t i = 0; i < m.touching.size(); ++i) {
+        const auto& x = m.touched(i);
+        m.put_rows(x, m.unscaled(x, e.acceleration), m.bias);
+        m.bias[x.first] += x.place.bending / e.places.length;
+      }
+      m.make_matrix(c, s, e.acceleration);
+    });
+    m.accelerate(s, m.change_of_motion);
+    a = m.before + m.change_of_motion;
   }
-  m.choose([&](const contact_at& x) { return !(normal_velocity(m, x) > 1); });
-  for (std::size_t i = 0; i < m.touching.size(); ++i) {
-    const auto& x = m.touched(i);
-    if (normal_velocity(m, x) < -1) [[unlikely]]
-      raise<bad_argument>("kte: contact '" + c.loop_name(m.place(x).loop) + "' approaches at " +
-                          number(-dot(x.place.normal, x.slip)) + " m/s: kte::impact gives the velocities after it");
-    if (slides(m, x)) m.let_slide(i);
-    m.put_rows(x, m.unscaled(x, e.acceleration), m.bias);
-    m.bias[x.first] += x.place.bending / e.places.length;
-  }
-  m.make_matrix(c, s, e.acceleration);
-  const bool several = solve_friction(c, m);
-  m.accelerate(s, m.change_of_motion);
-  a = a0 + m.change_of_motion;
   put_contacts(m, s);
   return several;
 }

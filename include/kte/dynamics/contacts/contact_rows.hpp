@@ -69,7 +69,8 @@ struct contact_workspace {
   std::vector<int> closures;
   std::vector<int> touching;  ///< numbers among `contacts`
 
-  Eigen::MatrixXd b;       ///< B of (2): places by rows of contacts that touch
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> b;  ///< B of (2): places by rows of contacts
+                                                                             ///< that touch
   Eigen::MatrixXd w;       ///< W
   Eigen::VectorXd bias;    ///< u' without forces of contacts, or u
   Eigen::VectorXd forces;  ///< lambda
@@ -92,10 +93,14 @@ struct contact_workspace {
     for (auto& x : contacts) {
       const auto& at = place(x);
       const auto m = loop_equations::moving_between(s, at);
-      x.place = c.touch_at(at.element, m);
-      double rows[6]{};
-      c.close_frames(at.element, m, closing::residual_dot, rows);
-      x.slip = {rows[0], rows[1], x.planar ? 0 : rows[2]};
+      x.place = c.touch_at(at.element, m), x.slip = x.place.slip;
+    }
+  }
+  /// As `find` in a tree, from bias motions in the working memory of the state.
+  template <class Contacts, class State>
+  void find_biased(const Contacts& c, const State& s) {
+    for (auto& x : contacts) {
+      x.place = c.touch_at(place(x).element, equations.biased_motion(s, x.closure)), x.slip = x.place.slip;
     }
   }
   /// The rows of a contact of those of all, such as J v, in m.
@@ -144,19 +149,16 @@ struct contact_workspace {
   /// (2) and (3); call (1) of the factor at the positions of the state first. `of_closures`: u' of their rows.
   template <class Contacts, class State>
   void make_matrix(const Contacts& c, State& s, const Eigen::VectorXd& of_closures) {
-    const auto places = static_cast<Eigen::Index>(equations.places.row_of_place.size());
-    b.setZero(places, bias.size());
-    for (std::size_t i = 0; i < touching.size(); ++i) {
-      const auto& x = touched(i);
-      factor.half_solve(c, s, equations, x.closure, [&](int at, int row, double entry) {
-        for (int k = 0; k < x.rows(); ++k) {
-          const auto& axis = x.basis[static_cast<std::size_t>(k)];
-          b(at, x.first + k) += (row == 0 ? axis.x : row == 1 ? axis.y : axis.z) * entry;
-        }
-      });
-    }
-    if (!closures.empty()) project(c, s, of_closures);
-    w.noalias() = b.transpose() * b;
+    put_rows_of_contacts<false>(c, s);
+    if (!closures.empty()) project<false>(c, s, of_closures);
+    multiply();
+  }
+  /// As `make_matrix` in a tree, and `bias` = u' without forces of contacts; call `find_biased` first.
+  template <class Contacts, class State>
+  void make_matrix_and_bias(const Contacts& c, State& s) {
+    put_rows_of_contacts<true>(c, s);
+    if (!closures.empty()) project<true>(c, s, equations.acceleration);
+    multiply();
   }
   /// d = L^-1 B lambda, with the part of closures, by degrees of freedom.
   template <class State>
@@ -169,6 +171,20 @@ struct contact_workspace {
       half -= change;
     }
     factor.other_half(s, equations, half, d);
+  }
+
+  /// As `accelerate` in a tree with articulated inertias in the working memory of the state, whose accelerations
+  /// `accelerate_after` finds.
+  template <class State>
+  void accelerate_with_tree(State& s) {
+    half.resize(b.rows() + pivoted_qr::padding);
+    half.head(b.rows()).noalias() = b * forces;
+    if (!closures.empty()) {
+      change.setZero(b.rows() + pivoted_qr::padding);
+      loops.times_q(loop_bias.data(), change.data());
+      half.head(b.rows()) -= change.head(b.rows());
+    }
+    factor.add_half_change(s, equations, half);
   }
 
   /// The kinetic energy lost where velocities are projected onto the closures, J: u'_C is J_C v.
@@ -185,7 +201,64 @@ struct contact_workspace {
   }
 
  private:
-  template <class Contacts, class State>
+  /// B; with `Accelerate` also `bias`.
+  template <bool Accelerate, class Contacts, class State>
+  void put_rows_of_contacts(const Contacts& c, State& s) {
+    b.setZero(static_cast<Eigen::Index>(equations.places.row_of_place.size()), bias.size());
+    for (std::size_t i = 0; i < touching.size(); ++i) {
+      const auto& x = touched(i);
+      if (!s.tree().plan.tree) {
+        factor.half_solve(c, s, equations, x.closure, [&](int at, int row, double entry) {
+          for (int k = 0; k < x.rows(); ++k) {
+            const auto& axis = x.basis[static_cast<std::size_t>(k)];
+            b(at, x.first + k) += (row == 0 ? axis.x : row == 1 ? axis.y : axis.z) * entry;
+          }
+        });
+        continue;
+      }
+      const auto& m = equations.place(x.closure);
+      const auto to_body = transpose(m.rotation);
+      const vec3<> arm = x.place.point - m.position;
+      double units[6 * closing_stride]{};
+      for (int k = 0; k < x.rows(); ++k) {
+        const vec3<> n = (1 / equations.places.length) * x.basis[static_cast<std::size_t>(k)];
+        const vec3<> force = to_body * n, torque = to_body * cross(arm, n);
+        const double all[6]{force.x, force.y, force.z, torque.x, torque.y, torque.z};
+        for (int j = 0; j < 6; ++j) units[j * closing_stride + k] = all[j];
+      }
+      if constexpr (Accelerate) put_rows(x, x.place.slip_rate, bias), bias[x.first] += x.place.bending / equations.places.length;
+      factor.half_solve_units<Accelerate>(
+          s, equations, x.closure, units, x.rows(),
+          [&](std::size_t at, int k, double entry) { b(static_cast<Eigen::Index>(at), x.first + k) = entry; },
+          [&](int k, double rate) { bias[x.first + k] += rate; });
+    }
+  }
+  /// W = B^T B; most rows of B have few entries.
+  void multiply() {
+    using simd = tree::simd<double>;
+    constexpr auto lanes = static_cast<Eigen::Index>(tree::simd_of<double>::count);
+    const Eigen::Index n = b.cols();
+    w.setZero(n, n);
+    for (Eigen::Index place = 0; place < b.rows(); ++place) {
+      const double* const row = b.data() + place * n;
+      for (Eigen::Index j = 0; j < n; ++j) {
+        const double factor_of_row = row[j];
+        if (factor_of_row == 0) continue;
+        double* const to = w.data() + j * n;
+        Eigen::Index i = j / lanes * lanes;
+        simd x, sum;
+        for (; i + lanes <= n; i += lanes) {
+          tree::load<double>(x, row + i), tree::load<double>(sum, to + i);
+          sum += factor_of_row * x;
+          tree::store<double>(sum, to + i);
+        }
+        for (; i < n; ++i) to[i] += factor_of_row * row[i];
+      }
+    }
+    for (Eigen::Index j = 1; j < n; ++j)
+      for (Eigen::Index i = 0; i < j; ++i) w(i, j) = w(j, i);
+  }
+  template <bool Accelerate, class Contacts, class State>
   void project(const Contacts& c, State& s, const Eigen::VectorXd& of_closures) {
     int rows = 0;
     for (const int k : closures) rows += equations.places.closures[static_cast<std::size_t>(k)].rows.count();
@@ -193,7 +266,8 @@ struct contact_workspace {
     of.setZero();
     int first = 0;
     for (const int k : closures) {
-      factor.half_solve(c, s, equations, k, [&](int at, int row, double entry) { of(at, first + row) = entry; });
+      factor.half_solve<Accelerate>(c, s, equations, k,
+                                    [&](int at, int row, double entry) { of(at, first + row) = entry; });
       first += equations.places.closures[static_cast<std::size_t>(k)].rows.count();
     }
     loops.choose(least_pivot);
