@@ -14,18 +14,20 @@ class friction_sticking {
     const Eigen::Index n = p.size;
     const S least = p.unit * S(1e-7);
     stride_ = (n / lanes + 1) * lanes;
-    A_.assign(static_cast<std::size_t>(n * stride_), S(0)), x_.assign(static_cast<std::size_t>(stride_), S(0));
-    inverse_.resize(static_cast<std::size_t>(n));
+    for (auto* to : {&A_, &U_}) to->resize(static_cast<std::size_t>(n * stride_));
+    x_.resize(static_cast<std::size_t>(stride_)), inverse_.resize(static_cast<std::size_t>(n));
     for (Eigen::Index j = 0; j < n; ++j) {
       std::copy_n(p.column(j), n, &at(0, j));
       at(n, j) = -p.b[j];
+      std::fill(&at(0, j) + n + 1, &at(0, j) + stride_, S(0));
     }
     for (Eigen::Index k = 0; k < n; ++k) {
       if (!(at(k, k) > least)) return false;
       const S inverse = S(1) / at(k, k);
       inverse_[static_cast<std::size_t>(k)] = inverse;
       for (Eigen::Index j = k + 1; j < n; ++j) {
-        const S factor = at(j, k) * inverse;
+        const S own = at(j, k), factor = own * inverse;
+        U_[static_cast<std::size_t>(j * stride_ + k)] = own;
         for (Eigen::Index i = j / lanes * lanes; i < stride_; i += lanes) {
           simd x, y;
           tree::load<S>(x, &at(i, k)), tree::load<S>(y, &at(i, j));
@@ -34,33 +36,28 @@ class friction_sticking {
         }
       }
     }
+    for (Eigen::Index k = 0; k < n; ++k) x_[static_cast<std::size_t>(k)] = at(n, k);
     for (Eigen::Index k = n; k-- > 0;) {
-      simd sum = zeros(), x, y;
-      for (Eigen::Index i = k / lanes * lanes; i < stride_; i += lanes) {
-        tree::load<S>(x, &at(i, k)), tree::load<S>(y, &x_[static_cast<std::size_t>(i)]);
-        sum = sum + x * y;
+      const S own = x_[static_cast<std::size_t>(k)] * inverse_[static_cast<std::size_t>(k)];
+      lambda[k] = own;
+      for (Eigen::Index i = 0; i < k; i += lanes) {
+        simd x, u;
+        tree::load<S>(x, &x_[static_cast<std::size_t>(i)]);
+        tree::load<S>(u, &U_[static_cast<std::size_t>(k * stride_ + i)]);
+        x = x - own * u;
+        tree::store<S>(x, &x_[static_cast<std::size_t>(i)]);
       }
-      S each[lanes], rest = at(n, k);
-      tree::store<S>(sum, each);
-      for (const S& part : each) rest = rest - part;
-      x_[static_cast<std::size_t>(k)] = rest * inverse_[static_cast<std::size_t>(k)];
     }
-    std::copy_n(x_.data(), n, lambda);
     return true;
   }
 
  private:
   using simd = tree::simd<S>;
   static constexpr auto lanes = static_cast<Eigen::Index>(tree::simd_of<S>::count);
-  static simd zeros() {
-    const S none[lanes]{};
-    simd x;
-    tree::load<S>(x, none);
-    return x;
-  }
   S& at(Eigen::Index i, Eigen::Index j) { return A_[static_cast<std::size_t>(j * stride_ + i)]; }
 
-  std::vector<S> A_, x_, inverse_;  ///< columns of W and a row of -b, which become L D; lambda; 1/D
+  std::vector<S> A_, U_;         ///< columns of W and a row of -b, which become L D; (L D)^T
+  std::vector<S> x_, inverse_;  ///< L^-1 (-b); 1/D
   Eigen::Index stride_ = 0;
 };
 

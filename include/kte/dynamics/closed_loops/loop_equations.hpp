@@ -101,7 +101,12 @@ class loop_equations {
       for (int r = 0; r < x.rows.linear; ++r) unit[r] /= places.length;
     half_solve_units<Accelerate>(
         s, closure, units, x.rows.count(), root,
-        [&](std::size_t place, int r, double entry) { put(places.column_of_place[place], r, entry); },
+        [&](std::size_t place, int first, const tree::simd<double>& entries) KTE_INLINE_LAMBDA {
+          double left[tree::simd_of<double>::count];
+          tree::store<double>(entries, left);
+          for (int r = first; r < (std::min)(first + lanes, x.rows.count()); ++r)
+            put(places.column_of_place[place], r, left[r - first]);
+        },
         [&](int r, double rate) { acceleration[x.first + r] = rate; });
     if constexpr (Accelerate) {
       double rows[6];
@@ -111,14 +116,13 @@ class loop_equations {
     }
   }
   /// As `half_solve`, for rows that are given by their wrenches on frame2, in its axes: six times `closing_stride`
-  /// numbers. Calls put(place, row, entry), and with `Accelerate` accelerate(row, its second derivative without the
+  /// numbers. Calls put(place, first row, entries of as many rows as there are lanes), and with `Accelerate` accelerate(row, its second derivative without the
   /// part of `biased_motion`).
   template <bool Accelerate, class State, class Put, class Accelerated>
   void half_solve_units(State& s, int closure, const double* units, int rows, const Eigen::VectorXd& root,
                         const Put& put, const Accelerated& accelerate) {
     const auto& x = places.closures[static_cast<std::size_t>(closure)];
     const auto& m = motions_[static_cast<std::size_t>(closure)];
-    constexpr int lanes = static_cast<int>(tree::simd_of<double>::count);
     const auto& f = s.tree().body_tree;
     for (int first = 0; first < rows; first += lanes) {
       simd_load on2;
@@ -141,10 +145,7 @@ class loop_equations {
       enter(0, x.frame1, on1), enter(1, x.frame2, on2);
       const auto put_lanes = [&](int axis, const tree::simd<double>& e) KTE_INLINE_LAMBDA {
         const auto place = static_cast<std::size_t>(places.place_of_axis[static_cast<std::size_t>(axis)]);
-        double left[lanes];
-        tree::store<double>(e, left);
-        for (int r = first; r < (std::min)(first + lanes, rows); ++r)
-          put(place, r, root[static_cast<Eigen::Index>(place)] * left[r - first]);
+        put(place, first, root[static_cast<Eigen::Index>(place)] * e);
       };
       tree::send_to_bases(f, s.work, x.way, loads_.data(), static_cast<const double*>(nullptr), put_lanes, sum);
       if constexpr (Accelerate) {
@@ -199,6 +200,7 @@ class loop_equations {
   }
 
  private:
+  static constexpr int lanes = static_cast<int>(tree::simd_of<double>::count);
   /// The frames of a closure in the body that carries both, or in the world; the slot of this body, or -1.
   template <class S>
   struct ends_of_closure {
