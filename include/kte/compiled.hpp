@@ -14,6 +14,7 @@
 #include <kte/dynamics/centroidal.hpp>
 #include <kte/dynamics/closed_loops/statics.hpp>
 #include <kte/dynamics/configuration_space.hpp>
+#include <kte/dynamics/contacts/contact_derivatives.hpp>
 #include <kte/dynamics/contacts/contact_dynamics.hpp>
 #include <kte/dynamics/contacts/impact.hpp>
 #include <kte/dynamics/derivatives.hpp>

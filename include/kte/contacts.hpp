@@ -4,6 +4,7 @@
 #include <kte/contact/height_field.hpp>
 #include <kte/contact/height_grid.hpp>
 #include <kte/contact/surface.hpp>
+#include <kte/dynamics/contacts/contact_derivatives.hpp>
 #include <kte/dynamics/contacts/contact_dynamics.hpp>
 #include <kte/dynamics/contacts/impact.hpp>
 #include <kte/dynamics/contacts/static_chains.hpp>
