@@ -1,4 +1,3 @@
-#include <kte/contacts.hpp>
 #include <kte/dynamics/bias_forces.hpp>
 #include <kte/dynamics/configuration_space.hpp>
 #include <kte/dynamics/relative_motion.hpp>
@@ -7,54 +6,17 @@
 
 #include "catch.hpp"
 #include "closed_loops/tangle.hpp"
+#include "contact/legged.hpp"
 #include "digits50.hpp"
 #include "random.hpp"
 
 using namespace kte;
 using namespace kte::test;
+using namespace kte::test::legged;
 using kte::test::loops::vector;
 
 namespace {
 
-// clang-format off
-inline constexpr struct slide_ final : coord_key<"slide"> {} slide;
-inline constexpr struct knee_ final : coord_key<"knee"> {} knee;
-inline constexpr struct pose_ final : pose_3D_key<"pose"> {} pose_of_body;
-inline constexpr struct world_ final : frame_3D_key<"world"> {} world;
-inline constexpr struct carriage_ final : frame_3D_key<"carriage"> {} carriage;
-inline constexpr struct floor_ final : frame_3D_key<"floor"> {} floor_of_carriage;
-inline constexpr struct hill_ final : frame_3D_key<"hill"> {} hill;
-inline constexpr struct body_ final : frame_3D_key<"body"> {} body;
-inline constexpr struct hip_ final : frame_3D_key<"hip"> {} hip;
-inline constexpr struct shank_ final : frame_3D_key<"shank"> {} shank;
-inline constexpr struct foot_ final : frame_3D_key<"foot"> {} foot;
-inline constexpr struct on_floor_ final : contact_key<"on floor"> {} on_floor;
-inline constexpr struct on_hill_ final : contact_key<"on hill"> {} on_hill;
-// clang-format on
-constexpr double radius = 0.07;
-constexpr vec3<> heel{-0.2, 0.1, -0.15};
-
-/// A body with a leg: its heel touches the floor of a carriage, its foot a hill.
-auto legged(double height, double size_of_hill) {
-  return chain(prismatic_joint_3D(slide, world, carriage, axis::x), inertia_3D(carriage, point_mass(1.7)),
-               rigid_link_3D(carriage, floor_of_carriage, vec3<>{0, 0, height}),
-               rigid_link_3D(world, hill, vec3<>{0.3, 0.1, -size_of_hill}), free_joint_3D(pose_of_body, world, body),
-               inertia_3D(body, rigid_body<>{2.0, vec3<>{0.02, 0.01, 0.03}, sym3<>{0.05, 0.002, 0.001, 0.06, 0.003, 0.04}}),
-               rigid_link_3D(body, hip, vec3<>{0.2, 0, 0}), revolute_joint_3D(knee, hip, shank, axis::y),
-               inertia_3D(shank, rigid_body<>{0.4, vec3<>{0, 0, -0.1}, sym3<>{0.004, 0, 0, 0.003, 0, 0.002}}),
-               rigid_link_3D(shank, foot, vec3<>{0, 0, -0.25}))
-      .gravity(along_z(-9.81));
-}
-struct scene {
-  double height = 0, size = 1, friction_of_floor = 0, friction_of_hill = 0;
-  auto tree() const { return legged(height, size); }
-  auto touching() const {
-    return chain(tree(), sphere_contact_3D(on_floor, floor_of_carriage, body, half_space{}, radius, {friction_of_floor, 0}, heel),
-                 sphere_contact_3D(on_hill, hill, foot, ball_surface(size), radius, {friction_of_hill, 0}))
-        .gravity(along_z(-9.81));
-  }
-};
-constexpr int dofs = 8;
 using geometry = core::contact_geometry<kind::frame_3D, contact_surface>;
 
 template <class S>
@@ -90,7 +52,7 @@ struct reference {
     };
     const std::array<geometry, 2> shapes{geometry{contact_surface{{0, 0, 1}, 0}, radius, heel},
                                          geometry{contact_surface{{}, of.size}, radius, {}}};
-    const numbers none = numbers::Zero(dofs);
+    const numbers none = numbers::Zero(scene_dofs);
     const auto still = motions(v, none);
     for (std::size_t i = 0; i < 2; ++i) {
       auto& c = contacts[i];
@@ -99,19 +61,19 @@ struct reference {
       c.friction = S(i == 0 ? of.friction_of_floor : of.friction_of_hill), c.mode = modes[i];
       const three<S> u = column(shapes[i].slip(still[i])), t = u - c.n.dot(u) * c.n;
       if (c.mode == law::slides) c.d = t / S(sqrt(S(t.dot(t))));
-      c.j.resize(3, dofs);
-      for (int k = 0; k < dofs; ++k) c.j.col(k) = column(shapes[i].slip(motions(numbers::Unit(dofs, k), none)[i]));
+      c.j.resize(3, scene_dofs);
+      for (int k = 0; k < scene_dofs; ++k) c.j.col(k) = column(shapes[i].slip(motions(numbers::Unit(scene_dofs, k), none)[i]));
     }
   }
   /// Residuals for accelerations and forces.
   numbers residual(const numbers& z, const numbers& tau) const {
-    numbers r(dofs + 6);
-    r.head(dofs) = mass * z.head(dofs) + bias - tau;
+    numbers r(scene_dofs + 6);
+    r.head(scene_dofs) = mass * z.head(scene_dofs) + bias - tau;
     for (std::size_t i = 0; i < 2; ++i) {
       const auto& c = contacts[i];
-      const auto row = static_cast<Eigen::Index>(dofs + 3 * i);
-      const three<S> f = z.template segment<3>(row), j = c.j * z.head(dofs);
-      r.head(dofs) -= c.j.transpose() * f;
+      const auto row = static_cast<Eigen::Index>(scene_dofs + 3 * i);
+      const three<S> f = z.template segment<3>(row), j = c.j * z.head(scene_dofs);
+      r.head(scene_dofs) -= c.j.transpose() * f;
       const three<S> rate = j + c.drift, along = rate - c.n.dot(rate) * c.n, across = f - c.n.dot(f) * c.n;
       const S apart = c.apart + c.n.dot(j), load = c.friction * c.n.dot(f);
       three<S> law_of = f;
@@ -126,8 +88,8 @@ struct reference {
     const S h(1e-20);
     for (int step = 0; step < 5; ++step) {
       const numbers r = residual(z, tau);
-      matrix by(dofs + 6, dofs + 6);
-      for (int k = 0; k < dofs + 6; ++k) by.col(k) = (residual(z + h * numbers::Unit(dofs + 6, k), tau) - r) / h;
+      matrix by(scene_dofs + 6, scene_dofs + 6);
+      for (int k = 0; k < scene_dofs + 6; ++k) by.col(k) = (residual(z + h * numbers::Unit(scene_dofs + 6, k), tau) - r) / h;
       z -= by.partialPivLu().solve(r);
     }
     return z;
@@ -153,25 +115,25 @@ found_state find_state(const std::array<law, 2>& modes, random_numbers& draw) {
   for (int i = 0; i < 500; ++i) {
     found_state x;
     const auto flat = x.at.tree();
-    x.q = integrate(flat, neutral_configuration(flat), vector(0.4 * some(dofs)), 1.0);
+    x.q = integrate(flat, neutral_configuration(flat), vector(0.4 * some(scene_dofs)), 1.0);
     const auto place = relative_pose(flat, x.q, body, floor_of_carriage);
     x.at.height = (place.position + place.rotation * heel).z - radius;
     const auto foot_at = relative_pose(flat, x.q, foot, world);
-    const vec3<> away = foot_at.position - vec3<>{0.3, 0.1, 0};  // |away + size e_z| = size + radius
+    const vec3<> away = foot_at.position - top_of_hill;  // |away + size e_z| = size + radius
     x.at.size = (dot(away, away) - radius * radius) / (2 * (radius - away.z));
     if (!(x.at.size > 0.1)) continue;
     const auto friction = [](law mode) { return mode == law::begins ? 0.05 : mode == law::slides ? 0.3 : 3.0; };
     x.at.friction_of_floor = friction(modes[0]), x.at.friction_of_hill = friction(modes[1]);
-    const reference<double> r(x.at, x.at.tree(), x.q, vector::Zero(dofs), modes);
-    Eigen::MatrixXd rows(6, dofs);
+    const reference<double> r(x.at, x.at.tree(), x.q, vector::Zero(scene_dofs), modes);
+    Eigen::MatrixXd rows(6, scene_dofs);
     for (int k = 0; k < 2; ++k) {
       const auto& c = r.contacts[static_cast<std::size_t>(k)];
       const bool slides = modes[static_cast<std::size_t>(k)] == law::slides;
       rows.middleRows(3 * k, 3) = slides ? Eigen::MatrixXd(c.n * c.n.transpose() * c.j) : Eigen::MatrixXd(c.j);
     }
-    x.v = some(dofs);
+    x.v = some(scene_dofs);
     x.v -= rows.completeOrthogonalDecomposition().solve(rows * x.v);
-    x.tau = 3 * some(dofs);
+    x.tau = 3 * some(scene_dofs);
     runtime_chain c;
     c << x.at.touching();
     auto s = c.make_state();
@@ -198,7 +160,7 @@ void check_derivatives(const std::array<law, 2>& modes, random_numbers& draw) {
   auto s = c.make_state();
   const auto r = contact_dynamics_derivatives(c, s, x.q, x.v, x.tau);
   const big q = x.q.cast<digits50>(), v = x.v.cast<digits50>(), tau = x.tau.cast<digits50>();
-  big start(dofs + 6);
+  big start(scene_dofs + 6);
   const auto force = [&r](const char* name) { return column(r.contact(name).at.force); };
   start << r.a.cast<digits50>(), force("on floor").cast<digits50>(), force("on hill").cast<digits50>();
   const auto solution = [&](const big& of_q, const big& of_v, const big& of_tau) {
@@ -207,9 +169,9 @@ void check_derivatives(const std::array<law, 2>& modes, random_numbers& draw) {
   CHECK(off(vector(start.unaryExpr([](const digits50& y) { return static_cast<double>(y); })),
             as_doubles(solution(q, v, tau))) <= 1e-12);
   const digits50 h(1e-15);
-  exact::matrix by_q(dofs + 6, dofs), by_v(dofs + 6, dofs), by_tau(dofs + 6, dofs);
-  for (int k = 0; k < dofs; ++k) {
-    const big step = h * big::Unit(dofs, k);
+  exact::matrix by_q(scene_dofs + 6, scene_dofs), by_v(scene_dofs + 6, scene_dofs), by_tau(scene_dofs + 6, scene_dofs);
+  for (int k = 0; k < scene_dofs; ++k) {
+    const big step = h * big::Unit(scene_dofs, k);
     const auto moved = [&](const big& d) { return big(integrate(tree, q, d, digits50(1))); };
     by_q.col(k) = (solution(moved(step), v, tau) - solution(moved(-step), v, tau)) / (2 * h);
     by_v.col(k) = (solution(q, v + step, tau) - solution(q, v - step, tau)) / (2 * h);
@@ -218,9 +180,9 @@ void check_derivatives(const std::array<law, 2>& modes, random_numbers& draw) {
   const auto compare = [&](const exact::matrix& by, const Eigen::MatrixXd& a, const Eigen::MatrixXd& f,
                            const Eigen::MatrixXd& g) {
     const Eigen::MatrixXd expected = as_doubles(by);
-    CHECK(off(a, expected.topRows(dofs)) <= 1e-12);
-    CHECK(off(f, expected.middleRows(dofs, 3)) <= 1e-12);
-    CHECK(off(g, expected.bottomRows(3)) <= 1e-12);
+    CHECK(1e12 * off(a, expected.topRows(scene_dofs)) <= 1);
+    CHECK(1e12 * off(f, expected.middleRows(scene_dofs, 3)) <= 1);
+    CHECK(1e12 * off(g, expected.bottomRows(3)) <= 1);
   };
   const auto &f = r.contact("on floor"), &g = r.contact("on hill");
   compare(by_q, r.by_q, f.force_by_q, g.force_by_q);

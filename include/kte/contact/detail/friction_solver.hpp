@@ -73,7 +73,7 @@ const friction_solution<S>& friction_solver<S>::solve(const friction_problem<S>&
   found_.iterations = 0;
   for (std::size_t k = 0; k < p.contacts.size(); ++k)
     if (!p.contacts[k].sliding) system_.mu[k] = p.contacts[k].sticking_friction.value_or(p.contacts[k].friction);
-  if (start.empty() && !o.polish && stick(o)) return found_;
+  if (start.empty() && stick(o)) return found_;
   bool again = true, solved = false;
   while (again) {  // at most once for each contact: who slips with the friction of sticking gets that of sliding
     if (start.size() == m)

@@ -144,9 +144,16 @@ KTE_FUNCTION contact_dynamics_derivatives_result contact_dynamics_derived(const 
   contact_dynamics_derivatives_result r;
   const Eigen::Index n = s.dofs();
   for (int i = 0; i < s.dofs(); ++i) s.work.kept[static_cast<std::size_t>(i)] = tau[i];
+  auto& m = contact_memory(c, s);
+  const struct polishing {
+    bool& on;
+    explicit polishing(bool& x) : on(x) { on = true; }
+    polishing(const polishing&) = delete;
+    polishing& operator=(const polishing&) = delete;
+    ~polishing() { on = false; }
+  } exactly(m.polish);
   const auto& found = contact_dynamics_under_kept(c, s);
   r.a = found.a, r.names = found.names;
-  auto& m = contact_memory(c, s);
   auto& e = m.equations;
   const closure_places* closures = has_loops(c) ? &loops_of(c, s).equations.places : nullptr;
   const int closed = closures != nullptr ? closures->rows : 0;

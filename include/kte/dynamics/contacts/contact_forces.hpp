@@ -12,6 +12,7 @@ struct contact_solver : contact_workspace {
   using contact_workspace::contact_workspace;
   friction_solver<double> solver;
   std::vector<contact_mode> modes;  ///< of contacts that touch
+  bool polish = false;              ///< option of the friction solver
   Eigen::VectorXd loop_forces, change_of_motion, before, velocities;
 
   /// Calls put(number of the contact, force or impulse) for the contacts that touch.
@@ -55,7 +56,7 @@ bool solve_friction(const Contacts& c, contact_solver& m, bool any = false) {
   if (m.touching.empty()) return false;
   const friction_problem<> p(m.w, m.bias, m.laws);
   friction_options<> options;
-  options.least_norm = !any;
+  options.least_norm = !any, options.polish = m.polish;
   const auto& r = m.solver.solve(p, options);
   if (!r.solved()) [[unlikely]]
     raise<no_solution>("kte: no contact forces satisfy the laws of friction at contacts " + names_of_touching(c, m) +
