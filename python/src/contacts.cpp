@@ -33,7 +33,8 @@ void bind_motions(py::module_& m) {
       "contact_dynamics",
       [](py::handle chain, py::handle q, py::handle v, py::handle tau) {
         const state_arguments x(chain, q, v, tau);
-        const auto r = compute(x.c, [&](const auto& k, auto& s) { return kte::contact_dynamics(k, s, x.q, x.v, x.tau); });
+        const auto r =
+            compute(x.c, [&](const auto& k, auto& s) { return kte::contact_dynamics(k, s, x.q, x.v, x.tau); });
         py::dict contacts;
         for (std::size_t i = 0; i < r.names.size(); ++i) contacts[py::str(r.names[i])] = contact_of(r.contacts[i]);
         return result("ContactDynamics", py::make_tuple(to_array(r.a), contacts, r.several));
@@ -48,17 +49,17 @@ whether other accelerations satisfy the laws of contact too.)",
       "contact_dynamics_derivatives",
       [](py::handle chain, py::handle q, py::handle v, py::handle tau) {
         const state_arguments x(chain, q, v, tau);
-        const auto r = compute(x.c, [&](const auto& k, auto& s) {
-          return kte::contact_dynamics_derivatives(k, s, x.q, x.v, x.tau);
-        });
+        const auto r = compute(
+            x.c, [&](const auto& k, auto& s) { return kte::contact_dynamics_derivatives(k, s, x.q, x.v, x.tau); });
         py::dict forces;
         for (std::size_t i = 0; i < r.names.size(); ++i) {
           const auto& f = r.contacts[i];
-          forces[py::str(r.names[i])] = result(
-              "ForceDerivatives", py::make_tuple(to_array(f.force_by_q), to_array(f.force_by_v), to_array(f.force_by_tau)));
+          forces[py::str(r.names[i])] =
+              result("ForceDerivatives",
+                     py::make_tuple(to_array(f.force_by_q), to_array(f.force_by_v), to_array(f.force_by_tau)));
         }
-        return result("ContactDynamicsDerivatives", py::make_tuple(to_array(r.a), to_array(r.by_q), to_array(r.by_v),
-                                                                   to_array(r.by_tau), forces));
+        return result("ContactDynamicsDerivatives",
+                      py::make_tuple(to_array(r.a), to_array(r.by_q), to_array(r.by_v), to_array(r.by_tau), forces));
       },
       R"(contact_dynamics_derivatives(chain, q, v, tau)
 
@@ -104,8 +105,8 @@ axes of the surface.)",
         return to_array(
             compute(x.c, [&](const auto& k, auto& s) { return kte::contact_jacobian_rate(k, s, x.q, x.v, of); }));
       },
-      "contact_jacobian_rate(chain, q, v, contacts=())\n\nThe rate of `contact_jacobian` at the velocities v.", "chain"_a,
-      "q"_a, "v"_a, "contacts"_a = py::tuple());
+      "contact_jacobian_rate(chain, q, v, contacts=())\n\nThe rate of `contact_jacobian` at the velocities v.",
+      "chain"_a, "q"_a, "v"_a, "contacts"_a = py::tuple());
   m.def(
       "delassus_matrix",
       [](py::handle chain, py::handle q, py::handle contacts) {
@@ -113,18 +114,20 @@ axes of the surface.)",
         const auto of = contacts_from(contacts);
         return to_array(compute(x.c, [&](const auto& k, auto& s) { return kte::delassus_matrix(k, s, x.q, of); }));
       },
-      "delassus_matrix(chain, q, contacts=())\n\nJ M^-1 J^T of contacts, 1/kg, with J of `contact_jacobian`.", "chain"_a,
-      "q"_a, "contacts"_a = py::tuple());
+      "delassus_matrix(chain, q, contacts=())\n\nJ M^-1 J^T of contacts, 1/kg, with J of `contact_jacobian`.",
+      "chain"_a, "q"_a, "contacts"_a = py::tuple());
   m.def(
       "operational_inertia",
       [](py::handle chain, py::handle q, py::handle contacts, py::handle frame) {
         const state_arguments x(chain, q);
         if (frame.is_none()) {
           const auto of = contacts_from(contacts);
-          return to_array(compute(x.c, [&](const auto& k, auto& s) { return kte::operational_inertia(k, s, x.q, of); }));
+          return to_array(
+              compute(x.c, [&](const auto& k, auto& s) { return kte::operational_inertia(k, s, x.q, of); }));
         }
         const auto name = frame.cast<std::string>();
-        return to_array(compute(x.c, [&](const auto& k, auto& s) { return kte::operational_inertia(k, s, x.q, name); }));
+        return to_array(
+            compute(x.c, [&](const auto& k, auto& s) { return kte::operational_inertia(k, s, x.q, name); }));
       },
       R"(operational_inertia(chain, q, contacts=(), *, frame=None)
 

@@ -16,7 +16,9 @@ using kte::test::loops::vector;
 
 namespace {
 
-vector some(random_numbers& draw, int n) { return vector::NullaryExpr(n, [&] { return draw(); }); }
+vector some(random_numbers& draw, int n) {
+  return vector::NullaryExpr(n, [&] { return draw(); });
+}
 double off(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
   return (a - b).cwiseAbs().maxCoeff() / (1 + b.cwiseAbs().maxCoeff());
 }
@@ -40,7 +42,9 @@ runtime_chain table() {
   leg("5", 0.1, 0.05, -0.5), leg("air", 0.6, 0.0, -0.4);
   return c;
 }
-vector numbers_of(std::initializer_list<double> x) { return Eigen::Map<const vector>(std::data(x), static_cast<int>(x.size())); }
+vector numbers_of(std::initializer_list<double> x) {
+  return Eigen::Map<const vector>(std::data(x), static_cast<int>(x.size()));
+}
 
 }  // namespace
 
@@ -52,7 +56,8 @@ TEST_CASE("Jacobians of contacts give their velocities, and rates the derivative
   runtime_chain c;
   c << fixed;
   auto s = c.make_state();
-  const vector q = integrate(c, neutral_configuration(c), vector(0.5 * some(draw, scene_dofs)), 1.0), v = some(draw, scene_dofs);
+  const vector q = integrate(c, neutral_configuration(c), vector(0.5 * some(draw, scene_dofs)), 1.0),
+               v = some(draw, scene_dofs);
   for (const char* name : {"on floor", "on hill"}) {
     INFO(name);
     const Eigen::MatrixXd j = contact_jacobian(c, s, q, name), rate = contact_jacobian_rate(c, s, q, v, name);
@@ -102,7 +107,8 @@ TEST_CASE("operational-space inertia is the inverse of J M^-1 J^T") {
   const Eigen::MatrixXd w = j * mass.llt().solve(j.transpose());
   CHECK(off(delassus_matrix(c, s, q, both), w) <= 1e-13);
   CHECK(off(operational_inertia(c, s, q, both) * w, Eigen::MatrixXd::Identity(6, 6)) <= 1e-12);
-  CHECK(off(operational_inertia(fixed, q, at_contacts(on_floor, on_hill)), operational_inertia(c, s, q, both)) <= 1e-12);
+  CHECK(off(operational_inertia(fixed, q, at_contacts(on_floor, on_hill)), operational_inertia(c, s, q, both)) <=
+        1e-12);
   CHECK(off(delassus_matrix(fixed, q, at_contacts(on_floor, on_hill)), w) <= 1e-13);
   const Eigen::MatrixXd k = jacobian(c, s, q, "body", in_world_axes), own = jacobian(c, s, q, "body");
   CHECK(off(operational_inertia(c, s, q, "body", in_world_axes) * (k * mass.llt().solve(k.transpose())),
@@ -110,8 +116,8 @@ TEST_CASE("operational-space inertia is the inverse of J M^-1 J^T") {
   CHECK(off(operational_inertia(c, s, q, "body") * (own * mass.llt().solve(own.transpose())),
             Eigen::MatrixXd::Identity(6, 6)) <= 1e-12);
   CHECK(off(operational_inertia(fixed, q, body), operational_inertia(c, s, q, "body")) <= 1e-12);
-  CHECK(off(operational_inertia(fixed, q, body, in_world_axes),
-            operational_inertia(c, s, q, "body", in_world_axes)) <= 1e-12);
+  CHECK(off(operational_inertia(fixed, q, body, in_world_axes), operational_inertia(c, s, q, "body", in_world_axes)) <=
+        1e-12);
   // A carriage moves along one axis only
   CHECK_THROWS_MATCHES(operational_inertia(c, s, q, "carriage"), no_solution, says("cannot accelerate"));
   auto flat = table();

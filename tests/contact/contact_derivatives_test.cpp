@@ -62,7 +62,8 @@ struct reference {
       const three<S> u = column(shapes[i].slip(still[i])), t = u - c.n.dot(u) * c.n;
       if (c.mode == law::slides) c.d = t / S(sqrt(S(t.dot(t))));
       c.j.resize(3, scene_dofs);
-      for (int k = 0; k < scene_dofs; ++k) c.j.col(k) = column(shapes[i].slip(motions(numbers::Unit(scene_dofs, k), none)[i]));
+      for (int k = 0; k < scene_dofs; ++k)
+        c.j.col(k) = column(shapes[i].slip(motions(numbers::Unit(scene_dofs, k), none)[i]));
     }
   }
   /// Residuals for accelerations and forces.
@@ -89,7 +90,8 @@ struct reference {
     for (int step = 0; step < 5; ++step) {
       const numbers r = residual(z, tau);
       matrix by(scene_dofs + 6, scene_dofs + 6);
-      for (int k = 0; k < scene_dofs + 6; ++k) by.col(k) = (residual(z + h * numbers::Unit(scene_dofs + 6, k), tau) - r) / h;
+      for (int k = 0; k < scene_dofs + 6; ++k)
+        by.col(k) = (residual(z + h * numbers::Unit(scene_dofs + 6, k), tau) - r) / h;
       z -= by.partialPivLu().solve(r);
     }
     return z;

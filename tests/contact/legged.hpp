@@ -30,20 +30,21 @@ struct scene {
   double friction_of_floor = 0, friction_of_hill = 0;
 
   auto tree() const {
-    return chain(
-               prismatic_joint_3D(slide, world, carriage, axis::x), inertia_3D(carriage, point_mass(1.7)),
-               rigid_link_3D(carriage, floor_of_carriage, vec3<>{0, 0, height}),
-               rigid_link_3D(world, hill, top_of_hill - vec3<>{0, 0, size}), free_joint_3D(pose_of_body, world, body),
-               inertia_3D(body, rigid_body<>{2.0, vec3<>{0.02, 0.01, 0.03}, sym3<>{0.05, 0.002, 0.001, 0.06, 0.003, 0.04}}),
-               rigid_link_3D(body, hip, vec3<>{0.2, 0, 0}), revolute_joint_3D(knee, hip, shank, axis::y),
-               inertia_3D(shank, rigid_body<>{0.4, vec3<>{0, 0, -0.1}, sym3<>{0.004, 0, 0, 0.003, 0, 0.002}}),
-               rigid_link_3D(shank, foot, vec3<>{0, 0, -0.25}))
+    return chain(prismatic_joint_3D(slide, world, carriage, axis::x), inertia_3D(carriage, point_mass(1.7)),
+                 rigid_link_3D(carriage, floor_of_carriage, vec3<>{0, 0, height}),
+                 rigid_link_3D(world, hill, top_of_hill - vec3<>{0, 0, size}), free_joint_3D(pose_of_body, world, body),
+                 inertia_3D(body,
+                            rigid_body<>{2.0, vec3<>{0.02, 0.01, 0.03}, sym3<>{0.05, 0.002, 0.001, 0.06, 0.003, 0.04}}),
+                 rigid_link_3D(body, hip, vec3<>{0.2, 0, 0}), revolute_joint_3D(knee, hip, shank, axis::y),
+                 inertia_3D(shank, rigid_body<>{0.4, vec3<>{0, 0, -0.1}, sym3<>{0.004, 0, 0, 0.003, 0, 0.002}}),
+                 rigid_link_3D(shank, foot, vec3<>{0, 0, -0.25}))
         .gravity(along_z(-9.81));
   }
   auto touching() const {
-    return chain(tree(),
-                 sphere_contact_3D(on_floor, floor_of_carriage, body, half_space{}, radius, {friction_of_floor, 0}, heel),
-                 sphere_contact_3D(on_hill, hill, foot, ball_surface(size), radius, {friction_of_hill, 0}))
+    return chain(
+               tree(),
+               sphere_contact_3D(on_floor, floor_of_carriage, body, half_space{}, radius, {friction_of_floor, 0}, heel),
+               sphere_contact_3D(on_hill, hill, foot, ball_surface(size), radius, {friction_of_hill, 0}))
         .gravity(along_z(-9.81));
   }
 };

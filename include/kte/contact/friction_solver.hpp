@@ -31,9 +31,10 @@ template <class S = double>
 class friction_solver {
  public:
   /// The solution of p, from the start `lambda` if it is given (m numbers): by enumeration for plane problems of up to
-  /// 3 contacts; else that where all contacts stick, if it satisfies the laws; else by Newton's method on the natural map of Alart and Curnier, and if that fails, by it with
-  /// damping, from solutions of regularised problems (W + eps I, eps to 0), from iterates of ADMM, and from those of
-  /// the Gauss-Seidel method. W that is singular: see `friction_options::least_norm`.
+  /// 3 contacts; else that where all contacts stick, if it satisfies the laws; else by Newton's method on the natural
+  /// map of Alart and Curnier, and if that fails, by it with damping, from solutions of regularised problems
+  /// (W + eps I, eps to 0), from iterates of ADMM, and from those of the Gauss-Seidel method. W that is singular: see
+  /// `friction_options::least_norm`.
   const friction_solution<S>& solve(const friction_problem<S>& p, const friction_options<S>& options = {},
                                     std::span<const S> start = {});
 

@@ -56,7 +56,7 @@ class friction_sticking {
   static constexpr auto lanes = static_cast<Eigen::Index>(tree::simd_of<S>::count);
   S& at(Eigen::Index i, Eigen::Index j) { return A_[static_cast<std::size_t>(j * stride_ + i)]; }
 
-  std::vector<S> A_, U_;         ///< columns of W and a row of -b, which become L D; (L D)^T
+  std::vector<S> A_, U_;        ///< columns of W and a row of -b, which become L D; (L D)^T
   std::vector<S> x_, inverse_;  ///< L^-1 (-b); 1/D
   Eigen::Index stride_ = 0;
 };

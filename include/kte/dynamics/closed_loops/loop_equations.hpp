@@ -116,8 +116,8 @@ class loop_equations {
     }
   }
   /// As `half_solve`, for rows that are given by their wrenches on frame2, in its axes: six times `closing_stride`
-  /// numbers. Calls put(place, first row, entries of as many rows as there are lanes), and with `Accelerate` accelerate(row, its second derivative without the
-  /// part of `biased_motion`).
+  /// numbers. Calls put(place, first row, entries of as many rows as there are lanes), and with `Accelerate`
+  /// accelerate(row, its second derivative without the part of `biased_motion`).
   template <bool Accelerate, class State, class Put, class Accelerated>
   void half_solve_units(State& s, int closure, const double* units, int rows, const Eigen::VectorXd& root,
                         const Put& put, const Accelerated& accelerate) {

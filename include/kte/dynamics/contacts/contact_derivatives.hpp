@@ -14,9 +14,10 @@ namespace kte {
 
 /// The result of `contact_dynamics_derivatives`, for n degrees of freedom.
 struct contact_dynamics_derivatives_result {
-  Eigen::VectorXd a;                  ///< accelerations, n
+  Eigen::VectorXd a;                   ///< accelerations, n
   Eigen::MatrixXd by_q, by_v, by_tau;  ///< derivatives of a, n x n
 
+  /// A contact, and the derivatives of its force.
   struct of_contact {
     contact_state<> at;                                    ///< gap, slip, force and mode
     Eigen::MatrixXd force_by_q, force_by_v, force_by_tau;  ///< derivatives of the force, 3 x n, in axes of its surface
@@ -180,8 +181,8 @@ KTE_FUNCTION contact_dynamics_derivatives_result contact_dynamics_derived(const 
     const auto& at = contacts[i];
     Eigen::MatrixXd unit(3, at.count());
     for (int k = 0; k < at.count(); ++k) {
-      const vec3<> f = at.count() > 1 ? at.basis[static_cast<std::size_t>(k)]
-                                      : vec3<>(at.basis[0] - at.friction * at.direction);
+      const vec3<> f =
+          at.count() > 1 ? at.basis[static_cast<std::size_t>(k)] : vec3<>(at.basis[0] - at.friction * at.direction);
       unit.col(k) << f.x, f.y, f.z;
     }
     auto& to = r.contacts[at.slot];

@@ -105,7 +105,10 @@ inline vec3<> rate_of_point(const kte_element& contact, const closing_motion<dou
   const auto point = contact
                          .touch_at(closing_motion<D>{moving(m.position, m.rotation * m.velocity),
                                                      {moving(r.x, rate.x), moving(r.y, rate.y), moving(r.z, rate.z)},
-                                                     {}, {}, {}, {}})
+                                                     {},
+                                                     {},
+                                                     {},
+                                                     {}})
                          .point;
   return {point.x.derivative[0], point.y.derivative[0], point.z.derivative[0]};
 }
@@ -131,9 +134,8 @@ KTE_FUNCTION Eigen::MatrixXd contact_jacobian_rate_at_state(const runtime_chain&
     const auto& r = a.rotation;
     const vec3<> w_a = r * a.ang_velocity;
     const vec3<> r_a = r * x.place.point, r_b = a.position + r_a - b.position;
-    const vec3<> r_a_rate =
-        cross(w_a, r_a) +
-        r * rate_of_point(runtime_elements{c}.element(at.element), as_closing_motion<double>(relative(a, b)));
+    const vec3<> r_a_rate = cross(w_a, r_a) + r * rate_of_point(runtime_elements{c}.element(at.element),
+                                                                as_closing_motion<double>(relative(a, b)));
     const vec3<> r_b_rate = r * a.velocity + r_a_rate - b.rotation * b.velocity;
     const auto j_a = jacobian_with_rate_of<in_world_axes_t>(c, s, at.frame1),
                j_b = jacobian_with_rate_of<in_world_axes_t>(c, s, at.frame2);

@@ -77,9 +77,9 @@ struct contact_workspace {
 
   Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> b;  ///< B of (2): places by rows of contacts
                                                                              ///< that touch
-  Eigen::MatrixXd w;       ///< W
-  Eigen::VectorXd bias;    ///< u' without forces of contacts, or u
-  Eigen::VectorXd forces;  ///< lambda
+  Eigen::MatrixXd w;                                                         ///< W
+  Eigen::VectorXd bias;                                                      ///< u' without forces of contacts, or u
+  Eigen::VectorXd forces;                                                    ///< lambda
   std::vector<friction_contact<>> laws;
   pivoted_qr loops;            ///< B_C = Q R
   Eigen::VectorXd loop_bias;   ///< R^-T u'_C

@@ -91,19 +91,19 @@ void push_at_contact(const runtime_state& s, const closure_place& x, const closi
   const auto back = transpose(m.rotation);
   add_load(f.frame(x.frame2.what, x.frame2.index),
            tree::dense_wrench<D>{as<D>(back * force), as<D>(back * cross(point - m.position, force))}, loads);
-  add_load(f.frame(x.frame1.what, x.frame1.index),
-           tree::dense_wrench<D>{as<D>(-force), as<D>(-cross(point, force))}, loads);
+  add_load(f.frame(x.frame1.what, x.frame1.index), tree::dense_wrench<D>{as<D>(-force), as<D>(-cross(point, force))},
+           loads);
 }
 
 /// Derivatives at constant accelerations, closure forces and unknowns of contacts.
 struct contact_variations {
   inverse_dynamics_result<double, Eigen::Dynamic> forces;  ///< of inverse dynamics - J^T f, `by_q` and `by_v`
-  Eigen::MatrixXd equations_by_q, equations_by_v;          ///< of closures, rows in m divided by the length, and contacts
+  Eigen::MatrixXd equations_by_q, equations_by_v;  ///< of closures, rows in m divided by the length, and contacts
   std::vector<std::array<Eigen::MatrixXd, 2>> contact_forces;  ///< of f, by q and by v
 };
 
-/// At the state after `contact_dynamics`; finds u' of the contacts. `closures`: the places of closures without contacts,
-/// or null. `equations`: the number of all.
+/// At the state after `contact_dynamics`; finds u' of the contacts. `closures`: the places of closures without
+/// contacts, or null. `equations`: the number of all.
 inline contact_variations vary_contacts(const runtime_chain& c, runtime_state& s, const closure_places* closures,
                                         const closure_places& places, std::vector<contact_in_mode>& contacts,
                                         int equations) {

@@ -30,8 +30,7 @@ Eigen::MatrixXd operational_inertia(const runtime_chain& c, runtime_state& s, co
 }
 /// The operational-space inertia of a frame, 6 x 6: kg, kg m, kg m^2, with `jacobian` in its axes.
 template <indexable Q>
-Eigen::MatrixXd operational_inertia(const runtime_chain& c, runtime_state& s, const Q& q,
-                                    const name_or_handle& frame) {
+Eigen::MatrixXd operational_inertia(const runtime_chain& c, runtime_state& s, const Q& q, const name_or_handle& frame) {
   const Eigen::MatrixXd j = jacobian(c, s, q, frame);
   return detail::inverse_of_mobility(detail::mobility_of(j, mass_matrix_inverse(c, s, q)), "this frame");
 }
@@ -83,7 +82,8 @@ KTE_FUNCTION Eigen::MatrixXd inverse_of_mobility(const Eigen::MatrixXd& w, const
   const Eigen::LDLT<Eigen::MatrixXd> factor(w);
   const auto d = factor.vectorD();
   if (w.size() > 0 && !(d.minCoeff() > 1e-12 * d.maxCoeff()))
-    throw no_solution("kte: " + of + " cannot accelerate in all directions here, so there is no operational-space "
+    throw no_solution("kte: " + of +
+                      " cannot accelerate in all directions here, so there is no operational-space "
                       "inertia: rows of the Jacobian are dependent");
   return factor.solve(Eigen::MatrixXd::Identity(w.rows(), w.cols()));
 }
