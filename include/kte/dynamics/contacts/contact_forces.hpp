@@ -14,6 +14,7 @@ struct contact_solver : contact_workspace {
   std::vector<contact_mode> modes;  ///< of contacts that touch
   bool polish = false;              ///< option of the friction solver
   Eigen::VectorXd loop_forces, change_of_motion, before, velocities;
+  double residual = 0;  ///< of a friction problem that was not solved
 
   /// Calls put(number of the contact, force or impulse) for the contacts that touch.
   template <class Put>
@@ -49,23 +50,33 @@ void put_modes(contact_solver& m, const std::vector<friction_mode>& found, const
   }
 }
 /// Finds the forces of the contacts that touch, those of least norm if there are several with the same motion, unless
-/// `any`. Throws `no_solution`.
-template <class Contacts>
-bool solve_friction(const Contacts& c, contact_solver& m, bool any = false) {
+/// `any`.
+inline friction_status find_friction(contact_solver& m, bool any = false) {
   m.modes.clear();
-  if (m.touching.empty()) return false;
+  if (m.touching.empty()) return friction_status::solved;
   const friction_problem<> p(m.w, m.bias, m.laws);
   friction_options<> options;
   options.least_norm = !any, options.polish = m.polish;
   const auto& r = m.solver.solve(p, options);
-  if (!r.solved()) [[unlikely]]
-    raise<no_solution>("kte: no contact forces satisfy the laws of friction at contacts " + names_of_touching(c, m) +
-                       (r.status == friction_status::no_solution
-                            ? ": a jam (Painleve): kte::impact finds the velocities after it"
-                            : "; residual " + number(r.residual)));
+  if (!r.solved()) return m.residual = r.residual, r.status;
   for (Eigen::Index k = 0; k < m.forces.size(); ++k) m.forces[k] = r.lambda[static_cast<std::size_t>(k)];
   put_modes(m, r.modes, r.lambda, r.u);
-  return r.status == friction_status::several_solutions;
+  return r.status;
+}
+template <class Contacts>
+[[noreturn, gnu::cold]] void raise_no_forces(const Contacts& c, const contact_solver& m, friction_status status) {
+  raise<no_solution>("kte: no contact forces satisfy the laws of friction at contacts " + names_of_touching(c, m) +
+                     (status == friction_status::no_solution
+                          ? ": a jam (Painleve): kte::impact finds the velocities after it"
+                          : "; residual " + number(m.residual)));
+}
+/// `find_friction`; throws `no_solution`. Returns whether there are several solutions.
+template <class Contacts>
+bool solve_friction(const Contacts& c, contact_solver& m, bool any = false) {
+  const auto status = find_friction(m, any);
+  if (status == friction_status::no_solution || status == friction_status::not_converged) [[unlikely]]
+    raise_no_forces(c, m, status);
+  return status == friction_status::several_solutions;
 }
 /// The normal and the tangential velocity of a contact, relative to `rest_velocity`.
 inline double normal_velocity(const contact_workspace& m, const contact_at& x) {
@@ -93,69 +104,119 @@ void put_contacts(const contact_solver& m, State& s) {
     to.force = m.force_of(x);
     to.mode = static_cast<double>(m.modes[i]);
     if (m.modes[i] != contact_mode::slides) continue;
-    to.direction = unit_of(m.laws[i].sliding ? contact_workspace::tangential(x)
-                                             : dot(x.place.normal, to.force) * x.place.normal - to.force);
+    to.direction = m.laws[i].sliding ? x.basis[1] : unit_of(dot(x.place.normal, to.force) * x.place.normal - to.force);
   }
 }
 
-/// Chooses the contacts that touch and do not move apart; those with a tangential velocity slide.
-template <class Contacts>
-void choose_contacts(const Contacts& c, contact_solver& m) {
-  m.choose([&](const contact_at& x) { return !(normal_velocity(m, x) > 1); });
+/// Writes `loop_forces` to the closures of the state.
+template <class State>
+void put_forces_of_closures(const contact_solver& m, State& s) {
+  for (const int k : m.closures) {
+    const auto& x = m.equations.places.closures[static_cast<std::size_t>(k)];
+    auto& loop = s.template get<kind::loop>(x.loop);
+    for (int r = 0; r < x.rows.count(); ++r)
+      row_of(loop.force, loop.torque, x.rows, r) = m.equations.places.scale(x, r) * m.loop_forces[x.first + r];
+  }
+}
+/// Accelerations a_0 of the tree under applied(i), to `before`, with the places and slip velocities of contacts, and
+/// the second derivatives of all rows for a_0 in the equations.
+template <class Contacts, class State, class Tau>
+void accelerate_freely(const Contacts& c, State& s, contact_solver& m, const Tau& applied) {
+  check_loops(c, s);
+  auto& e = m.equations;
+  const bool tree = s.tree().plan.tree;
+  accelerate_by_tree(c.elements(), s, applied, {});
+  auto& a = s.work.forces;
+  m.before = a;
+  const auto& a0 = m.before;
+  e.at_positions(c, s, !tree, tree);
+  if (tree) {
+    m.factor.take_articulated(s, e);
+    m.find(c, s);
+    e.accelerate_residuals(c, s, [&a](int i) { return a[i]; });
+  } else {
+    for_each_listed_freedom(s, [&a0](auto& x, const freedom& at) { put<vector_of::a>(x, at, a0); });
+    m.factor.factorize(c, s, e);
+    e.at_rates(c, s);
+    m.find(c, s);
+    e.acceleration += e.times(a0);
+  }
+}
+/// g'' of a contact without contact forces, after `accelerate_freely`.
+inline double free_gap_ddot(const contact_solver& m, const contact_at& x) {
+  return dot(x.place.normal, m.unscaled(x, m.equations.acceleration)) + x.place.bending;
+}
+/// Writes u' of contact i of those that touch, after `accelerate_freely`; its normal part is g''.
+inline void put_bias(contact_solver& m, std::size_t i) {
+  const auto& x = m.touched(i);
+  m.put_rows(x, m.unscaled(x, m.equations.acceleration), m.bias);
+  m.bias[x.first] += x.place.bending / m.equations.places.length;
+}
+/// Chooses the contacts that touch: not those with leaves(contact); those with slides(contact) slide. Raises
+/// `bad_argument` for a contact that approaches.
+template <class Contacts, class Leaves, class Slides>
+void choose_contacts(const Contacts& c, contact_solver& m, const Leaves& leaves, const Slides& slides) {
+  m.choose([&](const contact_at& x) { return m.touches(x) && !leaves(x); });
   for (std::size_t i = 0; i < m.touching.size(); ++i) {
     const auto& x = m.touched(i);
     if (normal_velocity(m, x) < -1) [[unlikely]]
       raise<bad_argument>("kte: contact '" + c.loop_name(m.place(x).loop) + "' approaches at " +
                           number(-dot(x.place.normal, x.slip)) + " m/s: kte::impact gives the velocities after it");
-    if (slides(m, x)) m.let_slide(i);
+    if (slides(x)) m.let_slide(i);
   }
+}
+constexpr bool has_forces(friction_status status) {
+  return status != friction_status::no_solution && status != friction_status::not_converged;
 }
 /// Accelerations under applied(i), written to `forces` of the working memory, with the contact forces:
 ///
 ///   u' = W lambda + b,   a = a_0 + L^-1 B lambda          (1)
 ///
-/// a_0: accelerations of the tree, b: u' for a_0. Returns whether there are several solutions.
+/// a_0: accelerations of the tree, b: u' for a_0. Contacts are those of `choose_contacts`. If there are no forces that
+/// satisfy the laws, the accelerations are not found.
+template <class Contacts, class State, class Tau, class Leaves, class Slides>
+friction_status find_contact_forces(const Contacts& c, State& s, contact_solver& m, const Tau& applied,
+                                    const Leaves& leaves, const Slides& slides) {
+  accelerate_freely(c, s, m, applied);
+  choose_contacts(c, m, leaves, slides);
+  for (std::size_t i = 0; i < m.touching.size(); ++i) put_bias(m, i);
+  m.make_matrix(c, s, m.equations.acceleration);
+  const auto status = find_friction(m);
+  if (!has_forces(status)) return status;
+  m.accelerate(s, m.change_of_motion);
+  s.work.forces = m.before + m.change_of_motion;
+  put_contacts(m, s);
+  return status;
+}
+/// As `find_contact_forces` in a tree, by one factorization and one pass of accelerations: without a_0.
+template <class Contacts, class State, class Tau, class Leaves, class Slides>
+friction_status find_contact_forces_in_tree(const Contacts& c, State& s, contact_solver& m, const Tau& applied,
+                                            const Leaves& leaves, const Slides& slides) {
+  check_loops(c, s);
+  const auto biases = articulate_under(c.elements(), s, applied, {});
+  if (!m.closures.empty()) m.equations.at_positions(c, s, false, true);
+  m.factor.take_articulated(s, m.equations);
+  m.find_biased(c, s);
+  choose_contacts(c, m, leaves, slides);
+  m.make_matrix_and_bias(c, s);
+  const auto status = find_friction(m);
+  if (!has_forces(status)) return status;
+  m.accelerate_with_tree(s);
+  accelerate_after(s, biases);
+  put_contacts(m, s);
+  return status;
+}
+/// `find_contact_forces` with sliding contacts by their velocity. Throws `no_solution`. Returns whether there are
+/// several solutions.
 template <class Contacts, class State, class Tau>
 bool accelerate_with_contacts(const Contacts& c, State& s, contact_solver& m, const Tau& applied) {
-  check_loops(c, s);
-  auto& e = m.equations;
-  bool several = false;
-  const auto find_forces = [&](const auto& make_matrix) {
-    choose_contacts(c, m);
-    make_matrix();
-    several = solve_friction(c, m);
-  };
-  if (s.tree().plan.tree) {
-    const auto biases = articulate_under(c.elements(), s, applied, {});
-    if (!m.closures.empty()) e.at_positions(c, s, false, true);
-    m.factor.take_articulated(s, e);
-    m.find_biased(c, s);
-    find_forces([&] { m.make_matrix_and_bias(c, s); });
-    m.accelerate_with_tree(s);
-    accelerate_after(s, biases);
-  } else {
-    accelerate_by_tree(c.elements(), s, applied, {});
-    auto& a = s.work.forces;
-    m.before = a;
-    e.at_positions(c, s, true);
-    for_each_listed_freedom(s, [&m](auto& x, const freedom& at) { put<vector_of::a>(x, at, m.before); });
-    m.factor.factorize(c, s, e);
-    e.at_rates(c, s);
-    m.find(c, s);
-    e.acceleration += e.times(m.before);
-    find_forces([&] {
-      for (std::size_t i = 0; i < m.touching.size(); ++i) {
-        const auto& x = m.touched(i);
-        m.put_rows(x, m.unscaled(x, e.acceleration), m.bias);
-        m.bias[x.first] += x.place.bending / e.places.length;
-      }
-      m.make_matrix(c, s, e.acceleration);
-    });
-    m.accelerate(s, m.change_of_motion);
-    a = m.before + m.change_of_motion;
-  }
-  put_contacts(m, s);
-  return several;
+  const auto leaves = [&m](const contact_at& x) { return normal_velocity(m, x) > 1; };
+  const auto slide = [&m](const contact_at& x) { return slides(m, x); };
+  const auto status = s.tree().plan.tree ? find_contact_forces_in_tree(c, s, m, applied, leaves, slide)
+                                         : find_contact_forces(c, s, m, applied, leaves, slide);
+  if (!has_forces(status)) [[unlikely]]
+    raise_no_forces(c, m, status);
+  return status == friction_status::several_solutions;
 }
 
 }  // namespace kte::detail
