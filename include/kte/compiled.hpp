@@ -14,8 +14,12 @@
 #include <kte/dynamics/centroidal.hpp>
 #include <kte/dynamics/closed_loops/statics.hpp>
 #include <kte/dynamics/configuration_space.hpp>
+#include <kte/dynamics/contacts/contact_derivatives.hpp>
 #include <kte/dynamics/contacts/contact_dynamics.hpp>
+#include <kte/dynamics/contacts/contact_jacobian.hpp>
 #include <kte/dynamics/contacts/impact.hpp>
+#include <kte/dynamics/contacts/operational_inertia.hpp>
+#include <kte/dynamics/contacts/support_polygon.hpp>
 #include <kte/dynamics/derivatives.hpp>
 #include <kte/dynamics/energy.hpp>
 #include <kte/dynamics/forward_dynamics.hpp>

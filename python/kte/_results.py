@@ -18,6 +18,12 @@ __all__ = [
     "ForwardDynamicsDerivatives",
     "HybridDynamics",
     "ConstrainedDynamics",
+    "Contact",
+    "ContactDynamics",
+    "ContactDynamicsDerivatives",
+    "ForceDerivatives",
+    "Impact",
+    "SupportPolygon",
     "Loops",
     "Note",
     "Motor",
@@ -119,6 +125,61 @@ class ConstrainedDynamics(NamedTuple):
     rank: int
     mobility: int
     dependent: List[str]
+
+
+class Contact(NamedTuple):
+    """A rigid contact, in axes of its surface: force on the body, point, velocity and direction of sliding."""
+
+    mode: str
+    gap: float
+    force: Array
+    point: Array
+    slip: Array
+    direction: Array
+
+
+class ContactDynamics(NamedTuple):
+    """Accelerations of a chain with rigid contacts."""
+
+    a: Array
+    contacts: Dict[str, Contact]
+    several: bool
+
+
+class ForceDerivatives(NamedTuple):
+    """Derivatives of the force of a contact."""
+
+    by_q: Array
+    by_v: Array
+    by_tau: Array
+
+
+class ContactDynamicsDerivatives(NamedTuple):
+    """Derivatives of accelerations and contact forces."""
+
+    a: Array
+    by_q: Array
+    by_v: Array
+    by_tau: Array
+    forces: Dict[str, ForceDerivatives]
+
+
+class Impact(NamedTuple):
+    """The velocities after an impact, impulses, change of the kinetic energy, and factor of restitution."""
+
+    v: Array
+    impulses: Dict[str, Array]
+    energy: float
+    restitution: float
+
+
+class SupportPolygon(NamedTuple):
+    """The convex hull of contacts with one plane."""
+
+    contacts: List[str]
+    corners: Array
+    normal: Array
+    area: float
 
 
 class Loops(NamedTuple):

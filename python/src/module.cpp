@@ -14,6 +14,7 @@ PYBIND11_MODULE(_kte, m) {
   kte_python::bind_frames(m);
   kte_python::bind_configurations(m);
   kte_python::bind_loops(m);
+  kte_python::bind_contacts(m);
   kte_python::bind_state(m);
   kte_python::bind_files(m);
   kte_python::bind_robots(m);

@@ -12,6 +12,7 @@ void bind_derivatives(pybind11::module_& m);
 void bind_frames(pybind11::module_& m);
 void bind_momentum(pybind11::module_& m);
 void bind_configurations(pybind11::module_& m);
+void bind_contacts(pybind11::module_& m);
 void bind_loops(pybind11::module_& m);
 void bind_state(pybind11::module_& m);
 void bind_files(pybind11::module_& m);

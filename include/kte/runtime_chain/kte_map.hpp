@@ -134,6 +134,10 @@ class kte_element : public kte_map {
   virtual void close_frames(std::span<const detail::closing_motion<double>>, double* /*rows*/) const {}
   /// The place of a contact for the motion of its body in the frame of its surface.
   virtual detail::touch touch_at(const detail::closing_motion<double>&) const { return {}; }
+  virtual detail::basic_touch<detail::derivative_number> touch_at(
+      const detail::closing_motion<detail::derivative_number>&) const {
+    return {};
+  }
   /// Whether a closed loop of rotations is at the true solution, not half a turn away.
   virtual bool is_upright(const detail::closing_motion<double>&) const { return true; }
   /// The residual of a closure of coordinates at q with rates v, its derivatives by the coordinates, and its second

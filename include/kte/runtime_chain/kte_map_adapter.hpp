@@ -164,6 +164,13 @@ class kte_map_adapter final : public kte_element {
     else
       return {};
   }
+  detail::basic_touch<detail::derivative_number> touch_at(
+      [[maybe_unused]] const detail::closing_motion<detail::derivative_number>& m) const override {
+    if constexpr (detail::is_contact<Core>)
+      return core_.touch_at(m);
+    else
+      return {};
+  }
   bool is_upright([[maybe_unused]] const detail::closing_motion<double>& m) const override {
     return detail::is_upright_by(core_, m);
   }
