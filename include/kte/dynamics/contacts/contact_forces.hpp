@@ -48,15 +48,15 @@ void put_modes(contact_solver& m, const std::vector<friction_mode>& found, const
   }
 }
 /// Finds the forces of the contacts that touch, those of least norm if there are several with the same motion, unless
-/// `any`. Throws `no_solution`.
+/// `any`. `start`: forces to start from, or none. Throws `no_solution`.
 template <class Contacts>
-bool solve_friction(const Contacts& c, contact_solver& m, bool any = false) {
+bool solve_friction(const Contacts& c, contact_solver& m, bool any = false, std::span<const double> start = {}) {
   m.modes.clear();
   if (m.touching.empty()) return false;
   const friction_problem<> p(m.w, m.bias, m.laws);
   friction_options<> options;
   options.least_norm = !any;
-  const auto& r = m.solver.solve(p, options);
+  const auto& r = m.solver.solve(p, options, start);
   if (!r.solved()) [[unlikely]]
     raise<no_solution>("kte: no contact forces satisfy the laws of friction at contacts " + names_of_touching(c, m) +
                        (r.status == friction_status::no_solution

@@ -155,8 +155,17 @@ struct contact_workspace {
         }
       });
     }
-    if (!closures.empty()) project(c, s, of_closures);
+    if (!closures.empty()) project(c, s), subtract_closures(of_closures);
     w.noalias() = b.transpose() * b;
+  }
+  /// The u' of (3), from `bias`, for u' of the rows of closures. For another bias after `make_matrix`.
+  void subtract_closures(const Eigen::VectorXd& of_closures) {
+    if (closures.empty()) return;
+    loop_bias.setZero(static_cast<Eigen::Index>(loop_rows.size()) + pivoted_qr::padding);
+    for (std::size_t k = 0; k < loops.chosen.size(); ++k)
+      loop_bias[static_cast<Eigen::Index>(k)] = of_closures[loop_rows[static_cast<std::size_t>(loops.chosen[k])]];
+    loops.solve_transposed(loop_bias.data());
+    for (Eigen::Index k = 0; k < b.cols(); ++k) bias[k] -= overlap.col(k).dot(loop_bias.head(loops.rank()));
   }
   /// d = L^-1 B lambda, with the part of closures, by degrees of freedom.
   template <class State>
@@ -186,7 +195,7 @@ struct contact_workspace {
 
  private:
   template <class Contacts, class State>
-  void project(const Contacts& c, State& s, const Eigen::VectorXd& of_closures) {
+  void project(const Contacts& c, State& s) {
     int rows = 0;
     for (const int k : closures) rows += equations.places.closures[static_cast<std::size_t>(k)].rows.count();
     auto of = loops.matrix(b.rows(), rows);
@@ -197,15 +206,11 @@ struct contact_workspace {
       first += equations.places.closures[static_cast<std::size_t>(k)].rows.count();
     }
     loops.choose(least_pivot);
-    loop_bias.setZero(rows + pivoted_qr::padding);
     loop_rows.clear();
     for (const int k : closures) {
       const auto& x = equations.places.closures[static_cast<std::size_t>(k)];
       for (int r = 0; r < x.rows.count(); ++r) loop_rows.push_back(x.first + r);
     }
-    for (std::size_t k = 0; k < loops.chosen.size(); ++k)
-      loop_bias[static_cast<Eigen::Index>(k)] = of_closures[loop_rows[static_cast<std::size_t>(loops.chosen[k])]];
-    loops.solve_transposed(loop_bias.data());
     const auto rank = loops.rank();
     overlap.resize(rank, b.cols());
     half.resize(b.rows() + pivoted_qr::padding), change.resize(half.size());
@@ -213,7 +218,6 @@ struct contact_workspace {
       half.setZero(), half.head(b.rows()) = b.col(k);
       loops.times_q_transposed(half.data());
       overlap.col(k) = half.head(rank);
-      bias[k] -= overlap.col(k).dot(loop_bias.head(rank));
       loops.times_q(half.data(), change.data());
       b.col(k) -= change.head(b.rows());
     }
