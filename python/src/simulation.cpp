@@ -66,6 +66,7 @@ void simulation::start(const Eigen::VectorXd& q, const Eigen::VectorXd& v, doubl
   solver_ = make_explicit_solver(plant_, x, t, o);
   if (!solver_) solver_ = make_stiff_solver(plant_, x, t, o);
   if (!solver_) solver_ = make_fixed_step_solver(plant_, x, t, o);
+  if (!solver_) solver_ = make_contact_solver(plant_, x, t, o);
   if (!solver_)
     throw kte::bad_argument("kte: there is no solver '" + o.name + "', but " + solvers_with_tolerances +
                             "; of a fixed "
@@ -243,7 +244,8 @@ A mechanism that moves, from q and v at the time t.
 
 solver     dormand_prince45, prince_dormand87, bogacki_shampine23, fehlberg45, adams, bdf, rodas, rosenbrock23,
            kennedy_carpenter34, tr_bdf2, trapezoidal, with `tolerance` (or `absolute` and `relative`) a step;
-           runge_kutta4, runge_kutta5, euler, midpoint, semi_implicit_euler, implicit_midpoint, with `step`, s
+           runge_kutta4, runge_kutta5, euler, midpoint, semi_implicit_euler, implicit_midpoint, and moreau_jean for rigid
+           contacts, with `step`, s
 control    forces on all numbers of v, N and Nm: a function of (t, q, v), or an array that is constant until it is set
 inputs     a dict from signals to numbers, or to functions of (t, q, v)
 events     an `Event` or a list of them)")

@@ -74,11 +74,12 @@ struct solver_options {
 std::unique_ptr<any_solver> make_explicit_solver(plant& p, const plant::state& x, double t, const solver_options& o);
 std::unique_ptr<any_solver> make_stiff_solver(plant& p, const plant::state& x, double t, const solver_options& o);
 std::unique_ptr<any_solver> make_fixed_step_solver(plant& p, const plant::state& x, double t, const solver_options& o);
+std::unique_ptr<any_solver> make_contact_solver(plant& p, const plant::state& x, double t, const solver_options& o);
 /// The names of all solvers.
 inline constexpr const char* solvers_with_tolerances =
     "dormand_prince45, prince_dormand87, bogacki_shampine23, fehlberg45, adams, bdf, rodas, rosenbrock23, "
     "kennedy_carpenter34, tr_bdf2, trapezoidal";
 inline constexpr const char* solvers_of_fixed_step =
-    "runge_kutta4, runge_kutta5, euler, midpoint, semi_implicit_euler, implicit_midpoint";
+    "runge_kutta4, runge_kutta5, euler, midpoint, semi_implicit_euler, implicit_midpoint, moreau_jean";
 
 }  // namespace kte_python

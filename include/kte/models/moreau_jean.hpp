@@ -20,7 +20,8 @@ struct time_stepping_options {
 ///   M~ (v^+ - v) = h (f(t + h/2, q_m, v_m, z_m) + D (v_m - v)) + J^T P,   M~ = M + h D + h^2/2 K  (2)
 ///   q^+ = q_m (+) h/2 v^+,   z^+ = z_m + h/2 z'                                                   (3)
 ///
-/// with v_m = v, then again with v_m = (v + v^+)/2; P of contacts with gaps g(q_m) <= 0. P satisfies Coulomb's law
+/// with v_m = v + (v - v^-)/2 from the last step, or if there is none or a contact strikes, with v_m = v + (v^+ - v)/2
+/// from a solution for another v_m; P of contacts with gaps g(q_m) <= 0, up to 1e-9 of the length of the chain. P satisfies Coulomb's law
 /// exactly at the velocity level: cones are not linearised (dynamics/contacts/velocity_step.hpp). Nothing locates the
 /// time of an impact, so that any number of contacts may open and close in a step. A penetration of the size h |v| at an
 /// impact remains: correcting it would change velocities.
@@ -33,7 +34,7 @@ struct time_stepping_options {
 /// Jean, The non-smooth contact dynamics method, same volume.
 ///
 ///   moreau_jean solver(std::cref(model), 0.0, x0, 1e-3);
-///   solver.integrate(2.0, every(0.01), recorder);
+///   solver.integrate(2.0, every(0.01), [&](double t, const auto& x) { recorder.row(t, solver.state_at(t, x)); });
 ///   solver.contact("foot").force
 template <class F, class X>
 class moreau_jean : public fixed_step<moreau_jean<F, X>, F, X> {
@@ -62,6 +63,16 @@ class moreau_jean : public fixed_step<moreau_jean<F, X>, F, X> {
   [[nodiscard]] const contact_state<>& contact(const Name& name) const {
     return stepper_.contact(name);
   }
+  /// A state of the chain at t and x, for recorders: with all its frames, and the accelerations and contact forces of
+  /// the last step, which are means. Of runtime chains valid until the next call.
+  decltype(auto) state_at(const S& t, const X& x) {
+    auto& f = this->system();
+    const auto& model = detail::model_in(f);
+    set_inputs(t, x);
+    mean_.setZero(model.velocity_count());
+    if (last_h_ > 0) mean_ = change_ / last_h_;
+    return stepper_.state_at(model, t, detail::state_of_model(f, x), mean_);
+  }
 
  private:
   void try_step(const S& end) {
@@ -75,22 +86,29 @@ class moreau_jean : public fixed_step<moreau_jean<F, X>, F, X> {
     if (z > 0) put_internals(this->time_, this->x_, h / 2), d_.tail(z) = internals_;
     this->displace(d_);  // (1)
     auto& x = this->next_;
-    const auto v_m = [&] { return x.segment(x.size() - n - z, n); };
+    const auto velocities = [&] { return x.segment(x.size() - n - z, n); };
+    const bool follows = last_h_ > 0 && after_ == v;
+    if (follows) velocities() += (h / (2 * last_h_)) * change_;
     const S middle = this->time_ + h / 2;
+    const auto evaluate = [&](const auto& step) {
+      ++this->statistics_.evaluations;
+      after_ = v;
+      step(detail::state_of_model(f, x));
+    };
     set_inputs(middle, x);
     const detail::force_slopes* law = nullptr;
     if constexpr (detail::has_law<detail::unwrapped_type<F>, X>) law = slopes_.find(f, stepper_, middle, x);
-    ++this->statistics_.evaluations;
-    after_ = v;
-    stepper_.first(model, middle, detail::state_of_model(f, x), h, law, after_);  // (2)
-    v_m() = (v + after_) / 2;
-    set_inputs(middle, x);
-    ++this->statistics_.evaluations;
-    after_ = v;
-    stepper_.again(model, middle, detail::state_of_model(f, x), h, after_);
-    if (z > 0) v_m() = after_, put_internals(middle, x, h / 2), d_.tail(z) += internals_;
-    d_.head(n) = (h / 2) * (v + after_), d_.segment(n, n) = after_ - v;
+    evaluate([&](const auto& at) { stepper_.first(model, middle, at, h, law, after_); });  // (2)
+    if (!follows || stepper_.strikes(model)) {
+      velocities() = (v + after_) / 2;
+      set_inputs(middle, x);
+      evaluate([&](const auto& at) { stepper_.again(model, middle, at, h, after_); });
+    }
+    if (z > 0) velocities() = after_, put_internals(middle, x, h / 2), d_.tail(z) += internals_;
+    change_ = after_ - v, last_h_ = h;
+    d_.head(n) = (h / 2) * (v + after_), d_.segment(n, n) = change_;
     this->displace_at_last(d_);  // (3)
+    after_ = f.velocities_of(x);
   }
   void set_inputs(const S& t, const X& x) {
     if constexpr (detail::has_law<detail::unwrapped_type<F>, X>) this->system().set_inputs(t, x);
@@ -123,7 +141,9 @@ class moreau_jean : public fixed_step<moreau_jean<F, X>, F, X> {
   detail::contact_stepper<model_type> stepper_;
   detail::law_slopes<X> slopes_;
   rate d_;
-  Eigen::VectorXd after_;  ///< v^+
+  Eigen::VectorXd after_, change_;  ///< v^+, and v^+ - v of the last step
+  S last_h_{};                      ///< of the last step, or 0
+  Eigen::VectorXd mean_;            ///< accelerations
   Eigen::VectorXd internals_, z_dot_, varied_dot_;
   typename model_type::state varied_;
 };

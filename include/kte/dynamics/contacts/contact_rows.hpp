@@ -2,6 +2,7 @@
 
 #include <kte/contact/friction_problem.hpp>
 #include <kte/dynamics/closed_loops/loop_dynamics.hpp>
+#include <kte/dynamics/contacts/kept_size.hpp>
 #include <kte/frames/contact_state.hpp>
 
 #include <array>
@@ -69,14 +70,14 @@ struct contact_workspace {
   std::vector<int> closures;
   std::vector<int> touching;  ///< numbers among `contacts`
 
-  Eigen::MatrixXd b;       ///< B of (2): places by rows of contacts that touch
-  Eigen::MatrixXd w;       ///< W
-  Eigen::VectorXd bias;    ///< u' without forces of contacts, or u
-  Eigen::VectorXd forces;  ///< lambda
+  kept_size<Eigen::MatrixXd> b;       ///< B of (2): places by rows of contacts that touch
+  kept_size<Eigen::MatrixXd> w;       ///< W
+  kept_size<Eigen::VectorXd> bias;    ///< u' without forces of contacts, or u
+  kept_size<Eigen::VectorXd> forces;  ///< lambda
   std::vector<friction_contact<>> laws;
   pivoted_qr loops;            ///< B_C = Q R
   Eigen::VectorXd loop_bias;   ///< R^-T u'_C
-  Eigen::MatrixXd overlap;     ///< Q^T B
+  kept_size<Eigen::MatrixXd> overlap;  ///< Q^T B
   std::vector<int> loop_rows;  ///< of closures, among all
   Eigen::VectorXd half, change;
 
@@ -131,7 +132,8 @@ struct contact_workspace {
   }
   static vec3<> tangential(const contact_at& x) { return x.slip - dot(x.place.normal, x.slip) * x.place.normal; }
   /// The rows of contact x of those of a vector in axes of its surface.
-  void put_rows(const contact_at& x, const vec3<>& of, Eigen::VectorXd& rows) const {
+  template <class Rows>
+  void put_rows(const contact_at& x, const vec3<>& of, Rows& rows) const {
     for (int k = 0; k < x.rows(); ++k)
       rows[x.first + k] = dot(x.basis[static_cast<std::size_t>(k)], of) / equations.places.length;
   }
@@ -156,6 +158,7 @@ struct contact_workspace {
       });
     }
     if (!closures.empty()) project(c, s), subtract_closures(of_closures);
+    w.resize(b.cols(), b.cols());
     w.noalias() = b.transpose() * b;
   }
   /// The u' of (3), from `bias`, for u' of the rows of closures. For another bias after `make_matrix`.

@@ -6,8 +6,8 @@
 /// The step of velocities of time stepping with contacts, in the working memory of a state.
 namespace kte::detail {
 
-/// The velocities at the end of a step h, from v, with forces at the state, and impulses P of the contacts with gaps of
-/// at most zero (Moreau 1999; Jean, Computer Methods in Applied Mechanics and Engineering 177, 1999):
+/// The velocities at the end of a step h, from v, with forces at the state, and impulses P of the contacts that touch,
+/// up to `touching_gap` (Moreau 1999; Jean, Computer Methods in Applied Mechanics and Engineering 177, 1999):
 ///
 ///   v^+ = v + h a_0 + M~^-1 J^T P,   u^+ = W P + J (v + h a_0)                                 (1)
 ///   u_n' = u_n^+ + e min(u_n, 0),   u_t' = u_t^+, a friction problem of lambda = P             (2)
@@ -16,13 +16,15 @@ namespace kte::detail {
 /// the state get the forces P/h.
 class velocity_step {
  public:
-  /// From the velocities v of the state, with the positions of the middle of the step.
+  /// From the velocities v at the start, with forces at the state: positions of the middle, and velocities near those
+  /// of the middle.
   template <class Contacts, class State>
   void first(const Contacts& c, State& s, contact_solver& m, double h, const force_slopes* law, Eigen::VectorXd& v) {
     check_loops(c, s);
     auto& e = m.equations;
     const bool tree = s.tree().plan.tree;
-    change_.setZero(v.size());
+    read_change(s, v);
+    from_ = change_;
     implicit_.find(c.elements(), s, h, law);
     if (implicit_.coupled()) place_by_mass(c, s, m);
     accelerate(c, s, m);
@@ -34,7 +36,8 @@ class velocity_step {
         m.factor.factorize(c, s, e), e.at_rates(c, s);
     }
     m.find(c, s);
-    m.choose([](const contact_at& x) { return x.place.gap <= 0; });
+    touched_.swap(m.touching);
+    m.choose([](const contact_at&) { return true; });
     put_bias(m, h, v);
     m.make_matrix(c, s, at_end_);
     guess(m);
@@ -43,22 +46,24 @@ class velocity_step {
   /// Again from the velocities v before `first`, with forces at the velocities of the state and the same positions.
   template <class Contacts, class State>
   void again(const Contacts& c, State& s, contact_solver& m, double h, Eigen::VectorXd& v) {
-    change_.resize(v.size()), read_listed_numbers<vector_of::v>(s, change_), change_ -= v;
+    read_change(s, v);
     accelerate(c, s, m);
     put_bias(m, h, v);
     m.subtract_closures(at_end_);
     guess_.assign(m.forces.data(), m.forces.data() + m.forces.size());
     finish(c, s, m, h, v);
-    put_contacts(m, s);
-    impulses_.resize(m.contacts.size());
-    for (const auto& x : m.contacts) {
-      auto& force = s.template get<kind::contact>(x.slot).force;
-      impulses_[static_cast<std::size_t>(x.slot)] = force;
-      force = (1 / h) * force;
-    }
+  }
+  /// Whether a contact touches that did not in the step before.
+  bool strikes(const contact_solver& m) const {
+    return !std::includes(touched_.begin(), touched_.end(), m.touching.begin(), m.touching.end());
   }
 
  private:
+  /// v_m - v.
+  template <class State>
+  void read_change(const State& s, const Eigen::VectorXd& v) {
+    change_.resize(v.size()), read_listed_numbers<vector_of::v>(s, change_), change_ -= v;
+  }
   /// M~ by rows.
   template <class Contacts, class State>
   void place_by_mass(const Contacts& c, State& s, contact_solver& m) {
@@ -84,15 +89,22 @@ class velocity_step {
     for (int i = 0; i < s.dofs(); ++i) m.before[i] += correction(i);
     m.factor.solve_mass(m.before);
   }
+  /// u of (2) without P, of contacts and closures; slip velocities are those of `first`.
   void put_bias(contact_solver& m, double h, const Eigen::VectorXd& v) {
     auto& e = m.equations;
-    by_forces_ = h * m.before;
-    at_end_ = e.times(v + by_forces_);
-    by_forces_ = e.times(by_forces_);
+    if (!m.closures.empty()) by_forces_ = v + h * m.before, e.times(by_forces_, at_end_);
+    if (m.touching.empty()) return;
+    by_forces_ = h * m.before - from_;
+    e.times(by_forces_, changes_);
+    bool bounces = false;
+    for (const int i : m.touching) bounces |= m.contacts[static_cast<std::size_t>(i)].place.law.restitution > 0;
+    if (bounces) e.times(from_, at_start_);
     for (std::size_t i = 0; i < m.touching.size(); ++i) {
       const auto& x = m.touched(i);
-      m.put_rows(x, x.slip + m.unscaled(x, by_forces_), m.bias);
-      m.bias[x.first] += x.place.law.restitution * (std::min)(dot(x.place.normal, x.slip), 0.0) / e.places.length;
+      m.put_rows(x, x.slip + m.unscaled(x, changes_), m.bias);
+      if (const double restitution = x.place.law.restitution; restitution > 0)
+        m.bias[x.first] += restitution *
+                           (std::min)(dot(x.place.normal, x.slip - m.unscaled(x, at_start_)), 0.0) / e.places.length;
     }
   }
   /// The impulses of the last step, by rows of those that touch.
@@ -113,13 +125,21 @@ class velocity_step {
     v += h * m.before;
     m.accelerate(s, m.change_of_motion);
     v += m.change_of_motion;
+    put_contacts(m, s);
+    impulses_.resize(m.contacts.size());
+    for (const auto& x : m.contacts) {
+      auto& force = s.template get<kind::contact>(x.slot).force;
+      impulses_[static_cast<std::size_t>(x.slot)] = force;
+      force = (1 / h) * force;
+    }
   }
 
   implicit_forces implicit_;
-  Eigen::VectorXd change_;  ///< v_m - v
-  Eigen::VectorXd at_end_, by_forces_;
+  Eigen::VectorXd change_, from_;  ///< v_m - v, and that of `first`
+  Eigen::VectorXd at_end_, by_forces_, changes_, at_start_;
   std::vector<vec3<>> impulses_;  ///< of the last step, by contact, in axes of its surface, Ns
   std::vector<double> guess_;
+  std::vector<int> touched_;  ///< in the step before
 };
 
 }  // namespace kte::detail

@@ -10,11 +10,14 @@
 /// Steps of a model with contacts, with the memory for them. A `contact_stepper` of a model m has
 ///
 ///   check_depth(m, t, x, depth)          throws `bad_argument` for a contact that is deeper than that
-///   first(m, t, x, h, law, v)            the velocities v after a step, from those of x, with forces at x
-///   again(m, t, x, h, v)                 the same from v before `first`, with forces at velocities of x
+///   first(m, t, x, h, law, v)            the velocities after a step from v, with forces at x
+///   again(m, t, x, h, v)                 the same from v before `first`, with forces at other velocities of x
+///   strikes(m)                           whether a contact touches in `first` that did not in the step before
 ///   internal_rates(m, t, x, z_dot)
 ///   input_forces(m, t, x, f)             the forces of elements between coordinates, by rows of v
 ///   contact(name)                        the contact in the last step
+///   state_at(m, t, x, a)                 a state of the chain at x, with accelerations a and the contacts of the last
+///                                        step
 namespace kte::detail {
 
 /// The forces of elements between coordinates.
@@ -49,6 +52,7 @@ class contact_stepper<manipulator_dynamics_model<runtime_chain>> {
     step_.again(contacts_of(m.chain()), s_, contact_memory(m.chain(), s_), h, v);
     check_result(s_, diagnose_state{"an acceleration", s_});
   }
+  bool strikes(const model_type& m) { return step_.strikes(contact_memory(m.chain(), s_)); }
   template <class X>
   void internal_rates(const model_type& m, double t, const X& x, double* z_dot) {
     m.setJointStates(t, x, s_);
@@ -63,6 +67,12 @@ class contact_stepper<manipulator_dynamics_model<runtime_chain>> {
   template <class Name>
   const contact_state<>& contact(const Name& name) const {
     return s_.contact(name);
+  }
+  template <class X, class A>
+  const runtime_state& state_at(const model_type& m, double t, const X& x, const A& a) {
+    m.setJointStates(t, x, s_), set_accelerations(s_, a);
+    m.doMotion(s_), m.clearForce(s_), m.doForce(s_);
+    return s_;
   }
 
  private:
@@ -95,6 +105,10 @@ class contact_stepper<manipulator_dynamics_model<static_chain<Gravity, E...>, do
       step_.again(contacts, s_, s_.contacts, h, v), check(g, v);
     });
   }
+  template <class Model>
+  bool strikes(const Model&) const {
+    return step_.strikes(s_.contacts);
+  }
   template <class Model, class X>
   void internal_rates(const Model& m, double t, const X& x, double* z_dot) {
     const double *q = x.data(), *rates = q + wiring::nq;
@@ -108,6 +122,15 @@ class contact_stepper<manipulator_dynamics_model<static_chain<Gravity, E...>, do
   template <key_type Key>
   const contact_state<>& contact(const Key&) const {
     return s_.template get<kind::contact>(static_cast<int>(slot_of_contact<chain_type, Key>));
+  }
+  template <class Model, class X, class A>
+  auto state_at(const Model& m, double t, const X& x, const A& a) const {
+    auto s = make_state(m.chain());
+    m.setJointStates(t, x, s), set_accelerations(s, a.data());
+    for (int i = 0; i < wiring::count(kind::contact); ++i)
+      s.template get<kind::contact>(i) = s_.template get<kind::contact>(i);
+    m.doMotion(s), m.clearForce(s), m.doForce(s);
+    return s;
   }
 
  private:
