@@ -20,10 +20,10 @@
 namespace {
 
 const std::array<std::string, 4> legs{"FL", "FR", "HL", "HR"};
-constexpr double thigh = 0.16;         ///< m, and the length from the knee to the foot
-constexpr double stiffness = 10;       ///< of the servos, Nm/rad
-constexpr double damping = 0.3;        ///< Nms/rad
-constexpr double standing_angle = 0.8; ///< of hips; that of knees is twice its negative, so that feet are below hips
+constexpr double thigh = 0.16;          ///< m, and the length from the knee to the foot
+constexpr double stiffness = 10;        ///< of the servos, Nm/rad
+constexpr double damping = 0.3;         ///< Nms/rad
+constexpr double standing_angle = 0.8;  ///< of hips; that of knees is twice its negative, so that feet are below hips
 
 /// The robot on the ground. Its inputs are the torques of the servos at rest in the neutral configuration.
 kte::runtime_chain robot() {

@@ -1,8 +1,8 @@
 #include <kte/robots/mjcf_writer.hpp>
-#include <mujoco/mujoco.h>
 
 #include <cmath>
 #include <memory>
+#include <mujoco/mujoco.h>
 #include <stdexcept>
 
 #include "measure.hpp"
@@ -112,8 +112,8 @@ std::vector<row> mujoco_rows(const scene& s, bool quick) {
   std::vector<row> rows;
   const auto r = run_of(s);
   if (!r.m.model) return rows;
-  auto &m = *r.m.model;
-  auto &d = *r.m.data;
+  auto& m = *r.m.model;
+  auto& d = *r.m.data;
   for (const auto& [solref, step] : {std::pair(0.02, 1e-3), std::pair(0.002, 1e-4), std::pair(0.0002, 1e-5)}) {
     if (quick && step < 1e-3) continue;
     for (int i = 0; i < m.ngeom; ++i) m.geom_solref[2 * i] = solref, m.geom_solref[2 * i + 1] = 1;

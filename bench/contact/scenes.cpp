@@ -37,7 +37,8 @@ kte::runtime_chain box(double friction) {
   auto c = planar(0.01, -0.3);
   for (const auto& [name, x] : {std::pair("left", -0.1), std::pair("right", 0.1)})
     c << kte::rigid_link_2D("body", name, vec2<>{x, -0.05})
-      << kte::point_contact_2D(std::string(name) + " corner", "ground", name, kte::half_space{}, {.friction = friction});
+      << kte::point_contact_2D(std::string(name) + " corner", "ground", name, kte::half_space{},
+                               {.friction = friction});
   return c;
 }
 auto at_x(double x) {
@@ -55,8 +56,9 @@ double height_at(double t, double e) {
 
 scene bouncing_ball() {
   const double end = 1;
-  return {"ball bounces", ball(0, 0.5), numbers({0, 1.1, 0}), numbers({0, 0, 0}), end,
-          [end](const Eigen::VectorXd& q) { return std::abs(q[1] - 0.1 - height_at(end, 0.5)); }};
+  return {"ball bounces", ball(0, 0.5), numbers({0, 1.1, 0}), numbers({0, 0, 0}), end, [end](const Eigen::VectorXd& q) {
+            return std::abs(q[1] - 0.1 - height_at(end, 0.5));
+          }};
 }
 scene sliding_box() {
   return {"box slides up and back", box(0.2), numbers({0, 0.05, 0}), numbers({2, 0, 0}), 2, at_x(-0.86166423136809)};
@@ -88,8 +90,11 @@ scene rimless_wheel() {
     time += (i == 0 || i == parts ? 1 : i % 2 == 1 ? 4 : 2) / speed(slope - half + 2 * half * i / parts);
   time *= 2 * half / parts / 3;
   const double mean = 2 * half / time, end = strikes * time;
-  return {"rimless wheel", c, numbers({0, std::cos(half), 0}),
-          numbers({first * std::cos(half), first * std::sin(half), -first}), end,
+  return {"rimless wheel",
+          c,
+          numbers({0, std::cos(half), 0}),
+          numbers({first * std::cos(half), first * std::sin(half), -first}),
+          end,
           [=](const Eigen::VectorXd& q) { return std::abs(-q[2] / end - mean); }};
 }
 std::array<servo, 12> servos() {
@@ -112,7 +117,11 @@ scene falling_quadruped() {
       Eigen::AngleAxisd(0.03, Eigen::Vector3d::UnitY()) * Eigen::AngleAxisd(0.05, Eigen::Vector3d::UnitX());
   q.head<7>() << 0, 0, 0.28, tilt.w(), tilt.x(), tilt.y(), tilt.z();
   for (Eigen::Index i = 0; i < 12; ++i) q[7 + i] = servos()[static_cast<std::size_t>(i)].target;
-  return {"quadruped falls", c, q, Eigen::VectorXd::Zero(18), 0.2,
+  return {"quadruped falls",
+          c,
+          q,
+          Eigen::VectorXd::Zero(18),
+          0.2,
           [](const Eigen::VectorXd& x) { return (x.head<3>() - place_of_quadruped).norm(); }};
 }
 

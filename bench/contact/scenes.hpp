@@ -33,7 +33,8 @@ constexpr double g = 9.81;
 
 /// A ball of radius 0.1 m whose lowest point is 1 m high, e = 1/2, after 1 s: the third flight. Error in m.
 scene bouncing_ball();
-/// A box on corners (+-0.1, -0.05) m at 2 m/s up a slope of 0.3, mu 0.2: it comes back. Error of its place after 2 s, m.
+/// A box on corners (+-0.1, -0.05) m at 2 m/s up a slope of 0.3, mu 0.2: it comes back. Error of its place after 2 s,
+/// m.
 scene sliding_box();
 /// The same with mu 0.4: it rests from 0.3 s on. Error after 10 s, m.
 scene resting_box();
@@ -42,8 +43,8 @@ scene slipping_ball();
 /// A wheel of eight spokes of 1 m without a rim, down a slope of 0.15, in its steady motion, for ten strikes. Error of
 /// its mean speed, rad/s.
 scene rimless_wheel();
-/// The Solo12, PD control 10 Nm/rad and 0.3 Nms/rad, from a height of 0.28 m, roll 0.05, pitch 0.03, mu 0.7, after 0.2 s.
-/// Error of the trunk, m, and the place from which it is measured.
+/// The Solo12, PD control 10 Nm/rad and 0.3 Nms/rad, from a height of 0.28 m, roll 0.05, pitch 0.03, mu 0.7, after 0.2
+/// s. Error of the trunk, m, and the place from which it is measured.
 scene falling_quadruped();
 inline const Eigen::Vector3d place_of_quadruped{-0.0273951812765, 0.0130718777074, 0.228761753735};
 

@@ -188,6 +188,7 @@ py::object simulation::advance(double end, py::handle every, py::handle at) {
     const auto& u = plant_.model().input();
     r.t.push_back(t), r.x.insert(r.x.end(), now.data(), now.data() + r.nx);
     r.u.insert(r.u.end(), u.data(), u.data() + u.size());
+    if (const auto* const s = solver_->state_at(t, now)) r.add(*s);
   };
   report ended;
   {

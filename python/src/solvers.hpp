@@ -62,6 +62,8 @@ class any_solver {
   virtual const plant::state& state() const = 0;
   virtual void restart(double t, const plant::state& x) = 0;
   virtual kte::step_statistics statistics() const = 0;
+  /// The state of the chain at t and x of an observer, of solvers whose steps have contact forces; otherwise nullptr.
+  virtual const kte::runtime_state* state_at(double, const plant::state&) { return nullptr; }
 };
 
 struct solver_options {

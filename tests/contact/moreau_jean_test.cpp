@@ -1,7 +1,7 @@
 #include <kte/contacts.hpp>
+#include <kte/elements/closures.hpp>
 #include <kte/elements/damper.hpp>
 #include <kte/elements/driving_actuator.hpp>
-#include <kte/elements/closures.hpp>
 #include <kte/elements/rigid_contact.hpp>
 #include <kte/loops.hpp>
 #include <kte/simulation.hpp>
@@ -163,10 +163,12 @@ namespace {
 /// Two carts on a slope, above the ground.
 runtime_chain two_carts(bool contact = true) {
   runtime_chain c;
-  c << base_2D("ground") << prismatic_joint_2D("x", "ground", "cart", axis::x) << inertia_2D("cart", planar_body(2.0, 0.1))
-    << prismatic_joint_2D("y", "ground", "other", axis::x) << inertia_2D("other", planar_body(3.0, 0.1));
+  c << base_2D("ground") << prismatic_joint_2D("x", "ground", "cart", axis::x)
+    << inertia_2D("cart", planar_body(2.0, 0.1)) << prismatic_joint_2D("y", "ground", "other", axis::x)
+    << inertia_2D("other", planar_body(3.0, 0.1));
   if (contact)
-    c << rigid_link_2D("cart", "above", vec2{0.0, 1.0}) << point_contact_2D("foot", "ground", "above", half_space{}, {});
+    c << rigid_link_2D("cart", "above", vec2{0.0, 1.0})
+      << point_contact_2D("foot", "ground", "above", half_space{}, {});
   c.gravity({2, -g, 0});
   return c;
 }
@@ -224,8 +226,13 @@ TEST_CASE("a stiff control law on coordinates is implicit") {
 
 TEST_CASE("internal states of elements and of laws") {
   const auto with_states = [](runtime_chain c) {
-    c << joint_lugre_gen("x", "bristles", {.sigma0 = 1e4, .sigma1 = 200.0, .sigma2 = 0.4, .coulomb = 3.0, .stiction = 3.0,
-                                           .stribeck_velocity = 0.01})
+    c << joint_lugre_gen("x", "bristles",
+                         {.sigma0 = 1e4,
+                          .sigma1 = 200.0,
+                          .sigma2 = 0.4,
+                          .coulomb = 3.0,
+                          .stiction = 3.0,
+                          .stribeck_velocity = 0.01})
       << driving_actuator_gen("y", "motor");
     manipulator_dynamics_model model(c);
     const auto torque = [](double, const Eigen::VectorXd& x, const Eigen::Matrix<double, 1, 1>& z) {
@@ -259,8 +266,9 @@ TEST_CASE("a start inside a surface is refused with the name of the contact") {
   CHECK_NOTHROW(moreau_jean(std::cref(model), 0.0, inside, 1e-3, {.depth = 0.1}));
   const auto r = in_runtime(c);
   manipulator_dynamics_model same(r);
-  CHECK_THROWS_MATCHES((moreau_jean(std::cref(same), 0.0, same.make_x(numbers({0, 0.045, 0}), numbers({0, 0, 0})), 1e-3)), bad_argument,
-                       says("contact 'left foot' starts 0.005"));
+  CHECK_THROWS_MATCHES(
+      (moreau_jean(std::cref(same), 0.0, same.make_x(numbers({0, 0.045, 0}), numbers({0, 0, 0})), 1e-3)), bad_argument,
+      says("contact 'left foot' starts 0.005"));
   moreau_jean solver(std::cref(same), 0.0, same.make_x(numbers({0, 0.05, 0}), numbers({0, 0, 0})), 1e-3);
   solver.integrate(0.1);
   CHECK_THROWS_MATCHES(solver.integrate(0.0), integration_failure, says("backwards"));

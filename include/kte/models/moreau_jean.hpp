@@ -21,10 +21,11 @@ struct time_stepping_options {
 ///   q^+ = q_m (+) h/2 v^+,   z^+ = z_m + h/2 z'                                                   (3)
 ///
 /// with v_m = v + (v - v^-)/2 from the last step, or if there is none or a contact strikes, with v_m = v + (v^+ - v)/2
-/// from a solution for another v_m; P of contacts with gaps g(q_m) <= 0, up to 1e-9 of the length of the chain. P satisfies Coulomb's law
-/// exactly at the velocity level: cones are not linearised (dynamics/contacts/velocity_step.hpp). Nothing locates the
-/// time of an impact, so that any number of contacts may open and close in a step. A penetration of the size h |v| at an
-/// impact remains: correcting it would change velocities.
+/// from a solution for another v_m; P of contacts with gaps g(q_m) <= 0, up to 1e-9 of the length of the chain. P
+/// satisfies Coulomb's law exactly at the velocity level: cones are not linearised
+/// (dynamics/contacts/velocity_step.hpp). Nothing locates the time of an impact, so that any number of contacts may
+/// open and close in a step. A penetration of the size h |v| at an impact remains: correcting it would change
+/// velocities.
 ///
 /// D = -df/dv and K = -df/dq are those of springs, dampers, motors and other elements between coordinates, and of the
 /// law of `controlled` on coordinates, so that they may be stiff; those of a law are differences. Forces between frames

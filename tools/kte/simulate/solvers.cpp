@@ -15,7 +15,8 @@ namespace kte_tool {
 
 namespace {
 constexpr const char* by_tolerance = "dormand_prince45, prince_dormand87, adams, bdf, rodas, kennedy_carpenter34";
-constexpr const char* of_fixed_step = "runge_kutta4, semi_implicit_euler, implicit_midpoint, and moreau_jean for contacts";
+constexpr const char* of_fixed_step =
+    "runge_kutta4, semi_implicit_euler, implicit_midpoint, and moreau_jean for contacts";
 }  // namespace
 
 command& add_solver(command& c, solver_options& o) {

@@ -75,10 +75,10 @@ struct contact_workspace {
   kept_size<Eigen::VectorXd> bias;    ///< u' without forces of contacts, or u
   kept_size<Eigen::VectorXd> forces;  ///< lambda
   std::vector<friction_contact<>> laws;
-  pivoted_qr loops;            ///< B_C = Q R
-  Eigen::VectorXd loop_bias;   ///< R^-T u'_C
+  pivoted_qr loops;                    ///< B_C = Q R
+  Eigen::VectorXd loop_bias;           ///< R^-T u'_C
   kept_size<Eigen::MatrixXd> overlap;  ///< Q^T B
-  std::vector<int> loop_rows;  ///< of closures, among all
+  std::vector<int> loop_rows;          ///< of closures, among all
   Eigen::VectorXd half, change;
 
   const closure_place& place(const contact_at& x) const {

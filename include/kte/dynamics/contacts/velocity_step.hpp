@@ -103,8 +103,8 @@ class velocity_step {
       const auto& x = m.touched(i);
       m.put_rows(x, x.slip + m.unscaled(x, changes_), m.bias);
       if (const double restitution = x.place.law.restitution; restitution > 0)
-        m.bias[x.first] += restitution *
-                           (std::min)(dot(x.place.normal, x.slip - m.unscaled(x, at_start_)), 0.0) / e.places.length;
+        m.bias[x.first] +=
+            restitution * (std::min)(dot(x.place.normal, x.slip - m.unscaled(x, at_start_)), 0.0) / e.places.length;
     }
   }
   /// The impulses of the last step, by rows of those that touch.

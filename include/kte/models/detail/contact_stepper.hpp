@@ -95,15 +95,13 @@ class contact_stepper<manipulator_dynamics_model<static_chain<Gravity, E...>, do
   }
   template <class Model, class X>
   void first(const Model& m, double t, const X& x, double h, const force_slopes* law, Eigen::VectorXd& v) {
-    take(m, t, x, [&](const auto& contacts, const auto& g) {
-      step_.first(contacts, s_, s_.contacts, h, law, v), check(g, v);
-    });
+    take(m, t, x,
+         [&](const auto& contacts, const auto& g) { step_.first(contacts, s_, s_.contacts, h, law, v), check(g, v); });
   }
   template <class Model, class X>
   void again(const Model& m, double t, const X& x, double h, Eigen::VectorXd& v) {
-    take(m, t, x, [&](const auto& contacts, const auto& g) {
-      step_.again(contacts, s_, s_.contacts, h, v), check(g, v);
-    });
+    take(m, t, x,
+         [&](const auto& contacts, const auto& g) { step_.again(contacts, s_, s_.contacts, h, v), check(g, v); });
   }
   template <class Model>
   bool strikes(const Model&) const {

@@ -26,7 +26,9 @@ decltype(auto) state_of_model(const F& f, const X& x) {
 }
 /// Whether the inputs of a model follow a law.
 template <class F, class X>
-concept has_law = requires(F& f, const X& x) { f.set_inputs(0.0, x); };
+concept has_law = requires(F& f, const X& x) {
+  f.set_inputs(0.0, x);
+};
 
 /// K = -df/dq and D = -df/dv of the forces that elements between coordinates have by the inputs of a law u(t, x), by
 /// differences, for coordinates that are numbers.
