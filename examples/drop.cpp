@@ -10,6 +10,8 @@
 #include <kte/view.hpp>
 #include <kte/view/pictures.hpp>
 
+#include <Eigen/Geometry>
+
 #include <chrono>
 #include <cmath>
 #include <cstdio>
