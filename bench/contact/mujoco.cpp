@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "measure.hpp"
+#include "robots/solo12.hpp"
 
 /// MuJoCo with elliptic cones and its Newton solver; solref is the time constant of its soft contacts, s.
 namespace contact_bench {
@@ -24,8 +25,10 @@ std::string planar_body(const std::string& geom, const char* inertia) {
          inertia + "\"/>" + geom + "</body>" + file_end;
 }
 /// The file of the quadruped with its ground and feet.
-std::string quadruped(const scene& s) {
-  std::string text = kte::to_mjcf(s.chain);
+std::string quadruped() {
+  kte::runtime_chain robot;
+  robot << robots::solo12;
+  std::string text = kte::to_mjcf(robot);
   const auto insert_after = [&text](const std::string& what, const char* tail, const std::string& more) {
     const auto at = text.find(what);
     if (at == std::string::npos) throw std::runtime_error("no " + what);
@@ -77,7 +80,7 @@ run planar_run(const std::string& text, double friction, double slope, double he
   return r;
 }
 run quadruped_run(const scene& s) {
-  run r{load(quadruped(s)), {}, {}};
+  run r{load(quadruped()), {}, {}};
   auto& m = *r.m.model;
   put_friction(m, 0.7);
   m.opt.gravity[2] = -g;
