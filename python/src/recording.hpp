@@ -57,9 +57,9 @@ struct recording_object {
 
  private:
   int contact_count() const { return chain.wiring().count(kte::kind::contact); }
-  template <class Model, class Visit>
-  void replay_with_contacts(Model& model, const Visit& visit) const {
-    auto s = model.make_state();
+  template <class Visit>
+  void replay_with_contacts(kte::manipulator_dynamics_model<kte::runtime_chain>& model, const Visit& visit) const {
+    kte::runtime_state s = chain.make_state();
     const auto n = static_cast<std::size_t>(model.dofs()), count = static_cast<std::size_t>(contact_count());
     for (std::size_t i = 0; i < rows(); ++i) {
       model.setInput(input(i)), model.setJointStates(t[i], state(i), s);
