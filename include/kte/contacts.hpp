@@ -7,4 +7,6 @@
 #include <kte/dynamics/contacts/contact_dynamics.hpp>
 #include <kte/dynamics/contacts/impact.hpp>
 #include <kte/dynamics/contacts/static_chains.hpp>
+#include <kte/models/detail/static_model_contacts.hpp>
+#include <kte/models/element_events.hpp>
 #include <kte/models/moreau_jean.hpp>

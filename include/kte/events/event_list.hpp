@@ -27,6 +27,7 @@ struct event_occurrence {
   X before, after;          ///< states before and after the reset; equal without a reset
   bool rest = false;        ///< `rest` was called, not `reset`
   std::string name = {};    ///< the name of the event; for events of elements, of the element
+  std::string what = {};    ///< what has changed, for events of contacts: "'foot': impact, sticks"
 };
 
 /// The result of `integrate` with events. `count`: the number of events; `reason`: why the integration ended;

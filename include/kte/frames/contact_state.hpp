@@ -29,6 +29,21 @@ struct contact_state {
   Scalar mode{};
 };
 
+namespace detail {
+/// Numbers of a contact among the internal states of a model: its mode, and the direction in which it slides.
+inline constexpr int numbers_of_contact = 4;
+/// Writes the mode to the numbers of x from `first` on; reads it.
+template <class S, class X, class I>
+constexpr void put_mode(const contact_state<S>& of, I first, X& x) {
+  x[first] = of.mode, x[first + 1] = of.direction.x, x[first + 2] = of.direction.y, x[first + 3] = of.direction.z;
+}
+template <class S, class X, class I>
+constexpr void read_mode(const X& x, I first, contact_state<S>& to) {
+  to.mode = x[first] > S(1.5) ? S(2) : x[first] > S(0.5) ? S(1) : S(0);
+  to.direction = {x[first + 1], x[first + 2], x[first + 3]};
+}
+}  // namespace detail
+
 /// The mode of a contact.
 template <class S>
 [[nodiscard]] constexpr contact_mode mode_of(const contact_state<S>& x) {

@@ -110,6 +110,77 @@ struct switch_element {
   }
 };
 
+/// The number of functions of a contact that pass through zero at events.
+constexpr int parts_of_contact(const closure_rows& rows) { return rows.linear; }
+/// At the start of an integration: makes the modes of contacts consistent. Returns whether they were not.
+template <class Model, class T, class X>
+bool mend_contacts(const Model& model, const T& t, X& x) {
+  X after = x;
+  bool wrong = !model.resolve_contacts(t, after).empty();
+  const auto v = model.velocities_of(x);
+  wrong |= (model.velocities_of(after) - v).cwiseAbs().maxCoeff() > 1e-9 * (1 + v.cwiseAbs().maxCoeff());
+  if (wrong) x = after;
+  return wrong;
+}
+/// A function of a contact of a static chain, with its reset.
+template <class Model>
+struct contact_switching {
+  const Model* model;
+  int contact, part;
+  std::string_view called;
+
+  template <class T, class X>
+  T operator()(const T& t, const X& x) const {
+    return model->contact_margin(t, own_part(x), contact, part);
+  }
+  template <class T, class X>
+  void switch_over(const T& t, X& x) const {
+    auto own = own_part(x);
+    (void)model->resolve_contacts(t, own, true);
+    x.head(own.size()) = own;
+  }
+  template <class T, class X>
+  bool mend(const T& t, X& x) const {
+    auto own = own_part(x);
+    const bool was_wrong = mend_contacts(*model, t, own);
+    x.head(own.size()) = own;
+    return was_wrong;
+  }
+  std::string name() const { return std::string(called); }
+  /// What the last event has changed.
+  std::string_view what() const { return model->contact_change(); }
+
+ private:
+  template <class X>
+  static typename Model::state own_part(const X& x) {
+    return x.head(Eigen::fix<Model::state::RowsAtCompileTime>);
+  }
+};
+template <class Core, class... Keys, class Model, class Events>
+void add_contact_events(const element<Core, Keys...>*, const Model& m, Events& all) {
+  if constexpr (is_contact<Core>) {
+    constexpr std::array<std::string_view, sizeof...(Keys)> names{Keys::name...};
+    using key = std::tuple_element_t<sizeof...(Keys) - 1, std::tuple<Keys...>>;
+    constexpr int slot = Model::wiring::template find<key>();
+    for (int part = 0; part < parts_of_contact(Core::rows); ++part) {
+      const contact_switching<Model> f{&m, slot, part, names.back()};
+      all.push_back(event(f, crossing::falling).reset(switch_element<contact_switching<Model>>{f}));
+    }
+  }
+}
+/// The events of the contacts of a static chain.
+template <class... E, class Model>
+auto contact_events_of(const Model& m) {
+  if constexpr ((is_contact<typename E::core_type> || ...)) {
+    using function = contact_switching<Model>;
+    std::vector<decltype(event(std::declval<function>()).reset(switch_element<function>{}))> all;
+    (add_contact_events(static_cast<const E*>(nullptr), m, all), ...);
+    return std::make_tuple(std::move(all));
+  } else {
+    return std::tuple<>{};
+  }
+}
+
 template <class Function, class Model>
 auto event_where(const Model& m) {
   if constexpr (Function::changes) {
@@ -122,7 +193,7 @@ auto event_where(const Model& m) {
 template <class... E, class Model, std::size_t... I>
 auto element_events_of(const Model& m, std::index_sequence<I...>) {
   return std::apply([](const auto&... e) { return events(e...); },
-                    std::tuple_cat(event_where<element_switching<Model, I, E>>(m)...));
+                    std::tuple_cat(event_where<element_switching<Model, I, E>>(m)..., contact_events_of<E...>(m)));
 }
 }  // namespace detail
 
@@ -133,7 +204,10 @@ auto element_events_of(const Model& m, std::index_sequence<I...>) {
 ///   solver.integrate(10.0, kte::element_events(model));
 ///   solver.integrate(10.0, kte::joined(kte::events(ground), kte::element_events(model)));
 ///
-/// The events are in the order of the elements, with their names. The model must outlive them. An element defines its
+/// Rigid contacts have events too, named after the contact: impacts, and where they lift, stick and slide; `what` of an
+/// occurrence says what all contacts do.
+///
+/// The events are in the order of the elements, with their names, those of contacts of static chains last. The model must outlive them. An element defines its
 /// event by a function `switching` of its core, with the ports as arguments, that passes through zero.
 template <class Gravity, class... E, class S, class Output>
 [[nodiscard]] auto element_events(const manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>& model) {
@@ -163,11 +237,12 @@ struct under_law {
     return function.mend(t, x);
   }
   std::string name() const { return function.name(); }
+  std::string_view what() const requires requires(const Function& f) { f.what(); } { return function.what(); }
 };
 template <class Controlled, class Function, class Reset>
 auto event_under_law(Controlled& c, const event<Function, Reset>& e) {
   const under_law<Controlled, Function> f{&c, e.function};
-  return event(f).reset(switch_element<under_law<Controlled, Function>>{f});
+  return event(f, e.direction).reset(switch_element<under_law<Controlled, Function>>{f});
 }
 template <class Controlled, class Function, class Reset>
 auto event_under_law(Controlled& c, const std::vector<event<Function, Reset>>& some) {

@@ -32,14 +32,19 @@ struct static_model_loops;
 /// Time stepping with contacts: models/detail/contact_stepper.hpp, of kte/contacts.hpp.
 template <class Model>
 class contact_stepper;
+/// What it adds to one with contacts, and maybe closures: models/detail/static_model_contacts.hpp, of kte/contacts.hpp.
 template <class Chain>
-struct memory_of_loops {
+struct static_model_contacts;
+template <class Chain>
+using static_model_constraints =
+    std::conditional_t<has_contact_elements<Chain>, static_model_contacts<Chain>, static_model_loops<Chain>>;
+template <class Chain>
+struct memory_of_constraints {
   using type = nothing;
 };
 template <class Chain>
-requires has_closures<Chain>
-struct memory_of_loops<Chain> {
-  using type = typename static_model_loops<Chain>::memory;
+requires(has_closures<Chain> || has_contact_elements<Chain>) struct memory_of_constraints<Chain> {
+  using type = typename static_model_constraints<Chain>::memory;
 };
 }  // namespace detail
 
@@ -50,8 +55,9 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
   using chain_type = static_chain<Gravity, E...>;
   using base = state_space<chain_type, S>;
   using size = detail::sizes_of_model<chain_type>;
-  static constexpr bool closes = detail::has_closures<chain_type>;
-  using loops = detail::static_model_loops<chain_type>;  // of kte/loops.hpp
+  static constexpr bool touches = detail::has_contact_elements<chain_type>;
+  static constexpr bool constrained = detail::has_closures<chain_type> || touches;
+  using constraints = detail::static_model_constraints<chain_type>;  // of kte/loops.hpp or kte/contacts.hpp
 
  public:
   using typename base::rate;
@@ -70,31 +76,47 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
   // ---- of chains with closures (integrators/motion_space.hpp)
   /// The state x of q and v, which is put on the loops. Throws `bad_argument` where it is off them.
   template <indexable Q, indexable V>
-  state make_x(const Q& q, const V& v) const requires(closes) {
-    return loops::checked(*this, started(base::make_x(q, v)));
+  state make_x(const Q& q, const V& v) const requires(constrained) {
+    return constraints::checked(*this, started(base::make_x(q, v)));
   }
   template <indexable Q, indexable V, indexable Z>
-  state make_x(const Q& q, const V& v, const Z& z) const requires(closes) {
-    return loops::checked(*this, base::make_x(q, v, z));
+  state make_x(const Q& q, const V& v, const Z& z) const requires(constrained) {
+    return constraints::checked(*this, base::make_x(q, v, z));
   }
-  static constexpr bool has_loops() requires(closes) { return true; }
+  static constexpr bool has_loops() requires(constrained) { return detail::has_closures<chain_type>; }
   /// To be called at the start of a step from x0: chooses the independent rows of closures. Throws `bad_argument` where
   /// x0 is off the loops.
-  void begin_step(const state& x0) const requires(closes) { loops::begin_step(*this, loops_, x0); }
+  void begin_step(const state& x0) const requires(constrained) { constraints::begin_step(*this, constraints_, x0); }
   /// Puts x = x0 (+) d on the loops by the least change in kinetic energy; d goes with it. Throws `bad_argument` that
   /// names the closure which does not close.
-  void settle(const state& x0, rate& d, state& x) const requires(closes) { loops::settle(*this, loops_, x0, d, x); }
+  void settle(const state& x0, rate& d, state& x) const requires(constrained) { constraints::settle(*this, constraints_, x0, d, x); }
   /// Takes out of a displacement from x0 what `settle` would.
-  void tangential(const state& x0, rate& e) const requires(closes) { loops::tangential(*this, loops_, x0, e); }
+  void tangential(const state& x0, rate& e) const requires(constrained) { constraints::tangential(*this, constraints_, x0, e); }
   /// Throws `bad_argument` where the step from x0 that has just been computed ends too near to a singular
   /// configuration.
-  void check_end(const state& x0, const state&) const requires(closes) { loops::check_end(*this, loops_, x0); }
+  void check_end(const state& x0, const state&) const requires(constrained) { constraints::check_end(*this, constraints_, x0); }
   /// x on the loops, wherever it is. Throws `bad_argument` that names a closure which does not close from there.
-  state on_loops(const state& x) const requires(closes) {
+  state on_loops(const state& x) const requires(constrained) {
     state on = x;
     rate d = rate::Zero();
     settle(x, d, on);
     return on;
+  }
+
+  // ---- of chains with contacts (models/detail/contact_events.hpp)
+  /// The function of a contact that passes through zero where its mode changes; `part` 0: its gap or normal force, 1:
+  /// friction or velocity of sliding, 2: sense of sliding in space.
+  [[nodiscard]] S contact_margin(const S& t, const state& x, int contact, int part) const requires(touches) {
+    return constraints::margin(*this, constraints_, t, x, contact, part);
+  }
+  /// Resolves impacts, finds the modes of all contacts, and puts x on the rows of closed ones. Returns what changed,
+  /// valid until the next call. `along_solution`: x is a state of an integrator with the present modes.
+  std::string_view resolve_contacts(const S& t, state& x, bool along_solution = false) const requires(touches) {
+    return constraints::resolve(*this, constraints_, t, x, along_solution);
+  }
+  /// What the last `resolve_contacts` has changed.
+  [[nodiscard]] std::string_view contact_change() const requires(touches) {
+    return constraints::change(*this, constraints_);
   }
 
   /// x' of (1). Throws `bad_argument` for numbers that are not finite, `singular_mass_matrix`.
@@ -105,13 +127,13 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
     const joint_vector<S, size::v> none = joint_vector<S, size::v>::Zero();
     rate r;
     r.template head<size::v>() = this->velocities_of(x);
-    static_assert(sizeof(detail::check_contacts_of<chain_type>) > 0);
-    if constexpr (closes)
-      r.template segment<size::v>(size::v) = loops::accelerations(*this, loops_, at, v, bases, none);
+    if constexpr (constrained)
+      r.template segment<size::v>(size::v) = constraints::accelerations(*this, constraints_, t, x, at, v, bases, none);
     else
       r.template segment<size::v>(size::v) =
           detail::accelerations_under<S>(this->chain(), at, detail::each<S, const S*>{v}, bases, none);
-    if constexpr (size::z > 0) detail::internal_rates(this->chain(), at, v, bases, &r[2 * size::v]);
+    if constexpr (size::own_z > 0) detail::internal_rates(this->chain(), at, v, bases, &r[2 * size::v]);
+    if constexpr (touches) r.template tail<size::z - size::own_z>().setZero();
     return r;
   }
   /// x' of (1), for integrators. If it throws, integrators try a shorter step, or report the time and the cause.
@@ -128,7 +150,7 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
   /// False for chains with both load-dependent friction and internal states, because the friction depends on
   /// accelerations, and so do these states. Stiff methods then use differences.
   static constexpr bool has_jacobian =
-      !closes && (size::z == 0 || !(load_dependent_friction<typename E::core_type> || ...));
+      !constrained && (size::z == 0 || !(load_dependent_friction<typename E::core_type> || ...));
   [[nodiscard]] jacobian_matrix jacobian(const S& t, const state& x) const requires(has_jacobian) {
     jacobian_matrix j;
     jacobian(t, x, j);
@@ -198,7 +220,8 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
   /// The state x of a state of the chain.
   [[nodiscard]] state getJointStates(const chain_state<S, wiring>& s) const {
     state x = this->make_x(positions(s), velocities(s));
-    for (int i = 0; i < size::z; ++i) x[size::q + size::v + i] = s.template get<kind::internal>(i).z;
+    for (int i = 0; i < size::own_z; ++i) x[size::q + size::v + i] = s.template get<kind::internal>(i).z;
+    this->each_contact([&](int i, int first) { detail::put_mode(s.template get<kind::contact>(i), first, x); });
     return x;
   }
   /// Stores the time, x and the inputs in a state of the chain. Frames are updated by the next doMotion.
@@ -211,7 +234,8 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
   /// Stores x and the inputs in a state of the chain; the time is unchanged.
   void setJointStates(const state& x, chain_state<S, wiring>& s) const {
     set_positions(s, x.data()), set_velocities(s, x.data() + size::q);
-    for (int i = 0; i < size::z; ++i) s.template get<kind::internal>(i).z = x[size::q + size::v + i];
+    for (int i = 0; i < size::own_z; ++i) s.template get<kind::internal>(i).z = x[size::q + size::v + i];
+    this->each_contact([&](int i, int first) { detail::read_mode(x, first, s.template get<kind::contact>(i)); });
     for (int i = 0; i < wiring::table.signals; ++i) {
       const auto& signal = wiring::table.signal[static_cast<std::size_t>(i)];
       if (signal.what == kind::vector)
@@ -227,7 +251,7 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
     setJointStates(t, x, s);
     const rate r = computeStateRate(t, x);
     set_accelerations(s, r.data() + size::v);
-    if constexpr (closes) loops::put_forces(*this, loops_, s);
+    if constexpr (constrained) constraints::put_forces(*this, constraints_, s);
     this->doMotion(s), this->clearForce(s), this->doForce(s);
     return s;
   }
@@ -309,7 +333,7 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
     };
     const int done[]{start.template operator()<I>()...};
     (void)done;
-    for (int i = 0; i < size::z; ++i) x[size::q + size::v + i] = s.template get<kind::internal>(i).z;
+    for (int i = 0; i < size::own_z; ++i) x[size::q + size::v + i] = s.template get<kind::internal>(i).z;
   }
   template <class State, std::size_t... I>
   S capacity_of(State& s, std::size_t element, std::index_sequence<I...>) const {
@@ -360,13 +384,13 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
   }
   template <class, class, class>
   friend class manipulator_dynamics_model;
-  friend loops;
+  friend constraints;
   template <class Model>
   friend class detail::contact_stepper;
   template <class F>
   manipulator_dynamics_model(const chain_type& c, const F& f) : base(c), output_(f) {}
 
-  [[no_unique_address]] mutable typename detail::memory_of_loops<chain_type>::type loops_;
+  [[no_unique_address]] mutable typename detail::memory_of_constraints<chain_type>::type constraints_;
   struct no_output {};
   [[no_unique_address]] std::conditional_t<std::is_void_v<Output>, no_output, Output> output_;
 };

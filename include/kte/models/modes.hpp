@@ -146,7 +146,8 @@ bool mend_internals(const Switched& switched, X& x, Eigen::Index first, Eigen::I
 
 }  // namespace detail
 
-/// The state x with consistent modes of all elements that may lock a coordinate. A coordinate at rest is locked, unless
+/// The state x with consistent modes of all rigid contacts, after impacts if they approach, and of all elements that may
+/// lock a coordinate. A coordinate at rest is locked, unless
 /// the holding force exceeds the capacity; otherwise it slides in the direction of its rate. Use it at the start of a
 /// simulation; events then switch the modes:
 ///
@@ -159,6 +160,8 @@ template <class Model, class T, class X>
     x[h.mode] = S(rate > S(0) ? mode::forward : rate < S(0) ? mode::backward : mode::held);
   }
   detail::find_modes(model, t, x);
+  if constexpr (requires { model.resolve_contacts(t, x); })
+    if (model.contacts() > 0) (void)model.resolve_contacts(t, x);
   return x;
 }
 

@@ -15,7 +15,9 @@
 #include <kte/runtime_chain/runtime_chain.hpp>
 
 #ifdef KTE_FUNCTION
+#  include <kte/models/detail/contact_events.hpp>
 #  include <kte/models/detail/loop_steps.hpp>
+#  include <kte/models/detail/runtime_model_contacts.hpp>
 #endif
 
 #include <functional>
@@ -121,6 +123,16 @@ class manipulator_dynamics_model<runtime_chain, double, void> : public state_spa
   const Eigen::VectorXd& needed_forces(double t, const state& x) const;
   [[nodiscard]] double capacity(double t, const state& x, std::size_t element) const;
 
+  // ---- contacts, by number: models/detail/contact_events.hpp
+  /// The function of a contact that passes through zero where its mode changes; `part` 0: its gap or normal force, 1:
+  /// friction or velocity of sliding, 2: sense of sliding in space.
+  [[nodiscard]] double contact_margin(double t, const state& x, int contact, int part) const;
+  /// Resolves impacts, finds the modes of all contacts, and puts x on the rows of closed ones. Returns what changed,
+  /// valid until the next call. `along_solution`: x is a state of an integrator with the present modes.
+  std::string_view resolve_contacts(double t, state& x, bool along_solution = false) const;
+  /// What the last `resolve_contacts` has changed.
+  [[nodiscard]] std::string_view contact_change() const;
+
   /// Whether the output is a function of `with_output`, not (q, v).
   [[nodiscard]] bool has_output() const { return static_cast<bool>(output_); }
   /// The system with another output, a function of a state of the chain.
@@ -162,23 +174,25 @@ class manipulator_dynamics_model<runtime_chain, double, void> : public state_spa
   /// doMotion of the elements with internal states, and of those on which they depend.
   void rates_of_internals() const;
   runtime_state& own_state_at(double t, const state& x) const;
+  auto contacts_of_model() const;
   /// The accelerations of a chain with loops at the model's state.
   const Eigen::VectorXd& accelerations_in_step() const;
 
   // Working memory, also through std::cref: use one model per thread.
   mutable runtime_state s_;
   mutable rate rate_;
-  mutable detail::own_memory loops_;  ///< the rows of closures of a step
+  mutable detail::own_memory step_;  ///< the rows of closures and contacts of a step
   std::vector<detail::lock_place> locks_;
   output_function output_;
 };
 manipulator_dynamics_model(const runtime_chain&)->manipulator_dynamics_model<runtime_chain>;
 
 namespace detail {
-/// `switching` of one element of a runtime chain, with its reset.
+/// `switching` of one element of a runtime chain, with its reset; or of a contact, one of its functions.
 struct runtime_switching {
   const manipulator_dynamics_model<runtime_chain>* model;
   std::size_t element;
+  int contact = -1, part = 0;
 
   double operator()(double t, const Eigen::VectorXd& x) const;
   /// The reset: switches the mode of the element.
@@ -188,6 +202,8 @@ struct runtime_switching {
   /// The size of the state without the states of a law.
   Eigen::Index own() const { return model->nq() + model->dofs() + model->internals(); }
   std::string name() const;
+  /// What the last event of a contact has changed.
+  std::string_view what() const { return contact < 0 ? std::string_view() : model->contact_change(); }
 };
 }  // namespace detail
 
@@ -196,9 +212,18 @@ struct runtime_switching {
   using reset = detail::switch_element<detail::runtime_switching>;
   std::vector<decltype(event(detail::runtime_switching{}).reset(reset{}))> all;
   const auto& elements = model.wiring().elements;
-  for (std::size_t i = 0; i < elements.size(); ++i)
-    if (elements[i].element->switches())
-      all.push_back(event(detail::runtime_switching{&model, i}).reset(reset{{&model, i}}));
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    const auto add = [&](crossing way, const detail::runtime_switching& f) {
+      all.push_back(event(f, way).reset(reset{f}));
+    };
+    if (elements[i].touches) {
+      const int contact = elements[i].index.back();
+      for (int part = 0; part < detail::parts_of_contact(elements[i].element->rows()); ++part)
+        add(crossing::falling, {&model, i, contact, part});
+    } else if (elements[i].element->switches()) {
+      add(crossing::both, {&model, i});
+    }
+  }
   return events(std::move(all));
 }
 
@@ -208,7 +233,7 @@ struct runtime_switching {
 namespace kte {
 
 KTE_FUNCTION manipulator_dynamics_model<runtime_chain>::manipulator_dynamics_model(const runtime_chain& c)
-    : base(c), s_(c.make_state()), rate_(rates()) {
+    : base(c), s_(c.make_state()), rate_(rate::Zero(rates())) {
   if (detail::has_loops(c)) detail::check_loops(detail::closures_of(c), s_);
   for (const int e : s_.tree().locks) {
     const auto& index = wiring().elements[static_cast<std::size_t>(e)].index;
@@ -220,11 +245,29 @@ KTE_FUNCTION manipulator_dynamics_model<runtime_chain>::manipulator_dynamics_mod
   }
 }
 
+inline auto manipulator_dynamics_model<runtime_chain>::contacts_of_model() const {
+  return detail::runtime_model_contacts<manipulator_dynamics_model>{*this, s_, step_};
+}
+KTE_FUNCTION double manipulator_dynamics_model<runtime_chain>::contact_margin(double t, const state& x, int contact,
+                                                                              int part) const {
+  return detail::contact_margins(contacts_of_model(), t, x)[static_cast<std::size_t>(contact)]
+                                                           [static_cast<std::size_t>(part)];
+}
+KTE_FUNCTION std::string_view manipulator_dynamics_model<runtime_chain>::resolve_contacts(double t, state& x,
+                                                                                          bool along_solution) const {
+  detail::resolve_contacts(contacts_of_model(), t, x, along_solution);
+  return contact_change();
+}
+KTE_FUNCTION std::string_view manipulator_dynamics_model<runtime_chain>::contact_change() const {
+  return contacts_of_model().memory().change;
+}
 KTE_FUNCTION auto manipulator_dynamics_model<runtime_chain>::computeStateRate(double t, const state& x) const
     -> const rate& {
   setJointStates(t, x, s_);
   rate_.head(dofs()) = velocities_of(x);
-  if (detail::has_loops(chain()))
+  if (detail::has_contacts(chain()))
+    rate_.segment(dofs(), dofs()) = detail::accelerate_with_contacts_in_step(contacts_of_model(), t, x);
+  else if (detail::has_loops(chain()))
     rate_.segment(dofs(), dofs()) = accelerations_in_step();
   else
     rate_.segment(dofs(), dofs()) = forward_dynamics(chain(), s_);
@@ -232,16 +275,16 @@ KTE_FUNCTION auto manipulator_dynamics_model<runtime_chain>::computeStateRate(do
   return rate_;
 }
 KTE_FUNCTION const Eigen::VectorXd& manipulator_dynamics_model<runtime_chain>::accelerations_in_step() const {
-  detail::refuse_contacts(chain()), detail::check_regular_tree(chain(), s_), detail::check_positions(s_);
+  detail::check_regular_tree(chain(), s_), detail::check_positions(s_);
   const auto none = [](int) { return 0.0; };
-  const detail::runtime_model_loops loops{*this, s_, loops_};
+  const detail::runtime_model_loops loops{*this, s_, step_};
   const auto& a = detail::constrained_accelerations(chain(), s_, none, detail::rows_of_stage(loops));
   detail::note_stage(loops);
   return a;
 }
 KTE_FUNCTION bool manipulator_dynamics_model<runtime_chain>::jacobian(double t, const state& x,
                                                                       jacobian_matrix& j) const {
-  if (internals() > 0 || s_.tree().irregular || detail::has_loops(chain())) return false;
+  if (internals() > 0 || s_.tree().irregular || has_loops()) return false;
   setJointStates(t, x, s_);
   const auto& of_accelerations = forward_dynamics_derivatives(chain(), s_);
   j.resize(rates(), rates());
@@ -265,11 +308,12 @@ KTE_FUNCTION auto manipulator_dynamics_model<runtime_chain>::make_x(const Eigen:
   for (const int keeper : wiring().keepers)
     if (wiring().elements[static_cast<std::size_t>(keeper)].starts_in_place)
       switch_over(0, x, static_cast<std::size_t>(keeper));
-  return detail::checked_on_loops(*this, x);
+  return detail::has_contacts(chain()) ? x : detail::checked_on_loops(*this, x);
 }
 KTE_FUNCTION auto manipulator_dynamics_model<runtime_chain>::make_x(const Eigen::VectorXd& q, const Eigen::VectorXd& v,
                                                                     const Eigen::VectorXd& z) const -> state {
-  return detail::checked_on_loops(*this, base::make_x(q, v, z));
+  const state x = base::make_x(q, v, z);
+  return detail::has_contacts(chain()) ? x : detail::checked_on_loops(*this, x);
 }
 KTE_FUNCTION void manipulator_dynamics_model<runtime_chain>::setInput(const Eigen::VectorXd& u) { base::setInput(u); }
 KTE_FUNCTION int manipulator_dynamics_model<runtime_chain>::place_of_input(std::string_view name, kind k) const {
@@ -282,7 +326,8 @@ KTE_FUNCTION int manipulator_dynamics_model<runtime_chain>::place_of_input(std::
 KTE_FUNCTION auto manipulator_dynamics_model<runtime_chain>::getJointStates(const runtime_state& s) const -> state {
   check(s);
   Eigen::VectorXd z(internals());
-  for (Eigen::Index i = 0; i < z.size(); ++i) z[i] = s.get<kind::internal>(static_cast<int>(i)).z;
+  for (int i = 0; i < own_internals(); ++i) z[i] = s.get<kind::internal>(i).z;
+  each_contact([&](int i, int first) { detail::put_mode(s.get<kind::contact>(i), first - nq() - dofs(), z); });
   return make_x(positions(s), velocities(s), z);
 }
 KTE_FUNCTION void manipulator_dynamics_model<runtime_chain>::setJointStates(double t, const state& x,
@@ -294,7 +339,8 @@ KTE_FUNCTION void manipulator_dynamics_model<runtime_chain>::setJointStates(doub
 KTE_FUNCTION void manipulator_dynamics_model<runtime_chain>::setJointStates(const state& x, runtime_state& s) const {
   check(s), checked(x);
   set_positions(s, positions_of(x)), set_velocities(s, velocities_of(x));
-  for (int i = 0; i < internals(); ++i) s.get<kind::internal>(i).z = x[nq() + dofs() + i];
+  for (int i = 0; i < own_internals(); ++i) s.get<kind::internal>(i).z = x[nq() + dofs() + i];
+  each_contact([&](int i, int first) { detail::read_mode(x, first, s.get<kind::contact>(i)); });
   for (const auto& signal : wiring().signals) {
     if (signal.what == kind::vector)
       s.get<kind::vector>(signal.slot) = {u_[signal.u], u_[signal.u + 1], u_[signal.u + 2]};
@@ -327,7 +373,7 @@ KTE_FUNCTION void manipulator_dynamics_model<runtime_chain>::switch_over(double 
   setJointStates(t, x, s_);
   doMotion(s_);
   wiring().elements.at(which).element->switch_over(s_);
-  for (int i = 0; i < internals(); ++i) x[nq() + dofs() + i] = s_.get<kind::internal>(i).z;
+  for (int i = 0; i < own_internals(); ++i) x[nq() + dofs() + i] = s_.get<kind::internal>(i).z;
 }
 KTE_FUNCTION bool manipulator_dynamics_model<runtime_chain>::mend(double t, state& x, std::size_t which) const {
   for (const auto& h : locks_)
@@ -355,7 +401,7 @@ KTE_FUNCTION double manipulator_dynamics_model<runtime_chain>::capacity(double t
 }
 KTE_FUNCTION void manipulator_dynamics_model<runtime_chain>::rates_of_internals() const {
   for (const int keeper : wiring().keepers) detail::move_element(wiring(), s_, keeper);
-  for (int i = 0; i < internals(); ++i) rate_[2 * dofs() + i] = s_.get<kind::internal>(i).z_dot;
+  for (int i = 0; i < own_internals(); ++i) rate_[2 * dofs() + i] = s_.get<kind::internal>(i).z_dot;
 }
 
 KTE_FUNCTION void manipulator_dynamics_model<runtime_chain>::displace(const state& x, const rate& d, state& out) const {
@@ -373,16 +419,20 @@ KTE_FUNCTION void manipulator_dynamics_model<runtime_chain>::rounding(const stat
 }
 
 KTE_FUNCTION void manipulator_dynamics_model<runtime_chain>::settle(const state& x0, rate& d, state& x) const {
-  if (detail::has_loops(chain())) detail::settle_on_loops(detail::runtime_model_loops{*this, s_, loops_}, x0, d, x);
+  if (detail::has_contacts(chain())) return detail::settle_contacts(contacts_of_model(), x0, d, x);
+  if (detail::has_loops(chain())) detail::settle_on_loops(detail::runtime_model_loops{*this, s_, step_}, x0, d, x);
 }
 KTE_FUNCTION void manipulator_dynamics_model<runtime_chain>::tangential(const state& x0, rate& e) const {
-  if (detail::has_loops(chain())) detail::make_tangential(detail::runtime_model_loops{*this, s_, loops_}, x0, e);
+  if (detail::has_contacts(chain())) return detail::make_tangential_to_contacts(contacts_of_model(), x0, e);
+  if (detail::has_loops(chain())) detail::make_tangential(detail::runtime_model_loops{*this, s_, step_}, x0, e);
 }
 KTE_FUNCTION void manipulator_dynamics_model<runtime_chain>::begin_step(const state& x0) const {
-  if (detail::has_loops(chain())) detail::check_step(detail::runtime_model_loops{*this, s_, loops_}, x0);
+  if (detail::has_contacts(chain())) return detail::begin_step_with_contacts(contacts_of_model(), x0);
+  if (detail::has_loops(chain())) detail::check_step(detail::runtime_model_loops{*this, s_, step_}, x0);
 }
 KTE_FUNCTION void manipulator_dynamics_model<runtime_chain>::check_end(const state& x0, const state&) const {
-  if (detail::has_loops(chain())) detail::check_step_end(detail::runtime_model_loops{*this, s_, loops_}, x0);
+  if (detail::has_contacts(chain())) return;
+  if (detail::has_loops(chain())) detail::check_step_end(detail::runtime_model_loops{*this, s_, step_}, x0);
 }
 KTE_FUNCTION auto manipulator_dynamics_model<runtime_chain>::on_loops(const state& x) const -> state {
   state on = checked(x);
@@ -393,21 +443,31 @@ KTE_FUNCTION auto manipulator_dynamics_model<runtime_chain>::on_loops(const stat
 
 namespace detail {
 KTE_FUNCTION double runtime_switching::operator()(double t, const Eigen::VectorXd& x) const {
-  return model->switching(t, x.size() == own() ? x : x.head(own()).eval(), element);
+  const auto value = [&](const Eigen::VectorXd& part_of_model) {
+    return contact < 0 ? model->switching(t, part_of_model, element)
+                       : model->contact_margin(t, part_of_model, contact, part);
+  };
+  return x.size() == own() ? value(x) : value(x.head(own()));
 }
 KTE_FUNCTION void runtime_switching::switch_over(double t, Eigen::VectorXd& x) const {
-  Eigen::VectorXd part = x.head(own());
-  model->switch_over(t, part, element);
-  x.head(own()) = part;
+  Eigen::VectorXd part_of_model = x.head(own());
+  if (contact < 0)
+    model->switch_over(t, part_of_model, element);
+  else
+    (void)model->resolve_contacts(t, part_of_model, true);
+  x.head(own()) = part_of_model;
 }
 KTE_FUNCTION bool runtime_switching::mend(double t, Eigen::VectorXd& x) const {
-  Eigen::VectorXd part = x.head(own());
-  const bool was_wrong = model->mend(t, part, element);
-  x.head(own()) = part;
+  Eigen::VectorXd part_of_model = x.head(own());
+  const bool was_wrong =
+      contact < 0 ? model->mend(t, part_of_model, element) : mend_contacts(*model, t, part_of_model);
+  x.head(own()) = part_of_model;
   return was_wrong;
 }
 KTE_FUNCTION std::string runtime_switching::name() const {
-  return describe_element(*model->wiring().elements[element].element);
+  const auto& w = model->wiring();
+  if (contact >= 0) return w.names[static_cast<std::size_t>(kind::contact)][static_cast<std::size_t>(contact)];
+  return describe_element(*w.elements[element].element);
 }
 }  // namespace detail
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/frames/contact_state.hpp>
 #include <kte/models/detail/displacement.hpp>
 
 namespace kte {
@@ -10,12 +11,13 @@ template <class Chain>
 struct sizes_of_model {
   using wiring = typename Chain::wiring;
   static constexpr int q = wiring::nq, v = wiring::dofs;
-  static constexpr int z = wiring::count(kind::internal), u = wiring::nu;
+  static constexpr int own_z = wiring::count(kind::internal);  ///< of elements; those of contacts follow
+  static constexpr int z = own_z + numbers_of_contact * wiring::count(kind::contact), u = wiring::nu;
   static constexpr int x = q + v + z, x_dot = 2 * v + z;
   static constexpr bool only_numbers = [] {
     for (std::size_t i = 0; i < wiring::freedoms; ++i)
       if (wiring::table.free[i].what != kind::gen) return false;
-    return wiring::count(kind::loop) == 0;  // on loops, states move on a manifold
+    return wiring::count(kind::loop) == 0 && wiring::count(kind::contact) == 0;  // else states move on a manifold
   }();
   static std::span<const freedom> freedoms(const Chain&) { return {wiring::table.free.data(), wiring::freedoms}; }
   static constexpr int nq(const Chain&) { return wiring::nq; }
@@ -34,7 +36,8 @@ struct sizes_of_model {
 
 /// A chain with its states as vectors:
 ///
-///   x = (q, v, z)        positions, rates, internal states of elements         (1)
+///   x = (q, v, z)        positions, rates, internal states of elements; then for each rigid contact its mode (0 open,
+///                        1 sticks, 2 slides) and the direction in which it slides, 4 numbers         (1)
 ///   x' = (v, a, z')                                                            (2)
 ///   u                    signals that no element writes, in order of first appearance, except the time
 ///
@@ -53,11 +56,19 @@ class state_space : public Chain {
 
   [[nodiscard]] const Chain& chain() const { return *this; }
   /// The number of internal states z.
-  [[nodiscard]] int internals() const { return size::count(chain(), kind::internal); }
+  [[nodiscard]] int internals() const { return own_internals() + detail::numbers_of_contact * contacts(); }
   /// The coordinates, with their positions in q and v.
   [[nodiscard]] std::span<const detail::freedom> freedoms() const { return size::freedoms(chain()); }
   /// The size of v and a.
   [[nodiscard]] int velocity_count() const { return size::nv(chain()); }
+  /// The number of rigid contacts.
+  [[nodiscard]] int contacts() const { return size::count(chain(), kind::contact); }
+  /// Calls visit(number of a contact, the first of its numbers in x).
+  template <class Visit>
+  void each_contact(const Visit& visit) const {
+    const int first = numbers_q() + velocity_count() + own_internals();
+    for (int i = 0; i < contacts(); ++i) visit(i, first + detail::numbers_of_contact * i);
+  }
   /// The size of x.
   [[nodiscard]] int state_size() const { return numbers_q() + velocity_count() + internals(); }
   /// The size of x'.
@@ -135,6 +146,7 @@ class state_space : public Chain {
 
  protected:
   int numbers_q() const { return size::nq(chain()); }
+  int own_internals() const { return size::count(chain(), kind::internal); }
   /// x, after a check of its size.
   template <class X>
   const X& checked(const X& x) const {

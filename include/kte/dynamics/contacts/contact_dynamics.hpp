@@ -56,17 +56,6 @@ inline contact_memory_of_state& contact_memory(const runtime_chain& c, runtime_s
   if (m.layout != c.wiring().layout) m = make();
   return m;
 }
-/// Writes the forces of closures to the state.
-template <class State>
-void put_forces_of_closures(contact_solver& m, State& s) {
-  m.put_loop_forces(m.loop_forces);
-  for (const int k : m.closures) {
-    const auto& x = m.equations.places.closures[static_cast<std::size_t>(k)];
-    auto& loop = s.template get<kind::loop>(x.loop);
-    for (int r = 0; r < x.rows.count(); ++r)
-      row_of(loop.force, loop.torque, x.rows, r) = m.equations.places.scale(x, r) * m.loop_forces[x.first + r];
-  }
-}
 #ifdef KTE_FUNCTION
 KTE_FUNCTION const contact_dynamics_result& contact_dynamics_under_kept(const runtime_chain& c, runtime_state& s) {
   const auto& applied = s.work.kept;
@@ -74,7 +63,7 @@ KTE_FUNCTION const contact_dynamics_result& contact_dynamics_under_kept(const ru
   m.result.several = accelerate_with_contacts(contacts_of(c), s, m,
                                               [&applied](int i) { return applied[static_cast<std::size_t>(i)]; });
   check_result(s, diagnose_state{"an acceleration", s});
-  put_forces_of_closures(m, s);
+  m.put_loop_forces(m.loop_forces), put_forces_of_closures(m, s);
   write_numbers<vector_of::a>(s, s.work.forces, "a");
   m.result.a = s.work.forces;
   for (std::size_t i = 0; i < m.contacts.size(); ++i) m.result.contacts[i] = s.get<kind::contact>(m.contacts[i].slot);

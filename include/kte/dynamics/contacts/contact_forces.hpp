@@ -13,6 +13,7 @@ struct contact_solver : contact_workspace {
   friction_solver<double> solver;
   std::vector<contact_mode> modes;  ///< of contacts that touch
   Eigen::VectorXd loop_forces, change_of_motion, before, velocities;
+  double residual = 0;  ///< of a friction problem that was not solved
 
   /// Calls put(number of the contact, force or impulse) for the contacts that touch.
   template <class Put>
@@ -48,23 +49,33 @@ void put_modes(contact_solver& m, const std::vector<friction_mode>& found, const
   }
 }
 /// Finds the forces of the contacts that touch, those of least norm if there are several with the same motion, unless
-/// `any`. `start`: forces to start from, or none. Throws `no_solution`.
-template <class Contacts>
-bool solve_friction(const Contacts& c, contact_solver& m, bool any = false, std::span<const double> start = {}) {
+/// `any`. `start`: forces to start from, or none.
+inline friction_status find_friction(contact_solver& m, bool any = false, std::span<const double> start = {}) {
   m.modes.clear();
-  if (m.touching.empty()) return false;
+  if (m.touching.empty()) return friction_status::solved;
   const friction_problem<> p(m.w, m.bias, m.laws);
   friction_options<> options;
   options.least_norm = !any;
   const auto& r = m.solver.solve(p, options, start);
-  if (!r.solved()) [[unlikely]]
-    raise<no_solution>("kte: no contact forces satisfy the laws of friction at contacts " + names_of_touching(c, m) +
-                       (r.status == friction_status::no_solution
-                            ? ": a jam (Painleve): kte::impact finds the velocities after it"
-                            : "; residual " + number(r.residual)));
+  if (!r.solved()) return m.residual = r.residual, r.status;
   for (Eigen::Index k = 0; k < m.forces.size(); ++k) m.forces[k] = r.lambda[static_cast<std::size_t>(k)];
   put_modes(m, r.modes, r.lambda, r.u);
-  return r.status == friction_status::several_solutions;
+  return r.status;
+}
+template <class Contacts>
+[[noreturn, gnu::cold]] void raise_no_forces(const Contacts& c, const contact_solver& m, friction_status status) {
+  raise<no_solution>("kte: no contact forces satisfy the laws of friction at contacts " + names_of_touching(c, m) +
+                     (status == friction_status::no_solution
+                          ? ": a jam (Painleve): kte::impact finds the velocities after it"
+                          : "; residual " + number(m.residual)));
+}
+/// `find_friction`; throws `no_solution`. Returns whether there are several solutions.
+template <class Contacts>
+bool solve_friction(const Contacts& c, contact_solver& m, bool any = false, std::span<const double> start = {}) {
+  const auto status = find_friction(m, any, start);
+  if (status == friction_status::no_solution || status == friction_status::not_converged) [[unlikely]]
+    raise_no_forces(c, m, status);
+  return status == friction_status::several_solutions;
 }
 /// The normal and the tangential velocity of a contact, relative to `rest_velocity`.
 inline double normal_velocity(const contact_workspace& m, const contact_at& x) {
@@ -92,18 +103,24 @@ void put_contacts(const contact_solver& m, State& s) {
     to.force = m.force_of(x);
     to.mode = static_cast<double>(m.modes[i]);
     if (m.modes[i] != contact_mode::slides) continue;
-    to.direction = unit_of(m.laws[i].sliding ? contact_workspace::tangential(x)
-                                             : dot(x.place.normal, to.force) * x.place.normal - to.force);
+    to.direction = m.laws[i].sliding ? x.basis[1] : unit_of(dot(x.place.normal, to.force) * x.place.normal - to.force);
   }
 }
 
-/// Accelerations under applied(i), written to `forces` of the working memory, with the contact forces:
-///
-///   u' = W lambda + b,   a = a_0 + L^-1 B lambda          (1)
-///
-/// a_0: accelerations of the tree, b: u' for a_0. Returns whether there are several solutions.
+/// Writes `loop_forces` to the closures of the state.
+template <class State>
+void put_forces_of_closures(const contact_solver& m, State& s) {
+  for (const int k : m.closures) {
+    const auto& x = m.equations.places.closures[static_cast<std::size_t>(k)];
+    auto& loop = s.template get<kind::loop>(x.loop);
+    for (int r = 0; r < x.rows.count(); ++r)
+      row_of(loop.force, loop.torque, x.rows, r) = m.equations.places.scale(x, r) * m.loop_forces[x.first + r];
+  }
+}
+/// Accelerations a_0 of the tree under applied(i), to `before`, with the places and slip velocities of contacts, and the
+/// second derivatives of all rows for a_0 in the equations.
 template <class Contacts, class State, class Tau>
-bool accelerate_with_contacts(const Contacts& c, State& s, contact_solver& m, const Tau& applied) {
+void accelerate_freely(const Contacts& c, State& s, contact_solver& m, const Tau& applied) {
   check_loops(c, s);
   auto& e = m.equations;
   const bool tree = s.tree().plan.tree;
@@ -123,22 +140,55 @@ bool accelerate_with_contacts(const Contacts& c, State& s, contact_solver& m, co
     m.find(c, s);
     e.acceleration += e.times(a0);
   }
-  m.choose([&](const contact_at& x) { return !(normal_velocity(m, x) > 1); });
+}
+/// g'' of a contact without contact forces, after `accelerate_freely`.
+inline double free_gap_ddot(const contact_solver& m, const contact_at& x) {
+  return dot(x.place.normal, m.unscaled(x, m.equations.acceleration)) + x.place.bending;
+}
+/// Writes u' of contact i of those that touch, after `accelerate_freely`; its normal part is g''.
+inline void put_bias(contact_solver& m, std::size_t i) {
+  const auto& x = m.touched(i);
+  m.put_rows(x, m.unscaled(x, m.equations.acceleration), m.bias);
+  m.bias[x.first] += x.place.bending / m.equations.places.length;
+}
+/// Accelerations under applied(i), written to `forces` of the working memory, with the contact forces:
+///
+///   u' = W lambda + b,   a = a_0 + L^-1 B lambda          (1)
+///
+/// a_0: accelerations of the tree, b: u' for a_0. Contacts that touch open if leaves(contact), and slide if
+/// slides(contact). Raises `bad_argument` for a contact that approaches. If there are no forces that satisfy the laws,
+/// the accelerations are not found.
+template <class Contacts, class State, class Tau, class Leaves, class Slides>
+friction_status find_contact_forces(const Contacts& c, State& s, contact_solver& m, const Tau& applied,
+                                    const Leaves& leaves, const Slides& slides) {
+  accelerate_freely(c, s, m, applied);
+  m.choose([&](const contact_at& x) { return m.touches(x) && !leaves(x); });
   for (std::size_t i = 0; i < m.touching.size(); ++i) {
     const auto& x = m.touched(i);
     if (normal_velocity(m, x) < -1) [[unlikely]]
       raise<bad_argument>("kte: contact '" + c.loop_name(m.place(x).loop) + "' approaches at " +
                           number(-dot(x.place.normal, x.slip)) + " m/s: kte::impact gives the velocities after it");
-    if (slides(m, x)) m.let_slide(i);
-    m.put_rows(x, m.unscaled(x, e.acceleration), m.bias);
-    m.bias[x.first] += x.place.bending / e.places.length;
+    if (slides(x)) m.let_slide(i);
+    put_bias(m, i);
   }
-  m.make_matrix(c, s, e.acceleration);
-  const bool several = solve_friction(c, m);
+  m.make_matrix(c, s, m.equations.acceleration);
+  const auto status = find_friction(m);
+  if (status == friction_status::no_solution || status == friction_status::not_converged) return status;
   m.accelerate(s, m.change_of_motion);
-  a = a0 + m.change_of_motion;
+  s.work.forces = m.before + m.change_of_motion;
   put_contacts(m, s);
-  return several;
+  return status;
+}
+/// `find_contact_forces` with sliding contacts by their velocity. Throws `no_solution`. Returns whether there are
+/// several solutions.
+template <class Contacts, class State, class Tau>
+bool accelerate_with_contacts(const Contacts& c, State& s, contact_solver& m, const Tau& applied) {
+  const auto status = find_contact_forces(
+      c, s, m, applied, [&m](const contact_at& x) { return normal_velocity(m, x) > 1; },
+      [&m](const contact_at& x) { return slides(m, x); });
+  if (status == friction_status::no_solution || status == friction_status::not_converged) [[unlikely]]
+    raise_no_forces(c, m, status);
+  return status == friction_status::several_solutions;
 }
 
 }  // namespace kte::detail

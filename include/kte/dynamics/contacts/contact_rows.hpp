@@ -107,14 +107,16 @@ struct contact_workspace {
     };
     return {row(0), row(1), row(2)};
   }
-  /// Chooses the contacts that touch, and sets their bases: along the slip velocity if they slide.
+  /// Whether a contact touches.
+  bool touches(const contact_at& x) const { return x.place.gap <= touching_gap * equations.places.length; }
+  /// Chooses contacts that touch, those for which `chosen`, and sets their bases.
   template <class Chosen>
   void choose(const Chosen& chosen) {
     touching.clear(), laws.clear();
     int row = 0;
     for (std::size_t i = 0; i < contacts.size(); ++i) {
       auto& x = contacts[i];
-      if (!(x.place.gap <= touching_gap * equations.places.length) || !chosen(x)) continue;
+      if (!chosen(x)) continue;
       x.basis = basis_at(x.place.normal, x.planar), x.first = row;
       touching.push_back(static_cast<int>(i)), row += x.rows();
       friction_contact<> law;
@@ -123,11 +125,14 @@ struct contact_workspace {
     }
     bias.resize(row), forces.setZero(row);
   }
-  /// The contact i of those that touch slides in the direction of its slip velocity.
+  /// The contact i of those that touch slides in the direction of its slip velocity, or in a direction.
   void let_slide(std::size_t i) {
+    const vec3<> t = tangential(touched(i));
+    let_slide(i, (1 / std::sqrt(dot(t, t))) * t);
+  }
+  void let_slide(std::size_t i, const vec3<>& direction) {
     auto& x = touched(i);
-    const vec3<> t = tangential(x);
-    x.basis = basis_along(x.place.normal, (1 / std::sqrt(dot(t, t))) * t);
+    x.basis = basis_along(x.place.normal, direction);
     laws[i].sliding = std::array<double, 2>{1, 0};
   }
   static vec3<> tangential(const contact_at& x) { return x.slip - dot(x.place.normal, x.slip) * x.place.normal; }

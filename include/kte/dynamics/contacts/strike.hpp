@@ -17,9 +17,10 @@ inline bool is_jammed(const contact_solver& m, std::size_t i) {
   const auto& x = m.touched(i);
   return m.laws[i].sliding && !(m.w(x.first, x.first) > m.laws[i].friction * m.w(x.first, x.first + 1));
 }
-/// Replaces v, the velocities of the state, by those after the impact.
-template <class Contacts, class State>
-void strike(const Contacts& c, State& s, contact_solver& m, impact_memory& memory, impact_law law, Eigen::VectorXd& v) {
+/// Replaces v, the velocities of the state, by those after the impact. restitution(x): Newton's e of a contact.
+template <class Contacts, class State, class Restitution>
+void strike(const Contacts& c, State& s, contact_solver& m, impact_memory& memory, impact_law law, Eigen::VectorXd& v,
+            const Restitution& restitution) {
   check_loops(c, s);
   auto& e = m.equations;
   e.at_positions(c, s, true);
@@ -27,7 +28,7 @@ void strike(const Contacts& c, State& s, contact_solver& m, impact_memory& memor
   e.at_rates(c, s);
   m.find(c, s);
   m.before = e.times(v);
-  m.choose([](const contact_at&) { return true; });
+  m.choose([&m](const contact_at& x) { return m.touches(x); });
   auto& r = memory.result;
   r.energy = 0, r.restitution = 1;
   memory.restitution.clear();
@@ -35,7 +36,7 @@ void strike(const Contacts& c, State& s, contact_solver& m, impact_memory& memor
   for (std::size_t i = 0; i < m.touching.size(); ++i) {
     const auto& x = m.touched(i);
     approaches |= normal_velocity(m, x) < -1;
-    memory.restitution.push_back(x.place.law.restitution);
+    memory.restitution.push_back(restitution(x));
   }
   for (std::size_t i = 0; i < m.touching.size(); ++i) {
     if (!approaches && slides(m, m.touched(i))) m.let_slide(i);
@@ -58,6 +59,10 @@ void strike(const Contacts& c, State& s, contact_solver& m, impact_memory& memor
   r.energy -= m.energy_of_closures();
   m.accelerate(s, m.change_of_motion);
   v += m.change_of_motion;
+}
+template <class Contacts, class State>
+void strike(const Contacts& c, State& s, contact_solver& m, impact_memory& memory, impact_law law, Eigen::VectorXd& v) {
+  strike(c, s, m, memory, law, v, [](const contact_at& x) { return x.place.law.restitution; });
 }
 
 }  // namespace kte::detail

@@ -69,6 +69,9 @@ struct check_closures_of : check_closures<Core, std::is_void_v<Core>>, check_con
 /// Whether a static chain has closures.
 template <class Chain>
 inline constexpr bool has_closures = !Chain::common && !std::is_void_v<first_element<Chain, closes_loop>>;
+/// Whether a static chain has contacts.
+template <class Chain>
+inline constexpr bool has_contact_elements = !Chain::common && !std::is_void_v<first_element<Chain, touches>>;
 /// Accelerations of chains with closures: kte/loops.hpp.
 template <class Chain>
 struct static_loops;

@@ -32,9 +32,8 @@ class event_loop {
         safe_(x_) {}
 
   event_report<X> run() {
-    solver_.begin(goal_);
     obey(observer_.start(solver_));
-    if (!record_.stopped() && solver_.time() != t_end_) mend_start();
+    if (record_.stopped() || solver_.time() == t_end_ || !mend_start()) solver_.begin(goal_);
     while (!record_.stopped() && solver_.time() != t_end_) {
       if (solver_.time() == goal_) go_for(t_end_);
       take_step();
@@ -47,7 +46,8 @@ class event_loop {
 
   /// Events at the start: modes of elements that are inconsistent because inputs or the state have been changed. A g
   /// that is merely beyond zero is not an event.
-  void mend_start() {
+  /// Returns whether there were such.
+  bool mend_start() {
     const S t = solver_.time();
     bool any = false;
     watch_.for_each([&](auto& e, status& s, std::size_t k) {
@@ -57,14 +57,15 @@ class event_loop {
         if (!e.function.mend(t, x_)) return;
         any = true;
         record_.before(k, watch::name_of(e), t, safe_);
-        record_.after(x_, false);
+        record_.after(x_, false, watch::change_of(e));
       }
     });
-    if (!any) return;
+    if (!any) return false;
     solver_.restart(t, x_);
     watch_.for_each([&](auto& e, status& s, std::size_t k) { s.renew(watch_.value(e, k, t, x_)); });
     obey(observer_.after(solver_, t, x_));
     go_for(goal_);
+    return true;
   }
   void take_step() {
     begin_ = solver_.time();
@@ -153,7 +154,7 @@ class event_loop {
         reset = true;
         call_reset(e, s, k, t);
       }
-      record_.after(x_, s.rested);
+      record_.after(x_, s.rested, watch::change_of(e));
       if (e.is_terminal) record_.stop(stop_reason::terminal, k, watch::name_of(e));
     });
     restart(t);

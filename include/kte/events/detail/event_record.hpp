@@ -12,7 +12,7 @@ class event_record {
  public:
   using S = typename X::Scalar;
 
-  event_record(List& events, const X& x) : events_(events), latest_{0, S(0), x, x, false, {}} {}
+  event_record(List& events, const X& x) : events_(events), latest_{0, S(0), x, x, false, {}, {}} {}
 
   /// Begins an event, with the state before it.
   void before(std::size_t k, std::string_view name, const S& t, const X& x) {
@@ -21,9 +21,10 @@ class event_record {
     latest_.time = t;
     latest_.before = x;
   }
-  /// Completes it, with the state after `reset` or `rest`.
-  void after(const X& x, bool rest) {
+  /// Completes it, with the state after `reset` or `rest`, and what has changed.
+  void after(const X& x, bool rest, std::string_view what = {}) {
     latest_.after = x;
+    latest_.what = what;
     latest_.rest = rest;
     if constexpr (std::is_same_v<decltype(events_.sink), no_handler>) {
       report_.events.push_back(latest_);

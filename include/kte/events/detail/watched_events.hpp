@@ -58,6 +58,14 @@ class watched_events {
       return e.name;
     }
   }
+  /// What the last reset of an event has changed, if its function tells it.
+  template <class E>
+  static std::string_view change_of(const E& e) {
+    if constexpr (requires { e.function.what(); })
+      return e.function.what();
+    else
+      return {};
+  }
 
  protected:
   static constexpr bool count_is_fixed = []<class... E>(std::type_identity<std::tuple<E...>>) {

@@ -126,6 +126,16 @@ void check_step_end(const Loops& loops, const X& x0) {
   }
 }
 
+/// Subtracts `change`, of the numbers from `first` on, from the displacement d of x = x0 (+) d.
+template <class Model, class X, class Rate>
+void take_from_displacement(const Model& model, const X& x0, Eigen::Index first, const Eigen::VectorXd& change, Rate& d,
+                            X& x) {
+  Rate r = Rate::Zero(d.size());
+  r.segment(first, change.size()) = change;
+  if (first == 0) model.pull_back(d, r);
+  d -= r;
+  model.displace(x0, d, x);
+}
 /// (1) and (2).
 template <class Loops, class X, class Rate>
 void settle_on_loops(const Loops& loops, const X& x0, Rate& d, X& x) {
@@ -144,11 +154,7 @@ void settle_on_loops(const Loops& loops, const X& x0, Rate& d, X& x) {
     return step.factor.largest_of_chosen(step.equations, e.residual);
   };
   const auto move = [&](int first, const Eigen::VectorXd& change) {
-    Rate r = Rate::Zero(d.size());
-    r.segment(first, n) = change;
-    if (first == 0) model.pull_back(d, r);
-    d -= r;
-    model.displace(x0, d, x);
+    take_from_displacement(model, x0, first, change, d, x);
   };
   double gap = evaluate(false), last = std::numeric_limits<double>::infinity();
   for (int i = 0; gap > 1e-16; ++i) {

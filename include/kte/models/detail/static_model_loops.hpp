@@ -83,9 +83,9 @@ struct static_model_loops<static_chain<Gravity, E...>> {
   static void tangential(const Model& m, memory& kept, const X& x0, Rate& e) {
     make_tangential(of(m, kept), x0, e);
   }
-  template <class Model, class At, class Bases>
-  static vector accelerations(const Model& m, memory& kept, const At& at, const double* v, const Bases& bases,
-                              const vector& tau) {
+  template <class Model, class X, class At, class Bases>
+  static vector accelerations(const Model& m, memory& kept, double, const X&, const At& at, const double* v,
+                              const Bases& bases, const vector& tau) {
     at.check(), bases.check();
     const auto loops = of(m, kept);
     auto& s = loops.state();

@@ -1,0 +1,190 @@
+#pragma once
+
+#include <kte/dynamics/contacts/mode_dynamics.hpp>
+#include <kte/dynamics/contacts/strike.hpp>
+#include <kte/models/detail/loop_steps.hpp>
+
+/// Steps of a model with rigid contacts. In a step, contacts keep their modes: closed ones keep their gap at zero, and
+/// those that stick their tangential velocity. As for loops (models/detail/loop_steps.hpp), with the rows J_g of gaps and
+/// J_u of velocities:
+///
+///   q(d) = q0 (+) (d_q + N_g mu),   g(q) = 0           (1)
+///   v(d) = v0 + d_v + N_u nu,       J_u(q) v = 0       (2)
+///
+/// `Access`: the contacts of a model,
+///
+///   model, memory()      the model and its `contact_step`
+///   at(t, x, f)          f(contacts, state at x, contact_solver of the state)
+namespace kte::detail {
+
+/// Gaps deeper than this are refused, relative to the length of the chain.
+inline constexpr double deepest_start = 1e-8;
+
+struct contact_step {
+  template <class Contacts, class State>
+  contact_step(const Contacts& c, const State& s) : at(c, s) {}
+
+  Eigen::VectorXd x0;
+  double time = 0;       ///< of the last evaluation
+  contact_solver at;     ///< at x0
+  mode_rows gaps, rates; ///< at x0
+  std::vector<int> chosen_gaps;
+  forces_in_modes forces;
+  mode_rows working;
+  Eigen::VectorXd values;
+  bool all_open = true;
+  int begun = 0;          ///< steps since the last event
+  bool starts_wrong = false;      ///< whether modes are wrong at x0
+  Eigen::VectorXd wrong;          ///< the last state where modes are wrong
+  std::vector<double> zero_gaps;  ///< gaps after the last event, by contact, where they count as zero
+
+  impact_memory impacts;
+  std::string change;  ///< what the last event changed
+  Eigen::VectorXd margin_x;
+  double margin_time = 0;
+  std::vector<std::array<double, 3>> margins;
+};
+
+inline void put_rows_of_gaps(const contact_solver& m, mode_rows& rows) {
+  rows.clear(m);
+  for (const int i : m.touching) rows.rows.push_back({i, m.contacts[static_cast<std::size_t>(i)].place.normal, true});
+}
+inline void put_gaps(const contact_solver& m, const mode_rows& rows, Eigen::VectorXd& to) {
+  rows.put_values(
+      m, m.equations.residual, [](const contact_at& x) { return x.place.gap * x.place.normal; }, to);
+}
+inline void put_rates(const contact_solver& m, const mode_rows& rows, const Eigen::VectorXd& of_all,
+                      Eigen::VectorXd& to) {
+  rows.put_values(
+      m, of_all, [](const contact_at& x) { return x.slip; }, to);
+}
+/// J_u v of closures; contacts have theirs.
+inline Eigen::VectorXd rates_of_closures(const contact_solver& m, const Eigen::VectorXd& v) {
+  return m.closures.empty() ? Eigen::VectorXd() : m.equations.times(v);
+}
+template <class Contacts>
+std::string name_of(const Contacts& c, const contact_solver& m, const contact_at& x) {
+  return "contact '" + c.loop_name(m.place(x).loop) + "'";
+}
+/// Throws `bad_argument` for a contact that is open and deep in its surface.
+template <class Contacts>
+void refuse_depth(const Contacts& c, const contact_solver& m, const contact_at& x, const char* advice) {
+  if (!(x.place.gap < -deepest_start * m.equations.places.length)) [[likely]]
+    return;
+  raise<bad_argument>("kte: " + name_of(c, m, x) + " is " + number(-x.place.gap) + " m inside its surface" + advice);
+}
+/// Throws `bad_argument` if a step does not begin on the rows of its contacts.
+template <class Contacts, class State>
+void check_start_of_step(const Contacts& c, const State& s, const contact_solver& m) {
+  for (const auto& x : m.contacts) {
+    const auto mode = mode_of(s.template get<kind::contact>(x.slot));
+    if (mode == contact_mode::open) {
+      refuse_depth(c, m, x, ": kte::element_events(model) finds impacts, and so does kte::moreau_jean");
+      continue;
+    }
+    if (std::abs(x.place.gap) > deepest_start * m.equations.places.length) [[unlikely]]
+      raise<bad_argument>("kte: " + name_of(c, m, x) + " is closed, but its gap is " + number(x.place.gap) +
+                          " m: kte::settled gives consistent modes");
+    const vec3<> u = mode == contact_mode::sticks ? x.slip : dot(x.place.normal, x.slip) * x.place.normal;
+    if (std::sqrt(dot(u, u)) > 1e-6 * m.equations.places.length) [[unlikely]]
+      raise<bad_argument>("kte: " + name_of(c, m, x) + " is closed, but moves at " + number(std::sqrt(dot(u, u))) +
+                          " m/s: kte::settled gives consistent modes");
+  }
+}
+/// The data of the step from x0; begins the step if necessary. `check`: whether x0 must be on the rows of its contacts.
+template <class Access, class X>
+contact_step& contact_step_from(const Access& a, const X& x0, bool check = true) {
+  auto& step = a.memory();
+  if (step.x0.size() == x0.size() && step.x0 == x0) return step;
+  step.x0.resize(0), step.margin_x.resize(0);
+  a.at(step.time, x0, [&](const auto& c, auto& s, contact_solver&) {
+    auto& m = step.at;
+    m.equations.at_positions(c, s, true);
+    m.factor.factorize(c, s, m.equations);
+    m.equations.at_rates(c, s);
+    m.find(c, s);
+    if (check) check_start_of_step(c, s, m);
+    put_rows_of_modes(s, m, step.rates), put_rows_of_gaps(m, step.gaps);
+    step.all_open = m.touching.empty() && m.closures.empty();
+    step.rates.fill(c, s, m), step.gaps.fill(c, s, m);
+    step.rates.factorize(nullptr), step.gaps.factorize(nullptr);
+    step.rates.put_chosen(step.forces.chosen), step.gaps.put_chosen(step.chosen_gaps);
+  });
+  step.x0 = x0, ++step.begun;
+  step.starts_wrong = step.wrong.size() == x0.size() && step.wrong == x0;
+  return step;
+}
+
+/// (1) and (2).
+template <class Access, class X, class Rate>
+void settle_contacts(const Access& a, const X& x0, Rate& d, X& x, bool check = true) {
+  auto& step = contact_step_from(a, x0, check);
+  if (step.all_open) return;
+  const auto& model = a.model;
+  Eigen::VectorXd change;
+  double last = std::numeric_limits<double>::infinity();
+  bool at_start = true;  // whether rows are those of x0
+  for (int i = 0;; ++i) {
+    bool closed = false;
+    a.at(step.time, x, [&](const auto& c, auto& s, contact_solver& m) {
+      auto& e = m.equations;
+      e.at_positions(c, s, false);
+      m.find(c, s);
+      put_gaps(m, step.gaps, step.values);
+      const double gap = step.gaps.largest_of_chosen(step.values);
+      closed = gap <= 1e-16 || (gap > last / 20 && gap <= on_loops_within);
+      if (closed) return;
+      if (!(gap < 1e300) || i == 20) [[unlikely]]
+        raise<bad_argument>("kte: contacts " + names_of_touching(c, step.at) +
+                            " do not stay closed at the end of a step: a shorter step");
+      at_start = at_start && gap <= last / 20;
+      last = gap;
+      if (at_start) return step.gaps.least_change(s, step.at, step.values, change);
+      e.at_positions(c, s, !s.tree().plan.tree);
+      m.factor.factorize(c, s, e);
+      put_rows_of_modes(s, m, step.working), put_rows_of_gaps(m, step.working);
+      step.working.fill(c, s, m), step.working.factorize(&step.chosen_gaps);
+      step.working.least_change(s, m, step.values, change);
+    });
+    if (closed) break;
+    take_from_displacement(model, x0, 0, change, d, x);
+  }
+  const Eigen::Index n = model.velocity_count();
+  for (int i = 0; i < 2; ++i) {
+    a.at(step.time, x, [&](const auto& c, auto& s, contact_solver& m) {
+      auto& e = m.equations;
+      e.at_positions(c, s, !m.closures.empty() || !s.tree().plan.tree);
+      if (i == 0) m.factor.factorize(c, s, e);
+      e.at_rates(c, s);
+      m.find(c, s);
+      if (i == 0) {
+        put_rows_of_modes(s, m, step.working);
+        step.working.fill(c, s, m), step.working.factorize(&step.forces.chosen);
+      }
+      put_rates(m, step.working, rates_of_closures(m, model.velocities_of(x)), step.values);
+      step.working.least_change(s, m, step.values, change);
+    });
+    take_from_displacement(model, x0, n, change, d, x);
+  }
+}
+/// Takes out of a displacement from x0 what (1) and (2) would.
+template <class Access, class X, class Rate>
+void make_tangential_to_contacts(const Access& a, const X& x0, Rate& e) {
+  auto& step = contact_step_from(a, x0);
+  if (step.all_open) return;
+  const Eigen::Index n = a.model.velocity_count();
+  Eigen::VectorXd change;
+  a.at(step.time, x0, [&](const auto&, auto& s, contact_solver&) {
+    auto& m = step.at;
+    for (const Eigen::Index first : {Eigen::Index(0), n}) {
+      auto& rows = first == 0 ? step.gaps : step.rates;
+      const Eigen::VectorXd all = m.equations.times(e.segment(first, n));
+      rows.put_values(
+          m, all, [&](const contact_at& x) { return m.unscaled(x, all); }, step.values);
+      rows.least_change(s, m, step.values, change);
+      e.segment(first, n) -= change;
+    }
+  });
+}
+
+}  // namespace kte::detail
