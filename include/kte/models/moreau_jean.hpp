@@ -54,7 +54,7 @@ class moreau_jean : public fixed_step<moreau_jean<F, X>, F, X> {
   /// that is not positive, a start that is not finite, and a start inside a surface, with the name of the contact.
   moreau_jean(F f, const S& t0, const std::type_identity_t<X>& x0, const S& step,
               const time_stepping_options& options = {})
-      : base(std::move(f), t0, x0, step), stepper_(detail::model_in(this->system())), d_(this->no_rate()) {
+      : base(std::move(f), t0, stepped(f, x0), step), stepper_(detail::model_in(this->system())), d_(this->no_rate()) {
     stepper_.check_depth(detail::model_in(this->system()), t0, detail::state_of_model(this->system(), x0),
                          options.depth);
     internals_.resize(d_.size() - 2 * detail::model_in(this->system()).velocity_count());
@@ -82,9 +82,11 @@ class moreau_jean : public fixed_step<moreau_jean<F, X>, F, X> {
     auto& f = this->system();
     const auto& model = detail::model_in(f);
     const Eigen::Index n = model.velocity_count(), z = internals_.size();
+    mark(f, this->x_);
     const auto v = f.velocities_of(this->x_);
     d_.head(n) = (h / 2) * v, d_.segment(n, n).setZero();
-    if (z > 0) put_internals(this->time_, this->x_, h / 2), d_.tail(z) = internals_;
+    internals_.setZero();
+    put_internals(this->time_, this->x_, h / 2), d_.tail(z) = internals_;
     this->displace(d_);  // (1)
     auto& x = this->next_;
     const auto velocities = [&] { return x.segment(x.size() - n - z, n); };
@@ -105,11 +107,20 @@ class moreau_jean : public fixed_step<moreau_jean<F, X>, F, X> {
       set_inputs(middle, x);
       evaluate([&](const auto& at) { stepper_.again(model, middle, at, h, after_); });
     }
-    if (z > 0) velocities() = after_, put_internals(middle, x, h / 2), d_.tail(z) += internals_;
+    velocities() = after_, put_internals(middle, x, h / 2), d_.tail(z) += internals_;
     change_ = after_ - v, last_h_ = h;
     d_.head(n) = (h / 2) * (v + after_), d_.segment(n, n) = change_;
     this->displace_at_last(d_);  // (3)
     after_ = f.velocities_of(x);
+  }
+  /// Marks the contacts in x as those of time stepping.
+  template <class System>
+  static void mark(const System& f, X& x) {
+    detail::model_in(f).each_contact([&x](int, int first) { x[first] = detail::stepped_mode; });
+  }
+  static X stepped(const F& f, X x) {
+    mark(detail::unwrapped(f), x);
+    return x;
   }
   void set_inputs(const S& t, const X& x) {
     if constexpr (detail::has_law<detail::unwrapped_type<F>, X>) this->system().set_inputs(t, x);
@@ -118,14 +129,16 @@ class moreau_jean : public fixed_step<moreau_jean<F, X>, F, X> {
   void put_internals(const S& t, const X& x, const S& h) {
     auto& f = this->system();
     const auto& model = detail::model_in(f);
-    const Eigen::Index n = model.internals(), laws = internals_.size() - n;
+    const Eigen::Index all = model.internals(), n = all - detail::numbers_of_contact * model.contacts();
+    const Eigen::Index laws = internals_.size() - all;
+    if (n + laws == 0) return;
     set_inputs(t, x);
     const auto rates = [&](const auto& at, auto& to) { stepper_.internal_rates(model, t, at, to.data()); };
     if (n > 0) {
       varied_ = detail::state_of_model(f, x), z_dot_.resize(n), varied_dot_.resize(n);
       rates(varied_, z_dot_);
       for (Eigen::Index i = 0; i < n; ++i) {
-        double& z = varied_[varied_.size() - n + i];
+        double& z = varied_[varied_.size() - all + i];
         const double there = z, by = 1e-8 + 1e-6 * std::abs(z);
         z += by, rates(varied_, varied_dot_), z = there;
         internals_[i] = h * z_dot_[i] / (1 + h * (std::max)(0.0, (z_dot_[i] - varied_dot_[i]) / by));

@@ -117,8 +117,8 @@ void put_forces_of_closures(const contact_solver& m, State& s) {
       row_of(loop.force, loop.torque, x.rows, r) = m.equations.places.scale(x, r) * m.loop_forces[x.first + r];
   }
 }
-/// Accelerations a_0 of the tree under applied(i), to `before`, with the places and slip velocities of contacts, and the
-/// second derivatives of all rows for a_0 in the equations.
+/// Accelerations a_0 of the tree under applied(i), to `before`, with the places and slip velocities of contacts, and
+/// the second derivatives of all rows for a_0 in the equations.
 template <class Contacts, class State, class Tau>
 void accelerate_freely(const Contacts& c, State& s, contact_solver& m, const Tau& applied) {
   check_loops(c, s);

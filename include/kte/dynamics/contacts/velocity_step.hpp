@@ -37,7 +37,7 @@ class velocity_step {
     }
     m.find(c, s);
     touched_.swap(m.touching);
-    m.choose([](const contact_at&) { return true; });
+    m.choose([&m](const contact_at& x) { return m.touches(x); });
     put_bias(m, h, v);
     m.make_matrix(c, s, at_end_);
     guess(m);

@@ -57,7 +57,7 @@ class contact_stepper<manipulator_dynamics_model<runtime_chain>> {
   void internal_rates(const model_type& m, double t, const X& x, double* z_dot) {
     m.setJointStates(t, x, s_);
     for (const int keeper : m.wiring().keepers) move_element(m.wiring(), s_, keeper);
-    for (int i = 0; i < m.internals(); ++i) z_dot[i] = s_.get<kind::internal>(i).z_dot;
+    for (int i = 0; i < m.wiring().count(kind::internal); ++i) z_dot[i] = s_.get<kind::internal>(i).z_dot;
   }
   template <class X>
   void input_forces(const model_type& m, double t, const X& x, Eigen::VectorXd& f) {
