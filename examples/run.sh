@@ -10,7 +10,7 @@ preset=${1:-examples}
 echo "Building the examples in build/$preset"
 cmake --preset "$preset"
 cmake --build --preset "$preset"
-for example in pendulum arm swing reach cart_pole own_element pictures sweep; do
+for example in pendulum arm swing reach cart_pole drop own_element pictures sweep; do
   echo "Running $example"
   (cd "build/$preset/examples" && ./$example)
 done

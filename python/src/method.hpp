@@ -27,6 +27,12 @@ class method : public any_solver {
   const plant::state& state() const override { return solver_.state(); }
   void restart(double t, const plant::state& x) override { solver_.restart(t, x); }
   kte::step_statistics statistics() const override { return solver_.statistics(); }
+  const kte::runtime_state* state_at([[maybe_unused]] double t, [[maybe_unused]] const plant::state& x) override {
+    if constexpr (requires { solver_.state_at(t, x); })
+      return &solver_.state_at(t, x);
+    else
+      return nullptr;
+  }
 
  private:
   plant& p_;

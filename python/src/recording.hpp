@@ -24,6 +24,9 @@ struct recording_object {
   py::object drawn;  ///< what `view` shows: the chain or robot that was simulated
   std::size_t nx = 0, nu = 0;
   std::vector<double> t, x, u;  ///< one after the other
+  /// Of solvers whose steps have contact forces: accelerations, and the contacts, row after row.
+  std::vector<double> accelerations;
+  std::vector<kte::contact_state<>> contacts;
   std::vector<happened> events;
   std::string reason = "end_time", stopped_by;
   kte::step_statistics statistics;
@@ -39,9 +42,32 @@ struct recording_object {
   template <class Visit>
   void replay(const Visit& visit) const {
     kte::manipulator_dynamics_model model(chain);
+    if (!accelerations.empty()) return replay_with_contacts(model, visit);
     for (std::size_t i = 0; i < rows(); ++i) {
       model.setInput(input(i));
       visit(t[i], model.state_at(t[i], state(i)));
+    }
+  }
+  /// Adds the accelerations and contacts of a state to those of the last row.
+  void add(const kte::runtime_state& s) {
+    const Eigen::VectorXd a = kte::accelerations(s);
+    accelerations.insert(accelerations.end(), a.data(), a.data() + a.size());
+    for (int i = 0; i < contact_count(); ++i) contacts.push_back(s.get<kte::kind::contact>(i));
+  }
+
+ private:
+  int contact_count() const { return chain.wiring().count(kte::kind::contact); }
+  template <class Visit>
+  void replay_with_contacts(kte::manipulator_dynamics_model<kte::runtime_chain>& model, const Visit& visit) const {
+    kte::runtime_state s = chain.make_state();
+    const auto n = static_cast<std::size_t>(model.dofs()), count = static_cast<std::size_t>(contact_count());
+    for (std::size_t i = 0; i < rows(); ++i) {
+      model.setInput(input(i)), model.setJointStates(t[i], state(i), s);
+      kte::set_accelerations(s, Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(accelerations.data() + i * n,
+                                                                                  static_cast<Eigen::Index>(n))));
+      for (std::size_t k = 0; k < count; ++k) s.get<kte::kind::contact>(static_cast<int>(k)) = contacts[i * count + k];
+      chain.doMotion(s), chain.clearForce(s), chain.doForce(s);
+      visit(t[i], s);
     }
   }
 };

@@ -39,6 +39,7 @@ std::unique_ptr<any_solver> start_solver(plant& p, const Eigen::VectorXd& q, con
   auto solver = make_explicit_solver(p, x, t, o);
   if (!solver) solver = make_stiff_solver(p, x, t, o);
   if (!solver) solver = make_fixed_step_solver(p, x, t, o);
+  if (!solver) solver = make_contact_solver(p, x, t, o);
   return solver;
 }
 
@@ -199,6 +200,7 @@ py::object simulation::advance(double end, py::handle every, py::handle at) {
     const auto& u = plant_.model().input();
     r.t.push_back(t), r.x.insert(r.x.end(), now.data(), now.data() + r.nx);
     r.u.insert(r.u.end(), u.data(), u.data() + u.size());
+    if (const auto* const s = solver_->state_at(t, now)) r.add(*s);
   };
   report ended;
   {
@@ -254,7 +256,8 @@ A mechanism that moves, from q and v at the time t.
 
 solver     dormand_prince45, prince_dormand87, bogacki_shampine23, fehlberg45, adams, bdf, rodas, rosenbrock23,
            kennedy_carpenter34, tr_bdf2, trapezoidal, with `tolerance` (or `absolute` and `relative`) a step;
-           runge_kutta4, runge_kutta5, euler, midpoint, semi_implicit_euler, implicit_midpoint, with `step`, s
+           runge_kutta4, runge_kutta5, euler, midpoint, semi_implicit_euler, implicit_midpoint, and moreau_jean for rigid
+           contacts, with `step`, s
 control    forces on all numbers of v, N and Nm: a function of (t, q, v), or an array that is constant until it is set
 inputs     a dict from signals to numbers, or to functions of (t, q, v)
 events     an `Event` or a list of them)")

@@ -62,6 +62,8 @@ class any_solver {
   virtual const plant::state& state() const = 0;
   virtual void restart(double t, const plant::state& x) = 0;
   virtual kte::step_statistics statistics() const = 0;
+  /// The state of the chain at t and x of an observer, of solvers whose steps have contact forces; otherwise nullptr.
+  virtual const kte::runtime_state* state_at(double, const plant::state&) { return nullptr; }
 };
 
 struct solver_options {
@@ -74,6 +76,7 @@ struct solver_options {
 std::unique_ptr<any_solver> make_explicit_solver(plant& p, const plant::state& x, double t, const solver_options& o);
 std::unique_ptr<any_solver> make_stiff_solver(plant& p, const plant::state& x, double t, const solver_options& o);
 std::unique_ptr<any_solver> make_fixed_step_solver(plant& p, const plant::state& x, double t, const solver_options& o);
+std::unique_ptr<any_solver> make_contact_solver(plant& p, const plant::state& x, double t, const solver_options& o);
 /// Throws `bad_argument` if there is no solver of this name.
 void check_solver(const std::string& name);
 /// The solver of this name, from q and v on, where the modes of elements have settled. Throws `bad_argument` if there
@@ -87,6 +90,6 @@ inline constexpr const char* solvers_with_tolerances =
     "dormand_prince45, prince_dormand87, bogacki_shampine23, fehlberg45, adams, bdf, rodas, rosenbrock23, "
     "kennedy_carpenter34, tr_bdf2, trapezoidal";
 inline constexpr const char* solvers_of_fixed_step =
-    "runge_kutta4, runge_kutta5, euler, midpoint, semi_implicit_euler, implicit_midpoint";
+    "runge_kutta4, runge_kutta5, euler, midpoint, semi_implicit_euler, implicit_midpoint, moreau_jean";
 
 }  // namespace kte_python

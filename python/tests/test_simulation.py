@@ -14,7 +14,7 @@ WITH_TOLERANCES = (
     "dormand_prince45 prince_dormand87 bogacki_shampine23 fehlberg45 adams bdf rodas rosenbrock23 kennedy_carpenter34 "
     "tr_bdf2 trapezoidal"
 ).split()
-OF_FIXED_STEP = "runge_kutta4 runge_kutta5 euler midpoint semi_implicit_euler implicit_midpoint".split()
+OF_FIXED_STEP = "runge_kutta4 runge_kutta5 euler midpoint semi_implicit_euler implicit_midpoint moreau_jean".split()
 
 
 @pytest.mark.parametrize("solver", WITH_TOLERANCES + OF_FIXED_STEP)
@@ -203,3 +203,18 @@ def test_importing_is_quick_and_does_not_import_pandas():
     code = "import sys; import kte; print('pandas' in sys.modules, 'scipy' in sys.modules)"
     out = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert out.stdout.split() == ["False", "False"]
+
+
+def test_rigid_contacts_need_time_stepping():
+    ball = kte.Chain(
+        kte.base_2D("ground"),
+        kte.free_joint_2D("pose", "ground", "ball"),
+        kte.inertia_2D("ball", mass=1, inertia=0.004),
+        kte.sphere_contact_2D("floor", "ground", "ball", surface_axis=[0, 1], surface_radius=0, radius=0.1, friction=0.2),
+        gravity=[0, -9.81],
+    )
+    motion = kte.simulate(ball, [0, 0.1, 0], [1, 0, 0], time=2, every=0.1, solver="moreau_jean", step=1e-4)
+    assert motion.q[-1][0] == pytest.approx(1.44937485697643, abs=1e-5)  # it slips, then rolls
+    np.testing.assert_allclose(motion["floor/force/y"][1:], 9.81, atol=1e-9)
+    with pytest.raises(kte.BadArgument, match="'floor' starts 0.05 m inside"):
+        kte.simulate(ball, [0, 0.05, 0], time=1, solver="moreau_jean")

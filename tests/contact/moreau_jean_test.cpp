@@ -1,10 +1,13 @@
 #include <kte/contacts.hpp>
 #include <kte/elements/closures.hpp>
+#include <kte/elements/damper.hpp>
+#include <kte/elements/driving_actuator.hpp>
 #include <kte/elements/rigid_contact.hpp>
 #include <kte/loops.hpp>
 #include <kte/simulation.hpp>
 #include <kte/static.hpp>
 
+#include "allocations.hpp"
 #include "catch.hpp"
 
 using namespace kte;
@@ -154,4 +157,155 @@ TEST_CASE("chains with loops and contacts are simulated by time stepping only") 
   CHECK_THROWS_MATCHES(model(0.0, x), bad_argument, says("contact 'foot'"));
   moreau_jean solver(std::cref(model), 0.0, x, 1e-3);
   CHECK_NOTHROW(solver.integrate(0.01));
+}
+
+namespace {
+/// Two carts on a slope, above the ground.
+runtime_chain two_carts(bool contact = true) {
+  runtime_chain c;
+  c << base_2D("ground") << prismatic_joint_2D("x", "ground", "cart", axis::x)
+    << inertia_2D("cart", planar_body(2.0, 0.1)) << prismatic_joint_2D("y", "ground", "other", axis::x)
+    << inertia_2D("other", planar_body(3.0, 0.1));
+  if (contact)
+    c << rigid_link_2D("cart", "above", vec2{0.0, 1.0})
+      << point_contact_2D("foot", "ground", "above", half_space{}, {});
+  c.gravity({2, -g, 0});
+  return c;
+}
+}  // namespace
+
+TEST_CASE("dampers, springs and motors may be stiff") {
+  const double h = 1e-2;
+  const auto after = [&](const runtime_chain& c, const Eigen::VectorXd& q, const Eigen::VectorXd& v, int steps) {
+    manipulator_dynamics_model model(c);
+    moreau_jean solver(std::cref(model), 0.0, model.make_x(q, v), h);
+    solver.integrate(steps * h);
+    return Eigen::VectorXd(solver.state());
+  };
+  SECTION("a damper: v^+ = (v + h g)/(1 + h c/m)") {
+    auto c = two_carts();
+    c << joint_damping_gen("x", 2e6);
+    CHECK(std::abs(after(c, numbers({0, 0}), numbers({1, 0}), 1)[2] - (1 + h * 2) / (1 + h * 1e6)) < 1e-15);
+  }
+  SECTION("a spring swings for ever, within its energy") {
+    auto c = two_carts();
+    c.gravity({0, -g, 0});
+    c << joint_stiffness_gen("x", 2e8);
+    const auto x = after(c, numbers({1e-3, 0}), numbers({0, 0}), 9999);
+    CHECK(std::abs(x[0]) < 1.001e-3);
+    CHECK(std::abs(x[0]) + std::abs(x[2]) * h > 1e-4);
+  }
+  SECTION("a servo holds its load") {
+    auto c = two_carts();
+    c << joint_motor_gen("x", "wanted", {.stiffness = 1e6, .damping = 1e6});
+    CHECK(std::abs(after(c, numbers({0, 0}), numbers({0, 0}), 3000)[0] - 4e-6) < 1e-12);
+  }
+  SECTION("a spring between two coordinates leaves their common motion free") {
+    auto c = two_carts();
+    c << spring_gen("x", "y", 0.0, 1e9) << damper_gen("x", "y", 1e6);
+    const auto x = after(c, numbers({0, 0}), numbers({0, 0}), 100);
+    CHECK(std::abs(x[0] - 1.0) < 1e-9);
+    CHECK(std::abs(x[1] - x[0]) < 1e-9);
+  }
+}
+
+TEST_CASE("a stiff control law on coordinates is implicit") {
+  auto c = two_carts();
+  c << driving_actuator_gen("x", "motor");
+  manipulator_dynamics_model model(c);
+  int calls = 0;
+  controlled under(model, [&calls](double, const Eigen::VectorXd& x) {
+    ++calls;
+    return Eigen::VectorXd(Eigen::VectorXd::Constant(1, -1e6 * x[0] - 1e6 * x[2]));
+  });
+  moreau_jean solver(std::ref(under), 0.0, model.make_x(numbers({0, 0}), numbers({0, 0})), 1e-2);
+  solver.integrate(30.0);
+  CHECK(std::abs(solver.state()[0] - 4e-6) < 1e-9);
+  CHECK(calls < 10 * 3000);
+}
+
+TEST_CASE("internal states of elements and of laws") {
+  const auto with_states = [](runtime_chain c) {
+    c << joint_lugre_gen("x", "bristles",
+                         {.sigma0 = 1e4,
+                          .sigma1 = 200.0,
+                          .sigma2 = 0.4,
+                          .coulomb = 3.0,
+                          .stiction = 3.0,
+                          .stribeck_velocity = 0.01})
+      << driving_actuator_gen("y", "motor");
+    manipulator_dynamics_model model(c);
+    const auto torque = [](double, const Eigen::VectorXd& x, const Eigen::Matrix<double, 1, 1>& z) {
+      return std::array{-40 * x[1] - 20 * x[3] - 30 * z[0]};
+    };
+    const auto integral = [](double, const Eigen::VectorXd& x, const Eigen::Matrix<double, 1, 1>&) {
+      return std::array{x[1] - 0.1};
+    };
+    return controlled(model, torque, integral, std::array{0.0});
+  };
+  auto free = with_states(two_carts(false));
+  const auto x0 = free.make_x(numbers({0, 0}), numbers({0.5, 0}));
+  dormand_prince45 exact(std::ref(free), 0.0, x0, {.absolute = 1e-9, .relative = 1e-9});
+  exact.integrate(1.0);
+  auto under = with_states(two_carts());
+  const auto start = under.make_x(numbers({0, 0}), numbers({0.5, 0}));
+  const auto error = [&](double h) {
+    moreau_jean solver(std::ref(under), 0.0, start, h);
+    solver.integrate(1.0);
+    const auto &x = solver.state(), &y = exact.state();
+    return std::hypot((x.head<5>() - y.head<5>()).norm(), under.law_states_of(x)[0] - free.law_states_of(y)[0]);
+  };
+  CHECK(error(1e-3) < 1.2e-2);  // in the first millisecond bristles brake by 200 N s/m
+  CHECK(error(1e-4) < 1.5e-3);
+}
+
+TEST_CASE("a start inside a surface is refused with the name of the contact") {
+  const auto c = box_on_slope(0.2);
+  manipulator_dynamics_model model(c);
+  const auto inside = model.make_x(numbers({0, 0.045, 0}), numbers({0, 0, 0}));
+  CHECK_THROWS_MATCHES((moreau_jean(std::cref(model), 0.0, inside, 1e-3)), bad_argument,
+                       says("contact 'left foot' starts 0.005"));
+  CHECK_NOTHROW(moreau_jean(std::cref(model), 0.0, inside, 1e-3, {.depth = 0.1}));
+  const auto r = in_runtime(c);
+  manipulator_dynamics_model same(r);
+  CHECK_THROWS_MATCHES(
+      (moreau_jean(std::cref(same), 0.0, same.make_x(numbers({0, 0.045, 0}), numbers({0, 0, 0})), 1e-3)), bad_argument,
+      says("contact 'left foot' starts 0.005"));
+  moreau_jean solver(std::cref(same), 0.0, same.make_x(numbers({0, 0.05, 0}), numbers({0, 0, 0})), 1e-3);
+  solver.integrate(0.1);
+  CHECK_THROWS_MATCHES(solver.integrate(0.0), integration_failure, says("backwards"));
+}
+
+TEST_CASE("steps do not allocate") {
+  const auto c = box_on_slope(0.4);
+  const auto r = in_runtime(c);
+  manipulator_dynamics_model model(c);
+  manipulator_dynamics_model same(r);
+  moreau_jean a(std::cref(model), 0.0, model.make_x(numbers({0, 0.05, 0}), numbers({2, 0, 0})), 1e-3);
+  moreau_jean b(std::cref(same), 0.0, same.make_x(numbers({0, 0.05, 0}), numbers({2, 0, 0})), 1e-3);
+  a.integrate(0.4), b.integrate(0.4);  // it slides, then sticks
+  CHECK(allocations::during([&] { a.integrate(0.5); }) == 0);
+  CHECK(allocations::during([&] { b.integrate(0.5); }) == 0);
+}
+
+TEST_CASE("states for recorders have the accelerations and contact forces of the last step") {
+  const auto c = box_on_slope(0.4);
+  const auto r = in_runtime(c);
+  manipulator_dynamics_model model(c);
+  manipulator_dynamics_model same(r);
+  const auto of_static = [&] {
+    moreau_jean solver(std::cref(model), 0.0, model.make_x(numbers({0, 0.05, 0}), numbers({2, 0, 0})), 1e-3);
+    solver.integrate(0.1);
+    return solver.state_at(0.1, solver.state());
+  }();
+  moreau_jean solver(std::cref(same), 0.0, same.make_x(numbers({0, 0.05, 0}), numbers({2, 0, 0})), 1e-3);
+  solver.integrate(0.1);
+  const auto& s = solver.state_at(0.1, solver.state());
+  const double force = g * std::cos(0.3);
+  CHECK(std::abs(s.contact("left foot").force.y + s.contact("right foot").force.y - force) < 1e-9);
+  CHECK(std::abs(s.contact("left foot").force.x + s.contact("right foot").force.x + 0.4 * force) < 1e-9);
+  CHECK(std::abs(s.frame_2D("box").acceleration.x + 0.4 * force) < 1e-9);  // minus gravity, as of all frames
+  CHECK(std::abs(s.frame_2D("left").position.x - solver.state()[0] + 0.1) < 1e-12);
+  CHECK(of_static[left_foot].force.y == s.contact("left foot").force.y);
+  CHECK(of_static[box].acceleration.x == s.frame_2D("box").acceleration.x);
 }

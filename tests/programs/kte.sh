@@ -102,9 +102,23 @@ cp out expected
 for solver in prince_dormand87 adams bdf rodas kennedy_carpenter34; do
   gives 0 '' "$kte" simulate pendulum.json --time 1 --start start.csv --tolerance 1e-8 --solver $solver
 done
-for solver in runge_kutta4 semi_implicit_euler implicit_midpoint; do
+for solver in runge_kutta4 semi_implicit_euler implicit_midpoint moreau_jean; do
   gives 0 '' "$kte" simulate pendulum.json --time 1 --start start.csv --solver $solver
 done
+cat >ball.json <<END
+{"kte_model": {"version": 1, "gravity": "0 -9.81 0", "elements": [
+  {"type": "prismatic_joint_2D", "version": 1, "ports": {"coordinate": "x", "base": "ground", "end": "slide"}, "parameters": {"axis": "1 0 0"}},
+  {"type": "prismatic_joint_2D", "version": 1, "ports": {"coordinate": "y", "base": "slide", "end": "lift"}, "parameters": {"axis": "0 1 0"}},
+  {"type": "revolute_joint_2D", "version": 1, "ports": {"coordinate": "turn", "base": "lift", "end": "ball"}, "parameters": {"axis": "0 0 1"}},
+  {"type": "inertia_2D", "version": 1, "ports": {"frame": "ball"}, "parameters": {"mass": "1", "com": "0 0 0", "inertia": "0 0 0 0 0 0.004"}},
+  {"type": "sphere_contact_2D", "version": 1, "ports": {"frame1": "ground", "frame2": "ball", "contact": "floor"},
+   "parameters": {"surface_axis": "0 1 0", "surface_radius": "0", "radius": "0.1", "friction": "0.2"}}]}}
+END
+printf 'q_0,q_1,q_2,v_0,v_1,v_2\n0,0.1,0,1,0,0\n' >rolls.csv
+gives 0 '' "$kte" simulate ball.json --time 2 --start rolls.csv --solver moreau_jean --step 1e-4 --record rolling.csv --column floor/force
+prints 'x: q 1.4493'
+if ! tail -n 1 rolling.csv | grep -q ',9\.8[01]'; then wrong 'the force of a contact is not recorded'; fi
+gives 1 "contact 'floor' starts 0.1 m inside its surface" "$kte" simulate ball.json --solver moreau_jean
 for file in swing.npy swing.mcap swing.tsv; do
   gives 0 '' "$kte" simulate pendulum.json --time 1 --start start.csv --record $file --frames --column tip/velocity
   if [ ! -s $file ]; then wrong "$file is empty"; fi

@@ -226,7 +226,7 @@ int simulate(simulate_options& o) {
     const auto solver = make_solver(p, x, o.solver);
     kte::progress report(0.0, o.end, kte::progress_bar());
     solver->advance(o.end, o.every, [&](double t, const plant::state& at) {
-      if (out) out->row(t, chain, p.state_at(t, at));
+      if (out) out->row(t, chain, solver->state_at(t, at));
       report(t);
     });
     x = solver->state(), s.steps = solver->statistics(), s.events = solver->events();

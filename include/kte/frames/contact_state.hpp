@@ -32,6 +32,9 @@ struct contact_state {
 namespace detail {
 /// Numbers of a contact among the internal states of a model: its mode, and the direction in which it slides.
 inline constexpr int numbers_of_contact = 4;
+/// The mode number of contacts in the states of time stepping, whose steps open and close contacts themselves: they
+/// count as open, inside their surfaces too, and have no events.
+inline constexpr double stepped_mode = -1;
 /// Writes the mode to the numbers of x from `first` on; reads it.
 template <class S, class X, class I>
 constexpr void put_mode(const contact_state<S>& of, I first, X& x) {

@@ -139,6 +139,14 @@ class controlled {
       model().setInput(law_(t, own_part(x), c));
     }
   }
+  /// Writes c' of (2) to `to`.
+  template <class To>
+  void put_law_rates(const S& t, const state& x, To&& to) requires(N > 0) {
+    const law_state c = x.template tail<N>();
+    const auto& c_dot = law_rates_(t, own_part(x), c);
+    detail::check_law_rates<N>(c_dot);
+    for (int i = 0; i < N; ++i) to[i] = S(c_dot[static_cast<std::size_t>(i)]);
+  }
   /// The inputs of the last evaluation of the law.
   [[nodiscard]] const auto& input() const { return model().input(); }
   template <class T>
@@ -298,11 +306,8 @@ class controlled {
     if constexpr (N == 0) {
       return evaluate(x);
     } else {
-      const law_state c = x.template tail<N>();
-      const auto& c_dot = law_rates_(t, own_part(x), c);
-      detail::check_law_rates<N>(c_dot);
-      rate_.head(rate_.size() - N) = evaluate(part_);
-      for (int i = 0; i < N; ++i) rate_[rate_.size() - N + i] = S(c_dot[static_cast<std::size_t>(i)]);
+      rate_.head(rate_.size() - N) = evaluate(own_part(x));
+      put_law_rates(t, x, rate_.template tail<N>());
       return (static_cast<const rate&>(rate_));
     }
   }

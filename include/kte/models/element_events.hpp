@@ -115,6 +115,9 @@ constexpr int parts_of_contact(const closure_rows& rows) { return rows.linear; }
 /// At the start of an integration: makes the modes of contacts consistent. Returns whether they were not.
 template <class Model, class T, class X>
 bool mend_contacts(const Model& model, const T& t, X& x) {
+  bool stepped = false;
+  model.each_contact([&](int, int first) { stepped |= x[first] == stepped_mode; });
+  if (stepped) return false;
   X after = x;
   bool wrong = !model.resolve_contacts(t, after).empty();
   const auto v = model.velocities_of(x);
@@ -207,8 +210,9 @@ auto element_events_of(const Model& m, std::index_sequence<I...>) {
 /// Rigid contacts have events too, named after the contact: impacts, and where they lift, stick and slide; `what` of an
 /// occurrence says what all contacts do.
 ///
-/// The events are in the order of the elements, with their names, those of contacts of static chains last. The model must outlive them. An element defines its
-/// event by a function `switching` of its core, with the ports as arguments, that passes through zero.
+/// The events are in the order of the elements, with their names, those of contacts of static chains last. The model
+/// must outlive them. An element defines its event by a function `switching` of its core, with the ports as arguments,
+/// that passes through zero.
 template <class Gravity, class... E, class S, class Output>
 [[nodiscard]] auto element_events(const manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>& model) {
   return detail::element_events_of<E...>(model, std::index_sequence_for<E...>{});
@@ -237,7 +241,8 @@ struct under_law {
     return function.mend(t, x);
   }
   std::string name() const { return function.name(); }
-  std::string_view what() const requires requires(const Function& f) { f.what(); } { return function.what(); }
+  std::string_view what() const requires requires(const Function& f) { f.what(); }
+  { return function.what(); }
 };
 template <class Controlled, class Function, class Reset>
 auto event_under_law(Controlled& c, const event<Function, Reset>& e) {

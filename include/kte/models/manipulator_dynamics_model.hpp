@@ -89,9 +89,13 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
   void begin_step(const state& x0) const requires(constrained) { constraints::begin_step(*this, constraints_, x0); }
   /// Puts x = x0 (+) d on the loops by the least change in kinetic energy; d goes with it. Throws `bad_argument` that
   /// names the closure which does not close.
-  void settle(const state& x0, rate& d, state& x) const requires(constrained) { constraints::settle(*this, constraints_, x0, d, x); }
+  void settle(const state& x0, rate& d, state& x) const requires(constrained) {
+    constraints::settle(*this, constraints_, x0, d, x);
+  }
   /// Takes out of a displacement from x0 what `settle` would.
-  void tangential(const state& x0, rate& e) const requires(constrained) { constraints::tangential(*this, constraints_, x0, e); }
+  void tangential(const state& x0, rate& e) const requires(constrained) {
+    constraints::tangential(*this, constraints_, x0, e);
+  }
   /// Throws `bad_argument` where the step from x0 that has just been computed ends too near to a singular
   /// configuration.
   void check_end(const state& x0, const state&) const requires(constrained) {

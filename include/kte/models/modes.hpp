@@ -146,10 +146,9 @@ bool mend_internals(const Switched& switched, X& x, Eigen::Index first, Eigen::I
 
 }  // namespace detail
 
-/// The state x with consistent modes of all rigid contacts, after impacts if they approach, and of all elements that may
-/// lock a coordinate. A coordinate at rest is locked, unless
-/// the holding force exceeds the capacity; otherwise it slides in the direction of its rate. Use it at the start of a
-/// simulation; events then switch the modes:
+/// The state x with consistent modes of all rigid contacts, after impacts if they approach, and of all elements that
+/// may lock a coordinate. A coordinate at rest is locked, unless the holding force exceeds the capacity; otherwise it
+/// slides in the direction of its rate. Use it at the start of a simulation; events then switch the modes:
 ///
 ///   const auto x = kte::settled(model, 0.0, model.make_x(q, v));
 template <class Model, class T, class X>

@@ -252,8 +252,8 @@ inline auto manipulator_dynamics_model<runtime_chain>::contacts_of_model() const
 }
 KTE_FUNCTION double manipulator_dynamics_model<runtime_chain>::contact_margin(double t, const state& x, int contact,
                                                                               int part) const {
-  return detail::contact_margins(contacts_of_model(), t, x)[static_cast<std::size_t>(contact)]
-                                                           [static_cast<std::size_t>(part)];
+  return detail::contact_margins(contacts_of_model(), t,
+                                 x)[static_cast<std::size_t>(contact)][static_cast<std::size_t>(part)];
 }
 KTE_FUNCTION std::string_view manipulator_dynamics_model<runtime_chain>::resolve_contacts(double t, state& x,
                                                                                           bool along_solution) const {
@@ -465,8 +465,7 @@ KTE_FUNCTION void runtime_switching::switch_over(double t, Eigen::VectorXd& x) c
 }
 KTE_FUNCTION bool runtime_switching::mend(double t, Eigen::VectorXd& x) const {
   Eigen::VectorXd part_of_model = x.head(own());
-  const bool was_wrong =
-      contact < 0 ? model->mend(t, part_of_model, element) : mend_contacts(*model, t, part_of_model);
+  const bool was_wrong = contact < 0 ? model->mend(t, part_of_model, element) : mend_contacts(*model, t, part_of_model);
   x.head(own()) = part_of_model;
   return was_wrong;
 }

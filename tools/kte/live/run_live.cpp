@@ -72,13 +72,13 @@ int run_live(const live_settings& o) {
   std::optional<way_to_page> way;
   if (o.open) open_if_possible(way.emplace(page.url()).file());
 
-  page.show(0, p.state_at(0, start));
+  page.show(0, solver->state_at(0, start));
   if (!o.end && !page.wait_for_page()) return 0;
   while (page.wait(solver->time())) {
     if (o.end && solver->time() >= *o.end) break;
     if (page.reset()) {
       solver = make_solver(p, start, o.solver);
-      page.show(0, p.state_at(0, start));
+      page.show(0, solver->state_at(0, start));
       continue;
     }
     inputs->take(page);
@@ -86,7 +86,7 @@ int run_live(const live_settings& o) {
     try {
       const double step = frame * page.speed(), next = solver->time() + step;
       solver->advance(o.end ? std::min(next, *o.end) : next, step, [](double, const plant::state&) {});
-      page.show(solver->time(), p.state_at(solver->time(), solver->state()));
+      page.show(solver->time(), solver->state_at(solver->time(), solver->state()));
     } catch (const kte::error& e) {
       say(e.what());
       page.say(with_option_names(e.what()));

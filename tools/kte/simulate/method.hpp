@@ -23,6 +23,12 @@ class plant_method : public plant_solver {
   }
   double time() const override { return solver_.time(); }
   const plant::state& state() const override { return solver_.state(); }
+  const kte::runtime_state& state_at(double t, const plant::state& x) override {
+    if constexpr (requires { solver_.state_at(t, x); })
+      return solver_.state_at(t, x);
+    else
+      return p_.state_at(t, x);
+  }
   kte::step_statistics statistics() const override { return solver_.statistics(); }
 
  private:

@@ -26,12 +26,14 @@ class plant {
     law_(t, x, u_);
     model_.setInput(u_);
   }
+  /// Whether the inputs depend on x.
+  bool follows_state() const { return law_ && !of_time_alone_; }
   const rate& operator()(double t, const state& x) {
     set_inputs(t, x);
     return model_(t, x);
   }
   bool jacobian(double t, const state& x, jacobian_matrix& j) {
-    if (law_ && !of_time_alone_) return false;
+    if (follows_state()) return false;
     set_inputs(t, x);
     return model_.jacobian(t, x, j);
   }

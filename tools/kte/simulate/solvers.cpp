@@ -6,6 +6,7 @@
 #include <kte/integrators/runge_kutta4.hpp>
 #include <kte/integrators/semi_implicit_euler.hpp>
 
+#include "simulate/contact_solver.hpp"
 #include "simulate/method.hpp"
 #include "simulate/stiff_solvers.hpp"
 #include "text_format.hpp"
@@ -14,7 +15,8 @@ namespace kte_tool {
 
 namespace {
 constexpr const char* by_tolerance = "dormand_prince45, prince_dormand87, adams, bdf, rodas, kennedy_carpenter34";
-constexpr const char* of_fixed_step = "runge_kutta4, semi_implicit_euler, implicit_midpoint";
+constexpr const char* of_fixed_step =
+    "runge_kutta4, semi_implicit_euler, implicit_midpoint, and moreau_jean for contacts";
 }  // namespace
 
 command& add_solver(command& c, solver_options& o) {
@@ -39,6 +41,7 @@ std::unique_ptr<plant_solver> make_solver(plant& p, const plant::state& x, const
   if (o.name == "runge_kutta4") return method<kte::runge_kutta4>(p, x, o.step);
   if (o.name == "semi_implicit_euler") return method<kte::semi_implicit_euler>(p, x, o.step);
   if (o.name == "adams") return vector_method<kte::adams>(p, x, exact);
+  if (o.name == "moreau_jean") return contact_method(p, x, o.step);
   if (auto stiff = make_stiff_solver(p, x, o, exact)) return stiff;
   throw usage_error("there is no solver '" + o.name + "', but " + by_tolerance + "; " + of_fixed_step);
 }

@@ -32,6 +32,8 @@ class plant_solver {
   virtual void advance(double end, double every, const run_observer& observe) = 0;
   virtual double time() const = 0;
   virtual const plant::state& state() const = 0;
+  /// The state of the chain at t and x of an observer.
+  virtual const kte::runtime_state& state_at(double t, const plant::state& x) = 0;
   virtual kte::step_statistics statistics() const = 0;
   long long events() const { return events_; }
 

@@ -169,6 +169,10 @@ class loop_equations {
   Eigen::VectorXd times(const Eigen::VectorXd& x) const {
     return product(x, [](double j, double v) { return j * v; });
   }
+  void times(const Eigen::VectorXd& x, Eigen::VectorXd& out) const {
+    out.setZero(places.rows);
+    each_entry([&](int row, int dof, double j) { out[row] += j * x[dof]; });
+  }
   Eigen::VectorXd times_sizes(const Eigen::VectorXd& x) const {
     return product(x, [](double j, double v) { return std::abs(j * v); });
   }

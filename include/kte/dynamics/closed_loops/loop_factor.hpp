@@ -34,7 +34,7 @@ class loop_factor {
   /// chain is a tree.
   template <class Closures, class State>
   void factorize(const Closures& c, State& s, const loop_equations& e) {
-    if (!s.tree().plan.tree) return factorize_mass(c, s, e);
+    if (!s.tree().plan.tree) return (void)factorize_mass(c, s, e);
     prescribe(s, {});
     if (const int bad = tree::articulate_at_rest(s.tree().body_tree, s.work); bad >= 0) [[unlikely]]
       diagnose_axis(c, s, bad);
@@ -43,6 +43,19 @@ class loop_factor {
     kept_.joint_transforms = s.work.joint_transforms, kept_.factors = s.work.factors;
     keeps_ = true;
   }
+  /// (1) for M + A, by its rows; call `at_positions` with J first. Returns false if M + A is not positive definite.
+  template <class Closures, class State>
+  bool factorize_mass(const Closures& c, State& s, const loop_equations& e, const Eigen::MatrixXd* added = nullptr) {
+    if (!mass_.factorize(c, s, added)) return false;
+    root_.resize(static_cast<Eigen::Index>(e.places.row_of_place.size()));
+    for (Eigen::Index k = 0; k < root_.size(); ++k) root_[k] = mass_.inverse_root(static_cast<int>(k));
+    dense_ = true;
+    return true;
+  }
+  /// Whether it factorizes M by rows.
+  bool is_dense() const { return dense_; }
+  /// x becomes (M + A)^-1 x after `factorize_mass`.
+  void solve_mass(Eigen::VectorXd& x) const { mass_.half_solve(x.data()), mass_.other_half(x.data()); }
   /// (1) for a tree from the articulated inertias in the working memory of the state; valid as long as they are there.
   template <class State>
   void take_articulated(const State& s, const loop_equations& e) {
@@ -54,7 +67,7 @@ class loop_factor {
           axis >= 0 ? std::sqrt(s.work.factors[static_cast<std::size_t>(axis)].inverse)
                     : 1 / std::sqrt(s.tree().own_mass[static_cast<std::size_t>(at.row_of_place[k])]);
     }
-    keeps_ = false;
+    keeps_ = false, dense_ = false;
   }
   /// (2) and (3); call (1) at the positions of the state first. Rows with pivots below `least` times the first are
   /// dependent. With `Accelerate` also the second derivatives of residuals (`loop_equations::half_solve`).
@@ -136,7 +149,7 @@ class loop_factor {
     const auto& at = e.places;
     const auto n = static_cast<Eigen::Index>(at.row_of_place.size());
     d.resize(n);
-    if (!s.tree().plan.tree) {
+    if (dense_) {
       mass_.other_half(y.data());
       d = y.head(n);
       return;
@@ -164,7 +177,7 @@ class loop_factor {
       if (k < in_block.size()) break;
     }
     const auto& places = e.places.blocks[i].places;
-    if (s.tree().plan.tree)
+    if (!dense_)
       return e.half_solve<Accelerate>(c, s, closure, root_, [&](int column, int row, double entry) {
         put(places[static_cast<std::size_t>(column)], row, entry);
       });
@@ -241,17 +254,11 @@ class loop_factor {
     for (const int k : e.places.blocks[i].places) most = (std::max)(most, root_[k]);
     return most * (std::min)(1.0, 1 / e.places.length);
   }
-  template <class Closures, class State>
-  void factorize_mass(const Closures& c, State& s, const loop_equations& e) {
-    mass_.factorize(c, s);
-    root_.resize(static_cast<Eigen::Index>(e.places.row_of_place.size()));
-    for (Eigen::Index k = 0; k < root_.size(); ++k) root_[k] = mass_.inverse_root(static_cast<int>(k));
-  }
   /// (2) for block i.
   template <bool Accelerate, class Closures, class State>
   void put_half_solved(const Closures& c, State& s, loop_equations& e, std::size_t i,
                        Eigen::Ref<Eigen::MatrixXd> b) const {
-    if (!s.tree().plan.tree) {
+    if (dense_) {
       b = e.jacobian[i].transpose();
       for (Eigen::Index k = 0; k < b.cols(); ++k) mass_.half_solve(b.col(k).data());
       return;
@@ -267,6 +274,7 @@ class loop_factor {
   Eigen::VectorXd root_;                 ///< D^-1/2, or 1 / L_kk, by place
   tree::articulated_tree<double> kept_;  ///< at the positions of the factorization
   bool keeps_ = false;
+  bool dense_ = false;  ///< by rows of M, in `mass_`
   mass_root mass_;
   Eigen::MatrixXd all_;
   Eigen::VectorXd left_, chosen_, half_;

@@ -50,14 +50,14 @@ void put_modes(contact_solver& m, const std::vector<friction_mode>& found, const
   }
 }
 /// Finds the forces of the contacts that touch, those of least norm if there are several with the same motion, unless
-/// `any`.
-inline friction_status find_friction(contact_solver& m, bool any = false) {
+/// `any`. `start`: forces to start from, or none.
+inline friction_status find_friction(contact_solver& m, bool any = false, std::span<const double> start = {}) {
   m.modes.clear();
   if (m.touching.empty()) return friction_status::solved;
   const friction_problem<> p(m.w, m.bias, m.laws);
   friction_options<> options;
   options.least_norm = !any, options.polish = m.polish;
-  const auto& r = m.solver.solve(p, options);
+  const auto& r = m.solver.solve(p, options, start);
   if (!r.solved()) return m.residual = r.residual, r.status;
   for (Eigen::Index k = 0; k < m.forces.size(); ++k) m.forces[k] = r.lambda[static_cast<std::size_t>(k)];
   put_modes(m, r.modes, r.lambda, r.u);
@@ -72,8 +72,8 @@ template <class Contacts>
 }
 /// `find_friction`; throws `no_solution`. Returns whether there are several solutions.
 template <class Contacts>
-bool solve_friction(const Contacts& c, contact_solver& m, bool any = false) {
-  const auto status = find_friction(m, any);
+bool solve_friction(const Contacts& c, contact_solver& m, bool any = false, std::span<const double> start = {}) {
+  const auto status = find_friction(m, any, start);
   if (status == friction_status::no_solution || status == friction_status::not_converged) [[unlikely]]
     raise_no_forces(c, m, status);
   return status == friction_status::several_solutions;

@@ -2,6 +2,7 @@
 
 #include <kte/contact/friction_problem.hpp>
 #include <kte/dynamics/closed_loops/loop_dynamics.hpp>
+#include <kte/dynamics/contacts/kept_size.hpp>
 #include <kte/frames/contact_state.hpp>
 
 #include <array>
@@ -75,16 +76,15 @@ struct contact_workspace {
   std::vector<int> closures;
   std::vector<int> touching;  ///< numbers among `contacts`
 
-  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> b;  ///< B of (2): places by rows of contacts
-                                                                             ///< that touch
-  Eigen::MatrixXd w;                                                         ///< W
-  Eigen::VectorXd bias;                                                      ///< u' without forces of contacts, or u
-  Eigen::VectorXd forces;                                                    ///< lambda
+  kept_size<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>> b;  ///< B of (2): places by rows
+  kept_size<Eigen::MatrixXd> w;                                                         ///< W
+  kept_size<Eigen::VectorXd> bias;    ///< u' without forces of contacts, or u
+  kept_size<Eigen::VectorXd> forces;  ///< lambda
   std::vector<friction_contact<>> laws;
-  pivoted_qr loops;            ///< B_C = Q R
-  Eigen::VectorXd loop_bias;   ///< R^-T u'_C
-  Eigen::MatrixXd overlap;     ///< Q^T B
-  std::vector<int> loop_rows;  ///< of closures, among all
+  pivoted_qr loops;                    ///< B_C = Q R
+  Eigen::VectorXd loop_bias;           ///< R^-T u'_C
+  kept_size<Eigen::MatrixXd> overlap;  ///< Q^T B
+  std::vector<int> loop_rows;          ///< of closures, among all
   Eigen::VectorXd half, change;
 
   const closure_place& place(const contact_at& x) const {
@@ -147,7 +147,8 @@ struct contact_workspace {
   }
   static vec3<> tangential(const contact_at& x) { return x.slip - dot(x.place.normal, x.slip) * x.place.normal; }
   /// The rows of contact x of those of a vector in axes of its surface.
-  void put_rows(const contact_at& x, const vec3<>& of, Eigen::VectorXd& rows) const {
+  template <class Rows>
+  void put_rows(const contact_at& x, const vec3<>& of, Rows& rows) const {
     for (int k = 0; k < x.rows(); ++k)
       rows[x.first + k] = dot(x.basis[static_cast<std::size_t>(k)], of) / equations.places.length;
   }
@@ -167,10 +168,19 @@ struct contact_workspace {
   void make_matrix_and_bias(const Contacts& c, State& s) {
     make_matrix<true>(c, s, equations.acceleration);
   }
+  /// The u' of (3), from `bias`, for u' of the rows of closures. For another bias after `make_matrix`.
+  void subtract_closures(const Eigen::VectorXd& of_closures) {
+    if (closures.empty()) return;
+    loop_bias.setZero(static_cast<Eigen::Index>(loop_rows.size()) + pivoted_qr::padding);
+    for (std::size_t k = 0; k < loops.chosen.size(); ++k)
+      loop_bias[static_cast<Eigen::Index>(k)] = of_closures[loop_rows[static_cast<std::size_t>(loops.chosen[k])]];
+    loops.solve_transposed(loop_bias.data());
+    for (Eigen::Index k = 0; k < b.cols(); ++k) bias[k] -= overlap.col(k).dot(loop_bias.head(loops.rank()));
+  }
   /// d = L^-1 B lambda, with the part of closures, by degrees of freedom.
   template <class State>
   void accelerate(State& s, Eigen::VectorXd& d) {
-    find_half_change(s);
+    find_half_change();
     factor.other_half(s, equations, half, d);
   }
 
@@ -178,7 +188,7 @@ struct contact_workspace {
   /// `accelerate_after` finds.
   template <class State>
   void accelerate_with_tree(State& s) {
-    find_half_change(s);
+    find_half_change();
     factor.add_half_change(s, equations, half);
   }
 
@@ -198,28 +208,27 @@ struct contact_workspace {
  private:
   template <bool Accelerate, class Contacts, class State>
   void make_matrix(const Contacts& c, State& s, const Eigen::VectorXd& of_closures) {
-    const bool tree = s.tree().plan.tree;
-    for (std::size_t i = 0; tree && i < touching.size(); ++i) put_rows_on_path<Accelerate>(s, touched(i));
-    if (tree && closures.empty()) return multiply_paths();
+    const bool by_paths = !factor.is_dense();
+    for (std::size_t i = 0; by_paths && i < touching.size(); ++i) put_rows_on_path<Accelerate>(s, touched(i));
+    if (by_paths && closures.empty()) return multiply_paths();
     put_rows_in_matrix(c, s);
-    if (!closures.empty()) project<Accelerate>(c, s, of_closures);
+    if (!closures.empty()) project<Accelerate>(c, s), subtract_closures(of_closures);
+    w.resize(b.cols(), b.cols());
     w.noalias() = b.transpose() * b;
   }
   /// B lambda with the part of closures, to `half`.
-  template <class State>
-  void find_half_change(const State& s) {
-    push_forces(s);
+  void find_half_change() {
+    push_forces();
     if (closures.empty()) return;
     change.setZero(half.size());
     loops.times_q(loop_bias.data(), change.data());
     half -= change;
   }
   /// half = B lambda.
-  template <class State>
-  void push_forces(const State& s) {
+  void push_forces() {
     const auto places = static_cast<Eigen::Index>(equations.places.row_of_place.size());
     half.setZero(places + pivoted_qr::padding);
-    if (!s.tree().plan.tree || !closures.empty()) {
+    if (factor.is_dense() || !closures.empty()) {
       half.head(places).noalias() = b * forces;
       return;
     }
@@ -266,7 +275,7 @@ struct contact_workspace {
     b.setZero(static_cast<Eigen::Index>(equations.places.row_of_place.size()), bias.size());
     for (std::size_t i = 0; i < touching.size(); ++i) {
       const auto& x = touched(i);
-      if (s.tree().plan.tree) {
+      if (!factor.is_dense()) {
         for (const auto& at : x.path)
           for (int k = 0; k < x.rows(); ++k) b(at.place, x.first + k) += at.entries[static_cast<std::size_t>(k)];
         continue;
@@ -307,7 +316,7 @@ struct contact_workspace {
     }
   }
   template <bool Accelerate, class Contacts, class State>
-  void project(const Contacts& c, State& s, const Eigen::VectorXd& of_closures) {
+  void project(const Contacts& c, State& s) {
     int rows = 0;
     for (const int k : closures) rows += equations.places.closures[static_cast<std::size_t>(k)].rows.count();
     auto of = loops.matrix(b.rows(), rows);
@@ -319,15 +328,11 @@ struct contact_workspace {
       first += equations.places.closures[static_cast<std::size_t>(k)].rows.count();
     }
     loops.choose(least_pivot);
-    loop_bias.setZero(rows + pivoted_qr::padding);
     loop_rows.clear();
     for (const int k : closures) {
       const auto& x = equations.places.closures[static_cast<std::size_t>(k)];
       for (int r = 0; r < x.rows.count(); ++r) loop_rows.push_back(x.first + r);
     }
-    for (std::size_t k = 0; k < loops.chosen.size(); ++k)
-      loop_bias[static_cast<Eigen::Index>(k)] = of_closures[loop_rows[static_cast<std::size_t>(loops.chosen[k])]];
-    loops.solve_transposed(loop_bias.data());
     const auto rank = loops.rank();
     overlap.resize(rank, b.cols());
     half.resize(b.rows() + pivoted_qr::padding), change.resize(half.size());
@@ -335,7 +340,6 @@ struct contact_workspace {
       half.setZero(), half.head(b.rows()) = b.col(k);
       loops.times_q_transposed(half.data());
       overlap.col(k) = half.head(rank);
-      bias[k] -= overlap.col(k).dot(loop_bias.head(rank));
       loops.times_q(half.data(), change.data());
       b.col(k) -= change.head(b.rows());
     }

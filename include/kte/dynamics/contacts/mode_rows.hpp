@@ -44,14 +44,13 @@ class mode_rows {
     for (std::size_t i = 0, next = 0; i < rows.size(); i = next) {
       const int contact = rows[i].contact;
       while (next < rows.size() && rows[next].contact == contact) ++next;
-      m.factor.half_solve(c, s, m.equations, m.contacts[static_cast<std::size_t>(contact)].closure,
-                          [&](int at, int row, double entry) {
-                            for (std::size_t r = i; r < next; ++r) {
-                              const auto& axis = rows[r].axis;
-                              all(at, of_closures + static_cast<int>(r)) +=
-                                  (row == 0 ? axis.x : row == 1 ? axis.y : axis.z) * entry;
-                            }
-                          });
+      m.factor.half_solve(
+          c, s, m.equations, m.contacts[static_cast<std::size_t>(contact)].closure, [&](int at, int row, double entry) {
+            for (std::size_t r = i; r < next; ++r) {
+              const auto& axis = rows[r].axis;
+              all(at, of_closures + static_cast<int>(r)) += (row == 0 ? axis.x : row == 1 ? axis.y : axis.z) * entry;
+            }
+          });
     }
     columns.clear();
     for (int k = 0; k < count(); ++k)

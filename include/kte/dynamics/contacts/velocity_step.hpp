@@ -1,53 +1,145 @@
 #pragma once
 
 #include <kte/dynamics/contacts/contact_forces.hpp>
+#include <kte/dynamics/contacts/implicit_forces.hpp>
 
 /// The step of velocities of time stepping with contacts, in the working memory of a state.
 namespace kte::detail {
 
-/// The velocities at the end of a step h, from v, with forces at the state, and impulses P of the contacts with gaps of
-/// at most zero (Moreau 1999; Jean, Computer Methods in Applied Mechanics and Engineering 177, 1999):
+/// The velocities at the end of a step h, from v, with forces at the state, and impulses P of the contacts that touch,
+/// up to `touching_gap` (Moreau 1999; Jean, Computer Methods in Applied Mechanics and Engineering 177, 1999):
 ///
-///   v^+ = v + h a_0 + M^-1 J^T P,   u^+ = W P + J (v + h a_0)                                  (1)
+///   v^+ = v + h a_0 + M~^-1 J^T P,   u^+ = W P + J (v + h a_0)                                 (1)
 ///   u_n' = u_n^+ + e min(u_n, 0),   u_t' = u_t^+, a friction problem of lambda = P             (2)
 ///
-/// a_0: the accelerations without contacts. Closures are satisfied by v^+. Contacts of the state get the forces P/h.
-template <class Contacts, class State>
-void step_velocities(const Contacts& c, State& s, contact_solver& m, double h, Eigen::VectorXd& v) {
-  check_loops(c, s);
-  auto& e = m.equations;
-  const bool tree = s.tree().plan.tree;
-  const auto none = [](int) { return 0.0; };
-  accelerate_by_tree(c.elements(), s, none, {});
-  m.before = s.work.forces;
-  e.at_positions(c, s, true, tree);
-  if (tree)
-    m.factor.take_articulated(s, e);
-  else
-    m.factor.factorize(c, s, e), e.at_rates(c, s);
-  m.find(c, s);  // with the velocities of the state, and of bases
-  m.change_of_motion.resize(s.dofs());
-  read_listed_numbers<vector_of::v>(s, m.change_of_motion);
-  const Eigen::VectorXd to_start = e.times(v - m.change_of_motion);
-  m.change_of_motion = v + h * m.before;
-  const Eigen::VectorXd at_end = e.times(m.change_of_motion), by_forces = h * e.times(m.before);
-  m.choose([](const contact_at& x) { return x.place.gap <= 0; });
-  for (auto& x : m.contacts) x.slip = x.slip + m.unscaled(x, to_start);
-  for (std::size_t i = 0; i < m.touching.size(); ++i) {
-    const auto& x = m.touched(i);
-    m.put_rows(x, x.slip + m.unscaled(x, by_forces), m.bias);
-    m.bias[x.first] += x.place.law.restitution * (std::min)(dot(x.place.normal, x.slip), 0.0) / e.places.length;
+/// a_0: the accelerations without contacts, with M~ (implicit_forces.hpp). Closures are satisfied by v^+. Contacts of
+/// the state get the forces P/h.
+class velocity_step {
+ public:
+  /// From the velocities v at the start, with forces at the state: positions of the middle, and velocities near those
+  /// of the middle.
+  template <class Contacts, class State>
+  void first(const Contacts& c, State& s, contact_solver& m, double h, const force_slopes* law, Eigen::VectorXd& v) {
+    check_loops(c, s);
+    auto& e = m.equations;
+    const bool tree = s.tree().plan.tree;
+    read_change(s, v);
+    from_ = change_;
+    implicit_.find(c.elements(), s, h, law);
+    if (implicit_.coupled()) place_by_mass(c, s, m);
+    accelerate(c, s, m);
+    if (!implicit_.coupled()) {
+      e.at_positions(c, s, true, tree);
+      if (tree)
+        m.factor.take_articulated(s, e);
+      else
+        m.factor.factorize(c, s, e), e.at_rates(c, s);
+    }
+    m.find(c, s);
+    touched_.swap(m.touching);
+    m.choose([&m](const contact_at& x) { return m.touches(x); });
+    put_bias(m, h, v);
+    m.make_matrix(c, s, at_end_);
+    guess(m);
+    finish(c, s, m, h, v);
   }
-  m.make_matrix(c, s, at_end);
-  (void)solve_friction(c, m, true);
-  v += h * m.before;
-  m.accelerate(s, m.change_of_motion);
-  v += m.change_of_motion;
-  put_contacts(m, s);
-  for (const auto& x : m.contacts) {
-    auto& force = s.template get<kind::contact>(x.slot).force;
-    force = (1 / h) * force;
+  /// Again from the velocities v before `first`, with forces at the velocities of the state and the same positions.
+  template <class Contacts, class State>
+  void again(const Contacts& c, State& s, contact_solver& m, double h, Eigen::VectorXd& v) {
+    read_change(s, v);
+    accelerate(c, s, m);
+    put_bias(m, h, v);
+    m.subtract_closures(at_end_);
+    guess_.assign(m.forces.data(), m.forces.data() + m.forces.size());
+    finish(c, s, m, h, v);
   }
-}
+  /// Whether a contact touches that did not in the step before.
+  bool strikes(const contact_solver& m) const {
+    return !std::includes(touched_.begin(), touched_.end(), m.touching.begin(), m.touching.end());
+  }
+
+ private:
+  /// v_m - v.
+  template <class State>
+  void read_change(const State& s, const Eigen::VectorXd& v) {
+    change_.resize(v.size()), read_listed_numbers<vector_of::v>(s, change_), change_ -= v;
+  }
+  /// M~ by rows.
+  template <class Contacts, class State>
+  void place_by_mass(const Contacts& c, State& s, contact_solver& m) {
+    m.equations.at_positions(c, s, true);
+    if (m.factor.factorize_mass(c, s, m.equations, &implicit_.added)) {
+      if (!s.tree().plan.tree) m.equations.at_rates(c, s);
+    } else {
+      implicit_.leave_out();
+    }
+  }
+  /// a_0, to `before`.
+  template <class Contacts, class State>
+  void accelerate(const Contacts& c, State& s, contact_solver& m) {
+    const auto correction = [this](int i) { return implicit_.correction(i, change_); };
+    if (!implicit_.coupled()) {
+      accelerate_by_tree(c.elements(), s, correction, {});
+      m.before = s.work.forces;
+      return;
+    }
+    for_each_listed_freedom(s, [](auto& x, const freedom&) { visit_a(x, [](double& a) { a = 0; }); });
+    forces_on_coordinates(c.elements(), s, acting::all);
+    m.before.resize(s.dofs()), read_listed_numbers<vector_of::f>(s, m.before);
+    for (int i = 0; i < s.dofs(); ++i) m.before[i] += correction(i);
+    m.factor.solve_mass(m.before);
+  }
+  /// u of (2) without P, of contacts and closures; slip velocities are those of `first`.
+  void put_bias(contact_solver& m, double h, const Eigen::VectorXd& v) {
+    auto& e = m.equations;
+    if (!m.closures.empty()) by_forces_ = v + h * m.before, e.times(by_forces_, at_end_);
+    if (m.touching.empty()) return;
+    by_forces_ = h * m.before - from_;
+    e.times(by_forces_, changes_);
+    bool bounces = false;
+    for (const int i : m.touching) bounces |= m.contacts[static_cast<std::size_t>(i)].place.law.restitution > 0;
+    if (bounces) e.times(from_, at_start_);
+    for (std::size_t i = 0; i < m.touching.size(); ++i) {
+      const auto& x = m.touched(i);
+      m.put_rows(x, x.slip + m.unscaled(x, changes_), m.bias);
+      if (const double restitution = x.place.law.restitution; restitution > 0)
+        m.bias[x.first] +=
+            restitution * (std::min)(dot(x.place.normal, x.slip - m.unscaled(x, at_start_)), 0.0) / e.places.length;
+    }
+  }
+  /// The impulses of the last step, by rows of those that touch.
+  void guess(const contact_solver& m) {
+    guess_.assign(static_cast<std::size_t>(m.bias.size()), 0.0);
+    if (impulses_.empty()) return;
+    for (const int i : m.touching) {
+      const auto& x = m.contacts[static_cast<std::size_t>(i)];
+      for (int k = 0; k < x.rows(); ++k)
+        guess_[static_cast<std::size_t>(x.first + k)] =
+            m.equations.places.length *
+            dot(x.basis[static_cast<std::size_t>(k)], impulses_[static_cast<std::size_t>(x.slot)]);
+    }
+  }
+  template <class Contacts, class State>
+  void finish(const Contacts& c, State& s, contact_solver& m, double h, Eigen::VectorXd& v) {
+    (void)solve_friction(c, m, true, guess_);
+    v += h * m.before;
+    m.accelerate(s, m.change_of_motion);
+    v += m.change_of_motion;
+    put_contacts(m, s);
+    impulses_.resize(m.contacts.size());
+    for (const auto& x : m.contacts) {
+      auto& force = s.template get<kind::contact>(x.slot).force;
+      impulses_[static_cast<std::size_t>(x.slot)] = force;
+      force = (1 / h) * force;
+    }
+  }
+
+  implicit_forces implicit_;
+  Eigen::VectorXd change_, from_;  ///< v_m - v, and that of `first`
+  Eigen::VectorXd at_end_, by_forces_, changes_, at_start_;
+  std::vector<vec3<>> impulses_;  ///< of the last step, by contact, in axes of its surface, Ns
+  std::vector<double> guess_;
+  std::vector<int> touched_;  ///< in the step before
+};
 
 }  // namespace kte::detail

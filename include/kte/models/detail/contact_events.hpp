@@ -6,8 +6,8 @@
 /// change (docs/contact.md).
 namespace kte::detail {
 
-/// Sliding in space slower than this stops, m/s relative to the length of the chain: the direction of slow sliding turns
-/// fast, which is stiff.
+/// Sliding in space slower than this stops, m/s relative to the length of the chain: the direction of slow sliding
+/// turns fast, which is stiff.
 inline constexpr double stop_of_sliding = 1e-8;
 /// Whether a contact slides, at an event.
 inline bool slides_at_event(const contact_solver& m, const contact_at& x) {
@@ -33,8 +33,8 @@ bool find_admissible_forces(const Contacts& c, State& s, contact_solver& m) {
   m.bias = bias;
   return same;
 }
-/// Whether a contact that touches leaves the surface, at an event: not if it would fall back from a height that events do
-/// not resolve.
+/// Whether a contact that touches leaves the surface, at an event: not if it would fall back from a height that events
+/// do not resolve.
 inline bool leaves_at_event(const contact_solver& m, const contact_at& x) {
   const double speed = dot(x.place.normal, x.slip), height = 1e-13 * m.equations.places.length;
   return normal_velocity(m, x) > 1 && speed * speed > 2 * height * std::abs(free_gap_ddot(m, x));
@@ -49,7 +49,8 @@ inline std::array<double, 2> reserves(const contact_solver& m, std::size_t i) {
 }
 /// The functions of contact i of those that touch: its normal force, N; of one that sticks, its reserve of friction; of
 /// one that slides, its velocity in the direction in which sliding began, less that of rest, and relative to zero.
-inline std::array<double, 3> margins_of_closed(const contact_solver& m, std::size_t i, const vec3<>& start, double tiny) {
+inline std::array<double, 3> margins_of_closed(const contact_solver& m, std::size_t i, const vec3<>& start,
+                                               double tiny) {
   const auto& x = m.touched(i);
   const auto [normal, reserve] = reserves(m, i);
   if (m.modes[i] == contact_mode::sticks) return {normal + tiny, reserve + tiny, 1};
@@ -86,8 +87,7 @@ inline int first_wrong_mode(const contact_solver& m, double tolerated) {
 template <class Contacts, class State>
 int admit_forces(const Contacts& c, State& s, contact_solver& m, forces_in_modes& forces, double tolerated) {
   const double most = tolerated * largest_force(m, forces);
-  if (const int wrong = first_wrong_mode(m, most);
-      wrong < 0 || !forces.redundant() || !find_admissible_forces(c, s, m))
+  if (const int wrong = first_wrong_mode(m, most); wrong < 0 || !forces.redundant() || !find_admissible_forces(c, s, m))
     return wrong;
   put_contacts(m, s);
   return -1;
@@ -98,12 +98,15 @@ const std::vector<std::array<double, 3>>& contact_margins(const Access& a, doubl
   auto& step = a.memory();
   if (step.margin_x.size() == x.size() && step.margin_x == x && step.margin_time == t) return step.margins;
   step.margin_x.resize(0);
+  if (is_stepped(a, x)) {
+    step.margins.assign(static_cast<std::size_t>(a.contacts()), {1, 1, 1});
+    return step.margins;
+  }
   a.at(t, x, [&](const auto& c, auto& s, contact_solver& m) {
     step.margins.assign(m.contacts.size(), {1, 1, 1});
     step.zero_gaps.resize(m.contacts.size());
     bool closed = false;
-    for (const auto& y : m.contacts)
-      closed |= mode_of(s.template get<kind::contact>(y.slot)) != contact_mode::open;
+    for (const auto& y : m.contacts) closed |= mode_of(s.template get<kind::contact>(y.slot)) != contact_mode::open;
     std::vector<vec3<>> starts;
     for (const auto& y : m.contacts) starts.push_back(s.template get<kind::contact>(y.slot).direction);
     if (!closed) {
@@ -113,7 +116,8 @@ const std::vector<std::array<double, 3>>& contact_margins(const Access& a, doubl
     } else {
       accelerate_in_modes(c, s, m, step.forces);
     }
-    for (std::size_t k = 0; k < m.contacts.size(); ++k) step.margins[k][0] = m.contacts[k].place.gap - step.zero_gaps[k];
+    for (std::size_t k = 0; k < m.contacts.size(); ++k)
+      step.margins[k][0] = m.contacts[k].place.gap - step.zero_gaps[k];
     if (!closed) return;
     const bool admitted = admit_forces(c, s, m, step.forces, 1e-13) < 0;
     const double tiny = 1e-13 * largest_force(m, step.forces);
@@ -163,6 +167,7 @@ void accelerate_in_step(const Access& a, const Contacts& c, State& s, contact_so
 /// A step begins at x0.
 template <class Access, class X>
 void begin_step_with_contacts(const Access& a, const X& x0) {
+  if (is_stepped(a, x0)) return;
   auto& step = contact_step_from(a, x0);
   if (!step.starts_wrong) [[likely]]
     return;
@@ -232,8 +237,8 @@ std::string text_of_changes(const Contacts& c, const contact_solver& m, const st
 ///
 ///   while contacts approach: impact; then Coulomb's law for accelerations; if that is jammed: tangential impact
 ///
-/// A contact whose next bounce is lower than the touching gap comes to rest: bounces at intervals that shrink by e would
-/// end, with a constant acceleration -g_n of the gap, at
+/// A contact whose next bounce is lower than the touching gap comes to rest: bounces at intervals that shrink by e
+/// would end, with a constant acceleration -g_n of the gap, at
 ///
 ///   t + 2 e w/(g_n (1 - e)),   w: velocity of approach                                    (1)
 /// `along_solution`: x is a state of an integrator with the present modes, and first put on their rows.
@@ -241,6 +246,7 @@ template <class Access, class X>
 void resolve_contacts(const Access& a, double t, X& x, bool along_solution) {
   auto& step = a.memory();
   step.x0.resize(0), step.margin_x.resize(0), step.wrong.resize(0), step.time = t;
+  if (is_stepped(a, x)) a.model.each_contact([&x](int, int first) { x[first] = 0; });
   if (along_solution) {
     const X x0 = x;
     auto d = a.no_displacement();
@@ -280,7 +286,8 @@ void resolve_contacts(const Access& a, double t, X& x, bool along_solution) {
         approaches = true;
         const double e = y.place.law.restitution, w = -dot(y.place.normal, y.slip);
         const double gap_ddot = free_gap_ddot(m, y);
-        changes[i].bounces = !(gap_ddot < 0 && e * w * e * w / (-2 * gap_ddot) < touching_gap * m.equations.places.length);
+        changes[i].bounces =
+            !(gap_ddot < 0 && e * w * e * w / (-2 * gap_ddot) < touching_gap * m.equations.places.length);
         if (!changes[i].bounces && e > 0) changes[i].rest_time = e < 1 ? t + 2 * e * w / (-gap_ddot * (1 - e)) : t;
       }
       const auto hit = [&](const char* word) {

@@ -1,15 +1,32 @@
 #pragma once
 
 #include <kte/dynamics/contacts/contact_dynamics.hpp>
+#include <kte/dynamics/contacts/starting_depth.hpp>
 #include <kte/dynamics/contacts/static_chains.hpp>
 #include <kte/dynamics/contacts/velocity_step.hpp>
 #include <kte/models/manipulator_dynamics_model.hpp>
 #include <kte/models/runtime_dynamics_model.hpp>
 
-#include <optional>
-
-/// The velocities after a step of a model with contacts, with the memory for it.
+/// Steps of a model with contacts, with the memory for them. A `contact_stepper` of a model m has
+///
+///   check_depth(m, t, x, depth)          throws `bad_argument` for a contact that is deeper than that
+///   first(m, t, x, h, law, v)            the velocities after a step from v, with forces at x
+///   again(m, t, x, h, v)                 the same from v before `first`, with forces at other velocities of x
+///   strikes(m)                           whether a contact touches in `first` that did not in the step before
+///   internal_rates(m, t, x, z_dot)
+///   input_forces(m, t, x, f)             the forces of elements between coordinates, by rows of v
+///   contact(name)                        the contact in the last step
+///   state_at(m, t, x, a)                 a state of the chain at x, with accelerations a and the contacts of the last
+///                                        step
 namespace kte::detail {
+
+/// The forces of elements between coordinates.
+template <class Elements, class State>
+void forces_between_coordinates(const Elements& c, State& s, Eigen::VectorXd& f) {
+  clear_coordinates(s);
+  for (auto e = s.tree().on_coordinates.rbegin(); e != s.tree().on_coordinates.rend(); ++e) c.push(*e, s);
+  f.resize(s.dofs()), read_listed_numbers<vector_of::f>(s, f);
+}
 
 template <>
 class contact_stepper<manipulator_dynamics_model<runtime_chain>> {
@@ -17,20 +34,50 @@ class contact_stepper<manipulator_dynamics_model<runtime_chain>> {
 
  public:
   explicit contact_stepper(const model_type& m) : s_(m.make_state()) {}
-  /// The velocities v after a step h, replacing those before it, with forces at the state x.
+
   template <class X>
-  void step(const model_type& m, double t, const X& x, double h, Eigen::VectorXd& v) {
+  void check_depth(const model_type& m, double t, const X& x, double depth) {
     m.setJointStates(t, x, s_), check_positions(s_), check_regular_tree(m, s_);
-    step_velocities(contacts_of(m.chain()), s_, contact_memory(m.chain(), s_), h, v);
+    check_starting_depth(contacts_of(m.chain()), s_, contact_memory(m.chain(), s_), depth);
+  }
+  template <class X>
+  void first(const model_type& m, double t, const X& x, double h, const force_slopes* law, Eigen::VectorXd& v) {
+    m.setJointStates(t, x, s_), check_positions(s_), check_regular_tree(m, s_);
+    step_.first(contacts_of(m.chain()), s_, contact_memory(m.chain(), s_), h, law, v);
     check_result(s_, diagnose_state{"an acceleration", s_});
+  }
+  template <class X>
+  void again(const model_type& m, double t, const X& x, double h, Eigen::VectorXd& v) {
+    m.setJointStates(t, x, s_);
+    step_.again(contacts_of(m.chain()), s_, contact_memory(m.chain(), s_), h, v);
+    check_result(s_, diagnose_state{"an acceleration", s_});
+  }
+  bool strikes(const model_type& m) { return step_.strikes(contact_memory(m.chain(), s_)); }
+  template <class X>
+  void internal_rates(const model_type& m, double t, const X& x, double* z_dot) {
+    m.setJointStates(t, x, s_);
+    for (const int keeper : m.wiring().keepers) move_element(m.wiring(), s_, keeper);
+    for (int i = 0; i < m.wiring().count(kind::internal); ++i) z_dot[i] = s_.get<kind::internal>(i).z_dot;
+  }
+  template <class X>
+  void input_forces(const model_type& m, double t, const X& x, Eigen::VectorXd& f) {
+    m.setJointStates(t, x, s_);
+    forces_between_coordinates(runtime_elements{m.chain()}, s_, f);
   }
   template <class Name>
   const contact_state<>& contact(const Name& name) const {
     return s_.contact(name);
   }
+  template <class X, class A>
+  const runtime_state& state_at(const model_type& m, double t, const X& x, const A& a) {
+    m.setJointStates(t, x, s_), set_accelerations(s_, a);
+    m.doMotion(s_), m.clearForce(s_), m.doForce(s_);
+    return s_;
+  }
 
  private:
   runtime_state s_;
+  velocity_step step_;
 };
 
 template <class Gravity, class... E, class Output>
@@ -41,8 +88,52 @@ class contact_stepper<manipulator_dynamics_model<static_chain<Gravity, E...>, do
  public:
   template <class Model>
   explicit contact_stepper(const Model& m) : s_(m.chain()) {}
+
   template <class Model, class X>
-  void step(const Model& m, double t, const X& x, double h, Eigen::VectorXd& v) {
+  void check_depth(const Model& m, double t, const X& x, double depth) {
+    take(m, t, x, [&](const auto& contacts, const auto&) { check_starting_depth(contacts, s_, s_.contacts, depth); });
+  }
+  template <class Model, class X>
+  void first(const Model& m, double t, const X& x, double h, const force_slopes* law, Eigen::VectorXd& v) {
+    take(m, t, x,
+         [&](const auto& contacts, const auto& g) { step_.first(contacts, s_, s_.contacts, h, law, v), check(g, v); });
+  }
+  template <class Model, class X>
+  void again(const Model& m, double t, const X& x, double h, Eigen::VectorXd& v) {
+    take(m, t, x,
+         [&](const auto& contacts, const auto& g) { step_.again(contacts, s_, s_.contacts, h, v), check(g, v); });
+  }
+  template <class Model>
+  bool strikes(const Model&) const {
+    return step_.strikes(s_.contacts);
+  }
+  template <class Model, class X>
+  void internal_rates(const Model& m, double t, const X& x, double* z_dot) {
+    const double *q = x.data(), *rates = q + wiring::nq;
+    const configuration<double, wiring, const double*> at(q);
+    detail::internal_rates(m.chain(), at, rates, m.bases_at(t, rates + wiring::dofs), z_dot);
+  }
+  template <class Model, class X>
+  void input_forces(const Model& m, double t, const X& x, Eigen::VectorXd& f) {
+    take(m, t, x, [&](const auto& contacts, const auto&) { forces_between_coordinates(contacts, s_, f); });
+  }
+  template <key_type Key>
+  const contact_state<>& contact(const Key&) const {
+    return s_.template get<kind::contact>(static_cast<int>(slot_of_contact<chain_type, Key>));
+  }
+  template <class Model, class X, class A>
+  auto state_at(const Model& m, double t, const X& x, const A& a) const {
+    auto s = make_state(m.chain());
+    m.setJointStates(t, x, s), set_accelerations(s, a.data());
+    for (int i = 0; i < wiring::count(kind::contact); ++i)
+      s.template get<kind::contact>(i) = s_.template get<kind::contact>(i);
+    m.doMotion(s), m.clearForce(s), m.doForce(s);
+    return s;
+  }
+
+ private:
+  template <class Model, class X, class F>
+  void take(const Model& m, double t, const X& x, const F& f) {
     const double *q = x.data(), *rates = q + wiring::nq;
     const configuration<double, wiring, const double*> at(q);
     at.check();
@@ -50,18 +141,15 @@ class contact_stepper<manipulator_dynamics_model<static_chain<Gravity, E...>, do
     bases.check();
     const given g{at, each<double, const double*>{rates}, same<zero_t>{}, bases};
     s_.take(g), check_regular(m.chain(), s_);
-    step_velocities(static_contacts<chain_type, std::remove_const_t<decltype(g)>>{{{m.chain(), g}}}, s_, s_.contacts, h,
-                    v);
+    f(static_contacts<chain_type, std::remove_const_t<decltype(g)>>{{{m.chain(), g}}}, g);
+  }
+  template <class Given>
+  static void check(const Given& g, const Eigen::VectorXd& v) {
     check_accelerations<wiring>(joint_vector<double, chain_type::dofs>(v), g,
                                 joint_vector<double, chain_type::dofs>::Zero().eval());
   }
-  template <key_type Key>
-  const contact_state<>& contact(const Key&) const {
-    return s_.template get<kind::contact>(static_cast<int>(slot_of_contact<chain_type, Key>));
-  }
-
- private:
   static_contact_state<chain_type> s_;
+  velocity_step step_;
 };
 
 }  // namespace kte::detail

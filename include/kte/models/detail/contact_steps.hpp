@@ -5,8 +5,8 @@
 #include <kte/models/detail/loop_steps.hpp>
 
 /// Steps of a model with rigid contacts. In a step, contacts keep their modes: closed ones keep their gap at zero, and
-/// those that stick their tangential velocity. As for loops (models/detail/loop_steps.hpp), with the rows J_g of gaps and
-/// J_u of velocities:
+/// those that stick their tangential velocity. As for loops (models/detail/loop_steps.hpp), with the rows J_g of gaps
+/// and J_u of velocities:
 ///
 ///   q(d) = q0 (+) (d_q + N_g mu),   g(q) = 0           (1)
 ///   v(d) = v0 + d_v + N_u nu,       J_u(q) v = 0       (2)
@@ -25,15 +25,15 @@ struct contact_step {
   contact_step(const Contacts& c, const State& s) : at(c, s) {}
 
   Eigen::VectorXd x0;
-  double time = 0;       ///< of the last evaluation
-  contact_solver at;     ///< at x0
-  mode_rows gaps, rates; ///< at x0
+  double time = 0;        ///< of the last evaluation
+  contact_solver at;      ///< at x0
+  mode_rows gaps, rates;  ///< at x0
   std::vector<int> chosen_gaps;
   forces_in_modes forces;
   mode_rows working;
   Eigen::VectorXd values;
   bool all_open = true;
-  int begun = 0;          ///< steps since the last event
+  int begun = 0;                  ///< steps since the last event
   bool starts_wrong = false;      ///< whether modes are wrong at x0
   Eigen::VectorXd wrong;          ///< the last state where modes are wrong
   std::vector<double> zero_gaps;  ///< gaps after the last event, by contact, where they count as zero
@@ -91,6 +91,13 @@ void check_start_of_step(const Contacts& c, const State& s, const contact_solver
                           " m/s: kte::settled gives consistent modes");
   }
 }
+/// Whether x is a state of time stepping.
+template <class Access, class X>
+bool is_stepped(const Access& a, const X& x) {
+  bool is = false;
+  a.model.each_contact([&](int i, int first) { is |= i == 0 && x[first] == stepped_mode; });
+  return is;
+}
 /// The data of the step from x0; begins the step if necessary. `check`: whether x0 must be on the rows of its contacts.
 template <class Access, class X>
 contact_step& contact_step_from(const Access& a, const X& x0, bool check = true) {
@@ -118,7 +125,9 @@ contact_step& contact_step_from(const Access& a, const X& x0, bool check = true)
 /// (1) and (2).
 template <class Access, class X, class Rate>
 void settle_contacts(const Access& a, const X& x0, Rate& d, X& x, bool check = true) {
-  auto& step = contact_step_from(a, x0, check);
+  const bool stepped = is_stepped(a, x0);
+  if (stepped && !a.model.has_loops()) return;
+  auto& step = contact_step_from(a, x0, check && !stepped);
   if (step.all_open) return;
   const auto& model = a.model;
   Eigen::VectorXd change;
@@ -170,6 +179,7 @@ void settle_contacts(const Access& a, const X& x0, Rate& d, X& x, bool check = t
 /// Takes out of a displacement from x0 what (1) and (2) would.
 template <class Access, class X, class Rate>
 void make_tangential_to_contacts(const Access& a, const X& x0, Rate& e) {
+  if (is_stepped(a, x0)) return;
   auto& step = contact_step_from(a, x0);
   if (step.all_open) return;
   const Eigen::Index n = a.model.velocity_count();

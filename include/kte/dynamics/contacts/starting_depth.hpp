@@ -1,0 +1,26 @@
+#pragma once
+
+#include <kte/dynamics/contacts/contact_rows.hpp>
+#include <kte/errors.hpp>
+
+namespace kte::detail {
+
+/// Throws `bad_argument` that names the contact whose body is the deepest in its surface, if it is deeper than `depth`,
+/// relative to the length of the chain, at the positions of the state.
+template <class Contacts, class State>
+void check_starting_depth(const Contacts& c, State& s, contact_workspace& m, double depth) {
+  place_bodies(c.elements(), s);
+  m.equations.at_positions(c, s, false, true);
+  const contact_at* deepest = nullptr;
+  double gap = -depth * m.equations.places.length;
+  for (auto& x : m.contacts) {
+    const auto& at = m.place(x);
+    x.place = c.touch_at(at.element, loop_equations::motion_between(s, at));
+    if (x.place.gap < gap) gap = x.place.gap, deepest = &x;
+  }
+  if (deepest != nullptr) [[unlikely]]
+    raise<bad_argument>("kte: contact '" + c.loop_name(m.place(*deepest).loop) + "' starts " + number(-gap) +
+                        " m inside its surface");
+}
+
+}  // namespace kte::detail
