@@ -15,8 +15,7 @@ struct static_model_contacts<static_chain<Gravity, E...>> {
   using vector = joint_vector<double, chain_type::dofs>;
 
   struct state_and_step {
-    explicit state_and_step(const chain_type& c)
-        : s(c), step(static_contacts<chain_type, nothing>{{{c, none}}}, s) {}
+    explicit state_and_step(const chain_type& c) : s(c), step(static_contacts<chain_type, nothing>{{{c, none}}}, s) {}
     nothing none{};
     static_contact_state<chain_type> s;
     contact_step step;
@@ -104,8 +103,7 @@ struct static_model_contacts<static_chain<Gravity, E...>> {
   template <class Model, class State>
   static void put_forces(const Model& m, memory& kept, State& s) {
     auto& own = of(m, kept).kept.s;
-    for (int i = 0; i < wiring::count(kind::loop); ++i)
-      s.template get<kind::loop>(i) = own.template get<kind::loop>(i);
+    for (int i = 0; i < wiring::count(kind::loop); ++i) s.template get<kind::loop>(i) = own.template get<kind::loop>(i);
     for (int i = 0; i < wiring::count(kind::contact); ++i)
       s.template get<kind::contact>(i) = own.template get<kind::contact>(i);
   }
