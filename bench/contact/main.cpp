@@ -11,7 +11,7 @@ int main(int count, char** texts) {
   const bool quick = count > 1 && std::strcmp(texts[1], "--quick") == 0;
   std::printf("| scene | method | setting | error | evaluations or steps | ms |\n|-|-|-|-|-|-|\n");
   for (const auto& s : scenes())
-    for (const auto method : {moreau_jean_rows, mujoco_rows})
+    for (const auto method : {event_rows, moreau_jean_rows, mujoco_rows})
       for (const auto& r : method(s, quick)) {
         std::printf("| %s | %s | %s | %s | %lld | %s |\n", r.scene.c_str(), r.method.c_str(), r.setting.c_str(),
                     text_of(r.error, "%.1e").c_str(), r.work, text_of(1e3 * r.seconds, "%.3g").c_str());

@@ -58,6 +58,7 @@ std::array<servo, 12> servos();
 std::vector<scene> scenes();
 
 /// The rows of a method; mujoco_rows are empty where MuJoCo is not installed.
+std::vector<row> event_rows(const scene& s, bool quick);
 std::vector<row> moreau_jean_rows(const scene& s, bool quick);
 std::vector<row> mujoco_rows(const scene& s, bool quick);
 

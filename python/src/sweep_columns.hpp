@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kte/runtime_chain/varied_chain.hpp>
+#include <kte/sweep/varied_chain.hpp>
 
 #include <Eigen/Core>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kte/elements/registry.hpp>
-#include <kte/static_chain/parameter_paths.hpp>
+#include <kte/contract/parameter_paths.hpp>
 
 #include <array>
 #include <cstddef>

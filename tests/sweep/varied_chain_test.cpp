@@ -1,6 +1,6 @@
 #include <kte/dynamics/forward_dynamics.hpp>
 #include <kte/elements/all.hpp>
-#include <kte/runtime_chain/varied_chain.hpp>
+#include <kte/sweep/varied_chain.hpp>
 
 #include "catch.hpp"
 
