@@ -36,8 +36,8 @@ struct moving {
   Chain chain;
   Law law;
 
-  template <class X>
-  X operator()(double, const X& x) const {
+  template <class T, class X>
+  X operator()(const T&, const X& x) const {
     const auto q = x.template head<n>(), v = x.template tail<n>();
     X rate;
     rate.template head<n>() = v;

@@ -5,7 +5,7 @@ set -e
 cd "$(dirname "$0")/.."
 . .ci/packages.sh
 install_packages python3-dev pybind11-dev python3-numpy python3-scipy python3-pandas python3-matplotlib python3-pip \
-  python3-pytest python3-hypothesis mypy
+  python3-pytest python3-hypothesis python3-distributed mypy lld
 
 export CXX=g++ warnings_fail=OFF
 if echo 'int main() {}' | clang++ -x c++ - -fsanitize=address,undefined -o /dev/null 2>/dev/null; then

@@ -30,6 +30,7 @@ int main(int count, char** texts) {
 
   const bool some = std::any_of(words.begin(), words.end(), [](std::string_view w) { return !w.starts_with("--"); });
   for (const problem& p : all_problems()) {
+    if (quick && p.name == "closed_loops_four_bars_40") continue;  // takes as long as all others; four_bars_10 is left
     if (some && std::none_of(words.begin(), words.end(),
                              [&](std::string_view w) { return p.name.find(w) != std::string::npos; }))
       continue;

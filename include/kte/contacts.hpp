@@ -4,9 +4,13 @@
 #include <kte/contact/height_field.hpp>
 #include <kte/contact/height_grid.hpp>
 #include <kte/contact/surface.hpp>
+#include <kte/dynamics/contacts/contact_derivatives.hpp>
 #include <kte/dynamics/contacts/contact_dynamics.hpp>
+#include <kte/dynamics/contacts/contact_jacobian.hpp>
 #include <kte/dynamics/contacts/impact.hpp>
+#include <kte/dynamics/contacts/operational_inertia.hpp>
 #include <kte/dynamics/contacts/static_chains.hpp>
+#include <kte/dynamics/contacts/support_polygon.hpp>
 #include <kte/models/detail/static_model_contacts.hpp>
 #include <kte/models/element_events.hpp>
 #include <kte/models/moreau_jean.hpp>

@@ -13,5 +13,6 @@
 #include <kte/dynamics/closed_loops/hybrid.hpp>
 #include <kte/dynamics/closed_loops/static_chains.hpp>
 #include <kte/dynamics/closed_loops/static_derivatives.hpp>
+#include <kte/dynamics/closed_loops/static_hybrid.hpp>
 #include <kte/elements/closures.hpp>
 #include <kte/models/detail/static_model_loops.hpp>

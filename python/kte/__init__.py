@@ -13,6 +13,7 @@ from ._element import Element as Element
 from ._kte import *
 from ._kte import __version__ as __version__
 from ._results import *
+from .contact_shapes import *
 from .elements import *
 from .errors import *
 from .joint_series import *
@@ -20,3 +21,4 @@ from .page import Page as Page
 from .page import view as view
 from .simulation import Event as Event
 from .simulation import simulate as simulate
+from .sweeps import *

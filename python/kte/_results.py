@@ -18,6 +18,12 @@ __all__ = [
     "ForwardDynamicsDerivatives",
     "HybridDynamics",
     "ConstrainedDynamics",
+    "Contact",
+    "ContactDynamics",
+    "ContactDynamicsDerivatives",
+    "ForceDerivatives",
+    "Impact",
+    "SupportPolygon",
     "Loops",
     "Note",
     "Motor",
@@ -25,6 +31,10 @@ __all__ = [
     "InverseKinematics",
     "Frame",
     "EventOccurrence",
+    "ColumnStatistics",
+    "SweepFailure",
+    "SweepProgress",
+    "SweepSummary",
 ]
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
@@ -117,6 +127,61 @@ class ConstrainedDynamics(NamedTuple):
     dependent: List[str]
 
 
+class Contact(NamedTuple):
+    """A rigid contact, in axes of its surface: force on the body, point, velocity and direction of sliding."""
+
+    mode: str
+    gap: float
+    force: Array
+    point: Array
+    slip: Array
+    direction: Array
+
+
+class ContactDynamics(NamedTuple):
+    """Accelerations of a chain with rigid contacts."""
+
+    a: Array
+    contacts: Dict[str, Contact]
+    several: bool
+
+
+class ForceDerivatives(NamedTuple):
+    """Derivatives of the force of a contact."""
+
+    by_q: Array
+    by_v: Array
+    by_tau: Array
+
+
+class ContactDynamicsDerivatives(NamedTuple):
+    """Derivatives of accelerations and contact forces."""
+
+    a: Array
+    by_q: Array
+    by_v: Array
+    by_tau: Array
+    forces: Dict[str, ForceDerivatives]
+
+
+class Impact(NamedTuple):
+    """The velocities after an impact, impulses, change of the kinetic energy, and factor of restitution."""
+
+    v: Array
+    impulses: Dict[str, Array]
+    energy: float
+    restitution: float
+
+
+class SupportPolygon(NamedTuple):
+    """The convex hull of contacts with one plane."""
+
+    contacts: List[str]
+    corners: Array
+    normal: Array
+    area: float
+
+
 class Loops(NamedTuple):
     """The closures of a chain at a configuration."""
 
@@ -189,3 +254,40 @@ class EventOccurrence(NamedTuple):
     v: Array
     q_before: Array
     v_before: Array
+
+
+class ColumnStatistics(NamedTuple):
+    """Statistics of a kept column of a sweep over the cases with a number, updated in the order of the cases."""
+
+    cases: int
+    least: float
+    most: float
+    mean: float
+    deviation: float
+
+
+class SweepFailure(NamedTuple):
+    """A case without a result: its number, and the reason."""
+
+    case: int
+    reason: str
+
+
+class SweepProgress(NamedTuple):
+    """How far a sweep is: cases, of them found from an earlier run, done and failed; time, s, cases per s, time left, s."""
+
+    total: int
+    found: int
+    done: int
+    failed: int
+    seconds: float
+    rate: float
+    left: float
+
+
+class SweepSummary(NamedTuple):
+    """What a sweep has done: counts of cases, and statistics of the kept columns."""
+
+    cases: int
+    failed: int
+    statistics: Dict[str, ColumnStatistics]

@@ -74,6 +74,20 @@ py::object as_result(std::vector<array>& made) {
   return all;
 }
 
+/// One state by a function of a compiled chain.
+void call_compiled(const evaluate::library_function& f, const workspace& w, double* const* out) {
+  const double* const in[]{w.x[0].data(), w.x[1].data(), w.x[2].data(), w.x[3].data()};
+  evaluate::library_failure failure;
+  f.one(in, out, failure);
+  raise(failure);
+}
+void call_compiled(const evaluate::library_function& f, std::size_t states, const std::vector<const double*>& in,
+                   double* out, std::size_t threads) {
+  evaluate::library_failure failure;
+  f.many(states, in.data(), out, threads, failure);
+  raise(failure);
+}
+
 }  // namespace
 
 std::size_t threads_from(py::handle threads) {
@@ -90,8 +104,8 @@ bool nan_for_errors(const std::string& errors) {
 }
 
 py::object call(const chain_object& object, std::initializer_list<argument> arguments,
-                const std::vector<shape>& results, double cost, const call_options& options, state_function f,
-                pack_function packs) {
+                const std::vector<shape>& results, double cost, const call_options& options, state_function of_chain,
+                pack_function packs_of_chain) {
   const auto& c = object.chain();
   std::vector<numbers> in;
   in.reserve(arguments.size());
@@ -102,6 +116,12 @@ py::object call(const chain_object& object, std::initializer_list<argument> argu
   const bool has_inputs = options.inputs && !options.inputs.is_none();
   if (has_inputs) work.spoil(), put_inputs(c, work->state, options.inputs);
 
+  const auto* const type =
+      object.compiled() && !has_inputs ? object.compiled()->find(options.function, options.frame) : nullptr;
+  const std::function<void(const kte::runtime_chain&, workspace&, double* const*)> f =
+      [type, &of_chain](const kte::runtime_chain& k, workspace& w, double* const* out) {
+        type ? call_compiled(*type, w, out) : of_chain(k, w, out);
+      };
   const Py_ssize_t states = states_of(in);
   std::vector<array> made;
   std::vector<double*> out;
@@ -123,12 +143,16 @@ py::object call(const chain_object& object, std::initializer_list<argument> argu
   const bool worth = static_cast<double>(count) * static_cast<double>(size_of(c)) * cost > 4000;
   const std::size_t threads = worth || options.threads ? threads_from(options.threads) : 1;
   try {
-    if (packs && !has_inputs && object.has_packs()) {
+    const bool packs_of_type = type && type->many && c.dofs() > 0;
+    if (packs_of_type || (packs_of_chain && !type && !has_inputs && object.has_packs())) {
       std::vector<std::vector<double>> memory(in.size());
       std::vector<const double*> from;
       for (std::size_t i = 0; i < in.size(); ++i) from.push_back(in[i].contiguous(states, memory[i]));
       const py::gil_scoped_release without;
-      packs(c, count, from, out[0], threads);
+      if (packs_of_type)
+        call_compiled(*type, count, from, out[0], threads);
+      else
+        packs_of_chain(c, count, from, out[0], threads);
     } else {
       const py::gil_scoped_release without;
       several_states all(c, *work, in, out, sizes, count, f);

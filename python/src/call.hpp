@@ -24,6 +24,9 @@ struct call_options {
   py::handle inputs{};   ///< a dict, None or nothing
   py::handle threads{};  ///< a number, None or nothing
   bool nan_for_errors = false;
+  /// What a compiled chain may have as a type: the function, and its frame.
+  const char* function = "";
+  std::string_view frame{};
 };
 
 /// One state: writes results, by rows, to out[0], out[1], ...
@@ -37,7 +40,8 @@ using pack_function =
 /// shape (n,) are then the same for all states. `cost` is the time of a state in units of inverse dynamics. Errors of
 /// several states name the first of them.
 py::object call(const chain_object& c, std::initializer_list<argument> arguments, const std::vector<shape>& results,
-                double cost, const call_options& options, state_function f, pack_function packs = nullptr);
+                double cost, const call_options& options, state_function of_chain,
+                pack_function packs_of_chain = nullptr);
 
 /// The number of threads of calls with several states.
 std::size_t threads_from(py::handle threads);

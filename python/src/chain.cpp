@@ -16,7 +16,7 @@ namespace kte_python {
 
 kte::runtime_chain& chain_object::edit() {
   if (used_ > 0) throw kte::bad_argument("kte: the chain cannot be changed while another thread computes with it");
-  free_.clear(), has_packs_ = -1;
+  free_.clear(), has_packs_ = -1, compiled_.reset();
   return chain_;
 }
 
@@ -70,7 +70,11 @@ void put_inputs(const kte::runtime_chain& c, kte::runtime_state& s, py::handle i
 std::vector<std::string> names_from(py::handle names) {
   if (py::isinstance<py::str>(names)) return {names.cast<std::string>()};
   std::vector<std::string> all;
-  for (const auto name : names) all.push_back(name.cast<std::string>());
+  for (const auto name : names) {
+    if (!py::isinstance<py::str>(name))
+      throw py::type_error("kte: a name must be a str, not " + py::repr(name).cast<std::string>());
+    all.push_back(name.cast<std::string>());
+  }
   return all;
 }
 
@@ -134,11 +138,13 @@ std::string short_text(double x) {
   out << x;
   return out.str();
 }
-std::string text_of(const kte::runtime_chain& c) {
+std::string text_of(const chain_object& o) {
+  const auto& c = o.chain();
   const auto g = c.gravity();
   const auto n = size_of(c);
-  std::string s = "<kte.Chain: " + std::to_string(n) + (n == 1 ? " element, " : " elements, ") +
-                  std::to_string(c.dofs()) + (c.dofs() == 1 ? " degree of freedom" : " degrees of freedom");
+  std::string s = std::string("<kte.Chain") + (o.compiled() ? ", compiled: " : ": ") + std::to_string(n) +
+                  (n == 1 ? " element, " : " elements, ") + std::to_string(c.dofs()) +
+                  (c.dofs() == 1 ? " degree of freedom" : " degrees of freedom");
   std::string names;
   for (const auto& e : kte::layout(c)) {
     if (names.size() > 60) {
@@ -251,7 +257,7 @@ takes that of the first part that has one. Threads may share a chain.)");
           "check", [](const chain_object& c) { return kte::check_chain(c.chain()); },
           "check()\n\nWhat is unusual about the chain, as sentences.")
       .def("__len__", [](const chain_object& c) { return size_of(c.chain()); })
-      .def("__repr__", [](const chain_object& c) { return text_of(c.chain()); })
+      .def("__repr__", [](const chain_object& c) { return text_of(c); })
       .def("__eq__",
            [](const chain_object& a, py::handle b) {
              return py::isinstance<chain_object>(b) &&
@@ -259,8 +265,24 @@ takes that of the first part that has one. Threads may share a chain.)");
            })
       .def("__copy__", [](const chain_object& c) { return chain_object(c); })
       .def("__deepcopy__", [](const chain_object& c, py::handle) { return chain_object(c); })
-      .def(py::pickle([](const chain_object& c) { return bytes_of(c.chain()); },
-                      [](const py::bytes& b) { return std::make_unique<chain_object>(chain_from_bytes(b)); }));
+      .def(py::pickle(
+          [](const chain_object& c) -> py::object {
+            if (!c.compiled()) return bytes_of(c.chain());
+            return py::make_tuple(bytes_of(c.chain()), c.compiled()->frames());
+          },
+          [](const py::object& state) {
+            if (!py::isinstance<py::tuple>(state))
+              return std::make_unique<chain_object>(chain_from_bytes(py::bytes(state)));
+            const auto [bytes, frames] = state.cast<std::pair<py::bytes, std::vector<std::string>>>();
+            auto made = std::make_unique<chain_object>(chain_from_bytes(bytes));
+            std::shared_ptr<const compiled_functions> functions;
+            {
+              const py::gil_scoped_release without;
+              functions = compile_chain(made->chain(), frames);
+            }
+            made->compiled(std::move(functions));
+            return made;
+          }));
   chain.attr("__hash__") = py::none();
   m.def(
       "element_types", [] { return registry().types(); }, "The names of all types of elements.");

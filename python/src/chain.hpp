@@ -7,6 +7,8 @@
 #include <pybind11/pybind11.h>
 #include <vector>
 
+#include "compiled.hpp"
+
 namespace kte_python {
 
 namespace py = pybind11;
@@ -23,17 +25,21 @@ class chain_object {
  public:
   chain_object() = default;
   explicit chain_object(kte::runtime_chain c) : chain_(std::move(c)) {}
-  chain_object(const chain_object& o) : chain_(o.chain_) {}
+  chain_object(const chain_object& o) : chain_(o.chain_), compiled_(o.compiled_) {}
 
   const kte::runtime_chain& chain() const { return chain_; }
   /// The chain, to change it. Throws `bad_argument` while another thread computes with it.
   kte::runtime_chain& edit();
   /// Whether packs of states can be computed (kte/dynamics/batch.hpp).
   bool has_packs() const;
+  /// Its functions as a type; null unless it is compiled.
+  const compiled_functions* compiled() const { return compiled_.get(); }
+  void compiled(std::shared_ptr<const compiled_functions> f) { compiled_ = std::move(f); }
 
  private:
   friend class lease;
   kte::runtime_chain chain_;
+  std::shared_ptr<const compiled_functions> compiled_;
   mutable std::vector<std::unique_ptr<workspace>> free_;
   mutable int used_ = 0;
   mutable int has_packs_ = -1;  ///< -1: unknown

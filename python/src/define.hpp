@@ -16,8 +16,9 @@ struct definition {
   const char* third = "a";      ///< the name of the third argument
 };
 
-inline call_options options_of(py::handle inputs, py::handle threads, const std::string& errors) {
-  return {inputs, threads, nan_for_errors(errors)};
+inline call_options options_of(py::handle inputs, py::handle threads, const std::string& errors,
+                               const char* function = "", std::string_view frame = {}) {
+  return {inputs, threads, nan_for_errors(errors), function, frame};
 }
 
 namespace detail {
@@ -38,8 +39,8 @@ void define(py::module_& m, const definition& d, F f) {
         [d, body, q_of](py::handle chain, py::handle q, py::handle inputs, py::handle threads,
                         const std::string& errors) {
           const auto& c = chain_of(chain);
-          return detail::finished(
-              d, call(c, {q_of(q)}, d.results(c.chain().dofs()), d.cost, options_of(inputs, threads, errors), body));
+          return detail::finished(d, call(c, {q_of(q)}, d.results(c.chain().dofs()), d.cost,
+                                          options_of(inputs, threads, errors, d.name), body));
         },
         d.doc, "chain"_a, "q"_a, py::kw_only(), "inputs"_a = none, "threads"_a = none, "errors"_a = "raise");
   else if constexpr (Arguments == 2)
@@ -49,7 +50,7 @@ void define(py::module_& m, const definition& d, F f) {
                               const std::string& errors) {
           const auto& c = chain_of(chain);
           return detail::finished(d, call(c, {q_of(q), v_of(v)}, d.results(c.chain().dofs()), d.cost,
-                                          options_of(inputs, threads, errors), body));
+                                          options_of(inputs, threads, errors, d.name), body));
         },
         d.doc, "chain"_a, "q"_a, "v"_a, py::kw_only(), "inputs"_a = none, "threads"_a = none, "errors"_a = "raise");
   else
@@ -60,7 +61,7 @@ void define(py::module_& m, const definition& d, F f) {
           const auto& c = chain_of(chain);
           return detail::finished(
               d, call(c, {q_of(q), v_of(v), {d.third, argument_of::v, a}}, d.results(c.chain().dofs()), d.cost,
-                      options_of(inputs, threads, errors), body));
+                      options_of(inputs, threads, errors, d.name), body));
         },
         d.doc, "chain"_a, "q"_a, "v"_a, py::arg(d.third), py::kw_only(), "inputs"_a = none, "threads"_a = none,
         "errors"_a = "raise");

@@ -40,7 +40,7 @@ void bind_dynamics(py::module_& m) {
         const auto& c = chain_of(chain);
         return call(
             c, {{"q", argument_of::q, q}, {"v", argument_of::v, v}, {"a", argument_of::v, a}}, {{nv_of(c)}}, 1,
-            options_of(inputs, threads, errors),
+            options_of(inputs, threads, errors, "inverse_dynamics"),
             [](const runtime_chain& k, workspace& w, double* const* out) {
               write_vector(kte::inverse_dynamics(k, w.state, w.x[0], w.x[1], w.x[2]), out[0]);
             },
@@ -55,7 +55,7 @@ void bind_dynamics(py::module_& m) {
         const auto& c = chain_of(chain);
         return call(
             c, {{"q", argument_of::q, q}, {"v", argument_of::v, v}, {"tau", argument_of::v, tau}}, {{nv_of(c)}}, 2,
-            options_of(inputs, threads, errors),
+            options_of(inputs, threads, errors, "forward_dynamics"),
             [](const runtime_chain& k, workspace& w, double* const* out) {
               write_vector(kte::forward_dynamics(k, w.state, w.x[0], w.x[1], w.x[2]), out[0]);
             },
@@ -69,7 +69,7 @@ void bind_dynamics(py::module_& m) {
       [](py::handle chain, py::handle q, py::handle threads, const std::string& errors) {
         const auto& c = chain_of(chain);
         return call(
-            c, {{"q", argument_of::q, q}}, {{nv_of(c), nv_of(c)}}, 1.5, options_of({}, threads, errors),
+            c, {{"q", argument_of::q, q}}, {{nv_of(c), nv_of(c)}}, 1.5, options_of({}, threads, errors, "mass_matrix"),
             [](const runtime_chain& k, workspace& w, double* const* out) {
               write(kte::mass_matrix(k, w.state, w.x[0]), out[0]);
             },

@@ -69,7 +69,7 @@ void bind_frames(py::module_& m) {
         if (frame.is_none()) return poses_of_all(chain, q, threads, errors);
         const auto name = frame.cast<std::string>();
         return result("Pose", call(chain_of(chain), {{"q", argument_of::q, q}}, {{3}, {3, 3}}, 0.5,
-                                   options_of({}, threads, errors),
+                                   options_of({}, threads, errors, "forward_kinematics", name),
                                    [&name](const runtime_chain& k, workspace& w, double* const* out) {
                                      const auto pose = kte::forward_kinematics(k, w.state, w.x[0], name);
                                      write_xyz(pose.position, out[0]), write_rows(pose.rotation, out[1]);
@@ -120,7 +120,11 @@ the base. Without a frame, a dict of the poses of all frames. Frames in the plan
          const std::string& errors) {
         const auto& c = chain_of(chain);
         const auto in = axes_from(axes);
-        return call(c, {{"q", argument_of::q, q}}, six_by_n(c.chain().dofs()), 0.5, options_of({}, threads, errors),
+        const char* const function = in == axes_of::own     ? "jacobian"
+                                     : in == axes_of::world ? "jacobian_in_world_axes"
+                                                            : "";
+        return call(c, {{"q", argument_of::q, q}}, six_by_n(c.chain().dofs()), 0.5,
+                    options_of({}, threads, errors, function, frame),
                     [&](const runtime_chain& k, workspace& w, double* const* out) {
                       if (in == axes_of::own)
                         write(kte::jacobian(k, w.state, w.x[0], frame), out[0]);

@@ -4,24 +4,10 @@
 
 #include <pybind11/stl.h>
 
-#include "define.hpp"
+#include "one_state.hpp"
 #include "parts.hpp"
 
 namespace kte_python {
-
-namespace {
-
-array xyz_array(const kte::vec3<>& v) { return to_array(Eigen::VectorXd(Eigen::Vector3d(v.x, v.y, v.z))); }
-
-/// f(chain, state) without the GIL.
-template <class F>
-auto compute(const chain_object& c, const F& f) {
-  lease work(c);
-  const py::gil_scoped_release without;
-  return f(c.chain(), work->state);
-}
-
-}  // namespace
 
 void bind_loops(py::module_& m) {
   using namespace py::literals;

@@ -14,10 +14,14 @@ PYBIND11_MODULE(_kte, m) {
   kte_python::bind_frames(m);
   kte_python::bind_configurations(m);
   kte_python::bind_loops(m);
+  kte_python::bind_contacts(m);
   kte_python::bind_state(m);
   kte_python::bind_files(m);
   kte_python::bind_robots(m);
   kte_python::bind_inverse_kinematics(m);
   kte_python::bind_simulation(m);
+  kte_python::bind_compiled(m);
+  kte_python::bind_sweep_cases(m);
+  kte_python::bind_sweep(m);
   kte_python::bind_view(m);
 }

@@ -12,12 +12,16 @@ void bind_derivatives(pybind11::module_& m);
 void bind_frames(pybind11::module_& m);
 void bind_momentum(pybind11::module_& m);
 void bind_configurations(pybind11::module_& m);
+void bind_contacts(pybind11::module_& m);
 void bind_loops(pybind11::module_& m);
 void bind_state(pybind11::module_& m);
 void bind_files(pybind11::module_& m);
 void bind_robots(pybind11::module_& m);
 void bind_inverse_kinematics(pybind11::module_& m);
 void bind_simulation(pybind11::module_& m);
+void bind_compiled(pybind11::module_& m);
+void bind_sweep_cases(pybind11::module_& m);
+void bind_sweep(pybind11::module_& m);
 void bind_view(pybind11::module_& m);
 
 }  // namespace kte_python

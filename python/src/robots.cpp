@@ -46,10 +46,53 @@ py::object limits_of(const kte::joint_limits<>& l) {
                                          list(l.effort)));
 }
 
+/// Takes numbers out of a dict of Python by their names; then it must be empty.
+class dict_reader {
+ public:
+  dict_reader(std::string what, py::handle from) : what_(std::move(what)) {
+    if (!py::isinstance<py::dict>(from)) throw py::type_error("kte: " + what_ + " must be a dict");
+    left_ = py::dict(py::reinterpret_borrow<py::dict>(from).attr("copy")());
+  }
+  template <class T>
+  void take(const char* name, T& to) {
+    if (!left_.contains(name)) return;
+    const py::object value = left_.attr("pop")(name);
+    if (!value.is_none()) to = value.cast<T>();
+  }
+  py::object take_object(const char* name) {
+    return left_.contains(name) ? py::object(left_.attr("pop")(name)) : py::none();
+  }
+  void finish() const {
+    if (left_.empty()) return;
+    throw py::type_error("kte: " + what_ + " has no '" + py::str((*left_.begin()).first).cast<std::string>() + "'");
+  }
+
+ private:
+  std::string what_;
+  py::dict left_;
+};
+kte::robot_contact_options contacts_from(py::handle contacts) {
+  kte::robot_contact_options o;
+  if (contacts.is_none()) return o;
+  dict_reader in("contacts", contacts);
+  in.take("ground", o.ground), in.take("rim_points", o.rim_points);
+  in.take("friction", o.friction), in.take("restitution", o.restitution);
+  if (const auto compliant = in.take_object("compliant"); !compliant.is_none()) {
+    auto& p = o.compliant;
+    dict_reader soft("compliant", compliant);
+    soft.take("stiffness", p.stiffness), soft.take("exponent", p.exponent);
+    soft.take("dissipation", p.dissipation), soft.take("slip_speed", p.slip_speed);
+    soft.finish();
+  }
+  in.finish();
+  if (o.ground.empty()) throw py::value_error("kte: contacts needs a 'ground', such as 'world'");
+  return o;
+}
 kte::robot_options options_from(py::handle gravity, const std::string& root, bool floating_base, bool fold_fixed,
                                 bool joint_dynamics, double friction_smoothing, double quarter_turn_tolerance,
-                                bool strict, const std::string& model, py::handle search_path) {
+                                bool strict, const std::string& model, py::handle search_path, py::handle contacts) {
   kte::robot_options o;
+  o.contacts = contacts_from(contacts);
   if (!gravity.is_none()) {
     const auto g = vector_from("gravity", gravity, 3);
     o.gravity = kte::vec3<>{g[0], g[1], g[2]};
@@ -83,6 +126,9 @@ root                    the link used as base
 floating_base           whether the root moves freely, by a coordinate 'floating_base', in a frame 'world'
 fold_fixed              merges bodies of fixed links into their parents
 joint_dynamics          False: no damping, friction, springs and rotor inertias
+contacts                of collision shapes with the ground, a dict: 'ground', a frame such as 'world'; 'friction' and
+                        'restitution', by default those of the file, or 1 and 0; 'rim_points' of cylinders; 'compliant',
+                        a dict of 'stiffness', 'exponent', 'dissipation', 'slip_speed', instead of rigid contacts
 friction_smoothing      rate over which dry friction changes sign, rad/s or m/s
 quarter_turn_tolerance  angles within this of multiples of pi/2, rad, become exact
 strict                  refuses robots that would move differently from those in the file
@@ -111,6 +157,9 @@ void bind_robots(py::module_& m) {
       .def_property_readonly(
           "joints", [](const robot_object& r) { return r.robot.joints; },
           "Names of the coordinates of joints, in the order of the file.")
+      .def_property_readonly(
+          "contacts", [](const robot_object& r) { return r.robot.contacts; },
+          "Names of the rigid contacts of its shapes with the ground.")
       .def_property_readonly(
           "configurations",
           [](const robot_object& r) {
@@ -167,7 +216,8 @@ N/m or Nm/rad, they are servos, whose commands are positions. `stop_*`: stops at
 
   static const std::string load_doc =
       "load_robot(path, *, gravity=None, root=\"\", floating_base=False, fold_fixed=False, joint_dynamics=True, "
-      "friction_smoothing=1e-3, quarter_turn_tolerance=1e-15, strict=False, model=\"\", search_path=())\n\n"
+      "friction_smoothing=1e-3, quarter_turn_tolerance=1e-15, strict=False, model=\"\", search_path=(), "
+      "contacts=None)\n\n"
       "Reads a robot from a file in URDF, MJCF or SDF.\n" +
       std::string(options_text);
   static const std::string parse_doc =
@@ -179,26 +229,29 @@ N/m or Nm/rad, they are servos, whose commands are positions. `stop_*`: stops at
       "load_robot",
       [](const std::filesystem::path& path, py::handle gravity, const std::string& root, bool floating_base,
          bool fold_fixed, bool joint_dynamics, double friction_smoothing, double quarter_turn_tolerance, bool strict,
-         const std::string& model, py::handle search_path) {
+         const std::string& model, py::handle search_path, py::handle contacts) {
         return as_object(kte::load_robot(
             path, options_from(gravity, root, floating_base, fold_fixed, joint_dynamics, friction_smoothing,
-                               quarter_turn_tolerance, strict, model, search_path)));
+                               quarter_turn_tolerance, strict, model, search_path, contacts)));
       },
       load_doc.c_str(), "path"_a, py::kw_only(), "gravity"_a = none, "root"_a = "", "floating_base"_a = false,
       "fold_fixed"_a = false, "joint_dynamics"_a = true, "friction_smoothing"_a = 1e-3,
-      "quarter_turn_tolerance"_a = 1e-15, "strict"_a = false, "model"_a = "", "search_path"_a = no_folders);
+      "quarter_turn_tolerance"_a = 1e-15, "strict"_a = false, "model"_a = "", "search_path"_a = no_folders,
+      "contacts"_a = none);
   m.def(
       "parse_robot",
       [](const std::string& text, const std::string& name, py::handle gravity, const std::string& root,
          bool floating_base, bool fold_fixed, bool joint_dynamics, double friction_smoothing,
-         double quarter_turn_tolerance, bool strict, const std::string& model, py::handle search_path) {
+         double quarter_turn_tolerance, bool strict, const std::string& model, py::handle search_path,
+         py::handle contacts) {
         const auto options = options_from(gravity, root, floating_base, fold_fixed, joint_dynamics, friction_smoothing,
-                                          quarter_turn_tolerance, strict, model, search_path);
+                                          quarter_turn_tolerance, strict, model, search_path, contacts);
         return as_object(kte::to_robot(kte::describe_robot(text, name, options), options));
       },
       parse_doc.c_str(), "text"_a, "name"_a = "robot", py::kw_only(), "gravity"_a = none, "root"_a = "",
       "floating_base"_a = false, "fold_fixed"_a = false, "joint_dynamics"_a = true, "friction_smoothing"_a = 1e-3,
-      "quarter_turn_tolerance"_a = 1e-15, "strict"_a = false, "model"_a = "", "search_path"_a = no_folders);
+      "quarter_turn_tolerance"_a = 1e-15, "strict"_a = false, "model"_a = "", "search_path"_a = no_folders,
+      "contacts"_a = none);
 
   const auto writer = [&m](const char* name, const char* doc, auto write_robot, auto write_chain) {
     m.def(

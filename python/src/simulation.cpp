@@ -22,6 +22,41 @@ constexpr auto check_interval = std::chrono::milliseconds(50);
 
 }  // namespace
 
+void check_solver(const std::string& name) {
+  const std::string known = std::string(solvers_with_tolerances) + ", " + solvers_of_fixed_step + ",";
+  if (name.empty() || (" " + known).find(" " + name + ",") == std::string::npos)
+    throw kte::bad_argument("kte: there is no solver '" + name + "', but " + solvers_with_tolerances +
+                            "; of a fixed step " + solvers_of_fixed_step);
+}
+
+std::unique_ptr<any_solver> start_solver(plant& p, const Eigen::VectorXd& q, const Eigen::VectorXd& v, double t,
+                                         const solver_options& o) {
+  check_solver(o.name);
+  if (!(o.step > 0)) throw kte::bad_argument("kte: step must be positive, got " + kte::detail::number(o.step));
+  plant::state x = p.model().make_x(q, v);
+  p.set_inputs(t, x);
+  x = kte::settled(p.model(), t, x);
+  auto solver = make_explicit_solver(p, x, t, o);
+  if (!solver) solver = make_stiff_solver(p, x, t, o);
+  if (!solver) solver = make_fixed_step_solver(p, x, t, o);
+  if (!solver) solver = make_contact_solver(p, x, t, o);
+  return solver;
+}
+
+std::vector<double> even_times(double begin, double end, double spacing) {
+  std::vector<double> times;
+  const double span = std::abs(end - begin);
+  if (!(spacing > 0)) throw kte::bad_argument("kte: every must be positive, got " + kte::detail::number(spacing));
+  const double count = std::floor(span / spacing * (1 + 4e-16) + 1e-9);
+  if (!(count < 1e9)) throw kte::bad_argument("kte: more than a thousand million samples");
+  for (double i = 0; i <= count; ++i) times.push_back(begin + (end > begin ? i : -i) * spacing);
+  if (std::abs(times.back() - end) > 1e-9 * spacing)
+    times.push_back(end);
+  else
+    times.back() = end;
+  return times;
+}
+
 simulation::simulation(py::object drawn, kte::runtime_chain c, py::object control, const py::dict& inputs,
                        const py::list& events, bool of_time_alone)
     : drawn_(std::move(drawn)),
@@ -60,18 +95,7 @@ simulation::simulation(py::object drawn, kte::runtime_chain c, py::object contro
 }
 
 void simulation::start(const Eigen::VectorXd& q, const Eigen::VectorXd& v, double t, const solver_options& o) {
-  plant::state x = plant_.model().make_x(q, v);
-  plant_.set_inputs(t, x);
-  x = kte::settled(plant_.model(), t, x);
-  solver_ = make_explicit_solver(plant_, x, t, o);
-  if (!solver_) solver_ = make_stiff_solver(plant_, x, t, o);
-  if (!solver_) solver_ = make_fixed_step_solver(plant_, x, t, o);
-  if (!solver_) solver_ = make_contact_solver(plant_, x, t, o);
-  if (!solver_)
-    throw kte::bad_argument("kte: there is no solver '" + o.name + "', but " + solvers_with_tolerances +
-                            "; of a fixed "
-                            "step " +
-                            solvers_of_fixed_step);
+  solver_ = start_solver(plant_, q, v, t, o);
 }
 
 void simulation::set_control(py::object control) {
@@ -148,21 +172,9 @@ void simulation::reset(std::size_t event, double t, plant::state& x) {
 
 /// The times of samples, from now to the end.
 std::vector<double> simulation::times_from(double end, py::handle every, py::handle at) const {
-  std::vector<double> times;
-  if (!at.is_none()) {
-    const auto all = vector_from("at", at, -1);
-    return {all.data(), all.data() + all.size()};
-  }
-  const double spacing = every.cast<double>(), begin = solver_->time(), span = std::abs(end - begin);
-  if (!(spacing > 0)) throw kte::bad_argument("kte: every must be positive, got " + kte::detail::number(spacing));
-  const double count = std::floor(span / spacing * (1 + 4e-16) + 1e-9);
-  if (!(count < 1e9)) throw kte::bad_argument("kte: more than a thousand million samples");
-  for (double i = 0; i <= count; ++i) times.push_back(begin + (end > begin ? i : -i) * spacing);
-  if (std::abs(times.back() - end) > 1e-9 * spacing)
-    times.push_back(end);
-  else
-    times.back() = end;
-  return times;
+  if (at.is_none()) return even_times(solver_->time(), end, every.cast<double>());
+  const auto all = vector_from("at", at, -1);
+  return {all.data(), all.data() + all.size()};
 }
 
 py::object simulation::advance(double end, py::handle every, py::handle at) {
@@ -222,7 +234,6 @@ std::unique_ptr<simulation> make_simulation(py::object chain, py::handle q, py::
       for (const auto e : events) list.append(e);
   }
   auto made = std::make_unique<simulation>(chain, c, std::move(control), signals, list, of_time_alone);
-  if (!(step > 0)) throw kte::bad_argument("kte: step must be positive, got " + kte::detail::number(step));
   solver_options o{solver, step, {.absolute = tolerance, .relative = tolerance, .max_steps = max_steps}};
   if (!absolute.is_none()) o.tolerances.absolute = absolute.cast<double>();
   if (!relative.is_none()) o.tolerances.relative = relative.cast<double>();

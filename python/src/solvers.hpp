@@ -77,6 +77,14 @@ std::unique_ptr<any_solver> make_explicit_solver(plant& p, const plant::state& x
 std::unique_ptr<any_solver> make_stiff_solver(plant& p, const plant::state& x, double t, const solver_options& o);
 std::unique_ptr<any_solver> make_fixed_step_solver(plant& p, const plant::state& x, double t, const solver_options& o);
 std::unique_ptr<any_solver> make_contact_solver(plant& p, const plant::state& x, double t, const solver_options& o);
+/// Throws `bad_argument` if there is no solver of this name.
+void check_solver(const std::string& name);
+/// The solver of this name, from q and v on, where the modes of elements have settled. Throws `bad_argument` if there
+/// is none.
+std::unique_ptr<any_solver> start_solver(plant& p, const Eigen::VectorXd& q, const Eigen::VectorXd& v, double t,
+                                         const solver_options& o);
+/// The times from begin to end with this spacing, and the end.
+std::vector<double> even_times(double begin, double end, double spacing);
 /// The names of all solvers.
 inline constexpr const char* solvers_with_tolerances =
     "dormand_prince45, prince_dormand87, bogacki_shampine23, fehlberg45, adams, bdf, rodas, rosenbrock23, "

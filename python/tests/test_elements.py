@@ -102,3 +102,21 @@ def test_joints_of_two_coordinates_are_two_joints():
     np.testing.assert_allclose(pose.position, [0.1, 0, 0.3 - 0.02 - 0.1], atol=1e-15)
     with pytest.raises(kte.BadParameter, match="must not be parallel"):
         kte.universal_joint_3D("a", "b", "c", "d", [1, 0, 0], [1, 0, 0])
+
+
+def test_contacts_of_boxes_and_capsules_are_those_of_their_corners_and_ends():
+    chain = kte.Chain(
+        kte.base_3D("ground"),
+        kte.free_joint_3D("pose", "ground", "body"),
+        kte.inertia_3D("body", mass=1, inertia=1),
+        kte.box_contact_3D("crate", "ground", "body", [0.3, 0.2, 0.1], friction=0.5),
+        kte.compliant_capsule_contact_3D("ground", "body", [0, 0, 0.2], 0.05, 1e5, friction=0.5),
+    )
+    elements = list(chain.elements)
+    corner = next(e for e in elements if e.ports.get("contact") == "crate/corner 3")
+    assert list(corner.parameters["offset"]) == [-0.3, 0.2, -0.1]
+    assert sum(e.type == "sphere_contact_3D" for e in elements) == 8
+    assert sum(e.type == "compliant_contact_3D" for e in elements) == 2
+    assert len(kte.capsule_contact_2D("rod", "floor", "card", [0.4, 0], 0.05)) == 2
+    with pytest.raises(ValueError, match="half must have 2 numbers"):
+        kte.box_contact_2D("card", "floor", "card", [1, 2, 3])

@@ -96,3 +96,25 @@ def test_limits_of_inverse_kinematics(iiwa):
     assert (found.q >= 0.25).all() and (found.q <= 0.35).all() and found.status == "reached"
     with pytest.raises(kte.Error, match="closed form|formula"):
         kte.inverse_kinematics_all(kte.Chain(kte.revolute_joint_3D("q", "a", "b")), "b", *pose)
+
+
+FOOT = """<robot name="hopper"><link name="leg">
+  <inertial><mass value="2"/><inertia ixx="0.1" iyy="0.1" izz="0.01" ixy="0" ixz="0" iyz="0"/></inertial>
+  <collision name="foot"><origin xyz="0 0 -0.4"/><geometry><sphere radius="0.02"/></geometry></collision>
+</link></robot>"""
+
+
+def test_collision_shapes_touch_the_ground():
+    contacts = dict(ground="world", friction=0.7)
+    hopper = kte.parse_robot(FOOT, floating_base=True, contacts=contacts)
+    assert hopper.contacts == ["foot"]
+    np.testing.assert_allclose(hopper.configurations["standing"], [0, 0, 0.42, 1, 0, 0, 0], atol=1e-15)
+    soft = kte.parse_robot(FOOT, floating_base=True, contacts=dict(contacts, compliant=dict(stiffness=1e5)))
+    assert soft.contacts == [] and soft.chain.elements[-1].type == "compliant_contact_3D"
+    for bad, sentence in [
+        (dict(ground="world", mu=1), "contacts has no 'mu'"),
+        (dict(friction=1), "contacts needs a 'ground'"),
+        (3, "contacts must be a dict"),
+    ]:
+        with pytest.raises((TypeError, ValueError), match=sentence):
+            kte.parse_robot(FOOT, floating_base=True, contacts=bad)

@@ -52,6 +52,15 @@ def _files(package):
     return [p for p in sorted(package.iterdir()) if p.suffix in (".py", ".pyi", ".so", ".typed") or p.name == "py.typed"]
 
 
+def _headers():
+    """Of `kte.compile`: names in the package, and bytes."""
+    root = HERE.parent
+    files = {p.relative_to(root): p for p in sorted((root / "include").rglob("*.hpp"))}
+    for name in ("frame_named", "static_library", "static_library_of"):
+        files[f"include/eval/{name}.hpp"] = root / "tools" / "kte" / "eval" / f"{name}.hpp"
+    return {f"kte/{name}": p.read_bytes() for name, p in files.items()}
+
+
 def _write(wheel, files):
     """A wheel of names and bytes."""
     info = f"kte-{_version()}.dist-info"
@@ -76,7 +85,7 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
         package = folder / "python" / "kte"
         if not package.is_dir():
             raise SystemExit(f"kte: {folder} has no python/kte: build it with KTE_BUILD_PYTHON")
-        _write(pathlib.Path(wheel_directory) / name, {f"kte/{p.name}": p.read_bytes() for p in _files(package)})
+        _write(pathlib.Path(wheel_directory) / name, {**{f"kte/{p.name}": p.read_bytes() for p in _files(package)}, **_headers()})
     return name
 
 

@@ -270,15 +270,19 @@ TEST_CASE("closures on a base that turns act as on a heavy hub that turns as fas
   heavy.gravity(along_z(-9.81)) << revolute_joint_3D("turn", "base", "hub", axis::z)
                                 << inertia_3D("hub", rigid_body{1.0, vec3<>{}, sym3<>{1e14, 0, 0, 1e14, 0, 1e14}});
   const auto on_base = arm_on(std::move(turning), "hub"), on_hub = arm_on(std::move(heavy), "hub");
+  const double speed_up = GENERATE(0.0, 0.8);  // rad/s^2
   auto s = on_base.make_state(), t = on_hub.make_state();
   s.frame_3D("hub").ang_velocity = {0, 0, 1.7};
+  s.frame_3D("hub").ang_acceleration = {0, 0, speed_up};
   t.coordinate("turn").q_dot = 1.7;
   double q = 0.3;
   for (const char* n : {"q1", "q2", "q3", "q4", "lone"}) {
     for (auto* x : {&s.coordinate(n), &t.coordinate(n)}) x->q = q, x->q_dot = 0.5 - q;
     q += 0.2;
   }
-  forward_dynamics(on_base, s), forward_dynamics(on_hub, t);
+  const vector drive = 1e14 * speed_up * vector::Unit(on_hub.dofs(), 0);
+  forward_dynamics(on_base, s), forward_dynamics(on_hub, t, positions(t), velocities(t), drive);
+  CHECK(t.coordinate("turn").q_ddot == within(speed_up, 1e-12));
   for (const char* n : {"q1", "q2", "q3", "q4", "lone"})
     CHECK(std::abs(s.coordinate(n).q_ddot - t.coordinate(n).q_ddot) < 1e-10);
   CHECK(std::abs(s.loop("plane").force.x - t.loop("plane").force.x) < 1e-10);

@@ -31,7 +31,7 @@ end_of_run run(const runtime_chain& c, const vector& q, const vector& v, double 
 const tolerances<double> fine{.absolute = 1e-12, .relative = 1e-12};
 }  // namespace
 
-TEST_CASE("Andrews' squeezer with three pins", "[long]") {
+TEST_CASE("Andrews' squeezer with three pins") {
   const auto c = andrews();
   auto s = c.make_state();
   const vector q = assemble(c, s, andrews_start(), held("q1")), none = vector::Zero(7);
@@ -48,7 +48,7 @@ TEST_CASE("Andrews' squeezer with three pins", "[long]") {
   }
 }
 
-TEST_CASE("a governor with its hinges cut moves as the tree does", "[long]") {
+TEST_CASE("a governor with its hinges cut moves as the tree does") {
   const auto c = cut_governor();
   const vector q = cut_governor_q();
   auto s = c.make_state();
@@ -60,7 +60,7 @@ TEST_CASE("a governor with its hinges cut moves as the tree does", "[long]") {
   CHECK(end.open < 1e-14);
 }
 
-TEST_CASE("Sarrus' linkage moves along a line, though its closure has a redundant row", "[long]") {
+TEST_CASE("Sarrus' linkage moves along a line, though its closure has a redundant row") {
   const auto c = sarrus();
   auto s = c.make_state();
   const auto of = [](double x) { return numbers({x, -2 * x, x, x, -2 * x}); };
@@ -71,7 +71,7 @@ TEST_CASE("Sarrus' linkage moves along a line, though its closure has a redundan
   CHECK((end.q - of(end.q[0])).cwiseAbs().maxCoeff() < 1e-13);
 }
 
-TEST_CASE("a third parallel bar is redundant", "[long]") {
+TEST_CASE("a third parallel bar is redundant") {
   const auto c = three_parallel_bars();
   auto s = c.make_state();
   const auto of = [](double x) { return numbers({x, x, x, -x}); };

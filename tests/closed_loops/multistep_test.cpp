@@ -69,7 +69,7 @@ TEST_CASE("adams and bdf: a slider-crank of equal bars passes its dead points", 
             });
 }
 
-TEST_CASE("adams and bdf: four-bars stay on their branch through singular configurations (A02)", "[long]") {
+TEST_CASE("adams and bdf: four-bars stay on their branch through singular configurations (A02)") {
   for (const int n : {1, 2}) {
     const double phi = four_bar_angle(n, 0, 1, 10);
     with_both(four_bars(n), four_bar_q(n, 0), four_bar_v(n, 1), 10, {1e-6, 1e-9}, [&](const run& r, double tolerance) {
@@ -80,7 +80,7 @@ TEST_CASE("adams and bdf: four-bars stay on their branch through singular config
   }
 }
 
-TEST_CASE("adams and bdf: Andrews' squeezer", "[long]") {
+TEST_CASE("adams and bdf: Andrews' squeezer") {
   with_both(andrews(), andrews_start(), vector::Zero(7), 0.03, {1e-6, 1e-9}, [](const run& r, double tolerance) {
     CHECK(r.x[0] == within(15.8107711951537070971, 2e3 * tolerance));
     CHECK(r.open < 5e-14);

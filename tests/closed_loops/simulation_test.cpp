@@ -66,9 +66,9 @@ TEST_CASE("a pendulum in Cartesian coordinates (A01)") {
   }
 }
 
-TEST_CASE("a row of four-bars stays on its branch through singular configurations (A02)", "[long]") {
+TEST_CASE("a row of four-bars stays on its branch through singular configurations (A02)") {
   for (const int n : {1, 2, 10})
-    for (const double tolerance : {1e-6, 1e-9, 1e-11, 1e-12}) {
+    for (const double tolerance : {1e-6, 1e-9, 1e-12}) {
       if (n > 2 && tolerance != 1e-9) continue;  // it takes long
       const auto r = simulated(four_bars(n), four_bar_q(n, 0), four_bar_v(n, 1), 10, tolerance);
       const double phi = four_bar_angle(n, 0, 1, 10);
@@ -84,7 +84,7 @@ TEST_CASE("a row of four-bars stays on its branch through singular configuration
   CHECK(std::sin(r.x[0]) == within(0.944518538178600696, 1e-9));
 }
 
-TEST_CASE("hinges of five rows take as many evaluations as those of two", "[long]") {
+TEST_CASE("hinges of five rows take as many evaluations as those of two") {
   const auto plane = simulated(four_bars(2), four_bar_q(2, 0), four_bar_v(2, 1), 10, 1e-9);
   const auto space = simulated(four_bars_in_space(2), four_bar_q(2, 0), four_bar_v(2, 1), 10, 1e-9);
   const auto twice = simulated(four_bars(2, true), four_bar_q(2, 0), four_bar_v(2, 1), 10, 1e-9);
@@ -94,9 +94,9 @@ TEST_CASE("hinges of five rows take as many evaluations as those of two", "[long
   CHECK((twice.x - plane.x).cwiseAbs().maxCoeff() < 1e-5);
 }
 
-TEST_CASE("a slider-crank of equal bars passes its dead points", "[long]") {
+TEST_CASE("a slider-crank of equal bars passes its dead points") {
   const auto c = slider_crank_of_equal_bars();
-  for (const double tolerance : {1e-6, 1e-9, 1e-11, 1e-12}) {
+  for (const double tolerance : {1e-6, 1e-9, 1e-12}) {
     const auto r = simulated(c, numbers({0.3, -0.6}), numbers({8, -16}), 5, tolerance);
     INFO("tolerance " << tolerance);
     const double q = slider_crank_angle(0.3, 8, 5);
@@ -107,7 +107,7 @@ TEST_CASE("a slider-crank of equal bars passes its dead points", "[long]") {
   }
 }
 
-TEST_CASE("Bennett's linkage moves though its closure has more rows than it has coordinates", "[long]") {
+TEST_CASE("Bennett's linkage moves though its closure has more rows than it has coordinates") {
   const auto c = bennett();
   auto s = c.make_state();
   const vector q = assemble(c, s, numbers({0.8, 1.5, -0.8}), held("q1"));

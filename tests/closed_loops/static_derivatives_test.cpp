@@ -45,6 +45,24 @@ TEST_CASE("derivatives of constrained dynamics of a static chain") {
   CHECK_THROWS_AS(constrained_dynamics_derivatives(four_bar, vector(vector::Zero(4)), x.v, x.tau), bad_argument);
 }
 
+TEST_CASE("hybrid dynamics of a static chain with loops") {
+  both x;
+  const Eigen::Vector3d known(1.5, -0.2, 0.1);
+  const auto r = hybrid_dynamics(four_bar, x.q, x.v, known, prescribed(crank));
+  CHECK(r.a[0] == known[0]);
+  CHECK((r.tau[1] == known[1] && r.tau[2] == known[2]));
+  const auto all = constrained_dynamics(four_bar, x.q, x.v, r.tau);
+  CHECK(off(all.a, r.a) < 1e-12);
+  CHECK(off(to_eigen(all.force(pin)), to_eigen(r.force(pin))) < 1e-12);
+  CHECK(std::abs(r.force(pin).x) > 0.1);
+  const auto none = hybrid_dynamics(four_bar, x.q, x.v, known, prescribed());
+  CHECK(off(none.a, constrained_dynamics(four_bar, x.q, x.v, known).a) < 1e-13);
+  CHECK_THROWS_MATCHES(hybrid_dynamics(four_bar, x.q, x.v, known, prescribed(crank, rocker)), bad_argument,
+                       Message("kte: hybrid_dynamics: the closures do not allow this acceleration of 'crank' with the "
+                               "others that are prescribed"));
+  CHECK_THROWS_AS(hybrid_dynamics(four_bar, x.q, x.v, vector(vector::Zero(2)), prescribed(crank)), bad_argument);
+}
+
 TEST_CASE("a static chain in its actuated coordinates") {
   both x;
   const auto by = actuated(crank);

@@ -45,10 +45,10 @@ runtime_chain rod(double mu) {
 /// A ball of radius 0.1 and 1 kg in space.
 runtime_chain ball(const contact_law& law) {
   runtime_chain c;
-  c.gravity(vec3<>{0, 0, -g})
-      << base_3D("world") << free_joint_3D("pose", "world", "ball")
-      << inertia_3D("ball", rigid_body<>{1.0, vec3<>{}, sym3<>{0.004, 0.0, 0.0, 0.004, 0.0, 0.004}})
-      << sphere_contact_3D("floor", "world", "ball", half_space{}, 0.1, law);
+  c.gravity(vec3<>{0, 0, -g}) << base_3D("world") << free_joint_3D("pose", "world", "ball")
+                              << inertia_3D("ball",
+                                            rigid_body<>{1.0, vec3<>{}, sym3<>{0.004, 0.0, 0.0, 0.004, 0.0, 0.004}})
+                              << sphere_contact_3D("floor", "world", "ball", half_space{}, 0.1, law);
   return c;
 }
 using planar_model = manipulator_dynamics_model<runtime_chain>;
@@ -59,7 +59,8 @@ struct outcome {
   long long evaluations;
 };
 /// Integrates from q and v, with consistent modes at the start, to t.
-outcome run(const planar_model& model, const vector& q, const vector& v, double t, const kte::tolerances<double>& accuracy) {
+outcome run(const planar_model& model, const vector& q, const vector& v, double t,
+            const kte::tolerances<double>& accuracy) {
   prince_dormand87 solver(std::cref(model), 0.0, settled(model, 0.0, model.make_x(q, v)), accuracy);
   auto report = solver.integrate(t, element_events(model));
   return {solver.state(), std::move(report), solver.statistics().evaluations};
@@ -112,7 +113,8 @@ TEST_CASE("slipping ends where rolling begins") {
   struct wheel {
     double inertia, stop, place;
   };
-  for (const auto& w : {wheel{0.004, 0.14562399883501, 1.44937485697643}, wheel{0.005, 0.16989466530751, 1.36164911088458}}) {
+  for (const auto& w :
+       {wheel{0.004, 0.14562399883501, 1.44937485697643}, wheel{0.005, 0.16989466530751, 1.36164911088458}}) {
     auto c = planar(w.inertia);
     c << sphere_contact_2D("rim", "world", "body", half_space{}, 0.1, {.friction = 0.2});
     const planar_model model(c);
@@ -145,7 +147,8 @@ TEST_CASE("a rimless wheel goes to its limit cycle") {
   const vector v = numbers({-rate * l * std::cos(half), rate * l * std::sin(half), rate});
   const auto end = run(model, q, v, 40.0, tight);
   const double about = inertia + m * l * l, eta = (inertia + m * l * l * std::cos(pi / 4)) / about;
-  const double after = std::sqrt(eta * eta / (1 - eta * eta) * 4 * m * g * l * std::sin(slope) * std::sin(half) / about);
+  const double after =
+      std::sqrt(eta * eta / (1 - eta * eta) * 4 * m * g * l * std::sin(slope) * std::sin(half) / about);
   CHECK(after == within(1.5424373582917368, 1e-15));
   CHECK(-end.report.events.back().after[5] == within(after, 5e-12));
   CHECK(end.report.events.back().what.find("lifts") != std::string::npos);
@@ -164,8 +167,8 @@ TEST_CASE("a rod falls") {
   for (const auto& [mu, angle] : {std::pair{0.2, 0.2708619970981865}, {0.3, 0.4217710658045465}}) {
     const planar_model model(rod(mu));
     const double start = pi / 2 - 1e-3;
-    const auto end = run(model, numbers({0, std::sin(start), start}), at_rest, 3.0,
-                         {.absolute = 1e-14, .relative = 1e-14});
+    const auto end =
+        run(model, numbers({0, std::sin(start), start}), at_rest, 3.0, {.absolute = 1e-14, .relative = 1e-14});
     const auto& slips = end.report.events.front();
     CHECK(slips.what == "'one': slides");
     CHECK(pi / 2 - slips.before[2] == within(angle, 1e-12));
@@ -249,9 +252,7 @@ inline constexpr struct pose_ final : pose_2D_key<"pose"> {
 } pose_of_box;
 inline constexpr struct left_contact_ final : contact_key<"left foot"> {
 } left_foot;
-inline constexpr struct right_contact_ final : contact_key<"right foot"> {
-} right_foot;
-}  // namespace
+inline constexpr struct right_contact_ final : contact_key<"right foot"> { } right_foot; }  // namespace
 
 TEST_CASE("a static chain has the events of the same runtime chain") {
   const contact_law law{.friction = 0.2};

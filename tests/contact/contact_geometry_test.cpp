@@ -103,9 +103,12 @@ TEST_CASE("gaps, normals and points of contact") {
 }
 
 TEST_CASE("contacts without a defined point are refused") {
-  const detail::closing_motion<double> m{{0, 0, 0.01}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {}, {}, {}, {}};
+  detail::closing_motion<double> m{{0, 0, 0.01}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {}, {}, {}, {}};
   const core::disc_geometry flat{half_space{}.in<kind::frame_3D>(), {0, 0, 1}, 0.3};
   CHECK(flat.gap(m) == 0.01);
+  CHECK(near(flat.point(m), m.position, 0.0));
+  CHECK(near(flat.slip(m), m.rotation * m.velocity, 0.0));
+  m.position.z = 1e-4;
   CHECK(complaint([&] { (void)flat.point(m); }) == "kte: a disc lies flat on its surface: it has no lowest point");
   CHECK(complaint([&] { (void)touching(surface(ellipsoid), 0.1).gap(m); }) ==
         "kte: a sphere touches a surface(f) only if f is a distance, |grad f| = 1 to 1e-6: take a point, or a "

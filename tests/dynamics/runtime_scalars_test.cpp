@@ -220,9 +220,11 @@ TEST_CASE("what other scalars cannot do is said") {
   runtime_chain c = creature();
   c << spring_gen("hip", "knee", 0.0, 10.0);
   CHECK_NOTHROW(c.make_state());
-  CHECK_THROWS_WITH(c.make_state<float>(),
-                    "kte: states of runtime chains in scalars other than double support joints, links and bodies only; "
-                    "spring_gen (anchor1 'hip', anchor2 'knee') has its own force law");
+  CHECK_THROWS_WITH(
+      c.make_state<float>(),
+      "kte: states of runtime chains in scalars other than double and packs support joints, links and bodies "
+      "only; "
+      "spring_gen (anchor1 'hip', anchor2 'knee') has its own force law");
   // passes move what follows others, and are for double
   const auto following = tandem("q", "p", "r");
   auto s = following.make_state<float>();

@@ -117,7 +117,8 @@ TEST_CASE("states in other scalars refuse a joint with varying axes by name") {
   runtime_chain c;
   c << variable_pitch_screw_joint_3D("q", "ground", "nut", axis::z, 0.25, 0.5) << inertia_3D("nut", brick);
   CHECK(complaint([&] { (void)c.make_state<float>(); }) ==
-        "kte: states of runtime chains in scalars other than double support joints, links and bodies only; "
+        "kte: states of runtime chains in scalars other than double and packs support joints, links and bodies "
+        "only; "
         "variable_pitch_screw_joint_3D (coordinate 'q', base 'ground', end 'nut') has axes that depend on its "
         "coordinates");
 }

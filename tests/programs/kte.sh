@@ -319,5 +319,15 @@ gives 0 'wrote names.html' "$kte" view names.urdf names.csv
 gives 0 'names.mcap has numbers only' "$kte" simulate names.urdf --time 0.1 --record names.mcap
 gives 0 'wrote names.html' "$kte" view names.urdf names.mcap
 
+# Contacts of collision shapes.
+cat >foot.urdf <<'END'
+<robot name="foot"><link name="leg"><inertial><mass value="2"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial>
+<collision name="toe"><origin xyz="0 0 -0.4"/><geometry><sphere radius="0.02"/></geometry></collision></link></robot>
+END
+gives 0 '' "$kte" simulate foot.urdf --floating-base --ground world --contact-stiffness 1e6 --contact-dissipation 1 --solver rodas --time 0.5
+prints 'floating_base: q'
+gives 1 "no link or frame 'floor' for the ground (--ground): its base is 'leg', or 'world' with --floating-base" "$kte" simulate foot.urdf --ground floor
+gives 2 '--contact-dissipation need --ground' "$kte" simulate foot.urdf --friction 1
+
 if [ -n "$(find . -name called)" ]; then wrong "a shell has read a file's name"; fi
 [ "$failures" -eq 0 ]

@@ -15,6 +15,7 @@ void add_live(command_line& line) {
       .number("--speed", "X", o->speed, "simulated seconds per second; default 1")
       .number("--time", "S", o->end, "ends at this simulated time, and does not wait for a page");
   add_start(c, o->start);
+  add_contacts(c, o->in);
   add_solver(c, o->solver).runs([o] { return run_live(*o); });
 }
 

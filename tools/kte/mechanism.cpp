@@ -21,8 +21,8 @@ std::string format_of(std::string_view bytes) {
 
 void read_model(const reading& o, mechanism& m) {
   const auto& r = o.robot;
-  if (r.floating_base || o.joint_dynamics || o.no_joint_dynamics || !r.root.empty() || !r.model.empty() ||
-      r.quarter_turn_tolerance != kte::robot_options{}.quarter_turn_tolerance)
+  if (r.floating_base || r.contacts.requested() || o.joint_dynamics || o.no_joint_dynamics || !r.root.empty() ||
+      !r.model.empty() || r.quarter_turn_tolerance != kte::robot_options{}.quarter_turn_tolerance)
     throw kte::bad_argument("kte: " + o.file +
                             " is a model file, which is used unchanged: of these options it takes "
                             "--gravity alone");
@@ -53,6 +53,27 @@ command& add_reading(command& c, reading& o, bool joint_dynamics) {
   return c;
 }
 
+command& add_contacts(command& c, reading& o) {
+  auto& contacts = o.robot.contacts;
+  return c
+      .text("--ground", "FRAME", contacts.ground,
+            "contacts of collision shapes with the ground of this frame, such as world; rigid by default")
+      .number("--friction", "MU", contacts.friction, "of all contacts; default: that of the file, or 1")
+      .number("--restitution", "E", contacts.restitution, "of all contacts; default: that of the file, or 0")
+      .number("--contact-stiffness", "K", contacts.compliant.stiffness, "compliant contacts instead, N/m^1.5")
+      .number("--contact-dissipation", "C", contacts.compliant.dissipation, "of compliant contacts, s/m; default 0");
+}
+
+void check_contacts(const reading& o) {
+  const auto& contacts = o.robot.contacts;
+  const auto& soft = contacts.compliant;
+  if (!contacts.requested() &&
+      (contacts.friction || contacts.restitution || soft.stiffness != 0 || soft.dissipation != 0))
+    throw usage_error("--friction, --restitution, --contact-stiffness and --contact-dissipation need --ground");
+  if (soft.stiffness == 0 && soft.dissipation != 0)
+    throw usage_error("--contact-dissipation needs --contact-stiffness");
+}
+
 kte::robot_options robot_options_of(const reading& o) {
   auto wanted = o.robot;
   if (o.joint_dynamics || o.no_joint_dynamics) wanted.joint_dynamics = o.joint_dynamics;
@@ -75,6 +96,7 @@ mechanism read_mechanism(const reading& o) {
   m.description = kte::describe_robot(bytes, o.file, wanted);
   try {
     m.robot = kte::to_robot(*m.description, wanted);
+    for (const auto& c : m.robot.configurations) m.stands |= wanted.contacts.requested() && c.name == "standing";
   } catch (const kte::error& e) {
     throw broken_mechanism(e.what(), m.format, *m.description);
   }

@@ -20,6 +20,11 @@ struct reading {
 /// says.
 command& add_reading(command& c, reading& o, bool joint_dynamics = true);
 
+/// --ground, --friction, --restitution, --contact-stiffness and --contact-dissipation.
+command& add_contacts(command& c, reading& o);
+/// Throws `usage_error` for these options without those that they need.
+void check_contacts(const reading& o);
+
 kte::robot_options robot_options_of(const reading& o);
 
 /// What a file holds, whatever its format.
@@ -28,6 +33,8 @@ struct mechanism {
   kte::robot robot;                                   ///< of a model file its chain and limits
   std::optional<kte::robot_description> description;  ///< of files of robots
   std::optional<kte::model_record> model;             ///< of model files
+
+  bool stands = false;  ///< on a ground, in the configuration "standing"
 
   const kte::runtime_chain& chain() const { return robot.chain; }
 };

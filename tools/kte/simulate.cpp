@@ -147,6 +147,7 @@ void check_settings(const simulate_options& o) {
   if (!o.record.empty() && o.end / o.every > most_rows)
     throw usage_error("a recording has " + short_number(most_rows) + " rows at most: --every " + short_number(o.every) +
                       " of --time " + short_number(o.end) + " are more");
+  check_contacts(o.in);
   if (o.pd.empty() && (o.kp || o.kd || o.compensate)) throw usage_error("--kp, --kd and --compensate need --pd");
   if (o.record.empty() && (!o.columns.empty() || o.frames)) throw usage_error("--column and --frames need --record");
   if (!o.record.empty()) (void)kte::format_of(o.record);  // before what takes long
@@ -250,6 +251,7 @@ void add_simulate(command_line& line) {
                                  "energies and the final state. A terminal shows a progress bar."),
                         o->in);
   c.number("--time", "S", o->end, "duration, s; default 10");
+  add_contacts(c, o->in);
   add_start(c, o->start)
       .text("--pd", "TABLE", o->pd,
             "PD control to targets over time: columns t, q_0, ..., v_0, ...; linear between rows, forces within limits")

@@ -20,9 +20,12 @@ Eigen::VectorXd configuration(const std::string& name, const mechanism& m) {
   throw kte::unknown_name("kte: " + m.file + " has no configuration '" + name + "'" +
                           (known.empty() ? "" : ", but " + known));
 }
-/// The configuration of the file in which its loops are closed, if it has one, or else the neutral one.
+/// The configuration in which a robot with contacts stands; that of the file in which its loops are closed and its
+/// bodies are above the ground, if it has one; or else the neutral one.
 Eigen::VectorXd usual_configuration(const mechanism& m, const kte::runtime_chain& c) {
-  if (kte::detail::has_loops(c) && c.nq() == m.chain().nq()) return kte::detail::start_of_loops(m.robot);
+  if (m.stands) return configuration("standing", m);
+  if ((kte::detail::has_loops(c) || !m.robot.contacts.empty()) && c.nq() == m.chain().nq())
+    return kte::detail::start_of_loops(m.robot);
   return kte::neutral_configuration(c);
 }
 }  // namespace

@@ -30,21 +30,9 @@ int mesh_files::cannot(const std::string& name, const std::string& why) {
   return -1;
 }
 
-/// In the folder of the file and those around it; of `package://name/...` also where the folder has another name.
 std::filesystem::path mesh_files::find(const std::string& name, std::string_view from) const {
-  const auto folder = std::filesystem::path(from.empty() ? file_ : std::string(from)).parent_path();
-  const auto path = detail::path_in_uri(name);
-  auto places = detail::file_places(path, folder, search_path_);
-  if (name.starts_with("package://") || name.starts_with("model://")) {
-    const auto slash = path.find('/');
-    if (slash != path.npos)
-      for (auto& p : detail::file_places(path.substr(slash + 1), folder, search_path_)) places.push_back(std::move(p));
-  }
-  places.emplace_back(path);
-  std::error_code none;
-  for (auto& p : places)
-    if (std::filesystem::is_regular_file(p, none)) return std::move(p);
-  return {};
+  return detail::find_mesh_file(name, std::filesystem::path(from.empty() ? file_ : std::string(from)).parent_path(),
+                                search_path_);
 }
 
 int mesh_files::read(const std::string& name, const vec3<>& scale, std::string_view from) {

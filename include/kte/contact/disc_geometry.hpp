@@ -14,7 +14,8 @@ namespace kte::core {
 ///   u = p_dot - R w x e,   g_dot = n.u                                         (2)
 ///   e_dot = (k_dot - e (e.k_dot))/|k|,   u_dot = p_ddot - R (al x e + w x e_dot),   g_ddot = n.u_dot          (3)
 ///
-/// A disc that lies flat, a = n or -n, has no lowest point; then (1), except g, to (3) raise `bad_argument`.
+/// A disc that lies flat, a = n or -n, has no lowest point; where g <= R/1000, (1), except g, to (3) then raise
+/// `bad_argument`, and farther away e is 0.
 struct disc_geometry {
   using surface_type = contact_surface;
   static constexpr char compliant_name[] = "compliant_disc_contact";  ///< the type of its compliant element in files
@@ -48,19 +49,20 @@ struct disc_geometry {
   /// c, m.
   template <class M>
   KTE_INLINE constexpr auto point(const M& m) const {
-    return m.position - radius * lowest(m.rotation * axis).direction;
+    return m.position - radius * lowest(m, m.rotation * axis).direction;
   }
   /// u, m/s: the velocity of the point of B at c relative to that of A.
   template <class M>
   KTE_INLINE constexpr auto slip(const M& m) const {
-    return m.rotation * m.velocity - radius * cross(m.rotation * m.ang_velocity, lowest(m.rotation * axis).direction);
+    return m.rotation * m.velocity -
+           radius * cross(m.rotation * m.ang_velocity, lowest(m, m.rotation * axis).direction);
   }
   /// u_dot, m/s^2.
   template <class M>
   KTE_INLINE constexpr auto slip_rate(const M& m) const {
     const auto& n = surface.axis;
     const auto a = m.rotation * axis, w = m.rotation * m.ang_velocity, a_dot = cross(w, a);
-    const auto [length, e] = lowest(a);
+    const auto [length, e] = lowest(m, a);
     const auto k_dot = -(dot(n, a_dot) * a + dot(n, a) * a_dot);
     using S = std::remove_cvref_t<decltype(m.position.x)>;
     const auto e_dot = S(S(1) / length) * (k_dot - dot(e, k_dot) * e);
@@ -81,12 +83,18 @@ struct disc_geometry {
   KTE_INLINE constexpr auto downhill(const A& a) const {
     return surface.axis - dot(surface.axis, a) * a;
   }
-  template <class A>
-  KTE_INLINE constexpr auto lowest(const A& a) const {
-    const auto below = detail::to_polar(downhill(a));
+  template <class M, class A>
+  KTE_INLINE constexpr auto lowest(const M& m, const A& a) const {
+    auto below = detail::to_polar(downhill(a));
     using S = std::remove_cvref_t<decltype(below.length)>;
-    if (!all(below.length > S(1e-12))) [[unlikely]]
+    const auto steep = below.length > S(1e-12);
+    if (all(steep)) [[likely]]
+      return below;
+    const S height = S(dot(surface.axis, m.position) - S(1e-3 * radius));
+    if (!all(select(steep, S(1), height) > S(0)))
       detail::raise<bad_argument>("kte: a disc lies flat on its surface: it has no lowest point");
+    below.length = select(steep, below.length, S(1));
+    below.direction = select(steep, S(1), S(0)) * below.direction;
     return below;
   }
 };

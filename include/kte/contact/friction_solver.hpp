@@ -5,6 +5,7 @@
 #include <kte/contact/detail/friction_gauss_seidel.hpp>
 #include <kte/contact/detail/friction_newton.hpp>
 #include <kte/contact/detail/friction_rescue.hpp>
+#include <kte/contact/detail/friction_sticking.hpp>
 #include <kte/contact/friction_problem.hpp>
 
 namespace kte {
@@ -30,9 +31,10 @@ template <class S = double>
 class friction_solver {
  public:
   /// The solution of p, from the start `lambda` if it is given (m numbers): by enumeration for plane problems of up to
-  /// 3 contacts; else by Newton's method on the natural map of Alart and Curnier, and if that fails, by it with
-  /// damping, from solutions of regularised problems (W + eps I, eps to 0), from iterates of ADMM, and from those of
-  /// the Gauss-Seidel method. W that is singular: see `friction_options::least_norm`.
+  /// 3 contacts; else that where all contacts stick, if it satisfies the laws; else by Newton's method on the natural
+  /// map of Alart and Curnier, and if that fails, by it with damping, from solutions of regularised problems
+  /// (W + eps I, eps to 0), from iterates of ADMM, and from those of the Gauss-Seidel method. W that is singular: see
+  /// `friction_options::least_norm`.
   const friction_solution<S>& solve(const friction_problem<S>& p, const friction_options<S>& options = {},
                                     std::span<const S> start = {});
 
@@ -43,6 +45,7 @@ class friction_solver {
                                                   const friction_options<S>& options = {});
 
  private:
+  bool stick(const friction_options<S>& options);
   bool iterate(const friction_options<S>& options);
   void press();
   std::span<const friction_solution<S>> enumerate(const friction_options<S>& options);
@@ -50,6 +53,7 @@ class friction_solver {
 
   detail::friction_system<S> system_;
   detail::friction_newton<S> newton_;
+  detail::friction_sticking<S> sticking_;
   detail::friction_rescue<S> rescue_;
   detail::friction_enumeration<S> enumeration_;
   std::vector<friction_solution<S>> all_;

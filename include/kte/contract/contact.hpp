@@ -12,14 +12,18 @@ struct contact_law {
 };
 
 namespace detail {
-/// A contact at a position.
-struct touch {
-  vec3<> normal;  ///< n, unit, from the surface of A to the body B, in axes of A
-  vec3<> point;   ///< where the force acts
-  double gap = 0;
-  double bending = 0;  ///< g'' - n . u', from the curvature of the surface
+/// A contact at a position, and its motion.
+template <class S>
+struct basic_touch {
+  vec3<S> normal;  ///< n, unit, from the surface of A to the body B, in axes of A
+  vec3<S> point;   ///< where the force acts
+  S gap{};
+  S bending{};        ///< g'' - n . u', from the curvature of the surface
+  vec3<S> slip;       ///< u
+  vec3<S> slip_rate;  ///< u'
   contact_law law;
 };
+using touch = basic_touch<double>;
 template <kind Dim>
 inline constexpr std::array<port, 3> contact_ports{
     {{Dim, access::on, "frame1"}, {Dim, access::on, "frame2"}, {kind::contact, access::keep, "contact"}}};
@@ -73,10 +77,16 @@ struct contact {
     x.gap = as<S>(core().gap(m)), x.slip = as<S>(core().slip(m)), x.point = as<S>(core().point(m));
   }
   /// The place of the contact for the motion m.
-  constexpr detail::touch touch_at(const detail::closing_motion<double>& m) const {
-    const auto n = as<double>(core().normal(m));
-    return {n, as<double>(core().point(m)), as<double>(core().gap(m)),
-            as<double>(core().gap_ddot(m)) - dot(n, as<double>(core().slip_rate(m))), core().law};
+  template <class S>
+  constexpr detail::basic_touch<S> touch_at(const detail::closing_motion<S>& m) const {
+    const auto n = as<S>(core().normal(m)), rate = as<S>(core().slip_rate(m));
+    return {n,
+            as<S>(core().point(m)),
+            as<S>(core().gap(m)),
+            S(as<S>(core().gap_ddot(m)) - dot(n, rate)),
+            as<S>(core().slip(m)),
+            rate,
+            core().law};
   }
 
  private:

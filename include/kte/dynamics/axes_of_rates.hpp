@@ -8,9 +8,6 @@
 /// The kinds of axes in which rates of frames and their Jacobians are expressed.
 namespace kte {
 
-/// Tag: rates of a frame at its origin, in its own axes.
-inline constexpr struct in_own_axes_t {
-} in_own_axes;
 /// Tag: rates of the point of the frame's body at the origin of the world, in axes of the world (spatial velocity):
 /// with the origin of the frame at p,
 ///
@@ -20,8 +17,7 @@ inline constexpr struct at_world_origin_t {
 
 /// One of the three tags for axes of rates.
 template <class T>
-concept axes_of_rates =
-    std::is_same_v<T, in_own_axes_t> || std::is_same_v<T, in_world_axes_t> || std::is_same_v<T, at_world_origin_t>;
+concept axes_of_rates = detail::axes_at_origin<T> || std::is_same_v<T, at_world_origin_t>;
 
 namespace detail {
 /// A Jacobian and its rate, at first in own axes.

@@ -7,8 +7,8 @@
 #include <kte/dynamics/inverse_dynamics.hpp>
 #include <kte/dynamics/mass_matrix.hpp>
 
-/// The algorithms on any number of states of a chain, W states at a time in the elements of packs: for static chains,
-/// and for runtime chains of joints, links and bodies. Other runtime chains throw `bad_argument`.
+/// The algorithms on any number of states of a chain, W states at a time in the elements of packs. Runtime chains with
+/// elements that may hold their coordinate throw `bad_argument`.
 ///
 /// Arguments are arrays of float or double, all of one type, with data() and size() (vector, array, span, Eigen): one
 /// state after the other, the n numbers of state k from k n on, as in an Eigen matrix with a column per state. Results
@@ -22,8 +22,8 @@
 /// then the error of the first of them is thrown, with its number: the error that the algorithm throws for this state
 /// alone, `bad_argument` or `singular_mass_matrix`.
 ///
-/// By default W is the number of elements in one register of the CPU, in two for forward dynamics, to hide the latency
-/// of its divisions and sums. Needs exceptions.
+/// By default W is the number of elements in one register of the CPU, in two for forward dynamics of static chains, to
+/// hide the latency of its divisions and sums. Needs exceptions.
 namespace kte::batch {
 
 namespace detail {
@@ -165,7 +165,7 @@ void inverse_dynamics(const runtime_chain& chain, const Q& q, const V& v, const 
 }
 
 template <int W = 0, class Q, class V, class Tau, class A, class Executor = in_this_thread,
-          class P = detail::pack_of<detail::number_in<Q>, W, 2>>
+          class P = detail::pack_of<detail::number_in<Q>, W, 1>>
 void forward_dynamics(const runtime_chain& chain, const Q& q, const V& v, const Tau& tau, A&& a,
                       Executor&& executor = {}) {
   const auto nq = static_cast<std::size_t>(chain.nq()), nv = static_cast<std::size_t>(chain.dofs());

@@ -2,6 +2,7 @@
 #define KTE_BIAS_FORCES_HPP
 
 #include <kte/dynamics/inverse_dynamics.hpp>
+#include <kte/dynamics/unrolled/arguments.hpp>
 #include <kte/dynamics/unrolled/given_bases.hpp>
 
 /// The terms of inverse dynamics, tau = M a + C v + g - Q, computed separately (Luh, Walker, Paul 1980; Featherstone
@@ -17,23 +18,14 @@
 /// `bad_argument` for distributed masses, whose bodies are unknown.
 namespace kte {
 
-namespace detail {
-template <class S, class Chain, class At, class V, class Base>
-KTE_INLINE auto forces_at_no_acceleration(const Chain& c, const At& at, const V& v, const Base& base) {
-  at.check();
-  return generalized_forces<S>(c, given{at, v, same<zero_t>{}, base}, minus_one);
-}
-}  // namespace detail
-
 /// The generalized forces that hold the chain at rest: inverse dynamics for v = a = 0, with gravity and the forces of
 /// elements. (1)
 template <class Gravity, class... E, indexable Q>
 [[nodiscard]] auto static_forces(const static_chain<Gravity, E...>& c, const Q& q) {
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
-  check_configuration<chain_type>(q);
-  const configuration<value_of<Q>, typename chain_type::wiring, Q> at(q);
-  return forces_at_no_acceleration<value_of<Q>>(c, at, same<zero_t>{}, base_under_gravity(c));
+  const auto x = checked_arguments<chain_type>(q);
+  return generalized_forces<value_of<Q>>(c, given{x.at, x.v, same<zero_t>{}, base_under_gravity(c)}, minus_one);
 }
 
 /// The generalized forces g(q) that hold the bodies against gravity alone: the gradient of their potential energy,
@@ -43,10 +35,10 @@ template <class Gravity, class... E, indexable Q>
 [[nodiscard]] auto gravity_forces(const static_chain<Gravity, E...>& c, const Q& q) {
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
-  check_configuration<chain_type>(q);
-  const configuration<value_of<Q>, typename chain_type::wiring, Q> at(q);
+  const auto x = checked_arguments<chain_type>(q);
   const with_loads<chain_type, bodies_alone> bodies{c};
-  return forces_at_no_acceleration<value_of<Q>>(bodies, at, same<zero_t>{}, base_under_gravity(bodies));
+  return generalized_forces<value_of<Q>>(bodies, given{x.at, x.v, same<zero_t>{}, base_under_gravity(bodies)},
+                                         minus_one);
 }
 
 /// The bias forces of the equations of motion: inverse dynamics for a = 0. (2)
@@ -54,10 +46,8 @@ template <class Gravity, class... E, indexable Q, indexable V>
 [[nodiscard]] auto nonlinear_effects(const static_chain<Gravity, E...>& c, const Q& q, const V& v) {
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
-  using S = value_of<Q>;
-  check_configuration<chain_type>(q), check_velocities<chain_type>(v);
-  const configuration<S, typename chain_type::wiring, Q> at(q);
-  return forces_at_no_acceleration<S>(c, at, each<S, V>{v}, base_under_gravity(c));
+  const auto x = checked_arguments<chain_type>(q, v);
+  return generalized_forces<value_of<Q>>(c, given{x.at, x.v, same<zero_t>{}, base_under_gravity(c)}, minus_one);
 }
 
 /// C(q, v) v: Coriolis and centrifugal forces of the bodies, without gravity and without forces of other elements. It
@@ -68,11 +58,10 @@ template <class Gravity, class... E, indexable Q, indexable V>
 [[nodiscard]] auto coriolis_forces(const static_chain<Gravity, E...>& c, const Q& q, const V& v) {
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
-  using S = value_of<Q>;
-  check_configuration<chain_type>(q), check_velocities<chain_type>(v);
-  const configuration<S, typename chain_type::wiring, Q> at(q);
+  const auto x = checked_arguments<chain_type>(q, v);
   const with_loads<chain_type, bodies_alone> bodies{c};
-  return forces_at_no_acceleration<S>(bodies, at, each<S, V>{v}, rest_base_of<chain_type>(base_with_acceleration));
+  return generalized_forces<value_of<Q>>(
+      bodies, given{x.at, x.v, same<zero_t>{}, rest_base_of<chain_type>(base_with_acceleration)}, minus_one);
 }
 
 }  // namespace kte

@@ -26,14 +26,9 @@ template <class Gravity, class... E, indexable Q>
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
   static_assert(sizeof(detail::check_bodies_of<chain_type>) > 0);
-  detail::check_configuration<chain_type>(q);
-  const detail::configuration<S, typename chain_type::wiring, Q> at(q);
-  at.check();
-  const auto w = detail::weight_of<S>(c, at);
-  return mass_centre<S>{as<S>(w.mass), detail::divided_by_mass<S>(w.mass, w.moment, [&]() KTE_INLINE_LAMBDA {
-                          detail::diagnose<typename chain_type::wiring>(
-                              "a centre of mass", at.q, detail::same<zero_t>{}, detail::same<zero_t>{}, "a");
-                        })};
+  const auto x = detail::checked_arguments<chain_type>(q);
+  const auto w = detail::weight_of<S>(c, x.at);
+  return mass_centre<S>{as<S>(w.mass), detail::divided_by_mass<S>(w.mass, w.moment, x.diagnosis("a centre of mass"))};
 }
 
 /// The velocity of the centre of mass, m/s, in axes of the base, with bases at rest: momentum over mass. Runtime
@@ -44,13 +39,9 @@ template <class Gravity, class... E, indexable Q, indexable V>
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
   static_assert(sizeof(detail::check_bodies_of<chain_type>) > 0);
-  check_configuration<chain_type>(q), check_velocities<chain_type>(v);
-  const configuration<S, typename chain_type::wiring, Q> at(q);
-  at.check();
-  return divided_by_mass<S>(
-      weight_of<S>(c, at).mass, momentum_at_base<S>(c, at, each<S, V>{v}).force, [&]() KTE_INLINE_LAMBDA {
-        diagnose<typename chain_type::wiring>("a velocity", at.q, each<S, V>{v}, same<zero_t>{}, "a");
-      });
+  const auto x = checked_arguments<chain_type>(q, v);
+  return divided_by_mass<S>(weight_of<S>(c, x.at).mass, momentum_at_base<S>(c, x.at, x.v).force,
+                            x.diagnosis("a velocity"));
 }
 
 }  // namespace kte
@@ -69,8 +60,8 @@ namespace kte {
 template <class S>
 mass_centre<S> centre_of_mass(const runtime_chain& c, basic_runtime_state<S>& s) {
   detail::check_regular_tree(c, s), detail::check_positions(s);
-  detail::carry(c, s);
-  const auto w = tree::weight_in_world(s.tree().body_tree, s.work);
+  detail::refuse_distributed_masses(c, s);
+  const auto w = detail::weigh(c, s);
   return {w.mass, detail::divided_by_mass<S>(w.mass, w.moment, detail::diagnose_state{"a centre of mass", s})};
 }
 template <class S>

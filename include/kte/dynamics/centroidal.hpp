@@ -17,14 +17,10 @@ template <class Gravity, class... E, indexable Q, indexable V>
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
   static_assert(sizeof(detail::check_bodies_of<chain_type>) > 0);
-  check_configuration<chain_type>(q), check_velocities<chain_type>(v);
-  const configuration<S, typename chain_type::wiring, Q> at(q);
-  at.check();
-  const auto w = weight_of<S>(c, at);
-  const auto h = momentum_at_base<S>(c, at, each<S, V>{v});
-  const auto why = [&]() KTE_INLINE_LAMBDA {
-    diagnose<typename chain_type::wiring>("a momentum", at.q, each<S, V>{v}, same<zero_t>{}, "a");
-  };
+  const auto x = checked_arguments<chain_type>(q, v);
+  const auto w = weight_of<S>(c, x.at);
+  const auto h = momentum_at_base<S>(c, x.at, x.v);
+  const auto why = x.diagnosis("a momentum");
   return checked<S>(h.force, h.torque - cross(divided_by_mass<S>(w.mass, w.moment, why), h.force), why);
 }
 
@@ -42,21 +38,12 @@ template <class Gravity, class... E, indexable Q>
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
   static_assert(sizeof(detail::check_bodies_of<chain_type>) > 0);
-  check_configuration<chain_type>(q);
-  const configuration<S, typename chain_type::wiring, Q> at(q);
-  at.check();
-  const given g{at, same<skip>{}, same<skip>{}, base_with_pose};
+  const auto x = checked_arguments<chain_type>(q);
+  const given g{x.at, same<skip>{}, same<skip>{}, base_with_pose};
   using pass = momentum_columns<S, chain_type, std::remove_const_t<decltype(g)>>;
-  const auto w = weight_of<S>(c, at);
+  const auto w = weight_of<S>(c, x.at);
   typename pass::matrix_type a;
-  (void)pass(c, g,
-             divided_by_mass<S>(w.mass, w.moment,
-                                [&]() KTE_INLINE_LAMBDA {
-                                  diagnose<typename chain_type::wiring>("a centre of mass", at.q, same<zero_t>{},
-                                                                        same<zero_t>{}, "a");
-                                }),
-             a)
-      .fill();
+  (void)pass(c, g, divided_by_mass<S>(w.mass, w.moment, x.diagnosis("a centre of mass")), a).fill();
   check_result(a.data(), static_cast<std::size_t>(a.size()), too_large{"a momentum"});
   return a;
 }
@@ -92,11 +79,12 @@ basic_runtime_jacobian<S> centroidal_momentum_matrix_of(const runtime_chain& c, 
   const auto w = tree::weight_in_world(s.tree().body_tree, s.work);
   basic_runtime_jacobian<S> a = basic_runtime_jacobian<S>::Zero(6, s.tree().plan.coordinates);
   const diagnose_state why{"a momentum", s};
-  for_each_momentum(s, divided_by_mass<S>(w.mass, w.moment, why), [&a](int row, const tree::dense_wrench<S>& h) {
-    auto column = a.col(row);
-    column[0] += h.force.x, column[1] += h.force.y, column[2] += h.force.z;
-    column[3] += h.torque.x, column[4] += h.torque.y, column[5] += h.torque.z;
-  });
+  for_each_momentum(s, divided_by_mass<S>(w.mass, w.moment, why),
+                    [to = a.data()](int row, const tree::dense_wrench<S>& h) KTE_INLINE_LAMBDA {
+                      S* const column = to + 6 * row;
+                      column[0] += h.force.x, column[1] += h.force.y, column[2] += h.force.z;
+                      column[3] += h.torque.x, column[4] += h.torque.y, column[5] += h.torque.z;
+                    });
   check_result(a.data(), static_cast<std::size_t>(a.size()), why);
   if (a.cols() == s.dofs()) return a;
   return folded(c, s, std::move(a));

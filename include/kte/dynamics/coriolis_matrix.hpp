@@ -64,20 +64,17 @@ template <class Gravity, class... E, indexable Q, indexable V>
   using S = value_of<Q>;
   static_assert(sizeof(check_loads_of<chain_type>) > 0 && sizeof(check_bodies_of<chain_type>) > 0 &&
                 sizeof(check_closures_of<chain_type>) > 0);
-  check_configuration<chain_type>(q), check_velocities<chain_type>(v);
-  const configuration<S, typename chain_type::wiring, Q> at(q);
-  at.check();
+  const auto x = checked_arguments<chain_type>(q, v);
   const joint_matrix<S, chain_type::dofs> m = [&]() -> joint_matrix<S, chain_type::dofs> {
     if constexpr (is_unrolled<chain_type, S> && is_tree_of_joints<chain_type>) {
-      const given g{at, each<S, V>{v}, same<skip>{}, base_with_velocity_and_axes};
+      const given g{x.at, x.v, same<skip>{}, base_with_velocity_and_axes};
       return unrolled_coriolis<S, chain_type, std::remove_const_t<decltype(g)>>(c, g).result();
     } else {
-      return by_tree<S>(c, given{at, each<S, V>{v}, same<zero_t>{}, base_at_rest},
+      return by_tree<S>(c, given{x.at, x.v, same<zero_t>{}, base_at_rest},
                         [](const auto& elements, auto& s) { return coriolis_of_coordinates(elements, s); });
     }
   }();
-  check_result(m.data(), static_cast<std::size_t>(m.size()),
-               [&]() { diagnose<typename chain_type::wiring>("a matrix", at.q, each<S, V>{v}, same<zero_t>{}, "a"); });
+  check_result(m.data(), static_cast<std::size_t>(m.size()), x.diagnosis("a matrix"));
   return m;
 }
 /// The time derivative of M at the velocities v, by (1): dofs x dofs, in the units of C.

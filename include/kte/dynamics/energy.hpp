@@ -25,12 +25,8 @@ template <class Gravity, class... E, indexable Q, indexable V>
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
-  check_configuration<chain_type>(q), check_velocities<chain_type>(v);
-  const configuration<S, typename chain_type::wiring, Q> at(q);
-  at.check();
-  return checked_energy<S>(kinetic_energy_at<S>(c, at, each<S, V>{v}), [&]() KTE_INLINE_LAMBDA {
-    diagnose<typename chain_type::wiring>("an energy", at.q, each<S, V>{v}, same<zero_t>{}, "a");
-  });
+  const auto x = checked_arguments<chain_type>(q, v);
+  return checked_energy<S>(kinetic_energy_at<S>(c, x.at, x.v), x.diagnosis("an energy"));
 }
 
 /// The potential energy of gravity, zero with the centre of mass at the origin of the base, and of all springs, J:
@@ -44,12 +40,8 @@ template <class Gravity, class... E, indexable Q>
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
-  check_configuration<chain_type>(q);
-  const configuration<S, typename chain_type::wiring, Q> at(q);
-  at.check();
-  return checked_energy<S>(potential_energy_at<S>(c, at), [&]() KTE_INLINE_LAMBDA {
-    diagnose<typename chain_type::wiring>("an energy", at.q, same<zero_t>{}, same<zero_t>{}, "a");
-  });
+  const auto x = checked_arguments<chain_type>(q);
+  return checked_energy<S>(potential_energy_at<S>(c, x.at), x.diagnosis("an energy"));
 }
 
 /// Kinetic and potential energy, J. Their sum is constant if no other force does work.
@@ -58,14 +50,10 @@ template <class Gravity, class... E, indexable Q, indexable V>
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
-  check_configuration<chain_type>(q), check_velocities<chain_type>(v);
-  const configuration<S, typename chain_type::wiring, Q> at(q);
-  at.check();
-  const auto why = [&]() KTE_INLINE_LAMBDA {
-    diagnose<typename chain_type::wiring>("an energy", at.q, each<S, V>{v}, same<zero_t>{}, "a");
-  };
-  return energies<S>{checked_energy<S>(kinetic_energy_at<S>(c, at, each<S, V>{v}), why),
-                     checked_energy<S>(potential_energy_at<S>(c, at), why)};
+  const auto x = checked_arguments<chain_type>(q, v);
+  const auto why = x.diagnosis("an energy");
+  return energies<S>{checked_energy<S>(kinetic_energy_at<S>(c, x.at, x.v), why),
+                     checked_energy<S>(potential_energy_at<S>(c, x.at), why)};
 }
 
 }  // namespace kte
@@ -100,8 +88,7 @@ S potential_energy(const runtime_chain& c, basic_runtime_state<S>& s) {
     sum += e.element->potential_energy(s);
     if (e.distributed_mass) sum -= dot(c.gravity(), e.element->first_moment(s));
   }
-  detail::carry_bodies(c, s);
-  return detail::checked_energy<S>(sum - dot(c.gravity(), tree::weight_in_world(s.tree().body_tree, s.work).moment),
+  return detail::checked_energy<S>(sum - dot(c.gravity(), detail::weigh(c, s).moment),
                                    detail::diagnose_state{"an energy", s});
 }
 template <class S>

@@ -1,6 +1,7 @@
 #ifndef KTE_FORWARD_DYNAMICS_HPP
 #define KTE_FORWARD_DYNAMICS_HPP
 
+#include <kte/dynamics/detail/flattened.hpp>
 #include <kte/dynamics/inverse_dynamics.hpp>
 #include <kte/dynamics/mass_matrix.hpp>
 #include <kte/dynamics/unrolled/articulated.hpp>
@@ -72,7 +73,9 @@ template <class Gravity, class... E, indexable Q, indexable V, indexable T>
   const detail::configuration<S, typename chain_type::wiring, Q> at(q);
   joint_vector<S, n> f;
   for (int i = 0; i < n; ++i) f[i] = S(tau[static_cast<std::size_t>(i)]);
-  return detail::accelerations_under<S>(c, at, detail::each<S, V>{v}, detail::base_under_gravity(c), f);
+  return detail::in_one_function<S, detail::is_unrolled<chain_type, S>>([&]() KTE_INLINE_LAMBDA {
+    return detail::accelerations_under<S>(c, at, detail::each<S, V>{v}, detail::base_under_gravity(c), f);
+  });
 }
 
 template <class Gravity, class... E, class S>

@@ -33,23 +33,29 @@ KTE_INLINE constexpr auto motion_of(const Chain& c, const Given& g) {
     return motion_by<Types, std::size_t{writer}>(c, g, typename Types::template inputs<std::size_t{writer}>{});
   }
 }
+/// The coordinate of joint I; a tuple for several.
+template <std::size_t I, class Chain, class Given>
+KTE_INLINE constexpr auto coordinate_of_joint_at(const Chain& c, const Given& g) {
+  using types = flow_types<Chain, Given>;
+  using core_t = typename types::template core<I>;
+  if constexpr (coordinates_of < core_t >> 1) {
+    return tuple_of_coordinates<core_t>(
+        [&]<std::size_t K>() { return motion_of<types, kind::gen, Chain::wiring::slot(I, K)>(c, g); });
+  } else {
+    return motion_of<types, coordinate_kind<core_t>, Chain::wiring::slot(I, 0)>(c, g);
+  }
+}
 /// The pose of joint or link I at the given coordinates, without rates.
 template <std::size_t I, class Chain, class Given>
 KTE_INLINE constexpr auto element_pose(const Chain& c, const Given& g) {
-  using types = flow_types<Chain, Given>;
-  using core_t = typename types::template core<I>;
-  const auto m = [&]() KTE_INLINE_LAMBDA {
-    if constexpr (coordinates_of<core_t> == 0)
-      return c.template core<I>().relative();
-    else if constexpr (coordinates_of<core_t> > 1)
-      return relative_at(c.template core<I>(), tuple_of_coordinates<core_t>([&]<std::size_t K>() {
-                           return position_only(motion_of<types, kind::gen, Chain::wiring::slot(I, K)>(c, g));
-                         }));
-    else
-      return c.template core<I>().relative(
-          position_only(motion_of<types, coordinate_kind<core_t>, Chain::wiring::slot(I, 0)>(c, g)));
-  }();
-  return pose{m.rotation, m.position};
+  const auto& core = c.template core<I>();
+  if constexpr (coordinates_of < std::remove_cvref_t < decltype(core) >>> 0) {
+    const auto m = relative_at(core, position_only(coordinate_of_joint_at<I>(c, g)));
+    return pose{m.rotation, m.position};
+  } else {
+    const auto m = core.relative();
+    return pose{m.rotation, m.position};
+  }
 }
 template <class S, kind K, class M>
 KTE_INLINE constexpr auto pose_of(const M& m) {

@@ -2,6 +2,7 @@
 #define KTE_FRAME_MOTION_HPP
 
 #include <kte/dynamics/forward_kinematics.hpp>
+#include <kte/dynamics/unrolled/arguments.hpp>
 
 /// The motion of frames and the poses of all frames. Static chains have bases at rest; runtime chains have the bases of
 /// the state. Frames are named by keys (static chains), or by texts or handles (runtime chains); an unknown name throws
@@ -36,18 +37,6 @@ class frame_poses {
 };
 
 namespace detail {
-/// Rejects velocities or accelerations of the wrong size, and non-finite ones.
-template <class Chain, class V>
-KTE_INLINE void check_rates(const V& v, const char* name, const char* what) {
-  check_size<Chain::dofs>(v, name);
-  check_result(v, std::size_t{Chain::dofs}, [&]() KTE_INLINE_LAMBDA {
-    diagnose_rates<typename Chain::wiring>(what, name, each<value_of<V>, V>{v});
-  });
-}
-template <class Chain, class V>
-KTE_INLINE void check_velocities(const V& v) {
-  check_rates<Chain>(v, "v", "a velocity");
-}
 /// Linear and angular, unless they are too large.
 template <class S, class L, class A, class Diagnose = too_large>
 KTE_INLINE linear_angular<S> checked(const L& linear, const A& angular, const Diagnose& why = {"a result"}) {
@@ -109,17 +98,13 @@ template <class Gravity, class... E, indexable Q>
 [[nodiscard]] auto forward_kinematics(const static_chain<Gravity, E...>& c, const Q& q) {
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
-  detail::check_configuration<chain_type>(q);
-  const detail::configuration<S, typename chain_type::wiring, Q> at(q);
-  at.check();
-  const auto poses = detail::all_poses<S>(c, at);
+  const auto x = detail::checked_arguments<chain_type>(q);
+  const auto poses = detail::all_poses<S>(c, x.at);
   S zero_or_nan(0);
-  for (const auto& x : poses.in_plane) zero_or_nan += (x.position.x + x.position.y) * S(0);
-  for (const auto& x : poses.in_space) zero_or_nan += (x.position.x + x.position.y + x.position.z) * S(0);
-  if (!all(zero_or_nan == S(0))) [[unlikely]] {
-    using detail::same;
-    detail::diagnose<typename chain_type::wiring>("where a frame stands", at.q, same<zero_t>{}, same<zero_t>{}, "a");
-  }
+  for (const auto& [r, p] : poses.in_plane) zero_or_nan += (p.x + p.y) * S(0);
+  for (const auto& [r, p] : poses.in_space) zero_or_nan += (p.x + p.y + p.z) * S(0);
+  if (!all(zero_or_nan == S(0))) [[unlikely]]
+    x.diagnosis("where a frame stands")();
   return poses;
 }
 
@@ -132,13 +117,9 @@ template <class Gravity, class... E, indexable Q, indexable V, key_type Frame>
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
-  check_configuration<chain_type>(q), check_velocities<chain_type>(v);
-  const configuration<S, typename chain_type::wiring, Q> at(q);
-  at.check();
-  const auto m = motion_at_rest_bases<Frame>(c, at, each<S, V>{v}, same<skip>{}, base_with_velocity);
-  return checked<S>(m.velocity, m.ang_velocity, [&]() KTE_INLINE_LAMBDA {
-    diagnose<typename chain_type::wiring>("a velocity", at.q, each<S, V>{v}, same<zero_t>{}, "a");
-  });
+  const auto x = checked_arguments<chain_type>(q, v);
+  const auto m = motion_at_rest_bases<Frame>(c, x.at, x.v, same<skip>{}, base_with_velocity);
+  return checked<S>(m.velocity, m.ang_velocity, x.diagnosis("a velocity"));
 }
 
 /// The acceleration of the origin of a frame (second derivative of its position, m/s^2: classical) and its angular
@@ -152,14 +133,9 @@ template <class Gravity, class... E, indexable Q, indexable V, indexable A, key_
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
-  check_configuration<chain_type>(q), check_velocities<chain_type>(v);
-  check_rates<chain_type>(a, "a", "an acceleration");
-  const configuration<S, typename chain_type::wiring, Q> at(q);
-  at.check();
-  const auto m = motion_at_rest_bases<Frame>(c, at, each<S, V>{v}, each<S, A>{a}, base_with_acceleration);
-  return checked<S>(m.acceleration, m.ang_acceleration, [&]() KTE_INLINE_LAMBDA {
-    diagnose<typename chain_type::wiring>("an acceleration", at.q, each<S, V>{v}, each<S, A>{a}, "a");
-  });
+  const auto x = checked_arguments<chain_type>(q, v, a);
+  const auto m = motion_at_rest_bases<Frame>(c, x.at, x.v, x.a, base_with_acceleration);
+  return checked<S>(m.acceleration, m.ang_acceleration, x.diagnosis("an acceleration"));
 }
 
 }  // namespace kte

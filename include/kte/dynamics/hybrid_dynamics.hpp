@@ -50,6 +50,9 @@ struct some_accelerations {
     }
   }
 };
+/// Hybrid dynamics of chains with closures: kte/loops.hpp.
+template <class Chain>
+struct static_hybrid;
 }  // namespace detail
 
 /// Accelerations and forces of a chain in which some coordinates have prescribed accelerations and the others known
@@ -65,43 +68,47 @@ struct some_accelerations {
 /// are those of `forward_dynamics`. A name that is not a degree of freedom throws `bad_argument` or `unknown_name`.
 template <class Gravity, class... E, indexable Q, indexable V, indexable X, key_type... Keys>
 [[nodiscard]] auto hybrid_dynamics(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const X& known,
-                                   prescribed_coordinates<Keys...>) {
+                                   [[maybe_unused]] prescribed_coordinates<Keys...> prescribed) {
   using chain_type = static_chain<Gravity, E...>;
-  using wiring = typename chain_type::wiring;
-  using S = value_of<Q>;
-  static_assert(sizeof(detail::check_closures_of<chain_type>) > 0);
-  detail::check_configuration<chain_type>(q);
-  check_size<chain_type::dofs>(v, "v"), check_size<chain_type::dofs>(known, "known");
-  using accelerations = detail::some_accelerations<S, wiring, X, Keys...>;
-  const detail::configuration<S, wiring, Q> at(q);
-  at.check();
-  using vector = joint_vector<S, chain_type::dofs>;
-  hybrid_dynamics_result<S, chain_type::dofs> r;
-  vector force;
-  for (int i = 0; i < chain_type::dofs; ++i)
-    force[i] = accelerations::is_known[static_cast<std::size_t>(i)] ? S(0) : S(known[static_cast<std::size_t>(i)]);
-  const auto base = detail::base_under_gravity(c);
-  using base_type = std::remove_const_t<decltype(base)>;
-  using given_type = detail::given<decltype(at), detail::each<S, V>, accelerations, base_type, true>;
-  const given_type g{at, {v}, {known}, base};
-  if constexpr (detail::is_tree_of_joints<chain_type> || !chain_type::common) {
-    detail::articulated_accelerations(c, g, force, r.a);
+  if constexpr (detail::has_closures<chain_type>) {
+    return detail::static_hybrid<chain_type>::dynamics(c, q, v, known, prescribed);
   } else {
-    using at_rest = detail::same<zero_t>;
-    r.a =
-        force - detail::generalized_forces<S>(c, detail::given{at, detail::each<S, V>{v}, at_rest{}, base}, minus_one);
+    using wiring = typename chain_type::wiring;
+    using S = value_of<Q>;
+    static_assert(sizeof(detail::check_contacts_of<chain_type>) > 0);
+    detail::check_configuration<chain_type>(q);
+    check_size<chain_type::dofs>(v, "v"), check_size<chain_type::dofs>(known, "known");
+    using accelerations = detail::some_accelerations<S, wiring, X, Keys...>;
+    const detail::configuration<S, wiring, Q> at(q);
+    at.check();
+    using vector = joint_vector<S, chain_type::dofs>;
+    hybrid_dynamics_result<S, chain_type::dofs> r;
+    vector force;
     for (int i = 0; i < chain_type::dofs; ++i)
-      if (accelerations::is_known[static_cast<std::size_t>(i)]) r.a[i] = S(known[static_cast<std::size_t>(i)]);
-    auto m = detail::mass_matrix_at<S>(c, at, base);
-    detail::solve_partly_known(m, r.a, accelerations::is_known,
-                               [&at](int row) { detail::diagnose_mass<wiring>(row, true, at.q); });
-    detail::check_accelerations<wiring>(r.a, g, force);
+      force[i] = accelerations::is_known[static_cast<std::size_t>(i)] ? S(0) : S(known[static_cast<std::size_t>(i)]);
+    const auto base = detail::base_under_gravity(c);
+    using base_type = std::remove_const_t<decltype(base)>;
+    using given_type = detail::given<decltype(at), detail::each<S, V>, accelerations, base_type, true>;
+    const given_type g{at, {v}, {known}, base};
+    if constexpr (detail::is_tree_of_joints<chain_type> || !chain_type::common) {
+      detail::articulated_accelerations(c, g, force, r.a);
+    } else {
+      using at_rest = detail::same<zero_t>;
+      r.a = force -
+            detail::generalized_forces<S>(c, detail::given{at, detail::each<S, V>{v}, at_rest{}, base}, minus_one);
+      for (int i = 0; i < chain_type::dofs; ++i)
+        if (accelerations::is_known[static_cast<std::size_t>(i)]) r.a[i] = S(known[static_cast<std::size_t>(i)]);
+      auto m = detail::mass_matrix_at<S>(c, at, base);
+      detail::solve_partly_known(m, r.a, accelerations::is_known,
+                                 [&at](int row) { detail::diagnose_mass<wiring>(row, true, at.q); });
+      detail::check_accelerations<wiring>(r.a, g, force);
+    }
+    r.tau = detail::generalized_forces<S>(
+        c, detail::given{at, detail::each<S, V>{v}, detail::each<S, vector>{r.a}, base}, minus_one);
+    for (int i = 0; i < chain_type::dofs; ++i)  // given numbers are returned unchanged
+      if (!accelerations::is_known[static_cast<std::size_t>(i)]) r.tau[i] = force[i];
+    return r;
   }
-  r.tau = detail::generalized_forces<S>(c, detail::given{at, detail::each<S, V>{v}, detail::each<S, vector>{r.a}, base},
-                                        minus_one);
-  for (int i = 0; i < chain_type::dofs; ++i)  // given numbers are returned unchanged
-    if (!accelerations::is_known[static_cast<std::size_t>(i)]) r.tau[i] = force[i];
-  return r;
 }
 
 }  // namespace kte

@@ -8,6 +8,7 @@
 // clang-format on
 
 #include <kte/contract/transmission.hpp>
+#include <kte/dynamics/detail/flattened.hpp>
 #include <kte/dynamics/looped/static_chains.hpp>
 #include <kte/dynamics/state_vectors.hpp>
 #include <kte/dynamics/unrolled/given.hpp>
@@ -19,7 +20,10 @@ namespace detail {
 template <kind K, int V, class L, class Sign, class X>
 KTE_INLINE void spread_load(const L& load, Sign sign, X& f) {
   using S = typename X::Scalar;
-  unroll<nv_of(K)>([&]<int N>() KTE_INLINE_LAMBDA { f[V + N] = as<S>(sign * number_of<K, N>(load)); });
+  if constexpr (nv_of(K) == 1)
+    f[V] = as<S>(sign * number_of<K, 0>(load));
+  else
+    unroll<nv_of(K)>([&]<int N>() KTE_INLINE_LAMBDA { f[V + N] = as<S>(sign * number_of<K, N>(load)); });
 }
 /// The generalized forces on all degrees of freedom: those of virtual power (`sign` 1), or those to apply for the given
 /// motion (`sign` -1).
@@ -76,8 +80,10 @@ template <class Gravity, class... E, indexable Q, indexable V, indexable A>
   detail::check_configuration<chain_type>(q), check_size<chain_type::dofs>(v, "v"),
       check_size<chain_type::dofs>(a, "a");
   const detail::configuration<S, typename chain_type::wiring, Q> at(q);
-  return detail::generalized_forces<S>(
-      c, detail::given{at, detail::each<S, V>{v}, detail::each<S, A>{a}, detail::base_under_gravity(c)}, minus_one);
+  return detail::in_one_function<S, detail::is_unrolled<chain_type, S>>([&]() KTE_INLINE_LAMBDA {
+    return detail::generalized_forces<S>(
+        c, detail::given{at, detail::each<S, V>{v}, detail::each<S, A>{a}, detail::base_under_gravity(c)}, minus_one);
+  });
 }
 
 template <class Gravity, class... E, class S>

@@ -4,11 +4,21 @@
 #include <kte/dynamics/runtime/refused_calls.hpp>
 #include <kte/dynamics/unrolled/jacobian.hpp>
 
+#include <type_traits>
+
 namespace kte {
 
+/// Tag: rates of a frame at its origin, in its own axes.
+inline constexpr struct in_own_axes_t {
+} in_own_axes;
 /// Tag: rates of a frame at its origin, in axes of the world (the axes of the bases).
 inline constexpr struct in_world_axes_t {
 } in_world_axes;
+
+namespace detail {
+template <class T>
+concept axes_at_origin = std::is_same_v<T, in_own_axes_t> || std::is_same_v<T, in_world_axes_t>;
+}  // namespace detail
 
 /// The Jacobian J of a frame, 6 x dofs, with its velocity (rows 0 to 2, m/s) and angular velocity (rows 3 to 5, rad/s),
 /// in its own axes, equal to J v. Let s be an axis of a joint, and R, p the pose of the frame in the end of the joint.
@@ -24,19 +34,15 @@ inline constexpr struct in_world_axes_t {
 ///   jacobian(c, s, q, "hand")        of a runtime chain, a value; (c, s, "hand") at the positions of the state s
 ///   jacobian(c, s, q, "hand", j)     into memory of the caller, below
 ///
-/// Names and errors are those of dynamics/frame_motion.hpp.
-template <class Gravity, class... E, indexable Q, key_type Frame>
-[[nodiscard]] auto jacobian(const static_chain<Gravity, E...>& c, const Q& q, const Frame&) {
-  return detail::jacobian_of<false, Frame>(c, q);
-}
-
-/// The Jacobian of a frame at its origin in axes of the base ("local world aligned"); of a runtime chain in axes of the
-/// world. With the pose R_E, p_E of the end of the joint and the origin p of the frame,
+/// With `in_world_axes` after the frame it is in axes of the base ("local world aligned"); of a runtime chain in axes
+/// of the world. With the pose R_E, p_E of the end of the joint and the origin p of the frame,
 ///
 ///   ( R_E s_v + R_E s_w x (p - p_E), R_E s_w )          (2)
-template <class Gravity, class... E, indexable Q, key_type Frame>
-[[nodiscard]] auto jacobian(const static_chain<Gravity, E...>& c, const Q& q, const Frame&, in_world_axes_t) {
-  return detail::jacobian_of<true, Frame>(c, q);
+///
+/// Names and errors are those of dynamics/frame_motion.hpp.
+template <class Gravity, class... E, indexable Q, key_type Frame, detail::axes_at_origin Axes = in_own_axes_t>
+[[nodiscard]] auto jacobian(const static_chain<Gravity, E...>& c, const Q& q, const Frame&, Axes = {}) {
+  return detail::jacobian_of<std::is_same_v<Axes, in_world_axes_t>, Frame>(c, q);
 }
 
 }  // namespace kte
@@ -64,47 +70,33 @@ template <class S, detail::matrix_like J>
 void jacobian(const runtime_chain& c, basic_runtime_state<S>& s, const name_or_handle& frame, J&& j) {
   detail::put_jacobian_at_state(c, s, frame, false, j);
 }
-template <class S, detail::matrix_like J>
-void jacobian(const runtime_chain& c, basic_runtime_state<S>& s, const name_or_handle& frame, in_world_axes_t, J&& j) {
-  detail::put_jacobian_at_state(c, s, frame, true, j);
+template <class S, detail::axes_at_origin Axes, detail::matrix_like J>
+void jacobian(const runtime_chain& c, basic_runtime_state<S>& s, const name_or_handle& frame, Axes, J&& j) {
+  detail::put_jacobian_at_state(c, s, frame, std::is_same_v<Axes, in_world_axes_t>, j);
 }
 template <class S, indexable Q, detail::matrix_like J>
 requires(!names_something<Q>) void jacobian(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q,
                                             const name_or_handle& frame, J&& j) {
   detail::put_jacobian_at(c, s, q, frame, false, j);
 }
-template <class S, indexable Q, detail::matrix_like J>
+template <class S, indexable Q, detail::axes_at_origin Axes, detail::matrix_like J>
 requires(!names_something<Q>) void jacobian(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q,
-                                            const name_or_handle& frame, in_world_axes_t, J&& j) {
-  detail::put_jacobian_at(c, s, q, frame, true, j);
+                                            const name_or_handle& frame, Axes, J&& j) {
+  detail::put_jacobian_at(c, s, q, frame, std::is_same_v<Axes, in_world_axes_t>, j);
 }
 /// The Jacobian of a frame as a value.
-template <class S>
-basic_runtime_jacobian<S> jacobian(const runtime_chain& c, basic_runtime_state<S>& s, const name_or_handle& frame) {
-  basic_runtime_jacobian<S> j;
-  jacobian(c, s, frame, j);
-  return j;
-}
-template <class S>
+template <class S, detail::axes_at_origin Axes = in_own_axes_t>
 basic_runtime_jacobian<S> jacobian(const runtime_chain& c, basic_runtime_state<S>& s, const name_or_handle& frame,
-                                   in_world_axes_t axes) {
+                                   Axes = {}) {
   basic_runtime_jacobian<S> j;
-  jacobian(c, s, frame, axes, j);
+  detail::put_jacobian_at_state(c, s, frame, std::is_same_v<Axes, in_world_axes_t>, j);
   return j;
 }
-template <class S, indexable Q>
+template <class S, indexable Q, detail::axes_at_origin Axes = in_own_axes_t>
 requires(!names_something<Q>) basic_runtime_jacobian<S> jacobian(const runtime_chain& c, basic_runtime_state<S>& s,
-                                                                 const Q& q, const name_or_handle& frame) {
+                                                                 const Q& q, const name_or_handle& frame, Axes = {}) {
   basic_runtime_jacobian<S> j;
-  jacobian(c, s, q, frame, j);
-  return j;
-}
-template <class S, indexable Q>
-requires(!names_something<Q>) basic_runtime_jacobian<S> jacobian(const runtime_chain& c, basic_runtime_state<S>& s,
-                                                                 const Q& q, const name_or_handle& frame,
-                                                                 in_world_axes_t axes) {
-  basic_runtime_jacobian<S> j;
-  jacobian(c, s, q, frame, axes, j);
+  detail::put_jacobian_at(c, s, q, frame, std::is_same_v<Axes, in_world_axes_t>, j);
   return j;
 }
 

@@ -31,10 +31,6 @@ template <class Gravity, class... E, indexable Q, key_type Frame>
     detail::move_to_world_origin(j, p);
   return j;
 }
-template <class Gravity, class... E, indexable Q, key_type Frame>
-[[nodiscard]] auto jacobian(const static_chain<Gravity, E...>& c, const Q& q, const Frame& frame, in_own_axes_t) {
-  return jacobian(c, q, frame);
-}
 
 /// The time derivative J_dot of `jacobian(c, q, frame, axes)` at the velocities v, by dual numbers, exact to rounding.
 template <class Gravity, class... E, indexable Q, indexable V, key_type Frame, axes_of_rates Axes = in_own_axes_t>
@@ -60,12 +56,9 @@ template <class Gravity, class... E, indexable Q, indexable V, key_type Frame, a
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
-  check_configuration<chain_type>(q), check_velocities<chain_type>(v);
-  const configuration<S, typename chain_type::wiring, Q> at(q);
-  at.check();
-  return bias_of<S>(motion_at<Frame>(c, given{at, each<S, V>{v}, same<zero_t>{}, base_at_rest}), axes, [&]() {
-    diagnose<typename chain_type::wiring>("an acceleration", at.q, each<S, V>{v}, same<zero_t>{}, "a");
-  });
+  const auto x = checked_arguments<chain_type>(q, v);
+  return bias_of<S>(motion_at<Frame>(c, given{x.at, x.v, same<zero_t>{}, base_at_rest}), axes,
+                    x.diagnosis("an acceleration"));
 }
 
 // ---- runtime chains, with the bases of the state

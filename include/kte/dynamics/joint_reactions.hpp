@@ -44,15 +44,11 @@ template <class Gravity, class... E, indexable Q, indexable V, indexable A, key_
   constexpr int by = wiring::writer(Frame::what, slot);
   static_assert(by >= 0 && static_connections<chain_type>{}.rigid(by < 0 ? 0 : std::size_t(by)),
                 "kte: no joint or link moves this frame");
-  check_configuration<chain_type>(q), check_velocities<chain_type>(v);
-  check_rates<chain_type>(a, "a", "an acceleration");
-  const configuration<S, wiring, Q> at(q);
-  at.check();
-  const given g{at, each<S, V>{v}, each<S, A>{a}, base_under_gravity(c)};
+  const auto x = checked_arguments<chain_type>(q, v, a);
+  const given g{x.at, x.v, x.a, base_under_gravity(c)};
   using pass = unrolled_passes<chain_type, std::remove_const_t<decltype(g)>>;
   static_assert(sizeof(typename pass::need) > 0);
-  return reaction_to<S>(pass(c, g).template load<Frame::what, slot>(),
-                        [&]() { diagnose<wiring>("a force", at.q, each<S, V>{v}, each<S, A>{a}, "a"); });
+  return reaction_to<S>(pass(c, g).template load<Frame::what, slot>(), x.diagnosis("a force"));
 }
 
 namespace detail {

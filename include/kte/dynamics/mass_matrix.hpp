@@ -1,6 +1,7 @@
 #ifndef KTE_MASS_MATRIX_HPP
 #define KTE_MASS_MATRIX_HPP
 
+#include <kte/dynamics/detail/flattened.hpp>
 #include <kte/dynamics/state_vectors.hpp>
 #include <kte/dynamics/unrolled/mass_matrix.hpp>
 
@@ -25,7 +26,8 @@ template <class Gravity, class... E, indexable Q>
   using S = value_of<Q>;
   detail::check_configuration<chain_type>(q);
   const detail::configuration<S, typename chain_type::wiring, Q> at(q);
-  return detail::mass_matrix_at<S>(c, at, detail::base_under_gravity(c));
+  return detail::in_one_function<S, detail::is_unrolled<chain_type, S>>(
+      [&]() KTE_INLINE_LAMBDA { return detail::mass_matrix_at<S>(c, at, detail::base_under_gravity(c)); });
 }
 
 template <class Gravity, class... E, class S>

@@ -29,10 +29,8 @@ template <class Gravity, class... E, indexable Q>
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
   static_assert(sizeof(check_bodies_of<chain_type>) > 0 && sizeof(check_closures_of<chain_type>) > 0);
-  check_configuration<chain_type>(q);
-  const configuration<S, typename chain_type::wiring, Q> at(q);
-  at.check();
-  const given g{at, same<skip>{}, same<skip>{}, base_with_pose};
+  const auto x = checked_arguments<chain_type>(q);
+  const given g{x.at, same<skip>{}, same<skip>{}, base_with_pose};
   using pass = momentum_columns<S, chain_type, std::remove_const_t<decltype(g)>, 3>;
   typename pass::matrix_type j;
   const auto all = pass(c, g, {}, j).fill();
@@ -54,13 +52,10 @@ template <class Gravity, class... E, indexable Q, indexable V, indexable A>
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
   static_assert(sizeof(check_bodies_of<chain_type>) > 0 && sizeof(check_closures_of<chain_type>) > 0);
-  check_configuration<chain_type>(q), check_velocities<chain_type>(v);
-  check_rates<chain_type>(a, "a", "an acceleration");
-  const configuration<S, typename chain_type::wiring, Q> at(q);
-  at.check();
-  const auto why = [&]() { diagnose<typename chain_type::wiring>("a force", at.q, each<S, V>{v}, each<S, A>{a}, "a"); };
-  const auto w = weight_of<S>(c, at);
-  const auto h = momentum_rate_at_base<S>(c, at, each<S, V>{v}, each<S, A>{a});
+  const auto x = checked_arguments<chain_type>(q, v, a);
+  const auto why = x.diagnosis("a force");
+  const auto w = weight_of<S>(c, x.at);
+  const auto h = momentum_rate_at_base<S>(c, x.at, x.v, x.a);
   return checked<S>(h.force, h.torque - cross(divided_by_mass<S>(w.mass, w.moment, why), h.force), why);  // (1)
 }
 /// The acceleration of the centre of mass, m/s^2: p' over the mass.
@@ -119,15 +114,17 @@ runtime_matrix<S> centre_of_mass_jacobian_of(const runtime_chain& c, basic_runti
     const auto map = centroidal_momentum_matrix_of(c, s);
     return map.topRows(3) / tree::weight_in_world(s.tree().body_tree, s.work).mass;
   }
-  carry(c, s);
+  refuse_distributed_masses(c, s);
+  carry_bodies<S, engine::world_placement<mat3<vec3<S>>, skip, skip>, composite<S, vec3<S>, skip>>(c, s);
   const auto w = tree::weight_in_world(s.tree().body_tree, s.work);
   const diagnose_state why{"a Jacobian", s};
   (void)divided_by_mass<S>(w.mass, w.moment, why);
   runtime_matrix<S> j = runtime_matrix<S>::Zero(3, s.dofs());
-  for_each_momentum(s, vec3<S>{}, [&j, mass = w.mass](int row, const tree::dense_wrench<S>& h) {
-    auto column = j.col(row);
-    column[0] += h.force.x / mass, column[1] += h.force.y / mass, column[2] += h.force.z / mass;
-  });
+  for_each_momentum(s, vec3<S>{},
+                    [to = j.data(), mass = w.mass](int row, const tree::dense_wrench<S>& h) KTE_INLINE_LAMBDA {
+                      S* const column = to + 3 * row;
+                      column[0] += h.force.x / mass, column[1] += h.force.y / mass, column[2] += h.force.z / mass;
+                    });
   check_result(j.data(), static_cast<std::size_t>(j.size()), why);
   return j;
 }

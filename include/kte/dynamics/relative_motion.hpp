@@ -16,10 +16,8 @@ template <class Gravity, class... E, indexable Q, key_type B, key_type A>
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
-  check_configuration<chain_type>(q);
-  const configuration<S, typename chain_type::wiring, Q> at(q);
-  at.check();
-  const given g{at, same<skip>{}, same<skip>{}, base_with_pose};
+  const auto x = checked_arguments<chain_type>(q);
+  const given g{x.at, same<skip>{}, same<skip>{}, base_with_pose};
   if constexpr (moved_by_joints<chain_type, A> && moved_by_joints<chain_type, B>)
     return plain_pose<S>(pose_in_frame<branch_of<chain_type, A>, branch_of<chain_type, B>>(c, g));
   else
@@ -32,33 +30,28 @@ template <class Gravity, class... E, indexable Q, indexable V, indexable X, key_
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
-  check_configuration<chain_type>(q), check_velocities<chain_type>(v);
-  check_rates<chain_type>(a, "a", "an acceleration");
-  const configuration<S, typename chain_type::wiring, Q> at(q);
-  at.check();
-  const given g{at, each<S, V>{v}, each<S, X>{a}, base_at_rest};
-  return checked_motion(in_numbers<S>(motion_at<A>(c, g)), in_numbers<S>(motion_at<B>(c, g)), [&]() {
-    diagnose<typename chain_type::wiring>("a motion", at.q, each<S, V>{v}, each<S, X>{a}, "a");
-  });
+  const auto x = checked_arguments<chain_type>(q, v, a);
+  const given g{x.at, x.v, x.a, base_at_rest};
+  return checked_motion(in_numbers<S>(motion_at<A>(c, g)), in_numbers<S>(motion_at<B>(c, g)), x.diagnosis("a motion"));
 }
 /// The Jacobian of the motion of B relative to A, in axes of B: the velocity and angular velocity of `relative_motion`
-/// are J v. Columns of joints that move both are zero.
+/// are J v. Joints that move both have columns of zeros; those of joints between the base and A are subtracted.
 template <class Gravity, class... E, indexable Q, key_type B, key_type A>
 [[nodiscard]] auto relative_jacobian(const static_chain<Gravity, E...>& c, const Q& q, const B&, const A&) {
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
-  check_configuration<chain_type>(q);
-  const configuration<S, typename chain_type::wiring, Q> at(q);
-  at.check();
-  const given g{at, same<skip>{}, same<skip>{}, base_with_pose};
+  const auto x = checked_arguments<chain_type>(q);
+  const given g{x.at, same<skip>{}, same<skip>{}, base_with_pose};
   static_assert(moved_by_joints<chain_type, A> && moved_by_joints<chain_type, B>,
                 "kte: this algorithm supports only frames that joints and links move, not frames that follow others");
   using a = branch_of<chain_type, A>;
   using b = branch_of<chain_type, B>;
-  using pass = local_relative_jacobian<S, chain_type, std::remove_const_t<decltype(g)>, a, b>;
+  using pass = unrolled_jacobian<S, chain_type, std::remove_const_t<decltype(g)>>;
   typename pass::matrix_type j;
-  pass(c, g, j).fill(pose_in_frame<a, b>(c, g));
+  pass columns(c, g, j);
+  columns.template inward<b, common_length<a, b>>();
+  columns.template inward<a, common_length<a, b>, a::length>(pose_in_frame<a, b>(c, g), minus_one);
   return j;
 }
 

@@ -37,10 +37,8 @@ template <class Gravity, class... E, indexable Q, key_type Frame>
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
   static_assert(sizeof(check_bodies_of<chain_type>) > 0);
-  check_configuration<chain_type>(q);
-  const configuration<S, typename chain_type::wiring, Q> at(q);
-  at.check();
-  const given g{at, same<skip>{}, same<skip>{}, base_of_nothing};
+  const auto x = checked_arguments<chain_type>(q);
+  const given g{x.at, same<skip>{}, same<skip>{}, base_of_nothing};
   using motion_type = unrolled_motion<chain_type, std::remove_const_t<decltype(g)>>;
   using bodies_type = typed_bodies<S, motion_type, axes_of_joints<chain_type>>;
   const motion_type m(c, g);

@@ -180,6 +180,7 @@ KTE_ELEMENT(rigid_contact<kind::frame_3D, core::disc_geometry>)
 KTE_ELEMENT(rigid_link_gen<double>)
 KTE_ELEMENT(rigid_link<kind::frame_2D, rotation_2D<>, vec3<double, double, zero_t>>)
 KTE_ELEMENT(rigid_link<kind::frame_3D, mat3<vec3<>>, vec3<>>)
+#include <kte/elements/rigid_shapes.hpp>
 #include <kte/elements/rotation_control.hpp>
 KTE_ELEMENT(rotation_control_2D)
 KTE_ELEMENT(rotation_control_3D)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/contact/shape_points.hpp>
 #include <kte/elements/compliant_contact.hpp>
 #include <kte/static_chain/static_chain.hpp>
 
@@ -15,20 +16,11 @@ constexpr auto compliant_spheres(const A& frame1, const B& frame2, const Surface
   };
   return [&]<std::size_t... K>(std::index_sequence<K...>) {
     if constexpr (is_element<decltype(one(0))>)
-      return chain(one(K)...);
+      return make_chain(one(K)...);
     else
       return together(one(K)...);
   }
   (std::make_index_sequence<N>{});
-}
-constexpr std::array<vec3<>, 2> ends_of(const vec3<>& half) { return {half, -half}; }
-constexpr std::array<vec3<>, 4> corners_2D(const vec3<>& h) {
-  return {{{h.x, h.y, 0}, {-h.x, h.y, 0}, {-h.x, -h.y, 0}, {h.x, -h.y, 0}}};
-}
-constexpr std::array<vec3<>, 8> corners_3D(const vec3<>& h) {
-  std::array<vec3<>, 8> all{};
-  for (std::size_t k = 0; k < 8; ++k) all[k] = {k & 1 ? h.x : -h.x, k & 2 ? h.y : -h.y, k & 4 ? h.z : -h.z};
-  return all;
 }
 }  // namespace detail
 

@@ -26,6 +26,24 @@ inline constexpr int unit_axis<motion_vector<vec3<V...>, vec3<W...>>> = [] {
   return others == 0 && n < 6 ? n : -1;
 }();
 
+/// f(s) of unit axis n, as a type.
+template <class F>
+KTE_INLINE constexpr auto with_unit_axis(int n, const F& f) {
+  switch (n) {
+    case 0:
+      return f(motion_vector{vec3{one, zero, zero}, zero3{}});
+    case 1:
+      return f(motion_vector{vec3{zero, one, zero}, zero3{}});
+    case 2:
+      return f(motion_vector{vec3{zero, zero, one}, zero3{}});
+    case 3:
+      return f(motion_vector{zero3{}, vec3{one, zero, zero}});
+    case 4:
+      return f(motion_vector{zero3{}, vec3{zero, one, zero}});
+    default:
+      return f(motion_vector{zero3{}, vec3{zero, zero, one}});
+  }
+}
 template <int N, int At, class X>
 KTE_INLINE constexpr auto unless(const X& x) {
   if constexpr (N == At) {

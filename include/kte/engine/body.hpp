@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/detail/unroll.hpp>
 #include <kte/engine/values.hpp>
 #include <kte/frames/motion.hpp>
 
@@ -39,6 +40,7 @@ KTE_INLINE constexpr auto power(const motion_vector<V, W>& s, const wrench<F, T>
 ///   first()               the place of the first axis of its joint among the axes of all bodies
 ///   along_axes(x)         S x, a motion vector in axes of the body; x[0] ... belong to the axes of the joint
 ///   powers_along(w, put)  put(k, s_k^T w) for each axis k of the joint
+///   each_axis(f)          f(k, s_k) for each axis k of the joint; left out where axes are known one by one, below
 ///   in(u), out(u)         R^T u, R u
 ///   bias(rate)            dS/dt q_dot, dS/dt in axes of the body; left out where axes are constant in it
 ///   position()            of its origin from that of its parent, in axes of the parent, m
@@ -91,6 +93,16 @@ KTE_INLINE constexpr void each_power(const B& b, const W& w, const Put& put) {
 template <body_with_axes B, class W, class Put>
 KTE_INLINE constexpr void each_power(const B& b, const W& w, const Put& put) {
   each_power<0, B::axes>(b, w, put);
+}
+/// f(k, s_k) for each axis k of the joint. Where axes are types, k is one too.
+template <body B, class F>
+KTE_INLINE constexpr void each_axis(const B& b, const F& f) {
+  if constexpr (body_with_axes<B>) {
+    detail::unroll<B::axes>([&]<int K>()
+                                KTE_INLINE_LAMBDA { f(std::integral_constant<int, K>{}, b.template axis<K>()); });
+  } else {
+    b.each_axis(f);
+  }
 }
 /// dS/dt q_dot
 template <body B, class S>

@@ -60,21 +60,9 @@ struct looped {
   /// From parents to children: value = step(body, value of its parent). `kept`: values by slot; those of bases are
   /// given. `Hand`: the type in registers, without skipped quantities.
   template <class Hand, class Value, class Step>
-  KTE_LOOP auto outward(Value* const kept, const Step step) const {
-    const int bases = bodies.bases(), count = bodies.count();
-    Hand hand{};
-    int at_hand = -1;
-    for (int i = 0; i < count; ++i) {
-      const int parent = bodies.parent(i);
-      if (parent != at_hand) assign(hand, kept[parent]);
-      at_hand = bases + i;
-      if (is_usual(i)) [[likely]]
-        assign(hand, step(bodies.body(i), hand));
-      else
-        in_memory(hand, [&](Hand& x) KTE_INLINE_LAMBDA { outward_apart(i, step, x); });
-      assign(kept[at_hand], hand);
-    }
-    return kept_values<Value, Hand, Step>{kept + bases};
+  KTE_INLINE auto outward(Value* const kept, const Step& step) const {
+    descend<Hand>(kept, kept_constant<nothing>{}, step_without_value<Step>{step});
+    return kept_values<Value, Hand, Step>{kept + bodies.bases()};
   }
 
   /// From parents to children with values of an earlier outward pass: step(body, kept value, value of its parent).
@@ -93,6 +81,17 @@ struct looped {
         in_memory(hand, [&](Hand& x) KTE_INLINE_LAMBDA { descend_apart(i, values, step, x); });
       assign(kept[at_hand], hand);
     }
+  }
+
+  /// step(body, its value, its number) for each body, with values by slot.
+  template <class Value, class Step>
+  KTE_INLINE void each(const Value* const values, const Step& step) const {
+    const Value* const of_body = values + bodies.bases();
+    for (int i = 0; i < bodies.count(); ++i)
+      if (is_usual(i)) [[likely]]
+        step(bodies.body(i), of_body[i], i);
+      else
+        each_apart(i, of_body[i], step);
   }
 
   /// From children to parents. A body carries own(rigid body, kept value) plus the values of its children;
@@ -137,6 +136,14 @@ struct looped {
   }
 
  private:
+  template <class Step>
+  struct step_without_value {
+    Step step;
+    template <body B, class Parent>
+    KTE_INLINE auto operator()(const B& b, nothing, const Parent& parent) const {
+      return step(b, parent);
+    }
+  };
   static constexpr bool one_kind = !requires(const Bodies& b) { b.usual(0); };
   KTE_INLINE bool is_usual(int i) const {
     if constexpr (one_kind)
@@ -152,10 +159,9 @@ struct looped {
     f(copy);
     assign(hand, copy);
   }
-  template <class Step, class Hand>
-  [[gnu::noinline]] void outward_apart(int i, const Step step, Hand& hand) const {
-    if constexpr (!one_kind)
-      bodies.with_body(i, [&step, &hand](const body auto& b) { assign(hand, step(b, fresh(hand))); });
+  template <class Value, class Step>
+  [[gnu::noinline]] void each_apart(int i, const Value& value, const Step& step) const {
+    if constexpr (!one_kind) bodies.with_body(i, [&](const body auto& b) { step(b, value, i); });
   }
   template <class Values, class Step, class Hand>
   [[gnu::noinline]] void descend_apart(int i, const Values values, const Step step, Hand& hand) const {

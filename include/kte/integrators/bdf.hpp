@@ -88,7 +88,7 @@ class bdf : public bdf_step<bdf<F, X>, F, X> {
 
   void advance(const S& t_end) {
     time_of_history_ = std::numeric_limits<S>::quiet_NaN();  // undefined until the first step
-    this->take_step(steps_, t_end, [&](const S& end) { return try_step(end); });
+    this->take_step(steps_, t_end, [&](const S& end) { return this->attempted([&] { return try_step(end); }); });
     time_of_history_ = this->time_;
     if (this->time_ == t_end) this->slope_now();  // the next `start` compares
   }

@@ -37,6 +37,16 @@ class embedded_runge_kutta : public integrator<embedded_runge_kutta<Tableau, F, 
   friend base;
   using extension = detail::continuous_extension<Tableau, typename base::rate>;
   static constexpr std::size_t stages = Tableau::stages;
+  static constexpr double share_of_rounding = [] {
+    double sum = 0;
+    for (std::size_t i = 0; i < stages; ++i) {
+      const ratio b = Tableau::a.back()[i], other = Tableau::embedded[i];
+      const double d = static_cast<double>(b.num) / static_cast<double>(b.den) -
+                       static_cast<double>(other.num) / static_cast<double>(other.den);
+      sum += d < 0 ? -d : d;
+    }
+    return sum;
+  }();
 
  public:
   using typename base::rate;
@@ -46,6 +56,12 @@ class embedded_runge_kutta : public integrator<embedded_runge_kutta<Tableau, F, 
   /// f(t, x), start time, s, start state, tolerances. Throws `bad_argument` for invalid tolerances, and for a start
   /// that is not finite.
   embedded_runge_kutta(F f, const S& t0, const std::type_identity_t<X>& x0, const tolerances<S>& tol = {});
+  /// The tolerances.
+  [[nodiscard]] const tolerances<S>& bounds() const { return tolerances_; }
+  /// The order of the error estimate in the length of a step.
+  static constexpr int order_of_error() { return Tableau::order_of_error; }
+  /// sum_i |a_si - b_i|: the error of (3) if each slope has an error of less than 1 / h.
+  static constexpr double share_of_rounding_errors() { return share_of_rounding; }
 
  private:
   void start(const S& t_end) {
@@ -98,17 +114,6 @@ class embedded_runge_kutta : public integrator<embedded_runge_kutta<Tableau, F, 
         [&](int i, int j) { return norm(this->rounding_of_rate(i, j, k_.front())); });
     return {error / level};
   }
-  /// sum_i |a_si - b_i|: the error of (3) if each slope has an error of less than 1 / h.
-  static constexpr double share_of_rounding = [] {
-    double sum = 0;
-    for (std::size_t i = 0; i < stages; ++i) {
-      const ratio b = Tableau::a.back()[i], other = Tableau::embedded[i];
-      const double d = static_cast<double>(b.num) / static_cast<double>(b.den) -
-                       static_cast<double>(other.num) / static_cast<double>(other.den);
-      sum += d < 0 ? -d : d;
-    }
-    return sum;
-  }();
   template <std::size_t I>
   void stage(const S& h, const S& end) {
     this->displace(h * detail::combination<Tableau::a[I]>(k_));  // (1); at last (2)

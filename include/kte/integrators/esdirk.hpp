@@ -80,7 +80,9 @@ class esdirk : public implicit_stages<esdirk<Tableau, F, X>, F, X> {
 
   void advance(const S& t_end) {
     k_[0] = slope_;
-    this->take_step(steps_, t_end, [&](const S& end) { return try_step(end); });
+    this->take_step(
+        steps_, t_end, slope_, [] {}, [&](const S& end) { return try_step(end); });
+    if (this->is_explicit()) k_.back() = this->last_slope(), this->stage_slope_ = this->slope_at_end();
     this->keep_jacobian();
     last_h_ = this->time_ - this->previous_time_;
     slope_.swap(this->stage_slope_);

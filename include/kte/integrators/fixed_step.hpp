@@ -21,6 +21,8 @@ class fixed_step : public integrator<Method, F, X> {
  public:
   using typename base::rate;
   using typename base::S;
+  /// The length of a step, s.
+  [[nodiscard]] const S& step_length() const { return step_; }
 
  protected:
   fixed_step(F f, const S& t0, const X& x0, const S& step) : base(std::move(f), t0, x0), step_(step) {

@@ -50,14 +50,14 @@ class implicit_integrator : public integrator<Method, F, X> {
     steps.choose_first(this->time_, t_end, tolerances_, slope, this->magnitudes(this->x_), slope_after,
                        this->failing());
   }
-  /// Tries steps towards t_end until one is accepted. try_step(end): a `detail::attempt`, with its state in `next_`.
+  /// Tries steps towards t_end until one is accepted. try_step(end): a `detail::attempt`, with its state in `next_`; it
+  /// uses `attempted`.
   template <class Try>
   void take_step(detail::step_choice<S>& steps, const S& t_end, const Try& try_step) {
     this->previous_time_ = this->time_;  // the stages of the last step are invalid
     this->accept(steps.take(
         this->time_, t_end, tolerances_, [&]() -> const auto& { return this->magnitudes(this->x_); },
-        this->statistics_.rejected, [&](const S& end) { return this->attempted([&] { return try_step(end); }); },
-        this->failing()));
+        this->statistics_.rejected, try_step, this->failing()));
   }
   /// next_ = state (+) d, and then projected onto constraints, for evaluations of f. Off the constraints, f may change
   /// by 1 / distance from a singular configuration; W would make that a restriction of the step.

@@ -60,6 +60,7 @@ inline constexpr bool changes_when_called<std::reference_wrapper<const F>, S, X>
 ///                            with it
 ///   f.tangential(x, e)       what `settle` takes away of a displacement is taken out of an error estimate e
 ///   f.check_end(x, next)     optional: throws where a step of another length should end elsewhere than at `next`
+///   f.singular_distance(x)   optional: the relative distance of x, where a step begins, from singular configurations
 ///
 /// A right-hand side of vectors may have the same functions, with `settle(x, out)` instead, and with e in the numbers
 /// of x (models/vector_form.hpp).

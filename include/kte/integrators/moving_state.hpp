@@ -21,6 +21,16 @@ struct step_statistics {
   long long factorizations = 0;  ///< of matrices
 };
 
+namespace detail {
+/// The right-hand side of a solver, for calls from outside.
+struct right_hand_side {
+  template <class Solver>
+  static auto& of(const Solver& s) {
+    return s.f_;
+  }
+};
+}  // namespace detail
+
 /// A right-hand side and the states of a step: from `x_`, at the start of the step, to `next_`, by displacements, which
 /// are vectors even if states are not (motion_space.hpp). After the step, from `previous_` to `x_`. This is the part of
 /// `integrator` that its methods use.
@@ -262,6 +272,7 @@ class moving_state {
     if (detail::all_finite(x)) reason_ = text.substr(text.starts_with(name) ? name.size() : 0);
   }
 
+  friend detail::right_hand_side;
   mutable std::remove_const_t<F> f_;
   mutable bool is_asking_ = false;
   mutable std::string reason_;                 ///< why f could not be computed in this step

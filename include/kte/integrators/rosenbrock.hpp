@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kte/integrators/implicit_integrator.hpp>
+#include <kte/integrators/detail/singular_passage.hpp>
 
 #include <array>
 
@@ -35,8 +35,8 @@ struct rosenbrock_table {
 /// `Coefficients` has `stages`, `order_of_error` (of e in h), `first_same_as_last` and table<S>(). `dense` of the table
 /// holds the coefficients of theta, theta^2, ... in p_i.
 template <class Coefficients, class F, class X>
-class rosenbrock : public implicit_integrator<rosenbrock<Coefficients, F, X>, F, X> {
-  using base = implicit_integrator<rosenbrock, F, X>;
+class rosenbrock : public singular_passage<rosenbrock<Coefficients, F, X>, F, X> {
+  using base = singular_passage<rosenbrock, F, X>;
   friend integrator<rosenbrock, F, X>;
   static constexpr std::size_t stages = Coefficients::stages;
 
@@ -67,11 +67,16 @@ class rosenbrock : public implicit_integrator<rosenbrock<Coefficients, F, X>, F,
     if (!slope_is_known_) this->evaluate(this->time_, this->x_, slope_);
     slope_is_known_ = true;
     this->check_finite_slope(slope_);
-    this->differentiate(slope_);
-    this->differentiate_in_time(slope_, steps_.proposed(this->time_, t_end), slope_in_time_);
-    this->take_step(steps_, t_end, [&](const S& end) { return try_step(end); });
-    slope_.swap(last_slope_);
-    slope_is_known_ = Coefficients::first_same_as_last;
+    const auto differentiate = [&] {
+      this->differentiate(slope_);
+      this->differentiate_in_time(slope_, steps_.proposed(this->time_, t_end), slope_in_time_);
+    };
+    this->take_step(steps_, t_end, slope_, differentiate, [&](const S& end) { return try_step(end); });
+    if (this->is_explicit())
+      slope_ = this->slope_at_end();
+    else
+      slope_.swap(last_slope_);
+    slope_is_known_ = Coefficients::first_same_as_last || this->is_explicit();
   }
 
   /// (1) to (4) for the step to `end`.
@@ -113,8 +118,9 @@ class rosenbrock : public implicit_integrator<rosenbrock<Coefficients, F, X>, F,
       if (w[i] != S(0)) sum_ += w[i] * u_[i];
   }
 
-  int degree() const { return static_cast<int>(table_.dense.size()); }
+  int degree() const { return this->is_explicit() ? 3 : static_cast<int>(table_.dense.size()); }
   void dense(const S& theta, X& x) const {
+    if (this->is_explicit()) return this->displaced(this->explicit_displacement(theta), x);
     sum_.setZero();
     for (std::size_t i = 0; i < stages; ++i) {
       S p(0);

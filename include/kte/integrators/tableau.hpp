@@ -1,5 +1,7 @@
 #pragma once
 
+#include <kte/math/plain_scalar.hpp>
+
 #include <array>
 #include <cstddef>
 #include <type_traits>
@@ -26,6 +28,8 @@ S coefficient() {
   if constexpr (std::is_floating_point_v<S>) {
     constexpr S value = S(R.num) / S(R.den);
     return value;
+  } else if constexpr (is_pack<S>) {
+    return S(coefficient<typename S::value_type, R>());
   } else {
     static const S value = S(R.num) / S(R.den);
     return value;

@@ -4,6 +4,11 @@
 
 #include <cstddef>
 
+namespace kte {
+template <class D>
+struct out_of_line;
+}
+
 namespace kte::detail {
 
 /// Whether a scalar is a pack of numbers.
@@ -29,6 +34,12 @@ using plain_scalar = typename plain_scalar_of<S>::type;
 template <class S>
 constexpr const S& value_part(const S& x) {
   return x;
+}
+template <class T, int N>
+constexpr const auto& value_part(const dual<T, N>& x);
+template <class D>
+constexpr const auto& value_part(const out_of_line<D>& x) {
+  return value_part(x.number);
 }
 template <class T, int N>
 constexpr const auto& value_part(const dual<T, N>& x) {

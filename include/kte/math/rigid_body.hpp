@@ -92,6 +92,10 @@ KTE_INLINE constexpr auto shifted(const sym3<T...>& i, const P& p, const U& u) {
   return sym3{i.xx + two * (yy + zz), i.xy - (p.x * u.y + p.y * u.x), i.xz - (p.x * u.z + p.z * u.x),
               i.yy + two * (zz + xx), i.yz - (p.y * u.z + p.z * u.y), i.zz + two * (xx + yy)};
 }
+template <class P, class U>
+KTE_INLINE constexpr skip shifted(skip, const P&, const U&) {
+  return {};
+}
 template <class T>
 KTE_INLINE constexpr auto half(const T& x) {
   if constexpr (variable<T>) {

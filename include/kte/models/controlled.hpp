@@ -265,6 +265,10 @@ class controlled {
   void check_end(const state& x, const state& next) const requires(settles) {
     model().check_end(own_part(x), own_part(next));
   }
+  /// The relative distance of x, where a step begins, from singular configurations of the loops.
+  [[nodiscard]] double singular_distance(const state& x) const requires(settles) {
+    return model().singular_distance(own_part(x));
+  }
   /// Removes from e the part normal to the constraints at x.
   void tangential(const state& x, rate& e) const requires(settles) {
     changed_ = own_rate(e);

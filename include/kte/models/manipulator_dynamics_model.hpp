@@ -101,6 +101,10 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
   void check_end(const state& x0, const state&) const requires(constrained) {
     constraints::check_end(*this, constraints_, x0);
   }
+  /// The relative distance of x0, where a step begins, from singular configurations of the loops.
+  [[nodiscard]] double singular_distance(const state& x0) const requires(constrained) {
+    return constraints::singular_distance(*this, constraints_, x0);
+  }
   /// x on the loops, wherever it is. Throws `bad_argument` that names a closure which does not close from there.
   state on_loops(const state& x) const requires(constrained) {
     state on = x;

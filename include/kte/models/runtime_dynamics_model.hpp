@@ -165,6 +165,8 @@ class manipulator_dynamics_model<runtime_chain, double, void> : public state_spa
   /// Throws `bad_argument` where the step from x0 that has just been computed ends too near to a singular
   /// configuration.
   void check_end(const state& x0, const state& next) const;
+  /// The relative distance of x0, where a step begins, from singular configurations of the loops; 1 without loops.
+  [[nodiscard]] double singular_distance(const state& x0) const;
   /// Projects any x onto the loops. Throws `bad_argument`, naming a closure that does not close from there; `assemble`
   /// can close loops from farther away.
   [[nodiscard]] state on_loops(const state& x) const;
@@ -433,6 +435,10 @@ KTE_FUNCTION void manipulator_dynamics_model<runtime_chain>::begin_step(const st
 KTE_FUNCTION void manipulator_dynamics_model<runtime_chain>::check_end(const state& x0, const state&) const {
   if (detail::has_contacts(chain())) return;
   if (detail::has_loops(chain())) detail::check_step_end(detail::runtime_model_loops{*this, s_, step_}, x0);
+}
+KTE_FUNCTION double manipulator_dynamics_model<runtime_chain>::singular_distance(const state& x0) const {
+  if (detail::has_contacts(chain()) || !detail::has_loops(chain())) return 1;
+  return detail::singular_distance_of(detail::runtime_model_loops{*this, s_, step_}, x0);
 }
 KTE_FUNCTION auto manipulator_dynamics_model<runtime_chain>::on_loops(const state& x) const -> state {
   state on = checked(x);

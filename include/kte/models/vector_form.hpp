@@ -91,6 +91,15 @@ class vector_form {
     const auto& m = detail::unwrapped(f_);
     if constexpr (requires { m.check_end(x0, next); }) m.check_end(x0, next);
   }
+  /// The relative distance of x0, where a step begins, from singular configurations of the loops.
+  [[nodiscard]] double singular_distance(const state& x0) const requires(settles) {
+    const auto& m = detail::unwrapped(f_);
+    if constexpr (requires { m.singular_distance(x0); }) {
+      return m.singular_distance(x0);
+    } else {
+      return 1;
+    }
+  }
 
  private:
   using rate = typename model::rate;

@@ -41,7 +41,6 @@ template <class C, class G, class D, class H>
 KTE_INLINE constexpr auto operator+(const turning_body<C, G>& a, const turning_body<D, H>& b) {
   return turning_body{a.inertia + b.inertia, a.gyration + b.gyration};
 }
-inline constexpr turning_body no_turning_body{no_mass, no_gyration};
 
 /// The derivative of w x (w x r) by w: w r^T - 2 r w^T + (w . r) 1.
 template <class W, class R>

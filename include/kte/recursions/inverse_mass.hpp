@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kte/recursions/articulated_body.hpp>
+#include <kte/recursions/axis_elimination.hpp>
 
 /// The inverse of the mass matrix from articulated inertias, in innovations form (Rodriguez, Jain and Kreutz-Delgado,
 /// Int. J. Robotics Research 10, 1991; Jain, Robot and Multibody Dynamics, 2011, section 7.2). A unit force on axis j

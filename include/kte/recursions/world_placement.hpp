@@ -31,12 +31,12 @@ KTE_INLINE constexpr void axes_in_world(const B& b, const R& rotation, Axis* axe
   assign(axes[K].linear, rotation * s.linear), assign(axes[K].angular, rotation * s.angular);
   if constexpr (K + 1 < B::axes) axes_in_world<K + 1>(b, rotation, axes);
 }
-/// All bodies and axes, from the placements of bases in `kept`.
-template <class Hand, class Driver, class Kept, class Axis>
-KTE_INLINE void world_placements(const Driver& d, const Kept& kept, Axis* axes) {
-  (void)d.template outward<Hand>(kept, [axes](const body auto& b, const auto& parent) KTE_INLINE_LAMBDA {
+/// All bodies, from the placements of bases in `kept`; with `axes` also the axes of joints.
+template <class Hand, class Driver, class Kept, class... Axis>
+KTE_INLINE void world_placements(const Driver& d, const Kept& kept, Axis*... axes) {
+  (void)d.template outward<Hand>(kept, [axes...](const body auto& b, const auto& parent) KTE_INLINE_LAMBDA {
     const auto x = placed_in_world(b, parent);
-    b.axes_in_world(x.rotation, axes + b.first());
+    (b.axes_in_world(x.rotation, axes + b.first()), ...);
     return x;
   });
 }

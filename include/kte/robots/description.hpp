@@ -4,6 +4,7 @@
 #include <kte/math/rigid_body.hpp>
 
 #include <array>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <string>
@@ -28,19 +29,31 @@ struct robot_pose {
   bool operator==(const robot_pose&) const = default;
 };
 
-/// A visual or collision shape. `form`: none, box, cylinder, capsule, sphere, ellipsoid, plane, mesh; `is`: the form of
-/// this shape; `name` and `material` as in the file, `line` in the file.
+/// How a collision shape touches others, as its file describes it.
+struct robot_touch {
+  std::optional<double> friction, restitution;  ///< coefficients, if the file has them
+  std::uint32_t type = 1, affinity = 1;         ///< contype and conaffinity of MJCF, bit masks
+  int priority = 0;                             ///< of two shapes that touch, that of the higher one is used (MJCF)
+  int dimensions = 3;                           ///< condim of MJCF: 1 without friction, above 3 also against turning
+  bool operator==(const robot_touch&) const = default;
+};
+
+/// A visual or collision shape. `form`: none, box, cylinder, capsule, sphere, ellipsoid, plane, mesh, height_field;
+/// `is`: the form of this shape; `name` and `material` as in the file, `line` in the file.
 struct robot_shape {
-  enum class form { none, box, cylinder, capsule, sphere, ellipsoid, plane, mesh };
+  enum class form { none, box, cylinder, capsule, sphere, ellipsoid, plane, mesh, height_field };
   std::string name;
   robot_pose origin;  ///< in the link
   form is = form::none;
-  vec3<> size{};          ///< box: edges; cylinder, capsule: radius, length; sphere: radius; ellipsoid: half axes
-  std::string mesh;       ///< name of the file, as written; for MJCF with its folders
+  vec3<> size{};     ///< box: edges; cylinder, capsule: radius, length; sphere: radius; ellipsoid, field: half axes
+  std::string mesh;  ///< name of the file, as written; for MJCF with its folders
   vec3<> scale{1, 1, 1};  ///< scale of the mesh
   std::string material;
   std::vector<double> rgba;  ///< four numbers, or none
   int line = 0;
+  robot_touch touch{};            ///< of a collision shape
+  std::vector<double> heights{};  ///< of a height field, m, in rows along x, from the corner of negative x and y
+  std::size_t columns = 0;        ///< heights in a row
 };
 
 /// A link: a body, a frame of its name, and shapes (`visuals`, `collisions`); `line` in the file.
@@ -138,6 +151,16 @@ struct robot_closure {
   std::array<double, 5> polynomial{};  ///< of joints: q_1 = c_0 + c_1 q_2 + ... + c_4 q_2^4
 };
 
+/// An exception to the contacts of a file: none between two links (`excluded`), or one between two shapes whatever
+/// their types; `line` in the file.
+struct robot_contact_pair {
+  std::string name1, name2;  ///< of links if excluded, else of shapes
+  bool excluded = false;
+  std::optional<double> friction;  ///< of the pair, if the file has it
+  int line = 0;
+  std::string file{};  ///< as of notes
+};
+
 /// The actuator of a joint: the gear ratio n, and the law of the actuator, before the gear. With its force f the force
 /// of the joint is n f; its position and rate are n times those of the joint. `name`, `line`: as in the file.
 struct robot_actuator {
@@ -157,9 +180,8 @@ struct robot_configuration {
   std::vector<std::pair<std::string, std::vector<double>>> joints;
 };
 
-/// A robot as its file describes it: `name`, `links`, `joints`, `closures` of loops, fixed `frames`, `actuators` and
-/// named `configurations`.
-/// `to_robot` makes a chain of it.
+/// A robot as its file describes it: `name`, `links`, `joints`, `closures` of loops, fixed `frames`, `actuators`, named
+/// `configurations` and `contact_pairs`. `to_robot` makes a chain of it.
 struct robot_description {
   std::string name;
   std::string source;  ///< name of the file in messages
@@ -169,6 +191,7 @@ struct robot_description {
   std::vector<robot_frame> frames;
   std::vector<robot_actuator> actuators;
   std::vector<robot_configuration> configurations;
+  std::vector<robot_contact_pair> contact_pairs;
   std::optional<vec3<>> gravity;     ///< in the file, m/s^2; empty if it has none
   std::vector<robot_note> not_read;  ///< contents of the file that the description does not have
   std::vector<robot_note> warnings;  ///< probable mistakes

@@ -1,12 +1,33 @@
 #pragma once
 
-#include <kte/math/vec.hpp>
+#include <kte/elements/compliant_contact.hpp>
 
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace kte {
+
+/// Contacts of the collision shapes of a robot with the ground (docs/robots.md, "Contacts").
+struct robot_contact_options {
+  /// The frame of the ground: a link or frame of the robot, or `robot_options::world`. Planes and height fields of
+  /// links fixed to it are the ground; otherwise its plane z = 0. Without a name there are no contacts.
+  std::string ground{};
+  /// Coulomb's coefficient of friction. Without it, that of the file, or 1.
+  std::optional<double> friction{};
+  /// Newton's coefficient of restitution. Without it, that of the file, or 0.
+  std::optional<double> restitution{};
+  /// Compliant contacts by these parameters, with the friction from above, instead of rigid ones; without a stiffness
+  /// rigid ones.
+  compliant_contact_parameters compliant{};
+  /// The rims of a cylinder as points, 3 to 64 each; 0: exact circles, which must not lie flat on the ground.
+  int rim_points = 0;
+
+  /// Whether there are contacts.
+  bool requested() const { return !ground.empty(); }
+  /// Whether they are compliant.
+  bool are_compliant() const { return compliant.stiffness != 0; }
+};
 
 /// Options of reading a robot and making a chain of it.
 struct robot_options {
@@ -31,6 +52,8 @@ struct robot_options {
   bool joint_dynamics = true;
   /// Whether closures of loops become elements (docs/loops.md). Otherwise loops are open, with a warning of each.
   bool closures = true;
+  /// Contacts with the ground; none by default.
+  robot_contact_options contacts{};
   /// Dry friction changes its sign over this rate, rad/s or m/s (docs/elements.md, `joint_friction`).
   double friction_smoothing = 1e-3;
   /// Whether a robot that moves differently from that of the file is rejected: every note with `changes_motion`.

@@ -13,6 +13,7 @@ namespace kte {
 ///   soft_limits     limits with the narrower range of safety controllers, where the file has it
 ///   joints          the coordinates of joints that move, in the order of the file, including followers
 ///   loops           names of the closures of loops, in the order of the file
+///   contacts        names of the rigid contacts of shapes with the ground (`robot_options::contacts`)
 ///   shapes          visual and collision shapes
 ///   configurations  named configurations
 struct robot {
@@ -38,6 +39,7 @@ struct robot {
   joint_limits<> limits, soft_limits;
   std::vector<std::string> joints;
   std::vector<std::string> loops;
+  std::vector<std::string> contacts;
   std::vector<shape> shapes;
   std::vector<robot_actuator> actuators;  ///< actuators in the file
   std::vector<motor> motors;              ///< motors in the chain (`add_motors`)

@@ -22,7 +22,11 @@ namespace kte {
 class runtime_chain : public kte_map {
  public:
   runtime_chain() = default;
-  runtime_chain(const runtime_chain& o) : kte_map(o), gravity_(o.gravity_), gravity_is_written_(o.gravity_is_written_) {
+  runtime_chain(const runtime_chain& o)
+      : kte_map(o),
+        gravity_(o.gravity_),
+        gravity_of_lanes_(o.gravity_of_lanes_),
+        gravity_is_written_(o.gravity_is_written_) {
     auto all = o.copies();
     add(all.data(), all.size(), {});
     if (o.use_ == use::whole) topology_.edit().layout = o.topology_->layout;
@@ -58,6 +62,7 @@ class runtime_chain : public kte_map {
     return append(std::make_unique<static_chain_map<static_chain<Gravity, E...>>>(c));
   }
   runtime_chain& operator<<(const runtime_chain& c) {
+    c.refuse_gravity_of_lanes();
     auto all = c.copies();
     add(all.data(), all.size(), c.gravity_);
     return *this;
@@ -87,6 +92,7 @@ class runtime_chain : public kte_map {
   template <class X, class Y, class Z>
   runtime_chain& gravity(const vec3<X, Y, Z>& g) {
     detail::check_gravity(g);
+    if (!gravity_of_lanes_.empty()) gravity_of_lanes({});
     put_gravity(as<double>(g)), gravity_is_written_ = true;
     return *this;
   }
@@ -99,6 +105,18 @@ class runtime_chain : public kte_map {
     return *this;
   }
   vec3<> gravity() const override { return gravity_; }
+  /// Sets gravity for each lane of packs (`kte::lanes`), m/s^2; an empty list: equal in all lanes.
+  runtime_chain& gravity_of_lanes(std::vector<vec3<>> g) {
+    for (const auto& x : g) detail::check_gravity(x);
+    gravity_of_lanes_.clear();
+    if (!g.empty()) gravity(g.front());
+    if (use_ == use::whole) topology_.edit().layout = std::make_shared<char>();
+    gravity_of_lanes_ = std::move(g);
+    return *this;
+  }
+  const std::vector<vec3<>>& gravity_of_lanes() const { return gravity_of_lanes_; }
+  /// The number of lanes with their own parameters or gravity (`kte::lanes`); 1 for other chains.
+  [[nodiscard]] std::size_t lanes() const;
 
   /// A handle of a frame, in the plane or in space, for calls that take a name. Throws `unknown_name`.
   [[nodiscard]] handle frame(std::string_view name) const { return handle_of(name, is_frame, "frame"); }
@@ -163,6 +181,8 @@ class runtime_chain : public kte_map {
       throw bad_argument("kte: this chain is part of another one: use the wiring and states of that one");
     return *topology_;
   }
+  /// The wiring of the chain, to share.
+  [[nodiscard]] const shared_topology& shared_wiring() const { return (void)wiring(), topology_; }
   /// The number of degrees of freedom.
   [[nodiscard]] int dofs() const { return wiring().nv; }
   /// The number of entries in a configuration q.
@@ -186,6 +206,10 @@ class runtime_chain : public kte_map {
 
   handle handle_of(std::string_view name, bool (*fits)(kind), const char* wanted) const;
   parts copies() const;
+  void refuse_gravity_of_lanes() const {
+    if (!gravity_of_lanes_.empty())
+      throw bad_argument("kte: a chain with gravity in lanes cannot be a part of another: append it before kte::lanes");
+  }
   vec3<> with_gravity_of(const vec3<>& part) const;
   /// States contain the accelerations of bases against the gravity with which they were made.
   void put_gravity(const vec3<>& g) {
@@ -200,14 +224,15 @@ class runtime_chain : public kte_map {
   void take(runtime_chain& c, std::unique_ptr<kte_map> owner);
   void swap(runtime_chain& o) noexcept {
     std::swap(elements_, o.elements_), std::swap(emptied_, o.emptied_), std::swap(topology_, o.topology_);
-    std::swap(gravity_, o.gravity_), std::swap(gravity_is_written_, o.gravity_is_written_),
-        o.use_ = std::exchange(use_, o.use_);
+    std::swap(gravity_, o.gravity_), std::swap(gravity_of_lanes_, o.gravity_of_lanes_);
+    std::swap(gravity_is_written_, o.gravity_is_written_), o.use_ = std::exchange(use_, o.use_);
   }
 
   parts elements_;
   parts emptied_;  ///< appended chains, for callers that still point to them
   shared_topology topology_;
   vec3<> gravity_{};
+  std::vector<vec3<>> gravity_of_lanes_;  ///< if it differs; gravity_ is then that of the first
   bool gravity_is_written_ = false;
   use use_ = use::whole;
 };
@@ -218,8 +243,19 @@ template <class S>
 basic_runtime_state<S> runtime_chain::make_state() const {
   const auto& t = wiring();
   t.check_complete();
+  if (const auto n = lanes(); n > 1 && n != detail::lanes_in<S>) [[unlikely]]
+    throw bad_argument("kte: this chain has " + std::to_string(n) +
+                       " lanes, its states are those of packs: make_state" + "<kte::pack<double, " + std::to_string(n) +
+                       ">>(chain)");
   basic_runtime_state<S> s(topology_);
-  const vec3<S> up = as<S>(vec3<>{} - gravity_);
+  vec3<S> up = as<S>(vec3<>{} - gravity_);
+  if constexpr (detail::is_pack<S>)
+    for (std::size_t i = 0; i < gravity_of_lanes_.size(); ++i) {
+      using number = typename S::value_type;
+      const vec3<>& g = gravity_of_lanes_[i];
+      up.x.set(i, static_cast<number>(-g.x)), up.y.set(i, static_cast<number>(-g.y));
+      up.z.set(i, static_cast<number>(-g.z));
+    }
   for (std::size_t i = 0; i < t.names[1].size(); ++i)
     if (t.writers[1][i] < 0) s.template get<kind::frame_2D>(static_cast<int>(i)).acceleration = {up.x, up.y};
   for (std::size_t i = 0; i < t.names[2].size(); ++i)
@@ -255,11 +291,17 @@ KTE_FUNCTION std::vector<runtime_chain::output> runtime_chain::outputs(const run
   }
   return all;
 }
+KTE_FUNCTION std::size_t runtime_chain::lanes() const {
+  std::size_t n = gravity_of_lanes_.empty() ? 1 : gravity_of_lanes_.size();
+  for (const auto& e : wiring().elements) n = (std::max)(n, e.element->lanes());
+  return n;
+}
 KTE_FUNCTION runtime_chain& runtime_chain::append(std::unique_ptr<kte_map> e) {
   if (!e) throw bad_argument("kte: a null pointer cannot be appended to a chain");
   kte_map& part = *e;
   if (typeid(part) == typeid(runtime_chain)) {
     auto& c = static_cast<runtime_chain&>(part);
+    c.refuse_gravity_of_lanes();
     take(c, std::move(e));
   } else {
     add(&e, 1, part.gravity());

@@ -22,6 +22,9 @@ class basic_runtime_state;
 /// The state of a runtime chain in double.
 using runtime_state = basic_runtime_state<double>;
 namespace detail {
+/// Called for a number of an element: the names of its parameter and component, and the number, which it may change;
+/// null for a typed constant.
+using parameter_visitor = std::function<void(std::string_view, std::string_view, double*)>;
 /// The scalar of derivatives through elements, four directions at a time.
 using derivative_number = dual<double, 4>;
 template <class D>
@@ -76,6 +79,16 @@ class kte_element : public kte_map {
   virtual double kinetic_energy(runtime_state&) const = 0;
   /// Its potential energy after doMotion, J, without that in gravity.
   virtual double potential_energy(runtime_state&) const = 0;
+  /// Calls visit for the numbers of its parameters.
+  virtual void visit_parameters(const detail::parameter_visitor& /*visit*/) {}
+  /// Throws `bad_parameter` for parameters that the element rejects.
+  virtual void check_parameters() const {}
+  /// The number of lanes with their own parameters; 1 for an element with the same parameters in all lanes.
+  virtual std::size_t lanes() const { return 1; }
+  /// The element of a lane.
+  virtual const kte_element& lane(std::size_t) const { return *this; }
+  /// Takes over the connections of an element of the same type.
+  virtual void connect_as(std::span<const int> /*index*/) {}
   /// The function that passes through zero where its law changes, after doMotion; 1 if it never changes.
   virtual double switching(runtime_state&) const = 0;
   /// Whether its law changes at events.
@@ -121,6 +134,10 @@ class kte_element : public kte_map {
   virtual void close_frames(std::span<const detail::closing_motion<double>>, double* /*rows*/) const {}
   /// The place of a contact for the motion of its body in the frame of its surface.
   virtual detail::touch touch_at(const detail::closing_motion<double>&) const { return {}; }
+  virtual detail::basic_touch<detail::derivative_number> touch_at(
+      const detail::closing_motion<detail::derivative_number>&) const {
+    return {};
+  }
   /// Whether a closed loop of rotations is at the true solution, not half a turn away.
   virtual bool is_upright(const detail::closing_motion<double>&) const { return true; }
   /// The residual of a closure of coordinates at q with rates v, its derivatives by the coordinates, and its second

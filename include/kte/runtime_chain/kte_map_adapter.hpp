@@ -2,6 +2,7 @@
 
 #include <kte/contract/closure_parameters.hpp>
 #include <kte/contract/force_derivatives.hpp>
+#include <kte/contract/parameter_paths.hpp>
 #include <kte/contract/varying_joint.hpp>
 #include <kte/runtime_chain/derivative_state.hpp>
 #include <kte/runtime_chain/kte_map.hpp>
@@ -11,6 +12,25 @@
 #include <algorithm>
 
 namespace kte {
+
+namespace detail {
+/// Calls visit for the numbers of a parameter.
+template <class T>
+[[gnu::noinline]] void visit_numbers(std::string_view name, T& x, const parameter_visitor& visit) {
+  for_each_component(x, [&](std::string_view component, auto& number) {
+    using number_type = std::remove_cvref_t<decltype(number)>;
+    if constexpr (typed_constant<number_type>) {
+      visit(name, component, nullptr);
+    } else if constexpr (std::is_same_v<number_type, double>) {
+      visit(name, component, &number);
+    } else {
+      double value = as_double(number);
+      visit(name, component, &value);
+      number = static_cast<number_type>(value);
+    }
+  });
+}
+}  // namespace detail
 
 /// An element of a runtime chain: an element core, connected by texts.
 template <class Core>
@@ -39,7 +59,7 @@ class kte_map_adapter final : public kte_element {
   void connect(topology& t) override {
     t.connect(this, Core::type, Core::ports, names_);
     auto& c = t.elements.back();
-    std::copy(c.index.begin(), c.index.end(), index_.begin());
+    connect_as(c.index);
     c.rigid = detail::is_transmission<Core>, c.distributed_mass = distributed_mass<Core>;
     c.load = is_load<Core>, c.closes = detail::is_closure<Core>;
     c.touches = detail::is_contact<Core>;
@@ -48,7 +68,22 @@ class kte_map_adapter final : public kte_element {
         std::any_of(Core::ports.begin(), Core::ports.end(), [](const port& p) { return is_frame(p.what); });
     t.has_derivatives &= on_frames || detail::has_derivatives<Core>;
   }
+  void connect_as(std::span<const int> index) override { std::copy(index.begin(), index.end(), index_.begin()); }
   element_record record() const override { return record_of(core_, names_); }
+  void visit_parameters([[maybe_unused]] const detail::parameter_visitor& visit) override {
+    if constexpr (core_in_files<Core>)
+      Core::parameters(core_, [&visit](const char* name, auto& x) { detail::visit_numbers(name, x, visit); });
+  }
+  void check_parameters() const override {
+    const std::array<std::string_view, port_count<Core>> texts = [this]<std::size_t... P>(std::index_sequence<P...>) {
+      return std::array<std::string_view, port_count<Core>>{names_[P]...};
+    }
+    (std::make_index_sequence<port_count<Core>>{});
+    parameter_check::breach broken;
+    const parameter_check where{Core::type, Core::ports, texts, broken};
+    core_.check(where);
+    if (broken.rule) detail::raise<bad_parameter>(where());
+  }
 
   std::string_view type() const override { return Core::type; }
   std::span<const port> ports() const override { return Core::ports; }
@@ -124,6 +159,13 @@ class kte_map_adapter final : public kte_element {
         }
   }
   detail::touch touch_at([[maybe_unused]] const detail::closing_motion<double>& m) const override {
+    if constexpr (detail::is_contact<Core>)
+      return core_.touch_at(m);
+    else
+      return {};
+  }
+  detail::basic_touch<detail::derivative_number> touch_at(
+      [[maybe_unused]] const detail::closing_motion<detail::derivative_number>& m) const override {
     if constexpr (detail::is_contact<Core>)
       return core_.touch_at(m);
     else

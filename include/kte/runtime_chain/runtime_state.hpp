@@ -44,13 +44,14 @@ class own_memory {
 ///
 ///   s.frame_2D("joint").position,  s.coordinate("q").q_ddot,  s.input("motor") = 2.0
 ///
-/// S: double, or for chains of joints, links and bodies another scalar: float, long double, `dual`, `pack` for several
-/// states at once, multiprecision numbers. Only `runtime_state`, in double, has passes.
+/// S: double, `pack` for several states at once, or for chains of joints, links and bodies another scalar: float, long
+/// double, `dual`, multiprecision numbers. Only `runtime_state`, in double, has passes.
 template <class S>
 class basic_runtime_state {
  public:
   using scalar = S;
-  using parameter = detail::plain_scalar<S>;
+  /// The scalar of parameters: for packs packs too, so that lanes may differ in them (`kte::lanes`).
+  using parameter = std::conditional_t<detail::is_pack<S>, S, detail::plain_scalar<S>>;
   using tree_type = detail::runtime_tree<parameter>;
   static constexpr bool has_sines = false;  ///< whether sines of coordinates are stored
 
@@ -164,6 +165,7 @@ class basic_runtime_state {
   detail::loop_memory<parameter, S> work;
   detail::own_memory with_derivatives;
   detail::own_memory loops;
+  detail::own_memory lane;      ///< of packs: a state in double for one lane; not for users
   detail::own_memory contacts;  ///< of contact dynamics; not for users
   detail::own_memory impacts;   ///< of impacts; not for users
   std::vector<S> before;        ///< q, v, a that a call has replaced, until the call can no longer fail

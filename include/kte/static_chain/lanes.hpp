@@ -1,39 +1,17 @@
 #pragma once
 
+#include <kte/contract/parameter_paths.hpp>
 #include <kte/static_chain/in_scalar.hpp>
-#include <kte/static_chain/parameter_paths.hpp>
 
 #include <boost/hana/for_each.hpp>
 
 namespace kte {
-
-/// A parameter of a chain by its path, and its value: a number, or a pack with a number for each lane.
-///
-///   kte::parameter{"tool/mass", payload}      NAME/PARAMETER, names of parameters as in files (docs/elements.md)
-///   kte::parameter{"tool/com/z", height}      components: x, y, z; of inertias xx, xy, xz, yy, yz, zz
-///   kte::parameter{"gravity/z", -g}
-///
-/// NAME is the last connection of the element, what it acts on or writes: the frame of a body, the end of a link or
-/// joint. If no element has this one, it is any other connection: the coordinate of a joint.
-template <class S>
-struct parameter {
-  std::string_view path;
-  S value;
-};
-template <class Path, class S>
-parameter(Path, S) -> parameter<S>;
 
 namespace detail {
 
 template <class Core, class... Keys>
 constexpr std::array<std::string_view, sizeof...(Keys)> names_of(const element<Core, Keys...>&) {
   return {Keys::name...};
-}
-template <class T>
-[[noreturn, gnu::cold]] void raise_fixed(std::string_view path, const T&) {
-  raise<bad_argument>("kte: the parameter '" + std::string(path) +
-                      "' is a typed constant, which is fixed by the type " +
-                      "of the chain; build the chain with a number there");
 }
 /// Sets the number of a path in all elements (an array of pointers to cores would lose their types).
 template <class Elements, class S>
@@ -43,20 +21,19 @@ void set_parameter(Elements& elements, std::string_view path, const S& value) {
     boost::hana::for_each(elements, [&](auto& e) {
       const auto put = [&](auto& number) {
         if constexpr (typed_constant<decltype(number)>) {
-          raise_fixed(path, number);
-        } else {
+          raise_fixed(path);
+        } else if constexpr (std::is_assignable_v<decltype(number), const S&>) {
           number = value;
+        } else {
+          raise_one_number(path);
         }
       };
       hits += at_path(e.core, names_of(e), path, all, put);
     });
     if (hits == 1) return;
-    if (hits > 1)
-      raise<bad_argument>("kte: the path '" + std::string(path) + "' names parameters of " + std::to_string(hits) +
-                          " elements");
+    if (hits > 1) raise_ambiguous_parameter(path, hits);
   }
-  raise<unknown_name>("kte: the chain has no parameter '" + std::string(path) +
-                      "'; paths are NAME/PARAMETER or NAME/PARAMETER/COMPONENT, as tool/mass or tool/com/x");
+  raise_no_parameter(path);
 }
 }  // namespace detail
 
@@ -83,7 +60,7 @@ template <class Gravity, class... E, class S, class... More>
     const std::string_view component = detail::after_name(path, "gravity");
     const bool found = detail::at_component(gravity, component, [&](auto& g) {
       if constexpr (typed_constant<decltype(g)>) {
-        detail::raise_fixed(path, g);
+        detail::raise_fixed(path);
       } else {
         g = x;
       }
@@ -103,8 +80,8 @@ template <class Chain, class... Parameters>
 auto lanes(const Chain& c, const Parameters&...) {
   static_assert(
       detail::fit<Chain>,
-      "kte: call it as lanes(chain, kte::parameter{\"tool/mass\", masses}, ...), with a static chain; runtime "
-      "chains have the same parameters in all lanes");
+      "kte: call it as lanes(chain, kte::parameter{\"tool/mass\", masses}, ...), with a static chain, or a runtime "
+      "chain and #include <kte/dynamics/lanes.hpp>");
   return c;
 }
 

@@ -1,9 +1,10 @@
 #pragma once
 
-#include <kte/math/plain_scalar.hpp>
+#include <kte/contract/core_in_scalar.hpp>
 #include <kte/sweep/sweep_cases.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <string_view>
 
@@ -16,9 +17,14 @@ class sweep_case {
  public:
   using scalar = S;
 
+  static constexpr std::size_t lanes = detail::lanes_in<S>;
+
   /// Case `first`; with packs the cases from `first` on, those after `last` replaced by it.
-  sweep_case(const sweep_cases& cases, std::uint64_t first, std::uint64_t last)
-      : cases_(cases), first_(first), last_(last) {}
+  sweep_case(const sweep_cases& cases, std::uint64_t first, std::uint64_t last) : cases_(cases) {
+    for (std::size_t lane = 0; lane < lanes; ++lane) index_[lane] = (std::min)(first + lane, last);
+  }
+  /// These cases in lanes.
+  sweep_case(const sweep_cases& cases, const std::array<std::uint64_t, lanes>& index) : cases_(cases), index_(index) {}
 
   /// The value of a column by its number.
   [[nodiscard]] S operator[](std::size_t column) const {
@@ -28,7 +34,7 @@ class sweep_case {
         x.set(lane, static_cast<typename S::value_type>(cases_(index(lane), column)));
       return x;
     } else {
-      return static_cast<S>(cases_(first_, column));
+      return static_cast<S>(cases_(index_[0], column));
     }
   }
   /// The value of a column by its name. Throws `unknown_name`.
@@ -40,11 +46,11 @@ class sweep_case {
   }
   [[nodiscard]] S operator[](const char* name) const { return (*this)[std::string_view(name)]; }
   /// The number of the case, or of that in a lane.
-  [[nodiscard]] std::uint64_t index(std::size_t lane = 0) const { return (std::min)(first_ + lane, last_); }
+  [[nodiscard]] std::uint64_t index(std::size_t lane = 0) const { return index_[lane]; }
 
  private:
   const sweep_cases& cases_;
-  std::uint64_t first_, last_;
+  std::array<std::uint64_t, lanes> index_;
 };
 
 }  // namespace kte

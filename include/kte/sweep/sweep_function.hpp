@@ -18,11 +18,10 @@ using range_function = std::function<void(const sweep_cases&, const std::vector<
 
 template <class Result>
 void check_kept(const Result& kept, std::size_t columns) {
-  const auto n = static_cast<std::size_t>(kept.size());
-  if (n != columns)
-    raise<bad_argument>("kte: the function of the sweep gave " + std::to_string(n) + " numbers for " +
-                        std::to_string(columns) + " columns");
+  check_kept_size(static_cast<std::size_t>(kept.size()), columns);
 }
+template <class P, class Simulation>
+class lane_queue;
 /// Calls body(), and `failed` with the reason if it throws.
 template <class Body, class Failed>
 void or_reason(const Body& body, const Failed& failed) {
@@ -65,13 +64,38 @@ class one_by_one {
 ///   kte::in_packs<kte::pack<double, 8>>([](const auto& c) { return std::array{2 * c["length"]}; })
 ///
 /// f(const sweep_case<P>&) returns the kept numbers as packs. Packs are formed from the cases of a shard in order. If f
-/// throws, its cases are computed again, each alone in all lanes, to find those that fail.
+/// throws, its cases are computed again, each alone in all lanes, to find those that fail. Simulations (`final_state`)
+/// may have lanes with their own steps, which get the next case when they end.
 template <class P, class F>
 class in_packs_of {
  public:
   explicit in_packs_of(F f) : f_(std::move(f)) {}
   void operator()(const sweep_cases& cases, const std::vector<std::string>& names, std::uint64_t begin,
                   std::uint64_t end, detail::sweep_rows& out) {
+    if constexpr (in_lanes()) {
+      const auto results = detail::lane_queue<P, F>(f_, cases, names.size())(begin, end);
+      for (std::uint64_t i = begin; i < end; ++i) {
+        const auto& r = results[static_cast<std::size_t>(i - begin)];
+        if (r.failure.empty())
+          out.add(
+              i, [&r](std::size_t k) { return r.kept[k]; }, names);
+        else
+          out.add_failure(i, r.failure);
+      }
+    } else {
+      by_packs(cases, names, begin, end, out);
+    }
+  }
+
+ private:
+  static constexpr bool in_lanes() {
+    if constexpr (requires { F::has_events; })
+      return F::template in_lanes<P>;
+    else
+      return false;
+  }
+  void by_packs(const sweep_cases& cases, const std::vector<std::string>& names, std::uint64_t begin, std::uint64_t end,
+                detail::sweep_rows& out) {
     constexpr std::uint64_t width = P::lanes;
     for (std::uint64_t first = begin; first < end; first += width) {
       const std::uint64_t last = (std::min)(first + width, end) - 1;
@@ -84,8 +108,6 @@ class in_packs_of {
                         });
     }
   }
-
- private:
   void add(const sweep_cases& cases, const std::vector<std::string>& names, std::uint64_t first, std::uint64_t last,
            detail::sweep_rows& out) {
     const auto& kept = f_(sweep_case<P>(cases, first, last));

@@ -12,7 +12,8 @@ void set_free(const body_tree<P>& f, memory<P, S>& m, const F& is_free) {
   for (std::size_t i = 0; i < f.nodes.size(); ++i) {
     const body_node<P>& r = f.nodes[i];
     m.is_free[i] = is_free(i);
-    m.plain[i] = m.is_free[i] && r.moves == joint::revolute && m.own_mass[static_cast<std::size_t>(r.first)] == P(0);
+    m.plain[i] =
+        m.is_free[i] && r.moves == joint::revolute && all(m.own_mass[static_cast<std::size_t>(r.first)] == P(0));
   }
 }
 /// Bias accelerations of all bodies, from `rate` and the motions of bases; for prescribed joints with their

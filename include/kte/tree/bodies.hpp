@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kte/engine/body.hpp>
+#include <kte/engine/axes.hpp>
 #include <kte/frames/articulated.hpp>
 #include <kte/tree/placement.hpp>
 
@@ -76,6 +76,7 @@ struct jointed_body {
   KTE_INLINE const auto& composite() const { return r.weight; }
   KTE_INLINE static constexpr skip in(skip) { return {}; }
   KTE_INLINE static constexpr zero3 in(zero3) { return {}; }
+  KTE_INLINE static constexpr skip out(skip) { return {}; }
   template <class R>
   KTE_INLINE void axes_in_world(const R& rotation, world_axis<S>* axes_of_joint) const {
     engine::axes_in_world(*this, rotation, axes_of_joint);
@@ -130,6 +131,14 @@ struct several_axes_body {
   KTE_INLINE void powers_along(const dense_wrench<S>& w, const Put& put) const {
     tree::powers_along(r, at, w, r.axes, put);
   }
+  template <class F>
+  KTE_INLINE void each_axis(const F& f) const {
+    for (int k = 0; k < r.axes; ++k)
+      if (has_unit_axes())
+        engine::with_unit_axis(axis_number(k), [&f, k](const auto& s) KTE_INLINE_LAMBDA { f(k, s); });
+      else
+        f(k, axis(k));
+  }
   KTE_INLINE const vec3<S>& position() const { return at.position; }
   KTE_INLINE const auto& inertia() const { return r.body; }
   KTE_INLINE const auto& composite() const { return r.weight; }
@@ -146,6 +155,7 @@ struct several_axes_body {
     }
   }
   KTE_INLINE static constexpr skip in(skip) { return {}; }
+  KTE_INLINE static constexpr skip out(skip) { return {}; }
   KTE_INLINE vec3<S> in(const vec3<S>& u) const {
     return transpose(at.rotation()) * placed<P, S>{r, at}.in_placement(u);
   }
@@ -232,7 +242,7 @@ class articulated_bodies : public tree_bodies<P, S> {
     const bool free = free_[i] != 0;
     if (r.has_matrix())
       f(several_axes_body<P, S>{r, at, free, r.moves == joint::varying ? mass_ + r.first : nullptr});
-    else if (r.moves == joint::prismatic && free && mass_[r.first] == P(0))
+    else if (r.moves == joint::prismatic && free && all(mass_[r.first] == P(0)))
       f(jointed_body<along_z, P, S>{r, at});
     else
       f(jointed_body<along_and_about_z, P, S, joint_with_rotor<P>>{r, at, {free, mass_[r.first]}});

@@ -4,6 +4,7 @@
 #include <kte/tree/build.hpp>
 #include <kte/tree/clusters.hpp>
 #include <kte/tree/plan.hpp>
+#include <kte/tree/tree_in_lanes.hpp>
 
 #include <algorithm>
 
@@ -68,10 +69,7 @@ class chain_tree {
       add(static_cast<int>(e), c.ports(e), index, n, b);
     });
     body_tree = b.finish(std::move(frames_));
-    for (std::size_t i = 0; i < body_tree.nodes.size(); ++i) {
-      const auto m = body_tree.nodes[i].moves;
-      if (m == tree::joint::revolute || m == tree::joint::screw) angles.push_back(static_cast<int>(i));
-    }
+    find_angles();
     if (!plan.tree && distributed.empty()) find_clusters(c);
     for (const P& m : own_mass) has_own_mass |= m != P(0);
     only_bodies = !irregular && plan.tree && plan.coordinates == dofs_ && plan.jointless_dofs.empty() &&
@@ -85,8 +83,52 @@ class chain_tree {
       list->erase(std::unique(list->begin(), list->end()), list->end());
     }
   }
+  /// The trees of chains that differ in numbers only, as the lanes of packs P; one tree: in all lanes.
+  template <class T>
+  explicit chain_tree(std::span<const chain_tree<T, Plan>> trees) : chain_tree(trees, trees.front()) {}
 
  private:
+  template <class T, class U>
+  friend class chain_tree;
+  template <class T>
+  chain_tree(std::span<const chain_tree<T, Plan>> trees, const chain_tree<T, Plan>& one)
+      : plan(one.plan),
+        slot_of_base(one.slot_of_base),
+        own_mass(one.own_mass.size()),
+        only_bodies(one.only_bodies),
+        followers(one.followers),
+        late(one.late),
+        clusters(one.clusters),
+        on_coordinates(one.on_coordinates),
+        on_frames(one.on_frames),
+        weights(one.weights),
+        distributed(one.distributed),
+        readers(one.readers),
+        locks(one.locks),
+        written(one.written),
+        touched(one.touched),
+        turned(one.turned),
+        dofs_(one.dofs_) {
+    const auto lane = [&](std::size_t i) -> const auto& { return trees[i < trees.size() ? i : 0]; };
+    body_tree = tree::tree_in_lanes<P>([&](std::size_t i) -> const auto& { return lane(i).body_tree; });
+    find_angles();
+    for (const auto& r : one.rotors) rotors.push_back({r.coordinate, P(r.mass)});
+    for (std::size_t i = 0; i < std::size_t{P::lanes}; ++i) {
+      const auto& x = lane(i);
+      const tree::lane_writer<P> write(i);
+      write(own_mass, x.own_mass);
+      for (std::size_t k = 0; k < rotors.size(); ++k) rotors[k].mass.set(i, x.rotors[k].mass);
+      has_own_mass |= x.has_own_mass, only_bodies &= x.only_bodies;
+      if (!irregular && x.irregular) irregular = {x.irregular.element, x.irregular.why};
+      if (!moves_unknown && x.moves_unknown) moves_unknown = {x.moves_unknown.element, x.moves_unknown.why};
+    }
+  }
+  void find_angles() {
+    for (std::size_t i = 0; i < body_tree.nodes.size(); ++i) {
+      const auto m = body_tree.nodes[i].moves;
+      if (m == tree::joint::revolute || m == tree::joint::screw) angles.push_back(static_cast<int>(i));
+    }
+  }
   template <class Connections>
   void find_clusters(const Connections& c) {
     std::vector<std::pair<int, int>> links;

@@ -8,56 +8,41 @@
 
 namespace kte::tree {
 
-/// Computes the axes and origins of all bodies in the world, and the axes of their joints, from those of the bases.
+/// Computes the axes and origins of all bodies in the world from those of the bases, and on request the axes of joints.
+/// `Hand`: without skipped ones.
+template <class Hand, class P, class S, class... Axes>
+void place_bodies_in_world(const body_tree<P>& f, memory<P, S>& m, Axes*... axes) {
+  const one_axis_bodies<P, S> bodies(f, m.joint_transforms);
+  engine::world_placements<Hand>(engine::looped<one_axis_bodies<P, S>>{bodies}, m.world.data(), axes...);
+}
 template <class P, class S>
 void place_in_world(const body_tree<P>& f, memory<P, S>& m) {
-  const one_axis_bodies<P, S> bodies(f, m.joint_transforms);
-  engine::world_placements<world_place<S>>(engine::looped<one_axis_bodies<P, S>>{bodies}, m.world.data(),
-                                           m.axes.data());
+  place_bodies_in_world<world_place<S>>(f, m, m.axes.data());
 }
 
 /// Computes the inertia of each body with all bodies that it carries, at its origin and in its axes; with `Bases` also
-/// those of the bases.
-template <bool Bases, class P, class S>
+/// those of the bases. `Hand`: a type without skipped parts, if there are any.
+template <bool Bases, class Hand = void, class P, class S>
 void carry_bodies(const body_tree<P>& f, memory<P, S>& m) {
+  using hand = std::conditional_t<std::is_void_v<Hand>, dense_composite<S>, Hand>;
   if constexpr (Bases)
     for (std::size_t b = 0; b < f.base_weight.size(); ++b) engine::assign(m.carried[b], f.base_weight[b]);
   const one_axis_bodies<P, S> bodies(f, m.joint_transforms);
-  engine::composite_inertias<Bases, dense_composite<S>>(engine::looped<one_axis_bodies<P, S>>{bodies},
-                                                        m.carried.data());
+  engine::composite_inertias<Bases, hand>(engine::looped<one_axis_bodies<P, S>>{bodies}, m.carried.data());
 }
 
 /// The wrench that accelerates the bodies beyond axis k of a joint at its unit rate, in the axes of the body.
 template <class P, class S>
 KTE_INLINE dense_wrench<S> accelerating(const body_node<P>& r, const joint_transform<S>& at, int k,
                                         const dense_composite<S>& c) {
-  const S& mass = c.mass;
-  const vec3<S>& h = c.moment;
-  const sym3<S>& i = c.inertia;
-  const auto along = [&](int n) KTE_INLINE_LAMBDA {
-    switch (n) {
-      case 0:
-        return dense_wrench<S>{{mass, S(0), S(0)}, {S(0), h.z, -h.y}};
-      case 1:
-        return dense_wrench<S>{{S(0), mass, S(0)}, {-h.z, S(0), h.x}};
-      case 2:
-        return dense_wrench<S>{{S(0), S(0), mass}, {h.y, -h.x, S(0)}};
-      case 3:
-        return dense_wrench<S>{{S(0), -h.z, h.y}, {i.xx, i.xy, i.xz}};
-      case 4:
-        return dense_wrench<S>{{h.z, S(0), -h.x}, {i.xy, i.yy, i.yz}};
-      default:
-        return dense_wrench<S>{{-h.y, h.x, S(0)}, {i.xz, i.yz, i.zz}};
-    }
+  const auto along = [&c](const auto& s) KTE_INLINE_LAMBDA {
+    const auto w = accelerating_wrench(c, s.linear, s.angular);
+    return dense_wrench<S>{as<S>(w.force), as<S>(w.torque)};
   };
-  if (r.moves == joint::revolute) return along(5);
-  if (r.moves == joint::varying) {
-    const world_axis<S>& s = at.axis(k);
-    return {mass * s.linear + cross(s.angular, h), i * s.angular + cross(h, s.linear)};
-  }
-  if (r.moves != joint::screw) return along(r.axis[static_cast<std::size_t>(k)]);
-  const dense_wrench<S> turn = along(5), slide = along(2);
-  return {r.turns * turn.force + r.slides * slide.force, r.turns * turn.torque + r.slides * slide.torque};
+  if (r.moves == joint::revolute) return along(about_z::axis<0>(r));
+  if (r.moves == joint::varying) return along(at.axis(k));
+  if (r.moves == joint::screw) return along(along_and_about_z::axis<0>(r));
+  return engine::with_unit_axis(r.axis[static_cast<std::size_t>(k)], along);
 }
 
 /// The composite-rigid-body algorithm (CRBA; Featherstone 2008, section 6.2). With F the wrench that accelerates the

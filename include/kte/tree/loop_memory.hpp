@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kte/kernels/derivatives.hpp>
+#include <kte/kernels/joint_vector.hpp>
 #include <kte/tree/articulated_clusters.hpp>
 #include <kte/tree/followed_masses.hpp>
 #include <kte/tree/variations.hpp>

@@ -21,20 +21,36 @@ mass_moment<S> weight_in_world(const body_tree<P>& f, const memory<P, S>& m) {
   }
   return sum;
 }
+/// The pose of body i in the world, seen from a point.
+template <class P, class S>
+KTE_INLINE auto poses_from(const body_tree<P>& f, const memory<P, S>& m, const vec3<S>& point) {
+  return [world = m.world.data() + f.bases, point](int i) KTE_INLINE_LAMBDA {
+    return pose<const mat3<vec3<S>>&, vec3<S>>{world[i].rotation, world[i].position - point};
+  };
+}
 /// Calls put(k, momentum at the unit rate of axis k about a point, in world axes).
 template <class P, class S, class Put>
 void momenta(const body_tree<P>& f, const memory<P, S>& m, const vec3<S>& about, const Put& put) {
-  const std::size_t bases = static_cast<std::size_t>(f.bases);
-  for (std::size_t i = 0; i < f.nodes.size(); ++i) {
-    const body_node<P>& r = f.nodes[i];
-    const world_place<S>& x = m.world[bases + i];
-    const vec3<S> arm = x.position - about;
-    for (int k = 0; k < r.axes; ++k) {
-      const dense_wrench<S> own = accelerating(r, m.joint_transforms[i], k, m.carried[bases + i]);
-      const vec3<S> p = x.rotation * own.force;
-      put(r.first + k, dense_wrench<S>{p, x.rotation * own.torque + cross(arm, p)});
-    }
-  }
+  const one_axis_bodies<P, S> bodies(f, m.joint_transforms);
+  const auto put_axis = [nodes = f.nodes.data(), put](int i, int k, const auto& h) KTE_INLINE_LAMBDA {
+    put(nodes[i].first + k, dense_wrench<S>{as<S>(h.force), as<S>(h.torque)});
+  };
+  engine::looped<one_axis_bodies<P, S>>{bodies}.each(m.carried.data(),
+                                                     engine::momenta_of_axes{poses_from(f, m, about), put_axis});
+}
+/// The momentum of all bodies at `rate`, about a point, with bases at rest: the sum over all joints of X I^c S q_dot,
+/// with the X and I^c of recursions/composite_body.hpp.
+template <class P, class S>
+dense_wrench<S> momentum(const body_tree<P>& f, const memory<P, S>& m, const vec3<S>& about) {
+  const one_axis_bodies<P, S> bodies(f, m.joint_transforms);
+  const auto pose_of = poses_from(f, m, about);
+  dense_wrench<S> sum{};
+  engine::looped<one_axis_bodies<P, S>>{bodies}.each(
+      m.carried.data(), [&](const auto& b, const dense_composite<S>& carried, int i) KTE_INLINE_LAMBDA {
+        const auto [linear, angular] = b.along_axes(m.rate.data() + b.first());
+        engine::assign(sum, sum + transmit(pose_of(i), accelerating_wrench(carried, linear, angular)));
+      });
+  return sum;
 }
 
 }  // namespace kte::tree

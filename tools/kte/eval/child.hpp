@@ -18,11 +18,12 @@ struct child_end {
   std::string how;  ///< in words
 };
 
-/// Runs a program of a path, or where there is no slash of $PATH, with arguments; standard output goes to `output`. If
+/// Runs a program of a path, or where there is no slash of $PATH, with arguments; standard output goes to `output`,
+/// standard error to `errors`. If
 /// it is to confirm its end, the number of a pipe is its first argument. Given an open file, that is run, whatever the
 /// path is by now. Throws `kte::bad_file` if it does not start.
 inline child_end run_child(const std::string& program, std::vector<std::string> arguments, int output, bool confirm,
-                           int open_program = -1) {
+                           int open_program = -1, int errors = STDERR_FILENO) {
   constexpr int pipe_of_child = 3, program_of_child = 4, above_these = 10;
   int ends[2] = {-1, -1};
   if (confirm && pipe2(ends, O_CLOEXEC) != 0) kte::detail::raise_file("make a pipe for", program, errno);
@@ -31,6 +32,7 @@ inline child_end run_child(const std::string& program, std::vector<std::string> 
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   if (output != STDOUT_FILENO) posix_spawn_file_actions_adddup2(&actions, output, STDOUT_FILENO);
+  if (errors != STDERR_FILENO) posix_spawn_file_actions_adddup2(&actions, errors, STDERR_FILENO);
   if (confirm) {
     posix_spawn_file_actions_adddup2(&actions, write_end, pipe_of_child);
     arguments.insert(arguments.begin(), std::to_string(pipe_of_child));

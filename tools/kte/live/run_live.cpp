@@ -25,7 +25,7 @@ void check_settings(const live_settings& o) {
   if (!(o.port >= 0 && o.port <= 65535) || o.port != std::floor(o.port))
     refuse("--port is a number up to 65535", o.port);
   if (!(o.speed >= 1e-3 && o.speed <= 1e3)) refuse("--speed is between 0.001 and 1000", o.speed);
-  check_settings(o.solver);
+  check_settings(o.solver), check_contacts(o.in);
   if (o.end && !(*o.end > 0)) refuse("--time must be greater than 0", *o.end);
 }
 

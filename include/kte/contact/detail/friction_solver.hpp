@@ -6,6 +6,22 @@
 
 namespace kte {
 
+/// Tries the solution where all contacts stick, inside their cones.
+template <class S>
+bool friction_solver<S>::stick(const friction_options<S>& o) {
+  for (std::size_t k = 0; k < system_.contacts.size(); ++k)
+    if (system_.contacts[k].sliding || !(system_.mu[k] > S(0)) || system_.contacts[k].pressed) return false;
+  if (!sticking_.solve(system_, found_.lambda.data())) return false;
+  detail::find_modes(system_, found_);
+  for (const friction_mode mode : found_.modes)
+    if (mode != friction_mode::sticks) return false;
+  system_.velocity(found_.lambda.data(), found_.u.data());
+  found_.residual = system_.residual(found_.lambda.data(), found_.u.data(), F_.data());
+  if (!(found_.residual <= o.tolerance)) return false;
+  found_.status = friction_status::solved, found_.method = friction_method::newton, found_.iterations = 1;
+  return true;
+}
+
 template <class S>
 bool friction_solver<S>::iterate(const friction_options<S>& o) {
   S* const lambda = found_.lambda.data();
@@ -57,6 +73,7 @@ const friction_solution<S>& friction_solver<S>::solve(const friction_problem<S>&
   found_.iterations = 0;
   for (std::size_t k = 0; k < p.contacts.size(); ++k)
     if (!p.contacts[k].sliding) system_.mu[k] = p.contacts[k].sticking_friction.value_or(p.contacts[k].friction);
+  if (start.empty() && stick(o)) return found_;
   bool again = true, solved = false;
   while (again) {  // at most once for each contact: who slips with the friction of sticking gets that of sliding
     if (start.size() == m)

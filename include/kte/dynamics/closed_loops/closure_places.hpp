@@ -77,7 +77,11 @@ class closure_places {
   double scale(const closure_place& x, int k) const { return k < x.rows.linear ? 1 / length : 1; }
 
  private:
-  static double size_of(const vec3<>& x) { return std::sqrt(dot(x, x)); }
+  /// Of packs the largest of all lanes.
+  template <class P>
+  static double size_of(const vec3<P>& x) {
+    return std::sqrt(static_cast<double>(largest_lane(P(dot(x, x)))));
+  }
 
   template <class State>
   void order_places(const State& s) {

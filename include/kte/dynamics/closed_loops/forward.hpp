@@ -8,6 +8,10 @@ namespace kte::detail {
 /// Accelerations of a chain with loops under the forces `kept` in the working memory. kte/loops.hpp sets the pointer,
 /// so that programs without loops do not compile this; kte::compiled sets it too.
 inline const Eigen::VectorXd& (*accelerations_on_loops)(const runtime_chain&, runtime_state&) = nullptr;
+/// Those of packs of states; set by `kte::lanes` (dynamics/lanes.hpp) and by batches.
+template <class S>
+inline const runtime_vector<S>& (*accelerations_on_loops_in_lanes)(const runtime_chain&,
+                                                                   basic_runtime_state<S>&) = nullptr;
 
 /// At checked positions, under the forces applied(i).
 template <class S, class Tau>
@@ -21,8 +25,13 @@ const runtime_vector<S>& accelerations_of_chain(const runtime_chain& c, basic_ru
       return accelerations_on_loops(c, s);
     }
   if constexpr (has_lanes_of_double<S>)
-    if (has_loops(c)) [[unlikely]]
-      throw bad_argument("kte: forward dynamics of a chain with closures of loops in packs: kte::batch has it");
+    if (has_loops(c)) [[unlikely]] {
+      if (accelerations_on_loops_in_lanes<S> == nullptr)
+        throw bad_argument("kte: forward dynamics of a chain with closures of loops in packs: use kte::batch, or " +
+                           std::string("kte::lanes for lanes with their own parameters"));
+      for (int i = 0; i < s.dofs(); ++i) s.work.kept[static_cast<std::size_t>(i)] = applied(i);
+      return accelerations_on_loops_in_lanes<S>(c, s);
+    }
   return accelerations_under(c, s, applied);
 }
 

@@ -99,9 +99,32 @@ class loop_equations {
     c.close_frames(x.element, m, closing::wrenches, units);
     for (double* unit = units; unit != units + 6 * closing_stride; unit += closing_stride)
       for (int r = 0; r < x.rows.linear; ++r) unit[r] /= places.length;
-    constexpr int lanes = static_cast<int>(tree::simd_of<double>::count);
+    half_solve_units<Accelerate>(
+        s, closure, units, x.rows.count(), root,
+        [&](std::size_t place, int first, const tree::simd<double>& entries) KTE_INLINE_LAMBDA {
+          double left[tree::simd_of<double>::count];
+          tree::store<double>(entries, left);
+          for (int r = first; r < (std::min)(first + lanes, x.rows.count()); ++r)
+            put(places.column_of_place[place], r, left[r - first]);
+        },
+        [&](int r, double rate) { acceleration[x.first + r] = rate; });
+    if constexpr (Accelerate) {
+      double rows[6];
+      c.close_frames(x.element, accelerated<false>(s, x, ends_[static_cast<std::size_t>(closure)], m),
+                     closing::residual_ddot, rows);
+      for (int r = 0; r < x.rows.count(); ++r) acceleration[x.first + r] += places.scale(x, r) * rows[r];
+    }
+  }
+  /// As `half_solve`, for rows that are given by their wrenches on frame2, in its axes: six times `closing_stride`
+  /// numbers. Calls put(place, first row, entries of as many rows as there are lanes), and with `Accelerate`
+  /// accelerate(row, its second derivative without the part of `biased_motion`).
+  template <bool Accelerate, class State, class Put, class Accelerated>
+  void half_solve_units(State& s, int closure, const double* units, int rows, const Eigen::VectorXd& root,
+                        const Put& put, const Accelerated& accelerate) {
+    const auto& x = places.closures[static_cast<std::size_t>(closure)];
+    const auto& m = motions_[static_cast<std::size_t>(closure)];
     const auto& f = s.tree().body_tree;
-    for (int first = 0; first < x.rows.count(); first += lanes) {
+    for (int first = 0; first < rows; first += lanes) {
       simd_load on2;
       tree::load_vectors<double>(on2.force, units + first, closing_stride);
       tree::load_vectors<double>(on2.torque, units + 3 * closing_stride + first, closing_stride);
@@ -122,25 +145,25 @@ class loop_equations {
       enter(0, x.frame1, on1), enter(1, x.frame2, on2);
       const auto put_lanes = [&](int axis, const tree::simd<double>& e) KTE_INLINE_LAMBDA {
         const auto place = static_cast<std::size_t>(places.place_of_axis[static_cast<std::size_t>(axis)]);
-        double left[lanes];
-        tree::store<double>(e, left);
-        for (int r = first; r < (std::min)(first + lanes, x.rows.count()); ++r)
-          put(places.column_of_place[place], r, root[static_cast<Eigen::Index>(place)] * left[r - first]);
+        put(place, first, root[static_cast<Eigen::Index>(place)] * e);
       };
       tree::send_to_bases(f, s.work, x.way, loads_.data(), static_cast<const double*>(nullptr), put_lanes, sum);
       if constexpr (Accelerate) {
         double left[lanes];
         tree::store<double>(sum.sum, left);
-        for (int r = first; r < (std::min)(first + lanes, x.rows.count()); ++r)
-          acceleration[x.first + r] = left[r - first];
+        for (int r = first; r < (std::min)(first + lanes, rows); ++r) accelerate(r, left[r - first]);
       }
     }
-    if constexpr (Accelerate) {
-      double rows[6];
-      c.close_frames(x.element, accelerated<false>(s, x, ends_[static_cast<std::size_t>(closure)], m),
-                     closing::residual_ddot, rows);
-      for (int r = 0; r < x.rows.count(); ++r) acceleration[x.first + r] += places.scale(x, r) * rows[r];
-    }
+  }
+  /// The position and rotation of frame2 in frame1 for a closure of frames, after `at_positions` or `biased_motion`.
+  const closing_motion<double>& place(int closure) const { return motions_[static_cast<std::size_t>(closure)]; }
+  /// The motion of frame2 in frame1 with bias accelerations, in a tree.
+  template <class State>
+  auto biased_motion(const State& s, int closure) {
+    const auto k = static_cast<std::size_t>(closure);
+    find_places(s, places.closures[k], ends_[k]);
+    motions_[k] = between(ends_[k]);
+    return accelerated<false>(s, places.closures[k], ends_[k], motions_[k]);
   }
   /// J x of all rows for x by degrees of freedom; `times_sizes`: the sums of |J| |x|.
   Eigen::VectorXd times(const Eigen::VectorXd& x) const {
@@ -181,6 +204,7 @@ class loop_equations {
   }
 
  private:
+  static constexpr int lanes = static_cast<int>(tree::simd_of<double>::count);
   /// The frames of a closure in the body that carries both, or in the world; the slot of this body, or -1.
   template <class S>
   struct ends_of_closure {

@@ -52,6 +52,8 @@ class loop_factor {
     dense_ = true;
     return true;
   }
+  /// Whether it factorizes M by rows.
+  bool is_dense() const { return dense_; }
   /// x becomes (M + A)^-1 x after `factorize_mass`.
   void solve_mass(Eigen::VectorXd& x) const { mass_.half_solve(x.data()), mass_.other_half(x.data()); }
   /// (1) for a tree from the articulated inertias in the working memory of the state; valid as long as they are there.
@@ -129,6 +131,17 @@ class loop_factor {
     least_change(s, e, c, d);
     return d;
   }
+  /// Adds L^-1 y, y by places, to the accelerations that a tree with articulated inertias in the working memory of the
+  /// state is about to get.
+  template <class State>
+  void add_half_change(State& s, const loop_equations& e, const Eigen::VectorXd& y) const {
+    each_rate(e, y, [&s](int axis, int row, double rate) {
+      if (axis >= 0)
+        s.work.factors[static_cast<std::size_t>(axis)].rate += rate;
+      else
+        s.work.forces[row] += s.tree().own_mass[static_cast<std::size_t>(row)] * rate;
+    });
+  }
   /// d = L^-1 y, y by places, which may be overwritten; d by degrees of freedom. Overwrites the motion in the working
   /// memory of the state.
   template <class State>
@@ -152,7 +165,7 @@ class loop_factor {
         d[at.row_of_place[k]] = s.work.acceleration[static_cast<std::size_t>(axis)];
   }
   /// Calls put(place, row, entry) for L^-T J^T of the rows of a closure; call (1) at the positions of the state first.
-  template <class Closures, class State, class Put>
+  template <bool Accelerate = false, class Closures, class State, class Put>
   void half_solve(const Closures& c, State& s, loop_equations& e, int closure, const Put& put) {
     std::size_t i = 0;
     int first = 0;
@@ -165,7 +178,7 @@ class loop_factor {
     }
     const auto& places = e.places.blocks[i].places;
     if (!dense_)
-      return e.half_solve<false>(c, s, closure, root_, [&](int column, int row, double entry) {
+      return e.half_solve<Accelerate>(c, s, closure, root_, [&](int column, int row, double entry) {
         put(places[static_cast<std::size_t>(column)], row, entry);
       });
     const int rows = e.places.closures[static_cast<std::size_t>(closure)].rows.count();
@@ -174,6 +187,12 @@ class loop_factor {
       mass_.half_solve(half_.data());
       for (std::size_t k = 0; k < places.size(); ++k) put(places[k], r, half_[static_cast<Eigen::Index>(k)]);
     }
+  }
+  /// As `half_solve` in a tree, for `loop_equations::half_solve_units`.
+  template <bool Accelerate, class State, class Put, class Accelerated>
+  void half_solve_units(State& s, loop_equations& e, int closure, const double* units, int rows, const Put& put,
+                        const Accelerated& accelerate) const {
+    e.half_solve_units<Accelerate>(s, closure, units, rows, root_, put, accelerate);
   }
   bool is_chosen(const loop_equations& e, int row) const {
     for (std::size_t i = 0; i < parts.size(); ++i)

@@ -44,6 +44,24 @@ void add_load(const tree::frame_place<double>& at, const tree::dense_wrench<D>& 
   load = {load.force + as<D>(seen.force), load.torque + as<D>(seen.torque)};
 }
 
+/// The motion of frame2 of a closure in frame1; move the bodies of the state with derivatives first.
+inline closing_motion<derivative_number> closing_motion_in_duals(const runtime_state& s, const derivative_state& d,
+                                                                 const closure_place& x) {
+  using D = derivative_number;
+  const auto& f = s.tree().body_tree;
+  const auto motion_of = [&](const runtime_frame& frame) {
+    const auto& at = f.frame(frame.what, frame.index);
+    const auto slot = static_cast<std::size_t>(at.slot);
+    return engine::motion_of_frame(d.work.world[slot], d.work.bodies[slot], at.at);
+  };
+  auto m = as_closing_motion<D>(relative(motion_of(x.frame1), motion_of(x.frame2)));
+  // Position and rotation without the rounding errors of their places in the world
+  const auto from = loop_equations::motion_between(s, x);
+  const auto take = [](const vec3<>& y, vec3<D>& to) { to.x.value = y.x, to.y.value = y.y, to.z.value = y.z; };
+  take(from.position, m.position);
+  take(from.rotation.x, m.rotation.x), take(from.rotation.y, m.rotation.y), take(from.rotation.z, m.rotation.z);
+  return m;
+}
 /// The closures of a chain in a state with derivatives; move its bodies first.
 class closures_in_duals {
   using D = derivative_number;
@@ -59,17 +77,12 @@ class closures_in_duals {
   }
 
  private:
-  auto motion_of(const tree::frame_place<double>& at) const {
-    const auto slot = static_cast<std::size_t>(at.slot);
-    return engine::motion_of_frame(d_.work.world[slot], d_.work.bodies[slot], at.at);
-  }
   template <class Visit>
   void push_frames(const closure_place& x, const Visit& visit) const {
     const auto& f = state_.tree().body_tree;
     const auto &at_a = f.frame(x.frame1.what, x.frame1.index), &at_b = f.frame(x.frame2.what, x.frame2.index);
     const auto& element = runtime_elements{chain_}.element(x.element);
-    auto m = as_closing_motion<D>(relative(motion_of(at_a), motion_of(at_b)));
-    take_values(loop_equations::motion_between(state_, x), m);
+    const auto m = closing_motion_in_duals(state_, d_, x);
     D velocities[6], accelerations[6];
     element.close_frames(m, closing::residual_dot, velocities);
     element.close_frames(m, closing::residual_ddot, accelerations);
@@ -93,12 +106,6 @@ class closures_in_duals {
       at.f = at.f + by[n] * state_.get<kind::loop>(x.loop).torque.x;
     }
     visit(x.first, velocity, acceleration);
-  }
-  /// Takes position and rotation without the rounding errors of their places in the world.
-  static void take_values(const closing_motion<double>& from, closing_motion<D>& to) {
-    const auto take = [](const vec3<>& x, vec3<D>& y) { y.x.value = x.x, y.y.value = x.y, y.z.value = x.z; };
-    take(from.position, to.position);
-    take(from.rotation.x, to.rotation.x), take(from.rotation.y, to.rotation.y), take(from.rotation.z, to.rotation.z);
   }
 
   const runtime_chain& chain_;

@@ -47,7 +47,7 @@ class loops_in_lanes {
     for (std::size_t k = 0; k < root_.size(); ++k) {
       const int axis = places_.axis_of_place[k];
       root_[k] = axis >= 0 ? sqrt(s.work.factors[static_cast<std::size_t>(axis)].inverse)
-                           : S(1 / std::sqrt(s.tree().own_mass[static_cast<std::size_t>(places_.row_of_place[k])]));
+                           : S(1 / sqrt(s.tree().own_mass[static_cast<std::size_t>(places_.row_of_place[k])]));
     }
   }
   bool solve(const runtime_closures& c, basic_runtime_state<S>& s, const loop_block& b) {
@@ -148,7 +148,7 @@ class loops_in_lanes {
         const auto& at = s.template get<kind::gen>(x.coordinates[n]);
         q[n] = at.q[lane], v[n] = at.q_dot[lane];
       }
-      const auto [g, curvature] = c.close_coordinates(x.element, q, v, gradient);
+      const auto [g, curvature] = c.element(x.element).lane(lane).close_coordinates(q, v, gradient);
       gap_[lane] = (std::max)(gap_[lane], std::abs(g));
       acceleration.set(lane, curvature);
       for (std::size_t n = 0; n < x.coordinates.size(); ++n) by[n].set(lane, gradient[n]);
@@ -199,6 +199,28 @@ bool accelerate_on_loops_in_lanes(const runtime_chain& c, basic_runtime_state<S>
   if (loops.layout != c.wiring().layout) loops = make();
   accelerate_by_tree(runtime_elements{c}, s, tau, {});
   return loops.correct(closures_of(c), s);
+}
+/// Under the forces `kept` in the working memory. Throws `no_solution` if states differ in their independent rows.
+template <class S>
+const runtime_vector<S>& accelerations_on_loops_of_packs(const runtime_chain& c, basic_runtime_state<S>& s) {
+  if (!s.tree().plan.tree)
+    throw bad_argument("kte: forward dynamics in packs of chains with closures: joints must not share coordinates");
+  if (!s.tree().readers.empty())
+    throw bad_argument("kte: " + describe_element(runtime_elements{c}.element(s.tree().readers.front())) +
+                       " has load-dependent friction, which chains with closures do not know");
+  const auto& kept = s.work.kept;
+  if (!accelerate_on_loops_in_lanes(c, s, [&kept](int i) { return kept[static_cast<std::size_t>(i)]; }))
+    throw no_solution("kte: these states differ in the independent rows of their closures");
+  check_result(s, [&s] { diagnose("an acceleration", s); });
+  return s.work.forces;
+}
+/// Makes `forward_dynamics` on packs S available for chains with closures.
+template <class S>
+void enable_loops_in_lanes() {
+  if constexpr (has_lanes_of_double<S>) {
+    static const bool done = (accelerations_on_loops_in_lanes<S> = &accelerations_on_loops_of_packs<S>, true);
+    (void)done;
+  }
 }
 
 }  // namespace kte::detail

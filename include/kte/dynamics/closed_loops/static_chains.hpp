@@ -6,12 +6,10 @@
 /// Closed loops of static chains: the algorithms of runtime chains on memory that the chain keeps.
 namespace kte {
 
-/// The result of `constrained_dynamics` of a static chain.
+/// The closures of a static chain in a result, by key.
 template <class Chain>
-struct static_constrained_dynamics_result {
-  joint_vector<double, Chain::dofs> a;  ///< accelerations
-  int rank = 0, mobility = 0;           ///< number of independent rows of closures; dofs - rank
-  std::vector<std::string> dependent;   ///< redundant rows, which have no force
+struct static_loop_results {
+  /// By slot.
   std::array<loop_state<>, static_cast<std::size_t>(Chain::wiring::count(kind::loop))> loops;
 
   /// The forces and residuals of a closure.
@@ -26,6 +24,13 @@ struct static_constrained_dynamics_result {
   const vec3<>& force(const Key& key) const {
     return loop(key).force;
   }
+};
+/// The result of `constrained_dynamics` of a static chain.
+template <class Chain>
+struct static_constrained_dynamics_result : static_loop_results<Chain> {
+  joint_vector<double, Chain::dofs> a;  ///< accelerations
+  int rank = 0, mobility = 0;           ///< number of independent rows of closures; dofs - rank
+  std::vector<std::string> dependent;   ///< redundant rows, which have no force
 };
 
 namespace detail {

@@ -12,6 +12,7 @@ struct contact_solver : contact_workspace {
   using contact_workspace::contact_workspace;
   friction_solver<double> solver;
   std::vector<contact_mode> modes;  ///< of contacts that touch
+  bool polish = false;              ///< option of the friction solver
   Eigen::VectorXd loop_forces, change_of_motion, before, velocities;
   double residual = 0;  ///< of a friction problem that was not solved
 
@@ -55,7 +56,7 @@ inline friction_status find_friction(contact_solver& m, bool any = false, std::s
   if (m.touching.empty()) return friction_status::solved;
   const friction_problem<> p(m.w, m.bias, m.laws);
   friction_options<> options;
-  options.least_norm = !any;
+  options.least_norm = !any, options.polish = m.polish;
   const auto& r = m.solver.solve(p, options, start);
   if (!r.solved()) return m.residual = r.residual, r.status;
   for (Eigen::Index k = 0; k < m.forces.size(); ++k) m.forces[k] = r.lambda[static_cast<std::size_t>(k)];
@@ -151,17 +152,10 @@ inline void put_bias(contact_solver& m, std::size_t i) {
   m.put_rows(x, m.unscaled(x, m.equations.acceleration), m.bias);
   m.bias[x.first] += x.place.bending / m.equations.places.length;
 }
-/// Accelerations under applied(i), written to `forces` of the working memory, with the contact forces:
-///
-///   u' = W lambda + b,   a = a_0 + L^-1 B lambda          (1)
-///
-/// a_0: accelerations of the tree, b: u' for a_0. Contacts that touch open if leaves(contact), and slide if
-/// slides(contact). Raises `bad_argument` for a contact that approaches. If there are no forces that satisfy the laws,
-/// the accelerations are not found.
-template <class Contacts, class State, class Tau, class Leaves, class Slides>
-friction_status find_contact_forces(const Contacts& c, State& s, contact_solver& m, const Tau& applied,
-                                    const Leaves& leaves, const Slides& slides) {
-  accelerate_freely(c, s, m, applied);
+/// Chooses the contacts that touch: not those with leaves(contact); those with slides(contact) slide. Raises
+/// `bad_argument` for a contact that approaches.
+template <class Contacts, class Leaves, class Slides>
+void choose_contacts(const Contacts& c, contact_solver& m, const Leaves& leaves, const Slides& slides) {
   m.choose([&](const contact_at& x) { return m.touches(x) && !leaves(x); });
   for (std::size_t i = 0; i < m.touching.size(); ++i) {
     const auto& x = m.touched(i);
@@ -169,13 +163,46 @@ friction_status find_contact_forces(const Contacts& c, State& s, contact_solver&
       raise<bad_argument>("kte: contact '" + c.loop_name(m.place(x).loop) + "' approaches at " +
                           number(-dot(x.place.normal, x.slip)) + " m/s: kte::impact gives the velocities after it");
     if (slides(x)) m.let_slide(i);
-    put_bias(m, i);
   }
+}
+constexpr bool has_forces(friction_status status) {
+  return status != friction_status::no_solution && status != friction_status::not_converged;
+}
+/// Accelerations under applied(i), written to `forces` of the working memory, with the contact forces:
+///
+///   u' = W lambda + b,   a = a_0 + L^-1 B lambda          (1)
+///
+/// a_0: accelerations of the tree, b: u' for a_0. Contacts are those of `choose_contacts`. If there are no forces that
+/// satisfy the laws, the accelerations are not found.
+template <class Contacts, class State, class Tau, class Leaves, class Slides>
+friction_status find_contact_forces(const Contacts& c, State& s, contact_solver& m, const Tau& applied,
+                                    const Leaves& leaves, const Slides& slides) {
+  accelerate_freely(c, s, m, applied);
+  choose_contacts(c, m, leaves, slides);
+  for (std::size_t i = 0; i < m.touching.size(); ++i) put_bias(m, i);
   m.make_matrix(c, s, m.equations.acceleration);
   const auto status = find_friction(m);
-  if (status == friction_status::no_solution || status == friction_status::not_converged) return status;
+  if (!has_forces(status)) return status;
   m.accelerate(s, m.change_of_motion);
   s.work.forces = m.before + m.change_of_motion;
+  put_contacts(m, s);
+  return status;
+}
+/// As `find_contact_forces` in a tree, by one factorization and one pass of accelerations: without a_0.
+template <class Contacts, class State, class Tau, class Leaves, class Slides>
+friction_status find_contact_forces_in_tree(const Contacts& c, State& s, contact_solver& m, const Tau& applied,
+                                            const Leaves& leaves, const Slides& slides) {
+  check_loops(c, s);
+  const auto biases = articulate_under(c.elements(), s, applied, {});
+  if (!m.closures.empty()) m.equations.at_positions(c, s, false, true);
+  m.factor.take_articulated(s, m.equations);
+  m.find_biased(c, s);
+  choose_contacts(c, m, leaves, slides);
+  m.make_matrix_and_bias(c, s);
+  const auto status = find_friction(m);
+  if (!has_forces(status)) return status;
+  m.accelerate_with_tree(s);
+  accelerate_after(s, biases);
   put_contacts(m, s);
   return status;
 }
@@ -183,10 +210,11 @@ friction_status find_contact_forces(const Contacts& c, State& s, contact_solver&
 /// several solutions.
 template <class Contacts, class State, class Tau>
 bool accelerate_with_contacts(const Contacts& c, State& s, contact_solver& m, const Tau& applied) {
-  const auto status = find_contact_forces(
-      c, s, m, applied, [&m](const contact_at& x) { return normal_velocity(m, x) > 1; },
-      [&m](const contact_at& x) { return slides(m, x); });
-  if (status == friction_status::no_solution || status == friction_status::not_converged) [[unlikely]]
+  const auto leaves = [&m](const contact_at& x) { return normal_velocity(m, x) > 1; };
+  const auto slide = [&m](const contact_at& x) { return slides(m, x); };
+  const auto status = s.tree().plan.tree ? find_contact_forces_in_tree(c, s, m, applied, leaves, slide)
+                                         : find_contact_forces(c, s, m, applied, leaves, slide);
+  if (!has_forces(status)) [[unlikely]]
     raise_no_forces(c, m, status);
   return status == friction_status::several_solutions;
 }

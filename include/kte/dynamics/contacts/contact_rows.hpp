@@ -31,6 +31,7 @@ inline contact_basis basis_at(const vec3<>& n, bool planar) {
   return basis_along(n, (1 / std::sqrt(dot(t, t))) * t);
 }
 
+inline constexpr std::size_t row_lanes = 4;  ///< rows of a contact, and one of zeros
 /// A contact at a state.
 struct contact_at {
   int closure = 0;  ///< its number among closures and contacts
@@ -40,6 +41,11 @@ struct contact_at {
   vec3<> slip{};  ///< velocity of the body on the surface, m/s, in axes of the surface
   contact_basis basis{};
   int first = 0;  ///< its first row among those that touch
+  struct entries_at {
+    int place = 0;
+    std::array<double, row_lanes> entries{};
+  };
+  std::vector<entries_at> path;  ///< for trees: its rows of B, places in descending order
   int rows() const { return planar ? 2 : 3; }
 };
 
@@ -70,8 +76,8 @@ struct contact_workspace {
   std::vector<int> closures;
   std::vector<int> touching;  ///< numbers among `contacts`
 
-  kept_size<Eigen::MatrixXd> b;       ///< B of (2): places by rows of contacts that touch
-  kept_size<Eigen::MatrixXd> w;       ///< W
+  kept_size<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>> b;  ///< B of (2): places by rows
+  kept_size<Eigen::MatrixXd> w;                                                         ///< W
   kept_size<Eigen::VectorXd> bias;    ///< u' without forces of contacts, or u
   kept_size<Eigen::VectorXd> forces;  ///< lambda
   std::vector<friction_contact<>> laws;
@@ -93,10 +99,14 @@ struct contact_workspace {
     for (auto& x : contacts) {
       const auto& at = place(x);
       const auto m = loop_equations::moving_between(s, at);
-      x.place = c.touch_at(at.element, m);
-      double rows[6]{};
-      c.close_frames(at.element, m, closing::residual_dot, rows);
-      x.slip = {rows[0], rows[1], x.planar ? 0 : rows[2]};
+      x.place = c.touch_at(at.element, m), x.slip = x.place.slip;
+    }
+  }
+  /// As `find` in a tree, from bias motions in the working memory of the state.
+  template <class Contacts, class State>
+  void find_biased(const Contacts& c, const State& s) {
+    for (auto& x : contacts) {
+      x.place = c.touch_at(place(x).element, equations.biased_motion(s, x.closure)), x.slip = x.place.slip;
     }
   }
   /// The rows of a contact of those of all, such as J v, in m.
@@ -151,20 +161,12 @@ struct contact_workspace {
   /// (2) and (3); call (1) of the factor at the positions of the state first. `of_closures`: u' of their rows.
   template <class Contacts, class State>
   void make_matrix(const Contacts& c, State& s, const Eigen::VectorXd& of_closures) {
-    const auto places = static_cast<Eigen::Index>(equations.places.row_of_place.size());
-    b.setZero(places, bias.size());
-    for (std::size_t i = 0; i < touching.size(); ++i) {
-      const auto& x = touched(i);
-      factor.half_solve(c, s, equations, x.closure, [&](int at, int row, double entry) {
-        for (int k = 0; k < x.rows(); ++k) {
-          const auto& axis = x.basis[static_cast<std::size_t>(k)];
-          b(at, x.first + k) += (row == 0 ? axis.x : row == 1 ? axis.y : axis.z) * entry;
-        }
-      });
-    }
-    if (!closures.empty()) project(c, s), subtract_closures(of_closures);
-    w.resize(b.cols(), b.cols());
-    w.noalias() = b.transpose() * b;
+    make_matrix<false>(c, s, of_closures);
+  }
+  /// As `make_matrix` in a tree, and `bias` = u' without forces of contacts; call `find_biased` first.
+  template <class Contacts, class State>
+  void make_matrix_and_bias(const Contacts& c, State& s) {
+    make_matrix<true>(c, s, equations.acceleration);
   }
   /// The u' of (3), from `bias`, for u' of the rows of closures. For another bias after `make_matrix`.
   void subtract_closures(const Eigen::VectorXd& of_closures) {
@@ -178,14 +180,16 @@ struct contact_workspace {
   /// d = L^-1 B lambda, with the part of closures, by degrees of freedom.
   template <class State>
   void accelerate(State& s, Eigen::VectorXd& d) {
-    half.setZero(b.rows() + pivoted_qr::padding);
-    half.head(b.rows()).noalias() = b * forces;
-    if (!closures.empty()) {
-      change.setZero(b.rows() + pivoted_qr::padding);
-      loops.times_q(loop_bias.data(), change.data());
-      half -= change;
-    }
+    find_half_change();
     factor.other_half(s, equations, half, d);
+  }
+
+  /// As `accelerate` in a tree with articulated inertias in the working memory of the state, whose accelerations
+  /// `accelerate_after` finds.
+  template <class State>
+  void accelerate_with_tree(State& s) {
+    find_half_change();
+    factor.add_half_change(s, equations, half);
   }
 
   /// The kinetic energy lost where velocities are projected onto the closures, J: u'_C is J_C v.
@@ -202,7 +206,116 @@ struct contact_workspace {
   }
 
  private:
+  template <bool Accelerate, class Contacts, class State>
+  void make_matrix(const Contacts& c, State& s, const Eigen::VectorXd& of_closures) {
+    const bool by_paths = !factor.is_dense();
+    for (std::size_t i = 0; by_paths && i < touching.size(); ++i) put_rows_on_path<Accelerate>(s, touched(i));
+    if (by_paths && closures.empty()) return multiply_paths();
+    put_rows_in_matrix(c, s);
+    if (!closures.empty()) project<Accelerate>(c, s), subtract_closures(of_closures);
+    w.resize(b.cols(), b.cols());
+    w.noalias() = b.transpose() * b;
+  }
+  /// B lambda with the part of closures, to `half`.
+  void find_half_change() {
+    push_forces();
+    if (closures.empty()) return;
+    change.setZero(half.size());
+    loops.times_q(loop_bias.data(), change.data());
+    half -= change;
+  }
+  /// half = B lambda.
+  void push_forces() {
+    const auto places = static_cast<Eigen::Index>(equations.places.row_of_place.size());
+    half.setZero(places + pivoted_qr::padding);
+    if (factor.is_dense() || !closures.empty()) {
+      half.head(places).noalias() = b * forces;
+      return;
+    }
+    for (std::size_t i = 0; i < touching.size(); ++i) {
+      const auto& x = touched(i);
+      for (const auto& at : x.path)
+        for (int k = 0; k < x.rows(); ++k)
+          half[at.place] += at.entries[static_cast<std::size_t>(k)] * forces[x.first + k];
+    }
+  }
+  /// Rows of a contact in a tree, by the places on its path: B, with `Accelerate` also `bias`.
+  template <bool Accelerate, class State>
+  void put_rows_on_path(State& s, contact_at& x) {
+    const auto& m = equations.place(x.closure);
+    const auto to_body = transpose(m.rotation);
+    const vec3<> arm = x.place.point - m.position;
+    double units[6 * closing_stride]{};
+    for (int k = 0; k < x.rows(); ++k) {
+      const vec3<> n = (1 / equations.places.length) * x.basis[static_cast<std::size_t>(k)];
+      const vec3<> force = to_body * n, torque = to_body * cross(arm, n);
+      const double all[6]{force.x, force.y, force.z, torque.x, torque.y, torque.z};
+      for (int j = 0; j < 6; ++j) units[j * closing_stride + k] = all[j];
+    }
+    if constexpr (Accelerate) {
+      put_rows(x, x.place.slip_rate, bias);
+      bias[x.first] += x.place.bending / equations.places.length;
+    }
+    std::size_t count = 0;
+    factor.half_solve_units<Accelerate>(
+        s, equations, x.closure, units, x.rows(),
+        [&](std::size_t at, int first, const tree::simd<double>& entries) KTE_INLINE_LAMBDA {
+          if (first == 0) {
+            if (count == x.path.size()) x.path.emplace_back();
+            x.path[count].place = static_cast<int>(at);
+          }
+          tree::store<double>(entries, &x.path[count % x.path.size()].entries[static_cast<std::size_t>(first)]);
+          ++count;
+        },
+        [&](int k, double rate) { bias[x.first + k] += rate; });
+  }
+  /// B as a matrix, with closures and in chains that are not trees.
   template <class Contacts, class State>
+  void put_rows_in_matrix(const Contacts& c, State& s) {
+    b.setZero(static_cast<Eigen::Index>(equations.places.row_of_place.size()), bias.size());
+    for (std::size_t i = 0; i < touching.size(); ++i) {
+      const auto& x = touched(i);
+      if (!factor.is_dense()) {
+        for (const auto& at : x.path)
+          for (int k = 0; k < x.rows(); ++k) b(at.place, x.first + k) += at.entries[static_cast<std::size_t>(k)];
+        continue;
+      }
+      factor.half_solve(c, s, equations, x.closure, [&](int at, int row, double entry) {
+        for (int k = 0; k < x.rows(); ++k) {
+          const auto& axis = x.basis[static_cast<std::size_t>(k)];
+          b(at, x.first + k) += (row == 0 ? axis.x : row == 1 ? axis.y : axis.z) * entry;
+        }
+      });
+    }
+  }
+  /// W of contacts by their paths.
+  void multiply_paths() {
+    w.resize(bias.size(), bias.size());
+    for (std::size_t i = 0; i < touching.size(); ++i)
+      for (std::size_t j = 0; j <= i; ++j) multiply(touched(i), touched(j));
+  }
+  void multiply(const contact_at& x, const contact_at& y) {
+    using simd = tree::simd<double, row_lanes>;
+    simd sum[3]{};
+    auto a = x.path.rbegin();
+    auto b_of = y.path.rbegin();
+    while (a != x.path.rend() && b_of != y.path.rend()) {  // places ascend from the bases
+      if (a->place != b_of->place) {
+        a->place < b_of->place ? ++a : ++b_of;
+        continue;
+      }
+      simd of_x;
+      tree::load<double>(of_x, a->entries.data());
+      for (std::size_t k = 0; k < 3; ++k) sum[k] += b_of->entries[k] * of_x;
+      ++a, ++b_of;
+    }
+    for (int k = 0; k < y.rows(); ++k) {
+      double column[row_lanes];
+      tree::store<double>(sum[k], column);
+      for (int r = 0; r < x.rows(); ++r) w(x.first + r, y.first + k) = w(y.first + k, x.first + r) = column[r];
+    }
+  }
+  template <bool Accelerate, class Contacts, class State>
   void project(const Contacts& c, State& s) {
     int rows = 0;
     for (const int k : closures) rows += equations.places.closures[static_cast<std::size_t>(k)].rows.count();
@@ -210,7 +323,8 @@ struct contact_workspace {
     of.setZero();
     int first = 0;
     for (const int k : closures) {
-      factor.half_solve(c, s, equations, k, [&](int at, int row, double entry) { of(at, first + row) = entry; });
+      factor.half_solve<Accelerate>(c, s, equations, k,
+                                    [&](int at, int row, double entry) { of(at, first + row) = entry; });
       first += equations.places.closures[static_cast<std::size_t>(k)].rows.count();
     }
     loops.choose(least_pivot);

@@ -52,40 +52,6 @@ KTE_INLINE constexpr auto pose_in_frame(const Chain& c, const Given& g) {
   constexpr std::size_t n = common_length<A, B>;
   return compose(inverse(pose_beyond<A, n>(c, g)), pose_beyond<B, n>(c, g));
 }
-/// Columns of the joints between A and B. Joints that move both frames do not contribute.
-template <class S, class Chain, class Given, class A, class B>
-class local_relative_jacobian : columns<S, Chain, Given> {
-  using base = columns<S, Chain, Given>;
-  static constexpr std::size_t common = common_length<A, B>;
-  static constexpr pose<no_rotation, zero3> at_origin{};
-
- public:
-  using base::base;
-  using typename base::matrix_type;
-
-  template <class X>
-  KTE_INLINE void fill(const X& b_in_a) {
-    inward<B, B::length>(at_origin, one);
-    inward<A, A::length>(b_in_a, minus_one);
-  }
-
- private:
-  /// B has the pose x in the end of element N - 1 of a branch.
-  template <class Branch, std::size_t N, class X, class Sign>
-  KTE_INLINE void inward(const X& x, Sign sign) {
-    if constexpr (N > common) {
-      constexpr std::size_t i = Branch::elements[N - 1];
-      base::template for_each_axis<i>([&]<int M>() KTE_INLINE_LAMBDA {
-        const auto s = this->template axis<i, M>();
-        const auto t = transpose(x.rotation);
-        this->template put<i, M>(sign * (t * plus_cross(s.velocity, s.ang_velocity, x.position)),
-                                 sign * (t * s.ang_velocity));
-      });
-      inward<Branch, N - 1>(compose(this->template pose_of_element<i>(), x), sign);
-    }
-  }
-};
-
 // ---- runtime chains
 
 /// The pose of B in A, from the bodies between them; call `place_bodies` first. `common`: the last common slot.

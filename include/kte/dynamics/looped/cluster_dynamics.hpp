@@ -120,7 +120,7 @@ void accelerate_clustered(const Elements& c, State& s, const Tau& tau) {
   }
   for (const int row : t.plan.jointless_dofs)
     if (t.clusters.of_row[static_cast<std::size_t>(row)] < 0) {
-      if (!(t.own_mass[static_cast<std::size_t>(row)] > 0)) [[unlikely]]
+      if (!all(t.own_mass[static_cast<std::size_t>(row)] > 0)) [[unlikely]]
         c.diagnose_mass(s, row, true);
       w.forces[row] /= t.own_mass[static_cast<std::size_t>(row)];
     }

@@ -30,7 +30,7 @@ void prescribe(State& s, std::span<const char> prescribed) {
 template <class Elements, class State>
 void check_jointless_masses(const Elements& c, const State& s) {
   for (const int row : s.tree().plan.jointless_dofs)
-    if (!s.work.prescribed[static_cast<std::size_t>(row)] && !(s.tree().own_mass[static_cast<std::size_t>(row)] > 0))
+    if (!s.work.prescribed[static_cast<std::size_t>(row)] && !all(s.tree().own_mass[static_cast<std::size_t>(row)] > 0))
         [[unlikely]]
       c.diagnose_mass(s, row, true);
 }

@@ -66,7 +66,7 @@ auto turn_of(State& s, const tree::body_node<P>& r) {
   using std::cos;
   using std::sin;
   const auto& c = s.template get<kind::gen>(r.slot);
-  if (r.turns == P(1) && s.has_sine(r.slot)) return tree::turn<S>{c.cos, c.sin};
+  if (all(r.turns == P(1)) && s.has_sine(r.slot)) return tree::turn<S>{c.cos, c.sin};
   const S angle = r.turns * c.q;
   return tree::turn<S>{cos(angle), sin(angle)};
 }
@@ -203,12 +203,23 @@ void take_bases(State& s) {
   });
 }
 template <class State>
-void place_in_world(State& s) {
+void place_bases_in_world(State& s) {
   using S = typename State::scalar;
   for_each_base(s, [&s](const auto& m, std::size_t slot) {
     auto& b = s.work.world[slot];
     b.rotation = as<S>(matrix(m.rotation)), b.position = as<S>(m.position), b.step = {};
   });
+}
+/// Places all bodies in the world. `Hand`: without skipped parts.
+template <class Hand, class State>
+void place_bodies_in_world(State& s) {
+  place_bases_in_world(s);
+  tree::place_bodies_in_world<Hand>(s.tree().body_tree, s.work);
+}
+/// The same with the axes of joints.
+template <class State>
+void place_in_world(State& s) {
+  place_bases_in_world(s);
   tree::place_in_world(s.tree().body_tree, s.work);
 }
 

@@ -135,9 +135,11 @@ struct static_elements {
   /// Calls f<e>(core of element e).
   template <class F>
   void with_core(int e, const F& f) const {
-    unroll<Chain::size>([&]<std::size_t I>() {
-      if (e == static_cast<int>(I)) f.template operator()<I>(chain.template core<I>());
-    });
+    [&]<std::size_t... I>(std::index_sequence<I...>) {
+      const int done[]{(e == static_cast<int>(I) ? (f.template operator()<I>(chain.template core<I>()), 0) : 0)..., 0};
+      (void)done;
+    }
+    (std::make_index_sequence<Chain::size>{});
   }
   template <class Step, class State>
   void run(int e, State& s) const {

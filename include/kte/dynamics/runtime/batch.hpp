@@ -27,7 +27,10 @@ class runtime_job {
 
   runtime_job(const runtime_chain& chain, std::size_t count, T* out, std::size_t a_result,
               const std::array<input, Inputs>& in)
-      : chain_(chain), count_(count), out_(out), a_result_(a_result), in_(in), made_(chain.make_state<P>()) {}
+      : chain_(chain), count_(count), out_(out), a_result_(a_result), in_(in), made_(chain.make_state<P>()) {
+    if (chain.lanes() > 1)
+      throw bad_argument("kte: a batch is of states of one chain; this one has other parameters in each lane");
+  }
 
   std::size_t tasks() const { return (count_ + chunk - 1) / chunk; }
   void operator()(std::size_t task) {
@@ -100,25 +103,8 @@ struct runtime_inverse_dynamics {
 struct runtime_forward_dynamics {
   template <class P, class X>
   static const auto& of(const runtime_chain& c, basic_runtime_state<P>& s, const X& x) {
-    if constexpr (kte::detail::has_lanes_of_double<P>)
-      if (kte::detail::has_loops(c)) return on_loops(c, s, x);
+    kte::detail::enable_loops_in_lanes<P>();
     return kte::forward_dynamics(c, s, x[0], x[1], x[2]);
-  }
-
- private:
-  /// Lanes with other independent rows throw: then states go one by one.
-  template <class P, class X>
-  static const kte::runtime_vector<P>& on_loops(const runtime_chain& c, basic_runtime_state<P>& s, const X& x) {
-    using namespace kte::detail;
-    check_regular_tree(c, s);
-    if (!s.tree().plan.tree)
-      throw bad_argument("kte: batches of chains with closures: joints must not share coordinates");
-    return take(c, s, x[0], x[1], not_given{}, x[2]).call([&]() -> const auto& {
-      if (!accelerate_on_loops_in_lanes(c, s, [&x](int i) { return x[2][i]; }))
-        throw no_solution("kte: these states differ in the independent rows of their closures");
-      check_result(s, [&s] { diagnose("an acceleration", s); });
-      return s.work.forces;
-    });
   }
 };
 struct runtime_mass_matrix {

@@ -57,12 +57,20 @@ void forces_of_bodies(const runtime_chain& c, basic_runtime_state<S>& s, bool ac
   forces_on_coordinates(runtime_elements{c}, s, acting::bodies, accelerated_bases);
 }
 
-/// Composite inertias of subtrees and joint axes, in the world.
-template <class S>
+/// Composite inertias of subtrees, and the places of bodies in the world. `Place`, `Inertia`: without skipped parts.
+template <class S, class Place = tree::world_place<S>, class Inertia = tree::dense_composite<S>>
 void carry_bodies(const runtime_chain& c, basic_runtime_state<S>& s) {
   place_bodies(runtime_elements{c}, s);
-  place_in_world(s);
-  tree::carry_bodies<true>(s.tree().body_tree, s.work);
+  place_bodies_in_world<Place>(s);
+  tree::carry_bodies<true, Inertia>(s.tree().body_tree, s.work);
+}
+/// The mass and the first moment of all bodies, in the world.
+template <class S>
+tree::mass_moment<S> weigh(const runtime_chain& c, basic_runtime_state<S>& s) {
+  place_bodies(runtime_elements{c}, s);
+  place_bases_in_world(s);
+  tree::carry_bodies<true, composite<S, vec3<S>, skip>>(s.tree().body_tree, s.work);
+  return tree::weight_in_world(s.tree().body_tree, s.work);
 }
 /// The motion of a chain with bodies only.
 template <class S>
@@ -76,7 +84,7 @@ template <class S, class F>
 void for_each_momentum(basic_runtime_state<S>& s, const vec3<S>& about, const F& visit) {
   const auto& f = s.tree().body_tree;
   tree::momenta(f, s.work, about,
-                [&](int k, const tree::dense_wrench<S>& h) { visit(f.row[static_cast<std::size_t>(k)], h); });
+                [row = f.row.data(), visit](int k, const auto& h) KTE_INLINE_LAMBDA { visit(row[k], h); });
 }
 /// Sets the rates of prescribed coordinates to zero.
 template <class S>
@@ -99,13 +107,8 @@ void for_each_moved_base(basic_runtime_state<S>& s, const Visit& visit) {
 /// Momentum about a point of the world; call `carry` first. Prescribed coordinates are at rest.
 template <class S>
 tree::dense_wrench<S> momentum_of_coordinates(basic_runtime_state<S>& s, const vec3<S>& about) {
-  const auto& f = s.tree().body_tree;
   take_rates(s), rest_given_coordinates(s);
-  tree::dense_wrench<S> sum{};
-  tree::momenta(f, s.work, about, [&](int k, const tree::dense_wrench<S>& h) {
-    const S& r = s.work.rate[static_cast<std::size_t>(k)];
-    sum = {sum.force + r * h.force, sum.torque + r * h.torque};
-  });
+  tree::dense_wrench<S> sum = tree::momentum(s.tree().body_tree, s.work, about);
   for_each_moved_base(s, [&](const auto& x, std::size_t slot) {
     const tree::dense_composite<S>& all = s.work.carried[slot];
     const tree::world_place<S>& at = s.work.world[slot];

@@ -3,6 +3,7 @@
 #include <kte/dynamics/looped/derivatives.hpp>
 #include <kte/dynamics/looped/mass_matrix_inverse.hpp>
 #include <kte/dynamics/runtime/arguments.hpp>
+#include <kte/dynamics/runtime/element_by_lane.hpp>
 #include <kte/runtime_chain/chain.hpp>
 
 #include <algorithm>
@@ -34,6 +35,30 @@ struct runtime_elements {
   void push(int e, derivative_state& s) const { element(e).derive_force(s); }
   derivative_number friction(int e, derivative_state& s, const tree::dense_wrench<derivative_number>& end) const {
     return element(e).derive_friction(s, end);
+  }
+  // Packs: lane by lane.
+  template <class S>
+  requires(is_pack<S>) void move(int e, basic_runtime_state<S>& s) const {
+    by_lane(chain, e, s, [](const kte_element& x, runtime_state& one, std::size_t) { x.doMotion(one); });
+  }
+  template <class S>
+  requires(is_pack<S>) void push(int e, basic_runtime_state<S>& s) const {
+    by_lane(chain, e, s, [](const kte_element& x, runtime_state& one, std::size_t) { x.doForce(one); });
+  }
+  template <class S>
+  requires(is_pack<S>) void mass_loads(int e, basic_runtime_state<S>& s) const {
+    by_lane(chain, e, s, [](const kte_element& x, runtime_state& one, std::size_t) { x.mass_loads(one); });
+  }
+  template <class S>
+  requires(is_pack<S>) S friction(int e, basic_runtime_state<S>& s, const tree::dense_wrench<S>& end)
+  const { return friction_by_lane(chain, e, s, end); }
+  template <class S>
+  requires(is_pack<S>) tree::dense_pose<S> place_joint(int e, const S* q, joint_axis<S>* axes, bool second)
+  const { return place_joint_by_lane(connection(e), q, axes, second); }
+  template <class S>
+  requires(is_pack<S>) void derive(int e, basic_runtime_state<S>&) const {
+    throw bad_argument("kte: derivatives in packs support joints, links and bodies only, not " +
+                       describe_element(element(e)));
   }
   // States of other scalars belong to chains whose elements need no further calls.
   template <class State>

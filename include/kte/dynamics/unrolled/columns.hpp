@@ -26,34 +26,20 @@ class columns {
 
   KTE_INLINE columns(const Chain& c, const Given& g, matrix_type& m) : chain_(c), given_(g), matrix_(m) { m.setZero(); }
 
-  template <std::size_t I>
-  static constexpr bool moves_by_coordinate = coordinates_of<core_t<I>> > 0;
-  /// The pose of a joint or link at its current position.
+  /// The pose of joint or link I at its current position.
   template <std::size_t I>
   KTE_INLINE constexpr auto pose_of_element() const {
-    static_assert(is_transmission<core_t<I>>,
-                  "kte: this algorithm needs elements that move frames to be a kte::transmission");
-    if constexpr (moves_by_coordinate<I>) {
-      const auto m = relative_at(chain_.template core<I>(), position_only(coordinate_of<I>()));
-      return pose{m.rotation, m.position};
-    } else {
-      const auto m = chain_.template core<I>().relative();
-      return pose{m.rotation, m.position};
-    }
-  }
-  template <kind K, int Slot>
-  KTE_INLINE constexpr auto motion_of_frame() const {
-    return motion_of<types, K, Slot>(chain_, given_);
+    return element_pose<I>(chain_, given_);
   }
   /// Axis N of joint I, in the axes of its end.
   template <std::size_t I, int N>
   KTE_INLINE constexpr auto axis() const {
-    return axis_of<N>(chain_.template core<I>(), coordinate_of<I>());
+    return axis_of<N>(chain_.template core<I>(), coordinate_of_joint_at<I>(chain_, given_));
   }
   /// Calls f<N>() for each axis of joint I.
   template <std::size_t I, class F>
   KTE_INLINE static constexpr void for_each_axis(const F& f) {
-    if constexpr (moves_by_coordinate<I>) unroll<joint_dofs<core_t<I>>>(f);
+    if constexpr (coordinates_of < core_t < I >>> 0) unroll<joint_dofs<core_t<I>>>(f);
   }
   /// Adds the effect of the unit rate of axis N of joint I. For a dependent coordinate it is added to the leading
   /// coordinates by the chain rule; effects of joints that share a coordinate add up.
@@ -66,19 +52,6 @@ class columns {
   }
 
  private:
-  template <kind K, int Slot>
-  KTE_INLINE constexpr auto coordinate() const {
-    return motion_of<types, K, Slot>(chain_, given_);
-  }
-  template <std::size_t I>
-  KTE_INLINE constexpr auto coordinate_of() const {
-    if constexpr (coordinates_of < core_t < I >>> 1) {
-      return tuple_of_coordinates<core_t<I>>(
-          [this]<std::size_t K>() { return this->template coordinate<kind::gen, wiring::slot(I, K)>(); });
-    } else {
-      return coordinate<coordinate_kind<core_t<I>>, wiring::slot(I, 0)>();
-    }
-  }
   template <kind K, int Slot, int N, class L, class A>
   KTE_INLINE void put_on(const L& linear, const A& angular) {
     if constexpr (wiring::template is_free<K, Slot>) {
@@ -104,7 +77,7 @@ class columns {
   }
   template <std::size_t W, std::size_t I, bool Moves>
   KTE_INLINE constexpr auto at_rate() const {
-    const auto c = coordinate<types::template what<W, I>, wiring::slot(W, I)>();
+    const auto c = motion_of<types, types::template what<W, I>, wiring::slot(W, I)>(chain_, given_);
     if constexpr (types::template what<W, I> != kind::gen) {
       return c;
     } else if constexpr (Moves) {

@@ -190,8 +190,7 @@ struct base_of_state {
 
 /// Only the positions of prescribed coordinates, and frames whose `Motion` is known.
 template <class Base, class Motion>
-struct only_positions {
-  const Base& base;
+struct only_positions : Base {
   Motion motion;
   template <kind, int>
   KTE_INLINE constexpr const Motion& at() const {
@@ -199,20 +198,8 @@ struct only_positions {
   }
   template <int I>
   KTE_INLINE constexpr auto fixed() const {
-    const auto c = base.template fixed<I>();
+    const auto c = Base::template fixed<I>();
     return coordinate{c.q, zero, zero, c.cos, c.sin};
-  }
-  template <int I>
-  KTE_INLINE constexpr auto input() const {
-    return base.template input<I>();
-  }
-  template <int I>
-  KTE_INLINE constexpr auto vector() const {
-    return base.template vector<I>();
-  }
-  template <int I>
-  KTE_INLINE constexpr auto internal() const {
-    return base.template internal<I>();
   }
 };
 template <class Base, class Motion>
@@ -232,36 +219,21 @@ KTE_INLINE constexpr auto base_under_gravity(const Chain& c) {
 /// accelerations from doMotion are then those due to velocities, and loads from doForce have no inertial forces of
 /// accelerations.
 template <class At, class V, class A, class Base, bool RatesOnly = false>
-struct given {
+struct given : Base {
   static constexpr bool rates_only = RatesOnly;
   const At& at;
   V v;
   A a;
-  Base bases;
 
+  KTE_INLINE constexpr given(const At& positions, V of_v, A of_a, Base bases)
+      : Base(bases), at(positions), v(of_v), a(of_a) {}
   template <kind K, int I>
   KTE_INLINE auto coordinate() const {
     return at.template with<K, I>(v, a);
   }
-  template <int I>
-  KTE_INLINE constexpr auto fixed() const {
-    return bases.template fixed<I>();
-  }
   template <kind K, int I>
   KTE_INLINE constexpr decltype(auto) base() const {
-    return bases.template at<K, I>();
-  }
-  template <int I>
-  KTE_INLINE constexpr auto input() const {
-    return bases.template input<I>();
-  }
-  template <int I>
-  KTE_INLINE constexpr auto vector() const {
-    return bases.template vector<I>();
-  }
-  template <int I>
-  KTE_INLINE constexpr auto internal() const {
-    return bases.template internal<I>();
+    return Base::template at<K, I>();
   }
 };
 template <class At, class V, class A, class Base>
@@ -271,7 +243,7 @@ given(const At&, V, A, Base) -> given<At, V, A, Base>;
 template <class Wiring, class X, class Given>
 KTE_INLINE void check_forces(const X& x, const Given& g) {
   check_result(x, std::size_t{Wiring::dofs}, [&]() KTE_INLINE_LAMBDA {
-    if constexpr (Wiring::table.signals > 0) diagnose_signals<Wiring>("a force", g.bases);
+    if constexpr (Wiring::table.signals > 0) diagnose_signals<Wiring>("a force", g);
     diagnose<Wiring>("a force", g.at.q, g.v, g.a, "a");
   });
 }
@@ -279,7 +251,7 @@ template <class Wiring, class X, class Given, class Tau>
 KTE_INLINE void check_accelerations(const X& x, const Given& g, const Tau& tau) {
   using forces = each<typename Tau::Scalar, Tau>;
   check_result(x, std::size_t{Wiring::dofs}, [&]() KTE_INLINE_LAMBDA {
-    if constexpr (Wiring::table.signals > 0) diagnose_signals<Wiring>("an acceleration", g.bases);
+    if constexpr (Wiring::table.signals > 0) diagnose_signals<Wiring>("an acceleration", g);
     const Tau copy = tau;  // so that tau itself need not live in memory
     diagnose<Wiring>("an acceleration", g.at.q, g.v, forces{copy}, "tau");
   });

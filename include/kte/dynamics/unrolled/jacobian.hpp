@@ -32,37 +32,40 @@ struct branch {
   }();
 };
 
-template <class S, class Chain, class Given, kind K, int Slot>
+/// The columns of the joints of a branch.
+template <class S, class Chain, class Given>
 class unrolled_jacobian : columns<S, Chain, Given> {
   using base = columns<S, Chain, Given>;
-  using path = branch<Chain, K, Slot>;
 
  public:
   using base::base;
   using typename base::matrix_type;
 
-  /// From the frame, at pose x in the end of element N - 1 of the branch, inward to its base.
-  template <std::size_t N = path::length, class X = pose<no_rotation, zero3>>
-  KTE_INLINE void inward(const X& x = {}) {
-    if constexpr (N > 0) {
-      constexpr std::size_t i = path::elements[N - 1];
+  /// From a frame, at pose x in the end of element N - 1 of the branch, inward to the end of element End - 1, or the
+  /// base.
+  template <class Branch, std::size_t End = 0, std::size_t N = Branch::length, class X = pose<no_rotation, zero3>,
+            class Sign = one_t>
+  KTE_INLINE void inward(const X& x = {}, Sign sign = {}) {
+    if constexpr (N > End) {
+      constexpr std::size_t i = Branch::elements[N - 1];
       base::template for_each_axis<i>([&]<int M>() KTE_INLINE_LAMBDA {
         const auto s = this->template axis<i, M>();
         const auto t = transpose(x.rotation);
-        this->template put<i, M>(t * plus_cross(s.velocity, s.ang_velocity, x.position), t * s.ang_velocity);  // (1)
+        this->template put<i, M>(sign * (t * plus_cross(s.velocity, s.ang_velocity, x.position)),
+                                 sign * (t * s.ang_velocity));  // (1)
       });
-      inward<N - 1>(compose(this->template pose_of_element<i>(), x));
+      inward<Branch, End, N - 1>(compose(this->template pose_of_element<i>(), x), sign);
     }
   }
   /// From the base to the frame; returns its position. x: pose of the end of element N - 1.
-  template <std::size_t N = 0, class X = pose<no_rotation, zero3>>
+  template <class Branch, std::size_t N = 0, class X = pose<no_rotation, zero3>>
   KTE_INLINE auto outward(const X& x = {}) {
-    if constexpr (N == path::length) {
+    if constexpr (N == Branch::length) {
       return x.position;
     } else {
-      constexpr std::size_t i = path::elements[N];
+      constexpr std::size_t i = Branch::elements[N];
       const auto end = compose(x, this->template pose_of_element<i>());
-      const auto p = outward<N + 1>(end);
+      const auto p = outward<Branch, N + 1>(end);
       base::template for_each_axis<i>([&]<int M>() KTE_INLINE_LAMBDA {
         const auto s = this->template axis<i, M>();
         const auto w = end.rotation * s.ang_velocity;
@@ -101,12 +104,13 @@ auto jacobian_by_rates(const Chain& c, const At& at) {
 template <bool World, class S, class Frame, class Chain, class At>
 KTE_INLINE auto jacobian_along(const Chain& c, const At& at) {
   const given g{at, same<skip>{}, same<skip>{}, base_with_pose};
-  using pass = unrolled_jacobian<S, Chain, std::remove_const_t<decltype(g)>, Frame::what, frame_slot<Frame, Chain>()>;
+  using pass = unrolled_jacobian<S, Chain, std::remove_const_t<decltype(g)>>;
+  using path = branch<Chain, Frame::what, frame_slot<Frame, Chain>()>;
   typename pass::matrix_type j;
   if constexpr (World) {
-    pass(c, g, j).outward();
+    pass(c, g, j).template outward<path>();
   } else {
-    pass(c, g, j).inward();
+    pass(c, g, j).template inward<path>();
   }
   return j;
 }
@@ -114,13 +118,11 @@ KTE_INLINE auto jacobian_along(const Chain& c, const At& at) {
 template <bool World, class Frame, class Chain, class Q>
 KTE_INLINE auto jacobian_of(const Chain& c, const Q& q) {
   using S = value_of<Q>;
-  check_configuration<Chain>(q);
-  const configuration<S, typename Chain::wiring, Q> at(q);
-  at.check();
+  const auto x = detail::checked_arguments<Chain>(q);
   if constexpr (!moves_rigidly<Chain, Frame::what, frame_slot<Frame, Chain>()>) {
-    return jacobian_by_rates<World, S, Frame>(c, at);
+    return jacobian_by_rates<World, S, Frame>(c, x.at);
   } else {
-    return jacobian_along<World, S, Frame>(c, at);
+    return jacobian_along<World, S, Frame>(c, x.at);
   }
 }
 

@@ -39,19 +39,34 @@ KTE_INLINE constexpr auto sum_over_grounds(const Motion& m, const F& f) {
 
 inline constexpr same_base base_of_nothing{motion{skip{}, skip{}, skip{}, skip{}, skip{}, skip{}}};
 
-/// The composite inertia of a chain about the origin of its bases, in their axes: (1) and (2) of `centre_of_mass`.
+/// The composite inertia of a chain at `Given`, about the origin of its bases and in their axes; step: of each body
+/// with the inertia that it carries.
+template <class S, class Motion, class Step = engine::same_inertia>
+KTE_INLINE auto composite_inertia_at_base(const Motion& m, const Step& step = {}) {
+  using chain_type = typename Motion::chain_type;
+  static_assert(sizeof(passed_over<chain_type>) > 0);
+  using bodies_type = typed_bodies<S, Motion, axes_of_joints<chain_type>>;
+  const bodies_type bodies(m);
+  const engine::unrolled<bodies_type> d{bodies};
+  return sum_over_grounds(m, [&]<class Frame>(const auto& x) KTE_INLINE_LAMBDA {
+    return transported(x.rotation, x.position, engine::composite_inertia_of<Frame>(d, step));
+  });
+}
+/// (1) and (2) of `centre_of_mass`.
 template <class S, class Chain, class At>
 KTE_INLINE auto weight_of(const Chain& c, const At& at) {
   const given g{at, same<skip>{}, same<skip>{}, base_with_pose};
-  static_assert(sizeof(passed_over<Chain>) > 0);
-  using motion_type = unrolled_motion<Chain, std::remove_const_t<decltype(g)>>;
-  using bodies_type = typed_bodies<S, motion_type, axes_of_joints<Chain>>;
-  const motion_type m(c, g);
-  const bodies_type bodies(m);
-  const engine::unrolled<bodies_type> d{bodies};
-  return sum_over_grounds(m, [&d]<class Frame>(const auto& x) KTE_INLINE_LAMBDA {
-    return transported(x.rotation, x.position, engine::composite_inertia_of<Frame>(d));
-  });
+  return composite_inertia_at_base<S>(unrolled_motion<Chain, std::remove_const_t<decltype(g)>>(c, g));
+}
+/// The pose of the end of a body, seen from a point.
+template <class Motion, class P>
+KTE_INLINE auto poses_from(const Motion& m, const P& point) {
+  return [&m, &point]<class Place>(const Place&) KTE_INLINE_LAMBDA {
+    using types = typename Motion::types;
+    const auto& x =
+        m.template get<types::template output_kind<Place::number>, types::template output_slot<Place::number>>();
+    return pose{x.rotation, x.position - point};
+  };
 }
 /// A sum of m x divided by the mass.
 template <class S, class M, class X, class Diagnose = too_large>

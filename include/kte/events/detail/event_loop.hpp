@@ -32,14 +32,31 @@ class event_loop {
         safe_(x_) {}
 
   event_report<X> run() {
-    obey(observer_.start(solver_));
-    if (record_.stopped() || solver_.time() == t_end_ || !mend_start()) solver_.begin(goal_);
-    while (!record_.stopped() && solver_.time() != t_end_) {
-      if (solver_.time() == goal_) go_for(t_end_);
-      take_step();
+    start();
+    while (goes_on()) {
+      begin_step();
+      return_path back(solver_, safe_time_, safe_);
+      solver_.step(goal_);
+      end_step_or_act(back);
     }
     return std::move(record_.report());
   }
+  // ---- the parts of `run`, for lanes of packs: `begin_step`, a step of the solver towards its goal, `after_step`
+  void start() {
+    obey(observer_.start(solver_));
+    if (!goes_on() || !mend_start()) solver_.begin(goal_);
+  }
+  bool goes_on() const { return !record_.stopped() && solver_.time() != t_end_; }
+  void begin_step() {
+    if (solver_.time() == goal_) go_for(t_end_);
+    begin_ = solver_.time();
+    keep(begin_, solver_.state());
+  }
+  void after_step() {
+    return_path back(solver_, safe_time_, safe_);
+    end_step_or_act(back);
+  }
+  const event_report<X>& report() { return record_.report(); }
 
  private:
   using return_path = way_back<Solver, S, X>;
@@ -67,11 +84,7 @@ class event_loop {
     go_for(goal_);
     return true;
   }
-  void take_step() {
-    begin_ = solver_.time();
-    keep(begin_, solver_.state());
-    return_path back(solver_, safe_time_, safe_);
-    solver_.step(goal_);
+  void end_step_or_act(return_path& back) {
     watch_.search(begin_);
     if (!one_is_stuck(back) && !handle_crossings(back)) end_step(back);
     back.arrived();

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kte/integrators/detail/newton_progress.hpp>
-#include <kte/integrators/implicit_integrator.hpp>
+#include <kte/integrators/detail/singular_passage.hpp>
 
 namespace kte {
 
@@ -22,8 +22,8 @@ namespace kte {
 ///
 /// Hairer and Wanner, Solving Ordinary Differential Equations II, 1996, IV.8.
 template <class Method, class F, class X>
-class implicit_stages : public implicit_integrator<Method, F, X> {
-  using base = implicit_integrator<Method, F, X>;
+class implicit_stages : public singular_passage<Method, F, X> {
+  using base = singular_passage<Method, F, X>;
 
  public:
   using typename base::rate;

@@ -75,27 +75,40 @@ class step_choice {
   template <class Sizes, class Try, class Fail>
   S take(const S& t, const S& t_end, const tolerances<S>& tol, const Sizes& sizes, long long& rejected,
          const Try& try_step, const Fail& fail) {
+    begin_step();
+    while (true) {
+      const S end = propose(t, t_end, tol, sizes, fail);
+      if (judge(try_step(end), tol)) return end;
+      ++rejected;
+    }
+  }
+  // ---- the parts of `take`, for lanes of packs
+  /// A step from a new time begins.
+  void begin_step() { again_ = false, tried_ = {S(0)}; }
+  /// The end of the next try.
+  template <class Sizes, class Fail>
+  S propose(const S& t, const S& t_end, const tolerances<S>& tol, const Sizes& sizes, const Fail& fail) {
     using std::abs;
-    if (!within_reach_) [[unlikely]]
+    if (!again_ && !within_reach_) [[unlikely]]
       check_reach(tol, sizes(), fail);
     const S rest = abs(S(t_end - t)), least = least_step(t, rest);
-    attempt<S> tried{S(0)};
-    for (bool again = false;; again = true) {
-      const bool last = rest <= stretched(tol);  // avoids a tiny last step: stretches by 1/100, or halves the rest
-      const S h = last ? rest : rest < 2 * step_ ? S(rest / 2) : step_;
-      if (!last && (h < least || step_ < tol.smallest_step)) [[unlikely]]
-        fail(too_short(step_ < tol.smallest_step ? step_ : h, tol.smallest_step, tried), reason_of(tried));
-      if (tries_++ == tol.max_steps) [[unlikely]]
-        fail("max_steps = " + std::to_string(tol.max_steps) + " steps are used up", failure_reason::too_many_steps);
-      const S end = last ? t_end : t_end < t ? S(t - h) : S(t + h);
-      tried = try_step(end);
-      if (tried.error <= S(1)) {
-        step_ = within(tried.next != S(0) ? tried.next : after(h, control_.accepted(tried.error, again)), tol);
-        return end;
-      }
-      ++rejected;
-      step_ = tried.next != S(0) ? tried.next : S(h * control_.rejected(tried.error));
+    const bool last = rest <= stretched(tol);  // avoids a tiny last step: stretches by 1/100, or halves the rest
+    h_ = last ? rest : rest < 2 * step_ ? S(rest / 2) : step_;
+    if (!last && (h_ < least || step_ < tol.smallest_step)) [[unlikely]]
+      fail(too_short(step_ < tol.smallest_step ? step_ : h_, tol.smallest_step, tried_), reason_of(tried_));
+    if (tries_++ == tol.max_steps) [[unlikely]]
+      fail("max_steps = " + std::to_string(tol.max_steps) + " steps are used up", failure_reason::too_many_steps);
+    return last ? t_end : t_end < t ? S(t - h_) : S(t + h_);
+  }
+  /// Whether the try is accepted; chooses the next step or try.
+  bool judge(const attempt<S>& tried, const tolerances<S>& tol) {
+    if (tried.error <= S(1)) {
+      step_ = within(tried.next != S(0) ? tried.next : after(h_, control_.accepted(tried.error, again_)), tol);
+      return true;
     }
+    step_ = tried.next != S(0) ? tried.next : S(h_ * control_.rejected(tried.error));
+    again_ = true, tried_ = tried;
+    return false;
   }
 
  private:
@@ -138,7 +151,10 @@ class step_choice {
   int order_of_error_;
   step_controller<S> control_;
   S keep_below_;
-  S step_{0};  ///< proposed length of the next step
+  S step_{0};               ///< proposed length of the next step
+  S h_{0};                  ///< length of the present try
+  attempt<S> tried_{S(0)};  ///< the last try, if it was rejected
+  bool again_ = false;      ///< whether a try from the present time has been rejected
   long long tries_ = 0;
   bool within_reach_ = true;  ///< whether the tolerances are within reach for all states
 };

@@ -24,6 +24,20 @@ template <class S, class E, class X>
   return sqrt(S(largest_lane(sum) / S(static_cast<double>(e.size()))));
 }
 
+/// n times the square of (1).
+template <class S, class E, class X>
+typename E::Scalar squared_error(const tolerances<S>& tol, const E& e, const X& x0, const X& x1) {
+  using std::abs;
+  using scalar = typename E::Scalar;
+  scalar sum(0);
+  for (Eigen::Index i = 0; i < e.size(); ++i) {
+    const scalar a = abs(x0[i]), b = abs(x1[i]);
+    const scalar r = e.coeff(i) / (tol.absolute[i] + tol.relative[i] * select(a < b, b, a));
+    sum += r * r;
+  }
+  return sum;
+}
+
 /// The norm of the error e of a step from x0 to x1, which is at most 1 within the tolerances:
 ///
 ///   |e| = sqrt(1/n sum_i (e_i / w_i)^2),   w_i = absolute_i + relative_i max(|x0_i|, |x1_i|)      (1)
@@ -34,18 +48,17 @@ template <class S, class E, class X>
 /// Hairer, Norsett and Wanner, Solving Ordinary Differential Equations I, 1993, II.4, (4.10), (4.11).
 template <class S, class E, class X>
 S error_norm(const tolerances<S>& tol, const E& e, const X& x0, const X& x1) {
-  using std::abs;
   using std::sqrt;
-  using scalar = typename E::Scalar;
-  scalar sum(0);
-  for (Eigen::Index i = 0; i < e.size(); ++i) {
-    const scalar a = abs(x0[i]), b = abs(x1[i]);
-    const scalar r = e.coeff(i) / (tol.absolute[i] + tol.relative[i] * select(a < b, b, a));
-    sum += r * r;
-  }
+  const auto sum = squared_error(tol, e, x0, x1);
   if (!is_finite(sum)) [[unlikely]]
     return error_norm_without_zeros(tol, e, x0, x1);
   return sqrt(S(largest_lane(sum) / S(static_cast<double>(e.size()))));
+}
+/// (1) of each lane; not finite also for components that are and stay 0.
+template <class S, class E, class X>
+auto lane_norms(const tolerances<S>& tol, const E& e, const X& x0, const X& x1) {
+  using scalar = typename E::Scalar;
+  return sqrt(squared_error(tol, e, x0, x1) / scalar(static_cast<double>(e.size())));
 }
 
 /// The factor from one step to the next, for a step error of order h^k. err_n is the norm (1) of the error, err_{n-1}

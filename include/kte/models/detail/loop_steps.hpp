@@ -97,6 +97,15 @@ void check_step(const Loops& loops, const X& x0) {
           "kte: the loops are as near to a singular configuration as rounding, where the mechanism may go on "
           "in several ways: larger tolerances pass it in one step");
 }
+/// The smallest pivot at x0, where a step begins, relative to its possible size.
+template <class Loops, class X>
+double singular_distance_of(const Loops& loops, const X& x0) {
+  auto& step = step_from(loops, x0);
+  double d = 1;
+  for (std::size_t i = 0; i < step.factor.parts.size(); ++i)
+    d = (std::min)(d, step.factor.smallest_pivot(step.equations, i));
+  return d;
+}
 /// Notes how near a stage of a step is to a singular configuration, after its accelerations.
 template <class Loops>
 void note_stage(const Loops& loops) {

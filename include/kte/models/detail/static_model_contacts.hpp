@@ -15,8 +15,7 @@ struct static_model_contacts<static_chain<Gravity, E...>> {
   using vector = joint_vector<double, chain_type::dofs>;
 
   struct state_and_step {
-    explicit state_and_step(const chain_type& c)
-        : s(c), step(static_contacts<chain_type, nothing>{{{c, none}}}, s) {}
+    explicit state_and_step(const chain_type& c) : s(c), step(static_contacts<chain_type, nothing>{{{c, none}}}, s) {}
     nothing none{};
     static_contact_state<chain_type> s;
     contact_step step;
@@ -60,6 +59,10 @@ struct static_model_contacts<static_chain<Gravity, E...>> {
   }
   template <class Model, class X>
   static void check_end(const Model&, memory&, const X&) {}
+  template <class Model, class X>
+  static double singular_distance(const Model&, memory&, const X&) {
+    return 1;
+  }
   template <class Model, class X, class Rate>
   static void settle(const Model& m, memory& kept, const X& x0, Rate& d, X& x) {
     settle_contacts(of(m, kept), x0, d, x);
@@ -100,8 +103,7 @@ struct static_model_contacts<static_chain<Gravity, E...>> {
   template <class Model, class State>
   static void put_forces(const Model& m, memory& kept, State& s) {
     auto& own = of(m, kept).kept.s;
-    for (int i = 0; i < wiring::count(kind::loop); ++i)
-      s.template get<kind::loop>(i) = own.template get<kind::loop>(i);
+    for (int i = 0; i < wiring::count(kind::loop); ++i) s.template get<kind::loop>(i) = own.template get<kind::loop>(i);
     for (int i = 0; i < wiring::count(kind::contact); ++i)
       s.template get<kind::contact>(i) = own.template get<kind::contact>(i);
   }

@@ -75,6 +75,10 @@ struct static_model_loops<static_chain<Gravity, E...>> {
   static void check_end(const Model& m, memory& kept, const X& x0) {
     check_step_end(of(m, kept), x0);
   }
+  template <class Model, class X>
+  static double singular_distance(const Model& m, memory& kept, const X& x0) {
+    return singular_distance_of(of(m, kept), x0);
+  }
   template <class Model, class X, class Rate>
   static void settle(const Model& m, memory& kept, const X& x0, Rate& d, X& x) {
     settle_on_loops(of(m, kept), x0, d, x);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kte/robots/detail/physical.hpp>
+#include <kte/robots/detail/robot_contacts.hpp>
 #include <kte/robots/detail/robot_forces.hpp>
 #include <kte/robots/detail/robot_loops.hpp>
 #include <kte/robots/detail/robot_results.hpp>
@@ -25,6 +26,7 @@ class chain_builder {
     forces_.append_spring_dampers(tree_);
     append_frames();
     append_closures();
+    if (o_.contacts.requested()) robot_contacts(to_, out_, d_, o_, tree_).append();
     out_.chain = std::move(to_.chain());
     list_joints(out_, d_), list_shapes(out_, d_);
     read_limits(out_, d_, tree_), read_configurations(out_, d_);

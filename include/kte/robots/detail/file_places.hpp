@@ -33,4 +33,20 @@ inline std::vector<std::filesystem::path> file_places(const std::string& name, c
   return all;
 }
 
+/// The file of a mesh by its URI, in the folders of `file_places`; of `package://name/...` and `model://name/...` also
+/// where the folder has another name; empty if there is none.
+inline std::filesystem::path find_mesh_file(const std::string& uri, const std::filesystem::path& folder,
+                                            const std::vector<std::string>& search_path) {
+  const auto path = path_in_uri(uri);
+  auto places = file_places(path, folder, search_path);
+  if (uri.starts_with("package://") || uri.starts_with("model://"))
+    if (const auto slash = path.find('/'); slash != path.npos)
+      for (auto& p : file_places(path.substr(slash + 1), folder, search_path)) places.push_back(std::move(p));
+  places.emplace_back(path);
+  std::error_code none;
+  for (auto& p : places)
+    if (std::filesystem::is_regular_file(p, none)) return std::move(p);
+  return {};
+}
+
 }  // namespace kte::detail

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <kte/robots/detail/mjcf_actuator.hpp>
+#include <kte/robots/detail/mjcf_contact.hpp>
 #include <kte/robots/detail/mjcf_equality.hpp>
+#include <kte/robots/detail/mjcf_height_field.hpp>
 #include <kte/robots/detail/mjcf_joint.hpp>
 #include <kte/robots/detail/mjcf_keyframe.hpp>
 #include <kte/robots/detail/mjcf_masses.hpp>
@@ -18,7 +20,7 @@ namespace kte::detail {
 class mjcf_bodies {
  public:
   mjcf_bodies(robot_description& d, const robot_options& o, xml_parser parse)
-      : d_(d), tree_(d, o, parse), equality_(d) {}
+      : d_(d), contacts_(o.contacts.requested()), tree_(d, o, parse), unread_(contacts_), equality_(d) {}
 
   void read(const xml_node& file) {
     auto& top = tree_.top(file);
@@ -48,6 +50,7 @@ class mjcf_bodies {
       for (const auto& x : k.children("key")) read_mjcf_keyframe(x, d_);
     equality_.finish();
     unread_.finish();
+    contact_leftovers_.warn();
   }
 
  private:
@@ -122,10 +125,10 @@ class mjcf_bodies {
   void geom(const mjcf_child& c, const here& at) {
     const auto& settings = c.in.model->settings;
     const auto x = settings.classes().resolved(c.x, c.in.around);
-    x.only({}, {"name",     "class",  "type",   "pos",    "quat",    "axisangle", "euler",       "xyaxes",
-                "zaxis",    "size",   "fromto", "mass",   "density", "mesh",      "rgba",        "material",
-                "contype",  "group",  "solmix", "solref", "solimp",  "fitscale",  "conaffinity", "shellinertia",
-                "friction", "margin", "gap",    "condim", "priority"});
+    x.only({}, {"name",     "class",  "type",   "pos",    "quat",     "axisangle", "euler",       "xyaxes",
+                "zaxis",    "size",   "fromto", "mass",   "density",  "mesh",      "rgba",        "material",
+                "contype",  "group",  "solmix", "solref", "solimp",   "fitscale",  "conaffinity", "shellinertia",
+                "friction", "margin", "gap",    "condim", "priority", "hfield"});
     auto g = read_geom(x, c.in);
     const bool wants_mass = at.weighs && settings.counts(x.number_or("group", 0));
     const bool by_mesh = x.has("mesh") || g.shape.is == robot_shape::form::mesh;
@@ -142,11 +145,21 @@ class mjcf_bodies {
       l.inertial = l.inertial ? together(*l.inertial, placed) : placed;
     }
     g.shape.origin = c.in.place * g.shape.origin;
-    unread_.contact_of(x, g.collides);
+    contact(x, *c.in.model, g);
     if (g.shape.rgba.empty()) g.shape.rgba = materials_.rgba(g.shape.material, *c.in.model);
     const bool seen = !g.collides || x.number_or("group", 0) < 3;  // viewers show groups up to 2
     if (seen) l.visuals.push_back(g.shape);
     if (g.collides) l.collisions.push_back(g.shape);
+  }
+
+  /// Reads how a geom touches others, if contacts are requested.
+  void contact(const xml_item& x, mjcf_model& model, mjcf_geom& g) {
+    if (!contacts_) {
+      if (x.has("hfield")) x.not_read("its hfield is not read");
+      return unread_.contact_of(x, g.collides);
+    }
+    g.shape.touch = read_mjcf_touch(x, contact_leftovers_);
+    if (x.text_or("type", "") == "hfield") read_mjcf_height_field(x, model, g.shape);
   }
 
   /// Describes a geom with a mesh, whose file is read where its mass or its sizes are needed.
@@ -225,7 +238,7 @@ class mjcf_bodies {
   /// q = 0.
   void add_reference() {
     const auto moved = [](const robot_joint& j) { return j.reference != 0 || j.is == kind::floating; };
-    if (d_.closures.empty() || std::none_of(d_.joints.begin(), d_.joints.end(), moved)) return;
+    if ((d_.closures.empty() && !contacts_) || std::none_of(d_.joints.begin(), d_.joints.end(), moved)) return;
     robot_configuration c{"reference", 0, {}};
     for (const auto& j : d_.joints)
       if (j.is == kind::floating) {
@@ -247,7 +260,15 @@ class mjcf_bodies {
   void sections(const xml_item& root, const mjcf_scope& in) {
     for (const auto& x : root.children()) {
       const auto n = x.name();
-      if (n == "contact" || n == "tendon" || n == "deformable") unread_.section(x, in.model->settings.classes());
+      if (n == "contact" && contacts_ && !unread_.contact_is_off()) {
+        for (const auto& c : x.children())
+          if (c.name() == "pair" || c.name() == "exclude")
+            d_.contact_pairs.push_back(
+                read_mjcf_pair(in.model->settings.classes().resolved(c, ""), in, contact_leftovers_));
+          else
+            c.not_read("not read");
+      } else if (n == "contact" || n == "tendon" || n == "deformable")
+        unread_.section(x, in.model->settings.classes());
       if (n == "equality")
         for (const auto& e : x.children()) {
           const auto whole = in.model->settings.classes().resolved(e, "", "equality");
@@ -272,8 +293,10 @@ class mjcf_bodies {
   }
 
   robot_description& d_;
+  bool contacts_;  ///< whether contacts are requested
   mjcf_tree tree_;
   mjcf_unread unread_;
+  contact_leftovers contact_leftovers_;
   mjcf_meshes meshes_;
   mjcf_materials materials_;
   mjcf_equality equality_;

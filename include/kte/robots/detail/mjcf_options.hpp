@@ -34,6 +34,9 @@ inline void read_mjcf_options(const xml_item& root, robot_description& d, mjcf_u
     if (!friction) y.friction = 0;
   }
   unread.switch_off(!equality, !contact);
+  if (!contact)
+    for (auto& l : d.links)
+      for (auto& s : l.collisions) s.touch.type = s.touch.affinity = 0;
   if (!springs && !dampers)
     for (auto& l : d.links) l.gravity_compensation = 0;
 }

@@ -8,6 +8,9 @@ namespace kte::detail {
 /// modelled, or one for all of a kind; the rest is listed.
 class mjcf_unread {
  public:
+  /// `contacts`: whether contacts are read.
+  explicit mjcf_unread(bool contacts) : contacts_are_read_(contacts) {}
+
   /// Notes contact, which is not modelled, with one warning for all.
   void contact_of(const xml_item& geom, bool collides) {
     if (!collides) return;
@@ -25,6 +28,7 @@ class mjcf_unread {
     no_equality_ = equality, no_contact_ = contact;
     if (contact) contact_.reset();
   }
+  bool contact_is_off() const { return no_contact_; }
   void section(const xml_item& x, const mjcf_classes& classes) {
     if (x.name() == "contact") {
       for (const auto& c : x.children()) c.name() == "pair" ? note_contact(c) : c.not_read("not read");
@@ -51,6 +55,8 @@ class mjcf_unread {
             {}, {"name", "class", "file", "scale", "refpos", "refquat", "vertex", "face", "inertia", "maxhullvert"});
       else if (c.name() == "model")
         c.only({}, {"name", "file"});
+      else if (c.name() == "hfield" && contacts_are_read_)
+        c.only({}, {"name", "file", "nrow", "ncol", "size", "elevation"});
       else if (kinds_of_assets_.insert(c.node().name).second)
         c.not_read("no <" + excerpt(c.name()) + "> is read");
     }
@@ -112,6 +118,7 @@ class mjcf_unread {
   std::set<std::string> kinds_of_assets_, looks_;
   std::optional<xml_item> contact_, site_;
   std::size_t contacts_ = 0;
+  bool contacts_are_read_;
   bool no_equality_ = false, no_contact_ = false;
 };
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/robots/detail/contact_leftovers.hpp>
 #include <kte/robots/detail/sdf_values.hpp>
 
 namespace kte::detail {
@@ -7,10 +8,13 @@ namespace kte::detail {
 /// Collects contents that are not modelled and occur many times: one warning per kind.
 class sdf_leftovers {
  public:
+  contact_leftovers contacts;
+
   void surface(const xml_item& x) { surfaces_.push_back(x); }
   void plugin(const xml_item& x) { (acts_on_joints(x.node()) ? driving_ : others_).push_back(x); }
 
   void warn() const {
+    contacts.warn();
     if (!surfaces_.empty())
       surfaces_[0].moves_differently("contacts are not modelled: it is not read" + also(surfaces_.size()));
     if (!driving_.empty()) driving_[0].moves_differently("plugins that act on joints are not read:" + names(driving_));

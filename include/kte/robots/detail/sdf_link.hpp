@@ -3,6 +3,7 @@
 #include <kte/robots/detail/sdf_frames.hpp>
 #include <kte/robots/detail/sdf_leftovers.hpp>
 #include <kte/robots/detail/sdf_shape.hpp>
+#include <kte/robots/detail/sdf_surface.hpp>
 
 namespace kte::detail {
 
@@ -20,8 +21,11 @@ class sdf_links {
     l.name = name, l.line = x.line(), l.file = x.file();
     for (const auto& s : x.children("visual")) l.visuals.push_back(shape(s, scope, name));
     for (const auto& s : x.children("collision")) l.collisions.push_back(shape(s, scope, name));
-    for (const auto& c : x.children("collision"))
-      if (const auto s = first_child(c, "surface"); s && !s->children().empty()) leftovers_.surface(*s);
+    const auto collisions = x.children("collision");
+    for (std::size_t i = 0; i < collisions.size(); ++i)
+      if (const auto s = first_child(collisions[i], "surface"); s && !s->children().empty())
+        options_.contacts.requested() ? read_sdf_surface(*s, l.collisions[i].touch, leftovers_.contacts)
+                                      : leftovers_.surface(*s);
     if (stands) return l;
     l.inertial = body(x, scope, l);
     if (!child_flag(x, "gravity", true)) l.gravity_compensation = 1;
@@ -95,6 +99,7 @@ class sdf_links {
   robot_shape shape(const xml_item& x, const sdf_scope& scope, const std::string& link) const {
     auto s = sdf_shape(x);
     s.origin = in_link(x, scope, link);
+    if (s.is == robot_shape::form::plane) s.origin = s.origin * robot_pose{{}, turn_of_z_to(plane_normal(x))};
     return s;
   }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/robots/detail/contact_leftovers.hpp>
 #include <kte/robots/detail/read_values.hpp>
 
 #include <map>
@@ -42,10 +43,19 @@ class urdf_links {
     if (const auto i = first_child(x, "inertial")) l.inertial = inertial(*i);
     for (const auto& s : x.children("visual")) l.visuals.push_back(shape(s));
     for (const auto& s : x.children("collision")) l.collisions.push_back(shape(s));
+    if (options_.contacts.requested())
+      for (const auto& c : x.children("contact")) contact(c, l);
     for (const auto* name : {"gravity", "kinematic"})
       for (const auto& g : x.children(name)) g.moves_differently("not read, as URDF has no such element");
     d_.links.push_back(std::move(l));
   }
+  /// Sets the friction of the collision shapes of a link.
+  void rub(const std::string& link, double friction) {
+    for (auto& l : d_.links)
+      if (l.name == link)
+        for (auto& s : l.collisions) s.touch.friction = friction;
+  }
+  void warn_of_contacts() const { leftovers_.warn(); }
   /// Collects the colours of named materials.
   void colour() {
     for (auto& l : d_.links)
@@ -55,6 +65,17 @@ class urdf_links {
   }
 
  private:
+  /// Reads the properties of contact that Bullet has for a link.
+  void contact(const xml_item& x, robot_link& l) {
+    for (const auto& c : x.children())
+      for (auto& s : l.collisions)
+        if (c.name() == "lateral_friction")
+          s.touch.friction = c.not_negative("value");
+        else if (c.name() == "restitution")
+          s.touch.restitution = c.not_negative("value");
+        else
+          leftovers_.add(x, c.name());
+  }
   rigid_body<> inertial(const xml_item& x) const {
     x.only({"origin", "mass", "inertia"}, {});
     rigid_body<> b{};
@@ -119,6 +140,7 @@ class urdf_links {
 
   robot_description& d_;
   const robot_options& options_;
+  contact_leftovers leftovers_;
   std::map<std::string, std::vector<double>, std::less<>> colours_;  ///< by material
 };
 

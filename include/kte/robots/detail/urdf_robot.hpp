@@ -8,7 +8,8 @@ namespace kte::detail {
 /// Reads a URDF: links, joints, and the supported extensions.
 class urdf_robot {
  public:
-  urdf_robot(robot_description& d, const robot_options& o) : d_(d), links_(d, o), joints_(d, links_) {}
+  urdf_robot(robot_description& d, const robot_options& o)
+      : d_(d), links_(d, o), joints_(d, links_), contacts_(o.contacts.requested()) {}
 
   void read(const xml_item& root) {
     if (root.name() != "robot") root.fail("a URDF begins with <robot>");
@@ -32,7 +33,7 @@ class urdf_robot {
          {"loop_joint", "force_element", "drake:loop_joint", "drake:force_element", "drake:linear_spring_damper",
           "drake:linear_bushing_rpy", "drake:ball_constraint", "drake:link"})
       for (const auto& x : root.children(of)) x.moves_differently("not read");
-    contacts(root);
+    contacts_ ? links_.warn_of_contacts() : contacts(root);
   }
 
  private:
@@ -109,13 +110,23 @@ class urdf_robot {
         x.not_read("its " + excerpt(h.content()) +
                    " has no gains in URDF: commands are forces, or positions by those of kte::motor_options");
   }
-  static void gazebo(const xml_item& x) {
-    x.not_read("not read");
+  void gazebo(const xml_item& x) {
+    x.not_read(contacts_ ? "not read, except for mu1" : "not read");
     for (const auto& c : x.children()) {
+      if (contacts_ && (c.name() == "mu1" || c.name() == "mu2")) friction(x, c);
       const bool flag = !c.content().empty() && c.content() != "0" && c.content() != "false";
       if (c.name() == "joint" || (flag && c.name() == "turnGravityOff") || (!flag && c.name() == "gravity"))
         c.moves_differently("not read");
     }
+  }
+  /// Reads the friction that Gazebo has for a link.
+  void friction(const xml_item& x, const xml_item& mu) {
+    const double value = mu.one(mu.list_of(mu.content(), "friction"), "friction");
+    const auto first = first_child(x, "mu1");
+    if (mu.name() == "mu1")
+      links_.rub(x.text_or("reference", ""), value);
+    else if (first && first->list_of(first->content(), "friction") != std::vector{value})
+      mu.moves_differently("friction that depends on the direction is not modelled: mu1 is used");
   }
   /// Notes contact properties with one warning for all.
   static void contacts(const xml_item& root) {
@@ -134,6 +145,7 @@ class urdf_robot {
   robot_description& d_;
   urdf_links links_;
   urdf_joints joints_;
+  bool contacts_;  ///< whether contacts are requested
 };
 
 }  // namespace kte::detail

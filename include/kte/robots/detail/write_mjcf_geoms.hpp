@@ -115,7 +115,8 @@ class mjcf_geoms {
 
   void add(std::size_t link, const robot_link& l, const robot_shape& s, bool seen, bool collides) {
     geom g{&s, s.name, "link '" + l.name + "'", seen, collides, {}};
-    if (s.is == form::none) return leave_out(s, g.owner, "its form is not known");
+    if (s.is == form::none || s.is == form::height_field)
+      return leave_out(s, g.owner, s.is == form::none ? "its form is not known" : "it is a height field");
     if (s.is == form::mesh && !find_mesh(s, g)) return;
     if (s.is != form::mesh)
       for (const double x : mjcf_size(s))

@@ -67,7 +67,8 @@ class urdf_shapes {
     left_out_.list(s.line, owner_ + ": its shape" + (s.name.empty() ? "" : " '" + s.name + "'") + what);
   }
   void shape(const char* what, robot_shape s) {
-    if (s.is == form::none) return note(s, " is left out: its form is not known");
+    if (s.is == form::none || s.is == form::height_field)
+      return note(s, s.is == form::none ? " is left out: its form is not known" : " is left out: it is a height field");
     if (s.is == form::ellipsoid) return note(s, " is left out: it is an ellipsoid");
     if (s.is == form::plane) return note(s, " is left out: it is a plane");
     if (s.is == form::mesh) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <kte/errors.hpp>
+
 #include <cstdint>
 #include <limits>
 #include <string>
@@ -16,6 +18,12 @@ struct sweep_failure {
 };
 
 namespace detail {
+
+inline void check_kept_size(std::size_t numbers, std::size_t columns) {
+  if (numbers != columns)
+    raise<bad_argument>("kte: the function of the sweep gave " + std::to_string(numbers) + " numbers for " +
+                        std::to_string(columns) + " columns");
+}
 
 /// The results of the cases from `begin` on, in order.
 struct sweep_rows {

@@ -1,0 +1,199 @@
+#include <kte/io/model_inputs.hpp>
+#include <kte/io/recording.hpp>
+
+#include <array>
+#include <cmath>
+
+#include "arrays.hpp"
+#include "chain.hpp"
+#include "coordinate_forces.hpp"
+#include "native_run.hpp"
+#include "solvers.hpp"
+#include "sweep_columns.hpp"
+
+namespace kte_python {
+
+namespace {
+
+/// How rows of a quantity become a number.
+enum class reduction { last, least, most, mean };
+/// Results of a simulation other than its state.
+enum class outcome { end_time, events, steps };
+constexpr std::array<std::pair<std::string_view, outcome>, 3> outcomes{
+    {{"run/end_time", outcome::end_time}, {"run/events", outcome::events}, {"run/steps", outcome::steps}}};
+constexpr std::array<std::pair<std::string_view, reduction>, 3> reductions{
+    {{"min:", reduction::least}, {"max:", reduction::most}, {"mean:", reduction::mean}}};
+
+/// The kept numbers of a simulation, and their names: quantities of the final state, `max:QUANTITY` ... of its rows,
+/// and outcomes.
+struct kept_of_simulation {
+  struct number {
+    bool is_outcome = false;
+    outcome what{};
+    reduction how = reduction::last;
+    std::size_t column = 0;  ///< of `recorded`
+  };
+  std::vector<std::string> names;
+  std::vector<number> numbers;
+  std::vector<kte::detail::recorded> cells;
+  std::size_t columns = 0;
+  bool of_rows = false;  ///< whether rows before the last one are needed
+
+  kept_of_simulation(const kte::runtime_chain& c, const std::vector<std::string>& keep) {
+    const auto slots = kte::detail::slots_of(c);
+    std::vector<std::string> all = keep;
+    if (all.empty())
+      for (const auto* end : {"", "/v"})
+        for (const auto& e : kte::layout(c)) all.push_back(e.name + end);
+    for (const auto& name : all) {
+      const auto known = std::find_if(outcomes.begin(), outcomes.end(), [&](const auto& o) { return o.first == name; });
+      if (known != outcomes.end()) {
+        names.push_back(name), numbers.push_back({true, known->second});
+        continue;
+      }
+      std::string_view prefix;
+      reduction how = reduction::last;
+      for (const auto& [text, r] : reductions)
+        if (name.starts_with(text)) prefix = text, how = r, of_rows = true;
+      const kte::detail::recording what(slots, {name.substr(prefix.size())});
+      for (std::size_t i = 1; i < what.columns.size(); ++i) {
+        names.push_back(std::string(prefix) + what.columns[i]);
+        numbers.push_back({false, {}, how, columns++});
+      }
+      cells.insert(cells.end(), what.cells.begin(), what.cells.end());
+    }
+  }
+};
+
+struct simulation_settings {
+  kte::runtime_chain chain;
+  bool has_forces;
+  double begin, time, every;
+  solver_options solver;
+  case_numbers start;
+};
+
+class simulation_run final : public native_run {
+ public:
+  simulation_run(simulation_settings s, const std::vector<std::string>& columns, const std::vector<std::string>& keep,
+                 stop_flag stop)
+      : s_(std::move(s)),
+        columns_(s_.chain, columns, s_.has_forces ? "tau" : ""),
+        kept_(s_.chain, keep),
+        stop_(std::move(stop)) {
+    kte::detail::for_each_input(s_.chain, [this](std::string_view name, int u, int n) {
+      inputs_.push_back({std::string(name), u, n});
+    });
+  }
+  std::unique_ptr<native_run> clone() const override { return std::make_unique<simulation_run>(*this); }
+  const std::vector<std::string>& kept() const override { return kept_.names; }
+
+  void operator()(const std::vector<double>& values, std::vector<double>& kept) override {
+    case_numbers x = s_.start;
+    columns_.put(values, x);
+    auto chain = columns_.chain_with(values).value_or(s_.chain);
+    const auto forces = s_.has_forces ? coordinate_forces(chain) : coordinate_forces();
+    Eigen::VectorXd constant;
+    plant p(
+        chain,
+        [&](double, const plant::state& state, Eigen::VectorXd& u) {
+          if (*stop_) throw stopped{};
+          u = constant;
+          if (s_.has_forces) forces.put(x.third, state, u);
+        },
+        forces.of_tau_alone());
+    constant = inputs_of(p.model(), x.u);
+
+    const double end = s_.begin + s_.time;
+    const auto solver = start_solver(p, x.q, x.v, s_.begin, s_.solver);
+    const auto times = kept_.of_rows ? even_times(s_.begin, end, s_.every) : std::vector<double>{end};
+    rows_ = 0, row_.resize(kept_.columns), reduced_.resize(kept_.numbers.size());
+    const auto ended = solver->advance(end, {}, {false, times}, [&](double t, const plant::state& state) {
+      if (kept_.of_rows) add_row(p, t, state);
+    });
+    if (ended.reason == kte::stop_reason::zeno)
+      throw kte::bad_argument("kte: infinitely many events before t = " + kte::detail::number(solver->time()));
+    kte::detail::read_recorded(kept_.cells, p.state_at(solver->time(), solver->state()), row_.data());
+    for (std::size_t i = 0; i < kept_.numbers.size(); ++i) {
+      const auto& n = kept_.numbers[i];
+      kept.push_back(n.is_outcome               ? outcome_of(n.what, *solver, ended)
+                     : n.how == reduction::last ? row_[n.column]
+                     : n.how == reduction::mean ? reduced_[i] / static_cast<double>(rows_)
+                                                : reduced_[i]);
+    }
+  }
+
+ private:
+  struct input {
+    std::string name;
+    int u, count;
+  };
+  /// The inputs of a model whose chain may have more of them than the columns know.
+  Eigen::VectorXd inputs_of(const plant::model_type& m, const Eigen::VectorXd& given) const {
+    Eigen::VectorXd u = m.input();
+    kte::detail::for_each_input(m, [&](std::string_view name, int at, int n) {
+      for (const auto& i : inputs_)
+        if (i.name == name) u.segment(at, n) = given.segment(i.u, n);
+    });
+    return u;
+  }
+  void add_row(plant& p, double t, const plant::state& state) {
+    kte::detail::read_recorded(kept_.cells, p.state_at(t, state), row_.data());
+    for (std::size_t i = 0; i < kept_.numbers.size(); ++i) {
+      const auto& n = kept_.numbers[i];
+      if (n.is_outcome) continue;
+      const double now = row_[n.column];
+      double& r = reduced_[i];
+      r = rows_ == 0                  ? now
+          : n.how == reduction::least ? std::min(r, now)
+          : n.how == reduction::most  ? std::max(r, now)
+                                      : r + now;
+    }
+    ++rows_;
+  }
+  static double outcome_of(outcome what, const any_solver& solver, const report& ended) {
+    return what == outcome::end_time ? solver.time()
+           : what == outcome::events ? static_cast<double>(ended.count)
+                                     : static_cast<double>(solver.statistics().steps);
+  }
+
+  simulation_settings s_;
+  sweep_columns columns_;
+  kept_of_simulation kept_;
+  stop_flag stop_;
+  std::vector<input> inputs_;
+  std::size_t rows_ = 0;
+  std::vector<double> row_, reduced_;
+};
+
+}  // namespace
+
+std::unique_ptr<native_run> make_simulation_run(py::handle run, const std::vector<std::string>& columns,
+                                                const std::vector<std::string>& keep, stop_flag stop) {
+  const py::object chain = run.attr("chain"), control = run.attr("control"), v = run.attr("v");
+  const auto& c = chain_of(chain).chain();
+  const auto n = c.dofs();
+  const auto number = [&run](const char* name) { return run.attr(name).cast<double>(); };
+  const auto tolerance = [&](const char* name) {
+    return run.attr(name).is_none() ? number("tolerance") : number(name);
+  };
+  const auto zero = Eigen::VectorXd(Eigen::VectorXd::Zero(n));
+  simulation_settings s{
+      c,
+      !control.is_none(),
+      number("t"),
+      number("time"),
+      number("every"),
+      {run.attr("solver").cast<std::string>(),
+       number("step"),
+       {.absolute = tolerance("absolute"),
+        .relative = tolerance("relative"),
+        .max_steps = run.attr("max_steps").cast<long long>()}},
+      {vector_from("q", run.attr("q"), c.nq()), v.is_none() ? zero : vector_from("v", v, n),
+       control.is_none() ? zero : vector_from("control", control, n), inputs_from(c, run.attr("inputs"))}};
+  check_solver(s.solver.name);
+  s.solver.tolerances.largest_step = number("largest_step");
+  return std::make_unique<simulation_run>(std::move(s), columns, keep, std::move(stop));
+}
+
+}  // namespace kte_python
