@@ -23,8 +23,8 @@ namespace {
 
 const std::array<std::string, 4> legs{"FL", "FR", "HL", "HR"};
 constexpr double thigh = 0.16;          ///< m, and the length from the knee to the foot
-constexpr double stiffness = 10;        ///< of the servos, Nm/rad
-constexpr double damping = 0.3;         ///< Nms/rad
+constexpr double stiffness = 40;        ///< of the servos, Nm/rad
+constexpr double damping = 1;           ///< Nms/rad
 constexpr double standing_angle = 0.8;  ///< of hips; that of knees is twice its negative, so that feet are below hips
 
 /// The robot on the ground. Its inputs are the torques of the servos at rest in the neutral configuration.
@@ -42,25 +42,29 @@ kte::runtime_chain robot() {
 /// The length of legs over time, and its rate: from 3 s on, diagonal pairs of feet are lifted by turns.
 struct leg_length {
   double length, rate;
+  double load;  ///< the share of the weight, relative to a quarter
 };
 leg_length length_at(double t, std::size_t leg) {
-  constexpr double begin = 3, period = 0.4, lift = 0.05;  // s, m
+  constexpr double begin = 3, period = 0.3, lift = 0.04;  // s, m
   const double standing = 2 * thigh * std::cos(standing_angle);
   const bool first_pair = leg == 0 || leg == 3;
   const double phase = (t - begin) / period + (first_pair ? 0 : 0.5), part = phase - std::floor(phase);
-  if (t < begin + (first_pair ? 0 : period / 2) || part > 0.5) return {standing, 0};
+  if (t < begin) return {standing, 0, 1};
+  if (t < begin + (first_pair ? 0 : period / 2) || part > 0.5) return {standing, 0, 2};
   const double angle = 2 * std::numbers::pi * part;
-  return {standing - lift * std::pow(std::sin(angle), 2), -lift * std::sin(2 * angle) * 2 * std::numbers::pi / period};
+  return {standing - lift * std::pow(std::sin(angle), 2), -lift * std::sin(2 * angle) * 2 * std::numbers::pi / period,
+          0};
 }
 
-/// The torques by which the servos keep their joints on the way to these lengths.
+/// The torques by which the servos keep their joints on the way to these lengths, and knees carry the weight.
 Eigen::VectorXd commands(double t) {
   Eigen::VectorXd u(12);
   for (std::size_t leg = 0; leg < legs.size(); ++leg) {
-    const auto [length, rate] = length_at(t, leg);
+    const auto [length, rate, load] = length_at(t, leg);
     const double hip = std::acos(length / (2 * thigh)), hip_rate = -rate / (2 * thigh * std::sin(hip));
+    const double knee_torque = 2.5 * 9.81 / 4 * thigh * std::sin(hip);  // Nm, of a quarter of the weight
     const double command = stiffness * hip + damping * hip_rate;
-    u.segment<3>(static_cast<Eigen::Index>(3 * leg)) << 0, command, -2 * command;
+    u.segment<3>(static_cast<Eigen::Index>(3 * leg)) << 0, command, load * knee_torque - 2 * command;
   }
   return u;
 }

@@ -140,10 +140,9 @@ TEST_CASE("steps that cannot be taken are refused") {
   CHECK_THROWS_AS((moreau_jean(std::cref(model), 0.0, x, 0.0)), bad_argument);
   CHECK_THROWS_MATCHES(rolling_ball(-0.1), bad_parameter, says("friction must be finite"));
   CHECK_THROWS_MATCHES(rolling_ball(0.1, 1.5), bad_parameter, says("restitution must be between"));
-  CHECK_THROWS_MATCHES(model(0.0, x), bad_argument, says("contact 'floor'"));
 }
 
-TEST_CASE("chains with loops and contacts are simulated by time stepping only") {
+TEST_CASE("chains with loops and contacts") {
   runtime_chain c;
   c << base_2D("ground") << revolute_joint_2D("q", "ground", "a") << inertia_2D("a", planar_body(1.0, 0.1))
     << rigid_link_2D("a", "tip", vec2{1.0, 0.0}) << revolute_joint_2D("p", "tip", "b")
@@ -154,7 +153,6 @@ TEST_CASE("chains with loops and contacts are simulated by time stepping only") 
   CHECK_THROWS_MATCHES(constrained_dynamics_derivatives(c, s, none, none, none), bad_argument, says("contact 'foot'"));
   manipulator_dynamics_model model(c);
   const auto x = model.make_x(none, none);
-  CHECK_THROWS_MATCHES(model(0.0, x), bad_argument, says("contact 'foot'"));
   moreau_jean solver(std::cref(model), 0.0, x, 1e-3);
   CHECK_NOTHROW(solver.integrate(0.01));
 }
