@@ -1,7 +1,23 @@
 #pragma once
 
 #include <kte/contact/surfaces.hpp>
+#include <kte/detail/raise.hpp>
+#include <kte/errors.hpp>
 #include <kte/frames/motion.hpp>
+
+#include <concepts>
+
+namespace kte::detail {
+/// The surface of an element that is read from a file. Surfaces of your own functions may have none; files do not hold
+/// them.
+template <class Surface>
+constexpr Surface default_surface() {
+  if constexpr (std::default_initializable<Surface>)
+    return Surface{};
+  else
+    raise<bad_argument>("kte: this surface cannot be default-constructed");
+}
+}  // namespace kte::detail
 
 namespace kte::core {
 
@@ -21,7 +37,7 @@ struct contact_geometry {
   static constexpr char rigid_name[] = "sphere_contact";         ///< the type of its rigid element in files
   static constexpr char bristle_name[] = "bristle_contact";      ///< likewise with friction by bristles
 
-  Surface surface{};
+  Surface surface = detail::default_surface<Surface>();
   double radius = 0;  ///< m
   vec3<> offset{};    ///< of the centre of the sphere from the origin of B, in axes of B, m
 

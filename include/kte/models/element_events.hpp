@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/contract/closure.hpp>
 #include <kte/events/events.hpp>
 #include <kte/models/controlled.hpp>
 #include <kte/models/manipulator_dynamics_model.hpp>

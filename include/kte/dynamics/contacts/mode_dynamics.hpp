@@ -2,6 +2,8 @@
 
 #include <kte/dynamics/contacts/mode_rows.hpp>
 
+#include <limits>
+
 /// Accelerations with contacts in given modes, in the working memory of a state. Closed contacts satisfy
 ///
 ///   g'' = 0,   and u_t' = 0 where they stick                                              (1)

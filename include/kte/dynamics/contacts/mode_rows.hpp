@@ -2,6 +2,8 @@
 
 #include <kte/dynamics/contacts/contact_forces.hpp>
 
+#include <algorithm>
+
 /// Rows of closures and contacts in one factor, and the least change of a motion, measured by kinetic energy, that
 /// satisfies them:
 ///

@@ -259,7 +259,8 @@ void resolve_contacts(const Access& a, double t, X& x, bool along_solution) {
   const auto margins = contact_margins(a, t, x);
   std::vector<contact_change> changes;
   bool done = false, ambiguous = false;
-  for (int round = 0; !done; ++round) {
+  int round = 0;
+  do {
     a.at(t, x, [&](const auto& c, auto& s, contact_solver& m) {
       if (changes.empty()) {
         changes.resize(m.contacts.size());
@@ -335,7 +336,8 @@ void resolve_contacts(const Access& a, double t, X& x, bool along_solution) {
       done = true;
     });
     x.segment(at_v, n) = v;
-  }
+    ++round;
+  } while (!done);
   close_gaps(a, t, x);
   const X x0 = x;
   auto d = a.no_displacement();
