@@ -29,7 +29,7 @@ struct time_stepping_options {
 ///
 /// D = -df/dv and K = -df/dq are those of springs, dampers, motors and other elements between coordinates, and of the
 /// law of `controlled` on coordinates, so that they may be stiff; those of a law are differences. Forces between frames
-/// are explicit. Internal states z are linearly implicit in themselves. Dense output: linear.
+/// are explicit. Internal states z are linearly implicit. Dense output: linear.
 ///
 /// Moreau, Numerical aspects of the sweeping process, Computer Methods in Applied Mechanics and Engineering 177 (1999);
 /// Jean, The non-smooth contact dynamics method, same volume.

@@ -140,11 +140,11 @@ void accelerate_in_modes(const Contacts& c, State& s, contact_solver& m, forces_
   k.bias.tail(m.bias.size()) = m.bias;
   if (!k.solve(m)) [[unlikely]]
     raise<no_solution>("kte: contacts " + names_of_touching(c, m) +
-                       " cannot stay closed as they are: their equations are singular");
+                       " cannot stay closed: their equations are singular");
   m.factor.other_half(s, m.equations, k.half, m.change_of_motion);
   auto& a = s.work.forces;
   a = m.before + m.change_of_motion;
-  // What is at rest stays at rest: differences that are rounding errors are zero.
+  // Bodies at rest stay at rest: differences that are rounding errors are zero.
   constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
   for (Eigen::Index i = 0; i < a.size(); ++i)
     if (std::abs(a[i]) <= rounding * std::abs(m.before[i])) a[i] = 0;
