@@ -89,9 +89,19 @@ concept settles_vectors = !moves_on_group<F, X> && requires(const F& f, const X&
   f.settle(x, out);
   f.tangential(x, out);
 };
-/// Throws `bad_argument` if a right-hand side f keeps states on closed loops, for `methods` that do not.
+/// Whether a model has rigid contacts.
+template <class F>
+bool has_rigid_contacts(const F& f) {
+  if constexpr (requires { f.contacts(); }) return f.contacts() > 0;
+  return false;
+}
+/// Throws `bad_argument` if a right-hand side f keeps states on closed loops, or contacts closed, for `methods` that do
+/// not.
 template <class F>
 void refuse_moving_on_loops(const F& f, const char* methods) {
+  if (has_rigid_contacts(unwrapped(f)))
+    raise<bad_argument>(std::string("kte: ") + methods +
+                        " do not keep rigid contacts closed: use a one-step method of kte with kte::element_events");
   if constexpr (requires { unwrapped(f).has_loops(); })
     if (unwrapped(f).has_loops())
       raise<bad_argument>(std::string("kte: ") + methods +

@@ -252,6 +252,8 @@ class controlled {
   static constexpr bool settles = detail::settles_states<model_type, model_state>;
   /// Whether the chain of the model has closures of loops.
   [[nodiscard]] bool has_loops() const requires(settles) { return model().has_loops(); }
+  /// The number of rigid contacts.
+  [[nodiscard]] int contacts() const requires(settles) { return model().contacts(); }
   /// Called at the start of a step from x.
   void begin_step(const state& x) const requires(settles) { model().begin_step(own_part(x)); }
   /// Projects the state `out` = x (+) d onto the constraints.

@@ -61,13 +61,18 @@ class vector_form {
     if constexpr (settles) return detail::unwrapped(f_).has_loops();
     return false;
   }
+  /// The number of rigid contacts.
+  [[nodiscard]] int contacts() const {
+    if constexpr (requires(const model& m) { m.contacts(); }) return detail::unwrapped(f_).contacts();
+    return 0;
+  }
   /// Chooses the independent rows of closures for the step from x0. Throws `bad_argument` if x0 is off the loops.
   void begin_step(const state& x0) const requires(settles) { detail::unwrapped(f_).begin_step(x0); }
   /// Projects x, the end of a step from x0 or a state within it, onto the loops. Throws `bad_argument`, naming the
   /// closure that does not close.
   void settle(const state& x0, state& x) const requires(settles) {
     const auto& m = detail::unwrapped(f_);
-    if (!m.has_loops()) return;
+    if (!m.has_loops() && !detail::has_rigid_contacts(m)) return;
     rate d(m.rates());
     const S *from = x0.data(), *to = x.data();
     for (const detail::freedom& f : m.freedoms()) detail::displacement_between<S>(f, from, to, d);
@@ -78,7 +83,7 @@ class vector_form {
   /// Removes from a change e of the numbers of x0 the part that `settle` would remove.
   void tangential(const state& x0, state& e) const requires(settles) {
     const auto& m = detail::unwrapped(f_);
-    if (!m.has_loops()) return;
+    if (!m.has_loops() && !detail::has_rigid_contacts(m)) return;
     rate r(m.rates());
     for (const detail::freedom& f : m.freedoms()) detail::velocity_of_one<S>(f, x0.data(), e.data(), r);
     const Eigen::Index rest = m.rates() - m.velocities_of(x0).size();

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <kte/elements/registry.hpp>
 #include <kte/contract/parameter_paths.hpp>
+#include <kte/elements/registry.hpp>
 
 #include <array>
 #include <cstddef>
