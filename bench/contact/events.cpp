@@ -11,9 +11,8 @@ std::vector<row> event_rows(const scene& s, bool quick) {
   kte::manipulator_dynamics_model model(s.chain);
   const auto x0 = kte::settled(model, 0.0, model.make_x(s.q, s.v));
   // slow sliding in space is stiff, so that small tolerances cost much there
-  const double least = s.v.size() > 3 ? 1e-6 : 1e-9;
-  for (const double tolerance : quick ? std::vector{1e-4} : std::vector{1e-4, 1e-6, 1e-9}) {
-    if (tolerance < least) continue;
+  const std::vector all = s.v.size() > 3 ? std::vector{1e-4, 1e-5, 1e-6} : std::vector{1e-4, 1e-6, 1e-9};
+  for (const double tolerance : quick ? std::vector{all.front()} : all) {
     Eigen::VectorXd q;
     long long work = 0;
     const double seconds = fastest(quick ? 1 : 3, [&] {

@@ -46,7 +46,7 @@ scene rimless_wheel();
 /// The Solo12, PD control 10 Nm/rad and 0.3 Nms/rad, from a height of 0.28 m, roll 0.05, pitch 0.03, mu 0.7, after 0.2
 /// s. Error of the trunk, m, and the place from which it is measured.
 scene falling_quadruped();
-inline const Eigen::Vector3d place_of_quadruped{-0.0273951812765, 0.0130718777074, 0.228761753735};
+inline const Eigen::Vector3d place_of_quadruped{-0.0273949758532, 0.0130719048156, 0.228762258657};
 
 /// The joints of the quadruped, in the order of q, and what its servos want, rad.
 struct servo {
