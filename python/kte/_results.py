@@ -246,7 +246,8 @@ class Frame(NamedTuple):
 
 
 class EventOccurrence(NamedTuple):
-    """An event that has happened: name, time, s, and the state after and before its reset."""
+    """An event that has happened: name, time, s, and the state after and before its reset. Of contacts: what has
+    changed, such as "'foot': impact, sticks"."""
 
     name: str
     time: float
@@ -254,6 +255,7 @@ class EventOccurrence(NamedTuple):
     v: Array
     q_before: Array
     v_before: Array
+    what: str = ""
 
 
 class ColumnStatistics(NamedTuple):

@@ -16,6 +16,7 @@ struct happened {
   std::string name;
   double time;
   Eigen::VectorXd before, after;  ///< states x of the model
+  std::string what;               ///< what has changed, for contacts
 };
 
 /// kte.Recording: states x = (q, v, z) and inputs u of a chain over time. Other quantities are computed from them.

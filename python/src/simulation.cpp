@@ -207,7 +207,7 @@ py::object simulation::advance(double end, py::handle every, py::handle at) {
     const py::gil_scoped_release without;
     ended = solver_->advance(end, lists_, when, observe);
   }
-  for (const auto& e : ended.events) r.events.push_back({e.name, e.time, e.before, e.after});
+  for (const auto& e : ended.events) r.events.push_back({e.name, e.time, e.before, e.after, e.what});
   r.reason = ended.reason == kte::stop_reason::terminal ? "terminal"
              : ended.reason == kte::stop_reason::zeno   ? "zeno"
                                                         : "end_time";

@@ -52,7 +52,7 @@ py::list events_of(const recording_object& r) {
   for (const auto& e : r.events)
     all.append(
         result("EventOccurrence", py::make_tuple(e.name, e.time, part(e.after, 0, nq(r)), part(e.after, nq(r), nv(r)),
-                                                 part(e.before, 0, nq(r)), part(e.before, nq(r), nv(r)))));
+                                                 part(e.before, 0, nq(r)), part(e.before, nq(r), nv(r)), e.what)));
   return all;
 }
 
@@ -103,8 +103,9 @@ void bind_view(py::module_& m) {
           "Internal states of elements, (rows, number).")
       .def_property_readonly(
           "u", [](const recording_object& r) { return rows_of(r.u, r.nu, 0, r.nu); }, "Inputs, (rows, number).")
-      .def_property_readonly("events", &events_of,
-                             "Events, in the order of time: `EventOccurrence(name, time, q, v, q_before, v_before)`.")
+      .def_property_readonly(
+          "events", &events_of,
+          "Events, in the order of time: `EventOccurrence(name, time, q, v, q_before, v_before, what)`.")
       .def_property_readonly(
           "reason", [](const recording_object& r) { return r.reason; },
           "Why the integration ended: 'end_time', 'terminal' (an event) or 'zeno' (infinitely many events).")
