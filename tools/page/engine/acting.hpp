@@ -33,14 +33,14 @@ class acting {
     pass();
   }
   /// Loads of a recorded state: v, and the numbers of inputs, vectors and internal states. Unknown loads are NaN, and
-  /// so are loads that depend on it; so are accelerations where something else acted (free = false). Throws
+  /// so are loads that depend on it; so are accelerations where something else acted (free = false), or contacts. Throws
   /// `bad_argument` for wrong sizes.
   template <indexable Q, indexable V, indexable Signals>
   void at(double t, const Q& q, const V& v, const Signals& signals, bool free = true) {
     if (v.size() != static_cast<std::size_t>(model_.dofs()) || signals.size() != signal_count())
       throw bad_argument("kte: " + std::to_string(v.size()) + " velocities and " + std::to_string(signals.size()) +
                          " signals, not " + std::to_string(model_.dofs()) + " and " + std::to_string(signal_count()));
-    Eigen::VectorXd u(model_.input().size()), z(model_.internals());
+    Eigen::VectorXd u(model_.input().size()), z = Eigen::VectorXd::Zero(model_.internals());
     const auto inputs = static_cast<std::size_t>(model_.wiring().count(kind::input));
     for (const auto& s : model_.wiring().signals) {
       const auto slot = static_cast<std::size_t>(s.slot);
@@ -49,9 +49,10 @@ class acting {
       if (s.what == kind::vector)
         for (int k = 0; k < 3; ++k) u[s.u + k] = signals[inputs + 3 * slot + static_cast<std::size_t>(k)];
     }
-    for (int i = 0; i < z.size(); ++i) z[i] = signals[signals.size() - static_cast<std::size_t>(z.size() - i)];
+    const int own = model_.wiring().count(kind::internal);
+    for (int i = 0; i < own; ++i) z[i] = signals[signals.size() - static_cast<std::size_t>(own - i)];
     const auto x = model_.make_x(q, v, z);
-    if (free && x.allFinite() && u.allFinite()) return model_.setInput(u), at(t, x);
+    if (free && model_.contacts() == 0 && x.allFinite() && u.allFinite()) return model_.setInput(u), at(t, x);
     set_positions(state_, x.head(model_.nq()).eval());
     set_velocities(state_, x.segment(model_.nq(), model_.dofs()).eval());
     accelerations_.setConstant(model_.dofs(), unknown);
@@ -70,8 +71,8 @@ class acting {
       if (s.what == kind::vector)
         for (std::size_t k = 0; k < 3; ++k) all[inputs + 3 * slot + k] = m.input()[s.u + static_cast<int>(k)];
     }
-    for (int i = 0; i < m.internals(); ++i)
-      all[all.size() - static_cast<std::size_t>(m.internals() - i)] = x[x.size() - m.internals() + i];
+    const int own = m.wiring().count(kind::internal);
+    for (int i = 0; i < own; ++i) all[all.size() - static_cast<std::size_t>(own - i)] = x[m.nq() + m.dofs() + i];
     return all;
   }
 
@@ -89,7 +90,7 @@ class acting {
     return count(kind::input) + 3 * count(kind::vector) + count(kind::internal);
   }
   void put_signals(double t, const Eigen::VectorXd& u, const Eigen::VectorXd& z) {
-    for (int i = 0; i < z.size(); ++i) state_.get<kind::internal>(i).z = z[i];
+    for (int i = 0; i < model_.wiring().count(kind::internal); ++i) state_.get<kind::internal>(i).z = z[i];
     for (const auto& s : model_.wiring().signals)
       if (s.what == kind::vector)
         state_.get<kind::vector>(s.slot) = {u[s.u], u[s.u + 1], u[s.u + 2]};
