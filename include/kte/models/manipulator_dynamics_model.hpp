@@ -169,6 +169,7 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
   void jacobian(const S& t, const state& x, jacobian_matrix& j) const requires(has_jacobian) { derive(t, x, j); }
   /// (J B): `jacobian`, and the derivatives B of x' by inputs. Without `jacobian`, both are computed by dual numbers.
   [[nodiscard]] auto jacobian_with_inputs(const S& t, const state& x) const {
+    static_assert(sizeof(detail::check_contacts_of<chain_type>) > 0);
     Eigen::Matrix<S, size::x_dot, size::x_dot + size::u> j;
     if constexpr (has_jacobian) {
       derive(t, x, j);
