@@ -3,7 +3,7 @@
 
 #include <Eigen/Cholesky>
 
-#include "allocations.hpp"
+#include "allocation_count.hpp"
 #include "catch.hpp"
 #include "closed_loops/tangle.hpp"
 #include "contact/legged.hpp"
