@@ -4,6 +4,7 @@
 #include <kte/integrators/dormand_prince45.hpp>
 #include <kte/integrators/implicit_integrator.hpp>
 
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <utility>
@@ -18,7 +19,7 @@ namespace kte {
 ///
 /// Stages of explicit methods are not projected, and their accelerations have errors of eps / d. Therefore, if (1) is
 /// above 1/100 of a tolerance, a step is first tried by `dormand_prince45`. If the error of this is too large, as it is
-/// in stiff systems, the implicit method tries the same step.
+/// in stiff systems, the implicit method tries the same step, and ever more of the next steps alone.
 template <class Method, class F, class X>
 class singular_passage : public implicit_integrator<Method, F, X> {
   using base = implicit_integrator<Method, F, X>;
@@ -40,13 +41,16 @@ class singular_passage : public implicit_integrator<Method, F, X> {
       const bool near = is_nearly_singular();
       bool prepared = false;
       base::take_step(steps, t_end, [&](const S& end) {
-        if (near) {
+        if (near && rest_-- <= 0) {
           const auto tried = this->attempted([&] { return try_explicit_step(slope, end); });
-          if (tried.error <= S(1)) return is_explicit_ = true, tried;
+          if (tried.error <= S(1)) return rest_ = 0, last_rest_ = 0, is_explicit_ = true, tried;
+          rest_ = last_rest_ = (std::min)(2 * last_rest_ + 1, 63);
         }
         is_explicit_ = false;
         if (!std::exchange(prepared, true)) prepare();
-        return this->attempted([&] { return try_step(end); });
+        const auto tried = this->attempted([&] { return try_step(end); });
+        if (!(tried.error <= S(1))) rest_ = 0;
+        return tried;
       });
     } else {
       prepare();
@@ -103,6 +107,7 @@ class singular_passage : public implicit_integrator<Method, F, X> {
   }
 
   bool is_explicit_ = false;
+  int rest_ = 0, last_rest_ = 0;  ///< steps until the next explicit try, and as they were after the last one
   std::array<rate, tableau::stages> k_;
   rate slope_at_end_;
 };
