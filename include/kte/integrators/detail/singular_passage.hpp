@@ -18,7 +18,7 @@ namespace kte {
 ///   eps / d^3          (1)
 ///
 /// Stages of explicit methods are not projected, and their accelerations have errors of eps / d. Therefore, if (1) is
-/// above 1/100 of a tolerance, a step is first tried by `dormand_prince45`. If the error of this is too large, as it is
+/// above 1/10 of a tolerance, a step is first tried by `dormand_prince45`. If the error of this is too large, as it is
 /// in stiff systems, the implicit method tries the same step, and ever more of the next steps alone.
 template <class Method, class F, class X>
 class singular_passage : public implicit_integrator<Method, F, X> {
@@ -80,7 +80,7 @@ class singular_passage : public implicit_integrator<Method, F, X> {
   bool is_nearly_singular() const {
     if constexpr (requires { this->system().singular_distance(this->x_); }) {
       const S d = this->system().singular_distance(this->x_);
-      const S noise = 100 * std::numeric_limits<S>::epsilon(), cube = d * d * d;
+      const S noise = 10 * std::numeric_limits<S>::epsilon(), cube = d * d * d;
       for (Eigen::Index i = 0; i < this->rates(); ++i)
         if (noise > cube * (this->tolerances_.absolute[i] + this->tolerances_.relative[i])) return true;
     }
