@@ -38,10 +38,10 @@ class singular_passage : public implicit_integrator<Method, F, X> {
   void take_step(detail::step_choice<S>& steps, const S& t_end, const rate& slope, const Prepare& prepare,
                  const Try& try_step) {
     if constexpr (base::settles) {
-      const bool near = is_nearly_singular();
+      const bool singular = is_nearly_singular();
       bool prepared = false;
       base::take_step(steps, t_end, [&](const S& end) {
-        if (near && rest_-- <= 0) {
+        if (singular && rest_-- <= 0) {
           const auto tried = this->attempted([&] { return try_explicit_step(slope, end); });
           if (tried.error <= S(1)) return rest_ = 0, last_rest_ = 0, is_explicit_ = true, tried;
           rest_ = last_rest_ = (std::min)(2 * last_rest_ + 1, 63);

@@ -24,15 +24,15 @@ struct two_harmonics {
   }
 
   using angles = short_list<double, 64>;
-  /// All zeros in [-pi, pi), including points where |f| has a minimum below `touch`. The zeros of a function lie
+  /// All zeros in [-pi, pi), including points where |f| has a minimum below `reach`. The zeros of a function lie
   /// between those of its derivative. The third derivative is assumed to have at most one zero per sixteenth of a turn.
-  angles zeros(double touch) const {
+  angles zeros(double reach) const {
     constexpr int parts = 16;
     angles found;
     point a = at(-std::numbers::pi);
     for (int k = 1; k <= parts; ++k) {
       const point b = at(std::numbers::pi * (2.0 * k / parts - 1));
-      look_between<3>(a, b, touch, found);
+      look_between<3>(a, b, reach, found);
       a = b;
     }
     return found;
@@ -54,18 +54,18 @@ struct two_harmonics {
   }
   /// Zeros of f in an interval in which derivative D + 1 has no zero.
   template <std::size_t D>
-  void look_between(const point& a, const point& b, double touch, angles& found) const {
+  void look_between(const point& a, const point& b, double reach, angles& found) const {
     const bool changes = (a.y[D] < 0) != (b.y[D] < 0);
     if constexpr (D == 0) {
       if (changes)
         found.push_back(zero_between<0>(a.t, b.t, a.y[0] < 0).t);
-      else if (std::abs(b.y[0]) <= touch)
+      else if (std::abs(b.y[0]) <= reach)
         found.push_back(b.t);  // possibly found twice: subproblem 6 merges equal roots
     } else if (changes) {
       const point p = zero_between<D>(a.t, b.t, a.y[D] < 0);
-      look_between<D - 1>(a, p, touch, found), look_between<D - 1>(p, b, touch, found);
+      look_between<D - 1>(a, p, reach, found), look_between<D - 1>(p, b, reach, found);
     } else {
-      look_between<D - 1>(a, b, touch, found);
+      look_between<D - 1>(a, b, reach, found);
     }
   }
 };

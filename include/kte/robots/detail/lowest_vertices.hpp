@@ -22,10 +22,10 @@ inline std::vector<vec3<>> lowest_vertices(const std::vector<vec3<>>& points, co
     if (dot(normal, *p) < dot(normal, *lowest)) lowest = p;
   }
   const vec3<> size = most - least;
-  const double near = 1e-3 * std::sqrt(dot(size, size));
+  const double tolerance = 1e-3 * std::sqrt(dot(size, size));
   std::vector<vec3<>> low;
   for (const auto& p : points)
-    if (dot(normal, p) <= dot(normal, *lowest) + near) low.push_back(p);
+    if (dot(normal, p) <= dot(normal, *lowest) + tolerance) low.push_back(p);
   const auto farthest = [&low](const auto& measure) {
     return *std::max_element(low.begin(), low.end(),
                              [&](const auto& p, const auto& q) { return measure(p) < measure(q); });
@@ -33,7 +33,7 @@ inline std::vector<vec3<>> lowest_vertices(const std::vector<vec3<>>& points, co
   const vec3<> a = *lowest, b = farthest([&a](const vec3<>&p) { return dot(p - a, p - a); });
   const double length = std::sqrt(dot(b - a, b - a));
   std::vector<vec3<>> chosen{a};
-  if (!(length > near)) return chosen;
+  if (!(length > tolerance)) return chosen;
   chosen.push_back(b);
   for (const double side : {1.0, -1.0}) {
     const auto measure = [&](const vec3<>& p) { return side * dot(normal, cross(b - a, p - a)); };  // (1)
