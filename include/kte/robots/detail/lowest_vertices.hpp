@@ -38,7 +38,7 @@ inline std::vector<vec3<>> lowest_vertices(const std::vector<vec3<>>& points, co
   for (const double side : {1.0, -1.0}) {
     const auto measure = [&](const vec3<>& p) { return side * dot(normal, cross(b - a, p - a)); };  // (1)
     const vec3<> c = farthest(measure);
-    if (measure(c) > near * length) chosen.push_back(c);
+    if (measure(c) > tolerance * length) chosen.push_back(c);
   }
   return chosen;
 }
