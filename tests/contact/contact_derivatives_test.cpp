@@ -3,6 +3,7 @@
 #include <kte/dynamics/relative_motion.hpp>
 
 #include <Eigen/LU>
+#include <Eigen/QR>
 
 #include "catch.hpp"
 #include "closed_loops/tangle.hpp"
