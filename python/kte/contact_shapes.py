@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ._element import Element
+from ._results import Array
 from .elements import compliant_contact_2D, compliant_contact_3D, sphere_contact_2D, sphere_contact_3D
 
 __all__ = [
@@ -21,7 +22,7 @@ __all__ = [
 ]
 
 
-def _in_space(half: ArrayLike, size: int) -> np.ndarray:
+def _in_space(half: ArrayLike, size: int) -> Array:
     h = np.asarray(half, float)
     if h.shape != (size,):
         raise ValueError(f"kte: half must have {size} numbers, got {half!r}")

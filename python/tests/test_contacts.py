@@ -11,7 +11,7 @@ def table():
     chain << kte.free_joint_3D("pose", "ground", "table") << kte.inertia_3D("table", mass=4, inertia=[0.1, 0, 0, 0.1, 0, 0.1])
     for k, (x, y) in enumerate([(0.3, 0.2), (-0.3, 0.2), (-0.3, -0.2), (0.3, -0.2)]):
         chain << kte.rigid_link_3D("table", f"end {k}", [x, y, -0.5])
-        chain << kte.sphere_contact_3D(f"foot {k}", "ground", f"end {k}", radius=0, friction=0.5)
+        chain << kte.sphere_contact_3D(f"foot {k}", "ground", f"end {k}", surface_axis=[0, 0, 1], surface_radius=0, radius=0, friction=0.5)
     return chain, np.array([1, 2, 0.5, 1, 0, 0, 0.0])
 
 

@@ -215,6 +215,6 @@ def test_rigid_contacts_need_time_stepping():
     )
     motion = kte.simulate(ball, [0, 0.1, 0], [1, 0, 0], time=2, every=0.1, solver="moreau_jean", step=1e-4)
     assert motion.q[-1][0] == pytest.approx(1.44937485697643, abs=1e-5)  # it slips, then rolls
-    np.testing.assert_allclose(motion["floor/force/y"][1:], 9.81, atol=1e-9)
-    with pytest.raises(kte.BadArgument, match="'floor' starts 0.05 m inside"):
+    np.testing.assert_allclose(motion["floor/force/y"][1:], 9.81, atol=2e-3)  # of order 1, as axes of the ball turn in a step
+    with pytest.raises(kte.BadArgument, match="'floor' is 0.05"):
         kte.simulate(ball, [0, 0.05, 0], time=1, solver="moreau_jean")

@@ -183,7 +183,7 @@ TEST_CASE("Painleve's rod has a tangential impact at an event") {
   CHECK(start[3] == within(-0.53105506370518, 1e-14));
   CHECK(start[4] == within(0.34098653505963, 1e-14));
   CHECK(start[5] == within(0.63110323860592, 1e-14));
-  // The same at the start of an integration
+  // Also at the start of an integration
   prince_dormand87 solver(std::cref(model), 0.0, model.make_x(q, numbers({-1, 0, 0})), tight);
   const auto report = solver.integrate(0.01, element_events(model));
   REQUIRE(report.count == 1);

@@ -33,8 +33,8 @@ class acting {
     pass();
   }
   /// Loads of a recorded state: v, and the numbers of inputs, vectors and internal states. Unknown loads are NaN, and
-  /// so are loads that depend on it; so are accelerations where something else acted (free = false), or contacts. Throws
-  /// `bad_argument` for wrong sizes.
+  /// so are loads that depend on it; so are accelerations where something else acted (free = false), or contacts.
+  /// Throws `bad_argument` for wrong sizes.
   template <indexable Q, indexable V, indexable Signals>
   void at(double t, const Q& q, const V& v, const Signals& signals, bool free = true) {
     if (v.size() != static_cast<std::size_t>(model_.dofs()) || signals.size() != signal_count())

@@ -107,7 +107,7 @@ class singular_passage : public implicit_integrator<Method, F, X> {
   }
 
   bool is_explicit_ = false;
-  int rest_ = 0, last_rest_ = 0;  ///< steps until the next explicit try, and as they were after the last one
+  int rest_ = 0, last_rest_ = 0;  ///< steps until the next explicit try; those after the last try
   std::array<rate, tableau::stages> k_;
   rate slope_at_end_;
 };
