@@ -29,12 +29,12 @@ def _in_space(half: ArrayLike, size: int) -> Array:
     return np.append(h, 0.0) if size == 2 else h
 
 
-def _ends(half: ArrayLike, size: int) -> List[np.ndarray]:
+def _ends(half: ArrayLike, size: int) -> List[Array]:
     h = _in_space(half, size)
     return [h, -h]
 
 
-def _corners(half: ArrayLike, size: int) -> List[np.ndarray]:
+def _corners(half: ArrayLike, size: int) -> List[Array]:
     """Counterclockwise from x, y > 0 in the plane; in space in the order of the binary numbers zyx."""
     h = _in_space(half, size)
     if size == 2:
@@ -50,7 +50,7 @@ def _rigid(
     part: str,
     frame1: str,
     frame2: str,
-    points: List[np.ndarray],
+    points: List[Array],
     radius: float,
     law: Tuple[float, float],
     surface: Tuple[ArrayLike, float],
@@ -63,7 +63,7 @@ def _soft(
     size: int,
     frame1: str,
     frame2: str,
-    points: List[np.ndarray],
+    points: List[Array],
     radius: float,
     stiffness: float,
     surface: Tuple[ArrayLike, float],
