@@ -33,15 +33,13 @@ runtime_chain falling_point() {
 
 }  // namespace
 
-TEST_CASE("algorithms without contacts refuse chains with contacts, in words, and leave the state") {
+TEST_CASE("algorithms without contacts refuse chains with contacts in words") {
   const auto c = falling_point();
   auto s = c.make_state();
-  s.coordinate("y").q = 0.25;
   const vector q = vector::Constant(2, 0.5), v = q, x = q;
   const auto refuses = [&](const char* what, const auto& f) {
     INFO(what);
     CHECK_THROWS_MATCHES(f(), bad_argument, says("kte: this algorithm does not support contacts, as"));
-    CHECK(s.coordinate("y").q == 0.25);
   };
   refuses("inverse dynamics", [&] { (void)inverse_dynamics(c, s, q, v, x); });
   refuses("inverse dynamics of a state", [&] { (void)inverse_dynamics(c, s); });
@@ -72,6 +70,4 @@ TEST_CASE("algorithms without contacts refuse chains with contacts, in words, an
   refuses("statics of loops", [&] { (void)static_equilibrium(c, s, q, by); });
   refuses("linearization of loops", [&] { (void)linearize(c, s, q, v, x, by); });
   refuses("models of inverse dynamics", [&] { inverse_dynamics_model<runtime_chain> model(c); });
-  const manipulator_dynamics_model<runtime_chain> model(c);
-  refuses("models of motion", [&] { (void)model(0.0, model.make_x(q, v)); });
 }

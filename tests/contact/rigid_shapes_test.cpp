@@ -104,7 +104,7 @@ TEST_CASE("a dropped box comes to rest on a side") {
   moreau_jean solver(std::cref(model), 0.0, model.make_x(q, Eigen::VectorXd::Zero(6)), 2e-3);
   solver.integrate(2.0);
   const auto x = solver.state();
-  CHECK(x.tail(6).norm() < 1e-10);
+  CHECK(model.velocities_of(x).norm() < 1e-10);
   CHECK(x[2] == within(0.1, 5e-3));
 }
 
