@@ -180,12 +180,15 @@ void check_derivatives(const std::array<law, 2>& modes, random_numbers& draw) {
     by_v.col(k) = (solution(q, v + step, tau) - solution(q, v - step, tau)) / (2 * h);
     by_tau.col(k) = (solution(q, v, tau + step) - solution(q, v, tau - step)) / (2 * h);
   }
+  // The direction in which sliding begins is that of a friction force, which is known to 1e-12 of the forces.
+  const bool begins = modes[0] == law::begins || modes[1] == law::begins;
+  const double most = begins ? 1e-11 : 1e-12;
   const auto compare = [&](const exact::matrix& by, const Eigen::MatrixXd& a, const Eigen::MatrixXd& f,
                            const Eigen::MatrixXd& g) {
     const Eigen::MatrixXd expected = as_doubles(by);
-    CHECK(1e12 * off(a, expected.topRows(scene_dofs)) <= 1);
-    CHECK(1e12 * off(f, expected.middleRows(scene_dofs, 3)) <= 1);
-    CHECK(1e12 * off(g, expected.bottomRows(3)) <= 1);
+    CHECK(off(a, expected.topRows(scene_dofs)) <= most);
+    CHECK(off(f, expected.middleRows(scene_dofs, 3)) <= most);
+    CHECK(off(g, expected.bottomRows(3)) <= most);
   };
   const auto &f = r.contact("on floor"), &g = r.contact("on hill");
   compare(by_q, r.by_q, f.force_by_q, g.force_by_q);
