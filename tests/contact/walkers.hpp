@@ -33,13 +33,14 @@ struct walker {
 /// Goswami, Thuilot, Espiau 1996.
 inline constexpr walker compass{9.81, 3 * 3.14159265358979323846 / 180, 10, 5, 0.5};
 /// Garcia, Chatterjee, Ruina, Coleman 1998, with feet of little mass.
-inline constexpr walker garcia{1, 0.009, 1, 1e-9, 1};
+inline constexpr walker garcia{1, 0.009, 1, 1e-6, 1};
 
-/// A foot that swings scuffs where the legs pass each other; it lands only if the legs are apart.
-struct legs_are_apart {
+/// A foot that swings scuffs the slope behind the hip; it lands only in front of it.
+template <key_type Leg>
+struct leg_in_front {
   template <class State>
   bool operator()(const State& s) const {
-    return std::abs(s[first].q - s[second].q) > 0.2;
+    return s[Leg{}].q > 0;
   }
 };
 
@@ -51,8 +52,8 @@ inline auto chain_of(const walker& w) {
                inertia_2D(first_leg, leg), rigid_link_2D(first_leg, first_tip, along_y(-1.0)),
                revolute_joint_2D(second, hip, second_leg), inertia_2D(second_leg, leg),
                rigid_link_2D(second_leg, second_tip, along_y(-1.0)),
-               point_contact_2D(first_foot, slope, first_tip, half_space{}, law).only_if(legs_are_apart{}),
-               point_contact_2D(second_foot, slope, second_tip, half_space{}, law).only_if(legs_are_apart{}))
+               point_contact_2D(first_foot, slope, first_tip, half_space{}, law).only_if(leg_in_front<first_>{}),
+               point_contact_2D(second_foot, slope, second_tip, half_space{}, law).only_if(leg_in_front<second_>{}))
       .gravity(vec3{w.gravity * std::sin(w.angle), -w.gravity * std::cos(w.angle), zero});
 }
 /// q and v after a strike: the first leg stands at `half`, from the normal of the slope, with a rate; the second, at

@@ -347,13 +347,14 @@ void resolve_contacts(const Access& a, double t, X& x, bool along_solution) {
   auto d = a.no_displacement();
   settle_contacts(a, x0, d, x);
   step.begun = 0;
-  // a contact that has just opened leaves from zero, whatever the rounding error of its gap
+  // a contact that has just opened, or begins to pass, leaves from zero, whatever the rounding error of its gap
   a.at(t, x, [&](const auto& c, auto& s, contact_solver& m) {
     m.equations.at_positions(c, s, false);
     m.find(c, s);
     step.zero_gaps.assign(m.contacts.size(), 0);
     for (std::size_t i = 0; i < m.contacts.size(); ++i)
-      if (m.touches(m.contacts[i])) step.zero_gaps[i] = m.contacts[i].place.gap;
+      if (const double gap = m.contacts[i].place.gap; std::abs(gap) <= touching_gap * m.equations.places.length)
+        step.zero_gaps[i] = gap;
   });
 }
 
