@@ -60,8 +60,9 @@ struct impact_reference {
     const auto tree = of.tree();
     const big none = big::Zero(scene_dofs), after = z.head(scene_dofs);
     const auto motions = [&](const big& rates) {
-      return std::array{detail::as_closing_motion<digits50>(relative_motion(tree, q, rates, none, body, floor_of_carriage)),
-                        detail::as_closing_motion<digits50>(relative_motion(tree, q, rates, none, foot, hill))};
+      return std::array{
+          detail::as_closing_motion<digits50>(relative_motion(tree, q, rates, none, body, floor_of_carriage)),
+          detail::as_closing_motion<digits50>(relative_motion(tree, q, rates, none, foot, hill))};
     };
     const std::array<geometry, 2> shapes{geometry{contact_surface{{0, 0, 1}, 0}, radius, heel},
                                          geometry{contact_surface{{}, of.size}, radius, {}}};
@@ -85,12 +86,16 @@ struct impact_reference {
     }
     return r;
   }
-  big solve(const big& q, const big& v, big z) const {
-    for (int step = 0; step < 4; ++step) {
-      const big_matrix by = differences([&](const big& y) { return residual(q, v, y); }, z);
-      z -= by.partialPivLu().solve(residual(q, v, z));
-    }
-    return z;
+  /// The derivatives of the velocities after, by q, along the numbers of v, and by v, from a start of Newton's method.
+  std::array<Eigen::MatrixXd, 2> derivatives(const big& q, const big& v, big z) const {
+    const auto by_z = [&] { return differences([&](const big& y) { return residual(q, v, y); }, z); };
+    for (int step = 0; step < 2; ++step) z -= by_z().partialPivLu().solve(residual(q, v, z));
+    const auto tree = of.tree();
+    const auto whole = by_z().partialPivLu();
+    const auto of_q = differences([&](const big& d) { return residual(integrate(tree, q, d, digits50(1)), v, z); },
+                                  big::Zero(scene_dofs));
+    const auto of_v = differences([&](const big& x) { return residual(q, x, z); }, v);
+    return {as_doubles(-whole.solve(of_q).topRows(scene_dofs)), as_doubles(-whole.solve(of_v).topRows(scene_dofs))};
   }
 };
 
@@ -134,21 +139,14 @@ TEST_CASE("derivatives of impacts agree with differences of 50 digits in all mod
     ++times, ++checked;
     INFO("modes " << static_cast<int>(modes[0]) << ", " << static_cast<int>(modes[1]));
     const auto r = impact_derivatives(c, s, q, v);
-    const impact_reference exact{at, modes, e};
-    const big at_q = q.cast<digits50>(), at_v = v.cast<digits50>(), none = big::Zero(scene_dofs);
-    const auto by_q = differences(
-        [&](const big& d) -> big {
-          return exact.solve(integrate(flat, at_q, d, digits50(1)), at_v, start).head(scene_dofs);
-        },
-        none);
-    const auto by_v =
-        differences([&](const big& x) -> big { return exact.solve(at_q, x, start).head(scene_dofs); }, at_v);
-    CHECK(off(r.by_q, as_doubles(by_q)) < 1e-10);
-    CHECK(off(r.by_v, as_doubles(by_v)) < 1e-10);
+    const auto [by_q, by_v] = impact_reference{at, modes, e}.derivatives(q.cast<digits50>(), v.cast<digits50>(), start);
+    CHECK(off(r.by_q, by_q) < 1e-10);
+    CHECK(off(r.by_v, by_v) < 1e-10);
     CHECK(impact_derivatives(at.touching(), q, v).by_q == r.by_q);
   }
   int kinds = 0;
-  for (const auto& row : tried) kinds += static_cast<int>(std::count_if(row.begin(), row.end(), [](int n) { return n > 0; }));
+  for (const auto& row : tried)
+    kinds += static_cast<int>(std::count_if(row.begin(), row.end(), [](int n) { return n > 0; }));
   CHECK(kinds == 6);
 }
 
@@ -194,7 +192,9 @@ TEST_CASE("motions with impacts, stops and turns have the derivatives of their c
         x[0] += t * x[3], x[2] += t * x[5], x[1] = r, x[4] -= acceleration * t, rest -= t;
         const digits50 normal = -(1 + digits50(e)) * x[4], slip = x[3] + r * x[5];
         const digits50 stop = -slip / (1 + r * r / digits50(inertia));
-        const digits50 limit = digits50(mu) * normal, push = stop > limit ? limit : stop < -limit ? digits50(-limit) : stop;
+        const digits50 limit = digits50(mu) * normal, push = stop > limit    ? limit
+                                                             : stop < -limit ? digits50(-limit)
+                                                                             : stop;
         x[4] *= -digits50(e), x[3] += push, x[5] += push * r / digits50(inertia);
       }
       x[0] += rest * x[3], x[2] += rest * x[5], x[1] += rest * x[4] - acceleration * rest * rest / 2;
@@ -268,8 +268,7 @@ TEST_CASE("a ball that rolls and spins in space has the derivatives of differenc
       return end_of(to);
     };
     const Eigen::VectorXd up = moved(h), down = moved(-h);
-    const Eigen::VectorXd along =
-        difference(c, Eigen::VectorXd(down.head(7)), Eigen::VectorXd(up.head(7))) / (2 * h);
+    const Eigen::VectorXd along = difference(c, Eigen::VectorXd(down.head(7)), Eigen::VectorXd(up.head(7))) / (2 * h);
     CHECK((phi.matrix().col(k).head(6) - along).norm() < 1e-6);
     CHECK((phi.matrix().col(k).tail(6) - (up.segment(7, 6) - down.segment(7, 6)) / (2 * h)).norm() < 1e-6);
   }
@@ -289,9 +288,8 @@ std::vector<std::complex<double>> multipliers(const Model& model, const walkers:
   const Eigen::VectorXcd all = (legs * phi.matrix()).eigenvalues();
   std::vector<std::complex<double>> some(all.begin(), all.end());
   std::erase_if(some, [](const auto& x) { return std::abs(x) < 1e-4 || std::abs(x - 1.0) < 1e-4; });
-  std::sort(some.begin(), some.end(), [](const auto& a, const auto& b) {
-    return std::pair(a.real(), a.imag()) < std::pair(b.real(), b.imag());
-  });
+  std::sort(some.begin(), some.end(),
+            [](const auto& a, const auto& b) { return std::pair(a.real(), a.imag()) < std::pair(b.real(), b.imag()); });
   return some;
 }
 }  // namespace

@@ -27,7 +27,7 @@ inline constexpr struct second_foot_ final : contact_key<"second foot"> {} secon
 // clang-format on
 
 struct walker {
-  double gravity, angle;  ///< m/s^2; of the slope
+  double gravity, angle;             ///< m/s^2; of the slope
   double hip_mass, leg_mass, place;  ///< kg; of the mass of a leg, from the hip, m
 };
 /// Goswami, Thuilot, Espiau 1996.
@@ -61,8 +61,7 @@ inline auto chain_of(const walker& w) {
 struct start_of_step {
   Eigen::Vector4d q, v;
   start_of_step(double half, double stance, double swing)
-      : q(0, std::cos(half), half, -half),
-        v(-stance * std::cos(half), -stance * std::sin(half), stance, swing) {}
+      : q(0, std::cos(half), half, -half), v(-stance * std::cos(half), -stance * std::sin(half), stance, swing) {}
 };
 inline const start_of_step compass_cycle{0.27102868049882, -1.09238358988360, -0.37737394890719};
 

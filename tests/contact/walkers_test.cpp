@@ -159,8 +159,9 @@ TEST_CASE("gates of runtime chains name frames by text") {
                                  << inertia_2D("ball", planar_body(1.0, 0.01));
   const auto from = [&](double x) {
     auto whole = c;
-    whole << point_contact_2D("foot", "ground", "ball", half_space{}, {.restitution = 0.5})
-                 .only_if([](const auto& s) { return s.frame_2D("ball").position.x > 0; });
+    whole << point_contact_2D("foot", "ground", "ball", half_space{}, {.restitution = 0.5}).only_if([](const auto& s) {
+      return s.frame_2D("ball").position.x > 0;
+    });
     const manipulator_dynamics_model model(whole);
     prince_dormand87 solver(std::cref(model), 0.0, model.make_x(Eigen::Vector3d(x, 1, 0), Eigen::Vector3d(1, 0, 0)),
                             tight);

@@ -27,23 +27,27 @@ class transition_matrix {
 
   // ---- the calls of an observer of steps
   using follows_steps = void;
+  /// Begins an integration.
   template <class Solver>
   bool start(const Solver& solver) {
     if (phi_.size() == 0) begin(solver.state());
     time_ = solver.time();
     return true;
   }
+  /// Takes over a step.
   template <class Solver>
   bool step(const Solver& solver) {
     advance(solver, solver.time());
     return true;
   }
+  /// Takes over a step until an event.
   template <class Solver, class S, class X>
   bool before(const Solver& solver, const S& t, const X& x) {
     advance(solver, t);
     before_ = x;
     return true;
   }
+  /// Applies the event.
   template <class Solver, class S, class X>
   bool after(const Solver&, const S& t, const X& x) {
     const Eigen::VectorXd now = x;
@@ -53,6 +57,7 @@ class transition_matrix {
     before_.resize(0);
     return true;
   }
+  /// Integrations go on to their end.
   template <class Solver>
   bool settle(Solver&) {
     return false;

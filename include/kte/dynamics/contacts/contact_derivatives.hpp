@@ -98,7 +98,7 @@ class contact_sensitivity {
     }
     for (const auto& x : contacts) put(x, e, j);
     small_.setThreshold(1e-10);
-    small_.compute(rows_ * inverse_ * forces_.transpose() + own_);
+    if (equations > 0) small_.compute(rows_ * inverse_ * forces_.transpose() + own_);
   }
   /// Solves (4) for columns of F and A: da and dx.
   void solve(const Eigen::MatrixXd& f, const Eigen::MatrixXd& rows, Eigen::MatrixXd& a, Eigen::MatrixXd& x) const {

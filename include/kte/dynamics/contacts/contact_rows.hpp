@@ -122,9 +122,7 @@ struct contact_workspace {
     return {row(0), row(1), row(2)};
   }
   /// Whether a contact touches.
-  bool touches(const contact_at& x) const {
-    return !x.passes && x.place.gap <= touching_gap * equations.places.length;
-  }
+  bool touches(const contact_at& x) const { return !x.passes && x.place.gap <= touching_gap * equations.places.length; }
   /// Chooses contacts that touch, those for which `chosen`, and sets their bases.
   template <class Chosen>
   void choose(const Chosen& chosen) {

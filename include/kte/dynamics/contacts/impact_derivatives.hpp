@@ -59,7 +59,7 @@ struct contact_in_impact {
   int closure = 0;  ///< its number among closures and contacts
   bool planar = false, sticks = false;
   double friction = 0, restitution = 0;
-  vec3<> impulse{};      ///< P, in axes of the surface
+  vec3<> impulse{};       ///< P, in axes of the surface
   contact_basis basis{};  ///< n, t
   int rows() const { return planar ? 2 : 3; }
 

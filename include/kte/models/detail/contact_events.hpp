@@ -210,7 +210,7 @@ struct contact_change {
   contact_mode before{}, after{};
   vec3<> direction{};  ///< of sliding, before
   bool turns = false;
-  bool passes = false;  ///< begins to pass through its surface
+  bool passes = false;    ///< begins to pass through its surface
   bool at_limit[2] = {};  ///< whether the normal force, or the reserve of friction, has fallen to zero
 };
 template <class Contacts>
