@@ -37,6 +37,8 @@ struct contact_at {
   int closure = 0;  ///< its number among closures and contacts
   int slot = 0;     ///< its number among contacts
   bool planar = false;
+  bool has_gate = false;  ///< `only_if`
+  bool passes = false;    ///< passes through its surface, because its gate is closed
   touch place{};
   vec3<> slip{};  ///< velocity of the body on the surface, m/s, in axes of the surface
   contact_basis basis{};
@@ -51,6 +53,8 @@ struct contact_at {
 
 /// Contacts touch below this gap, relative to the length of the chain.
 inline constexpr double touching_gap = 1e-9;
+/// Simulations refuse to start with gaps deeper than this, relative to the length of the chain.
+inline constexpr double deepest_start = 1e-8;
 /// Velocities below this one count as rest, m/s relative to the length of the chain.
 inline constexpr double rest_velocity = 1e-9;
 
@@ -63,7 +67,7 @@ struct contact_workspace {
       if (c.touches(all[i].element)) {
         contact_at x;
         x.closure = static_cast<int>(i), x.slot = all[i].loop - c.loops();
-        x.planar = all[i].rows.count() == 2;
+        x.planar = all[i].rows.count() == 2, x.has_gate = c.has_gate(all[i].element);
         contacts.push_back(x);
       } else {
         closures.push_back(static_cast<int>(i));
@@ -118,7 +122,7 @@ struct contact_workspace {
     return {row(0), row(1), row(2)};
   }
   /// Whether a contact touches.
-  bool touches(const contact_at& x) const { return x.place.gap <= touching_gap * equations.places.length; }
+  bool touches(const contact_at& x) const { return !x.passes && x.place.gap <= touching_gap * equations.places.length; }
   /// Chooses contacts that touch, those for which `chosen`, and sets their bases.
   template <class Chosen>
   void choose(const Chosen& chosen) {

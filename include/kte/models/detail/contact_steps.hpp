@@ -15,10 +15,8 @@
 ///
 ///   model, memory()      the model and its `contact_step`
 ///   at(t, x, f)          f(contacts, state at x, contact_solver of the state)
+///   admits(t, x, e)      whether element e, a contact with `only_if`, acts at x
 namespace kte::detail {
-
-/// Gaps deeper than this are refused, relative to the length of the chain.
-inline constexpr double deepest_start = 1e-8;
 
 struct contact_step {
   template <class Contacts, class State>
@@ -45,6 +43,11 @@ struct contact_step {
   std::vector<std::array<double, 3>> margins;
 };
 
+/// Takes over from the state which contacts pass through their surface.
+template <class State>
+void take_passing(const State& s, contact_solver& m) {
+  for (auto& x : m.contacts) x.passes = s.template get<kind::contact>(x.slot).mode == passing_mode;
+}
 inline void put_rows_of_gaps(const contact_solver& m, mode_rows& rows) {
   rows.clear(m);
   for (const int i : m.touching) rows.rows.push_back({i, m.contacts[static_cast<std::size_t>(i)].place.normal, true});
@@ -77,6 +80,7 @@ void refuse_depth(const Contacts& c, const contact_solver& m, const contact_at& 
 template <class Contacts, class State>
 void check_start_of_step(const Contacts& c, const State& s, const contact_solver& m) {
   for (const auto& x : m.contacts) {
+    if (x.passes) continue;
     const auto mode = mode_of(s.template get<kind::contact>(x.slot));
     if (mode == contact_mode::open) {
       refuse_depth(c, m, x, ": kte::element_events(model) finds impacts, and so does kte::moreau_jean");
@@ -106,6 +110,7 @@ contact_step& contact_step_from(const Access& a, const X& x0, bool check = true)
   step.x0.resize(0), step.margin_x.resize(0);
   a.at(step.time, x0, [&](const auto& c, auto& s, contact_solver&) {
     auto& m = step.at;
+    take_passing(s, m);
     m.equations.at_positions(c, s, true);
     m.factor.factorize(c, s, m.equations);
     m.equations.at_rates(c, s);
