@@ -9,13 +9,13 @@ namespace kte::detail {
 /// relative to the length of the chain, at the positions of the state.
 template <class Contacts, class State>
 void check_starting_depth(const Contacts& c, State& s, contact_workspace& m, double depth) {
+  if (!(depth >= 0)) raise<bad_argument>("kte: the depth of a start must not be negative, got " + number(depth));
   place_bodies(c.elements(), s);
   m.equations.at_positions(c, s, false, true);
   const contact_at* deepest = nullptr;
   double gap = -depth * m.equations.places.length;
   for (auto& x : m.contacts) {
-    const auto& at = m.place(x);
-    x.place = c.touch_at(at.element, loop_equations::motion_between(s, at));
+    m.locate(c, x, loop_equations::motion_between(s, m.place(x)));
     if (x.place.gap < gap) gap = x.place.gap, deepest = &x;
   }
   if (deepest != nullptr) [[unlikely]]
