@@ -103,15 +103,37 @@ struct contact_workspace {
     for (auto& x : contacts) {
       const auto& at = place(x);
       const auto m = loop_equations::moving_between(s, at);
-      x.place = c.touch_at(at.element, m), x.slip = x.place.slip;
+      locate(c, x, m);
     }
   }
   /// As `find` in a tree, from bias motions in the working memory of the state.
   template <class Contacts, class State>
   void find_biased(const Contacts& c, const State& s) {
     for (auto& x : contacts) {
-      x.place = c.touch_at(place(x).element, equations.biased_motion(s, x.closure)), x.slip = x.place.slip;
+      locate(c, x, equations.biased_motion(s, x.closure));
     }
+  }
+  /// The place of a contact in the relative motion m of its frames. Errors name the contact.
+  template <class Contacts, class Motion>
+  void locate(const Contacts& c, contact_at& x, const Motion& m) {
+    const auto& at = place(x);
+    const auto fail = [&](std::string_view why) {
+      constexpr std::string_view name = "kte: ";
+      raise<bad_argument>("kte: contact '" + std::string(c.loop_name(at.loop)) + "': " +
+                          std::string(why.substr(why.starts_with(name) ? name.size() : 0)));
+    };
+#if defined(__cpp_exceptions)
+    try {
+      x.place = c.touch_at(at.element, m);
+    } catch (const bad_argument& e) {
+      fail(e.what());
+    }
+#else
+    x.place = c.touch_at(at.element, m);
+#endif
+    x.slip = x.place.slip;
+    if (!(dot(x.place.normal, x.place.normal) <= 2)) [[unlikely]]
+      fail("its surface has no normal here, as at the centre of a ball or on the axis of a cylinder");
   }
   /// The rows of a contact of those of all, such as J v, in m.
   vec3<> unscaled(const contact_at& x, const Eigen::VectorXd& all) const {

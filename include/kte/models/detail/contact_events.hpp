@@ -155,7 +155,7 @@ void refuse_wrong_modes(const Contacts& c, State& s, contact_solver& m, forces_i
 template <class Access, class Contacts, class State, class X>
 void accelerate_in_step(const Access& a, const Contacts& c, State& s, contact_solver& m, double t, const X& x) {
   auto& step = a.memory();
-  step.time = t, step.margin_x.resize(0);
+  step.margin_x.resize(0);
   accelerate_in_modes(c, s, m, step.forces);
   put_forces_of_closures(m, s);
   if (first_wrong_mode(m, 1e-6 * largest_force(m, step.forces)) < 0) [[likely]]
@@ -173,7 +173,7 @@ void begin_step_with_contacts(const Access& a, const X& x0) {
   if (!step.starts_wrong) [[likely]]
     return;
   step.x0.resize(0), step.wrong.resize(0);  // another integration may begin here, with events
-  a.at(step.time, x0, [&](const auto& c, auto& s, contact_solver& m) {
+  a.at(step.start_time, x0, [&](const auto& c, auto& s, contact_solver& m) {
     accelerate_in_modes(c, s, m, step.forces);
     refuse_wrong_modes(c, s, m, step.forces);
   });
@@ -253,7 +253,7 @@ void resolve_contacts(const Access& a, double t, X& x, bool along_solution) {
   if (along_solution) {
     const X x0 = x;
     auto d = a.no_displacement();
-    settle_contacts(a, x0, d, x, false);
+    settle_contacts(a, x0, d, x);
   }
   const auto& model = a.model;
   const Eigen::Index n = model.velocity_count(), at_v = x.size() - model.internals() - n;
