@@ -243,7 +243,7 @@ N/m or Nm/rad, they are servos, whose commands are positions. `stop_*`: stops at
       .def("__reduce__",
            [](const robot_object& r) {
              const auto remade = py::module_::import("kte.robots").attr("_remade");
-             return py::make_tuple(remade, py::make_tuple(*r.source, r.motors, r.chain));
+             return py::make_tuple(remade, r.source + py::make_tuple(r.motors, r.chain));
            })
       .def("_put_chain", [](robot_object& r, py::object chain) { r.chain = std::move(chain); })
       .def("__repr__", &repr_of);

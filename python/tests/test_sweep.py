@@ -45,6 +45,7 @@ def test_cases_are_dicts_arrays_and_pickles():
     for c in (cases, CASES, kte.sobol_cases(4, distributions()), kte.list_of_cases(["p", "q"], np.eye(2))):
         copy = pickle.loads(pickle.dumps(c))
         assert copy.names == c.names and np.array_equal(copy.values(), c.values()) and repr(copy) == repr(c)
+    assert np.array_equal(cases[4:0:-2].values(), cases.values()[4:0:-2]) and cases[:2].names == ["a", "b"] and len(cases[6:]) == 0
     with pytest.raises(IndexError, match="6 cases"):
         cases[6]
     with pytest.raises(kte.BadArgument, match=r"values has shape \(2, 3\), expected \(cases, 2\)"):
