@@ -13,6 +13,8 @@ from ._results import (
     ContactDynamicsDerivatives,
     Coordinate,
     Energy,
+    Equilibrium,
+    EquilibriumPath,
     EventOccurrence,
     ForwardDynamicsDerivatives,
     Frame,
@@ -24,7 +26,9 @@ from ._results import (
     LinearAngular,
     Loops,
     MassCentre,
+    MotionPoint,
     Motor,
+    NaturalModes,
     Note,
     Pose,
     SupportPolygon,
@@ -204,6 +208,9 @@ class Cases:
     def names(self) -> List[str]: ...
     def values(self, begin: int = ..., end: Optional[int] = ...) -> Array: ...
     def __len__(self) -> int: ...
+    @overload
+    def __getitem__(self, i: slice) -> Cases: ...
+    @overload
     def __getitem__(self, i: int) -> Dict[str, float]: ...
     def __mul__(self, other: Cases) -> Cases: ...
     def __reduce__(self) -> Any: ...
@@ -217,6 +224,41 @@ def uniform(name: str, least: float, most: float) -> Distribution: ...
 def log_uniform(name: str, least: float, most: float) -> Distribution: ...
 def normal(name: str, mean: float, deviation: float) -> Distribution: ...
 def compile(chain: _Mechanism, frames: _Names = ...) -> Chain: ...
+def static_equilibrium(
+    chain: _Mechanism,
+    q: ArrayLike,
+    *,
+    inputs: _Inputs = ...,
+    loads: Optional[Mapping[str, ArrayLike]] = ...,
+    tolerance: float = ...,
+    iterations: int = ...,
+    must_reach: bool = ...,
+) -> Equilibrium: ...
+def equilibrium_path(
+    chain: _Mechanism,
+    q: ArrayLike,
+    *,
+    parameter: str = ...,
+    start: float = ...,
+    end: float = ...,
+    step: float = ...,
+    points: int = ...,
+    inputs: _Inputs = ...,
+    loads: Optional[Mapping[str, ArrayLike]] = ...,
+    tolerance: float = ...,
+) -> EquilibriumPath: ...
+def natural_modes(chain: _Mechanism, q: ArrayLike, *, inputs: _Inputs = ...) -> NaturalModes: ...
+
+class Motion:
+    @property
+    def duration(self) -> float: ...
+    def __call__(self, t: ArrayLike) -> MotionPoint: ...
+
+def trapezoidal_motion(robot: _Mechanism, start: ArrayLike, end: ArrayLike, *, limits: Optional[Limits] = ...) -> Motion: ...
+def quintic_motion(
+    robot: _Mechanism, start: ArrayLike, end: ArrayLike, at_least: float = ..., *, limits: Optional[Limits] = ...
+) -> Motion: ...
+def _check_element(record: Any) -> None: ...
 def element_types() -> List[str]: ...
 def inverse_dynamics(
     chain: _Mechanism,

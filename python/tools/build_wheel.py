@@ -20,7 +20,7 @@ Name: kte
 Version: {version}
 Summary: Multibody dynamics of mechanisms and robots
 License: MIT
-Requires-Python: >=3.9
+Requires-Python: >=3.11
 Requires-Dist: numpy
 Provides-Extra: tables
 Requires-Dist: pandas; extra == "tables"
