@@ -16,8 +16,8 @@ class contact_saltation {
         before_(before),
         n_(model.velocity_count()),
         s_(make_state(model.chain())),
-        f_before_(model(t, before).head(2 * n_)),
-        f_after_(model(t, after).head(2 * n_)),
+        f_before_(model_(t, before).head(2 * n_)),
+        f_after_(model_(t, after).head(2 * n_)),
         m_(contact_memory(model.chain(), s_)) {
     const runtime_contacts c = contacts_of(model.chain());
     model.setJointStates(t, after, s_);
