@@ -238,6 +238,22 @@ TEST_CASE("motions with impacts, stops and turns have the derivatives of their c
   }
 }
 
+TEST_CASE("a model in the middle of a step computes states of other modes") {
+  auto c = planar(0.01, {-g * std::sin(0.3), -g * std::cos(0.3), 0});
+  c << rigid_link_2D("body", "place", vec2{0.0, -0.05})
+    << point_contact_2D("foot", "world", "place", half_space{}, {.friction = 0.4});
+  const manipulator_dynamics_model model(c);
+  prince_dormand87 solver(std::cref(model), 0.0, model.make_x(Eigen::Vector3d(0, 0.1, 0), Eigen::Vector3d(2, 0, 0)),
+                          tight);
+  const auto report = solver.integrate(0.8, element_events(model));
+  REQUIRE(report.count >= 2);
+  for (const auto& e : report.events)
+    for (const auto& x : {e.before, e.after}) {
+      const manipulator_dynamics_model fresh(c);
+      CHECK((model(e.time, x) - fresh(e.time, x)).cwiseAbs().maxCoeff() < 1e-13);
+    }
+}
+
 TEST_CASE("a ball that rolls and spins in space has the derivatives of differences") {
   runtime_chain c;
   c.gravity(vec3<>{0.3, 0.1, -g}) << base_3D("world") << free_joint_3D("pose", "world", "ball")

@@ -75,9 +75,9 @@ TEST_CASE("Garcia's walker has its published cycle", "[long]") {
     w.leg_mass = mass;
     const auto c = chain_of(w);
     const manipulator_dynamics_model model(c);
-    // The cycle for feet without mass: its angle, and the rates theta', (1 - cos 2 theta) theta'
+    // The cycle for feet without mass: its angle, and the rates theta', cos(2 theta) theta'
     const double half = 0.200310900544, rate = -0.199832473005;
-    const start_of_step start(half, rate, rate * (1 - std::cos(2 * half)));
+    const start_of_step start(half, rate, rate * std::cos(2 * half));
     const auto strikes = strikes_of(walk(model, start, 200.0, tight));
     REQUIRE(strikes.size() > 45);
     const step_of_walker last(strikes.back().after);

@@ -59,6 +59,20 @@ inline void check_variations(const manipulator_dynamics_model<runtime_chain>& m)
         "kte: derivatives across events of contacts are not known for chains with internal states of elements or with "
         "closures of loops");
 }
+/// Adds to `put_rate_derivatives` that the state moves from which displacements are measured, with the angular velocity
+/// w: those of positions change by -w x d, those of rotations by -w x d/2.
+inline void add_variation_of_base(const freedom& f, const Eigen::VectorXd& v, Eigen::MatrixXd& j) {
+  if (f.what == kind::gen) return;
+  if (f.what == kind::pose_2D) {
+    j(f.v, f.v + 1) += v[f.v + 2], j(f.v + 1, f.v) -= v[f.v + 2];
+    return;
+  }
+  const int turning = f.what == kind::pose_3D ? f.v + 3 : f.v;
+  Eigen::Matrix3d cross;
+  cross << 0, v[turning + 2], -v[turning + 1], -v[turning + 2], 0, v[turning], v[turning + 1], -v[turning], 0;
+  if (f.what == kind::pose_3D) j.block<3, 3>(f.v, f.v) += cross;
+  j.block<3, 3>(turning, turning) += cross / 2;
+}
 /// The matrix A of d' = A d, for displacements d between motions in the modes of x.
 KTE_FUNCTION Eigen::MatrixXd contact_variation_matrix(const manipulator_dynamics_model<runtime_chain>& model, double t,
                                                       const Eigen::VectorXd& x) {
@@ -76,7 +90,8 @@ KTE_FUNCTION Eigen::MatrixXd contact_variation_matrix(const manipulator_dynamics
   const Eigen::Index n = model.velocity_count();
   Eigen::MatrixXd j(2 * n, 2 * n);
   put_rate_derivatives(model.freedoms(), Eigen::VectorXd(model.velocities_of(x)), by, j);
-  j.topLeftCorner(n, n) *= 2;  // the state, from which displacements are measured, moves too
+  const Eigen::VectorXd v = model.velocities_of(x);
+  for (const freedom& f : model.freedoms()) add_variation_of_base(f, v, j);
   return j;
 }
 

@@ -16,14 +16,14 @@ class contact_saltation {
         before_(before),
         n_(model.velocity_count()),
         s_(make_state(model.chain())),
-        f_before_(model(t, before).head(2 * n_)),
-        f_after_(model(t, after).head(2 * n_)),
+        f_before_(model_(t, before).head(2 * n_)),
+        f_after_(model_(t, after).head(2 * n_)),
         m_(contact_memory(model.chain(), s_)) {
     const runtime_contacts c = contacts_of(model.chain());
     model.setJointStates(t, after, s_);
     for (const auto& x : m_.contacts) states_after_.push_back(s_.get<kind::contact>(x.slot));
     model.setJointStates(t, before, s_);
-    take_passing(s_, m_);
+    note_passing(m_);
     auto& e = m_.equations;
     e.at_positions(c, s_, true);
     e.at_rates(c, s_);
@@ -62,6 +62,10 @@ class contact_saltation {
   }
   const contact_state<>& state_before(std::size_t i) const { return s_.get<kind::contact>(m_.contacts[i].slot); }
   contact_mode mode_before(std::size_t i) const { return mode_of(state_before(i)); }
+  /// Contacts that have just landed may have passed through their surface before.
+  void note_passing(contact_solver& m) const {
+    for (std::size_t i = 0; i < m.contacts.size(); ++i) m.contacts[i].passes = states_after_[i].mode == passing_mode;
+  }
   /// DR of an impact.
   Eigen::MatrixXd land() {
     const runtime_contacts c = contacts_of(model_.chain());
@@ -69,7 +73,7 @@ class contact_saltation {
     Eigen::VectorXd after = v_;
     runtime_state s = s_;
     auto& m = contact_memory(model_.chain(), s);
-    take_passing(s, m);
+    note_passing(m);
     strike(c, s, m, memory, impact_law::at_once, after, [&](const contact_at& x) {
       const bool bounces =
           mode_of(states_after_[static_cast<std::size_t>(&x - m.contacts.data())]) == contact_mode::open;
@@ -171,7 +175,7 @@ class contact_saltation {
   }
   std::string name(std::size_t i) const { return contacts_of(model_.chain()).loop_name(m_.place(m_.contacts[i]).loop); }
 
-  const model_type& model_;
+  const model_type model_;
   Eigen::VectorXd before_;
   Eigen::Index n_;
   runtime_state s_;

@@ -123,6 +123,7 @@ contact_step& contact_step_from(const Access& a, const X& x0, bool check = true)
     step.rates.fill(c, s, m), step.gaps.fill(c, s, m);
     step.rates.factorize(nullptr), step.gaps.factorize(nullptr);
     step.rates.put_chosen(step.forces.chosen), step.gaps.put_chosen(step.chosen_gaps);
+    step.forces.chosen_touching = m.touching, step.forces.chosen_modes = m.modes;
   });
   step.x0 = x0, ++step.begun;
   step.starts_wrong = step.wrong.size() == x0.size() && step.wrong == x0;
