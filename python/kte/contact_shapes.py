@@ -73,6 +73,7 @@ def _in(dimension: int, function: Callable[Concatenate[int, P], R]) -> Callable[
 
 def point_contact(
     dimension: int,
+    /,
     contact: str,
     frame1: str,
     frame2: str,
@@ -93,6 +94,7 @@ def point_contact(
 
 def capsule_contact(
     dimension: int,
+    /,
     contact: str,
     frame1: str,
     frame2: str,
@@ -126,6 +128,7 @@ def capsule_contact(
 
 def box_contact(
     dimension: int,
+    /,
     contact: str,
     frame1: str,
     frame2: str,
@@ -158,6 +161,7 @@ def box_contact(
 
 def compliant_capsule_contact(
     dimension: int,
+    /,
     frame1: str,
     frame2: str,
     half: ArrayLike,
@@ -179,6 +183,7 @@ def compliant_capsule_contact(
 
 def compliant_box_contact(
     dimension: int,
+    /,
     frame1: str,
     frame2: str,
     half: ArrayLike,
