@@ -4,7 +4,7 @@
 #include <kte/dynamics/frame_motion.hpp>
 #include <kte/math/principal_moments.hpp>
 #include <kte/runtime_chain/layout.hpp>
-#include <kte/runtime_chain/runtime_chain.hpp>
+#include <kte/runtime_chain.hpp>
 
 #include <algorithm>
 #include <map>

@@ -3,7 +3,7 @@
 #include <kte/contract/transmission.hpp>
 #include <kte/static_chain/wiring.hpp>
 #include <kte/tree/dependencies.hpp>
-#include <kte/tree/short_list.hpp>
+#include <kte/detail/short_list.hpp>
 
 #include <span>
 #include <utility>

@@ -3,7 +3,7 @@
 #include <kte/manipulators/detail/in_limits.hpp>
 #include <kte/manipulators/detail/srs_axes.hpp>
 #include <kte/math/atan2.hpp>
-#include <kte/tree/short_list.hpp>
+#include <kte/detail/short_list.hpp>
 
 #include <algorithm>
 
