@@ -274,12 +274,8 @@ TEST_CASE("a ball that rolls and spins in space has the derivatives of differenc
   CHECK(solver.integrate(0.5, element_events(model), phi).count == 0);
   const double h = 1e-4;
   for (int k = 0; k < 12; ++k) {
-    Eigen::VectorXd d = Eigen::VectorXd::Zero(model.rates()), x = x0;
-    d[k] = 1;
-    model.tangential(x0, d);
-    if (d.norm() < 1e-3) continue;
     const auto moved = [&](double by) {
-      Eigen::VectorXd step = by * d, to = x0;
+      Eigen::VectorXd step = by * Eigen::VectorXd::Unit(model.rates(), k), to = x0;
       model.displace(x0, step, to), model.settle(x0, step, to);
       return end_of(to);
     };

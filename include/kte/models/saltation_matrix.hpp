@@ -13,6 +13,8 @@ Eigen::MatrixXd contact_variation_matrix(const manipulator_dynamics_model<runtim
                                          const Eigen::VectorXd& x);
 Eigen::MatrixXd contact_saltation_matrix(const manipulator_dynamics_model<runtime_chain>& m, double t,
                                          const Eigen::VectorXd& before, const Eigen::VectorXd& after);
+Eigen::MatrixXd contact_projection_matrix(const manipulator_dynamics_model<runtime_chain>& m, double t,
+                                          const Eigen::VectorXd& x);
 /// A model of a runtime chain for a model of any chain, with its inputs.
 inline const auto& model_at_run_time(const manipulator_dynamics_model<runtime_chain>& m) { return m; }
 template <class Gravity, class... E, class Output>
@@ -99,6 +101,12 @@ KTE_FUNCTION Eigen::MatrixXd contact_saltation_matrix(const manipulator_dynamics
                                                       const Eigen::VectorXd& before, const Eigen::VectorXd& after) {
   check_variations(m);
   return contact_saltation(m, t, before, after).matrix();
+}
+/// The projection of displacements from x onto those that keep contacts closed.
+KTE_FUNCTION Eigen::MatrixXd contact_projection_matrix(const manipulator_dynamics_model<runtime_chain>& m, double t,
+                                                       const Eigen::VectorXd& x) {
+  check_variations(m);
+  return contact_saltation(m, t, x, x).projection();
 }
 
 }  // namespace kte::detail

@@ -30,7 +30,8 @@ class transition_matrix {
   /// Begins an integration.
   template <class Solver>
   bool start(const Solver& solver) {
-    if (phi_.size() == 0) begin(solver.state());
+    if (phi_.size() == 0)
+      phi_ = detail::contact_projection_matrix(model_, solver.time(), Eigen::VectorXd(solver.state()));
     time_ = solver.time();
     return true;
   }
@@ -66,18 +67,6 @@ class transition_matrix {
  private:
   static constexpr int stages = 5;
 
-  template <class X>
-  void begin(const X& x) {
-    const Eigen::Index n = 2 * model_.velocity_count();
-    const Eigen::VectorXd x0 = x;
-    phi_ = Eigen::MatrixXd::Identity(n, n);
-    for (Eigen::Index k = 0; k < n; ++k) {
-      Eigen::VectorXd d = Eigen::VectorXd::Zero(model_.rates());
-      d[k] = 1;
-      model_.tangential(x0, d);
-      phi_.col(k) = d.head(n);
-    }
-  }
   /// K_i = A_i (Phi + h sum_j a_ij K_j),   Phi + h sum_i b_i K_i
   template <class Solver>
   void advance(const Solver& solver, double end) {

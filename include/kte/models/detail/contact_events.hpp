@@ -37,7 +37,7 @@ bool find_admissible_forces(const Contacts& c, State& s, contact_solver& m) {
 /// Whether a contact that touches leaves the surface, at an event: not if it would fall back from a height that events
 /// do not resolve.
 inline bool leaves_at_event(const contact_solver& m, const contact_at& x) {
-  const double speed = dot(x.place.normal, x.slip), height = 1e-13 * m.equations.places.length;
+  const double speed = dot(x.place.normal, x.slip), height = unresolved_height * m.equations.places.length;
   return normal_velocity(m, x) > 1 && speed * speed > 2 * height * std::abs(free_gap_ddot(m, x));
 }
 /// The normal force of contact i of those that touch, and its reserve of friction, mu lambda_n - |lambda_t|, N.
@@ -347,14 +347,14 @@ void resolve_contacts(const Access& a, double t, X& x, bool along_solution) {
   auto d = a.no_displacement();
   settle_contacts(a, x0, d, x);
   step.begun = 0;
-  // a contact that has just opened, or begins to pass, leaves from zero, whatever the rounding error of its gap
+  // a contact that has just opened leaves from zero, one that begins to pass is below, whatever the rounding errors
   a.at(t, x, [&](const auto& c, auto& s, contact_solver& m) {
     m.equations.at_positions(c, s, false);
     m.find(c, s);
     step.zero_gaps.assign(m.contacts.size(), 0);
     for (std::size_t i = 0; i < m.contacts.size(); ++i)
       if (const double gap = m.contacts[i].place.gap; std::abs(gap) <= touching_gap * m.equations.places.length)
-        step.zero_gaps[i] = gap;
+        step.zero_gaps[i] = m.contacts[i].passes ? gap + unresolved_height * m.equations.places.length : gap;
   });
 }
 

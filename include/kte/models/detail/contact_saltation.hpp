@@ -13,6 +13,7 @@ class contact_saltation {
 
   contact_saltation(const model_type& model, double t, const Eigen::VectorXd& before, const Eigen::VectorXd& after)
       : model_(model),
+        time_(t),
         before_(before),
         n_(model.velocity_count()),
         s_(make_state(model.chain())),
@@ -30,6 +31,17 @@ class contact_saltation {
     m_.find(c, s_);
     jacobian_ = e.places.length * e.scaled_jacobian();
     v_ = model.velocities_of(before), v_after_ = model.velocities_of(after);
+  }
+  /// The projection of displacements from the state, before and after are the same, onto those that keep contacts
+  /// closed.
+  Eigen::MatrixXd projection() {
+    Eigen::MatrixXd closing = Eigen::MatrixXd::Identity(2 * n_, 2 * n_);
+    for (Eigen::Index k = 0; k < n_; ++k) {
+      Eigen::VectorXd d = Eigen::VectorXd::Unit(model_.rates(), k);
+      model_.tangential(before_, d);
+      closing.col(k).head(n_) = d.head(n_);
+    }
+    return stop() * closing;
   }
   /// S.
   Eigen::MatrixXd matrix() {
@@ -160,14 +172,8 @@ class contact_saltation {
         time = g;
         continue;
       }
-      Eigen::MatrixXd apart(2 * n_, 1);
-      for (Eigen::Index k = 0; k < 2 * n_; ++k) {
-        Eigen::VectorXd d = Eigen::VectorXd::Zero(model_.rates());
-        d[k] = 1;
-        model_.tangential(before_, d);
-        apart(k, 0) = (g - time).dot(d.head(2 * n_));
-      }
-      if (apart.cwiseAbs().maxCoeff() > 1e-7 * time.cwiseAbs().maxCoeff())
+      const Eigen::MatrixXd all = contact_saltation(model_, time_, before_, before_).projection();
+      if (((g - time) * all).cwiseAbs().maxCoeff() > 1e-7 * time.cwiseAbs().maxCoeff())
         refuse("contacts '" + name(causes.front()) + "' and '" + name(i) +
                "' change at one time, and near it one after the other");
     }
@@ -176,6 +182,7 @@ class contact_saltation {
   std::string name(std::size_t i) const { return contacts_of(model_.chain()).loop_name(m_.place(m_.contacts[i]).loop); }
 
   const model_type model_;
+  double time_;
   Eigen::VectorXd before_;
   Eigen::Index n_;
   runtime_state s_;

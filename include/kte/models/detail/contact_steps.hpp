@@ -18,6 +18,9 @@
 ///   admits(t, x, e)      whether element e, a contact with `only_if`, acts at x
 namespace kte::detail {
 
+/// Heights that events do not resolve, relative to the length of the chain.
+inline constexpr double unresolved_height = 1e-13;
+
 struct contact_step {
   template <class Contacts, class State>
   contact_step(const Contacts& c, const State& s) : at(c, s) {}
@@ -124,6 +127,9 @@ contact_step& contact_step_from(const Access& a, const X& x0, bool check = true)
     step.rates.factorize(nullptr), step.gaps.factorize(nullptr);
     step.rates.put_chosen(step.forces.chosen), step.gaps.put_chosen(step.chosen_gaps);
     step.forces.chosen_touching = m.touching, step.forces.chosen_modes = m.modes;
+    step.zero_gaps.resize(m.contacts.size());
+    for (std::size_t i = 0; i < m.contacts.size(); ++i)
+      if (m.contacts[i].place.gap > touching_gap * m.equations.places.length) step.zero_gaps[i] = 0;
   });
   step.x0 = x0, ++step.begun;
   step.starts_wrong = step.wrong.size() == x0.size() && step.wrong == x0;
