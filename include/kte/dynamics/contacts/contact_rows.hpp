@@ -42,7 +42,8 @@ struct contact_at {
   touch place{};
   vec3<> slip{};  ///< velocity of the body on the surface, m/s, in axes of the surface
   contact_basis basis{};
-  int first = 0;  ///< its first row among those that touch
+  bool touches = false;  ///< whether it is among those that touch
+  int first = 0;         ///< its first row among them
   struct entries_at {
     int place = 0;
     std::array<double, row_lanes> entries{};
@@ -152,7 +153,8 @@ struct contact_workspace {
     int row = 0;
     for (std::size_t i = 0; i < contacts.size(); ++i) {
       auto& x = contacts[i];
-      if (!chosen(x)) continue;
+      x.touches = chosen(x);
+      if (!x.touches) continue;
       x.basis = basis_at(x.place.normal, x.planar), x.first = row;
       touching.push_back(static_cast<int>(i)), row += x.rows();
       friction_contact<> law;
@@ -283,15 +285,15 @@ struct contact_workspace {
       bias[x.first] += x.place.bending / equations.places.length;
     }
     std::size_t count = 0;
+    int before = 0;
     factor.half_solve_units<Accelerate>(
         s, equations, x.closure, units, x.rows(),
         [&](std::size_t at, int first, const tree::simd<double>& entries) KTE_INLINE_LAMBDA {
-          if (first == 0) {
-            if (count == x.path.size()) x.path.emplace_back();
-            x.path[count].place = static_cast<int>(at);
-          }
-          tree::store<double>(entries, &x.path[count % x.path.size()].entries[static_cast<std::size_t>(first)]);
-          ++count;
+          if (first != before) before = first, count = 0;
+          if (count == x.path.size()) x.path.emplace_back();
+          auto& to = x.path[count++];
+          to.place = static_cast<int>(at);
+          tree::store<double>(entries, &to.entries[static_cast<std::size_t>(first)]);
         },
         [&](int k, double rate) { bias[x.first + k] += rate; });
   }
