@@ -79,8 +79,8 @@ inline constexpr struct x_ final : coord_key<"x"> {
 } x;
 inline constexpr struct y_ final : coord_key<"y"> {
 } y;
-inline constexpr struct angle_ final : coord_key<"angle"> {
-} angle;
+inline constexpr struct turn_ final : coord_key<"turn"> {
+} turn;
 inline constexpr struct world_ final : frame_2D_key<"world"> {
 } world;
 inline constexpr struct bx_ final : frame_2D_key<"bx"> {
@@ -97,9 +97,7 @@ inline constexpr struct rate_ final : vector_key<"rate"> {
 } rate;
 inline constexpr struct acceleration_ final : vector_key<"acceleration"> {
 } acceleration;
-inline constexpr struct touch_ final : contact_key<"touch"> {
-} touch;
-}  // namespace keys
+inline constexpr struct touch_ final : contact_key<"touch"> { } touch; }  // namespace keys
 
 }  // namespace
 
@@ -110,7 +108,8 @@ TEST_CASE("a ball rolls on a plane that shakes") {
     << position_control_2D("place", "rate", "acceleration", "world", "plane")
     << sphere_contact_2D("touch", "plane", "body", half_space{}, ball_radius, {.friction = 1});
   const model_type model(c);
-  const vector x0 = settled(model, 0.0, model.make_x(numbers({0, ball_radius, 0}), numbers({start_speed, 0, start_spin})));
+  const vector x0 =
+      settled(model, 0.0, model.make_x(numbers({0, ball_radius, 0}), numbers({start_speed, 0, start_spin})));
   prince_dormand87 high(std::cref(model), 0.0, x0, {.absolute = 1e-11, .relative = 1e-11});
   CHECK(worst_place(high, model) < 1e-9);
   // Of order 1: steps end at another time than that of their last evaluation
@@ -122,14 +121,15 @@ TEST_CASE("a static chain has surfaces that move with time") {
   using namespace keys;
   const auto c =
       chain(prismatic_joint_2D(x, world, bx, axis::x), prismatic_joint_2D(y, bx, by, axis::y),
-            revolute_joint_2D(angle, by, body), inertia_2D(body, planar_body(1.0, beta * ball_radius * ball_radius)),
+            revolute_joint_2D(turn, by, body), inertia_2D(body, planar_body(1.0, beta * ball_radius * ball_radius)),
             law_signal(place_law, chain_time, place), law_signal(rate_law, chain_time, rate),
             law_signal(acceleration_law, chain_time, acceleration),
             position_control_2D(place, rate, acceleration, world, plane),
             sphere_contact_2D(touch, plane, body, half_space{}, ball_radius, {.friction = 1}))
           .gravity(along_y(-g));
   const manipulator_dynamics_model model(c);
-  const auto x0 = settled(model, 0.0, model.make_x(std::array{0.0, ball_radius, 0.0}, std::array{start_speed, 0.0, start_spin}));
+  const auto x0 =
+      settled(model, 0.0, model.make_x(std::array{0.0, ball_radius, 0.0}, std::array{start_speed, 0.0, start_spin}));
   prince_dormand87 solver(std::cref(model), 0.0, x0, {.absolute = 1e-11, .relative = 1e-11});
   CHECK(worst_place(solver, model) < 1e-9);
 }
@@ -180,7 +180,8 @@ TEST_CASE("a ball on a turntable moves on a circle, at beta/(1 + beta) of its ra
   const Eigen::Vector3d p(0.3, -0.2, ball_radius), v(0.5, 0.1, 0), z(0, 0, 1);
   const Eigen::Vector3d w = z.cross(v - rate * z.cross(p)) / ball_radius + 4 * z;
   const double own = share * rate, t = 1.7;
-  const auto end = run(model, numbers({p[0], p[1], p[2], 1, 0, 0, 0}), numbers({v[0], v[1], v[2], w[0], w[1], w[2]}), t);
+  const auto end =
+      run(model, numbers({p[0], p[1], p[2], 1, 0, 0, 0}), numbers({v[0], v[1], v[2], w[0], w[1], w[2]}), t);
   const Eigen::Vector3d centre = p + z.cross(v) / own, at = centre + Eigen::AngleAxisd(own * t, z) * (p - centre);
   CHECK((end.x.head(3) - at).norm() < 1e-9);
 }
@@ -205,8 +206,7 @@ TEST_CASE("a ball leaves a cylinder, or slips before") {
   const auto slips = first(mu);
   CHECK(slips.what == "'touch': slides");
   const double at = angle(slips.before);
-  CHECK(share * std::sin(at) ==
-        within(mu * (std::cos(at) - 2 * (std::cos(start) - std::cos(at)) / (1 + beta)), 1e-10));
+  CHECK(share * std::sin(at) == within(mu * (std::cos(at) - 2 * (std::cos(start) - std::cos(at)) / (1 + beta)), 1e-10));
 }
 
 TEST_CASE("a block rocks on its corners") {
@@ -220,12 +220,10 @@ TEST_CASE("a block rocks on its corners") {
       << point_contact_2D(name, "world", name + " foot", half_space{}, {.friction = 2});
   }
   const model_type model(c);
-  const vector q = numbers(
-      {-b * std::cos(tilt) + h * std::sin(tilt), b * std::sin(tilt) + h * std::cos(tilt), -tilt});
+  const vector q = numbers({-b * std::cos(tilt) + h * std::sin(tilt), b * std::sin(tilt) + h * std::cos(tilt), -tilt});
   const auto end = run(model, q, numbers({0, 0, 0}), 30.0);
   const auto& hit = end.report.events[0];
-  const double rate =
-      std::sqrt(2 * g * reach * (std::cos(alpha - tilt) - std::cos(alpha)) / (own + reach * reach));
+  const double rate = std::sqrt(2 * g * reach * (std::cos(alpha - tilt) - std::cos(alpha)) / (own + reach * reach));
   CHECK(hit.before[5] == within(rate, 1e-10));
   CHECK(hit.after[5] == within((1 - 1.5 * std::pow(std::sin(alpha), 2)) * rate, 1e-10));
   CHECK(hit.what == "'left': impact, sticks; 'right': lifts");
@@ -259,8 +257,7 @@ TEST_CASE("bodies of very different masses rest on each other") {
     const double below = ratio < 1 ? 1 : 1 / ratio, above = ratio < 1 ? ratio : 1;
     runtime_chain c;
     c.gravity(vec3<>{0, -g, 0}) << base_2D("world") << prismatic_joint_2D("y1", "world", "A", axis::y)
-                                << inertia_2D("A", point_mass(below))
-                                << prismatic_joint_2D("y2", "world", "B", axis::y)
+                                << inertia_2D("A", point_mass(below)) << prismatic_joint_2D("y2", "world", "B", axis::y)
                                 << inertia_2D("B", point_mass(above))
                                 << sphere_contact_2D("floor", "world", "A", half_space{}, 0.2, {})
                                 << sphere_contact_2D("between", "A", "B", ball_surface(0.2), 0.1, {});
@@ -277,8 +274,7 @@ TEST_CASE("a pendulum on a rod hits a wall") {
   runtime_chain c;
   c.gravity(vec3<>{0, -g, 0}) << base_2D("world") << prismatic_joint_2D("x", "world", "a", axis::x)
                               << prismatic_joint_2D("y", "a", "p", axis::y) << inertia_2D("p", point_mass(1.5))
-                              << distance_2D("rod", "world", "p", 1.0)
-                              << rigid_link_2D("world", "wall", along_x(-0.3))
+                              << distance_2D("rod", "world", "p", 1.0) << rigid_link_2D("world", "wall", along_x(-0.3))
                               << point_contact_2D("touch", "wall", "p", half_space(vec3{1.0, 0.0, 0.0}),
                                                   {.restitution = 0.6});
   const model_type model(c);
