@@ -235,6 +235,8 @@ TEST_CASE("a start inside a surface is refused with the name of the contact") {
   CHECK_THROWS_MATCHES((moreau_jean(std::cref(model), 0.0, inside, 1e-3)), bad_argument,
                        says("contact 'left foot' starts 0.005"));
   CHECK_NOTHROW(moreau_jean(std::cref(model), 0.0, inside, 1e-3, {.depth = 0.1}));
+  CHECK_THROWS_MATCHES((moreau_jean(std::cref(model), 0.0, inside, 1e-3, {.depth = std::nan("")})), bad_argument,
+                       says("the depth of a start must not be negative, got nan"));
   const auto r = in_runtime(c);
   manipulator_dynamics_model same(r);
   CHECK_THROWS_MATCHES(

@@ -15,7 +15,9 @@ namespace kte::detail {
 constexpr std::array<vec3<>, 2> ends_of(const vec3<>& half) { return {half, -half}; }
 /// Rejects half a length of a box that is not finite and positive.
 constexpr void check_half(double half) {
-  const auto text = [half] { return "kte: half the lengths of a box must be finite and positive, got " + number(half); };
+  const auto text = [half] {
+    return "kte: half the lengths of a box must be finite and positive, got " + number(half);
+  };
   require<bad_parameter>(half > 0 && half <= (std::numeric_limits<double>::max)(), text,
                          "half the lengths of a box must be finite and positive", half);
 }

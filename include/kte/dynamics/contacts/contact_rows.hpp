@@ -120,8 +120,8 @@ struct contact_workspace {
     const auto& at = place(x);
     const auto fail = [&](std::string_view why) {
       constexpr std::string_view name = "kte: ";
-      raise<bad_argument>("kte: contact '" + std::string(c.loop_name(at.loop)) + "': " +
-                          std::string(why.substr(why.starts_with(name) ? name.size() : 0)));
+      raise<bad_argument>("kte: contact '" + std::string(c.loop_name(at.loop)) +
+                          "': " + std::string(why.substr(why.starts_with(name) ? name.size() : 0)));
     };
 #if defined(__cpp_exceptions)
     try {

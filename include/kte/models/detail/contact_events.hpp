@@ -121,7 +121,7 @@ const std::vector<std::array<double, 3>>& contact_margins(const Access& a, doubl
       step.margins[k][0] = m.contacts[k].place.gap - step.zero_gaps[k];
     if (!closed) return;
     const bool admitted = admit_forces(c, s, m, step.forces, 1e-13) < 0;
-    const double tiny = 1e-13 * largest_force(m, step.forces);
+    const double tiny = step.margin_zero = 1e-13 * largest_force(m, step.forces);
     for (std::size_t i = 0; i < m.touching.size(); ++i) {
       const auto k = static_cast<std::size_t>(m.touching[i]);
       auto& own = step.margins[k] = margins_of_closed(m, i, starts[k], tiny);
@@ -272,8 +272,8 @@ void resolve_contacts(const Access& a, double t, X& x, bool along_solution) {
           const auto& of = s.template get<kind::contact>(m.contacts[i].slot);
           auto& own = changes[i];
           own.before = mode_of(of), own.direction = of.direction, own.passes = passing[i] != 0;
-          own.at_limit[0] = own.before != contact_mode::open && margins[i][0] <= 0;
-          own.at_limit[1] = own.before == contact_mode::sticks && margins[i][1] <= 0;
+          own.at_limit[0] = own.before != contact_mode::open && margins[i][0] < step.margin_zero;
+          own.at_limit[1] = own.before == contact_mode::sticks && margins[i][1] < step.margin_zero;
         }
       }
       if (round == 50) [[unlikely]]

@@ -43,7 +43,7 @@ struct contact_step {
   impact_memory impacts;
   std::string change;  ///< what the last event changed
   Eigen::VectorXd margin_x;
-  double margin_time = 0;
+  double margin_time = 0, margin_zero = 0;  ///< forces below `margin_zero` count as zero, N
   std::vector<std::array<double, 3>> margins;
 };
 
