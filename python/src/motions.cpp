@@ -14,7 +14,7 @@ namespace kte_python {
 namespace {
 
 using arm_type = kte::manipulator<kte::runtime_chain>;
-/// Of a motion.
+/// A point of a motion.
 struct point {
   Eigen::VectorXd q, v, a;
 };
@@ -109,7 +109,7 @@ are a `Limits`, by default those of the robot; files rarely have accelerations:
       R"(quintic_motion(robot, start, end, at_least=0.0, *, limits=None)
 
 A `Motion` from rest to rest on the straight line in joint space by a polynomial of degree five, as fast as limits of velocity,
-acceleration and jerk allow, with a duration of `at_least` so many s. Limits as for `trapezoidal_motion`.)",
+acceleration and jerk allow, with a duration of `at_least` this number of seconds. Limits as for `trapezoidal_motion`.)",
       "robot"_a, "start"_a, "end"_a, "at_least"_a = 0.0, py::kw_only(), "limits"_a = py::none());
 }
 

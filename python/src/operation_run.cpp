@@ -128,7 +128,7 @@ class operation_run : public native_run {
   }
   /// Whether all cases are states of one chain without inputs, which can be computed in packs.
   bool are_states() const { return columns_.paths().empty() && numbers_.u.size() == 0 && can_be_in_packs(chain_); }
-  /// The results of many cases, `count` numbers each; NaN where there is none.
+  /// The results of many cases, `count` numbers each; NaN for a case without a result.
   std::vector<double> together(const operation& o, const kte::sweep_cases& cases, std::uint64_t begin,
                                std::uint64_t end, std::size_t count) const {
     std::vector<double> q, v, third, values(cases.names().size());

@@ -32,8 +32,8 @@ template <class T>
 }
 }  // namespace detail
 
-/// An element of a runtime chain: an element core, connected by texts. What is only called while a chain is built is
-/// cold, so that compilers keep it small.
+/// An element of a runtime chain: an element core, connected by texts. Functions that are only called while a chain is
+/// built are cold, so that compilers keep them small.
 template <class Core>
 class kte_map_adapter final : public kte_element {
  public:
