@@ -1,8 +1,8 @@
 #pragma once
 
-/// Runtime chains, with the runtime parts of all headers of dynamics, whether included before or after this one. Headers
-/// that were included before are included again here; later ones have these parts immediately. Programs with static
-/// chains alone therefore compile nothing for runtime chains (docs/decisions/13-folders.md).
+/// Runtime chains, with the runtime parts of all headers of dynamics, whether included before or after this one.
+/// Headers that were included before are included again here; later ones have these parts immediately. Programs with
+/// static chains alone therefore compile nothing for runtime chains (docs/decisions/13-folders.md).
 #include <kte/runtime_chain/chain.hpp>
 
 #define KTE_RUNTIME_CHAINS

@@ -1,10 +1,10 @@
 #ifndef KTE_FORWARD_DYNAMICS_HPP
 #define KTE_FORWARD_DYNAMICS_HPP
 
-#include <kte/dynamics/unrolled/flattened.hpp>
 #include <kte/dynamics/inverse_dynamics.hpp>
 #include <kte/dynamics/mass_matrix.hpp>
 #include <kte/dynamics/unrolled/articulated.hpp>
+#include <kte/dynamics/unrolled/flattened.hpp>
 #include <kte/kernels/solve.hpp>
 
 namespace kte {

@@ -8,9 +8,9 @@
 // clang-format on
 
 #include <kte/contract/transmission.hpp>
-#include <kte/dynamics/unrolled/flattened.hpp>
 #include <kte/dynamics/looped/static_chains.hpp>
 #include <kte/dynamics/state_vectors.hpp>
+#include <kte/dynamics/unrolled/flattened.hpp>
 #include <kte/dynamics/unrolled/given.hpp>
 
 namespace kte {

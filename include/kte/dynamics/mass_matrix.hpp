@@ -1,8 +1,8 @@
 #ifndef KTE_MASS_MATRIX_HPP
 #define KTE_MASS_MATRIX_HPP
 
-#include <kte/dynamics/unrolled/flattened.hpp>
 #include <kte/dynamics/state_vectors.hpp>
+#include <kte/dynamics/unrolled/flattened.hpp>
 #include <kte/dynamics/unrolled/mass_matrix.hpp>
 
 namespace kte {

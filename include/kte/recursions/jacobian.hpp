@@ -34,7 +34,8 @@ KTE_INLINE constexpr auto jacobian_column_in_body(const R& rotation, const P& p,
   return motion_vector{rotation * plus_cross(s.linear, s.angular, p), rotation * s.angular};
 }
 
-/// The columns of the Jacobian of a frame that follows others, by velocity(), which is linear in `rates`, at unit rates.
+/// The columns of the Jacobian of a frame that follows others, by velocity(), which is linear in `rates`, at unit
+/// rates.
 template <class S, class J, class Rates, class Velocity>
 void put_velocities_at_unit_rates(J& j, Rates& rates, const Velocity& velocity) {
   for (decltype(j.cols()) k = 0; k < j.cols(); ++k) {

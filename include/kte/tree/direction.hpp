@@ -78,8 +78,8 @@ KTE_INLINE auto combined(const rotation_of_units<Row>& r, const vec3<X, Y, Z>& v
 /// v + a x b in registers. A typed zero stands for a vector.
 template <class S>
 KTE_INLINE register_vector<S> plus_cross(zero_t, const register_vector<S>& a, const register_vector<S>& b) {
-  const simd<S> c = a.n * __builtin_shufflevector(b.n, b.n, 1, 2, 0, 3) -
-                    __builtin_shufflevector(a.n, a.n, 1, 2, 0, 3) * b.n;
+  const simd<S> c =
+      a.n * __builtin_shufflevector(b.n, b.n, 1, 2, 0, 3) - __builtin_shufflevector(a.n, a.n, 1, 2, 0, 3) * b.n;
   return {__builtin_shufflevector(c, c, 1, 2, 0, 3)};
 }
 template <class S>

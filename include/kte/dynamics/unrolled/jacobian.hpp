@@ -66,8 +66,7 @@ class unrolled_jacobian : columns<S, Chain, Given> {
       const auto end = compose(x, this->template pose_of_element<i>());
       const auto p = outward<Branch, N + 1>(end);
       base::template for_each_axis<i>([&]<int M>() KTE_INLINE_LAMBDA {
-        const auto column =
-            engine::jacobian_column(end.rotation, p - end.position, this->template axis<i, M>());
+        const auto column = engine::jacobian_column(end.rotation, p - end.position, this->template axis<i, M>());
         this->template put<i, M>(column.linear, column.angular);
       });
       return p;
@@ -94,7 +93,8 @@ auto jacobian_by_rates(const Chain& c, const At& at) {
   std::array<S, std::size_t{Chain::dofs}> rates{};
   constexpr same_base base{motion{zero3{}, no_rotation{}, zero3{}, zero3{}, skip{}, skip{}}};
   engine::put_velocities_at_unit_rates<S>(j, rates, [&] {
-    return engine::velocities_of<S>(motion_at<Frame>(c, given{at, each<S, decltype(rates)>{rates}, same<skip>{}, base}), World);
+    return engine::velocities_of<S>(motion_at<Frame>(c, given{at, each<S, decltype(rates)>{rates}, same<skip>{}, base}),
+                                    World);
   });
   return j;
 }
