@@ -88,7 +88,7 @@ struct static_model_contacts<static_chain<Gravity, E...>> {
     vector a;
     const given g{at, each<double, const double*>{v}, same<zero_t>{}, bases};
     access.with(g, x, [&](const auto& c, auto& s, contact_solver& memory) {
-      accelerate_in_step(access, c, s, memory, t, x);
+      accelerate_in_step(access, c, s, memory, x);
       a = s.work.forces;
     });
     check_accelerations<wiring>(a, g, tau);
