@@ -192,9 +192,9 @@ TEST_CASE("motions with impacts, stops and turns have the derivatives of their c
         x[0] += t * x[3], x[2] += t * x[5], x[1] = r, x[4] -= acceleration * t, rest -= t;
         const digits50 normal = -(1 + digits50(e)) * x[4], slip = x[3] + r * x[5];
         const digits50 sticking = -slip / (1 + r * r / digits50(inertia));
-        const digits50 limit = digits50(mu) * normal, push = stop > limit    ? limit
-                                                             : stop < -limit ? digits50(-limit)
-                                                                             : stop;
+        const digits50 limit = digits50(mu) * normal, push = sticking > limit    ? limit
+                                                             : sticking < -limit ? digits50(-limit)
+                                                                                 : sticking;
         x[4] *= -digits50(e), x[3] += push, x[5] += push * r / digits50(inertia);
       }
       x[0] += rest * x[3], x[2] += rest * x[5], x[1] += rest * x[4] - acceleration * rest * rest / 2;
