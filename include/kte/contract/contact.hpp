@@ -72,8 +72,12 @@ struct contact {
   template <class A, class B, class Contact>
   KTE_INLINE constexpr auto doForce(const A& a, const B& b, const Contact& x) const {
     using S = std::remove_cvref_t<decltype(x.gap)>;
-    const auto m = detail::as_closing_motion<S>(relative(a, b));
-    return detail::loads_at_contact<Dim>(m, x.force, as<S>(core().point(m)));
+    if constexpr (typed_constant<S>) {
+      return make_loads(no_wrench, no_wrench);  // a contact without force
+    } else {
+      const auto m = detail::as_closing_motion<S>(relative(a, b));
+      return detail::loads_at_contact<Dim>(m, x.force, as<S>(core().point(m)));
+    }
   }
   /// Writes gap, slip and point; called by doMotion.
   template <class A, class B, class S>

@@ -33,27 +33,27 @@ struct rigid_contact : contact<rigid_contact<Dim, Geometry>, Dim> {
   constexpr rigid_contact(const Geometry& g, const contact_law& l) : geometry(g), law(l) {}
 
   template <class M>
-  constexpr auto gap(const M& m) const {
+  KTE_INLINE constexpr auto gap(const M& m) const {
     return geometry.gap(m);
   }
   template <class M>
-  constexpr auto gap_ddot(const M& m) const {
+  KTE_INLINE constexpr auto gap_ddot(const M& m) const {
     return geometry.gap_ddot(m);
   }
   template <class M>
-  constexpr auto normal(const M& m) const {
+  KTE_INLINE constexpr auto normal(const M& m) const {
     return geometry.normal(m);
   }
   template <class M>
-  constexpr auto point(const M& m) const {
+  KTE_INLINE constexpr auto point(const M& m) const {
     return geometry.point(m);
   }
   template <class M>
-  constexpr auto slip(const M& m) const {
+  KTE_INLINE constexpr auto slip(const M& m) const {
     return geometry.slip(m);
   }
   template <class M>
-  constexpr auto slip_rate(const M& m) const {
+  KTE_INLINE constexpr auto slip_rate(const M& m) const {
     return geometry.slip_rate(m);
   }
   constexpr void check(const parameter_check& where) const {

@@ -42,7 +42,8 @@ struct contact_at {
   touch place{};
   vec3<> slip{};  ///< velocity of the body on the surface, m/s, in axes of the surface
   contact_basis basis{};
-  int first = 0;  ///< its first row among those that touch
+  bool touches = false;  ///< whether it is among those that touch
+  int first = 0;         ///< its first row among them
   struct entries_at {
     int place = 0;
     std::array<double, row_lanes> entries{};
@@ -103,15 +104,37 @@ struct contact_workspace {
     for (auto& x : contacts) {
       const auto& at = place(x);
       const auto m = loop_equations::moving_between(s, at);
-      x.place = c.touch_at(at.element, m), x.slip = x.place.slip;
+      locate(c, x, m);
     }
   }
   /// As `find` in a tree, from bias motions in the working memory of the state.
   template <class Contacts, class State>
   void find_biased(const Contacts& c, const State& s) {
     for (auto& x : contacts) {
-      x.place = c.touch_at(place(x).element, equations.biased_motion(s, x.closure)), x.slip = x.place.slip;
+      locate(c, x, equations.biased_motion(s, x.closure));
     }
+  }
+  /// The place of a contact in the relative motion m of its frames. Errors name the contact.
+  template <class Contacts, class Motion>
+  void locate(const Contacts& c, contact_at& x, const Motion& m) {
+    const auto& at = place(x);
+    const auto fail = [&](std::string_view why) {
+      constexpr std::string_view name = "kte: ";
+      raise<bad_argument>("kte: contact '" + std::string(c.loop_name(at.loop)) +
+                          "': " + std::string(why.substr(why.starts_with(name) ? name.size() : 0)));
+    };
+#if defined(__cpp_exceptions)
+    try {
+      x.place = c.touch_at(at.element, m);
+    } catch (const bad_argument& e) {
+      fail(e.what());
+    }
+#else
+    x.place = c.touch_at(at.element, m);
+#endif
+    x.slip = x.place.slip;
+    if (!(dot(x.place.normal, x.place.normal) <= 2)) [[unlikely]]
+      fail("its surface has no normal here, as at the centre of a ball or on the axis of a cylinder");
   }
   /// The rows of a contact of those of all, such as J v, in m.
   vec3<> unscaled(const contact_at& x, const Eigen::VectorXd& all) const {
@@ -130,7 +153,8 @@ struct contact_workspace {
     int row = 0;
     for (std::size_t i = 0; i < contacts.size(); ++i) {
       auto& x = contacts[i];
-      if (!chosen(x)) continue;
+      x.touches = chosen(x);
+      if (!x.touches) continue;
       x.basis = basis_at(x.place.normal, x.planar), x.first = row;
       touching.push_back(static_cast<int>(i)), row += x.rows();
       friction_contact<> law;
@@ -261,15 +285,15 @@ struct contact_workspace {
       bias[x.first] += x.place.bending / equations.places.length;
     }
     std::size_t count = 0;
+    int before = 0;
     factor.half_solve_units<Accelerate>(
         s, equations, x.closure, units, x.rows(),
         [&](std::size_t at, int first, const tree::simd<double>& entries) KTE_INLINE_LAMBDA {
-          if (first == 0) {
-            if (count == x.path.size()) x.path.emplace_back();
-            x.path[count].place = static_cast<int>(at);
-          }
-          tree::store<double>(entries, &x.path[count % x.path.size()].entries[static_cast<std::size_t>(first)]);
-          ++count;
+          if (first != before) before = first, count = 0;
+          if (count == x.path.size()) x.path.emplace_back();
+          auto& to = x.path[count++];
+          to.place = static_cast<int>(at);
+          tree::store<double>(entries, &to.entries[static_cast<std::size_t>(first)]);
         },
         [&](int k, double rate) { bias[x.first + k] += rate; });
   }

@@ -121,7 +121,7 @@ const std::vector<std::array<double, 3>>& contact_margins(const Access& a, doubl
       step.margins[k][0] = m.contacts[k].place.gap - step.zero_gaps[k];
     if (!closed) return;
     const bool admitted = admit_forces(c, s, m, step.forces, 1e-13) < 0;
-    const double tiny = 1e-13 * largest_force(m, step.forces);
+    const double tiny = step.margin_zero = 1e-13 * largest_force(m, step.forces);
     for (std::size_t i = 0; i < m.touching.size(); ++i) {
       const auto k = static_cast<std::size_t>(m.touching[i]);
       auto& own = step.margins[k] = margins_of_closed(m, i, starts[k], tiny);
@@ -155,7 +155,7 @@ void refuse_wrong_modes(const Contacts& c, State& s, contact_solver& m, forces_i
 template <class Access, class Contacts, class State, class X>
 void accelerate_in_step(const Access& a, const Contacts& c, State& s, contact_solver& m, double t, const X& x) {
   auto& step = a.memory();
-  step.time = t, step.margin_x.resize(0);
+  step.margin_x.resize(0);
   accelerate_in_modes(c, s, m, step.forces);
   put_forces_of_closures(m, s);
   if (first_wrong_mode(m, 1e-6 * largest_force(m, step.forces)) < 0) [[likely]]
@@ -173,7 +173,7 @@ void begin_step_with_contacts(const Access& a, const X& x0) {
   if (!step.starts_wrong) [[likely]]
     return;
   step.x0.resize(0), step.wrong.resize(0);  // another integration may begin here, with events
-  a.at(step.time, x0, [&](const auto& c, auto& s, contact_solver& m) {
+  a.at(step.start_time, x0, [&](const auto& c, auto& s, contact_solver& m) {
     accelerate_in_modes(c, s, m, step.forces);
     refuse_wrong_modes(c, s, m, step.forces);
   });
@@ -253,7 +253,7 @@ void resolve_contacts(const Access& a, double t, X& x, bool along_solution) {
   if (along_solution) {
     const X x0 = x;
     auto d = a.no_displacement();
-    settle_contacts(a, x0, d, x, false);
+    settle_contacts(a, x0, d, x);
   }
   const auto& model = a.model;
   const Eigen::Index n = model.velocity_count(), at_v = x.size() - model.internals() - n;
@@ -272,8 +272,8 @@ void resolve_contacts(const Access& a, double t, X& x, bool along_solution) {
           const auto& of = s.template get<kind::contact>(m.contacts[i].slot);
           auto& own = changes[i];
           own.before = mode_of(of), own.direction = of.direction, own.passes = passing[i] != 0;
-          own.at_limit[0] = own.before != contact_mode::open && margins[i][0] <= 0;
-          own.at_limit[1] = own.before == contact_mode::sticks && margins[i][1] <= 0;
+          own.at_limit[0] = own.before != contact_mode::open && margins[i][0] < step.margin_zero;
+          own.at_limit[1] = own.before == contact_mode::sticks && margins[i][1] < step.margin_zero;
         }
       }
       if (round == 50) [[unlikely]]

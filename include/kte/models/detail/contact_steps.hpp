@@ -26,7 +26,8 @@ struct contact_step {
   contact_step(const Contacts& c, const State& s) : at(c, s) {}
 
   Eigen::VectorXd x0;
-  double time = 0;        ///< of the last evaluation
+  double time = 0;        ///< of the states that `settle_contacts` puts on the rows
+  double start_time = 0;  ///< of x0
   contact_solver at;      ///< at x0
   mode_rows gaps, rates;  ///< at x0
   std::vector<int> chosen_gaps;
@@ -42,7 +43,7 @@ struct contact_step {
   impact_memory impacts;
   std::string change;  ///< what the last event changed
   Eigen::VectorXd margin_x;
-  double margin_time = 0;
+  double margin_time = 0, margin_zero = 0;  ///< forces below `margin_zero` count as zero, N
   std::vector<std::array<double, 3>> margins;
 };
 
@@ -111,6 +112,7 @@ contact_step& contact_step_from(const Access& a, const X& x0, bool check = true)
   auto& step = a.memory();
   if (step.x0.size() == x0.size() && step.x0 == x0) return step;
   step.x0.resize(0), step.margin_x.resize(0);
+  step.start_time = step.time;
   a.at(step.time, x0, [&](const auto& c, auto& s, contact_solver&) {
     auto& m = step.at;
     take_passing(s, m);
@@ -136,10 +138,10 @@ contact_step& contact_step_from(const Access& a, const X& x0, bool check = true)
 
 /// (1) and (2).
 template <class Access, class X, class Rate>
-void settle_contacts(const Access& a, const X& x0, Rate& d, X& x, bool check = true) {
+void settle_contacts(const Access& a, const X& x0, Rate& d, X& x) {
   const bool stepped = is_stepped(a, x0);
   if (stepped && !a.model.has_loops()) return;
-  auto& step = contact_step_from(a, x0, check && !stepped);
+  auto& step = contact_step_from(a, x0, false);
   if (step.all_open) return;
   const auto& model = a.model;
   Eigen::VectorXd change;
@@ -192,11 +194,11 @@ void settle_contacts(const Access& a, const X& x0, Rate& d, X& x, bool check = t
 template <class Access, class X, class Rate>
 void make_tangential_to_contacts(const Access& a, const X& x0, Rate& e) {
   if (is_stepped(a, x0)) return;
-  auto& step = contact_step_from(a, x0);
+  auto& step = contact_step_from(a, x0, false);
   if (step.all_open) return;
   const Eigen::Index n = a.model.velocity_count();
   Eigen::VectorXd change;
-  a.at(step.time, x0, [&](const auto&, auto& s, contact_solver&) {
+  a.at(step.start_time, x0, [&](const auto&, auto& s, contact_solver&) {
     auto& m = step.at;
     for (const Eigen::Index first : {Eigen::Index(0), n}) {
       auto& rows = first == 0 ? step.gaps : step.rates;

@@ -58,6 +58,10 @@ struct static_model_contacts<static_chain<Gravity, E...>> {
   static X checked(const Model&, const X& x) {
     return x;
   }
+  template <class Model>
+  static void settle_at(const Model& m, memory& kept, double t) {
+    of(m, kept).memory().time = t;
+  }
   template <class Model, class X>
   static void begin_step(const Model& m, memory& kept, const X& x0) {
     begin_step_with_contacts(of(m, kept), x0);
