@@ -3,8 +3,8 @@
 #include <kte/contract/number_reader.hpp>
 #include <kte/contract/parameter_info.hpp>
 #include <kte/detail/compiled.hpp>
+#include <kte/runtime_chain.hpp>
 #include <kte/runtime_chain/kte_map_adapter.hpp>
-#include <kte/runtime_chain/runtime_chain.hpp>
 
 // Who links the elements has no need to read them.
 #if !defined(KTE_EXTERN) || defined(KTE_COMPILED_ELEMENTS) || \

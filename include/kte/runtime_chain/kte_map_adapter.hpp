@@ -172,6 +172,13 @@ class kte_map_adapter final : public kte_element {
     else
       return {};
   }
+  bool has_gate() const override { return detail::has_gate<Core>; }
+  bool admits([[maybe_unused]] const runtime_state& s) const override {
+    if constexpr (detail::has_gate<Core>)
+      return core_.admits(s);
+    else
+      return true;
+  }
   bool is_upright([[maybe_unused]] const detail::closing_motion<double>& m) const override {
     return detail::is_upright_by(core_, m);
   }
