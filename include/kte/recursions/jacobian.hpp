@@ -23,7 +23,7 @@ KTE_INLINE constexpr auto jacobian_column(const R& rotation, const P& p, const m
   const auto angular = combined(rotation, s.angular);
   return motion_vector{plus_cross(combined(rotation, s.linear), angular, p), fresh(angular)};
 }
-/// The same with p in axes of the body:
+/// As (1), with p in axes of the body:
 ///
 ///   ( R (s_v + s_w x p), R s_w )          (2)
 ///
