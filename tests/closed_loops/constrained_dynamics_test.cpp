@@ -247,6 +247,11 @@ TEST_CASE("algorithms of trees refuse chains with loops, by name") {
               "'t1', frame2 'e0', loop 'pin0'): inverse_dynamics(c, s, q, v, a, kte::actuated(\"q1\")) "
               "of kte/loops.hpp does"));
   CHECK_THROWS_AS(c.make_state<float>(), bad_argument);
+  const std::string refusal = "kte: this algorithm does not know closures of loops, as coincident_points_2D";
+  CHECK_THROWS_MATCHES(static_forces(c, s, q), bad_argument, says(refusal));
+  CHECK_THROWS_MATCHES(nonlinear_effects(c, s, q, v), bad_argument, says(refusal));
+  CHECK_THROWS_MATCHES(mass_matrix_inverse(c, s, q), bad_argument, says(refusal));
+  CHECK(s.coordinate("q0").q == 0);  // the state is as before
   CHECK_NOTHROW(mass_matrix(c, s, q));
   CHECK_NOTHROW(energy(c, s, q, v));
 }

@@ -432,7 +432,15 @@ TEST_CASE("errors of contacts name them") {
   auto coin = sphere(disc_contact_3D("c", "world", "body", half_space{}, axis::z, 0.1, law));
   auto t = coin.make_state();
   CHECK_THROWS_MATCHES(contact_dynamics(coin, t, numbers({0, 0, 0, 1, 0, 0, 0}), zeros(6), zeros(6)), bad_argument,
-                       says("a disc lies flat"));
+                       says("kte: contact 'c': a disc lies flat"));
+  auto centre = sphere(sphere_contact_3D("c", "world", "body", ball_surface(0.5), 0.1, law));
+  auto u = centre.make_state();
+  CHECK_THROWS_MATCHES(contact_dynamics(centre, u, numbers({0, 0, 0, 1, 0, 0, 0}), zeros(6), zeros(6)), bad_argument,
+                       says("kte: contact 'c': its surface has no normal here"));
+  CHECK_THROWS_MATCHES(disc(sphere_contact_2D("c", "body", "body", half_space{}, 0.1, law)), bad_wiring,
+                       says("both its ends are 'body'"));
+  CHECK_THROWS_MATCHES(box_contact_3D("c", "world", "body", half_space{}, vec3{0.1, -0.1, 0.1}, law), bad_parameter,
+                       says("half the lengths of a box must be finite and positive, got -0.1"));
   // The state is as before
   CHECK(s.pose_2D("pose").velocity.y == 0);
 }

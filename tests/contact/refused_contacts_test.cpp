@@ -33,16 +33,20 @@ runtime_chain falling_point() {
 
 }  // namespace
 
-TEST_CASE("algorithms without contacts refuse chains with contacts in words") {
+TEST_CASE("algorithms without contacts refuse chains with contacts in words, and leave the state") {
   const auto c = falling_point();
   auto s = c.make_state();
+  s.coordinate("y").q = 0.25;
   const vector q = vector::Constant(2, 0.5), v = q, x = q;
   const auto refuses = [&](const char* what, const auto& f) {
     INFO(what);
     CHECK_THROWS_MATCHES(f(), bad_argument, says("kte: this algorithm does not support contacts, as"));
+    CHECK(s.coordinate("y").q == 0.25);
   };
   refuses("inverse dynamics", [&] { (void)inverse_dynamics(c, s, q, v, x); });
   refuses("inverse dynamics of a state", [&] { (void)inverse_dynamics(c, s); });
+  refuses("static forces", [&] { (void)static_forces(c, s, q); });
+  refuses("nonlinear effects", [&] { (void)nonlinear_effects(c, s, q, v); });
   refuses("forward dynamics", [&] { (void)forward_dynamics(c, s, q, v, x); });
   refuses("forward dynamics of a state", [&] { (void)forward_dynamics(c, s); });
   refuses("hybrid dynamics", [&] { (void)hybrid_dynamics(c, s, q, v, x, {"x"}); });

@@ -5,6 +5,7 @@
 #include <kte/contact/detail/friction_gauss_seidel.hpp>
 #include <kte/contact/detail/friction_newton.hpp>
 #include <kte/contact/detail/friction_rescue.hpp>
+#include <kte/contact/detail/friction_scaling.hpp>
 #include <kte/contact/detail/friction_sticking.hpp>
 #include <kte/contact/friction_problem.hpp>
 
@@ -34,7 +35,7 @@ class friction_solver {
   /// 3 contacts; else that where all contacts stick, if it satisfies the laws; else by Newton's method on the natural
   /// map of Alart and Curnier, and if that fails, by it with damping, from solutions of regularised problems
   /// (W + eps I, eps to 0), from iterates of ADMM, and from those of the Gauss-Seidel method. W that is singular: see
-  /// `friction_options::least_norm`.
+  /// `friction_options::least_norm`. If W_nn of contacts differ by more than 1e4, in scaled numbers, also for norms.
   const friction_solution<S>& solve(const friction_problem<S>& p, const friction_options<S>& options = {},
                                     std::span<const S> start = {});
 
@@ -45,12 +46,15 @@ class friction_solver {
                                                   const friction_options<S>& options = {});
 
  private:
+  const friction_solution<S>& solve_unscaled(const friction_problem<S>& p, const friction_options<S>& options,
+                                             std::span<const S> start);
   bool stick(const friction_options<S>& options);
   bool iterate(const friction_options<S>& options);
   void press();
   std::span<const friction_solution<S>> enumerate(const friction_options<S>& options);
   const friction_solution<S>& choose(const friction_options<S>& options, std::span<const S> start);
 
+  detail::friction_scaling<S> scaling_;
   detail::friction_system<S> system_;
   detail::friction_newton<S> newton_;
   detail::friction_sticking<S> sticking_;

@@ -27,6 +27,11 @@ using touch = basic_touch<double>;
 template <kind Dim>
 inline constexpr std::array<port, 3> contact_ports{
     {{Dim, access::on, "frame1"}, {Dim, access::on, "frame2"}, {kind::contact, access::keep, "contact"}}};
+/// Whether it is a contact with `only_if`: `admits(s)` returns whether it acts, for a state s after doMotion.
+template <class Core>
+concept has_gate = requires {
+  requires Core::has_gate;
+};
 }  // namespace detail
 
 /// A rigid contact of a body B with a surface of a frame A. A core derived from it has a `contact_law law`, and

@@ -24,6 +24,7 @@ template <class Gravity, class... E, indexable Q>
 [[nodiscard]] auto static_forces(const static_chain<Gravity, E...>& c, const Q& q) {
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
+  static_assert(sizeof(check_closures_of<chain_type>) > 0);
   const auto x = checked_arguments<chain_type>(q);
   return generalized_forces<value_of<Q>>(c, given{x.at, x.v, same<zero_t>{}, base_under_gravity(c)}, minus_one);
 }
@@ -46,6 +47,7 @@ template <class Gravity, class... E, indexable Q, indexable V>
 [[nodiscard]] auto nonlinear_effects(const static_chain<Gravity, E...>& c, const Q& q, const V& v) {
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
+  static_assert(sizeof(check_closures_of<chain_type>) > 0);
   const auto x = checked_arguments<chain_type>(q, v);
   return generalized_forces<value_of<Q>>(c, given{x.at, x.v, same<zero_t>{}, base_under_gravity(c)}, minus_one);
 }
@@ -68,7 +70,7 @@ template <class Gravity, class... E, indexable Q, indexable V>
 
 #endif
 
-// ---- of runtime chains (kte/dynamics/runtime_parts.hpp)
+// ---- of runtime chains (kte/runtime_chain.hpp)
 
 #if defined(KTE_RUNTIME_CHAINS) && !defined(KTE_BIAS_FORCES_OF_RUNTIME_CHAINS)
 #define KTE_BIAS_FORCES_OF_RUNTIME_CHAINS
@@ -112,7 +114,7 @@ const runtime_vector<S>& nonlinear_effects_of(const runtime_chain& c, basic_runt
 }  // namespace detail
 template <class S>
 const runtime_vector<S>& nonlinear_effects(const runtime_chain& c, basic_runtime_state<S>& s) {
-  c.check(s), detail::check_state_velocities(s);
+  c.check(s), detail::refuse_constraint_forces(c), detail::check_state_velocities(s);
   return detail::nonlinear_effects_of(c, s);
 }
 template <class S>
@@ -124,6 +126,7 @@ const runtime_vector<S>& coriolis_forces(const runtime_chain& c, basic_runtime_s
 }
 template <class S, indexable Q>
 const runtime_vector<S>& static_forces(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q) {
+  detail::refuse_constraint_forces(c);
   return detail::take<detail::keeping::if_needed>(c, s, q).call([&]() -> const auto& { return static_forces(c, s); });
 }
 template <class S, indexable Q>
@@ -132,6 +135,7 @@ const runtime_vector<S>& gravity_forces(const runtime_chain& c, basic_runtime_st
 }
 template <class S, indexable Q, indexable V>
 const runtime_vector<S>& nonlinear_effects(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v) {
+  detail::refuse_constraint_forces(c);
   return detail::take<detail::keeping::if_needed>(c, s, q, v).call([&]() -> const auto& {
     return detail::nonlinear_effects_of(c, s);
   });

@@ -8,9 +8,9 @@
 // clang-format on
 
 #include <kte/contract/transmission.hpp>
-#include <kte/dynamics/detail/flattened.hpp>
 #include <kte/dynamics/looped/static_chains.hpp>
 #include <kte/dynamics/state_vectors.hpp>
+#include <kte/dynamics/unrolled/flattened.hpp>
 #include <kte/dynamics/unrolled/given.hpp>
 
 namespace kte {
@@ -104,7 +104,7 @@ template <class Gravity, class... E, class S>
 
 #endif
 
-// ---- runtime chains (kte/dynamics/runtime_parts.hpp)
+// ---- runtime chains (kte/runtime_chain.hpp)
 
 #if defined(KTE_RUNTIME_CHAINS) && !defined(KTE_INVERSE_DYNAMICS_OF_RUNTIME_CHAINS)
 #define KTE_INVERSE_DYNAMICS_OF_RUNTIME_CHAINS
@@ -114,10 +114,17 @@ template <class Gravity, class... E, class S>
 
 namespace kte {
 
+namespace detail {
+/// Throws `bad_argument` for a chain with contacts or closures, whose forces inverse dynamics does not know.
+inline void refuse_constraint_forces(const runtime_chain& c) {
+  refuse_contacts(c);
+  refuse_loops(c, ": inverse_dynamics(c, s, q, v, a, kte::actuated(\"q1\")) of kte/loops.hpp does");
+}
+}  // namespace detail
+
 template <class S>
 const runtime_vector<S>& inverse_dynamics(const runtime_chain& c, basic_runtime_state<S>& s) {
-  detail::refuse_contacts(c);
-  detail::refuse_loops(c, ": inverse_dynamics(c, s, q, v, a, kte::actuated(\"q1\")) of kte/loops.hpp does");
+  detail::refuse_constraint_forces(c);
   detail::coordinate_forces(c, s);
   detail::take_generalized_forces(s);
   detail::check_result(s.work.forces, static_cast<std::size_t>(s.dofs()), [&s] { detail::diagnose("a force", s); });
@@ -126,6 +133,7 @@ const runtime_vector<S>& inverse_dynamics(const runtime_chain& c, basic_runtime_
 template <class S, indexable Q, indexable V, indexable A>
 const runtime_vector<S>& inverse_dynamics(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
                                           const A& a) {
+  detail::refuse_constraint_forces(c);
   return detail::take<detail::keeping::if_needed>(c, s, q, v, a).call([&]() -> const auto& {
     return inverse_dynamics(c, s);
   });

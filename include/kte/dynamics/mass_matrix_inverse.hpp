@@ -60,7 +60,7 @@ template <class Gravity, class... E, class S>
 
 #endif
 
-// ---- runtime chains (kte/dynamics/runtime_parts.hpp)
+// ---- runtime chains (kte/runtime_chain.hpp)
 
 #if defined(KTE_RUNTIME_CHAINS) && !defined(KTE_MASS_MATRIX_INVERSE_OF_RUNTIME_CHAINS)
 #define KTE_MASS_MATRIX_INVERSE_OF_RUNTIME_CHAINS
@@ -88,13 +88,13 @@ const runtime_matrix<S>& inverse_of_masses(const runtime_chain& c, basic_runtime
 
 template <class S>
 const runtime_matrix<S>& mass_matrix_inverse(const runtime_chain& c, basic_runtime_state<S>& s) {
-  detail::check_regular_tree(c, s);
+  detail::check_regular_tree(c, s), detail::refuse_loops(c);
   detail::check_positions(s);
   return detail::inverse_of_masses(c, s);
 }
 template <class S, indexable Q>
 const runtime_matrix<S>& mass_matrix_inverse(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q) {
-  detail::check_regular_tree(c, s);
+  detail::check_regular_tree(c, s), detail::refuse_loops(c);
   return detail::take(c, s, q).call([&]() -> const auto& { return detail::inverse_of_masses(c, s); });
 }
 

@@ -3,6 +3,7 @@
 #include <kte/contact/contact_geometry.hpp>
 #include <kte/contact/disc_geometry.hpp>
 #include <kte/contract/contact.hpp>
+#include <kte/elements/gated_contact.hpp>
 
 namespace kte {
 
@@ -16,7 +17,8 @@ namespace core {
 ///   |lambda_t| <= mu lambda_n;   if u_t is not zero, lambda_t = -mu lambda_n u_t/|u_t|          (2)
 ///   u_n^+ = -e u_n^-  in impacts          (3)
 ///
-/// `contact_dynamics` finds the forces, `impact` the velocities after an impact (kte/contacts.hpp).
+/// `contact_dynamics` finds the forces, `impact` the velocities after an impact (kte/contacts.hpp). In simulations,
+/// `.only_if(f)` lets a contact land only where f(state) is true (elements/gated_contact.hpp).
 template <kind Dim, class Geometry>
 struct rigid_contact : contact<rigid_contact<Dim, Geometry>, Dim> {
   static constexpr type_name type{Geometry::rigid_name, Dim};
@@ -70,6 +72,8 @@ struct rigid_contact : contact<rigid_contact<Dim, Geometry>, Dim> {
 }  // namespace core
 
 namespace detail {
+template <kind Dim, class Geometry>
+struct gate<core::rigid_contact<Dim, Geometry>> : gate_on_contact<core::rigid_contact<Dim, Geometry>> {};
 template <kind Dim, class Geometry, class C, class A, class B>
 constexpr auto touching(const Geometry& g, const C& name, const A& surface, const B& body, const contact_law& law) {
   return connect(core::rigid_contact<Dim, Geometry>{g, law}, surface, body, name);

@@ -99,6 +99,7 @@ class embedded_runge_kutta : public integrator<embedded_runge_kutta<Tableau, F, 
   /// (1) to (3) for the step to `end`.
   detail::attempt<S> try_step(const S& end) {
     const S h = end - this->time_;
+    this->settle_at(end);
     [&]<std::size_t... I>(std::index_sequence<I...>) { (stage<I + 1>(h, end), ...); }
     (std::make_index_sequence<stages - 1>{});
     if (!this->next_is_finite()) return {std::numeric_limits<S>::quiet_NaN()};

@@ -110,6 +110,7 @@ class esdirk : public implicit_stages<esdirk<Tableau, F, X>, F, X> {
     if (obstacle) return {none, obstacle};
     this->displace(this->d_);  // (2)
     if (!this->next_is_finite()) return {none};
+    this->settle_at(end);
     this->settle_next();
     this->check_end();
     estimate_error(h);

@@ -68,6 +68,7 @@ class fixed_step : public integrator<Method, F, X> {
   void advance(const S&) {
     this->previous_time_ = this->time_;  // the data of the last step become invalid
     const S end = grid_[++index_];
+    this->settle_at(end);
     const bool computed = this->computes([&] { static_cast<Method&>(*this).try_step(end); }, this->next_);
     if (!computed || !this->next_is_finite()) [[unlikely]]
       this->fail("the next state is not a finite number", failure_reason::not_finite);

@@ -62,8 +62,9 @@ class implicit_integrator : public integrator<Method, F, X> {
   /// next_ = state (+) d, and then projected onto constraints, for evaluations of f. Off the constraints, f may change
   /// by 1 / distance from a singular configuration; W would make that a restriction of the step.
   template <class D>
-  void displace_on_constraints(const D& d) {
+  void displace_on_constraints(const S& t, const D& d) {
     this->displace(d);
+    this->settle_at(t);
     project();
   }
   void project() {
@@ -81,7 +82,7 @@ class implicit_integrator : public integrator<Method, F, X> {
       for (Eigen::Index j = 0; j < this->rates(); ++j) {
         const S x = abs(sizes[j]), least = least_size(j);
         d[j] = root_of_epsilon() * (x < least ? least : x == S(0) ? S(1) : x);
-        displace_on_constraints(d);
+        displace_on_constraints(this->time_, d);
         this->slope(this->time_, shifted_);
         jacobian_.col(j) = (shifted_ - slope) / d[j];
         d[j] = S(0);

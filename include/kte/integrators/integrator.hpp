@@ -149,6 +149,7 @@ class integrator : public moving_state<F, X> {
 
   /// Ends a step: `next_` is the state at t.
   void accept(const S& t) {
+    this->settle_at(t);
     this->settle_next();
     previous_time_ = time_;
     time_ = t;
@@ -273,6 +274,7 @@ void integrator<Method, F, X>::begin(const S& t_end) {
   in_step_ = false;
   if (t_end == time_) return;
   no_number_is_failure([&] {
+    this->settle_at(time_);
     this->begin_at_state();
     method().start(t_end);
   });
@@ -283,6 +285,7 @@ void integrator<Method, F, X>::step(const S& t_end) {
     begin(t_end);  // again, because the last step has failed
   in_step_ = true;
   no_number_is_failure([&] {
+    this->settle_at(time_);
     this->begin_at_state();
     method().advance(t_end);
   });
@@ -299,6 +302,7 @@ void integrator<Method, F, X>::interpolate(const S& t, X& x) const {
   } else if (t == previous_time_) {
     x = previous_;
   } else {
+    this->settle_at(t);
     static_cast<const Method&>(*this).dense(S((t - previous_time_) / (time_ - previous_time_)), x);
   }
 }
@@ -306,6 +310,7 @@ template <class Method, class F, class X>
 auto integrator<Method, F, X>::displacement_to(const S& theta) const -> rate {
   if (theta == S(0)) return this->no_rate();
   X x = x_;
+  this->settle_at(S(previous_time_ + theta * (time_ - previous_time_)));
   static_cast<const Method&>(*this).dense(theta, x);
   if constexpr (base::on_group) {
     return this->displacement_within();

@@ -58,6 +58,7 @@ inline constexpr bool changes_when_called<std::reference_wrapper<const F>, S, X>
 ///   f.begin_step(x)          a step begins at x: chooses what stages and the end of the step go by
 ///   f.settle(x, d, out)      out = x (+) d, the end of a step or a state within it, is put on the manifold; d goes
 ///                            with it
+///   f.settle_at(t)           optional: the time of the next calls of `begin_step` and `settle`, if the manifold moves
 ///   f.tangential(x, e)       what `settle` takes away of a displacement is taken out of an error estimate e
 ///   f.check_end(x, next)     optional: throws where a step of another length should end elsewhere than at `next`
 ///   f.singular_distance(x)   optional: the relative distance of x, where a step begins, from singular configurations

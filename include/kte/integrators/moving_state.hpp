@@ -121,6 +121,11 @@ class moving_state {
   void check_end() const {
     if constexpr (requires { system().check_end(x_, next_); }) ask([&] { system().check_end(x_, next_); });
   }
+  /// The time of the next states that are put on the constraints, if these depend on it.
+  void settle_at([[maybe_unused]] const S& t) const {
+    if constexpr (settles)
+      if constexpr (requires { system().settle_at(t); }) system().settle_at(t);
+  }
   /// A step begins.
   void begin_at_state() const {
     if constexpr (settles) ask([&] { system().begin_step(x_); });

@@ -87,7 +87,7 @@ class rosenbrock : public singular_passage<rosenbrock<Coefficients, F, X>, F, X>
     for (std::size_t i = 0; i < stages; ++i) stage(i, h, end);
     if constexpr (!Coefficients::first_same_as_last) {
       combine(table_.m);
-      this->displace_on_constraints(sum_);  // (3)
+      this->displace_on_constraints(end, sum_);  // (3)
     }
     if (!this->next_is_finite()) return {none};
     this->check_end();
@@ -101,9 +101,10 @@ class rosenbrock : public singular_passage<rosenbrock<Coefficients, F, X>, F, X>
       u_[0] = slope_;
     } else {
       combine(table_.a[i]);
-      this->displace_on_constraints(sum_);  // also (3), if that is the last stage
       const S& alpha = table_.alpha[i];
-      this->evaluate(alpha == S(1) ? end : S(this->time_ + alpha * h), this->next_, last_slope_);
+      const S t = alpha == S(1) ? end : S(this->time_ + alpha * h);
+      this->displace_on_constraints(t, sum_);  // also (3), if that is the last stage
+      this->evaluate(t, this->next_, last_slope_);
       u_[i] = last_slope_;
       this->pull_back(u_[i]);
     }

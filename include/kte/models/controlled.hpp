@@ -254,6 +254,10 @@ class controlled {
   [[nodiscard]] bool has_loops() const requires(settles) { return model().has_loops(); }
   /// The number of rigid contacts.
   [[nodiscard]] int contacts() const requires(settles) { return model().contacts(); }
+  /// The time of the next calls of `begin_step` and `settle`.
+  void settle_at(const S& t) const requires(settles) {
+    if constexpr (requires { model().settle_at(t); }) model().settle_at(t);
+  }
   /// Called at the start of a step from x.
   void begin_step(const state& x) const requires(settles) { model().begin_step(own_part(x)); }
   /// Projects the state `out` = x (+) d onto the constraints.

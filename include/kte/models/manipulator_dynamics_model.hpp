@@ -114,6 +114,8 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
   }
 
   // ---- of chains with contacts (models/detail/contact_events.hpp)
+  /// The time of the next calls of `begin_step` and `settle`: surfaces may move.
+  void settle_at(const S& t) const requires(touches) { constraints::settle_at(*this, constraints_, t); }
   /// The function of a contact that passes through zero where its mode changes; `part` 0: its gap or normal force, 1:
   /// friction or velocity of sliding, 2: sense of sliding in space.
   [[nodiscard]] S contact_margin(const S& t, const state& x, int contact, int part) const requires(touches) {
@@ -138,7 +140,7 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
     rate r;
     r.template head<size::v>() = this->velocities_of(x);
     if constexpr (constrained)
-      r.template segment<size::v>(size::v) = constraints::accelerations(*this, constraints_, t, x, at, v, bases, none);
+      r.template segment<size::v>(size::v) = constraints::accelerations(*this, constraints_, x, at, v, bases, none);
     else
       r.template segment<size::v>(size::v) =
           detail::accelerations_under<S>(this->chain(), at, detail::each<S, const S*>{v}, bases, none);

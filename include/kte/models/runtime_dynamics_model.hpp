@@ -12,7 +12,7 @@
 #include <kte/models/element_events.hpp>
 #include <kte/models/manipulator_dynamics_model.hpp>
 #include <kte/models/unchanging_chain.hpp>
-#include <kte/runtime_chain/runtime_chain.hpp>
+#include <kte/runtime_chain.hpp>
 
 #ifdef KTE_FUNCTION
 #  include <kte/models/detail/contact_events.hpp>
@@ -158,6 +158,8 @@ class manipulator_dynamics_model<runtime_chain, double, void> : public state_spa
   /// Projects the positions and velocities of x = x0 (+) d onto the loops, by the least change in kinetic energy, and
   /// updates d. Throws `bad_argument`, naming the closure that does not close.
   void settle(const state& x0, rate& d, state& x) const;
+  /// The time of the next calls of `begin_step` and `settle`: the surfaces of contacts may move.
+  void settle_at(double t) const;
   /// Removes from a displacement from x0 the part that `settle` would remove.
   void tangential(const state& x0, rate& e) const;
   /// Chooses the independent rows of closures for the step from x0. Throws `bad_argument` if x0 is off the loops.
@@ -423,6 +425,9 @@ KTE_FUNCTION void manipulator_dynamics_model<runtime_chain>::rounding(const stat
 KTE_FUNCTION void manipulator_dynamics_model<runtime_chain>::settle(const state& x0, rate& d, state& x) const {
   if (detail::has_contacts(chain())) return detail::settle_contacts(contacts_of_model(), x0, d, x);
   if (detail::has_loops(chain())) detail::settle_on_loops(detail::runtime_model_loops{*this, s_, step_}, x0, d, x);
+}
+KTE_FUNCTION void manipulator_dynamics_model<runtime_chain>::settle_at(double t) const {
+  if (detail::has_contacts(chain())) contacts_of_model().memory().time = t;
 }
 KTE_FUNCTION void manipulator_dynamics_model<runtime_chain>::tangential(const state& x0, rate& e) const {
   if (detail::has_contacts(chain())) return detail::make_tangential_to_contacts(contacts_of_model(), x0, e);

@@ -66,6 +66,10 @@ class vector_form {
     if constexpr (requires(const model& m) { m.contacts(); }) return detail::unwrapped(f_).contacts();
     return 0;
   }
+  /// The time of the next calls of `begin_step` and `settle`.
+  void settle_at(const S& t) const requires(settles) {
+    if constexpr (requires { detail::unwrapped(f_).settle_at(t); }) detail::unwrapped(f_).settle_at(t);
+  }
   /// Chooses the independent rows of closures for the step from x0. Throws `bad_argument` if x0 is off the loops.
   void begin_step(const state& x0) const requires(settles) { detail::unwrapped(f_).begin_step(x0); }
   /// Projects x, the end of a step from x0 or a state within it, onto the loops. Throws `bad_argument`, naming the

@@ -274,6 +274,9 @@ KTE_FUNCTION void topology::check(std::string_view type, std::span<const port> p
                detail::list_of_names(frames) + "; a further base is declared by base_2D or base_3D)");
     }
   }
+  const bool constrains = !ports.empty() && (ports.back().what == kind::loop || ports.back().what == kind::contact);
+  if (constrains && ports.size() == 3 && to[0] == to[1])
+    refuse("both its ends are '" + to[0] + "', which does not move relative to itself");
 }
 KTE_FUNCTION int topology::add(const port& x, const std::string& name) {
   const auto k = static_cast<std::size_t>(x.what);

@@ -1,9 +1,9 @@
 #pragma once
 
 #include <kte/contract/transmission.hpp>
+#include <kte/detail/short_list.hpp>
 #include <kte/static_chain/wiring.hpp>
 #include <kte/tree/dependencies.hpp>
-#include <kte/tree/short_list.hpp>
 
 #include <span>
 #include <utility>

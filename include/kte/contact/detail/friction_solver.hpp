@@ -59,6 +59,16 @@ template <class S>
 const friction_solution<S>& friction_solver<S>::solve(const friction_problem<S>& p, const friction_options<S>& o,
                                                       std::span<const S> start) {
   detail::check_friction_problem(p);
+  if (!scaling_.scales(p, start)) [[likely]]
+    return solve_unscaled(p, o, start);
+  found_ = solve_unscaled(scaling_.scaled(p), o, scaling_.start());
+  scaling_.unscale(found_.lambda, found_.u);
+  return found_;
+}
+
+template <class S>
+const friction_solution<S>& friction_solver<S>::solve_unscaled(const friction_problem<S>& p,
+                                                               const friction_options<S>& o, std::span<const S> start) {
   system_.assign(p);
   const auto m = static_cast<std::size_t>(p.b.size());
   bool plane = p.contacts.size() <= 3, pressed = false, jammed = false;

@@ -96,7 +96,7 @@ void put_contacts_at(const contact_solver& m, const At& at) {
   for (const auto& x : m.contacts) {
     auto& to = at(x.slot);
     to.gap = x.place.gap, to.slip = x.slip, to.point = x.place.point;
-    to.force = to.direction = {}, to.mode = static_cast<double>(contact_mode::open);
+    to.force = to.direction = {}, to.mode = x.passes ? passing_mode : static_cast<double>(contact_mode::open);
   }
   for (std::size_t i = 0; i < m.touching.size(); ++i) {
     const auto& x = m.touched(i);

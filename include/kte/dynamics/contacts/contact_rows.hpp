@@ -37,6 +37,8 @@ struct contact_at {
   int closure = 0;  ///< its number among closures and contacts
   int slot = 0;     ///< its number among contacts
   bool planar = false;
+  bool has_gate = false;  ///< `only_if`
+  bool passes = false;    ///< passes through its surface, because its gate is closed
   touch place{};
   vec3<> slip{};  ///< velocity of the body on the surface, m/s, in axes of the surface
   contact_basis basis{};
@@ -52,6 +54,8 @@ struct contact_at {
 
 /// Contacts touch below this gap, relative to the length of the chain.
 inline constexpr double touching_gap = 1e-9;
+/// Simulations refuse to start with gaps deeper than this, relative to the length of the chain.
+inline constexpr double deepest_start = 1e-8;
 /// Velocities below this one count as rest, m/s relative to the length of the chain.
 inline constexpr double rest_velocity = 1e-9;
 
@@ -64,7 +68,7 @@ struct contact_workspace {
       if (c.touches(all[i].element)) {
         contact_at x;
         x.closure = static_cast<int>(i), x.slot = all[i].loop - c.loops();
-        x.planar = all[i].rows.count() == 2;
+        x.planar = all[i].rows.count() == 2, x.has_gate = c.has_gate(all[i].element);
         contacts.push_back(x);
       } else {
         closures.push_back(static_cast<int>(i));
@@ -100,15 +104,37 @@ struct contact_workspace {
     for (auto& x : contacts) {
       const auto& at = place(x);
       const auto m = loop_equations::moving_between(s, at);
-      x.place = c.touch_at(at.element, m), x.slip = x.place.slip;
+      locate(c, x, m);
     }
   }
   /// As `find` in a tree, from bias motions in the working memory of the state.
   template <class Contacts, class State>
   void find_biased(const Contacts& c, const State& s) {
     for (auto& x : contacts) {
-      x.place = c.touch_at(place(x).element, equations.biased_motion(s, x.closure)), x.slip = x.place.slip;
+      locate(c, x, equations.biased_motion(s, x.closure));
     }
+  }
+  /// The place of a contact in the relative motion m of its frames. Errors name the contact.
+  template <class Contacts, class Motion>
+  void locate(const Contacts& c, contact_at& x, const Motion& m) {
+    const auto& at = place(x);
+    const auto fail = [&](std::string_view why) {
+      constexpr std::string_view name = "kte: ";
+      raise<bad_argument>("kte: contact '" + std::string(c.loop_name(at.loop)) +
+                          "': " + std::string(why.substr(why.starts_with(name) ? name.size() : 0)));
+    };
+#if defined(__cpp_exceptions)
+    try {
+      x.place = c.touch_at(at.element, m);
+    } catch (const bad_argument& e) {
+      fail(e.what());
+    }
+#else
+    x.place = c.touch_at(at.element, m);
+#endif
+    x.slip = x.place.slip;
+    if (!(dot(x.place.normal, x.place.normal) <= 2)) [[unlikely]]
+      fail("its surface has no normal here, as at the centre of a ball or on the axis of a cylinder");
   }
   /// The rows of a contact of those of all, such as J v, in m.
   vec3<> unscaled(const contact_at& x, const Eigen::VectorXd& all) const {
@@ -119,7 +145,7 @@ struct contact_workspace {
     return {row(0), row(1), row(2)};
   }
   /// Whether a contact touches.
-  bool touches(const contact_at& x) const { return x.place.gap <= touching_gap * equations.places.length; }
+  bool touches(const contact_at& x) const { return !x.passes && x.place.gap <= touching_gap * equations.places.length; }
   /// Chooses contacts that touch, those for which `chosen`, and sets their bases.
   template <class Chosen>
   void choose(const Chosen& chosen) {

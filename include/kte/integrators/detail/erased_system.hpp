@@ -38,6 +38,7 @@ class erased_system {
     system_->rounding(x, d, out, rest);
   }
   /// Does nothing if the system does not define it.
+  void settle_at(double t) const requires OnGroup { system_->settle_at(t); }
   void begin_step(const vector& x) const requires OnGroup { system_->begin_step(x); }
   void settle(const vector& x, vector& d, vector& out) const requires OnGroup { system_->settle(x, d, out); }
   void tangential(const vector& x, vector& e) const requires OnGroup { system_->tangential(x, e); }
@@ -53,6 +54,7 @@ class erased_system {
     virtual void pull_back(const vector& d, vector& r) const = 0;
     virtual void magnitudes(const vector& x, vector& m) const = 0;
     virtual void rounding(const vector& x, const vector& d, const vector& out, vector& rest) const = 0;
+    virtual void settle_at(double t) const = 0;
     virtual void begin_step(const vector& x) const = 0;
     virtual void settle(const vector& x, vector& d, vector& out) const = 0;
     virtual void tangential(const vector& x, vector& e) const = 0;
@@ -89,6 +91,9 @@ class erased_system {
       } else {
         rest.setZero();
       }
+    }
+    void settle_at(double t) const override {
+      if constexpr (requires { unwrapped(f_).settle_at(t); }) unwrapped(f_).settle_at(t);
     }
     void begin_step(const vector& x) const override {
       if constexpr (settles_states<unwrapped_type<const F>, vector>) unwrapped(f_).begin_step(x);

@@ -64,7 +64,7 @@ class implicit_stages : public singular_passage<Method, F, X> {
     d_ = b + c * k;
     newton_.begin(newton_tolerance_, size(std::numeric_limits<S>::epsilon() * this->magnitudes(this->x_)));
     for (bool first = true;; first = false) {
-      this->displace_on_constraints(d_);
+      this->displace_on_constraints(t, d_);
       this->evaluate(t, this->next_, stage_slope_);
       k = stage_slope_;
       this->pull_back(k);

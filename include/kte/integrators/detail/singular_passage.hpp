@@ -88,6 +88,7 @@ class singular_passage : public implicit_integrator<Method, F, X> {
   }
   detail::attempt<S> try_explicit_step(const rate& slope, const S& end) {
     const S h = end - this->time_;
+    this->settle_at(end);
     k_.front() = slope;
     [&]<std::size_t... I>(std::index_sequence<I...>) { (stage<I + 1>(h, end), ...); }
     (std::make_index_sequence<tableau::stages - 1>{});

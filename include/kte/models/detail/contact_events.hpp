@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/models/detail/contact_gates.hpp>
 #include <kte/models/detail/contact_steps.hpp>
 
 /// Events of rigid contacts in a model: the functions that pass through zero where a contact changes its mode, and the
@@ -36,7 +37,7 @@ bool find_admissible_forces(const Contacts& c, State& s, contact_solver& m) {
 /// Whether a contact that touches leaves the surface, at an event: not if it would fall back from a height that events
 /// do not resolve.
 inline bool leaves_at_event(const contact_solver& m, const contact_at& x) {
-  const double speed = dot(x.place.normal, x.slip), height = 1e-13 * m.equations.places.length;
+  const double speed = dot(x.place.normal, x.slip), height = unresolved_height * m.equations.places.length;
   return normal_velocity(m, x) > 1 && speed * speed > 2 * height * std::abs(free_gap_ddot(m, x));
 }
 /// The normal force of contact i of those that touch, and its reserve of friction, mu lambda_n - |lambda_t|, N.
@@ -120,7 +121,7 @@ const std::vector<std::array<double, 3>>& contact_margins(const Access& a, doubl
       step.margins[k][0] = m.contacts[k].place.gap - step.zero_gaps[k];
     if (!closed) return;
     const bool admitted = admit_forces(c, s, m, step.forces, 1e-13) < 0;
-    const double tiny = 1e-13 * largest_force(m, step.forces);
+    const double tiny = step.margin_zero = 1e-13 * largest_force(m, step.forces);
     for (std::size_t i = 0; i < m.touching.size(); ++i) {
       const auto k = static_cast<std::size_t>(m.touching[i]);
       auto& own = step.margins[k] = margins_of_closed(m, i, starts[k], tiny);
@@ -152,9 +153,9 @@ void refuse_wrong_modes(const Contacts& c, State& s, contact_solver& m, forces_i
 /// The accelerations of a model at t and x, for stages of steps, written to `forces` of the working memory. Wrong modes
 /// at the start of a step are noted, because events may mend them, and refused at the next one.
 template <class Access, class Contacts, class State, class X>
-void accelerate_in_step(const Access& a, const Contacts& c, State& s, contact_solver& m, double t, const X& x) {
+void accelerate_in_step(const Access& a, const Contacts& c, State& s, contact_solver& m, const X& x) {
   auto& step = a.memory();
-  step.time = t, step.margin_x.resize(0);
+  step.margin_x.resize(0);
   accelerate_in_modes(c, s, m, step.forces);
   put_forces_of_closures(m, s);
   if (first_wrong_mode(m, 1e-6 * largest_force(m, step.forces)) < 0) [[likely]]
@@ -172,7 +173,7 @@ void begin_step_with_contacts(const Access& a, const X& x0) {
   if (!step.starts_wrong) [[likely]]
     return;
   step.x0.resize(0), step.wrong.resize(0);  // another integration may begin here, with events
-  a.at(step.time, x0, [&](const auto& c, auto& s, contact_solver& m) {
+  a.at(step.start_time, x0, [&](const auto& c, auto& s, contact_solver& m) {
     accelerate_in_modes(c, s, m, step.forces);
     refuse_wrong_modes(c, s, m, step.forces);
   });
@@ -209,6 +210,7 @@ struct contact_change {
   contact_mode before{}, after{};
   vec3<> direction{};  ///< of sliding, before
   bool turns = false;
+  bool passes = false;    ///< begins to pass through its surface
   bool at_limit[2] = {};  ///< whether the normal force, or the reserve of friction, has fallen to zero
 };
 template <class Contacts>
@@ -219,6 +221,7 @@ std::string text_of_changes(const Contacts& c, const contact_solver& m, const st
     std::string words;
     const auto say = [&words](const std::string& w) { words += (words.empty() ? "" : ", ") + w; };
     if (x.impact) say(x.impact);
+    if (x.passes) say("passes");
     if (x.rest_time >= 0) say("rests at " + number(x.rest_time) + " s");
     if (x.before != x.after || x.impact)
       say(x.after == contact_mode::sticks   ? "sticks"
@@ -250,11 +253,12 @@ void resolve_contacts(const Access& a, double t, X& x, bool along_solution) {
   if (along_solution) {
     const X x0 = x;
     auto d = a.no_displacement();
-    settle_contacts(a, x0, d, x, false);
+    settle_contacts(a, x0, d, x);
   }
   const auto& model = a.model;
   const Eigen::Index n = model.velocity_count(), at_v = x.size() - model.internals() - n;
   const Eigen::Index at_modes = x.size() - numbers_of_contact * a.contacts();
+  const auto passing = ask_gates(a, t, x);
   Eigen::VectorXd v = x.segment(at_v, n);
   const auto margins = contact_margins(a, t, x);
   std::vector<contact_change> changes;
@@ -267,9 +271,9 @@ void resolve_contacts(const Access& a, double t, X& x, bool along_solution) {
         for (std::size_t i = 0; i < changes.size(); ++i) {
           const auto& of = s.template get<kind::contact>(m.contacts[i].slot);
           auto& own = changes[i];
-          own.before = mode_of(of), own.direction = of.direction;
-          own.at_limit[0] = own.before != contact_mode::open && margins[i][0] <= 0;
-          own.at_limit[1] = own.before == contact_mode::sticks && margins[i][1] <= 0;
+          own.before = mode_of(of), own.direction = of.direction, own.passes = passing[i] != 0;
+          own.at_limit[0] = own.before != contact_mode::open && margins[i][0] < step.margin_zero;
+          own.at_limit[1] = own.before == contact_mode::sticks && margins[i][1] < step.margin_zero;
         }
       }
       if (round == 50) [[unlikely]]
@@ -282,7 +286,7 @@ void resolve_contacts(const Access& a, double t, X& x, bool along_solution) {
       bool approaches = false;
       for (std::size_t i = 0; i < m.contacts.size(); ++i) {
         const auto& y = m.contacts[i];
-        refuse_depth(c, m, y, " at the start");
+        if (!y.passes) refuse_depth(c, m, y, " at the start");
         if (!m.touches(y) || !(normal_velocity(m, y) < -1)) continue;
         approaches = true;
         const double e = y.place.law.restitution, w = -dot(y.place.normal, y.slip);
@@ -343,13 +347,14 @@ void resolve_contacts(const Access& a, double t, X& x, bool along_solution) {
   auto d = a.no_displacement();
   settle_contacts(a, x0, d, x);
   step.begun = 0;
-  // a contact that has just opened leaves from zero, whatever the rounding error of its gap
+  // a contact that has just opened leaves from zero, one that begins to pass is below, whatever the rounding errors
   a.at(t, x, [&](const auto& c, auto& s, contact_solver& m) {
     m.equations.at_positions(c, s, false);
     m.find(c, s);
     step.zero_gaps.assign(m.contacts.size(), 0);
     for (std::size_t i = 0; i < m.contacts.size(); ++i)
-      if (m.touches(m.contacts[i])) step.zero_gaps[i] = m.contacts[i].place.gap;
+      if (const double gap = m.contacts[i].place.gap; std::abs(gap) <= touching_gap * m.equations.places.length)
+        step.zero_gaps[i] = m.contacts[i].passes ? gap + unresolved_height * m.equations.places.length : gap;
   });
 }
 

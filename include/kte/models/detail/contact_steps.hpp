@@ -15,17 +15,19 @@
 ///
 ///   model, memory()      the model and its `contact_step`
 ///   at(t, x, f)          f(contacts, state at x, contact_solver of the state)
+///   admits(t, x, e)      whether element e, a contact with `only_if`, acts at x
 namespace kte::detail {
 
-/// Gaps deeper than this are refused, relative to the length of the chain.
-inline constexpr double deepest_start = 1e-8;
+/// Heights that events do not resolve, relative to the length of the chain.
+inline constexpr double unresolved_height = 1e-13;
 
 struct contact_step {
   template <class Contacts, class State>
   contact_step(const Contacts& c, const State& s) : at(c, s) {}
 
   Eigen::VectorXd x0;
-  double time = 0;        ///< of the last evaluation
+  double time = 0;        ///< of the states that `settle_contacts` puts on the rows
+  double start_time = 0;  ///< of x0
   contact_solver at;      ///< at x0
   mode_rows gaps, rates;  ///< at x0
   std::vector<int> chosen_gaps;
@@ -41,10 +43,15 @@ struct contact_step {
   impact_memory impacts;
   std::string change;  ///< what the last event changed
   Eigen::VectorXd margin_x;
-  double margin_time = 0;
+  double margin_time = 0, margin_zero = 0;  ///< forces below `margin_zero` count as zero, N
   std::vector<std::array<double, 3>> margins;
 };
 
+/// Takes over from the state which contacts pass through their surface.
+template <class State>
+void take_passing(const State& s, contact_solver& m) {
+  for (auto& x : m.contacts) x.passes = s.template get<kind::contact>(x.slot).mode == passing_mode;
+}
 inline void put_rows_of_gaps(const contact_solver& m, mode_rows& rows) {
   rows.clear(m);
   for (const int i : m.touching) rows.rows.push_back({i, m.contacts[static_cast<std::size_t>(i)].place.normal, true});
@@ -77,6 +84,7 @@ void refuse_depth(const Contacts& c, const contact_solver& m, const contact_at& 
 template <class Contacts, class State>
 void check_start_of_step(const Contacts& c, const State& s, const contact_solver& m) {
   for (const auto& x : m.contacts) {
+    if (x.passes) continue;
     const auto mode = mode_of(s.template get<kind::contact>(x.slot));
     if (mode == contact_mode::open) {
       refuse_depth(c, m, x, ": kte::element_events(model) finds impacts, and so does kte::moreau_jean");
@@ -104,8 +112,10 @@ contact_step& contact_step_from(const Access& a, const X& x0, bool check = true)
   auto& step = a.memory();
   if (step.x0.size() == x0.size() && step.x0 == x0) return step;
   step.x0.resize(0), step.margin_x.resize(0);
+  step.start_time = step.time;
   a.at(step.time, x0, [&](const auto& c, auto& s, contact_solver&) {
     auto& m = step.at;
+    take_passing(s, m);
     m.equations.at_positions(c, s, true);
     m.factor.factorize(c, s, m.equations);
     m.equations.at_rates(c, s);
@@ -116,6 +126,10 @@ contact_step& contact_step_from(const Access& a, const X& x0, bool check = true)
     step.rates.fill(c, s, m), step.gaps.fill(c, s, m);
     step.rates.factorize(nullptr), step.gaps.factorize(nullptr);
     step.rates.put_chosen(step.forces.chosen), step.gaps.put_chosen(step.chosen_gaps);
+    step.forces.chosen_touching = m.touching, step.forces.chosen_modes = m.modes;
+    step.zero_gaps.resize(m.contacts.size());
+    for (std::size_t i = 0; i < m.contacts.size(); ++i)
+      if (m.contacts[i].place.gap > touching_gap * m.equations.places.length) step.zero_gaps[i] = 0;
   });
   step.x0 = x0, ++step.begun;
   step.starts_wrong = step.wrong.size() == x0.size() && step.wrong == x0;
@@ -124,10 +138,10 @@ contact_step& contact_step_from(const Access& a, const X& x0, bool check = true)
 
 /// (1) and (2).
 template <class Access, class X, class Rate>
-void settle_contacts(const Access& a, const X& x0, Rate& d, X& x, bool check = true) {
+void settle_contacts(const Access& a, const X& x0, Rate& d, X& x) {
   const bool stepped = is_stepped(a, x0);
   if (stepped && !a.model.has_loops()) return;
-  auto& step = contact_step_from(a, x0, check && !stepped);
+  auto& step = contact_step_from(a, x0, false);
   if (step.all_open) return;
   const auto& model = a.model;
   Eigen::VectorXd change;
@@ -180,11 +194,11 @@ void settle_contacts(const Access& a, const X& x0, Rate& d, X& x, bool check = t
 template <class Access, class X, class Rate>
 void make_tangential_to_contacts(const Access& a, const X& x0, Rate& e) {
   if (is_stepped(a, x0)) return;
-  auto& step = contact_step_from(a, x0);
+  auto& step = contact_step_from(a, x0, false);
   if (step.all_open) return;
   const Eigen::Index n = a.model.velocity_count();
   Eigen::VectorXd change;
-  a.at(step.time, x0, [&](const auto&, auto& s, contact_solver&) {
+  a.at(step.start_time, x0, [&](const auto&, auto& s, contact_solver&) {
     auto& m = step.at;
     for (const Eigen::Index first : {Eigen::Index(0), n}) {
       auto& rows = first == 0 ? step.gaps : step.rates;

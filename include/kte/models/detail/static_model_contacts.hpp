@@ -28,6 +28,10 @@ struct static_model_contacts<static_chain<Gravity, E...>> {
     contact_step& memory() const { return kept.step; }
     static constexpr int contacts() { return wiring::count(kind::contact); }
     auto no_displacement() const { return Model::rate::Zero().eval(); }
+    template <class X>
+    bool admits(double t, const X& x, int element) const {
+      return admits_contact(model, t, x, element);
+    }
     template <class X, class F>
     void at(double t, const X& x, const F& f) const {
       const double *q = x.data(), *v = q + wiring::nq;
@@ -42,6 +46,7 @@ struct static_model_contacts<static_chain<Gravity, E...>> {
       auto& s = kept.s;
       s.take(g), check_regular(model.chain(), s);
       model.each_contact([&](int i, int first) { read_mode(x, first, s.template get<kind::contact>(i)); });
+      take_passing(s, s.contacts);
       f(static_contacts<chain_type, Given>{{{model.chain(), g}}}, s, s.contacts);
     }
   };
@@ -52,6 +57,10 @@ struct static_model_contacts<static_chain<Gravity, E...>> {
   template <class Model, class X>
   static X checked(const Model&, const X& x) {
     return x;
+  }
+  template <class Model>
+  static void settle_at(const Model& m, memory& kept, double t) {
+    of(m, kept).memory().time = t;
   }
   template <class Model, class X>
   static void begin_step(const Model& m, memory& kept, const X& x0) {
@@ -72,14 +81,14 @@ struct static_model_contacts<static_chain<Gravity, E...>> {
     make_tangential_to_contacts(of(m, kept), x0, e);
   }
   template <class Model, class X, class At, class Bases>
-  static vector accelerations(const Model& m, memory& kept, double t, const X& x, const At& at, const double* v,
+  static vector accelerations(const Model& m, memory& kept, const X& x, const At& at, const double* v,
                               const Bases& bases, const vector& tau) {
     at.check(), bases.check();
     const auto access = of(m, kept);
     vector a;
     const given g{at, each<double, const double*>{v}, same<zero_t>{}, bases};
     access.with(g, x, [&](const auto& c, auto& s, contact_solver& memory) {
-      accelerate_in_step(access, c, s, memory, t, x);
+      accelerate_in_step(access, c, s, memory, x);
       a = s.work.forces;
     });
     check_accelerations<wiring>(a, g, tau);
