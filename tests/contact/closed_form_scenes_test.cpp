@@ -134,6 +134,43 @@ TEST_CASE("a static chain has surfaces that move with time") {
   CHECK(worst_place(solver, model) < 1e-9);
 }
 
+TEST_CASE("a body leaves a plate that shakes up and down") {
+  // Where A w^2 sin(w t) = g; it hits the plate again where both heights are equal
+  const double pulse_up = 20;
+  auto c = planar(0.01);
+  c << law_signal(
+           [pulse_up](const auto& t) {
+             using std::sin;
+             return along_y(shake * sin(pulse_up * t));
+           },
+           "time", "place")
+    << law_signal(
+           [pulse_up](const auto& t) {
+             using std::cos;
+             return along_y(shake * pulse_up * cos(pulse_up * t));
+           },
+           "time", "rate")
+    << law_signal(
+           [pulse_up](const auto& t) {
+             using std::sin;
+             return along_y(-shake * pulse_up * pulse_up * sin(pulse_up * t));
+           },
+           "time", "acceleration")
+    << position_control_2D("place", "rate", "acceleration", "world", "plate")
+    << point_contact_2D("touch", "plate", "body", half_space{}, {.friction = 0.5});
+  const model_type model(c);
+  const auto end = run(model, numbers({0, 0, 0}), numbers({0, shake * pulse_up, 0}), 0.5);
+  REQUIRE(end.report.count >= 2);
+  const double leaves = std::asin(g / (shake * pulse_up * pulse_up)) / pulse_up;
+  CHECK(end.report.events[0].what == "'touch': lifts");
+  CHECK(end.report.events[0].time == within(leaves, 1e-11));
+  const double hits = end.report.events[1].time, flight = hits - leaves;
+  CHECK(end.report.events[1].what == "'touch': impact, sticks");
+  CHECK(shake * std::sin(pulse_up * leaves) + shake * pulse_up * std::cos(pulse_up * leaves) * flight -
+            g / 2 * flight * flight ==
+        within(shake * std::sin(pulse_up * hits), 1e-11));
+}
+
 TEST_CASE("a ball rolls in a bowl") {
   // (1 + beta) theta'' = -g/(R - r) sin theta: a quarter of the period, K(sin(a/2)) sqrt((1 + beta)(R - r)/g)
   const double way = 1 - ball_radius, a = 0.5;
@@ -241,9 +278,7 @@ TEST_CASE("a disc rolls in a circle") {
   const double s = std::sin(a), k = std::cos(a),
                spin = (across * rate * rate * s * k - g * r * k) / ((along + r * r) * rate * s);
   Eigen::Matrix3d turn;
-  turn << 1, 0, 0, 0, -k, s, 0, -s, -k;
-  turn.transposeInPlace();
-  turn.col(1) = Eigen::Vector3d(0, -k, s), turn.col(2) = turn.col(0).cross(turn.col(1));
+  turn << 1, 0, 0, 0, k, -s, 0, s, k;  // the tangent of the rim, up the disc, its axis
   const Eigen::Quaterniond at(turn);
   const Eigen::Vector3d w(0, rate * s, spin), v = r * w.cross(Eigen::Vector3d(0, 1, 0));  // in axes of the disc
   const auto end = run(model, numbers({0, 0, r * s, at.w(), at.x(), at.y(), at.z()}),
