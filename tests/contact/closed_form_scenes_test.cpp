@@ -113,8 +113,8 @@ TEST_CASE("a ball rolls on a plane that shakes") {
   prince_dormand87 high(std::cref(model), 0.0, x0, {.absolute = 1e-11, .relative = 1e-11});
   CHECK(worst_place(high, model) < 1e-9);
   // Of order 1: steps end at another time than that of their last evaluation
-  euler low(std::cref(model), 0.0, x0, 1e-4);
-  CHECK(worst_place(low, model) < 1e-4);
+  euler low(std::cref(model), 0.0, x0, 2e-3);
+  CHECK(worst_place(low, model) < 2e-3);
 }
 
 TEST_CASE("a static chain has surfaces that move with time") {
