@@ -25,7 +25,7 @@ mechanism pinned_arm() {
   m.tree.gravity(kte::along_z(-9.81));
   for (int i = 0; i < 7; ++i) {
     const auto n = std::to_string(i + 1);
-    const std::string below = i == 0 ? "base" : "l" + std::to_string(i);
+    const std::string below = i == 0 ? "base" : std::string("l").append(std::to_string(i));
     m.tree << kte::rigid_link_3D(below, "s" + n, kte::vec3<>{u(g), u(g), 0.3})
            << kte::revolute_joint_3D("q" + n, "s" + n, "l" + n,
                                      kte::vec3<>{0, i % 2 == 0 ? 0.0 : 1.0, i % 2 == 0 ? 1.0 : 0.0})

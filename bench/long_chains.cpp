@@ -3,7 +3,7 @@
 #include <kte/dynamics/forward_kinematics.hpp>
 #include <kte/elements/revolute_joint.hpp>
 #include <kte/elements/rigid_link.hpp>
-#include <kte/runtime_chain/runtime_chain.hpp>
+#include <kte/runtime_chain.hpp>
 
 #include <benchmark/benchmark.h>
 

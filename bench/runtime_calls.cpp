@@ -9,7 +9,7 @@
 #include <kte/dynamics/mass_matrix.hpp>
 #include <kte/dynamics/mass_matrix_inverse.hpp>
 #include <kte/dynamics/regressor.hpp>
-#include <kte/runtime_chain/runtime_chain.hpp>
+#include <kte/runtime_chain.hpp>
 
 #include <algorithm>
 

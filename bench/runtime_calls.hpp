@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kte/dynamics/frame_motion.hpp>
-#include <kte/runtime_chain/runtime_chain.hpp>
+#include <kte/runtime_chain.hpp>
 
 #include <string_view>
 

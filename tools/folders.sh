@@ -2,20 +2,19 @@
 # Draws which folder of include/kte includes which, from the #include lines, as docs/pictures/folders.svg.
 #   sh tools/folders.sh          writes the picture
 #   sh tools/folders.sh check    fails if the picture is out of date, or if folders include each other
-# An arrow is left out if a longer path implies it. dynamics/runtime_parts.hpp is the end of runtime_chain
-# (docs/decisions/13-folders.md): it may include dynamics.
+# An arrow is left out if a longer path implies it.
 set -eu
 cd "$(dirname "$0")/.."
 picture=docs/pictures/folders.svg
 drawn=$(mktemp)
 trap 'rm -f "$drawn"' EXIT
 
-find include/kte -mindepth 2 -name '*.hpp' ! -path include/kte/dynamics/runtime_parts.hpp | LC_ALL=C sort |
+find include/kte -mindepth 2 -name '*.hpp' | LC_ALL=C sort |
   xargs awk '
     # FOLDER INCLUDED HEADER, a line for each folder that another includes.
     /^#[ ]*include <kte\/[a-z_]+\// {
       split(FILENAME, own, "/"); split($0, other, "/")
-      if (other[3] !~ /runtime_parts/ && own[3] != other[2] && !((own[3], other[2]) in seen)) {
+      if (own[3] != other[2] && !((own[3], other[2]) in seen)) {
         seen[own[3], other[2]] = 1
         print own[3], other[2], FILENAME
       }

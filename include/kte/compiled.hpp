@@ -18,6 +18,7 @@
 #include <kte/dynamics/contacts/contact_dynamics.hpp>
 #include <kte/dynamics/contacts/contact_jacobian.hpp>
 #include <kte/dynamics/contacts/impact.hpp>
+#include <kte/dynamics/contacts/impact_derivatives.hpp>
 #include <kte/dynamics/contacts/operational_inertia.hpp>
 #include <kte/dynamics/contacts/support_polygon.hpp>
 #include <kte/dynamics/derivatives.hpp>
@@ -42,6 +43,7 @@
 #include <kte/manipulators/runtime_manipulator.hpp>
 #include <kte/models/detail/runtime_rate_derivatives.hpp>
 #include <kte/models/runtime_dynamics_model.hpp>
+#include <kte/models/saltation_matrix.hpp>
 #include <kte/robots/check_robot.hpp>
 #include <kte/robots/detail/mesh_file.hpp>
 #include <kte/robots/detail/mesh_fit.hpp>

@@ -8,6 +8,7 @@
 #include <kte/dynamics/contacts/contact_dynamics.hpp>
 #include <kte/dynamics/contacts/contact_jacobian.hpp>
 #include <kte/dynamics/contacts/impact.hpp>
+#include <kte/dynamics/contacts/impact_derivatives.hpp>
 #include <kte/dynamics/contacts/operational_inertia.hpp>
 #include <kte/dynamics/contacts/static_chains.hpp>
 #include <kte/dynamics/contacts/support_polygon.hpp>

@@ -36,7 +36,7 @@
 #include <kte/static_chain/state.hpp>
 #include <kte/contract/transmission.hpp>
 #include <kte/detail/raise.hpp>
-#include <kte/runtime_chain/runtime_chain.hpp>
+#include <kte/runtime_chain.hpp>
 #include <kte/dynamics/forward_kinematics.hpp>
 // clang-format on
 #include <kte/static.hpp>

@@ -6,6 +6,7 @@ from typing import Any, Dict, Iterator, List, Optional, Protocol, Sequence, Tupl
 import numpy as np
 from numpy.typing import ArrayLike
 
+from . import _kte
 from .errors import BadParameter
 
 
@@ -63,7 +64,9 @@ def make(type: str, ports: Sequence[Tuple[str, str]], parameters: Sequence[Tuple
     for role, name in ports:
         if not isinstance(name, str):
             raise TypeError(f"kte: {type}: {role} must be a str, the name of a coordinate, frame or signal, not {name!r}")
-    return Element(type, dict(ports), {name: values for name, values in parameters if values is not None})
+    element = Element(type, dict(ports), {name: values for name, values in parameters if values is not None})
+    _kte._check_element(element._record())
+    return element
 
 
 def _array(name: str, x: ArrayLike) -> np.ndarray[Any, np.dtype[np.float64]]:
@@ -119,6 +122,16 @@ def planar_vector(name: str, x: ArrayLike) -> List[float]:
 planar_unit_vector = planar_vector
 
 
+def surface_axis(name: str, x: Optional[ArrayLike], radius: float) -> List[float]:
+    """Without an axis the half space below z = 0, or a ball."""
+    return vector(name, ((0, 0, 0) if radius else (0, 0, 1)) if x is None else x)
+
+
+def planar_surface_axis(name: str, x: Optional[ArrayLike], radius: float) -> List[float]:
+    """Without an axis the half plane below y = 0, or a circle."""
+    return planar_vector(name, ((0, 0) if radius else (0, 1)) if x is None else x)
+
+
 def matrix(name: str, x: ArrayLike) -> List[float]:
     a = _array(name, x)
     if a.shape != (3, 3):
@@ -169,8 +182,6 @@ def symmetric(name: str, x: ArrayLike) -> List[float]:
 def planar_symmetric(name: str, x: ArrayLike) -> List[float]:
     a = _array(name, x)
     return [0.0, 0.0, 0.0, 0.0, 0.0, float(a)] if a.ndim == 0 else symmetric(name, x)
-
-
 
 
 

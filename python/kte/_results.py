@@ -29,6 +29,11 @@ __all__ = [
     "Motor",
     "Limits",
     "InverseKinematics",
+    "MotionPoint",
+    "Stability",
+    "Equilibrium",
+    "EquilibriumPath",
+    "NaturalModes",
     "Frame",
     "EventOccurrence",
     "ColumnStatistics",
@@ -230,6 +235,53 @@ class InverseKinematics(NamedTuple):
     status: str
     position: float
     rotation: float
+
+
+class MotionPoint(NamedTuple):
+    """A configuration with its rates and accelerations, or many."""
+
+    q: Array
+    v: Array
+    a: Array
+
+
+class Stability(NamedTuple):
+    """The smallest eigenvalue of the derivative of forces, N/m or Nm/rad, the number of negative ones, and the largest
+    asymmetry, relative to the derivative: zero if all forces have a potential."""
+
+    stiffness: float
+    unstable: int
+    asymmetry: float
+
+
+class Equilibrium(NamedTuple):
+    """A static equilibrium: its configuration, its status, the load factor, and the largest remaining force, N or Nm."""
+
+    q: Array
+    status: str
+    load: float
+    residual: float
+    stability: Stability
+    load_steps: int
+    iterations: int
+
+
+class EquilibriumPath(NamedTuple):
+    """Equilibria along a parameter: its values, a configuration a row, and their stability."""
+
+    parameter: Array
+    q: Array
+    stiffness: Array
+    unstable: np.ndarray[Any, np.dtype[np.int64]]
+
+
+class NaturalModes(NamedTuple):
+    """Modes about an equilibrium: frequencies, rad/s, ratios of damping, roots, 1/s, and shapes, a column a mode."""
+
+    frequency: Array
+    damping: Array
+    root: np.ndarray[Any, np.dtype[np.complex128]]
+    shape: np.ndarray[Any, np.dtype[np.complex128]]
 
 
 class Frame(NamedTuple):

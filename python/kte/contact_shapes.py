@@ -1,16 +1,20 @@
-"""Rigid and compliant contacts of capsules and boxes: lists of contacts of their ends or corners."""
+"""Rigid and compliant contacts of points, capsules and boxes: contacts of spheres at their ends or corners."""
 from __future__ import annotations
 
-from typing import Dict, List, Optional, Sequence, Tuple
+import inspect
+from typing import Any, Callable, Concatenate, List, Optional, ParamSpec, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from . import elements
 from ._element import Element
 from ._results import Array
-from .elements import compliant_contact_2D, compliant_contact_3D, sphere_contact_2D, sphere_contact_3D
+from .errors import BadParameter
 
 __all__ = [
+    "point_contact_2D",
+    "point_contact_3D",
     "capsule_contact_2D",
     "capsule_contact_3D",
     "box_contact_2D",
@@ -20,67 +24,77 @@ __all__ = [
     "compliant_box_contact_2D",
     "compliant_box_contact_3D",
 ]
+P = ParamSpec("P")
+R = TypeVar("R")
 
 
-def _in_space(half: ArrayLike, size: int) -> Array:
+def _half(half: ArrayLike, dimension: int) -> Array:
     h = np.asarray(half, float)
-    if h.shape != (size,):
-        raise ValueError(f"kte: half must have {size} numbers, got {half!r}")
-    return np.append(h, 0.0) if size == 2 else h
+    if h.shape != (dimension,):
+        raise BadParameter(f"kte: half must have {dimension} numbers, got {half!r}")
+    return np.append(h, 0.0) if dimension == 2 else h
 
 
-def _ends(half: ArrayLike, size: int) -> List[Array]:
-    h = _in_space(half, size)
+def _ends(half: ArrayLike, dimension: int) -> List[Array]:
+    h = _half(half, dimension)
     return [h, -h]
 
 
-def _corners(half: ArrayLike, size: int) -> List[Array]:
+def _corners(half: ArrayLike, dimension: int) -> List[Array]:
     """Counterclockwise from x, y > 0 in the plane; in space in the order of the binary numbers zyx."""
-    h = _in_space(half, size)
-    if size == 2:
-        signs: Sequence[Sequence[int]] = [(1, 1, 1), (-1, 1, 1), (-1, -1, 1), (1, -1, 1)]
-    else:
-        signs = [[1 if k & bit else -1 for bit in (1, 2, 4)] for k in range(8)]
-    return [h * s for s in signs]
+    h = _half(half, dimension)
+    if dimension == 2:
+        return [h * s for s in ((1, 1, 1), (-1, 1, 1), (-1, -1, 1), (1, -1, 1))]
+    return [h * [1 if k & bit else -1 for bit in (1, 2, 4)] for k in range(8)]
 
 
-def _rigid(
-    size: int,
+def _at(dimension: int, kind: str, points: List[Array], names: List[str], *connected: str, **parameters: Any) -> List[Element]:
+    """An element of a kind of contact at each point, with these names first."""
+    make = getattr(elements, f"{kind}_{dimension}D")
+    return [make(*names[k : k + 1], *connected, offset=p, **parameters) for k, p in enumerate(points)]
+
+
+def _names(contact: str, part: str, points: List[Array]) -> List[str]:
+    return [f"{contact}/{part} {k}" for k in range(1, len(points) + 1)]
+
+
+def _in(dimension: int, function: Callable[Concatenate[int, P], R]) -> Callable[P, R]:
+    """The function in the plane or in space."""
+
+    def of_dimension(*arguments: P.args, **named: P.kwargs) -> R:
+        return function(dimension, *arguments, **named)
+
+    signature = inspect.signature(function)
+    setattr(of_dimension, "__signature__", signature.replace(parameters=list(signature.parameters.values())[1:]))
+    of_dimension.__name__ = of_dimension.__qualname__ = f"{function.__name__}_{dimension}D"
+    of_dimension.__doc__ = function.__doc__
+    return of_dimension
+
+
+def point_contact(
+    dimension: int,
+    /,
     contact: str,
-    part: str,
     frame1: str,
     frame2: str,
-    points: List[Array],
-    radius: float,
-    law: Tuple[float, float],
-    surface: Tuple[ArrayLike, float],
-) -> List[Element]:
-    make = sphere_contact_2D if size == 2 else sphere_contact_3D
-    return [make(f"{contact}/{part} {k}", frame1, frame2, *surface, radius, p, *law) for k, p in enumerate(points, 1)]
+    friction: float = 0,
+    restitution: float = 0,
+    offset: Optional[ArrayLike] = None,
+    surface_axis: Optional[ArrayLike] = None,
+    surface_radius: float = 0,
+) -> Element:
+    """The rigid contact of a point of frame 2, by default its origin, with a surface of frame 1, by default a half space.
+
+    friction: mu; restitution: e; offset: of the point, m; surface: as of sphere_contact.
+    """
+    make = elements.sphere_contact_2D if dimension == 2 else elements.sphere_contact_3D
+    at = np.zeros(dimension) if offset is None else offset
+    return make(contact, frame1, frame2, 0.0, surface_axis, surface_radius, at, friction, restitution)
 
 
-def _soft(
-    size: int,
-    frame1: str,
-    frame2: str,
-    points: List[Array],
-    radius: float,
-    stiffness: float,
-    surface: Tuple[ArrayLike, float],
-    parameters: Dict[str, float],
-) -> List[Element]:
-    make = compliant_contact_2D if size == 2 else compliant_contact_3D
-    return [make(frame1, frame2, *surface, radius, stiffness, p, **parameters) for p in points]
-
-
-def _surface(axis: Optional[ArrayLike], radius: float, size: int) -> Tuple[ArrayLike, float]:
-    """Without an axis a half space, or a ball."""
-    if axis is None:
-        axis = (0, 0, 0) if radius else (0, 1, 0) if size == 2 else (0, 0, 1)
-    return axis, radius
-
-
-def capsule_contact_2D(
+def capsule_contact(
+    dimension: int,
+    /,
     contact: str,
     frame1: str,
     frame2: str,
@@ -93,103 +107,28 @@ def capsule_contact_2D(
 ) -> List[Element]:
     """The rigid contact of a capsule about the origin of frame 2 with a surface of frame 1, by default a half space.
 
-    2 contacts `leg/end 1` ...; `half`: half the axis, m; `radius`, m. Its sides touch only what is flat.
+    2 contacts `leg/end 1` ...; half: half the axis, m; radius, m; friction: mu; restitution: e. Its sides touch only
+    what is flat.
     """
-    return _rigid(
-        2, contact, "end", frame1, frame2, _ends(half, 2), radius, (friction, restitution), _surface(surface_axis, surface_radius, 2)
+    points = _ends(half, dimension)
+    return _at(
+        dimension,
+        "sphere_contact",
+        points,
+        _names(contact, "end", points),
+        frame1,
+        frame2,
+        radius=radius,
+        friction=friction,
+        restitution=restitution,
+        surface_axis=surface_axis,
+        surface_radius=surface_radius,
     )
 
 
-def compliant_capsule_contact_2D(
-    frame1: str,
-    frame2: str,
-    half: ArrayLike,
-    radius: float,
-    stiffness: float,
-    surface_axis: Optional[ArrayLike] = None,
-    surface_radius: float = 0,
-    **parameters: float,
-) -> List[Element]:
-    """The compliant contact of a capsule about the origin of frame 2 with a surface of frame 1, by default a half space.
-
-    2 contacts; `half`: half the axis, m; `radius`, m. `parameters`: exponent, dissipation, friction, slip_speed.
-    """
-    return _soft(2, frame1, frame2, _ends(half, 2), radius, stiffness, _surface(surface_axis, surface_radius, 2), parameters)
-
-
-def capsule_contact_3D(
-    contact: str,
-    frame1: str,
-    frame2: str,
-    half: ArrayLike,
-    radius: float,
-    friction: float = 0,
-    restitution: float = 0,
-    surface_axis: Optional[ArrayLike] = None,
-    surface_radius: float = 0,
-) -> List[Element]:
-    """The rigid contact of a capsule about the origin of frame 2 with a surface of frame 1, by default a half space.
-
-    2 contacts `leg/end 1` ...; `half`: half the axis, m; `radius`, m. Its sides touch only what is flat.
-    """
-    return _rigid(
-        3, contact, "end", frame1, frame2, _ends(half, 3), radius, (friction, restitution), _surface(surface_axis, surface_radius, 3)
-    )
-
-
-def compliant_capsule_contact_3D(
-    frame1: str,
-    frame2: str,
-    half: ArrayLike,
-    radius: float,
-    stiffness: float,
-    surface_axis: Optional[ArrayLike] = None,
-    surface_radius: float = 0,
-    **parameters: float,
-) -> List[Element]:
-    """The compliant contact of a capsule about the origin of frame 2 with a surface of frame 1, by default a half space.
-
-    2 contacts; `half`: half the axis, m; `radius`, m. `parameters`: exponent, dissipation, friction, slip_speed.
-    """
-    return _soft(3, frame1, frame2, _ends(half, 3), radius, stiffness, _surface(surface_axis, surface_radius, 3), parameters)
-
-
-def box_contact_2D(
-    contact: str,
-    frame1: str,
-    frame2: str,
-    half: ArrayLike,
-    friction: float = 0,
-    restitution: float = 0,
-    surface_axis: Optional[ArrayLike] = None,
-    surface_radius: float = 0,
-) -> List[Element]:
-    """The rigid contact of a rectangle about the origin of frame 2 with a surface of frame 1, by default a half space.
-
-    4 contacts `crate/corner 1` ...; `half`: half the lengths, m. Its sides touch only what is flat.
-    """
-    return _rigid(
-        2, contact, "corner", frame1, frame2, _corners(half, 2), 0.0, (friction, restitution), _surface(surface_axis, surface_radius, 2)
-    )
-
-
-def compliant_box_contact_2D(
-    frame1: str,
-    frame2: str,
-    half: ArrayLike,
-    stiffness: float,
-    surface_axis: Optional[ArrayLike] = None,
-    surface_radius: float = 0,
-    **parameters: float,
-) -> List[Element]:
-    """The compliant contact of a rectangle about the origin of frame 2 with a surface of frame 1, by default a half space.
-
-    4 contacts; `half`: half the lengths, m. `parameters`: exponent, dissipation, friction, slip_speed.
-    """
-    return _soft(2, frame1, frame2, _corners(half, 2), 0.0, stiffness, _surface(surface_axis, surface_radius, 2), parameters)
-
-
-def box_contact_3D(
+def box_contact(
+    dimension: int,
+    /,
     contact: str,
     frame1: str,
     frame2: str,
@@ -201,24 +140,70 @@ def box_contact_3D(
 ) -> List[Element]:
     """The rigid contact of a box about the origin of frame 2 with a surface of frame 1, by default a half space.
 
-    8 contacts `crate/corner 1` ...; `half`: half the lengths, m. Its sides touch only what is flat.
+    8 contacts, of a rectangle in the plane 4: `crate/corner 1` ...; half: half the lengths, m; friction: mu;
+    restitution: e. Its sides touch only what is flat.
     """
-    return _rigid(
-        3, contact, "corner", frame1, frame2, _corners(half, 3), 0.0, (friction, restitution), _surface(surface_axis, surface_radius, 3)
+    points = _corners(half, dimension)
+    return _at(
+        dimension,
+        "sphere_contact",
+        points,
+        _names(contact, "corner", points),
+        frame1,
+        frame2,
+        radius=0.0,
+        friction=friction,
+        restitution=restitution,
+        surface_axis=surface_axis,
+        surface_radius=surface_radius,
     )
 
 
-def compliant_box_contact_3D(
+def compliant_capsule_contact(
+    dimension: int,
+    /,
+    frame1: str,
+    frame2: str,
+    half: ArrayLike,
+    radius: float,
+    stiffness: float,
+    surface_axis: Optional[ArrayLike] = None,
+    surface_radius: float = 0,
+    **law: float,
+) -> List[Element]:
+    """The compliant contact of a capsule about the origin of frame 2 with a surface of frame 1, by default a half space.
+
+    2 contacts; half: half the axis, m; radius, m; stiffness, N/m^p; law: exponent p, dissipation, s/m, friction,
+    slip_speed, m/s, as of compliant_contact.
+    """
+    surface = {"surface_axis": surface_axis, "surface_radius": surface_radius}
+    points = _ends(half, dimension)
+    return _at(dimension, "compliant_contact", points, [], frame1, frame2, radius=radius, stiffness=stiffness, **surface, **law)
+
+
+def compliant_box_contact(
+    dimension: int,
+    /,
     frame1: str,
     frame2: str,
     half: ArrayLike,
     stiffness: float,
     surface_axis: Optional[ArrayLike] = None,
     surface_radius: float = 0,
-    **parameters: float,
+    **law: float,
 ) -> List[Element]:
     """The compliant contact of a box about the origin of frame 2 with a surface of frame 1, by default a half space.
 
-    8 contacts; `half`: half the lengths, m. `parameters`: exponent, dissipation, friction, slip_speed.
+    8 contacts, of a rectangle in the plane 4; half: half the lengths, m; stiffness, N/m^p; law: exponent p,
+    dissipation, s/m, friction, slip_speed, m/s, as of compliant_contact.
     """
-    return _soft(3, frame1, frame2, _corners(half, 3), 0.0, stiffness, _surface(surface_axis, surface_radius, 3), parameters)
+    surface = {"surface_axis": surface_axis, "surface_radius": surface_radius}
+    points = _corners(half, dimension)
+    return _at(dimension, "compliant_contact", points, [], frame1, frame2, radius=0.0, stiffness=stiffness, **surface, **law)
+
+
+point_contact_2D, point_contact_3D = _in(2, point_contact), _in(3, point_contact)
+capsule_contact_2D, capsule_contact_3D = _in(2, capsule_contact), _in(3, capsule_contact)
+box_contact_2D, box_contact_3D = _in(2, box_contact), _in(3, box_contact)
+compliant_capsule_contact_2D, compliant_capsule_contact_3D = _in(2, compliant_capsule_contact), _in(3, compliant_capsule_contact)
+compliant_box_contact_2D, compliant_box_contact_3D = _in(2, compliant_box_contact), _in(3, compliant_box_contact)

@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Callable, Dict, Iterable, Optional, Tuple, Union
+from typing import Callable, Dict, Iterable, Optional, Tuple, Union
 
 from numpy.typing import ArrayLike
 
@@ -44,14 +44,34 @@ def simulate(
     control: Union[None, ArrayLike, Law] = None,
     inputs: Optional[Dict[str, Union[ArrayLike, Law]]] = None,
     events: Union[None, Event, Iterable[Event]] = None,
+    t: float = 0.0,
     solver: str = "dormand_prince45",
-    **options: Any,
+    tolerance: float = 1e-9,
+    absolute: Optional[float] = None,
+    relative: Optional[float] = None,
+    step: float = 1e-3,
+    max_steps: int = 1_000_000_000,
+    largest_step: float = 0.0,
 ) -> Recording:
     """Simulates a mechanism from q and v for a time, s, and returns a `Recording`.
 
     Rows are `every` so many s, at the times `at`, or at every step if both are None. Other arguments are those of
     `Simulation`.
     """
-    simulation = Simulation(chain, q, v, control=control, inputs=inputs, events=events, solver=solver, **options)
-    end = simulation.t + time
-    return simulation.advance(end, every=None if at is not None else every, at=at)
+    simulation = Simulation(
+        chain,
+        q,
+        v,
+        t=t,
+        solver=solver,
+        tolerance=tolerance,
+        absolute=absolute,
+        relative=relative,
+        step=step,
+        max_steps=max_steps,
+        largest_step=largest_step,
+        control=control,
+        inputs=inputs,
+        events=events,
+    )
+    return simulation.advance(t + time, every=None if at is not None else every, at=at)

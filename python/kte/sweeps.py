@@ -26,6 +26,7 @@ __all__ = ["Case", "OperationRun", "SimulationRun", "SweepTable", "sweep"]
 Kept = Union[float, ArrayLike, Mapping[str, float]]
 
 _AHEAD = 64  # shards that workers have at a time
+_A_PACK = 8  # cases in a pack, at most
 
 
 def _remade(function: str, arguments: Tuple[Any, ...]) -> Any:
@@ -75,6 +76,12 @@ class SimulationRun:
     def __post_init__(self) -> None:
         if math.isnan(self.time):
             raise TypeError("kte: a SimulationRun needs its time, as time=10")
+        for name, law in (("control", self.control), *(self.inputs or {}).items()):
+            if callable(law):
+                raise TypeError(
+                    f"kte: {name} of a SimulationRun must be numbers; for a function of (t, q, v), sweep a function of a "
+                    "case that calls kte.simulate"
+                )
         _keep_chain(self)
 
 
@@ -262,6 +269,7 @@ def sweep(
     to: None = ...,
     threads: Optional[int] = ...,
     shard_size: Optional[int] = ...,
+    packs: bool = ...,
     note: str = ...,
     progress: Union[bool, Callable[[SweepProgress], Any]] = ...,
     client: Any = ...,
@@ -275,6 +283,7 @@ def sweep(
     to: Union[str, "os.PathLike[str]"],
     threads: Optional[int] = ...,
     shard_size: Optional[int] = ...,
+    packs: bool = ...,
     note: str = ...,
     progress: Union[bool, Callable[[SweepProgress], Any]] = ...,
     client: Any = ...,
@@ -289,6 +298,7 @@ def sweep(
     to: Union[None, str, "os.PathLike[str]"] = None,
     threads: Optional[int] = None,
     shard_size: Optional[int] = None,
+    packs: bool = True,
     note: str = "",
     progress: Union[bool, Callable[[SweepProgress], Any]] = False,
     client: Any = None,
@@ -303,6 +313,8 @@ def sweep(
                 continues where it was. Without a file all results are in the `SweepTable` that is returned
     threads     of runs of the library by default as many as there are cores, of functions one
     shard_size  cases that are computed and saved together; by default a 64th of all, at most 1024
+    packs       of runs of the library whether cases are computed together, in packs, where they can be. Results then
+                differ by rounding, and by the tolerances of the solver, from those of single calls
     note        distinguishes sweeps to the same file with the same cases and columns
     progress    True prints it, a function gets a `SweepProgress`, about twice a second
     client      a client of Dask, or a `concurrent.futures.Executor`: shards are computed by its workers
@@ -318,7 +330,7 @@ def sweep(
         if isinstance(run, OperationRun) and run.operation == "passes" and not named:
             raise BadArgument("kte: keep must name the quantities to keep of passes, as tip/position")
         names, quantities = _kept(run, varied.names, named)
-        work = run, quantities
+        work = run, quantities, bool(packs)
     elif callable(run):
         if not named:
             raise BadArgument("kte: keep must name the numbers that the function returns")
@@ -337,7 +349,7 @@ def sweep(
     if threads is None:
         threads = 1 if isinstance(work, _Evaluation) else os.cpu_count() or 1
     if shard_size is None:
-        shard_size = min(max(len(varied) // 64, 1), 1024)
+        shard_size = min(max(len(varied) // 64, 1 if isinstance(work, _Evaluation) else _A_PACK), 1024)
 
     completed = None
     if client is not None:

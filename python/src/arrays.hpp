@@ -4,9 +4,10 @@
 
 #include <cstring>
 #include <pybind11/numpy.h>
-#include <pybind11/pybind11.h>
 #include <string>
 #include <vector>
+
+#include "argument_names.hpp"
 
 namespace kte_python {
 

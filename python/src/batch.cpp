@@ -15,17 +15,19 @@ std::size_t nq(const kte::runtime_chain& c) { return static_cast<std::size_t>(c.
 std::size_t nv(const kte::runtime_chain& c) { return static_cast<std::size_t>(c.dofs()); }
 }  // namespace
 
-bool chain_object::has_packs() const {
-  if (has_packs_ < 0) {
-    try {
-      kte::detail::refuse_loops(chain_);
-      (void)chain_.make_state<kte::batch::detail::pack_of<double, 0, 1>>();
-      has_packs_ = 1;
-    } catch (const kte::error&) {
-      has_packs_ = 0;
-    }
+bool can_be_in_packs(const kte::runtime_chain& c) {
+  if (c.dofs() == 0) return false;
+  try {
+    kte::detail::refuse_loops(c);
+    (void)c.make_state<kte::batch::detail::pack_of<double, 0, 1>>();
+  } catch (const kte::error&) {
+    return false;
   }
-  return has_packs_ == 1 && chain_.dofs() > 0;
+  return true;
+}
+bool chain_object::has_packs() const {
+  if (has_packs_ < 0) has_packs_ = can_be_in_packs(chain_) ? 1 : 0;
+  return has_packs_ == 1;
 }
 
 void inverse_dynamics_in_packs(const kte::runtime_chain& c, std::size_t n, const std::vector<const double*>& in,

@@ -8,6 +8,9 @@
 /// Many states in packs (kte/dynamics/batch.hpp), of arrays with the numbers of states side by side.
 namespace kte_python {
 
+/// Whether the states of a chain can be computed in packs.
+bool can_be_in_packs(const kte::runtime_chain& c);
+
 void inverse_dynamics_in_packs(const kte::runtime_chain& c, std::size_t states, const std::vector<const double*>& in,
                                double* tau, std::size_t threads);
 void forward_dynamics_in_packs(const kte::runtime_chain& c, std::size_t states, const std::vector<const double*>& in,

@@ -88,12 +88,12 @@ const kte::element_registry& registry() {
 using connections = std::vector<std::pair<std::string, std::string>>;
 using parameters = std::vector<std::pair<std::string, std::vector<double>>>;
 
-void append_record(kte::runtime_chain& c, py::handle record) {
+std::unique_ptr<kte::kte_map> element_from(py::handle record) {
   const auto [type, ports, values] = record.cast<std::tuple<std::string, connections, parameters>>();
   kte::element_record r{type, 1, {}, {}};
   for (const auto& [role, name] : ports) r.connections.push_back({role, name});
   for (const auto& [name, numbers] : values) r.parameters.push_back({name, numbers});
-  c.append(registry().make(r));
+  return registry().make(r);
 }
 
 /// Appends an element, a chain, or a list of such: all of it or nothing.
@@ -103,7 +103,7 @@ void append(kte::runtime_chain& c, py::handle part) {
     for (const auto each : part) append(longer, each);
     c = std::move(longer);
   } else if (py::hasattr(part, "_record")) {
-    append_record(c, part.attr("_record")());
+    c.append(element_from(part.attr("_record")()));
   } else if (py::isinstance<chain_object>(part) || py::hasattr(part, "chain")) {
     c << chain_of(part).chain();
   } else {
@@ -190,6 +190,7 @@ kte::runtime_chain chain_from_bytes(const py::bytes& b) {
 }
 
 void bind_chain(py::module_& m) {
+  using namespace py::literals;
   py::class_<chain_object> chain(m, "Chain", R"(Chain(*parts, gravity=None)
 
 A mechanism: elements in order. Each reads frames and coordinates that elements before it write.
@@ -284,6 +285,8 @@ takes that of the first part that has one. Threads may share a chain.)");
             return made;
           }));
   chain.attr("__hash__") = py::none();
+  m.def(
+      "_check_element", [](py::handle record) { static_cast<void>(element_from(record)); }, "record"_a);
   m.def(
       "element_types", [] { return registry().types(); }, "The names of all types of elements.");
 }

@@ -63,6 +63,9 @@ class lease {
   bool spoilt_ = false;
 };
 
+/// The bytes of a pickle of a chain, and the chain.
+py::bytes bytes_of(const kte::runtime_chain& c);
+kte::runtime_chain chain_from_bytes(const py::bytes& b);
 /// The chain of an argument: a kte.Chain, or what has one as its member `chain`, such as a kte.Robot.
 const chain_object& chain_of(py::handle x);
 /// The size of a chain, by which it is judged whether a call takes long.

@@ -125,12 +125,23 @@ void raise(const evaluate::library_failure& f) {
   }
 }
 
+namespace {
+void refuse_uncompiled(const kte::runtime_chain& c) {
+  for (const auto k : {kte::kind::loop, kte::kind::contact})
+    if (const auto& names = c.wiring().names[static_cast<std::size_t>(k)]; !names.empty())
+      throw kte::bad_argument(
+          "kte: compile: chains with closed loops or rigid contacts are not compiled; this one has '" + names.front() +
+          "'");
+}
+}  // namespace
+
 void bind_compiled(py::module_& m) {
   using namespace py::literals;
   m.def(
       "compile",
       [](py::handle chain, py::handle frames) {
         const auto& c = chain_of(chain);
+        refuse_uncompiled(c.chain());
         auto made = std::make_unique<chain_object>(c);
         auto names = names_from(frames);
         std::shared_ptr<const compiled_functions> functions;

@@ -14,7 +14,7 @@ py::object contact_of(const kte::contact_state<>& x) {
   return result("Contact", py::make_tuple(modes[static_cast<int>(kte::mode_of(x))], x.gap, xyz_array(x.force),
                                           xyz_array(x.point), xyz_array(x.slip), xyz_array(x.direction)));
 }
-kte::chosen_contacts contacts_from(const py::handle& names) { return {names_from(names)}; }
+kte::chosen_contacts named_contacts(const py::handle& names) { return {names_from(names)}; }
 
 /// Arguments of functions of a state.
 struct state_arguments {
@@ -89,7 +89,7 @@ void bind_geometry(py::module_& m) {
       "contact_jacobian",
       [](py::handle chain, py::handle q, py::handle contacts) {
         const state_arguments x(chain, q);
-        const auto of = contacts_from(contacts);
+        const auto of = named_contacts(contacts);
         return to_array(compute(x.c, [&](const auto& k, auto& s) { return kte::contact_jacobian(k, s, x.q, of); }));
       },
       R"(contact_jacobian(chain, q, contacts=())
@@ -101,7 +101,7 @@ axes of the surface.)",
       "contact_jacobian_rate",
       [](py::handle chain, py::handle q, py::handle v, py::handle contacts) {
         const state_arguments x(chain, q, v);
-        const auto of = contacts_from(contacts);
+        const auto of = named_contacts(contacts);
         return to_array(
             compute(x.c, [&](const auto& k, auto& s) { return kte::contact_jacobian_rate(k, s, x.q, x.v, of); }));
       },
@@ -111,7 +111,7 @@ axes of the surface.)",
       "delassus_matrix",
       [](py::handle chain, py::handle q, py::handle contacts) {
         const state_arguments x(chain, q);
-        const auto of = contacts_from(contacts);
+        const auto of = named_contacts(contacts);
         return to_array(compute(x.c, [&](const auto& k, auto& s) { return kte::delassus_matrix(k, s, x.q, of); }));
       },
       "delassus_matrix(chain, q, contacts=())\n\nJ M^-1 J^T of contacts, 1/kg, with J of `contact_jacobian`.",
@@ -121,7 +121,7 @@ axes of the surface.)",
       [](py::handle chain, py::handle q, py::handle contacts, py::handle frame) {
         const state_arguments x(chain, q);
         if (frame.is_none()) {
-          const auto of = contacts_from(contacts);
+          const auto of = named_contacts(contacts);
           return to_array(
               compute(x.c, [&](const auto& k, auto& s) { return kte::operational_inertia(k, s, x.q, of); }));
         }
@@ -138,7 +138,7 @@ dependent rows.)",
       "support_polygon",
       [](py::handle chain, py::handle q, py::handle contacts) {
         const state_arguments x(chain, q);
-        const auto of = contacts_from(contacts);
+        const auto of = named_contacts(contacts);
         const auto r = compute(x.c, [&](const auto& k, auto& s) { return kte::support_polygon(k, s, x.q, of); });
         Eigen::MatrixXd corners(static_cast<Eigen::Index>(r.corners.size()), 3);
         for (std::size_t i = 0; i < r.corners.size(); ++i)
@@ -154,7 +154,7 @@ The convex hull of contacts with one plane, by default of those that touch: `.co
       "centre_of_pressure",
       [](py::handle chain, py::handle q, py::handle v, py::handle tau, py::handle contacts) {
         const state_arguments x(chain, q, v, tau);
-        const auto of = contacts_from(contacts);
+        const auto of = named_contacts(contacts);
         return xyz_array(compute(x.c, [&](const auto& k, auto& s) {
           kte::contact_dynamics(k, s, x.q, x.v, x.tau);
           return kte::centre_of_pressure(k, s, of);

@@ -33,15 +33,20 @@ const char* text_of(kte::failure_reason r) {
   return "other";
 }
 
+/// A message of C++ with the names of Python.
+std::string in_python(std::string what) {
+  for (std::size_t at = 0; (at = what.find("kte::", at)) != std::string::npos;) what.replace(at, 5, "kte.");
+  return what;
+}
 void raise(const char* type, const char* what) {
   const py::object error = py::module_::import("kte.errors").attr(type);
-  PyErr_SetString(error.ptr(), what);
+  PyErr_SetString(error.ptr(), in_python(what).c_str());
 }
 
 void raise(const kte::integration_failure& e) {
-  const py::object error = py::module_::import("kte.errors").attr("IntegrationFailure")(e.what());
+  const py::object error = py::module_::import("kte.errors").attr("IntegrationFailure")(in_python(e.what()));
   error.attr("time") = e.time, error.attr("reason") = text_of(e.reason);
-  error.attr("cause") = e.cause, error.attr("component") = e.component;
+  error.attr("cause") = in_python(e.cause), error.attr("component") = e.component;
   PyErr_SetObject(py::type::of(error).ptr(), error.ptr());
 }
 

@@ -1,4 +1,3 @@
-#include <kte/dynamics/external_wrenches.hpp>
 #include <kte/dynamics/forward_kinematics.hpp>
 #include <kte/dynamics/frame_motion.hpp>
 #include <kte/dynamics/jacobian.hpp>
@@ -8,6 +7,7 @@
 
 #include "define.hpp"
 #include "parts.hpp"
+#include "wrenches.hpp"
 
 namespace kte_python {
 
@@ -192,26 +192,10 @@ The Jacobian of a frame, (6, nv), linear rows first: the velocity of the frame i
       "external_forces",
       [](py::handle chain, py::handle q, py::handle wrenches, py::handle threads, const std::string& errors) {
         const auto& c = chain_of(chain);
-        std::vector<std::string> names;
-        std::vector<Eigen::VectorXd> loads;
-        if (!py::isinstance<py::dict>(wrenches))
-          throw py::type_error("kte: wrenches must be a dict from frames to 3 or 6 numbers");
-        for (const auto& [frame, load] : py::reinterpret_borrow<py::dict>(wrenches)) {
-          names.push_back(frame.cast<std::string>());
-          loads.push_back(vector_from("a wrench", load, -1));
-          if (loads.back().size() != 3 && loads.back().size() != 6)
-            throw kte::bad_argument("kte: a wrench has " + std::to_string(loads.back().size()) +
-                                    " numbers, expected 3, a force, or 6, a force and a torque");
-        }
-        std::vector<kte::external_wrench> all;
-        for (std::size_t i = 0; i < names.size(); ++i) {
-          const auto& x = loads[i];
-          all.emplace_back(names[i], kte::vec3<>{x[0], x[1], x[2]},
-                           x.size() == 6 ? kte::vec3<>{x[3], x[4], x[5]} : kte::vec3<>{});
-        }
+        const wrenches_argument loads(wrenches);
         return call(c, {{"q", argument_of::q, q}}, {{c.chain().dofs()}}, 1, options_of({}, threads, errors),
-                    [&all](const runtime_chain& k, workspace& w, double* const* out) {
-                      write_vector(kte::external_forces(k, w.state, w.x[0], all), out[0]);
+                    [&loads](const runtime_chain& k, workspace& w, double* const* out) {
+                      write_vector(kte::external_forces(k, w.state, w.x[0], loads.all), out[0]);
                     });
       },
       R"(external_forces(chain, q, wrenches, *, threads=None, errors="raise")

@@ -6,31 +6,14 @@
 #include <pybind11/stl.h>
 
 #include "call.hpp"
+#include "joint_limits.hpp"
 #include "parts.hpp"
-#include "robots.hpp"
 
 namespace kte_python {
 
 namespace {
 
 using arm_type = kte::manipulator<kte::runtime_chain>;
-
-std::vector<double> list_from(const char* name, py::handle x, int n) {
-  const auto v = vector_from(name, x, n);
-  return {v.data(), v.data() + v.size()};
-}
-/// Limits from a kte.Limits, or those of a robot, or none.
-kte::joint_limits<> limits_from(py::handle arm, py::handle limits) {
-  const auto& c = chain_of(arm).chain();
-  if (!limits.is_none()) {
-    auto l = kte::unlimited(c);
-    l.lower = list_from("limits.lower", limits.attr("lower"), c.dofs());
-    l.upper = list_from("limits.upper", limits.attr("upper"), c.dofs());
-    return l;
-  }
-  if (py::isinstance<robot_object>(arm)) return arm.cast<const robot_object&>().robot.limits;
-  return kte::unlimited(c);
-}
 
 kte::vec3<> position_from(py::handle x) {
   const auto p = vector_from("position", x, 3);

@@ -19,6 +19,8 @@ PYBIND11_MODULE(_kte, m) {
   kte_python::bind_files(m);
   kte_python::bind_robots(m);
   kte_python::bind_inverse_kinematics(m);
+  kte_python::bind_joint_motions(m);
+  kte_python::bind_statics(m);
   kte_python::bind_simulation(m);
   kte_python::bind_compiled(m);
   kte_python::bind_sweep_cases(m);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <kte/sweep/sweep_cases.hpp>
+
 #include <atomic>
 #include <memory>
 #include <pybind11/pybind11.h>
@@ -24,6 +26,12 @@ class native_run {
   virtual const column_names& kept() const = 0;
   /// Computes the case with these values of its columns.
   virtual void operator()(const std::vector<double>& values, std::vector<double>& kept) = 0;
+  /// The kept numbers of the cases from `begin` to `end`, exclusive, that can be computed together, in packs. Those of
+  /// the others are empty. The result of a case does not depend on the others.
+  virtual std::vector<std::vector<double>> in_packs(const kte::sweep_cases& /*cases*/, std::uint64_t begin,
+                                                    std::uint64_t end) {
+    return std::vector<std::vector<double>>(static_cast<std::size_t>(end - begin));
+  }
 };
 
 /// Makes the run of a kte.SimulationRun or kte.OperationRun, for columns of these names.

@@ -9,9 +9,12 @@
 #include <kte/io/recording.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
+#include <limits>
 
 #include "arrays.hpp"
+#include "batch.hpp"
 #include "chain.hpp"
 #include "native_run.hpp"
 #include "sweep_columns.hpp"
@@ -31,23 +34,27 @@ void append(std::vector<double>& out, const Eigen::VectorXd& x) {
   out.insert(out.end(), x.data(), x.data() + x.size());
 }
 
-/// An operation: the columns of its third argument, what its results are called, and the call.
+/// An operation: the columns of its third argument, what its results are called, the call, and that of many states.
 struct operation {
   const char* name;
   const char* third;
   column_names (*results)(const column_names& of_v);
   void (*call)(const runtime_chain&, kte::runtime_state&, const case_numbers&, std::vector<double>&);
+  void (*in_packs)(const runtime_chain&, std::size_t states, const std::vector<const double*>& in, double* out,
+                   std::size_t threads) = nullptr;
 };
 column_names force_names(const column_names& v) { return with_prefix("tau/", v); }
 const operation operations[]{
     {"inverse_dynamics", "a", force_names,
      [](const runtime_chain& c, kte::runtime_state& s, const case_numbers& x, std::vector<double>& out) {
        append(out, kte::inverse_dynamics(c, s, x.q, x.v, x.third));
-     }},
+     },
+     inverse_dynamics_in_packs},
     {"forward_dynamics", "tau", [](const column_names& v) { return with_prefix("a/", v); },
      [](const runtime_chain& c, kte::runtime_state& s, const case_numbers& x, std::vector<double>& out) {
        append(out, kte::forward_dynamics(c, s, x.q, x.v, x.third));
-     }},
+     },
+     forward_dynamics_in_packs},
     {"mass_matrix", "",
      [](const column_names& v) {
        column_names all;
@@ -58,7 +65,8 @@ const operation operations[]{
      [](const runtime_chain& c, kte::runtime_state& s, const case_numbers& x, std::vector<double>& out) {
        const Eigen::MatrixXd m = kte::mass_matrix(c, s, x.q);
        append(out, m.reshaped());
-     }},
+     },
+     mass_matrix_in_packs},
     {"gravity_forces", "", force_names,
      [](const runtime_chain& c, kte::runtime_state& s, const case_numbers& x, std::vector<double>& out) {
        append(out, kte::gravity_forces(c, s, x.q));
@@ -118,6 +126,26 @@ class operation_run : public native_run {
       put(chain_, x.u, state_), f(chain_, state_, x);
     }
   }
+  /// Whether all cases are states of one chain without inputs, which can be computed in packs.
+  bool are_states() const { return columns_.paths().empty() && numbers_.u.size() == 0 && can_be_in_packs(chain_); }
+  /// The results of many cases, `count` numbers each; NaN for a case without a result.
+  std::vector<double> together(const operation& o, const kte::sweep_cases& cases, std::uint64_t begin,
+                               std::uint64_t end, std::size_t count) const {
+    std::vector<double> q, v, third, values(cases.names().size());
+    for (std::uint64_t i = begin; i < end; ++i) {
+      for (std::size_t j = 0; j < values.size(); ++j) values[j] = cases(i, j);
+      case_numbers x = numbers_;
+      columns_.put(values, x);
+      append(q, x.q), append(v, x.v), append(third, x.third);
+    }
+    const auto states = static_cast<std::size_t>(end - begin);
+    std::vector<double> out(states * count, std::numeric_limits<double>::quiet_NaN());
+    try {
+      o.in_packs(chain_, states, {q.data(), v.data(), third.data()}, out.data(), 1);
+    } catch (const kte::error&) {  // of the first case without a result; the others are written
+    }
+    return out;
+  }
 
  private:
   static void put(const runtime_chain& c, const Eigen::VectorXd& u, kte::runtime_state& s) {
@@ -138,8 +166,9 @@ class named_operation final : public operation_run {
  public:
   named_operation(const operation& o, const runtime_chain& c, const case_numbers& x, const column_names& columns,
                   const column_names& keep)
-      : operation_run(c, x, columns, o.third), operation_(o) {
+      : operation_run(c, x, columns, o.third), operation_(o), in_packs_(o.in_packs != nullptr && are_states()) {
     const column_names all = o.results(names_of_numbers(c, false));
+    count_ = all.size();
     kept_ = keep.empty() ? all : keep;
     for (const auto& name : kept_) {
       const auto at = std::find(all.begin(), all.end(), name);
@@ -160,9 +189,23 @@ class named_operation final : public operation_run {
       for (const auto i : places_) kept.push_back(results_[i]);
     });
   }
+  std::vector<std::vector<double>> in_packs(const kte::sweep_cases& cases, std::uint64_t begin,
+                                            std::uint64_t end) override {
+    auto all = native_run::in_packs(cases, begin, end);
+    if (!in_packs_) return all;
+    const auto out = together(operation_, cases, begin, end, count_);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const double* const results = out.data() + i * count_;
+      if (std::any_of(results, results + count_, [](double x) { return std::isnan(x); })) continue;
+      for (const auto k : places_) all[i].push_back(results[k]);
+    }
+    return all;
+  }
 
  private:
   operation operation_;
+  bool in_packs_;
+  std::size_t count_ = 0;  ///< of results
   column_names kept_;
   std::vector<std::size_t> places_;
   std::vector<double> results_;

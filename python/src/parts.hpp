@@ -1,6 +1,6 @@
 #pragma once
 
-#include <pybind11/pybind11.h>
+#include "argument_names.hpp"
 
 /// The parts of the module kte._kte.
 namespace kte_python {
@@ -22,6 +22,8 @@ void bind_simulation(pybind11::module_& m);
 void bind_compiled(pybind11::module_& m);
 void bind_sweep_cases(pybind11::module_& m);
 void bind_sweep(pybind11::module_& m);
+void bind_joint_motions(pybind11::module_& m);
+void bind_statics(pybind11::module_& m);
 void bind_view(pybind11::module_& m);
 
 }  // namespace kte_python

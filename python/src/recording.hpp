@@ -73,6 +73,9 @@ struct recording_object {
   }
 };
 
+/// The state of a pickle of a recording, and the recording.
+py::tuple state_of(const recording_object& r);
+std::unique_ptr<recording_object> recording_from(const py::tuple& state);
 /// Counts of a solver: a dict.
 py::dict statistics_of(const kte::step_statistics& s);
 

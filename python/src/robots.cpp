@@ -10,6 +10,7 @@
 #include <pybind11/stl/filesystem.h>
 
 #include "call.hpp"
+#include "joint_limits.hpp"
 #include "parts.hpp"
 
 namespace kte_python {
@@ -18,6 +19,18 @@ kte::robot current(const robot_object& r) {
   kte::robot whole = r.robot;
   whole.chain = chain_of(r.chain).chain();
   return whole;
+}
+
+kte::joint_limits<> limits_from(py::handle robot_or_chain, py::handle limits) {
+  const auto& c = chain_of(robot_or_chain).chain();
+  if (limits.is_none())
+    return py::isinstance<robot_object>(robot_or_chain) ? robot_or_chain.cast<const robot_object&>().robot.limits
+                                                        : kte::unlimited(c);
+  const auto list = [&](const char* name) {
+    const auto x = vector_from((std::string("limits.") + name).c_str(), limits.attr(name), c.dofs());
+    return std::vector<double>(x.data(), x.data() + x.size());
+  };
+  return {list("lower"), list("upper"), list("rate"), list("acceleration"), list("jerk"), list("effort")};
 }
 
 namespace {
@@ -88,29 +101,55 @@ kte::robot_contact_options contacts_from(py::handle contacts) {
   if (o.ground.empty()) throw py::value_error("kte: contacts needs a 'ground', such as 'world'");
   return o;
 }
-kte::robot_options options_from(py::handle gravity, const std::string& root, bool floating_base, bool fold_fixed,
-                                bool joint_dynamics, double friction_smoothing, double quarter_turn_tolerance,
-                                bool strict, const std::string& model, py::handle search_path, py::handle contacts) {
+kte::robot_options options_from(const py::dict& from) {
   kte::robot_options o;
-  o.contacts = contacts_from(contacts);
-  if (!gravity.is_none()) {
+  const auto take = [&from](const char* name, auto& to) {
+    to = from[name].cast<std::remove_reference_t<decltype(to)>>();
+  };
+  o.contacts = contacts_from(from["contacts"]);
+  if (const py::object gravity = from["gravity"]; !gravity.is_none()) {
     const auto g = vector_from("gravity", gravity, 3);
     o.gravity = kte::vec3<>{g[0], g[1], g[2]};
   }
-  o.root = root, o.floating_base = floating_base, o.fold_fixed = fold_fixed, o.joint_dynamics = joint_dynamics;
-  o.friction_smoothing = friction_smoothing, o.quarter_turn_tolerance = quarter_turn_tolerance;
-  o.strict = strict, o.model = model;
-  o.search_path = names_from(search_path);
+  take("root", o.root), take("floating_base", o.floating_base), take("fold_fixed", o.fold_fixed);
+  take("joint_dynamics", o.joint_dynamics), take("friction_smoothing", o.friction_smoothing);
+  take("quarter_turn_tolerance", o.quarter_turn_tolerance), take("strict", o.strict), take("model", o.model);
+  o.search_path = names_from(from["search_path"]);
   return o;
 }
 
-std::unique_ptr<robot_object> as_object(kte::robot r) {
+std::unique_ptr<robot_object> as_object(kte::robot r, py::tuple source) {
   py::object chain = py::cast(std::make_unique<chain_object>(r.chain));
-  auto made = std::make_unique<robot_object>(robot_object{std::move(r), std::move(chain)});
+  auto made = std::make_unique<robot_object>(robot_object{std::move(r), std::move(chain), std::move(source)});
   warn(made->robot.warnings, made->robot.file);
   return made;
 }
+std::unique_ptr<robot_object> robot_from_file(const std::filesystem::path& path, const py::dict& options) {
+  const auto whole = std::filesystem::absolute(path);  // for pickles, which may be read in another folder
+  return as_object(kte::load_robot(path, options_from(options)), py::make_tuple("load_robot", whole, options));
+}
+std::unique_ptr<robot_object> robot_from_text(const std::string& text, const std::string& name,
+                                              const py::dict& options) {
+  const auto o = options_from(options);
+  return as_object(kte::to_robot(kte::describe_robot(text, name, o), o),
+                   py::make_tuple("parse_robot", py::make_tuple(text, name), options));
+}
 
+void add_motors(robot_object& r, double stiffness, double damping, double stop_stiffness, double stop_damping) {
+  auto whole = current(r);
+  const auto before = whole.warnings.size();
+  kte::add_motors(
+      whole,
+      {.stiffness = stiffness, .damping = damping, .stop_stiffness = stop_stiffness, .stop_damping = stop_damping});
+  r.chain.cast<chain_object&>().edit() = whole.chain;
+  r.robot = std::move(whole);
+  r.motors.append(py::make_tuple(stiffness, damping, stop_stiffness, stop_damping));
+  warn({r.robot.warnings.begin() + static_cast<std::ptrdiff_t>(before), r.robot.warnings.end()}, r.robot.file);
+}
+
+robot_object copy_of(const robot_object& r) {
+  return {r.robot, py::cast(chain_object(chain_of(r.chain))), r.source, py::list(r.motors.attr("copy")())};
+}
 std::string repr_of(const robot_object& r) {
   const auto& c = chain_of(r.chain).chain();
   std::string s = "<kte.Robot '" + r.robot.name + "': " + std::to_string(c.dofs()) +
@@ -193,25 +232,20 @@ void bind_robots(py::module_& m) {
             return all;
           },
           "check()\n\nWhat is odd about the robot, as sentences with lines of the file.")
-      .def(
-          "add_motors",
-          [](robot_object& r, double stiffness, double damping, double stop_stiffness, double stop_damping) {
-            auto whole = current(r);
-            const auto before = whole.warnings.size();
-            kte::add_motors(whole, {.stiffness = stiffness,
-                                    .damping = damping,
-                                    .stop_stiffness = stop_stiffness,
-                                    .stop_damping = stop_damping});
-            r.chain.cast<chain_object&>().edit() = whole.chain;
-            r.robot = std::move(whole);
-            warn({r.robot.warnings.begin() + static_cast<std::ptrdiff_t>(before), r.robot.warnings.end()},
-                 r.robot.file);
-          },
-          R"(add_motors(*, stiffness=0, damping=0, stop_stiffness=0, stop_damping=0)
+      .def("add_motors", &add_motors,
+           R"(add_motors(*, stiffness=0, damping=0, stop_stiffness=0, stop_damping=0)
 
 Adds the motors of the file to the chain; their commands are inputs, listed in `.motors`. With `stiffness` and `damping`,
 N/m or Nm/rad, they are servos, whose commands are positions. `stop_*`: stops at the ends of the ranges of joints.)",
-          py::kw_only(), "stiffness"_a = 0.0, "damping"_a = 0.0, "stop_stiffness"_a = 0.0, "stop_damping"_a = 0.0)
+           py::kw_only(), "stiffness"_a = 0.0, "damping"_a = 0.0, "stop_stiffness"_a = 0.0, "stop_damping"_a = 0.0)
+      .def("__copy__", [](const robot_object& r) { return copy_of(r); })
+      .def("__deepcopy__", [](const robot_object& r, py::handle) { return copy_of(r); })
+      .def("__reduce__",
+           [](const robot_object& r) {
+             const auto remade = py::module_::import("kte.robots").attr("_remade");
+             return py::make_tuple(remade, r.source + py::make_tuple(r.motors, r.chain));
+           })
+      .def("_put_chain", [](robot_object& r, py::object chain) { r.chain = std::move(chain); })
       .def("__repr__", &repr_of);
 
   static const std::string load_doc =
@@ -230,9 +264,12 @@ N/m or Nm/rad, they are servos, whose commands are positions. `stop_*`: stops at
       [](const std::filesystem::path& path, py::handle gravity, const std::string& root, bool floating_base,
          bool fold_fixed, bool joint_dynamics, double friction_smoothing, double quarter_turn_tolerance, bool strict,
          const std::string& model, py::handle search_path, py::handle contacts) {
-        return as_object(kte::load_robot(
-            path, options_from(gravity, root, floating_base, fold_fixed, joint_dynamics, friction_smoothing,
-                               quarter_turn_tolerance, strict, model, search_path, contacts)));
+        return robot_from_file(
+            path,
+            py::dict("gravity"_a = gravity, "root"_a = root, "floating_base"_a = floating_base,
+                     "fold_fixed"_a = fold_fixed, "joint_dynamics"_a = joint_dynamics,
+                     "friction_smoothing"_a = friction_smoothing, "quarter_turn_tolerance"_a = quarter_turn_tolerance,
+                     "strict"_a = strict, "model"_a = model, "search_path"_a = search_path, "contacts"_a = contacts));
       },
       load_doc.c_str(), "path"_a, py::kw_only(), "gravity"_a = none, "root"_a = "", "floating_base"_a = false,
       "fold_fixed"_a = false, "joint_dynamics"_a = true, "friction_smoothing"_a = 1e-3,
@@ -244,9 +281,12 @@ N/m or Nm/rad, they are servos, whose commands are positions. `stop_*`: stops at
          bool floating_base, bool fold_fixed, bool joint_dynamics, double friction_smoothing,
          double quarter_turn_tolerance, bool strict, const std::string& model, py::handle search_path,
          py::handle contacts) {
-        const auto options = options_from(gravity, root, floating_base, fold_fixed, joint_dynamics, friction_smoothing,
-                                          quarter_turn_tolerance, strict, model, search_path, contacts);
-        return as_object(kte::to_robot(kte::describe_robot(text, name, options), options));
+        return robot_from_text(
+            text, name,
+            py::dict("gravity"_a = gravity, "root"_a = root, "floating_base"_a = floating_base,
+                     "fold_fixed"_a = fold_fixed, "joint_dynamics"_a = joint_dynamics,
+                     "friction_smoothing"_a = friction_smoothing, "quarter_turn_tolerance"_a = quarter_turn_tolerance,
+                     "strict"_a = strict, "model"_a = model, "search_path"_a = search_path, "contacts"_a = contacts));
       },
       parse_doc.c_str(), "text"_a, "name"_a = "robot", py::kw_only(), "gravity"_a = none, "root"_a = "",
       "floating_base"_a = false, "fold_fixed"_a = false, "joint_dynamics"_a = true, "friction_smoothing"_a = 1e-3,

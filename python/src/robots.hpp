@@ -10,6 +10,8 @@ namespace kte_python {
 struct robot_object {
   kte::robot robot;
   pybind11::object chain;
+  pybind11::tuple source;                    ///< the function that made it, its argument and options
+  pybind11::list motors = pybind11::list();  ///< arguments of `add_motors`
 };
 
 /// A robot with its chain as it is now.

@@ -1,13 +1,16 @@
 #include <kte/io/model_inputs.hpp>
 #include <kte/io/recording.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "arrays.hpp"
 #include "chain.hpp"
 #include "coordinate_forces.hpp"
 #include "native_run.hpp"
+#include "simulation_in_lanes.hpp"
 #include "solvers.hpp"
 #include "sweep_columns.hpp"
 
@@ -38,6 +41,7 @@ struct kept_of_simulation {
   std::vector<kte::detail::recorded> cells;
   std::size_t columns = 0;
   bool of_rows = false;  ///< whether rows before the last one are needed
+  bool of_steps = false;
 
   kept_of_simulation(const kte::runtime_chain& c, const std::vector<std::string>& keep) {
     const auto slots = kte::detail::slots_of(c);
@@ -49,6 +53,7 @@ struct kept_of_simulation {
       const auto known = std::find_if(outcomes.begin(), outcomes.end(), [&](const auto& o) { return o.first == name; });
       if (known != outcomes.end()) {
         names.push_back(name), numbers.push_back({true, known->second});
+        of_steps = of_steps || known->second == outcome::steps;
         continue;
       }
       std::string_view prefix;
@@ -62,6 +67,11 @@ struct kept_of_simulation {
       }
       cells.insert(cells.end(), what.cells.begin(), what.cells.end());
     }
+  }
+  /// Whether all of them are positions and velocities of coordinates, which depend on no parameter of the chain.
+  bool are_of_state() const {
+    return std::all_of(cells.begin(), cells.end(),
+                       [](const kte::detail::recorded& c) { return c.what == kte::kind::gen && c.quantity < 2; });
   }
 };
 
@@ -84,6 +94,7 @@ class simulation_run final : public native_run {
     kte::detail::for_each_input(s_.chain, [this](std::string_view name, int u, int n) {
       inputs_.push_back({std::string(name), u, n});
     });
+    in_lanes_ = !kept_.of_rows && !kept_.of_steps && s_.time > 0 && can_be_in_lanes(s_.chain, s_.solver.name);
   }
   std::unique_ptr<native_run> clone() const override { return std::make_unique<simulation_run>(*this); }
   const std::vector<std::string>& kept() const override { return kept_.names; }
@@ -92,17 +103,8 @@ class simulation_run final : public native_run {
     case_numbers x = s_.start;
     columns_.put(values, x);
     auto chain = columns_.chain_with(values).value_or(s_.chain);
-    const auto forces = s_.has_forces ? coordinate_forces(chain) : coordinate_forces();
-    Eigen::VectorXd constant;
-    plant p(
-        chain,
-        [&](double, const plant::state& state, Eigen::VectorXd& u) {
-          if (*stop_) throw stopped{};
-          u = constant;
-          if (s_.has_forces) forces.put(x.third, state, u);
-        },
-        forces.of_tau_alone());
-    constant = inputs_of(p.model(), x.u);
+    case_plant of_case(*this, chain, x);
+    plant& p = of_case.p;
 
     const double end = s_.begin + s_.time;
     const auto solver = start_solver(p, x.q, x.v, s_.begin, s_.solver);
@@ -123,11 +125,92 @@ class simulation_run final : public native_run {
     }
   }
 
+  std::vector<std::vector<double>> in_packs(const kte::sweep_cases& cases, std::uint64_t begin,
+                                            std::uint64_t end) override {
+    if (!in_lanes_) return native_run::in_packs(cases, begin, end);
+    const auto values_of = [&cases](std::uint64_t i) {
+      std::vector<double> values(cases.names().size());
+      for (std::size_t j = 0; j < values.size(); ++j) values[j] = cases(i, j);
+      return values;
+    };
+    const simulation_in_lanes lanes{s_.chain,
+                                    columns_.paths(),
+                                    s_.solver.name,
+                                    s_.begin,
+                                    s_.begin + s_.time,
+                                    s_.solver.step,
+                                    s_.solver.tolerances,
+                                    [&](std::uint64_t i) {
+                                      const auto values = values_of(i);
+                                      case_numbers x = s_.start;
+                                      columns_.put(values, x);
+                                      return lane_numbers{columns_.parameters(values), x.q, x.v, x.third, x.u};
+                                    },
+                                    *stop_};
+    auto all = final_states(lanes, cases, begin, end);
+    std::optional<case_plant> of_chain;
+    for (std::uint64_t i = begin; i < end; ++i) {
+      auto& numbers = all[static_cast<std::size_t>(i - begin)];
+      if (numbers.empty()) continue;
+      const auto values = values_of(i);
+      case_numbers x = s_.start;
+      columns_.put(values, x);
+      if (!kept_.are_of_state() || !of_chain) {
+        auto chain = kept_.are_of_state() ? s_.chain : columns_.chain_with(values).value_or(s_.chain);
+        of_chain.emplace(*this, chain, x);
+      }
+      try {
+        numbers = at_end(of_chain->p, Eigen::VectorXd::Map(numbers.data(), s_.chain.nq() + s_.chain.dofs()));
+      } catch (const kte::error&) {
+        numbers.clear();  // the case alone gives the reason
+      }
+    }
+    return all;
+  }
+
  private:
   struct input {
     std::string name;
     int u, count;
   };
+  /// A chain under the forces and inputs of a case.
+  struct case_plant {
+    const simulation_run& run;
+    const case_numbers x;
+    coordinate_forces forces;
+    Eigen::VectorXd constant;
+    plant p;
+
+    /// Adds the forces to the chain.
+    case_plant(const simulation_run& r, kte::runtime_chain& chain, case_numbers numbers)
+        : run(r),
+          x(std::move(numbers)),
+          forces(r.s_.has_forces ? coordinate_forces(chain) : coordinate_forces()),
+          p(
+              chain,
+              [this](double, const plant::state& state, Eigen::VectorXd& u) {
+                if (*run.stop_) throw stopped{};
+                u = constant;
+                if (run.s_.has_forces) forces.put(x.third, state, u);
+              },
+              forces.of_tau_alone()) {
+      constant = run.inputs_of(p.model(), x.u);
+    }
+    case_plant(const case_plant&) = delete;
+    case_plant& operator=(const case_plant&) = delete;
+  };
+  /// The kept numbers of a final state (q, v) of lanes.
+  std::vector<double> at_end(plant& p, const Eigen::VectorXd& state) {
+    const double end = s_.begin + s_.time;
+    const Eigen::Index nq = s_.chain.nq();
+    row_.resize(kept_.columns);
+    const auto x = p.model().make_x(Eigen::VectorXd(state.head(nq)), Eigen::VectorXd(state.tail(state.size() - nq)));
+    kte::detail::read_recorded(kept_.cells, p.state_at(end, x), row_.data());
+    std::vector<double> kept;
+    for (const auto& n : kept_.numbers)
+      kept.push_back(!n.is_outcome ? row_[n.column] : n.what == outcome::end_time ? end : 0.0);  // without events
+    return kept;
+  }
   /// The inputs of a model whose chain may have more of them than the columns know.
   Eigen::VectorXd inputs_of(const plant::model_type& m, const Eigen::VectorXd& given) const {
     Eigen::VectorXd u = m.input();
@@ -161,6 +244,7 @@ class simulation_run final : public native_run {
   sweep_columns columns_;
   kept_of_simulation kept_;
   stop_flag stop_;
+  bool in_lanes_ = false;
   std::vector<input> inputs_;
   std::size_t rows_ = 0;
   std::vector<double> row_, reduced_;

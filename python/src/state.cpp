@@ -100,7 +100,13 @@ forces from the tips to the bases. The state keeps the chain of the moment when 
                                               y.numbers.data(), static_cast<Eigen::Index>(y.numbers.size())))));
             return all;
           },
-          "The signals that elements write, such as sensors, after `do_motion`: a dict.");
+          "The signals that elements write, such as sensors, after `do_motion`: a dict.")
+      .def("__repr__", [](const state_object& x) {
+        const auto numbers = [](const Eigen::VectorXd& v) {
+          return py::repr(py::list(to_array(v).attr("tolist")())).cast<std::string>();
+        };
+        return "<kte.State: q = " + numbers(kte::positions(x.s)) + ", v = " + numbers(kte::velocities(x.s)) + ">";
+      });
 }
 
 }  // namespace kte_python

@@ -63,21 +63,26 @@ class python_run {
   stop_flag stop_;
 };
 
-/// A simulation or operation, without the GIL.
+/// A simulation or operation, without the GIL; `packs`: in packs where it can be.
 class run_of_library {
  public:
-  run_of_library(std::shared_ptr<const native_run> run, stop_flag stop)
-      : run_(std::move(run)), stop_(std::move(stop)) {}
+  run_of_library(std::shared_ptr<const native_run> run, bool packs, stop_flag stop)
+      : run_(std::move(run)), packs_(packs), stop_(std::move(stop)) {}
   void operator()(const kte::sweep_cases& cases, const column_names& kept, std::uint64_t begin, std::uint64_t end,
                   sweep_rows& out) {
     const auto run = run_->clone();
     std::vector<double> values(cases.names().size()), numbers;
+    std::vector<std::vector<double>> done;
+    if (packs_) done = run->in_packs(cases, begin, end);
     for (std::uint64_t i = begin; i < end; ++i) {
       if (*stop_) throw stopped{};
-      for (std::size_t j = 0; j < values.size(); ++j) values[j] = cases(i, j);
       numbers.clear();
+      if (packs_) numbers = std::move(done[static_cast<std::size_t>(i - begin)]);
       try {
-        (*run)(values, numbers);
+        if (numbers.empty()) {
+          for (std::size_t j = 0; j < values.size(); ++j) values[j] = cases(i, j);
+          (*run)(values, numbers);
+        }
         out.add(
             i, [&numbers](std::size_t k) { return numbers[k]; }, kept);
       } catch (const std::exception& e) {
@@ -88,6 +93,7 @@ class run_of_library {
 
  private:
   std::shared_ptr<const native_run> run_;
+  bool packs_;
   stop_flag stop_;
 };
 
@@ -120,11 +126,12 @@ std::unique_ptr<native_run> run_from(py::handle run, const column_names& columns
   if (is_simulation(run)) return make_simulation_run(run, columns, quantities, std::move(stop));
   return make_operation_run(run, columns, quantities);
 }
-/// The function of a sweep: a callable, or a pair of a run of the library and the quantities that it keeps.
+/// The function of a sweep: a callable, or a run of the library, the quantities that it keeps, and whether it may
+/// compute cases in packs.
 kte::detail::range_function function_from(py::object run, const column_names& columns, stop_flag stop) {
   if (!py::isinstance<py::tuple>(run)) return python_run(std::move(run), std::move(stop));
-  const auto [native, quantities] = run.cast<std::pair<py::object, column_names>>();
-  return run_of_library(run_from(native, columns, quantities, stop), stop);
+  const auto [native, quantities, packs] = run.cast<std::tuple<py::object, column_names, bool>>();
+  return run_of_library(run_from(native, columns, quantities, stop), packs, stop);
 }
 
 /// Runs shards in threads, while this one looks for Ctrl-C, which ends the sweep, as an exception of a shard does.

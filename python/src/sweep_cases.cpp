@@ -94,7 +94,7 @@ void bind_sweep_cases(py::module_& m) {
 
     kte.one_of("length", [0.5, 1.0]) * kte.evenly("tool/mass", 1, 2, 101)      # a grid of 202 cases
 
-`len(cases)` is the number of cases, `cases[i]` a dict of the values of one. Values are functions of the number of the
+`len(cases)` is the number of cases, `cases[i]` a dict of the values of one, `cases[i:j]` a list of cases. Values are functions of the number of the
 case, computed on access.)")
       .def_property_readonly(
           "names", [](const cases_object& c) { return c.cases.names(); }, "The names of the columns.")
@@ -110,6 +110,11 @@ case, computed on access.)")
           "values(begin=0, end=None)\n\nThe values of these cases, (cases, columns).", "begin"_a = 0,
           "end"_a = py::none())
       .def("__len__", [](const cases_object& c) { return c.cases.count(); })
+      .def("__getitem__",
+           [](py::object self, const py::slice& range) -> py::object {
+             const auto& c = self.cast<const cases_object&>();
+             return py::cast(list_from(py::cast(c.cases.names()), self.attr("values")().attr("__getitem__")(range)));
+           })
       .def("__getitem__",
            [](const cases_object& c, long long i) {
              const auto n = static_cast<long long>(c.cases.count());

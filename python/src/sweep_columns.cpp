@@ -55,7 +55,6 @@ Eigen::VectorXd inputs_from(const kte::runtime_chain& c, py::handle inputs) {
 sweep_columns::sweep_columns(const kte::runtime_chain& c, const std::vector<std::string>& columns,
                              const std::string& third) {
   const auto of_q = names_of_numbers(c, true), of_v = names_of_numbers(c, false), inputs = names_of_inputs(c);
-  std::vector<std::string> paths;
   for (const auto& name : columns) {
     const auto after = [&name](const std::string& prefix) { return kte::detail::after_name(name, prefix); };
     target t{what::parameter, -1};
@@ -66,12 +65,12 @@ sweep_columns::sweep_columns(const kte::runtime_chain& c, const std::vector<std:
     seek(what::q, of_q, after("q")), seek(what::v, of_v, after("v"));
     if (!third.empty()) seek(what::third, of_v, after(third));
     seek(what::input, inputs, name);
-    if (t.index < 0) t.index = static_cast<Eigen::Index>(paths.size()), paths.push_back(name);
+    if (t.index < 0) t.index = static_cast<Eigen::Index>(paths_.size()), paths_.push_back(name);
     targets_.push_back(t);
   }
-  if (paths.empty()) return;
+  if (paths_.empty()) return;
   try {
-    parameters_.emplace(c, paths);
+    parameters_.emplace(c, paths_);
   } catch (const kte::unknown_name& e) {
     throw kte::unknown_name(std::string(e.what()) + "; columns may also be q/NAME and v/NAME" +
                             (third.empty() ? "" : " and " + third + "/NAME") + " of coordinates, and inputs");
@@ -86,12 +85,15 @@ void sweep_columns::put(const std::vector<double>& values, case_numbers& x) cons
   }
 }
 
+std::vector<double> sweep_columns::parameters(const std::vector<double>& values) const {
+  std::vector<double> all(paths_.size());
+  for (std::size_t i = 0; i < targets_.size(); ++i)
+    if (targets_[i].of == what::parameter) all[static_cast<std::size_t>(targets_[i].index)] = values[i];
+  return all;
+}
 std::optional<kte::runtime_chain> sweep_columns::chain_with(const std::vector<double>& values) const {
   if (!parameters_) return {};
-  std::vector<double> of_parameters(parameters_->size());
-  for (std::size_t i = 0; i < targets_.size(); ++i)
-    if (targets_[i].of == what::parameter) of_parameters[static_cast<std::size_t>(targets_[i].index)] = values[i];
-  return parameters_->with(of_parameters);
+  return parameters_->with(parameters(values));
 }
 
 }  // namespace kte_python

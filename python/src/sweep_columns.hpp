@@ -28,6 +28,10 @@ class sweep_columns {
   void put(const std::vector<double>& values, case_numbers& x) const;
   /// The chain with the parameters of a case; nothing if no column is a parameter.
   std::optional<kte::runtime_chain> chain_with(const std::vector<double>& values) const;
+  /// The paths of the parameters that vary.
+  const std::vector<std::string>& paths() const { return paths_; }
+  /// The values of a case for these paths.
+  std::vector<double> parameters(const std::vector<double>& values) const;
 
  private:
   enum class what { q, v, third, input, parameter };
@@ -36,6 +40,7 @@ class sweep_columns {
     Eigen::Index index;
   };
   std::vector<target> targets_;
+  std::vector<std::string> paths_;
   std::optional<kte::varied_chain> parameters_;
 };
 

@@ -135,6 +135,7 @@ void bind_view(py::module_& m) {
           },
           "to_pandas(names=None)\n\nThe table of `columns` as a pandas DataFrame.", "names"_a = py::none())
       .def("__len__", &recording_object::rows)
+      .def(py::pickle(&state_of, &recording_from))
       .def("__repr__", [](const recording_object& r) {
         const auto text = [](double x) { return py::str(py::float_(x)).cast<std::string>(); };
         std::string s = "<kte.Recording: " + std::to_string(r.rows()) + " rows";

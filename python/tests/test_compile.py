@@ -107,7 +107,7 @@ def test_chains_and_frames_that_are_refused(arm, four_bar, cache):
         kte.compile(arm, frames="tol")
     with pytest.raises(TypeError, match="a name must be a str, not 3"):
         kte.compile(arm, frames=[3])
-    with pytest.raises(kte.BadArgument, match="closures of loops"):
+    with pytest.raises(kte.BadArgument, match="closed loops or rigid contacts"):
         kte.compile(four_bar)
 
 

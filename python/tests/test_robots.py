@@ -1,3 +1,6 @@
+import copy
+import pickle
+
 import numpy as np
 import pytest
 
@@ -118,3 +121,36 @@ def test_collision_shapes_touch_the_ground():
     ]:
         with pytest.raises((TypeError, ValueError), match=sentence):
             kte.parse_robot(FOOT, floating_base=True, contacts=bad)
+
+
+@pytest.mark.filterwarnings("ignore::kte.RobotWarning")
+def test_robots_are_pickled_and_copied(iiwa):
+    arm = kte.parse_robot(URDF, "arm.urdf", gravity=[0, 0, -1])
+    for robot in (iiwa, arm):
+        q = np.full(robot.chain.nq, 0.3)
+        for copied in (pickle.loads(pickle.dumps(robot)), copy.deepcopy(robot), copy.copy(robot)):
+            assert repr(copied) == repr(robot) and copied.chain == robot.chain and copied.chain is not robot.chain
+            assert np.array_equal(copied.limits.effort, robot.limits.effort) and copied.not_read == robot.not_read
+            copied.chain << kte.base_3D("elsewhere")
+            assert len(copied.chain) == len(robot.chain) + 1
+            assert np.array_equal(kte.gravity_forces(copied, q), kte.gravity_forces(robot, q))
+    iiwa.add_motors(stiffness=100)
+    assert pickle.loads(pickle.dumps(iiwa)).motors == iiwa.motors == copy.deepcopy(iiwa).motors
+
+
+def test_motions_keep_limits(iiwa):
+    start, end = np.zeros(7), np.linspace(-1, 1, 7)
+    limits = iiwa.limits._replace(acceleration=np.full(7, 4.0))
+    for motion in (kte.trapezoidal_motion(iiwa, start, end, limits=limits), kte.quintic_motion(iiwa, start, end, limits=limits)):
+        x = motion(np.linspace(0, motion.duration, 501))
+        np.testing.assert_allclose([x.q[0], x.q[-1]], [start, end], atol=1e-14)
+        assert (abs(x.v) <= limits.rate + 1e-12).all() and (abs(x.a) <= limits.acceleration + 1e-9).all()
+        assert abs(x.v / limits.rate).max() > 0.99 or abs(x.a / limits.acceleration).max() > 0.99
+        np.testing.assert_array_equal(motion(motion.duration / 2).q, motion([motion.duration / 2]).q[0])
+    assert kte.quintic_motion(iiwa.chain, start, end, 3.0).duration == 3
+    with pytest.raises(kte.BadArgument, match="trapezoidal_motion.*acceleration"):
+        kte.trapezoidal_motion(iiwa, start, end)
+    with pytest.raises(kte.BadArgument, match="beyond the limits of .*'q4'"):
+        kte.quintic_motion(iiwa, start, [0, 0, 0, 3, 0, 0, 0])
+    with pytest.raises(TypeError, match="t must be a number"):
+        kte.quintic_motion(iiwa, start, end)("now")

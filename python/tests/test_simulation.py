@@ -1,4 +1,6 @@
+import copy
 import os
+import pickle
 import signal
 import subprocess
 import sys
@@ -46,6 +48,23 @@ def test_columns_are_those_of_recorders(pendulum):
     assert list(table.columns) == ["t", "q", "tip/position/x", "tip/position/y"] and len(table) == 11
     with pytest.raises(kte.UnknownName, match="nothing"):
         motion["nothing"]
+
+
+def test_recordings_are_pickled_and_copied(pendulum):
+    motion = kte.simulate(pendulum, [0.3], time=1, every=0.1, control=[0.5], events=kte.Event(lambda t, q, v: q[0], name="low"))
+    for copied in (pickle.loads(pickle.dumps(motion)), copy.deepcopy(motion)):
+        assert np.array_equal(copied.t, motion.t) and np.array_equal(copied.q, motion.q) and np.array_equal(copied.u, motion.u)
+        assert copied.statistics == motion.statistics and copied.reason == motion.reason and repr(copied) == repr(motion)
+        assert copied.events[0].name == "low" and np.array_equal(copied.events[0].v, motion.events[0].v)
+        assert np.array_equal(copied["tip/velocity/y"], motion["tip/velocity/y"]) and copied.chain == motion.chain
+        assert kte.view(copied).text == kte.view(motion).text
+
+
+def test_a_misspelt_option_is_named(pendulum):
+    with pytest.raises(TypeError, match="simulate.. got an unexpected keyword argument 'tol'"):
+        kte.simulate(pendulum, [0.3], time=1, tol=1e-6)
+    later = kte.simulate(pendulum, [0.3], time=1, every=0.5, t=2, tolerance=1e-6, largest_step=0.01)
+    assert later.t.tolist() == [2, 2.5, 3] and later.statistics["steps"] >= 100
 
 
 def test_control_is_a_function_of_the_program(pendulum):

@@ -45,6 +45,7 @@ def test_cases_are_dicts_arrays_and_pickles():
     for c in (cases, CASES, kte.sobol_cases(4, distributions()), kte.list_of_cases(["p", "q"], np.eye(2))):
         copy = pickle.loads(pickle.dumps(c))
         assert copy.names == c.names and np.array_equal(copy.values(), c.values()) and repr(copy) == repr(c)
+    assert np.array_equal(cases[4:0:-2].values(), cases.values()[4:0:-2]) and cases[:2].names == ["a", "b"] and len(cases[6:]) == 0
     with pytest.raises(IndexError, match="6 cases"):
         cases[6]
     with pytest.raises(kte.BadArgument, match=r"values has shape \(2, 3\), expected \(cases, 2\)"):
@@ -180,6 +181,61 @@ def test_operations_are_those_of_the_chain(iiwa, random):
         kte.sweep(cases, kte.OperationRun("jacobian", iiwa, q))
     with pytest.raises(kte.BadArgument, match="mass_matrix has no argument 'tau'"):
         kte.sweep(cases, kte.OperationRun("mass_matrix", iiwa, q, tau=tau))
+
+
+@pytest.mark.parametrize("how", [dict(tolerance=1e-10), dict(solver="runge_kutta4", step=2e-3)], ids=["adaptive", "fixed"])
+def test_simulations_in_packs_are_those_one_by_one(pendulum, how):
+    cases = kte.random_cases(43, 3, [kte.uniform("tip/mass", 1, 2), kte.uniform("q/q", -1, 1), kte.uniform("tau/q", -1, 1)])
+    run = kte.SimulationRun(pendulum, [0.0], time=1.5, control=[0.0], **how)
+    keep = {"q": "q", "v": "q/v", "tip": "frame:tip/position", "end": "run/end_time", "events": "run/events"}
+    together = kte.sweep(cases, run, keep)
+    alone = kte.sweep(cases, run, keep, packs=False)
+    for again in (kte.sweep(cases, run, keep, shard_size=3), kte.sweep(cases, run, keep, shard_size=1, threads=2)):
+        for name in together:
+            assert np.array_equal(together[name], again[name])
+    for name in together:
+        np.testing.assert_allclose(together[name], alone[name], rtol=0, atol=1e-12 if "step" in how else 1e-8)
+    assert not np.array_equal(together["v"], alone["v"])  # they are packs
+    default = kte.sweep(cases, run)
+    assert list(default)[4:6] == ["q", "q/v"] and np.array_equal(default["q/v"], together["v"])
+
+
+def test_cases_that_fail_in_packs_have_the_reasons_of_single_ones(pendulum):
+    cases = kte.one_of("tip/mass", [1, -1, 2]) * kte.evenly("q/q", 0, 1, 9)
+    run = kte.SimulationRun(pendulum, [0.0], time=1)
+    together, alone = kte.sweep(cases, run), kte.sweep(cases, run, packs=False)
+    assert together.failures == alone.failures and len(together.failures) == 9
+    short = kte.SimulationRun(pendulum, [0.0], time=1, max_steps=3)
+    assert kte.sweep(cases, short).failures == kte.sweep(cases, short, packs=False).failures
+
+
+def test_simulations_with_events_rows_or_rotations_are_computed_one_by_one(pendulum):
+    stopped = kte.Chain(pendulum, kte.joint_limit_gen("q", lower=-0.5, upper=0.5, stiffness=1e3))
+    body = kte.Chain(kte.free_joint_3D("pose", "world", "body"), kte.inertia_3D("body", 1, inertia=[1, 2, 3]))
+    for run, column, keep in [
+        (kte.SimulationRun(stopped, [0.0], time=1), "tip/mass", "q"),
+        (kte.SimulationRun(pendulum, [0.0], time=1), "tip/mass", "max:q"),
+        (kte.SimulationRun(pendulum, [0.0], time=1, solver="adams"), "tip/mass", "q"),
+        (kte.SimulationRun(body, kte.neutral_configuration(body), time=1), "v/pose/5", "pose/rotation"),
+    ]:
+        cases = kte.evenly(column, 1, 2, 5)
+        together, alone = kte.sweep(cases, run, keep), kte.sweep(cases, run, keep, packs=False)
+        for name in together:
+            assert np.array_equal(together[name], alone[name])
+
+
+@pytest.mark.parametrize("operation, keep", [("forward_dynamics", "a/q3"), ("inverse_dynamics", "tau/q3"), ("mass_matrix", "M/q1/q3")])
+def test_operations_in_packs_are_those_one_by_one(iiwa, random, operation, keep):
+    q, v = random.normal(size=(2, 7))
+    cases = kte.random_cases(21, 3, [kte.uniform("q/q3", -1, 1)])
+    run = kte.OperationRun(operation, iiwa, q, v)
+    together, alone = kte.sweep(cases, run, keep)[keep], kte.sweep(cases, run, keep, packs=False)[keep]
+    np.testing.assert_allclose(together, alone, rtol=1e-12, atol=1e-12)
+    assert np.array_equal(together, kte.sweep(cases, run, keep, shard_size=5)[keep])
+    assert not np.array_equal(together, alone)
+    odd = kte.list_of_cases(["q/q3"], [[0.1], [np.inf], [0.3]])
+    assert [f.case for f in kte.sweep(odd, run, keep).failures] == [1]
+    assert kte.sweep(odd, run, keep).failures == kte.sweep(odd, run, keep, packs=False).failures
 
 
 @pytest.mark.parametrize("extension", ["csv", "npy", "mcap"])

@@ -20,7 +20,7 @@ Name: kte
 Version: {version}
 Summary: Multibody dynamics of mechanisms and robots
 License: MIT
-Requires-Python: >=3.9
+Requires-Python: >=3.11
 Requires-Dist: numpy
 Provides-Extra: tables
 Requires-Dist: pandas; extra == "tables"
@@ -61,11 +61,16 @@ def _headers():
     return {f"kte/{name}": p.read_bytes() for name, p in files.items()}
 
 
+def _info():
+    """The name of the folder of metadata, and its files."""
+    wheel = f"Wheel-Version: 1.0\nGenerator: kte\nRoot-Is-Purelib: false\nTag: {_tag()}\n"
+    return f"kte-{_version()}.dist-info", {"METADATA": METADATA.format(version=_version()), "WHEEL": wheel}
+
+
 def _write(wheel, files):
     """A wheel of names and bytes."""
-    info = f"kte-{_version()}.dist-info"
-    files[f"{info}/METADATA"] = METADATA.format(version=_version()).encode()
-    files[f"{info}/WHEEL"] = f"Wheel-Version: 1.0\nGenerator: kte\nRoot-Is-Purelib: false\nTag: {_tag()}\n".encode()
+    info, about = _info()
+    files.update({f"{info}/{name}": text.encode() for name, text in about.items()})
     record = ""
     with zipfile.ZipFile(wheel, "w", zipfile.ZIP_DEFLATED) as archive:
         for name, content in files.items():
@@ -73,6 +78,15 @@ def _write(wheel, files):
             digest = base64.urlsafe_b64encode(hashlib.sha256(content).digest()).rstrip(b"=").decode()
             record += f"{name},sha256={digest},{len(content)}\n"
         archive.writestr(f"{info}/RECORD", record + f"{info}/RECORD,,\n")
+
+
+def prepare_metadata_for_build_wheel(metadata_directory, config_settings=None):
+    info, about = _info()
+    folder = pathlib.Path(metadata_directory) / info
+    folder.mkdir()
+    for name, text in about.items():
+        (folder / name).write_text(text)
+    return info
 
 
 def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):

@@ -26,6 +26,8 @@ LEFT_OUT = {
     ("bushing", "stiffness_coupling"): NO_MATRIX,
     ("bushing", "damping_coupling"): NO_MATRIX,
 }
+# The surface of a contact: by default the half space below z = 0, in the plane y = 0.
+SURFACE = {"surface_axis": "None", "surface_radius": "0"}
 # Defaults that are the value of another parameter.
 SAME_AS = {"mu": "friction"}
 
@@ -39,6 +41,8 @@ class Row:
     def _default(self):
         if (self.family, self.name) in LEFT_OUT:
             return LEFT_OUT[self.family, self.name]
+        if self.name in SURFACE:
+            return SURFACE[self.name]
         found = re.search(r"optional(?:, default ([^:;(]+(?:::[a-z]+`)?))?", self.text)
         if not found:
             return None
@@ -127,6 +131,8 @@ def function(family, dimension, text, rows):
             unit = p.what + (f", {p.unit}" if p.unit else "")
             description = plain(p.text).replace("axis::z", "(0, 0, 1)")
             description = re.sub(r"; axis::x.*| 1 in files:.*| \(in files [^)]*\)", "", description)
+            if p.name == "surface_axis":
+                description += "; by default the half space below z = 0, in the plane y = 0, or with a radius a ball"
             description = re.sub(r"; \.at\(position, rotation\) sets the placement.*", "; placement of the joint in its base", description)
             doc += f"\n    {p.argument}: {unit}" + (f"; {description}" if description else "")
 
@@ -144,6 +150,8 @@ def function(family, dimension, text, rows):
         same = re.search(r"default (\w+)$", p.text)
         if same and same[1] in SAME_AS:
             values.append(f'("{p.name}", to.{converter}("{p.name}", {SAME_AS[same[1]]} if {p.argument} is None else {p.argument}))')
+        elif p.name == "surface_axis":
+            values.append(f'("{p.name}", to.{"planar_" if planar else ""}surface_axis("{p.name}", {p.argument}, surface_radius))')
         elif p.omitted and p.what != "flag":
             values.append(f'("{p.name}", None if {p.argument} is None else to.{converter}("{p.name}", {p.argument}))')
         else:

@@ -1,4 +1,4 @@
-// The chain behind the algorithms: any order of includes gives both kinds.
+// The chain after the algorithms: any order of includes gives both kinds.
 // clang-format off
 #include <kte/dynamics/batch.hpp>
 #include <kte/dynamics/bias_forces.hpp>
@@ -17,7 +17,7 @@
 #include <kte/dynamics/mass_matrix_inverse.hpp>
 #include <kte/dynamics/regressor.hpp>
 #include <kte/dynamics/state_vectors.hpp>
-#include <kte/runtime_chain/runtime_chain.hpp>
+#include <kte/runtime_chain.hpp>
 // clang-format on
 
 #include "all_algorithms.hpp"

@@ -59,7 +59,7 @@ TEST_CASE("adams and bdf: a pendulum in Cartesian coordinates (A01)") {
   });
 }
 
-TEST_CASE("adams and bdf: a slider-crank of equal bars passes its dead points", "[long]") {
+TEST_CASE("adams and bdf: a slider-crank of equal bars passes its dead points") {
   const double q = slider_crank_angle(0.3, 8, 5);
   with_both(slider_crank_of_equal_bars(), numbers({0.3, -0.6}), numbers({8, -16}), 5, {1e-6, 1e-9, 1e-11},
             [q](const run& r, double tolerance) {

@@ -78,7 +78,7 @@ TEST_CASE("stiff methods pass a singular configuration at small tolerances") {
   }
 }
 
-TEST_CASE("stiff methods: Andrews' squeezer", "[long]") {
+TEST_CASE("stiff methods: Andrews' squeezer") {
   with_all(andrews(), andrews_start(), vector::Zero(7), 0.03, [](const run& r, double tolerance) {
     CHECK(r.x[0] == within(15.8107711951537070971, 2e3 * tolerance));
     CHECK(r.open < 1e-13);

@@ -5,6 +5,7 @@
 
 #include "catch.hpp"
 #include "closed_loops/mechanisms.hpp"
+#include "contact/box_on_slope.hpp"
 
 using namespace kte;
 using namespace kte::test;
@@ -27,13 +28,6 @@ runtime_chain planar(double inertia, const vec3<>& gravity = {0, -g, 0}) {
 void add_point(runtime_chain& c, const std::string& name, const vec2<>& place, const contact_law& law) {
   c << rigid_link_2D("body", name + " place", place)
     << point_contact_2D(name, "world", name + " place", half_space{}, law);
-}
-/// A box on two corners on a slope of 0.3.
-runtime_chain box_on_slope(double mu) {
-  auto c = planar(0.01, {-g * std::sin(0.3), -g * std::cos(0.3), 0});
-  add_point(c, "left", {-0.1, -0.05}, {.friction = mu});
-  add_point(c, "right", {0.1, -0.05}, {.friction = mu});
-  return c;
 }
 /// A rod of 2 m on its two tips.
 runtime_chain rod(double mu) {
@@ -93,19 +87,19 @@ TEST_CASE("a ball bounces to rest") {
 
 TEST_CASE("a box slides up a slope, turns or rests") {
   for (const double tolerance : {1e-6, 1e-12}) {
-    const planar_model smooth(box_on_slope(0.2)), rough(box_on_slope(0.4));
+    const planar_model smooth(in_runtime(box_on_slope(0.2))), rough(in_runtime(box_on_slope(0.4)));
     const vector q = numbers({0, 0.05, 0}), v = numbers({2, 0, 0});
     const auto back = run(smooth, q, v, 2.0, {.absolute = tolerance, .relative = tolerance});
     CHECK(back.x[0] == within(-0.86166423136809, 1e-14));
-    CHECK(back.report.events[0].what == "'left': turns; 'right': turns");
+    CHECK(back.report.events[0].what == "'left foot': turns; 'right foot': turns");
     CHECK(back.evaluations < 200);
     const auto rests = run(rough, q, v, 1e4, {.absolute = tolerance, .relative = tolerance});
     CHECK(rests.x[0] == within(0.30085169864298, 5e-15));
-    CHECK(rests.report.events[0].what == "'left': sticks; 'right': sticks");
+    CHECK(rests.report.events[0].what == "'left foot': sticks; 'right foot': sticks");
     CHECK(std::abs(rests.x[3]) < 1e-30);
     const auto s = rough.state_at(1e4, rests.x);
-    CHECK(s.contact("left").force.y + s.contact("right").force.y == within(g * std::cos(0.3), 1e-14));
-    CHECK(s.contact("left").force.x + s.contact("right").force.x == within(g * std::sin(0.3), 1e-14));
+    CHECK(s.contact("left foot").force.y + s.contact("right foot").force.y == within(g * std::cos(0.3), 1e-14));
+    CHECK(s.contact("left foot").force.x + s.contact("right foot").force.x == within(g * std::sin(0.3), 1e-14));
   }
 }
 
@@ -209,7 +203,7 @@ TEST_CASE("a million steps of rolling have no slip") {
 }
 
 TEST_CASE("contacts need events") {
-  const planar_model model(box_on_slope(0.2));
+  const planar_model model(in_runtime(box_on_slope(0.2)));
   const auto refuses = [&](const vector& x, double t, const char* text) {
     prince_dormand87 solver(std::cref(model), 0.0, x, tight);
     CHECK_THROWS_WITH(solver.integrate(t), Catch::Matchers::Contains(text));
@@ -224,52 +218,26 @@ TEST_CASE("contacts need events") {
   refuses(moving, 1.0, "is closed, but moves at 1 m/s: kte::settled gives consistent modes");
   const auto inside = model.make_x(numbers({0, 0.04, 0}), numbers({0, 0, 0}));
   CHECK_THROWS_AS(settled(model, 0.0, inside), bad_argument);
-  CHECK_THROWS_WITH(settled(model, 0.0, inside), Catch::Matchers::Contains("contact 'left' is 0.01"));
+  CHECK_THROWS_WITH(settled(model, 0.0, inside), Catch::Matchers::Contains("contact 'left foot' is 0.01"));
   // A box that is lifted leaves
-  auto light = box_on_slope(0.2);
-  light.gravity(vec3<>{0, 1, 0});
-  const planar_model up(light);
+  const planar_model up(in_runtime(box_on_slope(0.2).gravity(vec3<>{0, 1, 0})));
   auto closed = up.make_x(numbers({0, 0.05, 0}), numbers({0, 0, 0}));
   closed[6] = closed[10] = 1;
   prince_dormand87 solver(std::cref(up), 0.0, closed, tight);
   CHECK_THROWS_WITH(solver.integrate(1.0), Catch::Matchers::Contains("pulls with"));
   prince_dormand87 with_events(std::cref(up), 0.0, closed, tight);
   const auto report = with_events.integrate(1.0, element_events(up));
-  CHECK(report.events[0].what == "'left': lifts; 'right': lifts");
+  CHECK(report.events[0].what == "'left foot': lifts; 'right foot': lifts");
   CHECK(with_events.state()[1] == within(0.55, 1e-14));
 }
 
-namespace {
-inline constexpr struct world_ final : frame_2D_key<"world"> {
-} world;
-inline constexpr struct box_ final : frame_2D_key<"box"> {
-} box;
-inline constexpr struct left_ final : frame_2D_key<"left"> {
-} left_corner;
-inline constexpr struct right_ final : frame_2D_key<"right"> {
-} right_corner;
-inline constexpr struct pose_ final : pose_2D_key<"pose"> {
-} pose_of_box;
-inline constexpr struct left_contact_ final : contact_key<"left foot"> {
-} left_foot;
-inline constexpr struct right_contact_ final : contact_key<"right foot"> { } right_foot; }  // namespace
-
 TEST_CASE("a static chain has the events of the same runtime chain") {
-  const contact_law law{.friction = 0.2};
-  const auto c =
-      chain(base_2D(world), free_joint_2D(pose_of_box, world, box), rigid_link_2D(box, left_corner, vec2{-0.1, -0.05}),
-            rigid_link_2D(box, right_corner, vec2{0.1, -0.05}), inertia_2D(box, planar_body(1.0, 0.01)),
-            point_contact_2D(left_foot, world, left_corner, half_space{}, law),
-            point_contact_2D(right_foot, world, right_corner, half_space{}, law))
-          .gravity(vec3{-g * std::sin(0.3), -g * std::cos(0.3), zero});
+  const auto c = box_on_slope(0.2);
   const manipulator_dynamics_model model(c);
   const Eigen::Vector3d q(0, 0.15, 0), v(2, 0, 0);
   prince_dormand87 solver(std::cref(model), 0.0, model.make_x(q, v), tight);
   const auto report = solver.integrate(2.0, element_events(model));
-  runtime_chain r;
-  r << c;
-  r.gravity(vec3<>{-g * std::sin(0.3), -g * std::cos(0.3), 0});
-  const planar_model of_runtime(r);
+  const planar_model of_runtime(in_runtime(c));
   prince_dormand87 same(std::cref(of_runtime), 0.0, of_runtime.make_x(q, v), tight);
   const auto other = same.integrate(2.0, element_events(of_runtime));
   REQUIRE(report.count >= 2);

@@ -9,44 +9,15 @@
 
 #include "allocations.hpp"
 #include "catch.hpp"
+#include "contact/box_on_slope.hpp"
 
 using namespace kte;
 using namespace kte::test;
 
 namespace {
 
-inline constexpr struct world_ final : frame_2D_key<"world"> {
-} world;
-inline constexpr struct box_ final : frame_2D_key<"box"> {
-} box;
-inline constexpr struct left_ final : frame_2D_key<"left"> {
-} left_corner;
-inline constexpr struct right_ final : frame_2D_key<"right"> {
-} right_corner;
-inline constexpr struct pose_ final : pose_2D_key<"pose"> {
-} pose_of_box;
-inline constexpr struct left_contact_ final : contact_key<"left foot"> {
-} left_foot;
-inline constexpr struct right_contact_ final : contact_key<"right foot"> {
-} right_foot;
-
 constexpr double g = 9.81;
 
-/// A box on two corners, on a slope of 0.3 in whose axes it moves.
-auto box_on_slope(double mu) {
-  const contact_law law{.friction = mu};
-  return chain(base_2D(world), free_joint_2D(pose_of_box, world, box),
-               rigid_link_2D(box, left_corner, vec2{-0.1, -0.05}), rigid_link_2D(box, right_corner, vec2{0.1, -0.05}),
-               inertia_2D(box, planar_body(1.0, 0.01)),
-               point_contact_2D(left_foot, world, left_corner, half_space{}, law),
-               point_contact_2D(right_foot, world, right_corner, half_space{}, law))
-      .gravity(vec3{-g * std::sin(0.3), -g * std::cos(0.3), zero});
-}
-runtime_chain in_runtime(const auto& c) {
-  runtime_chain r;
-  r << c;
-  return r;
-}
 Eigen::VectorXd numbers(std::initializer_list<double> x) {
   return Eigen::Map<const Eigen::VectorXd>(x.begin(), static_cast<Eigen::Index>(x.size()));
 }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kte/io/recording.hpp>
-#include <kte/runtime_chain/runtime_chain.hpp>
+#include <kte/runtime_chain.hpp>
 
 #include <string>
 #include <vector>

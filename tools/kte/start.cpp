@@ -2,7 +2,7 @@
 
 #include <kte/dynamics/configuration_space.hpp>
 #include <kte/robots/detail/robot_findings.hpp>
-#include <kte/runtime_chain/runtime_chain.hpp>
+#include <kte/runtime_chain.hpp>
 
 #include "message.hpp"
 #include "state_input.hpp"

@@ -3,8 +3,8 @@
 #include <kte/dynamics/configuration_space.hpp>
 #include <kte/dynamics/frame_motion.hpp>
 #include <kte/math/principal_moments.hpp>
+#include <kte/runtime_chain.hpp>
 #include <kte/runtime_chain/layout.hpp>
-#include <kte/runtime_chain/runtime_chain.hpp>
 
 #include <algorithm>
 #include <map>

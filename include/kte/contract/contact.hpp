@@ -27,6 +27,11 @@ using touch = basic_touch<double>;
 template <kind Dim>
 inline constexpr std::array<port, 3> contact_ports{
     {{Dim, access::on, "frame1"}, {Dim, access::on, "frame2"}, {kind::contact, access::keep, "contact"}}};
+/// Whether it is a contact with `only_if`: `admits(s)` returns whether it acts, for a state s after doMotion.
+template <class Core>
+concept has_gate = requires {
+  requires Core::has_gate;
+};
 }  // namespace detail
 
 /// A rigid contact of a body B with a surface of a frame A. A core derived from it has a `contact_law law`, and
@@ -67,8 +72,12 @@ struct contact {
   template <class A, class B, class Contact>
   KTE_INLINE constexpr auto doForce(const A& a, const B& b, const Contact& x) const {
     using S = std::remove_cvref_t<decltype(x.gap)>;
-    const auto m = detail::as_closing_motion<S>(relative(a, b));
-    return detail::loads_at_contact<Dim>(m, x.force, as<S>(core().point(m)));
+    if constexpr (typed_constant<S>) {
+      return make_loads(no_wrench, no_wrench);  // a contact without force
+    } else {
+      const auto m = detail::as_closing_motion<S>(relative(a, b));
+      return detail::loads_at_contact<Dim>(m, x.force, as<S>(core().point(m)));
+    }
   }
   /// Writes gap, slip and point; called by doMotion.
   template <class A, class B, class S>

@@ -24,6 +24,18 @@ struct placement {
 };
 }  // namespace detail
 
+namespace detail {
+/// `.only_if(...)` of an element core: rigid contacts have a gate (elements/gated_contact.hpp).
+template <class Core>
+struct gate {
+  template <class F>
+  static constexpr auto on(const Core&, const F&) {
+    static_assert(rule<Core, void, fit<Core>>, "kte: .only_if(f) is for rigid contacts, once for each");
+    return refused{};
+  }
+};
+}  // namespace detail
+
 template <class Core, class... Names>
 constexpr auto connect(const Core& core, const Names&... names);
 /// Passes an invalid element on, whose error has been reported.
@@ -44,6 +56,11 @@ struct element {
   constexpr auto at(const Place&... place) const {
     return connect(detail::placement<Core>::of(core, place...), Keys{}...);
   }
+  /// The rigid contact, which lands only if f(state) is true (elements/gated_contact.hpp).
+  template <class F>
+  constexpr auto only_if(const F& f) const {
+    return connect(detail::gate<Core>::on(core, f), Keys{}...);
+  }
 };
 
 /// An element of a runtime chain: a `core`, and the names connected to its ports.
@@ -57,7 +74,18 @@ struct named_element {
   template <class... Place>
   auto at(const Place&... place) const {
     const auto placed = detail::placement<Core>::of(core, place...);
-    return [&]<std::size_t... P>(std::index_sequence<P...>) { return connect(placed, names[P]...); }
+    return connect_again(placed);
+  }
+  /// The rigid contact, which lands only if f(state) is true (elements/gated_contact.hpp).
+  template <class F>
+  auto only_if(const F& f) const {
+    return connect_again(detail::gate<Core>::on(core, f));
+  }
+
+ private:
+  template <class Changed>
+  auto connect_again(const Changed& changed) const {
+    return [&]<std::size_t... P>(std::index_sequence<P...>) { return connect(changed, names[P]...); }
     (std::make_index_sequence<port_count<Core>>{});
   }
 };

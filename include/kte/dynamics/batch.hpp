@@ -142,7 +142,7 @@ void mass_matrix(const Chain& chain, const Q& q, M&& m, Executor&& executor = {}
 
 #endif
 
-// ---- runtime chains (kte/dynamics/runtime_parts.hpp)
+// ---- runtime chains (kte/runtime_chain.hpp)
 
 #if defined(KTE_RUNTIME_CHAINS) && !defined(KTE_BATCH_OF_RUNTIME_CHAINS)
 #define KTE_BATCH_OF_RUNTIME_CHAINS

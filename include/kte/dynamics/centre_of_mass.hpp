@@ -48,7 +48,7 @@ template <class Gravity, class... E, indexable Q, indexable V>
 
 #endif
 
-// ---- of runtime chains (kte/dynamics/runtime_parts.hpp)
+// ---- of runtime chains (kte/runtime_chain.hpp)
 
 #if defined(KTE_RUNTIME_CHAINS) && !defined(KTE_CENTRE_OF_MASS_OF_RUNTIME_CHAINS)
 #define KTE_CENTRE_OF_MASS_OF_RUNTIME_CHAINS

@@ -52,7 +52,7 @@ template <class Gravity, class... E, indexable Q>
 
 #endif
 
-// ---- of runtime chains (kte/dynamics/runtime_parts.hpp)
+// ---- of runtime chains (kte/runtime_chain.hpp)
 
 #if defined(KTE_RUNTIME_CHAINS) && !defined(KTE_CENTROIDAL_OF_RUNTIME_CHAINS)
 #define KTE_CENTROIDAL_OF_RUNTIME_CHAINS

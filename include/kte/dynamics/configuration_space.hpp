@@ -89,7 +89,7 @@ auto moving_along(const Chain& c, const Q& q, const V& v) {
 
 #endif
 
-// ---- of runtime chains (kte/dynamics/runtime_parts.hpp)
+// ---- of runtime chains (kte/runtime_chain.hpp)
 
 #if defined(KTE_RUNTIME_CHAINS) && !defined(KTE_CONFIGURATION_SPACE_OF_RUNTIME_CHAINS)
 #define KTE_CONFIGURATION_SPACE_OF_RUNTIME_CHAINS

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kte/dynamics/configuration_space.hpp>
-#include <kte/runtime_chain/runtime_chain.hpp>
+#include <kte/runtime_chain.hpp>
 
 #include <cmath>
 #include <limits>

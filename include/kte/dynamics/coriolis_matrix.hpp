@@ -4,7 +4,7 @@
 #include <kte/dynamics/looped/static_chains.hpp>
 #include <kte/dynamics/runtime/bodies.hpp>
 #include <kte/dynamics/unrolled/coriolis.hpp>
-#include <kte/runtime_chain/runtime_chain.hpp>
+#include <kte/runtime_chain.hpp>
 #include <kte/tree/coriolis.hpp>
 
 /// The Coriolis matrix and the time derivative of the mass matrix, for static and runtime chains.

@@ -71,7 +71,7 @@ template <class Gravity, class... E, class S>
 
 #endif
 
-// ---- runtime chains (kte/dynamics/runtime_parts.hpp)
+// ---- runtime chains (kte/runtime_chain.hpp)
 
 #if defined(KTE_RUNTIME_CHAINS) && !defined(KTE_DERIVATIVES_OF_RUNTIME_CHAINS)
 #define KTE_DERIVATIVES_OF_RUNTIME_CHAINS

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kte/dynamics/static_equilibrium.hpp>
-#include <kte/runtime_chain/runtime_chain.hpp>
+#include <kte/runtime_chain.hpp>
 
 #include <string>
 #include <string_view>

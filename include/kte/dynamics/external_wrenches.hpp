@@ -4,7 +4,7 @@
 #include <kte/dynamics/inverse_dynamics.hpp>
 #include <kte/dynamics/jacobian.hpp>
 #include <kte/dynamics/state_vectors.hpp>
-#include <kte/runtime_chain/runtime_chain.hpp>
+#include <kte/runtime_chain.hpp>
 
 #include <string>
 #include <string_view>

@@ -1,10 +1,10 @@
 #ifndef KTE_FORWARD_DYNAMICS_HPP
 #define KTE_FORWARD_DYNAMICS_HPP
 
-#include <kte/dynamics/detail/flattened.hpp>
 #include <kte/dynamics/inverse_dynamics.hpp>
 #include <kte/dynamics/mass_matrix.hpp>
 #include <kte/dynamics/unrolled/articulated.hpp>
+#include <kte/dynamics/unrolled/flattened.hpp>
 #include <kte/kernels/solve.hpp>
 
 namespace kte {
@@ -94,7 +94,7 @@ template <class Gravity, class... E, class S>
 
 #endif
 
-// ---- runtime chains (kte/dynamics/runtime_parts.hpp)
+// ---- runtime chains (kte/runtime_chain.hpp)
 
 #if defined(KTE_RUNTIME_CHAINS) && !defined(KTE_FORWARD_DYNAMICS_OF_RUNTIME_CHAINS)
 #define KTE_FORWARD_DYNAMICS_OF_RUNTIME_CHAINS

@@ -130,7 +130,7 @@ template <class Gravity, class... E, class S, key_type Frame>
 
 #endif
 
-// ---- runtime chains (kte/dynamics/runtime_parts.hpp)
+// ---- runtime chains (kte/runtime_chain.hpp)
 
 #if defined(KTE_RUNTIME_CHAINS) && !defined(KTE_FORWARD_KINEMATICS_OF_RUNTIME_CHAINS)
 #define KTE_FORWARD_KINEMATICS_OF_RUNTIME_CHAINS

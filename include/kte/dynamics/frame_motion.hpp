@@ -142,7 +142,7 @@ template <class Gravity, class... E, indexable Q, indexable V, indexable A, key_
 
 #endif
 
-// ---- runtime chains (kte/dynamics/runtime_parts.hpp)
+// ---- runtime chains (kte/runtime_chain.hpp)
 
 #if defined(KTE_RUNTIME_CHAINS) && !defined(KTE_FRAME_MOTION_OF_RUNTIME_CHAINS)
 #define KTE_FRAME_MOTION_OF_RUNTIME_CHAINS

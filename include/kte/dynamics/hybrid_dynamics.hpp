@@ -115,7 +115,7 @@ template <class Gravity, class... E, indexable Q, indexable V, indexable X, key_
 
 #endif
 
-// ---- runtime chains (kte/dynamics/runtime_parts.hpp)
+// ---- runtime chains (kte/runtime_chain.hpp)
 
 #if defined(KTE_RUNTIME_CHAINS) && !defined(KTE_HYBRID_DYNAMICS_OF_RUNTIME_CHAINS)
 #define KTE_HYBRID_DYNAMICS_OF_RUNTIME_CHAINS

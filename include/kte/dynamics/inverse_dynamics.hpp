@@ -8,9 +8,9 @@
 // clang-format on
 
 #include <kte/contract/transmission.hpp>
-#include <kte/dynamics/detail/flattened.hpp>
 #include <kte/dynamics/looped/static_chains.hpp>
 #include <kte/dynamics/state_vectors.hpp>
+#include <kte/dynamics/unrolled/flattened.hpp>
 #include <kte/dynamics/unrolled/given.hpp>
 
 namespace kte {
@@ -104,7 +104,7 @@ template <class Gravity, class... E, class S>
 
 #endif
 
-// ---- runtime chains (kte/dynamics/runtime_parts.hpp)
+// ---- runtime chains (kte/runtime_chain.hpp)
 
 #if defined(KTE_RUNTIME_CHAINS) && !defined(KTE_INVERSE_DYNAMICS_OF_RUNTIME_CHAINS)
 #define KTE_INVERSE_DYNAMICS_OF_RUNTIME_CHAINS

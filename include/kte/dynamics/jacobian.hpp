@@ -49,7 +49,7 @@ template <class Gravity, class... E, indexable Q, key_type Frame, detail::axes_a
 
 #endif
 
-// ---- runtime chains (kte/dynamics/runtime_parts.hpp)
+// ---- runtime chains (kte/runtime_chain.hpp)
 
 #if defined(KTE_RUNTIME_CHAINS) && !defined(KTE_JACOBIAN_OF_RUNTIME_CHAINS)
 #define KTE_JACOBIAN_OF_RUNTIME_CHAINS

@@ -8,7 +8,7 @@
 #include <kte/dynamics/looped/follower_rates.hpp>
 #include <kte/dynamics/runtime/bodies.hpp>
 #include <kte/dynamics/runtime/motion_in_world.hpp>
-#include <kte/runtime_chain/runtime_chain.hpp>
+#include <kte/runtime_chain.hpp>
 #include <kte/tree/jacobian_rate.hpp>
 
 /// Time derivatives of Jacobians and bias accelerations of frames, for static and runtime chains. With J of `jacobian`

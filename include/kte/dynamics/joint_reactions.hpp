@@ -3,7 +3,7 @@
 #include <kte/dynamics/frame_motion.hpp>
 #include <kte/dynamics/inverse_dynamics.hpp>
 #include <kte/dynamics/runtime/bodies.hpp>
-#include <kte/runtime_chain/runtime_chain.hpp>
+#include <kte/runtime_chain.hpp>
 
 #include <string>
 #include <vector>

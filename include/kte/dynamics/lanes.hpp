@@ -3,8 +3,8 @@
 #include <kte/contract/parameter_paths.hpp>
 #include <kte/dynamics/closed_loops/loops_in_lanes.hpp>
 #include <kte/math/pack.hpp>
+#include <kte/runtime_chain.hpp>
 #include <kte/runtime_chain/element_in_lanes.hpp>
-#include <kte/runtime_chain/runtime_chain.hpp>
 
 #include <span>
 

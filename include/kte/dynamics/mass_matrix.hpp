@@ -1,8 +1,8 @@
 #ifndef KTE_MASS_MATRIX_HPP
 #define KTE_MASS_MATRIX_HPP
 
-#include <kte/dynamics/detail/flattened.hpp>
 #include <kte/dynamics/state_vectors.hpp>
+#include <kte/dynamics/unrolled/flattened.hpp>
 #include <kte/dynamics/unrolled/mass_matrix.hpp>
 
 namespace kte {
@@ -42,7 +42,7 @@ template <class Gravity, class... E, class S>
 
 #endif
 
-// ---- runtime chains (kte/dynamics/runtime_parts.hpp)
+// ---- runtime chains (kte/runtime_chain.hpp)
 
 #if defined(KTE_RUNTIME_CHAINS) && !defined(KTE_MASS_MATRIX_OF_RUNTIME_CHAINS)
 #define KTE_MASS_MATRIX_OF_RUNTIME_CHAINS

@@ -60,7 +60,7 @@ template <class Gravity, class... E, class S>
 
 #endif
 
-// ---- runtime chains (kte/dynamics/runtime_parts.hpp)
+// ---- runtime chains (kte/runtime_chain.hpp)
 
 #if defined(KTE_RUNTIME_CHAINS) && !defined(KTE_MASS_MATRIX_INVERSE_OF_RUNTIME_CHAINS)
 #define KTE_MASS_MATRIX_INVERSE_OF_RUNTIME_CHAINS

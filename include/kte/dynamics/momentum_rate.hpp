@@ -4,7 +4,7 @@
 #include <kte/dynamics/centroidal.hpp>
 #include <kte/dynamics/runtime/bodies.hpp>
 #include <kte/dynamics/state_vectors.hpp>
-#include <kte/runtime_chain/runtime_chain.hpp>
+#include <kte/runtime_chain.hpp>
 
 /// Rates of the centre of mass and of the momentum, for static and runtime chains: bases at rest, without gravity, in
 /// axes of the base.

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kte/dynamics/derivatives.hpp>
-#include <kte/runtime_chain/runtime_chain.hpp>
+#include <kte/runtime_chain.hpp>
 
 #ifdef KTE_FUNCTION
 #  include <Eigen/Cholesky>

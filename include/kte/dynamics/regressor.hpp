@@ -81,7 +81,7 @@ template <class Gravity, class... E, class S>
 
 #endif
 
-// ---- of runtime chains (kte/dynamics/runtime_parts.hpp)
+// ---- of runtime chains (kte/runtime_chain.hpp)
 
 #if defined(KTE_RUNTIME_CHAINS) && !defined(KTE_REGRESSOR_OF_RUNTIME_CHAINS)
 #define KTE_REGRESSOR_OF_RUNTIME_CHAINS

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kte/dynamics/detail/relative_motion.hpp>
-#include <kte/runtime_chain/runtime_chain.hpp>
+#include <kte/runtime_chain.hpp>
 
 /// The pose and motion of a frame B relative to a frame A of the same chain, static or runtime. Position is in axes of
 /// A, rates are in axes of B (the convention of frames/motion.hpp). Planar frames are returned as spatial frames.

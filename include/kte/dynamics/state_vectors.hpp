@@ -51,7 +51,7 @@ constexpr void set_accelerations(chain_state<S, W>& s, const X& a) {
 
 #endif
 
-// ---- runtime chains (kte/dynamics/runtime_parts.hpp)
+// ---- runtime chains (kte/runtime_chain.hpp)
 
 #if defined(KTE_RUNTIME_CHAINS) && !defined(KTE_STATE_VECTORS_OF_RUNTIME_CHAINS)
 #define KTE_STATE_VECTORS_OF_RUNTIME_CHAINS

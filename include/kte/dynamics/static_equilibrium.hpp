@@ -2,7 +2,7 @@
 
 #include <kte/dynamics/external_wrenches.hpp>
 #include <kte/dynamics/statics/tangent_stability.hpp>
-#include <kte/runtime_chain/runtime_chain.hpp>
+#include <kte/runtime_chain.hpp>
 
 #ifdef KTE_FUNCTION
 #  include <kte/dynamics/statics/newton.hpp>

@@ -5,7 +5,7 @@
 #include <kte/dynamics/frame_motion.hpp>
 #include <kte/dynamics/state_vectors.hpp>
 #include <kte/dynamics/unrolled/mass_properties.hpp>
-#include <kte/runtime_chain/runtime_chain.hpp>
+#include <kte/runtime_chain.hpp>
 
 #include <vector>
 

@@ -3,7 +3,7 @@
 #include <kte/dynamics/frame_motion.hpp>
 #include <kte/dynamics/runtime/algorithms.hpp>
 #include <kte/dynamics/unrolled/plan.hpp>
-#include <kte/runtime_chain/runtime_chain.hpp>
+#include <kte/runtime_chain.hpp>
 
 #include <algorithm>
 #include <string>

@@ -3,8 +3,8 @@
 #include <kte/contract/number_reader.hpp>
 #include <kte/contract/parameter_info.hpp>
 #include <kte/detail/compiled.hpp>
+#include <kte/runtime_chain.hpp>
 #include <kte/runtime_chain/kte_map_adapter.hpp>
-#include <kte/runtime_chain/runtime_chain.hpp>
 
 // Who links the elements has no need to read them.
 #if !defined(KTE_EXTERN) || defined(KTE_COMPILED_ELEMENTS) || \
@@ -104,18 +104,18 @@ class record_reader {
   }
   /// Connects a core to the names that the record has for the roles of its ports.
   template <class Core>
-  auto connected(const Core& core) const {
+  [[gnu::cold]] auto connected(const Core& core) const {
     return [&]<std::size_t... P>(std::index_sequence<P...>) { return connect(core, name(Core::ports[P].role)...); }
     (std::make_index_sequence<port_count<Core>>{});
   }
   /// An element as a part of a runtime chain: the result of functions that make elements of several types.
   template <class Core>
-  static std::unique_ptr<kte_map> adapt(named_element<Core> e) {
+  [[gnu::cold]] static std::unique_ptr<kte_map> adapt(named_element<Core> e) {
     return std::make_unique<kte_map_adapter<Core>>(std::move(e));
   }
   /// Sets the parameters of a core to those of the record.
   template <class Core>
-  void read(Core& core) const {
+  [[gnu::cold]] void read(Core& core) const {
     const auto all = parameter_infos<Core>();
     const detail::record_place place{record_.type};
     auto p = all.begin();
@@ -125,14 +125,14 @@ class record_reader {
   }
   /// An element of a core type, as a part of a runtime chain.
   template <class Core>
-  std::unique_ptr<kte_map> make() const {
+  [[gnu::cold]] std::unique_ptr<kte_map> make() const {
     Core core{};
     read(core);
     return adapt(connected(core));
   }
   /// A joint with the placement of its record, if any, as a part of a runtime chain.
   template <class Core>
-  std::unique_ptr<kte_map> placed(const named_element<Core>& joint) const {
+  [[gnu::cold]] std::unique_ptr<kte_map> placed(const named_element<Core>& joint) const {
     if (!has("position") && !has("rotation")) return adapt(joint);
     detail::placed_in_files<Core> core(joint.core);
     read(core);

@@ -3,6 +3,7 @@
 #include <kte/contact/contact_geometry.hpp>
 #include <kte/contact/disc_geometry.hpp>
 #include <kte/contract/contact.hpp>
+#include <kte/elements/gated_contact.hpp>
 
 namespace kte {
 
@@ -16,7 +17,8 @@ namespace core {
 ///   |lambda_t| <= mu lambda_n;   if u_t is not zero, lambda_t = -mu lambda_n u_t/|u_t|          (2)
 ///   u_n^+ = -e u_n^-  in impacts          (3)
 ///
-/// `contact_dynamics` finds the forces, `impact` the velocities after an impact (kte/contacts.hpp).
+/// `contact_dynamics` finds the forces, `impact` the velocities after an impact (kte/contacts.hpp). In simulations,
+/// `.only_if(f)` lets a contact land only where f(state) is true (elements/gated_contact.hpp).
 template <kind Dim, class Geometry>
 struct rigid_contact : contact<rigid_contact<Dim, Geometry>, Dim> {
   static constexpr type_name type{Geometry::rigid_name, Dim};
@@ -31,27 +33,27 @@ struct rigid_contact : contact<rigid_contact<Dim, Geometry>, Dim> {
   constexpr rigid_contact(const Geometry& g, const contact_law& l) : geometry(g), law(l) {}
 
   template <class M>
-  constexpr auto gap(const M& m) const {
+  KTE_INLINE constexpr auto gap(const M& m) const {
     return geometry.gap(m);
   }
   template <class M>
-  constexpr auto gap_ddot(const M& m) const {
+  KTE_INLINE constexpr auto gap_ddot(const M& m) const {
     return geometry.gap_ddot(m);
   }
   template <class M>
-  constexpr auto normal(const M& m) const {
+  KTE_INLINE constexpr auto normal(const M& m) const {
     return geometry.normal(m);
   }
   template <class M>
-  constexpr auto point(const M& m) const {
+  KTE_INLINE constexpr auto point(const M& m) const {
     return geometry.point(m);
   }
   template <class M>
-  constexpr auto slip(const M& m) const {
+  KTE_INLINE constexpr auto slip(const M& m) const {
     return geometry.slip(m);
   }
   template <class M>
-  constexpr auto slip_rate(const M& m) const {
+  KTE_INLINE constexpr auto slip_rate(const M& m) const {
     return geometry.slip_rate(m);
   }
   constexpr void check(const parameter_check& where) const {
@@ -70,6 +72,8 @@ struct rigid_contact : contact<rigid_contact<Dim, Geometry>, Dim> {
 }  // namespace core
 
 namespace detail {
+template <kind Dim, class Geometry>
+struct gate<core::rigid_contact<Dim, Geometry>> : gate_on_contact<core::rigid_contact<Dim, Geometry>> {};
 template <kind Dim, class Geometry, class C, class A, class B>
 constexpr auto touching(const Geometry& g, const C& name, const A& surface, const B& body, const contact_law& law) {
   return connect(core::rigid_contact<Dim, Geometry>{g, law}, surface, body, name);

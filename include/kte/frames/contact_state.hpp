@@ -18,7 +18,7 @@ enum class contact_mode : unsigned char {
 ///   point       m, where the force acts
 ///   force       N, on B; the opposite acts on A at the same point
 ///   direction   unit vector of sliding, or zero
-///   mode        a `contact_mode` as a number
+///   mode        a `contact_mode` as a number; -2: open, and ignored by `only_if`
 template <class Scalar = double>
 struct contact_state {
   Scalar gap{};
@@ -35,6 +35,8 @@ inline constexpr int numbers_of_contact = 4;
 /// The mode number of contacts in the states of time stepping, whose steps open and close contacts themselves: they
 /// count as open, inside their surfaces too, and have no events.
 inline constexpr double stepped_mode = -1;
+/// The mode number of an open contact that passes through its surface, because its `only_if` is false.
+inline constexpr double passing_mode = -2;
 /// Writes the mode to the numbers of x from `first` on; reads it.
 template <class S, class X, class I>
 constexpr void put_mode(const contact_state<S>& of, I first, X& x) {
@@ -42,7 +44,7 @@ constexpr void put_mode(const contact_state<S>& of, I first, X& x) {
 }
 template <class S, class X, class I>
 constexpr void read_mode(const X& x, I first, contact_state<S>& to) {
-  to.mode = x[first] > S(1.5) ? S(2) : x[first] > S(0.5) ? S(1) : S(0);
+  to.mode = x[first] > S(1.5) ? S(2) : x[first] > S(0.5) ? S(1) : x[first] < S(-1.5) ? S(passing_mode) : S(0);
   to.direction = {x[first + 1], x[first + 2], x[first + 3]};
 }
 }  // namespace detail

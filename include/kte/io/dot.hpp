@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kte/runtime_chain/runtime_chain.hpp>
+#include <kte/runtime_chain.hpp>
 #include <kte/static_chain/static_chain.hpp>
 
 #include <boost/hana/for_each.hpp>

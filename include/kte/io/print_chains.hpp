@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kte/io/print_numbers.hpp>
-#include <kte/runtime_chain/runtime_chain.hpp>
+#include <kte/runtime_chain.hpp>
 #include <kte/runtime_chain/static_chain_map.hpp>
 
 /// `std::cout << chain`: a line for the chain and one for each element, with the connections of its ports and its

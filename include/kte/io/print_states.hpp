@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kte/io/print_numbers.hpp>
-#include <kte/runtime_chain/runtime_chain.hpp>
+#include <kte/runtime_chain.hpp>
 #include <kte/static_chain/layout.hpp>
 
 #include <utility>

@@ -12,7 +12,7 @@
 #include <kte/models/element_events.hpp>
 #include <kte/models/manipulator_dynamics_model.hpp>
 #include <kte/models/unchanging_chain.hpp>
-#include <kte/runtime_chain/runtime_chain.hpp>
+#include <kte/runtime_chain.hpp>
 
 #ifdef KTE_FUNCTION
 #  include <kte/models/detail/contact_events.hpp>

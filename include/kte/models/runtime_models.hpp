@@ -10,7 +10,7 @@
 #include <kte/models/inverse_dynamics_model.hpp>
 #include <kte/models/manipulator_kinematics_model.hpp>
 #include <kte/models/unchanging_chain.hpp>
-#include <kte/runtime_chain/runtime_chain.hpp>
+#include <kte/runtime_chain.hpp>
 
 namespace kte {
 

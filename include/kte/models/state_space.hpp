@@ -37,7 +37,8 @@ struct sizes_of_model {
 /// A chain with its states as vectors:
 ///
 ///   x = (q, v, z)        positions, rates, internal states of elements; then for each rigid contact its mode (0 open,
-///                        1 sticks, 2 slides) and the direction in which it slides, 4 numbers         (1)
+///                        1 sticks, 2 slides, -2 open and ignored by `only_if`) and the direction in which it slides,
+///                        4 numbers         (1)
 ///   x' = (v, a, z')                                                            (2)
 ///   u                    signals that no element writes, in order of first appearance, except the time
 ///

@@ -3,7 +3,7 @@
 #include <kte/reak/mass_blocks.hpp>
 #include <kte/reak/motion_jacobians.hpp>
 #include <kte/reak/static_mass_matrix_calc.hpp>
-#include <kte/runtime_chain/runtime_chain.hpp>
+#include <kte/runtime_chain.hpp>
 
 #include <algorithm>
 #include <utility>

@@ -2,7 +2,7 @@
 
 #include <kte/dynamics/jacobian_rate.hpp>
 #include <kte/reak/motion_jacobian.hpp>
-#include <kte/runtime_chain/runtime_chain.hpp>
+#include <kte/runtime_chain.hpp>
 
 /// Motion Jacobians of a coordinate and a frame, or another coordinate, of a static or runtime chain.
 namespace kte {

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <kte/engine/body.hpp>
+#include <kte/recursions/newton_euler.hpp>
 
-/// The placements of bodies and joint axes in the world.
+/// The placements of bodies and joint axes in the world, and motions of frames there.
 namespace kte::engine {
 
 /// The placement of a body: its axes as columns of a matrix, its origin relative to that of its parent and to that of
@@ -39,6 +39,15 @@ KTE_INLINE void world_placements(const Driver& d, const Kept& kept, Axis*... axe
     (b.axes_in_world(x.rotation, axes + b.first()), ...);
     return x;
   });
+}
+
+/// The motion of a frame of a body: position and rotation in the world, other quantities in axes of the frame. Found by
+/// argument-dependent lookup: dual numbers have their own function (tree/dual_motion.hpp).
+template <class R, class V, class S, class P>
+auto motion_of_frame(const world_placement<R, V, V>& place, const body_motion<S, S, S, S>& b,
+                     const pose<mat3<vec3<P>>, vec3<P>>& at) {
+  return compose(motion{place.position, place.rotation, b.velocity, b.ang_velocity, b.acceleration, b.ang_acceleration},
+                 at_rest(at.rotation, at.position));
 }
 
 }  // namespace kte::engine

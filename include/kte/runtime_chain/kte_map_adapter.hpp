@@ -32,7 +32,8 @@ template <class T>
 }
 }  // namespace detail
 
-/// An element of a runtime chain: an element core, connected by texts.
+/// An element of a runtime chain: an element core, connected by texts. Functions that are only called while a chain is
+/// built are cold, so that compilers keep them small.
 template <class Core>
 class kte_map_adapter final : public kte_element {
  public:
@@ -54,9 +55,9 @@ class kte_map_adapter final : public kte_element {
   void clearForce(runtime_state& s) const override { on(s).clear(std::make_index_sequence<port_count<Core>>{}); }
   void doForce(runtime_state& s) const override { on(s).force(inputs{}); }
 
-  std::unique_ptr<kte_map> clone() const override { return std::make_unique<kte_map_adapter>(*this); }
+  [[gnu::cold]] std::unique_ptr<kte_map> clone() const override { return std::make_unique<kte_map_adapter>(*this); }
   void for_each_element(const std::function<void(const kte_element&)>& visit) const override { visit(*this); }
-  void connect(topology& t) override {
+  [[gnu::cold]] void connect(topology& t) override {
     t.connect(this, Core::type, Core::ports, names_);
     auto& c = t.elements.back();
     connect_as(c.index);
@@ -69,12 +70,12 @@ class kte_map_adapter final : public kte_element {
     t.has_derivatives &= on_frames || detail::has_derivatives<Core>;
   }
   void connect_as(std::span<const int> index) override { std::copy(index.begin(), index.end(), index_.begin()); }
-  element_record record() const override { return record_of(core_, names_); }
-  void visit_parameters([[maybe_unused]] const detail::parameter_visitor& visit) override {
+  [[gnu::cold]] element_record record() const override { return record_of(core_, names_); }
+  [[gnu::cold]] void visit_parameters([[maybe_unused]] const detail::parameter_visitor& visit) override {
     if constexpr (core_in_files<Core>)
       Core::parameters(core_, [&visit](const char* name, auto& x) { detail::visit_numbers(name, x, visit); });
   }
-  void check_parameters() const override {
+  [[gnu::cold]] void check_parameters() const override {
     const std::array<std::string_view, port_count<Core>> texts = [this]<std::size_t... P>(std::index_sequence<P...>) {
       return std::array<std::string_view, port_count<Core>>{names_[P]...};
     }
@@ -170,6 +171,13 @@ class kte_map_adapter final : public kte_element {
       return core_.touch_at(m);
     else
       return {};
+  }
+  bool has_gate() const override { return detail::has_gate<Core>; }
+  bool admits([[maybe_unused]] const runtime_state& s) const override {
+    if constexpr (detail::has_gate<Core>)
+      return core_.admits(s);
+    else
+      return true;
   }
   bool is_upright([[maybe_unused]] const detail::closing_motion<double>& m) const override {
     return detail::is_upright_by(core_, m);

@@ -1,4 +1,4 @@
 #pragma once
 
-/// Former header name; use kte/runtime_chain/runtime_chain.hpp.
-#include <kte/runtime_chain/runtime_chain.hpp>
+/// Former header name; use kte/runtime_chain.hpp.
+#include <kte/runtime_chain.hpp>

@@ -19,4 +19,4 @@ namespace kte {
 
 }  // namespace kte
 
-#include <kte/runtime_chain/runtime_chain.hpp>
+#include <kte/runtime_chain.hpp>

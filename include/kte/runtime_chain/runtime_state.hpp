@@ -120,6 +120,12 @@ class basic_runtime_state {
   pose_coord_3D<S>& pose_3D(const name_or_handle& name) { return at<kind::pose_3D>(*this, name); }
   const pose_coord_3D<S>& pose_3D(const name_or_handle& name) const { return at<kind::pose_3D>(*this, name); }
 
+  /// An item by key, as in states of static chains. Throws `unknown_name`.
+  template <key_type Key>
+  const auto& operator[](const Key&) const {
+    return at<Key::what>(*this, name_or_handle(std::string_view(Key::name)));
+  }
+
   /// Generalized coordinate number i among the degrees of freedom. Throws `bad_argument` for an i out of range.
   gen_coord<S>& coordinate(int i) { return get<kind::gen>(free_coordinate(i)); }
   const gen_coord<S>& coordinate(int i) const { return get<kind::gen>(free_coordinate(i)); }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/elements/base.hpp>
 #include <kte/elements/registry.hpp>
 #include <kte/testing/detail/states.hpp>
 

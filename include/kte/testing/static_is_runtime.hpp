@@ -5,7 +5,7 @@
 #include <kte/elements/base.hpp>
 #include <kte/elements/free_joint.hpp>
 #include <kte/elements/inertia.hpp>
-#include <kte/runtime_chain/runtime_chain.hpp>
+#include <kte/runtime_chain.hpp>
 #include <kte/testing/detail/states.hpp>
 
 /// An element behaves equally in static and runtime chains.

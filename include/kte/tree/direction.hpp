@@ -15,20 +15,38 @@ inline constexpr bool fits_register = simd_of<S>::count == 4;
 template <class S>
 inline constexpr bool fits_register = false;
 #endif
-template <class S>
-using direction = std::conditional_t<fits_register<S>, simd<S>, vec3<S>>;
 
+/// Three numbers and a zero in one register. Typed constants times such a vector are those of math/constant.hpp.
 template <class S>
-KTE_INLINE direction<S> direction_of(const vec3<S>& v) {
-  if constexpr (fits_register<S>)
-    return direction<S>{v.x, v.y, v.z, S(0)};
-  else
+struct register_vector {
+  simd<S> n;
+  KTE_INLINE friend register_vector operator+(const register_vector& a, const register_vector& b) {
+    return {a.n + b.n};
+  }
+  KTE_INLINE friend register_vector operator-(const register_vector& a, const register_vector& b) {
+    return {a.n - b.n};
+  }
+  KTE_INLINE friend register_vector operator*(const S& x, const register_vector& v) { return {x * v.n}; }
+};
+template <class S>
+using direction = std::conditional_t<fits_register<S>, register_vector<S>, vec3<S>>;
+
+/// A vector as a `direction`; entries and vectors that are typed zeros become numbers.
+template <class S, class V>
+KTE_INLINE direction<S> direction_of(const V& v) {
+  if constexpr (typed_constant<V>)
+    return direction<S>{};
+  else if constexpr (std::is_same_v<V, direction<S>>)
     return v;
+  else if constexpr (fits_register<S>)
+    return {simd<S>{as<S>(v.x), as<S>(v.y), as<S>(v.z), S(0)}};
+  else
+    return as<S>(v);
 }
 template <class S>
 KTE_INLINE vec3<S> components(const direction<S>& v) {
   if constexpr (fits_register<S>)
-    return {v[0], v[1], v[2]};
+    return {v.n[0], v.n[1], v.n[2]};
   else
     return v;
 }
@@ -42,29 +60,48 @@ KTE_INLINE mat3<vec3<S>> components(const mat3<direction<S>>& m) {
   return {components<S>(m.x), components<S>(m.y), components<S>(m.z)};
 }
 
-template <class S>
-KTE_INLINE direction<S> crossed(const direction<S>& a, const direction<S>& b) {
-#if defined(KTE_HAS_SHUFFLES)
-  if constexpr (fits_register<S>) {
-    const direction<S> c =
-        a * __builtin_shufflevector(b, b, 1, 2, 0, 3) - __builtin_shufflevector(a, a, 1, 2, 0, 3) * b;
-    return __builtin_shufflevector(c, c, 1, 2, 0, 3);
-  } else
-#endif
-  {
-    return cross(a, b);
-  }
+/// v in the axes whose unit vectors are the rows of a matrix.
+template <class Row, class X, class Y, class Z>
+KTE_INLINE auto combined(const mat3<Row>& units, const vec3<X, Y, Z>& v) {
+  return v.x * units.x + v.y * units.y + v.z * units.z;
 }
+/// The rotation from axes whose unit vectors are the rows of a matrix, for recursions/jacobian.hpp.
+template <class Row>
+struct rotation_of_units {
+  const mat3<Row>& units;
+};
+template <class Row, class X, class Y, class Z>
+KTE_INLINE auto combined(const rotation_of_units<Row>& r, const vec3<X, Y, Z>& v) {
+  return combined(r.units, v);
+}
+#if defined(KTE_HAS_SHUFFLES)
+/// v + a x b in registers. A typed zero stands for a vector.
+template <class S>
+KTE_INLINE register_vector<S> plus_cross(zero_t, const register_vector<S>& a, const register_vector<S>& b) {
+  const simd<S> c =
+      a.n * __builtin_shufflevector(b.n, b.n, 1, 2, 0, 3) - __builtin_shufflevector(a.n, a.n, 1, 2, 0, 3) * b.n;
+  return {__builtin_shufflevector(c, c, 1, 2, 0, 3)};
+}
+template <class S>
+KTE_INLINE register_vector<S> plus_cross(const register_vector<S>& v, const register_vector<S>& a,
+                                         const register_vector<S>& b) {
+  return v + plus_cross(zero, a, b);
+}
+template <class S>
+KTE_INLINE register_vector<S> plus_cross(const register_vector<S>& v, zero_t, const register_vector<S>&) {
+  return v;
+}
+#endif
 /// Writes v and w as six numbers; adds them if several joints move by one coordinate and share a column.
 template <bool Add, class S>
 KTE_INLINE void put_column(S* to, const direction<S>& v, const direction<S>& w) {
 #if defined(KTE_HAS_SHUFFLES)
   if constexpr (fits_register<S>) {
     typedef S two __attribute__((vector_size(2 * sizeof(S))));
-    direction<S> first = __builtin_shufflevector(v, w, 0, 1, 2, 4);
-    two rest = __builtin_shufflevector(w, w, 1, 2);
+    simd<S> first = __builtin_shufflevector(v.n, w.n, 0, 1, 2, 4);
+    two rest = __builtin_shufflevector(w.n, w.n, 1, 2);
     if constexpr (Add) {
-      direction<S> there;
+      simd<S> there;
       two there_too;
       load<S>(there, to), load<S>(there_too, to + 4);
       first += there, rest += there_too;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kte/math/dual_number.hpp>
-#include <kte/tree/frame_motion.hpp>
+#include <kte/recursions/world_placement.hpp>
 #include <kte/tree/newton_euler.hpp>
 #include <kte/tree/placement.hpp>
 
@@ -202,7 +202,7 @@ void transmit_in_duals(const body_tree<P>& f, const memory<P, S>& m, dual_memory
 
 namespace kte::engine {
 
-/// See `motion_of_frame` of tree/frame_motion.hpp.
+/// See `motion_of_frame` of recursions/world_placement.hpp.
 template <class S, int N, class P>
 auto motion_of_frame(const tree::world_place<dual<S, N>>& place, const tree::body_motion<dual<S, N>>& b,
                      const pose<mat3<vec3<P>>, vec3<P>>& at) {

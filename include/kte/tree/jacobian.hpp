@@ -1,5 +1,7 @@
 #pragma once
 
+#include <kte/recursions/jacobian.hpp>
+#include <kte/tree/bodies.hpp>
 #include <kte/tree/direction.hpp>
 #include <kte/tree/placement.hpp>
 
@@ -23,53 +25,45 @@ int pose_in_base(const body_tree<P>& f, const memory<P, S>& m, const frame_place
   return slot;
 }
 
-/// (1) for an axis given in the axes of the body.
-template <class S, class Put>
-void column_of_axis(int k, const world_axis<S>& s, const mat3<direction<S>>& units, const direction<S>& p,
-                    const Put& put) {
-  const direction<S> angular = combined(units, s.angular);
-  put(k, direction<S>(combined(units, s.linear) + crossed<S>(angular, p)), angular);
-}
-/// put(k, velocity of a point, angular velocity) at the unit rate of each axis of a joint: with the point at p from the
-/// origin of the body, and the axis s along or about a unit vector of the body,
-///
-///   put(k, s_v + s_w x p, s_w)          (1)
+/// put(k, velocity, angular velocity) for each axis k of a joint: (1) of recursions/jacobian.hpp. `units`: the unit
+/// vectors of its body, as rows; p: from its origin to that of the frame; both in axes of the columns.
 template <class P, class S, class Put>
 KTE_INLINE void columns_of_joint(const body_node<P>& r, const joint_transform<S>& at, const mat3<direction<S>>& units,
                                  const direction<S>& p, const Put& put) {
-  if (r.moves == joint::varying) [[unlikely]] {
-    for (int k = 0; k < r.axes; ++k) column_of_axis<S>(r.first + k, at.axis(k), units, p, put);
-    return;
-  }
-  const direction<S>& z = units.z;
-  switch (r.moves) {
-    case joint::revolute:
-      put(r.first, crossed<S>(z, p), z);
-      break;
-    case joint::prismatic:
-      put(r.first, z, direction<S>{});
-      break;
-    case joint::screw:
-      put(r.first, direction<S>(r.slides * z + r.turns * crossed<S>(z, p)), direction<S>(r.turns * z));
-      break;
-    case joint::several: {
-      const std::array<direction<S>, 3> all{units.x, units.y, z};
-      for (int k = 0; k < r.axes; ++k) {
+  direction<S> linear, angular;
+  const auto column_of = [&](const mat3<direction<S>>& axes, const auto& s) KTE_INLINE_LAMBDA {
+    const auto column = engine::jacobian_column(rotation_of_units<direction<S>>{axes}, p, s);
+    linear = direction_of<S>(column.linear), angular = direction_of<S>(column.angular);
+  };
+  for (int k = 0; k < r.axes; ++k) {  // one call of `put`, which may be long
+    switch (r.moves) {
+      case joint::revolute:
+        column_of(units, about_z::axis<0>(r));
+        break;
+      case joint::prismatic:
+        column_of(units, along_z::axis<0>(r));
+        break;
+      case joint::screw:
+        column_of(units, along_and_about_z::axis<0>(r));
+        break;
+      case joint::several: {  // a unit axis by number, as z
+        const std::array<direction<S>, 3> unit{units.x, units.y, units.z};
         const std::size_t n = r.axis[static_cast<std::size_t>(k)];
         if (n < 3)
-          put(r.first + k, all[n], direction<S>{});
+          column_of({unit[0], unit[1], unit[n]}, along_z::axis<0>(r));
         else
-          put(r.first + k, crossed<S>(all[n - 3], p), all[n - 3]);
+          column_of({unit[0], unit[1], unit[n - 3]}, about_z::axis<0>(r));
+        break;
       }
-      break;
+      case joint::varying:
+        column_of(units, engine::motion_vector{at.axis(k).linear, at.axis(k).angular});
+        break;
     }
-    case joint::varying:
-      break;
+    put(r.first + k, linear, angular);
   }
 }
-/// Visits the joints from a frame to its base or `top`: visit(body node, its joint transform, the unit vectors of its
-/// body, the vector from its origin to that of the frame), in the axes of the frame. Returns the slot, as
-/// `pose_in_base`.
+/// Visits the joints from a frame to its base or `top`: visit(body node, its joint transform, units, p), as in
+/// `columns_of_joint`, in axes of the frame. Returns the slot, as `pose_in_base`.
 template <class P, class S, class N, class Visit>
 KTE_INLINE int each_joint_inward(const body_tree<P>& f, const memory<P, S>& m, const frame_place<N>& frame,
                                  dense_pose<S>& x, const Visit& visit, int top = -1) {
@@ -87,15 +81,15 @@ KTE_INLINE int each_joint_inward(const body_tree<P>& f, const memory<P, S>& m, c
   x.rotation = components<S>(units), x.position = x.rotation * components<S>(p);
   return slot;
 }
-/// The columns of the Jacobian of a frame in its own axes, from the frame to its base or `top` (Siciliano et al.,
-/// Robotics, 2009, section 3.1.3): put(k, v, w) as in (1). Returns the slot, as `pose_in_base`.
+/// The columns of the Jacobian of a frame in its own axes, from the frame to its base or `top`: put(k, v, w). Returns
+/// the slot, as `pose_in_base`.
 template <class P, class S, class N, class Put>
 int jacobian_columns(const body_tree<P>& f, const memory<P, S>& m, const frame_place<N>& frame, dense_pose<S>& x,
                      const Put& put, int top = -1) {
   return each_joint_inward(
       f, m, frame, x,
       [&put](const body_node<P>& r, const joint_transform<S>& at, const mat3<direction<S>>& units,
-             const direction<S>& p) KTE_INLINE_LAMBDA { columns_of_joint<P, S>(r, at, units, p, put); },
+             const direction<S>& p) KTE_INLINE_LAMBDA { columns_of_joint(r, at, units, p, put); },
       top);
 }
 /// The columns of the Jacobian of a frame in world axes, for all joints from the frame to its base. Bodies are placed
@@ -119,7 +113,7 @@ void jacobian_columns_in_world(const body_tree<P>& f, memory<P, S>& m, const fra
   direction<S> p = combined(units, as<S>(frame.at.position));
   for (std::size_t n = 0; n < way.size(); ++n) {
     const seen_body<S>& x = seen[n];
-    columns_of_joint<P, S>(nodes[way[n]], joint_transforms[way[n]], x.units, p, put);
+    columns_of_joint(nodes[way[n]], joint_transforms[way[n]], x.units, p, put);
     p = p + x.step;
   }
 }

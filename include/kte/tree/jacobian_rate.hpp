@@ -18,14 +18,15 @@ int jacobian_rate_columns(const body_tree<P>& f, const memory<P, S>& m, const fr
                           world_axis<S>& moves, const Put& put) {
   world_axis<S> beyond{}, with_own{};
   const auto visit = [&](const body_node<P>& r, const joint_transform<S>& at, const auto& units, const auto& p) {
-    columns_of_joint<P, S>(r, at, units, p, [&](int k, const auto& linear, const auto& angular) {
+    columns_of_joint(r, at, units, p, [&](int k, const auto& linear, const auto& angular) {
       const vec3<S> u = components<S>(linear), w = components<S>(angular);
       world_axis<S> own{};
-      if (r.moves == joint::varying) [[unlikely]]
-        column_of_axis<S>(k, rate_of_axis(r, at, k - r.first, &m.rate[static_cast<std::size_t>(r.first)]), units, p,
-                          [&own](int, const auto& du, const auto& dw) {
-                            own = {components<S>(du), components<S>(dw)};
-                          });
+      if (r.moves == joint::varying) [[unlikely]] {
+        const auto change = rate_of_axis(r, at, k - r.first, &m.rate[static_cast<std::size_t>(r.first)]);
+        const auto column = engine::jacobian_column(rotation_of_units<direction<S>>{units}, p,
+                                                    engine::motion_vector{change.linear, change.angular});
+        own = {components<S>(column.linear), components<S>(column.angular)};
+      }
       put(k, u, w, vec3<S>(cross(u, beyond.angular) + cross(w, beyond.linear) + own.linear),
           vec3<S>(cross(w, beyond.angular) + own.angular));  // (1)
       const S& rate = m.rate[static_cast<std::size_t>(k)];

@@ -16,12 +16,6 @@ template <class S>
 [[gnu::noinline]] vec3<S> rotated_back(const mat3<vec3<S>>& r, const vec3<S>& u) {
   return transpose(r) * u;
 }
-/// v in the axes whose unit vectors are the rows of a matrix.
-template <class S, class Row>
-KTE_INLINE Row combined(const mat3<Row>& units, const vec3<S>& v) {
-  return v.x * units.x + v.y * units.y + v.z * units.z;
-}
-
 /// A body node with its joint transform.
 template <class P, class S>
 struct placed {
@@ -58,6 +52,7 @@ struct placed {
       a = turned(a, transpose(at.rotation()));
     return a;
   }
+  KTE_INLINE const vec3<S>& position() const { return at.position; }
   KTE_INLINE dense_wrench<S> out(const dense_wrench<S>& w) const {
     const vec3<S> f = out(w.force);
     return {f, out(w.torque) + cross(at.position, f)};

@@ -2,7 +2,7 @@
 
 #include <kte/contract/no_parameters.hpp>
 #include <kte/contract/transmission.hpp>
-#include <kte/runtime_chain/runtime_chain.hpp>
+#include <kte/runtime_chain.hpp>
 #include <kte/view/page_pull.hpp>
 
 #include <string_view>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kte/runtime_chain/runtime_chain.hpp>
+#include <kte/runtime_chain.hpp>
 
 #include <set>
 

@@ -8,7 +8,7 @@
 #include <kte/dynamics/inverse_dynamics.hpp>
 #include <kte/dynamics/jacobian.hpp>
 #include <kte/dynamics/mass_matrix.hpp>
-#include <kte/runtime_chain/runtime_chain.hpp>
+#include <kte/runtime_chain.hpp>
 
 #include <string>
 #include <vector>

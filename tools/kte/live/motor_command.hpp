@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kte/elements/joint_motor.hpp>
-#include <kte/runtime_chain/runtime_chain.hpp>
+#include <kte/runtime_chain.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kte/contact/friction_problem.hpp>
+#include <kte/tree/simd.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -59,10 +60,21 @@ struct friction_system {
   }
   /// u = W lambda + b.
   void velocity(const S* lambda, S* u) const {
-    view out(u, size);
-    out = const_view(b, size);
-    for (Eigen::Index j = 0; j < size; ++j)
-      if (lambda[j] != S(0)) out += lambda[j] * const_view(column(j), size);
+    constexpr auto lanes = static_cast<Eigen::Index>(tree::simd_of<S>::count);
+    Eigen::Index i = 0;
+    for (; i + lanes <= size; i += lanes) {
+      tree::simd<S> sum, w;
+      tree::load<S>(sum, b + i);
+      for (Eigen::Index j = 0; j < size; ++j) {
+        tree::load<S>(w, column(j) + i);
+        sum = sum + lambda[j] * w;
+      }
+      tree::store<S>(sum, u + i);
+    }
+    for (; i < size; ++i) {
+      u[i] = b[i];
+      for (Eigen::Index j = 0; j < size; ++j) u[i] += lambda[j] * column(j)[i];
+    }
   }
 
   /// The natural map F of Alart and Curnier (Comput. Methods Appl. Mech. Engrg. 92, 1991),

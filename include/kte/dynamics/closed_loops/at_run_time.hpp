@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kte/dynamics/closed_loops/derivatives.hpp>
-#include <kte/runtime_chain/runtime_chain.hpp>
+#include <kte/runtime_chain.hpp>
 
 namespace kte::detail {
 

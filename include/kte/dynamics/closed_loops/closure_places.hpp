@@ -64,7 +64,9 @@ class closure_places {
   template <class Closures>
   std::string name_of_row(const Closures& c, int k) const {
     const auto& x = closure_of_row(k);
-    return c.loop_name(x.loop) + (x.rows.count() > 1 ? "[" + std::to_string(k - x.first + 1) + "]" : "");
+    std::string name(c.loop_name(x.loop));
+    if (x.rows.count() > 1) name.append("[").append(std::to_string(k - x.first + 1)).append("]");
+    return name;
   }
   const closure_place& closure_of_row(int k) const {
     std::size_t i = 0;

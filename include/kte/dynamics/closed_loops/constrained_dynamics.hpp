@@ -3,7 +3,7 @@
 #include <kte/dynamics/closed_loops/forward.hpp>
 #include <kte/dynamics/closed_loops/loop_dynamics.hpp>
 #include <kte/dynamics/closed_loops/loop_results.hpp>
-#include <kte/runtime_chain/runtime_chain.hpp>
+#include <kte/runtime_chain.hpp>
 
 namespace kte {
 

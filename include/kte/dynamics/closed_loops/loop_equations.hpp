@@ -128,21 +128,26 @@ class loop_equations {
       simd_load on2;
       tree::load_vectors<double>(on2.force, units + first, closing_stride);
       tree::load_vectors<double>(on2.torque, units + 3 * closing_stride + first, closing_stride);
-      simd_load on1 = tree::seen_from<double>(m.rotation, m.position, on2);
-      for (auto* v : {&on1.force, &on1.torque}) v->x = -v->x, v->y = -v->y, v->z = -v->z;
       powers<Accelerate> sum;
       const auto enter = [&](std::size_t port, const runtime_frame& frame, const simd_load& load) {
-        const int at = x.enters[port];
-        if (at < 0 && !Accelerate) return;
-        const auto& place = f.frame(frame.what, frame.index);
-        const auto moved = tree::seen_from<double>(place.at.rotation, place.at.position, load);
-        if (at < 0)
-          sum.at_base(moved, s.work.bodies[static_cast<std::size_t>(place.slot)]);
-        else
-          tree::add_to(loads_[static_cast<std::size_t>(at)], moved);
+        const auto& place = f.frame(frame.what, frame.index).at;
+        tree::add_to(loads_[static_cast<std::size_t>(x.enters[port])],
+                     tree::seen_from<double>(place.rotation, place.position, load));
       };
       clear_loads(x.way);
-      enter(0, x.frame1, on1), enter(1, x.frame2, on2);
+      if (x.enters[0] >= 0) {
+        simd_load on1 = tree::seen_from<double>(m.rotation, m.position, on2);
+        for (auto* v : {&on1.force, &on1.torque}) v->x = -v->x, v->y = -v->y, v->z = -v->z;
+        enter(0, x.frame1, on1);
+      } else if constexpr (Accelerate) {
+        auto base = seen_from_base(moved_by_base(s, x.frame1), m.rotation, m.position);
+        base.acceleration = -base.acceleration, base.ang_acceleration = -base.ang_acceleration;
+        sum.at_base(on2, base);
+      }
+      if (x.enters[1] >= 0)
+        enter(1, x.frame2, on2);
+      else if constexpr (Accelerate)
+        sum.at_base(on2, moved_by_base(s, x.frame2));
       const auto put_lanes = [&](int axis, const tree::simd<double>& e) KTE_INLINE_LAMBDA {
         const auto place = static_cast<std::size_t>(places.place_of_axis[static_cast<std::size_t>(axis)]);
         put(place, first, root[static_cast<Eigen::Index>(place)] * e);
@@ -228,6 +233,21 @@ class loop_equations {
   using simd_load = tree::simd_wrench<double>;
   template <bool Accelerate>
   using powers = std::conditional_t<Accelerate, tree::load_powers<double>, const tree::no_powers>;
+  /// Accelerations of a base at the origin of a frame with rotation R at p, in axes of the frame: R^T (a + al x p).
+  static tree::body_motion<double> seen_from_base(const tree::body_motion<double>& base, const mat3<vec3<>>& r,
+                                                  const vec3<>& p) {
+    const auto back = transpose(r);
+    tree::body_motion<double> x{};
+    x.acceleration = back * (base.acceleration + cross(base.ang_acceleration, p));
+    x.ang_acceleration = back * base.ang_acceleration;
+    return x;
+  }
+  template <class State>
+  static tree::body_motion<double> moved_by_base(const State& s, const runtime_frame& frame) {
+    const auto& place = s.tree().body_tree.frame(frame.what, frame.index);
+    return seen_from_base(s.work.bodies[static_cast<std::size_t>(place.slot)], as<double>(place.at.rotation),
+                          place.at.position);
+  }
   int column_of_row(int row) const {
     return places.column_of_place[static_cast<std::size_t>(places.place_of_row[static_cast<std::size_t>(row)])];
   }

@@ -98,7 +98,7 @@ class contact_sensitivity {
     }
     for (const auto& x : contacts) put(x, e, j);
     small_.setThreshold(1e-10);
-    small_.compute(rows_ * inverse_ * forces_.transpose() + own_);
+    if (equations > 0) small_.compute(rows_ * inverse_ * forces_.transpose() + own_);
   }
   /// Solves (4) for columns of F and A: da and dx.
   void solve(const Eigen::MatrixXd& f, const Eigen::MatrixXd& rows, Eigen::MatrixXd& a, Eigen::MatrixXd& x) const {
@@ -140,25 +140,18 @@ class contact_sensitivity {
   Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> small_;
 };
 
-KTE_FUNCTION contact_dynamics_derivatives_result contact_dynamics_derived(const runtime_chain& c, runtime_state& s,
-                                                                          const Eigen::VectorXd& tau) {
-  contact_dynamics_derivatives_result r;
+/// Writes the derivatives of accelerations and contact forces to r, in the modes of a solution, which is in the state
+/// and its memory; `planar`: whether the direction of contacts that slide in the plane is given.
+inline void derive_in_modes(const runtime_chain& c, runtime_state& s, contact_solver& m, bool planar,
+                            contact_dynamics_derivatives_result& r) {
   const Eigen::Index n = s.dofs();
-  for (int i = 0; i < s.dofs(); ++i) s.work.kept[static_cast<std::size_t>(i)] = tau[i];
-  auto& m = contact_memory(c, s);
-  const struct polishing {
-    bool& on;
-    explicit polishing(bool& x) : on(x) { on = true; }
-    polishing(const polishing&) = delete;
-    polishing& operator=(const polishing&) = delete;
-    ~polishing() { on = false; }
-  } exactly(m.polish);
-  const auto& found = contact_dynamics_under_kept(c, s);
-  r.a = found.a, r.names = found.names;
   auto& e = m.equations;
   const closure_places* closures = has_loops(c) ? &loops_of(c, s).equations.places : nullptr;
   const int closed = closures != nullptr ? closures->rows : 0;
   auto contacts = contacts_in_modes(m, s, closed);
+  for (auto& x : contacts)
+    if (planar && x.planar && x.kind == contact_in_mode::equations::slides)
+      x.kind = contact_in_mode::equations::slides_along;
   const int equations = contacts.empty() ? closed : contacts.back().first + contacts.back().count();
   const contact_variations by = vary_contacts(c, s, closures, e.places, contacts, equations);
   e.at_positions(contacts_of(c), s, true);
@@ -173,9 +166,10 @@ KTE_FUNCTION contact_dynamics_derivatives_result contact_dynamics_derived(const 
   system.solve(-by.forces.by_v, -by.equations_by_v, r.by_v, x[1]);
   system.solve(Eigen::MatrixXd::Identity(n, n), Eigen::MatrixXd::Zero(equations, n), r.by_tau, x[2]);
 
-  for (const auto& at : found.contacts) {
+  r.contacts.clear();
+  for (std::size_t i = 0; i < m.contacts.size(); ++i) {
     const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(3, n);
-    r.contacts.push_back({at, none, none, none});
+    r.contacts.push_back({s.get<kind::contact>(static_cast<int>(i)), none, none, none});
   }
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const auto& at = contacts[i];
@@ -190,6 +184,22 @@ KTE_FUNCTION contact_dynamics_derivatives_result contact_dynamics_derived(const 
     to.force_by_v = by.contact_forces[i][1] + unit * x[1].middleRows(at.first, at.count());
     to.force_by_tau = unit * x[2].middleRows(at.first, at.count());
   }
+}
+KTE_FUNCTION contact_dynamics_derivatives_result contact_dynamics_derived(const runtime_chain& c, runtime_state& s,
+                                                                          const Eigen::VectorXd& tau) {
+  contact_dynamics_derivatives_result r;
+  for (int i = 0; i < s.dofs(); ++i) s.work.kept[static_cast<std::size_t>(i)] = tau[i];
+  auto& m = contact_memory(c, s);
+  const struct polishing {
+    bool& on;
+    explicit polishing(bool& x) : on(x) { on = true; }
+    polishing(const polishing&) = delete;
+    polishing& operator=(const polishing&) = delete;
+    ~polishing() { on = false; }
+  } exactly(m.polish);
+  const auto& found = contact_dynamics_under_kept(c, s);
+  r.a = found.a, r.names = found.names;
+  derive_in_modes(c, s, m, false, r);
   return r;
 }
 

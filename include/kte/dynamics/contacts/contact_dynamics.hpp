@@ -2,7 +2,7 @@
 
 #include <kte/dynamics/contacts/contact_forces.hpp>
 #include <kte/dynamics/contacts/runtime_contacts.hpp>
-#include <kte/runtime_chain/runtime_chain.hpp>
+#include <kte/runtime_chain.hpp>
 
 namespace kte {
 

@@ -90,22 +90,27 @@ inline vec3<> unit_of(const vec3<>& v) {
   const double length = std::sqrt(dot(v, v));
   return length > 0 ? (1 / length) * v : vec3<>{};
 }
-/// Writes all contacts to the state, with the forces found by `solve_friction`.
-template <class State>
-void put_contacts(const contact_solver& m, State& s) {
+/// Writes all contacts to at(slot), with the forces found by `solve_friction`.
+template <class At>
+void put_contacts_at(const contact_solver& m, const At& at) {
   for (const auto& x : m.contacts) {
-    auto& to = s.template get<kind::contact>(x.slot);
+    auto& to = at(x.slot);
     to.gap = x.place.gap, to.slip = x.slip, to.point = x.place.point;
-    to.force = to.direction = {}, to.mode = static_cast<double>(contact_mode::open);
+    to.force = to.direction = {}, to.mode = x.passes ? passing_mode : static_cast<double>(contact_mode::open);
   }
   for (std::size_t i = 0; i < m.touching.size(); ++i) {
     const auto& x = m.touched(i);
-    auto& to = s.template get<kind::contact>(x.slot);
+    auto& to = at(x.slot);
     to.force = m.force_of(x);
     to.mode = static_cast<double>(m.modes[i]);
     if (m.modes[i] != contact_mode::slides) continue;
     to.direction = m.laws[i].sliding ? x.basis[1] : unit_of(dot(x.place.normal, to.force) * x.place.normal - to.force);
   }
+}
+template <class State>
+void put_contacts(const contact_solver& m, State& s) {
+  put_contacts_at(
+      m, [&s](int slot) -> auto& { return s.template get<kind::contact>(slot); });
 }
 
 /// Writes `loop_forces` to the closures of the state.
@@ -165,6 +170,15 @@ void choose_contacts(const Contacts& c, contact_solver& m, const Leaves& leaves,
     if (slides(x)) m.let_slide(i);
   }
 }
+/// Contacts leave and slide by their velocities.
+struct leaves_by_motion {
+  const contact_solver& m;
+  bool operator()(const contact_at& x) const { return normal_velocity(m, x) > 1; }
+};
+struct slides_by_motion {
+  const contact_solver& m;
+  bool operator()(const contact_at& x) const { return slides(m, x); }
+};
 constexpr bool has_forces(friction_status status) {
   return status != friction_status::no_solution && status != friction_status::not_converged;
 }
@@ -210,10 +224,9 @@ friction_status find_contact_forces_in_tree(const Contacts& c, State& s, contact
 /// several solutions.
 template <class Contacts, class State, class Tau>
 bool accelerate_with_contacts(const Contacts& c, State& s, contact_solver& m, const Tau& applied) {
-  const auto leaves = [&m](const contact_at& x) { return normal_velocity(m, x) > 1; };
-  const auto slide = [&m](const contact_at& x) { return slides(m, x); };
-  const auto status = s.tree().plan.tree ? find_contact_forces_in_tree(c, s, m, applied, leaves, slide)
-                                         : find_contact_forces(c, s, m, applied, leaves, slide);
+  const auto status = s.tree().plan.tree
+                          ? find_contact_forces_in_tree(c, s, m, applied, leaves_by_motion{m}, slides_by_motion{m})
+                          : find_contact_forces(c, s, m, applied, leaves_by_motion{m}, slides_by_motion{m});
   if (!has_forces(status)) [[unlikely]]
     raise_no_forces(c, m, status);
   return status == friction_status::several_solutions;

@@ -37,10 +37,13 @@ struct contact_at {
   int closure = 0;  ///< its number among closures and contacts
   int slot = 0;     ///< its number among contacts
   bool planar = false;
+  bool has_gate = false;  ///< `only_if`
+  bool passes = false;    ///< passes through its surface, because its gate is closed
   touch place{};
   vec3<> slip{};  ///< velocity of the body on the surface, m/s, in axes of the surface
   contact_basis basis{};
-  int first = 0;  ///< its first row among those that touch
+  bool touches = false;  ///< whether it is among those that touch
+  int first = 0;         ///< its first row among them
   struct entries_at {
     int place = 0;
     std::array<double, row_lanes> entries{};
@@ -51,6 +54,8 @@ struct contact_at {
 
 /// Contacts touch below this gap, relative to the length of the chain.
 inline constexpr double touching_gap = 1e-9;
+/// Simulations refuse to start with gaps deeper than this, relative to the length of the chain.
+inline constexpr double deepest_start = 1e-8;
 /// Velocities below this one count as rest, m/s relative to the length of the chain.
 inline constexpr double rest_velocity = 1e-9;
 
@@ -63,7 +68,7 @@ struct contact_workspace {
       if (c.touches(all[i].element)) {
         contact_at x;
         x.closure = static_cast<int>(i), x.slot = all[i].loop - c.loops();
-        x.planar = all[i].rows.count() == 2;
+        x.planar = all[i].rows.count() == 2, x.has_gate = c.has_gate(all[i].element);
         contacts.push_back(x);
       } else {
         closures.push_back(static_cast<int>(i));
@@ -140,7 +145,7 @@ struct contact_workspace {
     return {row(0), row(1), row(2)};
   }
   /// Whether a contact touches.
-  bool touches(const contact_at& x) const { return x.place.gap <= touching_gap * equations.places.length; }
+  bool touches(const contact_at& x) const { return !x.passes && x.place.gap <= touching_gap * equations.places.length; }
   /// Chooses contacts that touch, those for which `chosen`, and sets their bases.
   template <class Chosen>
   void choose(const Chosen& chosen) {
@@ -148,7 +153,8 @@ struct contact_workspace {
     int row = 0;
     for (std::size_t i = 0; i < contacts.size(); ++i) {
       auto& x = contacts[i];
-      if (!chosen(x)) continue;
+      x.touches = chosen(x);
+      if (!x.touches) continue;
       x.basis = basis_at(x.place.normal, x.planar), x.first = row;
       touching.push_back(static_cast<int>(i)), row += x.rows();
       friction_contact<> law;
@@ -279,15 +285,15 @@ struct contact_workspace {
       bias[x.first] += x.place.bending / equations.places.length;
     }
     std::size_t count = 0;
+    int before = 0;
     factor.half_solve_units<Accelerate>(
         s, equations, x.closure, units, x.rows(),
         [&](std::size_t at, int first, const tree::simd<double>& entries) KTE_INLINE_LAMBDA {
-          if (first == 0) {
-            if (count == x.path.size()) x.path.emplace_back();
-            x.path[count].place = static_cast<int>(at);
-          }
-          tree::store<double>(entries, &x.path[count % x.path.size()].entries[static_cast<std::size_t>(first)]);
-          ++count;
+          if (first != before) before = first, count = 0;
+          if (count == x.path.size()) x.path.emplace_back();
+          auto& to = x.path[count++];
+          to.place = static_cast<int>(at);
+          tree::store<double>(entries, &to.entries[static_cast<std::size_t>(first)]);
         },
         [&](int k, double rate) { bias[x.first + k] += rate; });
   }

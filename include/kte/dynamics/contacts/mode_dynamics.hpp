@@ -34,15 +34,18 @@ inline vec3<> sliding_direction(const contact_solver& m, const contact_at& x, co
 class forces_in_modes {
  public:
   mode_rows rows;
-  std::vector<int> chosen;  ///< independent rows at the start of a step; empty: they are found at the state
-  Eigen::VectorXd bias;     ///< u' without forces of closures and contacts, by rows
-  int jammed = -1;          ///< a contact, of those that touch, that slides with W_nn <= mu W_nt
+  std::vector<int> chosen;           ///< independent rows at the start of a step; empty: they are found at the state
+  std::vector<int> chosen_touching;  ///< the closed contacts of `chosen`; other ones find their rows
+  std::vector<contact_mode> chosen_modes;  ///< their modes
+  Eigen::VectorXd bias;                    ///< u' without forces of closures and contacts, by rows
+  int jammed = -1;                         ///< a contact, of those that touch, that slides with W_nn <= mu W_nt
 
   /// Whether forces are not unique.
   bool redundant() const { return forces_.rank() < unknowns_; }
   /// Finds the forces, to m.forces and `half`; returns false if (1) is singular.
   bool solve(contact_solver& m) {
-    rows.factorize(chosen.empty() ? nullptr : &chosen);
+    const bool same = !chosen.empty() && chosen_touching == m.touching && chosen_modes == m.modes;
+    rows.factorize(same ? &chosen : nullptr);
     put_effects(m);
     const auto rank = rows.factor.rank();
     auto transposed = forces_.matrix(unknowns_, rank);

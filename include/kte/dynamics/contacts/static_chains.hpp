@@ -2,6 +2,7 @@
 
 #include <kte/dynamics/closed_loops/static_chains.hpp>
 #include <kte/dynamics/contacts/static_contacts.hpp>
+#include <kte/dynamics/contacts/unrolled_contacts.hpp>
 
 /// Contacts of static chains: the algorithms of runtime chains on memory that the chain keeps.
 namespace kte {
@@ -47,6 +48,27 @@ struct static_contact_dynamics_result {
   }
 };
 
+namespace detail {
+template <class Chain, class Q, class V>
+static_contact_dynamics_result<Chain> contact_dynamics_unrolled(const Chain& c, const Q& q, const V& v,
+                                                                const joint_vector<double, Chain::dofs>& tau) {
+  static_assert(std::is_convertible_v<value_of<Q>, double>, "kte: contacts are computed in double");
+  check_configuration<Chain>(q);
+  const configuration<double, typename Chain::wiring, Q> at(q);
+  at.check();
+  using given_type = given_on_contacts<Chain, Q, V>;
+  const given_type g{at, each<double, V>{v}, {}, base_beside_contacts(c)};
+  auto lent = c.kept.template borrow<static_contact_state<Chain>>(c);
+  static_contact_state<Chain>& s = lent;
+  const static_contacts<Chain, given_type> contacts{{{c, g}}};
+  static_contact_dynamics_result<Chain> r;
+  r.several = chain_on_contacts<Chain, given_type>(c, g).accelerate(contacts, s.contacts, tau, r.a);
+  put_contacts_at(
+      s.contacts, [&r](int slot) -> auto& { return r.contacts[static_cast<std::size_t>(slot)]; });
+  return r;
+}
+}  // namespace detail
+
 /// As for runtime chains; r.contact(foot).mode, r.force(foot).
 template <class Gravity, class... E, indexable Q, indexable V, indexable T>
 [[nodiscard]] auto contact_dynamics(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const T& tau) {
@@ -54,15 +76,18 @@ template <class Gravity, class... E, indexable Q, indexable V, indexable T>
   check_size<chain_type::dofs>(v, "v"), check_size<chain_type::dofs>(tau, "tau");
   joint_vector<double, chain_type::dofs> f;
   for (int i = 0; i < chain_type::dofs; ++i) f[i] = static_cast<double>(tau[static_cast<std::size_t>(i)]);
-  return detail::with_contacts_at(c, q, v, [&](const auto& contacts, auto& s) {
-    static_contact_dynamics_result<chain_type> r;
-    r.several = detail::accelerate_with_contacts(contacts, s, s.contacts, [&f](int i) { return f[i]; });
-    r.a = s.work.forces;
-    detail::check_accelerations<typename chain_type::wiring>(r.a, contacts.given, f);
-    for (std::size_t i = 0; i < r.contacts.size(); ++i)
-      r.contacts[i] = s.template get<kind::contact>(static_cast<int>(i));
-    return r;
-  });
+  if constexpr (detail::unrolls_contacts<chain_type, Q, V>)
+    return detail::contact_dynamics_unrolled(c, q, v, f);
+  else
+    return detail::with_contacts_at(c, q, v, [&](const auto& contacts, auto& s) {
+      static_contact_dynamics_result<chain_type> r;
+      r.several = detail::accelerate_with_contacts(contacts, s, s.contacts, [&f](int i) { return f[i]; });
+      r.a = s.work.forces;
+      detail::check_accelerations<typename chain_type::wiring>(r.a, contacts.given, f);
+      for (std::size_t i = 0; i < r.contacts.size(); ++i)
+        r.contacts[i] = s.template get<kind::contact>(static_cast<int>(i));
+      return r;
+    });
 }
 
 /// The result of `impact` of a static chain.

@@ -26,6 +26,11 @@ struct static_contacts : static_closures<Chain, Given, closes_or_touches> {
     });
     return found;
   }
+  bool has_gate(int e) const {
+    bool has = false;
+    this->at(e, [&has]<class Core>(const Core&) { has = detail::has_gate<Core>; });
+    return has;
+  }
   int written(int e) const { return base::written(e) + (touches(e) ? loops() : 0); }
   static std::string loop_name(int i) {
     return i < loops() ? base::template name<kind::loop>(i) : base::template name<kind::contact>(i - loops());

@@ -18,8 +18,10 @@ class velocity_step {
  public:
   /// From the velocities v at the start, with forces at the state: positions of the middle, and velocities near those
   /// of the middle.
-  template <class Contacts, class State>
-  void first(const Contacts& c, State& s, contact_solver& m, double h, const force_slopes* law, Eigen::VectorXd& v) {
+  /// `open_gates(m)` finds which contacts pass through their surface.
+  template <class Contacts, class State, class Gates>
+  void first(const Contacts& c, State& s, contact_solver& m, double h, const force_slopes* law, const Gates& open_gates,
+             Eigen::VectorXd& v) {
     check_loops(c, s);
     auto& e = m.equations;
     const bool tree = s.tree().plan.tree;
@@ -36,6 +38,7 @@ class velocity_step {
         m.factor.factorize(c, s, e), e.at_rates(c, s);
     }
     m.find(c, s);
+    open_gates(m);
     touched_.swap(m.touching);
     m.choose([&m](const contact_at& x) { return m.touches(x); });
     put_bias(m, h, v);

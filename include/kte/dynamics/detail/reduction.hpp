@@ -3,7 +3,7 @@
 #include <kte/dynamics/frame_motion.hpp>
 #include <kte/elements/base.hpp>
 #include <kte/elements/rigid_link.hpp>
-#include <kte/runtime_chain/runtime_chain.hpp>
+#include <kte/runtime_chain.hpp>
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kte/dynamics/looped/places.hpp>
-#include <kte/tree/frame_motion.hpp>
+#include <kte/recursions/world_placement.hpp>
 
 #include <algorithm>
 #include <utility>

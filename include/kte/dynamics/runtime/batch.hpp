@@ -5,7 +5,7 @@
 #include <kte/dynamics/forward_dynamics.hpp>
 #include <kte/dynamics/inverse_dynamics.hpp>
 #include <kte/dynamics/mass_matrix.hpp>
-#include <kte/runtime_chain/runtime_chain.hpp>
+#include <kte/runtime_chain.hpp>
 
 #include <vector>
 

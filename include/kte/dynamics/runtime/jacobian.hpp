@@ -1,6 +1,5 @@
 #pragma once
 
-#include <kte/dynamics/looped/velocities_at_unit_rates.hpp>
 #include <kte/dynamics/runtime/algorithms.hpp>
 #include <kte/tree/jacobian.hpp>
 
@@ -39,10 +38,10 @@ basic_runtime_jacobian<S> jacobian_by_rates(const runtime_chain& c, basic_runtim
   const auto velocity = [&] {
     write_numbers<vector_of::v>(s, rates, "v");
     move(c.wiring(), s, x);
-    return with_motion(s, x, [world](const auto& m) { return velocities_of<S>(m, world); });
+    return with_motion(s, x, [world](const auto& m) { return engine::velocities_of<S>(m, world); });
   };
   const auto at_rest = velocity();  // not zero if bases move
-  put_velocities_at_unit_rates<S>(j, rates, [&]() -> linear_angular<S> {
+  engine::put_velocities_at_unit_rates<S>(j, rates, [&]() -> linear_angular<S> {
     const auto [linear, angular] = velocity();
     return {linear - at_rest.linear, angular - at_rest.angular};
   });

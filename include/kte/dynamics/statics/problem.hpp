@@ -8,7 +8,7 @@
 #include <kte/dynamics/statics/force_pattern.hpp>
 #include <kte/dynamics/statics/loaded_elements.hpp>
 #include <kte/elements/constant_force.hpp>
-#include <kte/runtime_chain/runtime_chain.hpp>
+#include <kte/runtime_chain.hpp>
 
 #include <Eigen/SparseCore>
 

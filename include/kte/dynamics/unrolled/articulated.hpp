@@ -154,6 +154,11 @@ class articulated_chain<S, Chain, Given, std::index_sequence<E...>>
 
   /// Accelerations under forces `tau`. Throws `singular_mass_matrix`, and `bad_argument` for NaN.
   KTE_INLINE void accelerate(const vector& tau, vector& a) {
+    accelerate(tau, a, [](const auto&) KTE_INLINE_LAMBDA {});
+  }
+  /// As `accelerate`; before the outward recursion it calls change(bodies), which may change `factors_`.
+  template <class Change>
+  KTE_INLINE void accelerate(const vector& tau, vector& a, const Change& change) {
     static_assert(sizeof(need) > 0);
     const int done[]{(push<E>(typename types::template inputs<E>{}), 0)..., 0};
     (void)done;
@@ -162,6 +167,7 @@ class articulated_chain<S, Chain, Given, std::index_sequence<E...>>
     const engine::unrolled<bodies_type> d{bodies};
     engine::articulate<engine::nothing>(d, engine::nothing{}, bias_of_body{}, needed_alone{}, force_of_body{},
                                         factors_.data(), unmoved_);
+    change(bodies);
     unroll<wiring::freedoms>([&]<std::size_t F>() KTE_INLINE_LAMBDA { this->template without_joint<F>(tau, a); });
     const int given[]{(put_given<E>(a), 0)..., 0};
     (void)given;

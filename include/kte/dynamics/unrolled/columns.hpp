@@ -3,6 +3,7 @@
 #include <kte/detail/unroll.hpp>
 #include <kte/dynamics/forward_kinematics.hpp>
 #include <kte/dynamics/unrolled/tree.hpp>
+#include <kte/engine/body.hpp>
 
 /// Matrices with six rows, three linear and three angular, and a column for each degree of freedom.
 namespace kte {
@@ -34,7 +35,8 @@ class columns {
   /// Axis N of joint I, in the axes of its end.
   template <std::size_t I, int N>
   KTE_INLINE constexpr auto axis() const {
-    return axis_of<N>(chain_.template core<I>(), coordinate_of_joint_at<I>(chain_, given_));
+    const auto s = axis_of<N>(chain_.template core<I>(), coordinate_of_joint_at<I>(chain_, given_));
+    return engine::motion_vector{s.velocity, s.ang_velocity};
   }
   /// Calls f<N>() for each axis of joint I.
   template <std::size_t I, class F>

@@ -138,7 +138,7 @@ struct flow_types {
     } else if constexpr (K == kind::loop) {
       return loop_state<>{};  // of a tree: no forces
     } else if constexpr (K == kind::contact) {
-      return contact_state<>{};
+      return contact_state<zero_t>{};
     } else if constexpr (is_frame(K)) {
       return g.template base<K, Slot>();
     } else if constexpr (wiring::template is_free<K, Slot>) {

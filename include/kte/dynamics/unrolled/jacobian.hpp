@@ -1,8 +1,8 @@
 #pragma once
 
 #include <kte/dynamics/frame_motion.hpp>
-#include <kte/dynamics/looped/velocities_at_unit_rates.hpp>
 #include <kte/dynamics/unrolled/columns.hpp>
+#include <kte/recursions/jacobian.hpp>
 
 /// Jacobians of frames of static chains, joint by joint.
 namespace kte::detail {
@@ -32,7 +32,7 @@ struct branch {
   }();
 };
 
-/// The columns of the joints of a branch.
+/// The columns of the joints of a branch: (1) of recursions/jacobian.hpp.
 template <class S, class Chain, class Given>
 class unrolled_jacobian : columns<S, Chain, Given> {
   using base = columns<S, Chain, Given>;
@@ -41,23 +41,22 @@ class unrolled_jacobian : columns<S, Chain, Given> {
   using base::base;
   using typename base::matrix_type;
 
-  /// From a frame, at pose x in the end of element N - 1 of the branch, inward to the end of element End - 1, or the
-  /// base.
+  /// In axes of the frame, which is at pose x in the end of element N - 1 of the branch, inward to the end of element
+  /// End - 1, or the base.
   template <class Branch, std::size_t End = 0, std::size_t N = Branch::length, class X = pose<no_rotation, zero3>,
             class Sign = one_t>
   KTE_INLINE void inward(const X& x = {}, Sign sign = {}) {
     if constexpr (N > End) {
       constexpr std::size_t i = Branch::elements[N - 1];
+      const auto rotation = transpose(x.rotation);
       base::template for_each_axis<i>([&]<int M>() KTE_INLINE_LAMBDA {
-        const auto s = this->template axis<i, M>();
-        const auto t = transpose(x.rotation);
-        this->template put<i, M>(sign * (t * plus_cross(s.velocity, s.ang_velocity, x.position)),
-                                 sign * (t * s.ang_velocity));  // (1)
+        const auto column = engine::jacobian_column_in_body(rotation, x.position, this->template axis<i, M>());
+        this->template put<i, M>(sign * column.linear, sign * column.angular);
       });
       inward<Branch, End, N - 1>(compose(this->template pose_of_element<i>(), x), sign);
     }
   }
-  /// From the base to the frame; returns its position. x: pose of the end of element N - 1.
+  /// In axes of the base, from the base to the frame; returns its position. x: pose of the end of element N - 1.
   template <class Branch, std::size_t N = 0, class X = pose<no_rotation, zero3>>
   KTE_INLINE auto outward(const X& x = {}) {
     if constexpr (N == Branch::length) {
@@ -67,9 +66,8 @@ class unrolled_jacobian : columns<S, Chain, Given> {
       const auto end = compose(x, this->template pose_of_element<i>());
       const auto p = outward<Branch, N + 1>(end);
       base::template for_each_axis<i>([&]<int M>() KTE_INLINE_LAMBDA {
-        const auto s = this->template axis<i, M>();
-        const auto w = end.rotation * s.ang_velocity;
-        this->template put<i, M>(plus_cross(end.rotation * s.velocity, w, p - end.position), w);  // (2)
+        const auto column = engine::jacobian_column(end.rotation, p - end.position, this->template axis<i, M>());
+        this->template put<i, M>(column.linear, column.angular);
       });
       return p;
     }
@@ -94,8 +92,9 @@ auto jacobian_by_rates(const Chain& c, const At& at) {
   six_by_dofs<S, Chain::dofs> j;
   std::array<S, std::size_t{Chain::dofs}> rates{};
   constexpr same_base base{motion{zero3{}, no_rotation{}, zero3{}, zero3{}, skip{}, skip{}}};
-  put_velocities_at_unit_rates<S>(j, rates, [&] {
-    return velocities_of<S>(motion_at<Frame>(c, given{at, each<S, decltype(rates)>{rates}, same<skip>{}, base}), World);
+  engine::put_velocities_at_unit_rates<S>(j, rates, [&] {
+    return engine::velocities_of<S>(motion_at<Frame>(c, given{at, each<S, decltype(rates)>{rates}, same<skip>{}, base}),
+                                    World);
   });
   return j;
 }

@@ -1,7 +1,7 @@
 #pragma once
 
+#include <kte/detail/short_list.hpp>
 #include <kte/manipulators/subproblems.hpp>
-#include <kte/tree/short_list.hpp>
 
 #include <algorithm>
 

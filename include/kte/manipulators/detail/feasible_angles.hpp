@@ -1,9 +1,9 @@
 #pragma once
 
+#include <kte/detail/short_list.hpp>
 #include <kte/manipulators/detail/in_limits.hpp>
 #include <kte/manipulators/detail/srs_axes.hpp>
 #include <kte/math/atan2.hpp>
-#include <kte/tree/short_list.hpp>
 
 #include <algorithm>
 

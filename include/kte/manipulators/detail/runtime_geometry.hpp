@@ -4,7 +4,7 @@
 #include <kte/dynamics/frame_motion.hpp>
 #include <kte/dynamics/jacobian.hpp>
 #include <kte/manipulators/detail/arm_geometry.hpp>
-#include <kte/runtime_chain/runtime_chain.hpp>
+#include <kte/runtime_chain.hpp>
 
 #include <string>
 

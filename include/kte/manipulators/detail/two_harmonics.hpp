@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kte/tree/short_list.hpp>
+#include <kte/detail/short_list.hpp>
 
 #include <array>
 #include <cmath>

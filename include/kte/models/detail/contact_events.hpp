@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/models/detail/contact_gates.hpp>
 #include <kte/models/detail/contact_steps.hpp>
 
 /// Events of rigid contacts in a model: the functions that pass through zero where a contact changes its mode, and the
@@ -36,7 +37,7 @@ bool find_admissible_forces(const Contacts& c, State& s, contact_solver& m) {
 /// Whether a contact that touches leaves the surface, at an event: not if it would fall back from a height that events
 /// do not resolve.
 inline bool leaves_at_event(const contact_solver& m, const contact_at& x) {
-  const double speed = dot(x.place.normal, x.slip), height = 1e-13 * m.equations.places.length;
+  const double speed = dot(x.place.normal, x.slip), height = unresolved_height * m.equations.places.length;
   return normal_velocity(m, x) > 1 && speed * speed > 2 * height * std::abs(free_gap_ddot(m, x));
 }
 /// The normal force of contact i of those that touch, and its reserve of friction, mu lambda_n - |lambda_t|, N.
@@ -210,6 +211,7 @@ struct contact_change {
   contact_mode before{}, after{};
   vec3<> direction{};  ///< of sliding, before
   bool turns = false;
+  bool passes = false;    ///< begins to pass through its surface
   bool at_limit[2] = {};  ///< whether the normal force, or the reserve of friction, has fallen to zero
 };
 template <class Contacts>
@@ -220,6 +222,7 @@ std::string text_of_changes(const Contacts& c, const contact_solver& m, const st
     std::string words;
     const auto say = [&words](const std::string& w) { words += (words.empty() ? "" : ", ") + w; };
     if (x.impact) say(x.impact);
+    if (x.passes) say("passes");
     if (x.rest_time >= 0) say("rests at " + number(x.rest_time) + " s");
     if (x.before != x.after || x.impact)
       say(x.after == contact_mode::sticks   ? "sticks"
@@ -256,6 +259,7 @@ void resolve_contacts(const Access& a, double t, X& x, bool along_solution) {
   const auto& model = a.model;
   const Eigen::Index n = model.velocity_count(), at_v = x.size() - model.internals() - n;
   const Eigen::Index at_modes = x.size() - numbers_of_contact * a.contacts();
+  const auto passing = ask_gates(a, t, x);
   Eigen::VectorXd v = x.segment(at_v, n);
   const auto margins = contact_margins(a, t, x);
   const double zero = 1e-13 * step.largest_force;
@@ -269,7 +273,7 @@ void resolve_contacts(const Access& a, double t, X& x, bool along_solution) {
         for (std::size_t i = 0; i < changes.size(); ++i) {
           const auto& of = s.template get<kind::contact>(m.contacts[i].slot);
           auto& own = changes[i];
-          own.before = mode_of(of), own.direction = of.direction;
+          own.before = mode_of(of), own.direction = of.direction, own.passes = passing[i] != 0;
           own.at_limit[0] = own.before != contact_mode::open && margins[i][0] < zero;
           own.at_limit[1] = own.before == contact_mode::sticks && margins[i][1] < zero;
         }
@@ -284,7 +288,7 @@ void resolve_contacts(const Access& a, double t, X& x, bool along_solution) {
       bool approaches = false;
       for (std::size_t i = 0; i < m.contacts.size(); ++i) {
         const auto& y = m.contacts[i];
-        refuse_depth(c, m, y, " at the start");
+        if (!y.passes) refuse_depth(c, m, y, " at the start");
         if (!m.touches(y) || !(normal_velocity(m, y) < -1)) continue;
         approaches = true;
         const double e = y.place.law.restitution, w = -dot(y.place.normal, y.slip);
@@ -345,13 +349,14 @@ void resolve_contacts(const Access& a, double t, X& x, bool along_solution) {
   auto d = a.no_displacement();
   settle_contacts(a, x0, d, x);
   step.begun = 0, step.largest_force = 0;
-  // a contact that has just opened leaves from zero, whatever the rounding error of its gap
+  // a contact that has just opened leaves from zero, one that begins to pass is below, whatever the rounding errors
   a.at(t, x, [&](const auto& c, auto& s, contact_solver& m) {
     m.equations.at_positions(c, s, false);
     m.find(c, s);
     step.zero_gaps.assign(m.contacts.size(), 0);
     for (std::size_t i = 0; i < m.contacts.size(); ++i)
-      if (m.touches(m.contacts[i])) step.zero_gaps[i] = m.contacts[i].place.gap;
+      if (const double gap = m.contacts[i].place.gap; std::abs(gap) <= touching_gap * m.equations.places.length)
+        step.zero_gaps[i] = m.contacts[i].passes ? gap + unresolved_height * m.equations.places.length : gap;
   });
 }
 

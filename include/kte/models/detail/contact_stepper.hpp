@@ -4,6 +4,7 @@
 #include <kte/dynamics/contacts/starting_depth.hpp>
 #include <kte/dynamics/contacts/static_chains.hpp>
 #include <kte/dynamics/contacts/velocity_step.hpp>
+#include <kte/models/detail/contact_gates.hpp>
 #include <kte/models/manipulator_dynamics_model.hpp>
 #include <kte/models/runtime_dynamics_model.hpp>
 
@@ -38,12 +39,13 @@ class contact_stepper<manipulator_dynamics_model<runtime_chain>> {
   template <class X>
   void check_depth(const model_type& m, double t, const X& x, double depth) {
     m.setJointStates(t, x, s_), check_positions(s_), check_regular_tree(m, s_);
-    check_starting_depth(contacts_of(m.chain()), s_, contact_memory(m.chain(), s_), depth);
+    check_starting_depth(contacts_of(m.chain()), s_, contact_memory(m.chain(), s_), depth,
+                         [&](int e) { return admits_contact(m, t, x, e); });
   }
   template <class X>
   void first(const model_type& m, double t, const X& x, double h, const force_slopes* law, Eigen::VectorXd& v) {
     m.setJointStates(t, x, s_), check_positions(s_), check_regular_tree(m, s_);
-    step_.first(contacts_of(m.chain()), s_, contact_memory(m.chain(), s_), h, law, v);
+    step_.first(contacts_of(m.chain()), s_, contact_memory(m.chain(), s_), h, law, gates_.at(m, t, x), v);
     check_result(s_, diagnose_state{"an acceleration", s_});
   }
   template <class X>
@@ -78,6 +80,7 @@ class contact_stepper<manipulator_dynamics_model<runtime_chain>> {
  private:
   runtime_state s_;
   velocity_step step_;
+  stepped_gates gates_;
 };
 
 template <class Gravity, class... E, class Output>
@@ -91,12 +94,15 @@ class contact_stepper<manipulator_dynamics_model<static_chain<Gravity, E...>, do
 
   template <class Model, class X>
   void check_depth(const Model& m, double t, const X& x, double depth) {
-    take(m, t, x, [&](const auto& contacts, const auto&) { check_starting_depth(contacts, s_, s_.contacts, depth); });
+    take(m, t, x, [&](const auto& contacts, const auto&) {
+      check_starting_depth(contacts, s_, s_.contacts, depth, [&](int e) { return admits_contact(m, t, x, e); });
+    });
   }
   template <class Model, class X>
   void first(const Model& m, double t, const X& x, double h, const force_slopes* law, Eigen::VectorXd& v) {
-    take(m, t, x,
-         [&](const auto& contacts, const auto& g) { step_.first(contacts, s_, s_.contacts, h, law, v), check(g, v); });
+    take(m, t, x, [&](const auto& contacts, const auto& g) {
+      step_.first(contacts, s_, s_.contacts, h, law, gates_.at(m, t, x), v), check(g, v);
+    });
   }
   template <class Model, class X>
   void again(const Model& m, double t, const X& x, double h, Eigen::VectorXd& v) {
@@ -150,6 +156,7 @@ class contact_stepper<manipulator_dynamics_model<static_chain<Gravity, E...>, do
   }
   static_contact_state<chain_type> s_;
   velocity_step step_;
+  stepped_gates gates_;
 };
 
 }  // namespace kte::detail

@@ -15,10 +15,11 @@
 ///
 ///   model, memory()      the model and its `contact_step`
 ///   at(t, x, f)          f(contacts, state at x, contact_solver of the state)
+///   admits(t, x, e)      whether element e, a contact with `only_if`, acts at x
 namespace kte::detail {
 
-/// Gaps deeper than this are refused, relative to the length of the chain.
-inline constexpr double deepest_start = 1e-8;
+/// Heights that events do not resolve, relative to the length of the chain.
+inline constexpr double unresolved_height = 1e-13;
 
 struct contact_step {
   template <class Contacts, class State>
@@ -47,6 +48,11 @@ struct contact_step {
   std::vector<std::array<double, 3>> margins;
 };
 
+/// Takes over from the state which contacts pass through their surface.
+template <class State>
+void take_passing(const State& s, contact_solver& m) {
+  for (auto& x : m.contacts) x.passes = s.template get<kind::contact>(x.slot).mode == passing_mode;
+}
 inline void put_rows_of_gaps(const contact_solver& m, mode_rows& rows) {
   rows.clear(m);
   for (const int i : m.touching) rows.rows.push_back({i, m.contacts[static_cast<std::size_t>(i)].place.normal, true});
@@ -79,6 +85,7 @@ void refuse_depth(const Contacts& c, const contact_solver& m, const contact_at& 
 template <class Contacts, class State>
 void check_start_of_step(const Contacts& c, const State& s, const contact_solver& m) {
   for (const auto& x : m.contacts) {
+    if (x.passes) continue;
     const auto mode = mode_of(s.template get<kind::contact>(x.slot));
     if (mode == contact_mode::open) {
       refuse_depth(c, m, x, ": kte::element_events(model) finds impacts, and so does kte::moreau_jean");
@@ -109,6 +116,7 @@ contact_step& contact_step_from(const Access& a, const X& x0, bool check = true)
   step.start_time = step.time;
   a.at(step.time, x0, [&](const auto& c, auto& s, contact_solver&) {
     auto& m = step.at;
+    take_passing(s, m);
     m.equations.at_positions(c, s, true);
     m.factor.factorize(c, s, m.equations);
     m.equations.at_rates(c, s);
@@ -119,6 +127,10 @@ contact_step& contact_step_from(const Access& a, const X& x0, bool check = true)
     step.rates.fill(c, s, m), step.gaps.fill(c, s, m);
     step.rates.factorize(nullptr), step.gaps.factorize(nullptr);
     step.rates.put_chosen(step.forces.chosen), step.gaps.put_chosen(step.chosen_gaps);
+    step.forces.chosen_touching = m.touching, step.forces.chosen_modes = m.modes;
+    step.zero_gaps.resize(m.contacts.size());
+    for (std::size_t i = 0; i < m.contacts.size(); ++i)
+      if (m.contacts[i].place.gap > touching_gap * m.equations.places.length) step.zero_gaps[i] = 0;
   });
   step.x0 = x0, ++step.begun;
   step.starts_wrong = step.wrong.size() == x0.size() && step.wrong == x0;

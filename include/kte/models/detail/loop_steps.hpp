@@ -89,8 +89,8 @@ void check_step(const Loops& loops, const X& x0) {
                         ": kte::assemble finds one that is on them");
   if (step.sliding > 1e-6) [[unlikely]]
     raise<bad_argument>(
-        "kte: the velocities do not keep the loops closed: kte::consistent_velocities, or after an impact "
-        "kte::impulse, gives such as do");
+        "kte: the velocities do not keep the loops closed: use kte::consistent_velocities, or "
+        "kte::impulse after an impact");
   for (const auto& p : step.factor.parts)
     if (p.smallest < least_pivot_of_branch * p.largest) [[unlikely]]
       raise<bad_argument>(

@@ -17,10 +17,16 @@ struct runtime_model_contacts {
   }
   int contacts() const { return model.chain().wiring().count(kind::contact); }
   auto no_displacement() const { return Model::rate::Zero(model.rates()).eval(); }
+  template <class X>
+  bool admits(double t, const X& x, int element) const {
+    return admits_contact(model, t, x, element);
+  }
   template <class X, class F>
   void at(double t, const X& x, const F& f) const {
     model.setJointStates(t, x, s), check_positions(s), check_regular_tree(model.chain(), s);
-    f(contacts_of(model.chain()), s, contact_memory(model.chain(), s));
+    auto& m = contact_memory(model.chain(), s);
+    take_passing(s, m);
+    f(contacts_of(model.chain()), s, m);
   }
 };
 /// The accelerations of a model with contacts at t and x, also in the state.

@@ -5,7 +5,7 @@
 #include <kte/dynamics/state_vectors.hpp>
 #include <kte/models/detail/momenta.hpp>
 #include <kte/models/unchanging_chain.hpp>
-#include <kte/runtime_chain/runtime_chain.hpp>
+#include <kte/runtime_chain.hpp>
 
 #include <utility>
 

@@ -4,7 +4,7 @@
 #include <kte/dynamics/runtime/duals.hpp>
 #include <kte/dynamics/state_vectors.hpp>
 #include <kte/models/detail/rate_derivatives.hpp>
-#include <kte/runtime_chain/runtime_chain.hpp>
+#include <kte/runtime_chain.hpp>
 
 /// (J B) of models/detail/rate_derivatives.hpp for runtime chains. Templates, although for double only, so that they
 /// are compiled only if they are called.

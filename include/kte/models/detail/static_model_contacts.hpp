@@ -28,6 +28,10 @@ struct static_model_contacts<static_chain<Gravity, E...>> {
     contact_step& memory() const { return kept.step; }
     static constexpr int contacts() { return wiring::count(kind::contact); }
     auto no_displacement() const { return Model::rate::Zero().eval(); }
+    template <class X>
+    bool admits(double t, const X& x, int element) const {
+      return admits_contact(model, t, x, element);
+    }
     template <class X, class F>
     void at(double t, const X& x, const F& f) const {
       const double *q = x.data(), *v = q + wiring::nq;
@@ -42,6 +46,7 @@ struct static_model_contacts<static_chain<Gravity, E...>> {
       auto& s = kept.s;
       s.take(g), check_regular(model.chain(), s);
       model.each_contact([&](int i, int first) { read_mode(x, first, s.template get<kind::contact>(i)); });
+      take_passing(s, s.contacts);
       f(static_contacts<chain_type, Given>{{{model.chain(), g}}}, s, s.contacts);
     }
   };

@@ -2,7 +2,7 @@
 
 #include <kte/elements/compiled_elements.hpp>
 #include <kte/robots/description.hpp>
-#include <kte/runtime_chain/runtime_chain.hpp>
+#include <kte/runtime_chain.hpp>
 
 #include <string>
 #include <unordered_set>

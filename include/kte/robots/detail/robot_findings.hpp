@@ -5,7 +5,7 @@
 #include <kte/loops.hpp>
 #include <kte/robots/detail/robot_tree.hpp>
 #include <kte/robots/robot.hpp>
-#include <kte/runtime_chain/runtime_chain.hpp>
+#include <kte/runtime_chain.hpp>
 
 #include <Eigen/Eigenvalues>
 

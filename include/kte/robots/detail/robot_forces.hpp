@@ -6,7 +6,7 @@
 #include <kte/robots/detail/robot_elements.hpp>
 #include <kte/robots/detail/robot_tree.hpp>
 #include <kte/robots/options.hpp>
-#include <kte/runtime_chain/runtime_chain.hpp>
+#include <kte/runtime_chain.hpp>
 
 #include <Eigen/Cholesky>
 

@@ -4,8 +4,8 @@
 #include <kte/robots/detail/no_limit.hpp>
 #include <kte/robots/detail/robot_tree.hpp>
 #include <kte/robots/robot.hpp>
+#include <kte/runtime_chain.hpp>
 #include <kte/runtime_chain/layout.hpp>
-#include <kte/runtime_chain/runtime_chain.hpp>
 
 #include <algorithm>
 

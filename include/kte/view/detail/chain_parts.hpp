@@ -1,8 +1,8 @@
 #pragma once
 
 #include <kte/io/recording.hpp>
+#include <kte/runtime_chain.hpp>
 #include <kte/runtime_chain/layout.hpp>
-#include <kte/runtime_chain/runtime_chain.hpp>
 #include <kte/runtime_chain/static_chain_map.hpp>
 
 #include <boost/hana/for_each.hpp>

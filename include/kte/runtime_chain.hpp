@@ -1,7 +1,11 @@
-// Headers of this folder that were included before kte/runtime_chain/runtime_chain.hpp get their parts for runtime
-// chains here; that header includes this one at its end (docs/decisions/13-folders.md). Headers that are included later
-// have these parts immediately. Programs with static chains alone therefore compile nothing for runtime chains, and the
-// order of includes does not matter.
+#pragma once
+
+/// Runtime chains, with the runtime parts of all headers of dynamics, whether included before or after this one.
+/// Headers that were included before are included again here; later ones have these parts immediately. Programs with
+/// static chains alone therefore compile nothing for runtime chains (docs/decisions/13-folders.md).
+#include <kte/runtime_chain/chain.hpp>
+
+#define KTE_RUNTIME_CHAINS
 #ifdef KTE_STATE_VECTORS_HPP
 #  include <kte/dynamics/state_vectors.hpp>
 #endif

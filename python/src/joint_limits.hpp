@@ -1,0 +1,12 @@
+#pragma once
+
+#include <kte/models/joint_limits.hpp>
+
+#include <pybind11/pybind11.h>
+
+namespace kte_python {
+
+/// Limits from a kte.Limits, those of a robot if that is None, or none.
+kte::joint_limits<> limits_from(pybind11::handle robot_or_chain, pybind11::handle limits);
+
+}  // namespace kte_python
