@@ -113,8 +113,8 @@ TEST_CASE("a ball rolls on a plane that shakes") {
   prince_dormand87 high(std::cref(model), 0.0, x0, {.absolute = 1e-11, .relative = 1e-11});
   CHECK(worst_place(high, model) < 1e-9);
   // Of order 1: steps end at another time than that of their last evaluation
-  euler low(std::cref(model), 0.0, x0, 1e-4);
-  CHECK(worst_place(low, model) < 1e-4);
+  euler low(std::cref(model), 0.0, x0, 2e-3);
+  CHECK(worst_place(low, model) < 2e-3);
 }
 
 TEST_CASE("a static chain has surfaces that move with time") {
@@ -132,6 +132,43 @@ TEST_CASE("a static chain has surfaces that move with time") {
       settled(model, 0.0, model.make_x(std::array{0.0, ball_radius, 0.0}, std::array{start_speed, 0.0, start_spin}));
   prince_dormand87 solver(std::cref(model), 0.0, x0, {.absolute = 1e-11, .relative = 1e-11});
   CHECK(worst_place(solver, model) < 1e-9);
+}
+
+TEST_CASE("a body leaves a plate that shakes up and down") {
+  // Where A w^2 sin(w t) = g; it hits the plate again where both heights are equal
+  const double pulse_up = 20;
+  auto c = planar(0.01);
+  c << law_signal(
+           [pulse_up](const auto& t) {
+             using std::sin;
+             return along_y(shake * sin(pulse_up * t));
+           },
+           "time", "place")
+    << law_signal(
+           [pulse_up](const auto& t) {
+             using std::cos;
+             return along_y(shake * pulse_up * cos(pulse_up * t));
+           },
+           "time", "rate")
+    << law_signal(
+           [pulse_up](const auto& t) {
+             using std::sin;
+             return along_y(-shake * pulse_up * pulse_up * sin(pulse_up * t));
+           },
+           "time", "acceleration")
+    << position_control_2D("place", "rate", "acceleration", "world", "plate")
+    << point_contact_2D("touch", "plate", "body", half_space{}, {.friction = 0.5});
+  const model_type model(c);
+  const auto end = run(model, numbers({0, 0, 0}), numbers({0, shake * pulse_up, 0}), 0.5);
+  REQUIRE(end.report.count >= 2);
+  const double leaves = std::asin(g / (shake * pulse_up * pulse_up)) / pulse_up;
+  CHECK(end.report.events[0].what == "'touch': lifts");
+  CHECK(end.report.events[0].time == within(leaves, 1e-11));
+  const double hits = end.report.events[1].time, flight = hits - leaves;
+  CHECK(end.report.events[1].what == "'touch': impact, sticks");
+  CHECK(shake * std::sin(pulse_up * leaves) + shake * pulse_up * std::cos(pulse_up * leaves) * flight -
+            g / 2 * flight * flight ==
+        within(shake * std::sin(pulse_up * hits), 1e-11));
 }
 
 TEST_CASE("a ball rolls in a bowl") {
@@ -241,9 +278,7 @@ TEST_CASE("a disc rolls in a circle") {
   const double s = std::sin(a), k = std::cos(a),
                spin = (across * rate * rate * s * k - g * r * k) / ((along + r * r) * rate * s);
   Eigen::Matrix3d turn;
-  turn << 1, 0, 0, 0, -k, s, 0, -s, -k;
-  turn.transposeInPlace();
-  turn.col(1) = Eigen::Vector3d(0, -k, s), turn.col(2) = turn.col(0).cross(turn.col(1));
+  turn << 1, 0, 0, 0, k, -s, 0, s, k;  // the tangent of the rim, up the disc, its axis
   const Eigen::Quaterniond at(turn);
   const Eigen::Vector3d w(0, rate * s, spin), v = r * w.cross(Eigen::Vector3d(0, 1, 0));  // in axes of the disc
   const auto end = run(model, numbers({0, 0, r * s, at.w(), at.x(), at.y(), at.z()}),

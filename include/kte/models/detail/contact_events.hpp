@@ -121,7 +121,8 @@ const std::vector<std::array<double, 3>>& contact_margins(const Access& a, doubl
       step.margins[k][0] = m.contacts[k].place.gap - step.zero_gaps[k];
     if (!closed) return;
     const bool admitted = admit_forces(c, s, m, step.forces, 1e-13) < 0;
-    const double tiny = step.margin_zero = 1e-13 * largest_force(m, step.forces);
+    step.largest_force = (std::max)(step.largest_force, largest_force(m, step.forces));
+    const double tiny = 1e-13 * step.largest_force;
     for (std::size_t i = 0; i < m.touching.size(); ++i) {
       const auto k = static_cast<std::size_t>(m.touching[i]);
       auto& own = step.margins[k] = margins_of_closed(m, i, starts[k], tiny);
@@ -150,7 +151,7 @@ void refuse_wrong_modes(const Contacts& c, State& s, contact_solver& m, forces_i
                                   : std::string(" sticks, but its force exceeds friction")) +
                       ": integrate with kte::element_events(model), which changes modes");
 }
-/// The accelerations of a model at t and x, for stages of steps, written to `forces` of the working memory. Wrong modes
+/// The accelerations of a model at x, for stages of steps, written to `forces` of the working memory. Wrong modes
 /// at the start of a step are noted, because events may mend them, and refused at the next one.
 template <class Access, class Contacts, class State, class X>
 void accelerate_in_step(const Access& a, const Contacts& c, State& s, contact_solver& m, const X& x) {
@@ -261,6 +262,7 @@ void resolve_contacts(const Access& a, double t, X& x, bool along_solution) {
   const auto passing = ask_gates(a, t, x);
   Eigen::VectorXd v = x.segment(at_v, n);
   const auto margins = contact_margins(a, t, x);
+  const double zero = 1e-13 * step.largest_force;
   std::vector<contact_change> changes;
   bool done = false, ambiguous = false;
   int round = 0;
@@ -272,8 +274,8 @@ void resolve_contacts(const Access& a, double t, X& x, bool along_solution) {
           const auto& of = s.template get<kind::contact>(m.contacts[i].slot);
           auto& own = changes[i];
           own.before = mode_of(of), own.direction = of.direction, own.passes = passing[i] != 0;
-          own.at_limit[0] = own.before != contact_mode::open && margins[i][0] < step.margin_zero;
-          own.at_limit[1] = own.before == contact_mode::sticks && margins[i][1] < step.margin_zero;
+          own.at_limit[0] = own.before != contact_mode::open && margins[i][0] < zero;
+          own.at_limit[1] = own.before == contact_mode::sticks && margins[i][1] < zero;
         }
       }
       if (round == 50) [[unlikely]]
@@ -310,7 +312,7 @@ void resolve_contacts(const Access& a, double t, X& x, bool along_solution) {
         raise_no_forces(c, m, status);
       ambiguous = status == friction_status::several_solutions;
       // Within the accuracy of the solution, forces at their limits are beyond them.
-      const double most = largest_force(m);
+      const double most = (std::max)(step.largest_force, largest_force(m));
       for (std::size_t i = 0; i < m.touching.size(); ++i) {
         const auto& y = m.touched(i);
         const auto& own = changes[static_cast<std::size_t>(m.touching[i])];
@@ -346,7 +348,7 @@ void resolve_contacts(const Access& a, double t, X& x, bool along_solution) {
   const X x0 = x;
   auto d = a.no_displacement();
   settle_contacts(a, x0, d, x);
-  step.begun = 0;
+  step.begun = 0, step.largest_force = 0;
   // a contact that has just opened leaves from zero, one that begins to pass is below, whatever the rounding errors
   a.at(t, x, [&](const auto& c, auto& s, contact_solver& m) {
     m.equations.at_positions(c, s, false);
