@@ -144,10 +144,10 @@ TEST_CASE("derivatives of impacts agree with differences of 50 digits in all mod
     CHECK(off(r.by_v, by_v) < 1e-10);
     CHECK(impact_derivatives(at.touching(), q, v).by_q == r.by_q);
   }
-  int kinds = 0;
+  int different = 0;
   for (const auto& row : tried)
-    kinds += static_cast<int>(std::count_if(row.begin(), row.end(), [](int n) { return n > 0; }));
-  CHECK(kinds == 6);
+    different += static_cast<int>(std::count_if(row.begin(), row.end(), [](int n) { return n > 0; }));
+  CHECK(different == 6);
 }
 
 namespace {
@@ -191,10 +191,10 @@ TEST_CASE("motions with impacts, stops and turns have the derivatives of their c
         const digits50 height = x[1] - r, t = (x[4] + sqrt(x[4] * x[4] + 2 * acceleration * height)) / acceleration;
         x[0] += t * x[3], x[2] += t * x[5], x[1] = r, x[4] -= acceleration * t, rest -= t;
         const digits50 normal = -(1 + digits50(e)) * x[4], slip = x[3] + r * x[5];
-        const digits50 stop = -slip / (1 + r * r / digits50(inertia));
-        const digits50 limit = digits50(mu) * normal, push = stop > limit    ? limit
-                                                             : stop < -limit ? digits50(-limit)
-                                                                             : stop;
+        const digits50 sticking = -slip / (1 + r * r / digits50(inertia));
+        const digits50 limit = digits50(mu) * normal, push = sticking > limit    ? limit
+                                                             : sticking < -limit ? digits50(-limit)
+                                                                                 : sticking;
         x[4] *= -digits50(e), x[3] += push, x[5] += push * r / digits50(inertia);
       }
       x[0] += rest * x[3], x[2] += rest * x[5], x[1] += rest * x[4] - acceleration * rest * rest / 2;
@@ -229,11 +229,11 @@ TEST_CASE("motions with impacts, stops and turns have the derivatives of their c
       c << rigid_link_2D("body", std::string(name) + " place", vec2{x, -0.05})
         << point_contact_2D(name, "world", std::string(name) + " place", half_space{}, {.friction = mu});
     const double up = g * (std::sin(0.3) + mu * std::cos(0.3)), down = g * (std::sin(0.3) - mu * std::cos(0.3));
-    const double stop = 2 / up, rest = 2 - stop;
+    const double halt = 2 / up, rest = 2 - halt;
     const manipulator_dynamics_model model(c);
-    const auto phi = phi_of(model, Eigen::Vector3d(0, 0.05, 0), Eigen::Vector3d(2, 0, 0), 2.0, mu < 0.3 ? 2 : 2);
+    const auto phi = phi_of(model, Eigen::Vector3d(0, 0.05, 0), Eigen::Vector3d(2, 0, 0), 2.0, 2);
     CHECK(phi(0, 0) == within(1.0, 1e-12));
-    CHECK(phi(0, 3) == within(stop + (mu < 0.3 ? down / up * rest : 0.0), 1e-11));
+    CHECK(phi(0, 3) == within(halt + (mu < 0.3 ? down / up * rest : 0.0), 1e-11));
     CHECK(phi(3, 3) == within(mu < 0.3 ? down / up : 0.0, 1e-11));
   }
 }

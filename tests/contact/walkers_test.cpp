@@ -57,7 +57,7 @@ TEST_CASE("a compass walker keeps its cycle for 20 strides") {
   check_compass(manipulator_dynamics_model(r));
 }
 
-TEST_CASE("a compass walker beside its cycle goes back to it") {
+TEST_CASE("a compass walker beside its cycle goes back to it", "[long]") {
   const auto c = chain_of(compass);
   const manipulator_dynamics_model model(c);
   auto start = compass_cycle;
@@ -103,7 +103,7 @@ TEST_CASE("Garcia's walker has its published cycle", "[long]") {
   CHECK(at(0)[1] == within(3.88246375283, 2e-10));
 }
 
-TEST_CASE("gates of contacts work in time stepping") {
+TEST_CASE("gates of contacts work in time stepping", "[long]") {
   const auto c = chain_of(compass);
   const manipulator_dynamics_model model(c);
   const auto x0 = model.make_x(compass_cycle.q, compass_cycle.v);

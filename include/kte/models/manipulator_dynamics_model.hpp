@@ -140,7 +140,7 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
     rate r;
     r.template head<size::v>() = this->velocities_of(x);
     if constexpr (constrained)
-      r.template segment<size::v>(size::v) = constraints::accelerations(*this, constraints_, t, x, at, v, bases, none);
+      r.template segment<size::v>(size::v) = constraints::accelerations(*this, constraints_, x, at, v, bases, none);
     else
       r.template segment<size::v>(size::v) =
           detail::accelerations_under<S>(this->chain(), at, detail::each<S, const S*>{v}, bases, none);

@@ -93,8 +93,9 @@ class transition_matrix {
   static const coefficients& gauss() {
     static const coefficients all = [] {
       coefficients g;
-      const double near = std::sqrt(5 - 2 * std::sqrt(10.0 / 7)) / 6, far = std::sqrt(5 + 2 * std::sqrt(10.0 / 7)) / 6;
-      g.place << 0.5 - far, 0.5 - near, 0.5, 0.5 + near, 0.5 + far;
+      const double inner_zero = std::sqrt(5 - 2 * std::sqrt(10.0 / 7)) / 6,
+                   outer_zero = std::sqrt(5 + 2 * std::sqrt(10.0 / 7)) / 6;
+      g.place << 0.5 - outer_zero, 0.5 - inner_zero, 0.5, 0.5 + inner_zero, 0.5 + outer_zero;
       Eigen::Matrix<double, stages, stages> powers, integrals;
       Eigen::Matrix<double, 1, stages> to_end;
       for (int k = 0; k < stages; ++k) {

@@ -35,7 +35,8 @@ KTE_INLINE void columns_of_joint(const body_node<P>& r, const joint_transform<S>
     const auto column = engine::jacobian_column(rotation_of_units<direction<S>>{axes}, p, s);
     linear = direction_of<S>(column.linear), angular = direction_of<S>(column.angular);
   };
-  for (int k = 0; k < r.axes; ++k) {  // one call of `put`, which may be long
+  int k = 0;
+  do {
     switch (r.moves) {
       case joint::revolute:
         column_of(units, about_z::axis<0>(r));
@@ -59,8 +60,8 @@ KTE_INLINE void columns_of_joint(const body_node<P>& r, const joint_transform<S>
         column_of(units, engine::motion_vector{at.axis(k).linear, at.axis(k).angular});
         break;
     }
-    put(r.first + k, linear, angular);
-  }
+    put(r.first + k, linear, angular);  // one call, because the code of `put` may be long
+  } while (++k < r.axes);
 }
 /// Visits the joints from a frame to its base or `top`: visit(body node, its joint transform, units, p), as in
 /// `columns_of_joint`, in axes of the frame. Returns the slot, as `pose_in_base`.

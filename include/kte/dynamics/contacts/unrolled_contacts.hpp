@@ -165,7 +165,8 @@ class chain_on_contacts<Chain, Given, std::index_sequence<E...>> : articulated_c
   /// The block of W of contacts C and D.
   template <std::size_t C, std::size_t D>
   KTE_INLINE void multiply(contact_solver& m) const {
-    static constexpr auto &c = way<C>::rows, &d = way<D>::rows;
+    static constexpr const auto& c = way<C>::rows;
+    static constexpr const auto& d = way<D>::rows;
     constexpr std::size_t shared = [] {
       std::size_t n = 0;
       while (n < c.count && n < d.count && c.row[n] == d.row[n]) ++n;

@@ -153,7 +153,7 @@ void refuse_wrong_modes(const Contacts& c, State& s, contact_solver& m, forces_i
 /// The accelerations of a model at t and x, for stages of steps, written to `forces` of the working memory. Wrong modes
 /// at the start of a step are noted, because events may mend them, and refused at the next one.
 template <class Access, class Contacts, class State, class X>
-void accelerate_in_step(const Access& a, const Contacts& c, State& s, contact_solver& m, double t, const X& x) {
+void accelerate_in_step(const Access& a, const Contacts& c, State& s, contact_solver& m, const X& x) {
   auto& step = a.memory();
   step.margin_x.resize(0);
   accelerate_in_modes(c, s, m, step.forces);

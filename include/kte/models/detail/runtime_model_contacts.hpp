@@ -33,7 +33,7 @@ struct runtime_model_contacts {
 template <class Access, class X>
 const Eigen::VectorXd& accelerate_with_contacts_in_step(const Access& a, double t, const X& x) {
   a.at(t, x, [&](const auto& c, runtime_state& s, contact_solver& m) {
-    accelerate_in_step(a, c, s, m, t, x);
+    accelerate_in_step(a, c, s, m, x);
     check_result(s, diagnose_state{"an acceleration", s});
     write_numbers<vector_of::a>(s, s.work.forces, "a");
   });

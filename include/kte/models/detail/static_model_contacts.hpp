@@ -81,14 +81,14 @@ struct static_model_contacts<static_chain<Gravity, E...>> {
     make_tangential_to_contacts(of(m, kept), x0, e);
   }
   template <class Model, class X, class At, class Bases>
-  static vector accelerations(const Model& m, memory& kept, double t, const X& x, const At& at, const double* v,
+  static vector accelerations(const Model& m, memory& kept, const X& x, const At& at, const double* v,
                               const Bases& bases, const vector& tau) {
     at.check(), bases.check();
     const auto access = of(m, kept);
     vector a;
     const given g{at, each<double, const double*>{v}, same<zero_t>{}, bases};
     access.with(g, x, [&](const auto& c, auto& s, contact_solver& memory) {
-      accelerate_in_step(access, c, s, memory, t, x);
+      accelerate_in_step(access, c, s, memory, x);
       a = s.work.forces;
     });
     check_accelerations<wiring>(a, g, tau);

@@ -88,8 +88,8 @@ struct static_model_loops<static_chain<Gravity, E...>> {
     make_tangential(of(m, kept), x0, e);
   }
   template <class Model, class X, class At, class Bases>
-  static vector accelerations(const Model& m, memory& kept, double, const X&, const At& at, const double* v,
-                              const Bases& bases, const vector& tau) {
+  static vector accelerations(const Model& m, memory& kept, const X&, const At& at, const double* v, const Bases& bases,
+                              const vector& tau) {
     at.check(), bases.check();
     const auto loops = of(m, kept);
     auto& s = loops.state();
