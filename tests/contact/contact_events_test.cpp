@@ -231,6 +231,35 @@ TEST_CASE("contacts need events") {
   CHECK(with_events.state()[1] == within(0.55, 1e-14));
 }
 
+TEST_CASE("numbers that are not finite are refused by name") {
+  const auto c = box_on_slope(0.2);
+  const auto r = in_runtime(c);
+  auto s = make_state(r);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const Eigen::Vector3d q(0, 0.05, 0), zero_rates(0, 0, 0);
+  const manipulator_dynamics_model of_chain(c);
+  const planar_model of_runtime(r);
+  for (int k = 0; k < 3; ++k) {
+    const auto refuses = [k](const char* what, const auto& f) {
+      CHECK_THROWS_MATCHES(f(), bad_argument, says(std::string(what) + "[" + std::to_string(k)));
+    };
+    Eigen::Vector3d x = zero_rates;
+    x[k] = nan;
+    refuses("tau", [&] { (void)contact_dynamics(r, s, q, zero_rates, x); });
+    refuses("tau", [&] { (void)contact_dynamics(c, q, zero_rates, x); });
+    refuses("v", [&] { (void)contact_dynamics(r, s, q, x, zero_rates); });
+    refuses("v", [&] { (void)contact_dynamics(c, q, x, zero_rates); });
+    refuses("v", [&] { (void)impact(r, s, q, x); });
+    refuses("v", [&] { (void)impact(c, q, x); });
+    auto at_run_time = of_runtime.make_x(q, zero_rates);
+    auto at_compile_time = of_chain.make_x(q, zero_rates);
+    at_run_time[3 + k] = at_compile_time[3 + k] = nan;
+    const auto place = says("x[" + std::to_string(3 + k) + "] of a state with contacts is not finite");
+    CHECK_THROWS_MATCHES(settled(of_runtime, 0.0, at_run_time), bad_argument, place);
+    CHECK_THROWS_MATCHES(settled(of_chain, 0.0, at_compile_time), bad_argument, place);
+  }
+}
+
 TEST_CASE("a static chain has the events of the same runtime chain") {
   const auto c = box_on_slope(0.2);
   const manipulator_dynamics_model model(c);

@@ -5,6 +5,8 @@
 #include <kte/dynamics/contacts/contact_rows.hpp>
 #include <kte/errors.hpp>
 
+#include <limits>
+
 /// Accelerations with contact forces, in the working memory of a state.
 namespace kte::detail {
 
@@ -58,7 +60,12 @@ inline friction_status find_friction(contact_solver& m, bool any = false, std::s
   friction_options<> options;
   options.least_norm = !any, options.polish = m.polish;
   const auto& r = m.solver.solve(p, options, start);
-  if (!r.solved()) return m.residual = r.residual, r.status;
+  if (!r.solved()) [[unlikely]] {
+    if (m.bias.allFinite()) return m.residual = r.residual, r.status;
+    m.forces.setConstant(std::numeric_limits<double>::quiet_NaN());  // checks of results name the argument at fault
+    m.modes.assign(m.touching.size(), contact_mode::sticks);
+    return friction_status::solved;
+  }
   for (Eigen::Index k = 0; k < m.forces.size(); ++k) m.forces[k] = r.lambda[static_cast<std::size_t>(k)];
   put_modes(m, r.modes, r.lambda, r.u);
   return r.status;

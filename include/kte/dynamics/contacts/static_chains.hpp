@@ -3,6 +3,7 @@
 #include <kte/dynamics/closed_loops/static_chains.hpp>
 #include <kte/dynamics/contacts/static_contacts.hpp>
 #include <kte/dynamics/contacts/unrolled_contacts.hpp>
+#include <kte/dynamics/unrolled/arguments.hpp>
 
 /// Contacts of static chains: the algorithms of runtime chains on memory that the chain keeps.
 namespace kte {
@@ -18,7 +19,7 @@ inline constexpr std::size_t slot_of_contact = [] {
 template <class Chain, class Q, class V, class F>
 decltype(auto) with_contacts_at(const Chain& c, const Q& q, const V& v, const F& f) {
   static_assert(std::is_convertible_v<value_of<Q>, double>, "kte: contacts are computed in double");
-  check_configuration<Chain>(q);
+  check_configuration<Chain>(q), check_velocities<Chain>(v);
   const configuration<double, typename Chain::wiring, Q> at(q);
   at.check();
   const given g{at, each<double, V>{v}, not_moving{}, base_under_gravity(c)};
@@ -110,7 +111,6 @@ template <class Gravity, class... E, indexable Q, indexable V>
 [[nodiscard]] auto impact(const static_chain<Gravity, E...>& c, const Q& q, const V& v,
                           impact_law law = impact_law::at_once) {
   using chain_type = static_chain<Gravity, E...>;
-  check_size<chain_type::dofs>(v, "v");
   return detail::with_contacts_at(c, q, v, [&](const auto& contacts, auto& s) {
     static_impact_result<chain_type> r;
     Eigen::VectorXd& after = s.contacts.velocities;

@@ -246,8 +246,12 @@ std::string text_of_changes(const Contacts& c, const contact_solver& m, const st
 ///
 ///   t + 2 e w/(g_n (1 - e)),   w: velocity of approach                                    (1)
 /// `along_solution`: x is a state of an integrator with the present modes, and first put on their rows.
+/// Throws `bad_argument` for a state that is not finite.
 template <class Access, class X>
 void resolve_contacts(const Access& a, double t, X& x, bool along_solution) {
+  for (Eigen::Index i = 0; i < x.size(); ++i)
+    if (!std::isfinite(x[i])) [[unlikely]]
+      raise<bad_argument>("kte: x[" + std::to_string(i) + "] of a state with contacts is not finite: " + number(x[i]));
   auto& step = a.memory();
   step.x0.resize(0), step.margin_x.resize(0), step.wrong.resize(0), step.time = t;
   if (is_stepped(a, x)) a.model.each_contact([&x](int, int first) { x[first] = 0; });
