@@ -30,38 +30,37 @@ int pose_in_base(const body_tree<P>& f, const memory<P, S>& m, const frame_place
 template <class P, class S, class Put>
 KTE_INLINE void columns_of_joint(const body_node<P>& r, const joint_transform<S>& at, const mat3<direction<S>>& units,
                                  const direction<S>& p, const Put& put) {
-  direction<S> linear, angular;
-  const auto column_of = [&](const mat3<direction<S>>& axes, const auto& s) KTE_INLINE_LAMBDA {
+  const auto put_axis = [&](int k, const mat3<direction<S>>& axes, const auto& s) KTE_INLINE_LAMBDA {
     const auto column = engine::jacobian_column(rotation_of_units<direction<S>>{axes}, p, s);
-    linear = direction_of<S>(column.linear), angular = direction_of<S>(column.angular);
+    put(k, direction_of<S>(column.linear), direction_of<S>(column.angular));
   };
-  int k = 0;
-  do {
-    switch (r.moves) {
-      case joint::revolute:
-        column_of(units, about_z::axis<0>(r));
-        break;
-      case joint::prismatic:
-        column_of(units, along_z::axis<0>(r));
-        break;
-      case joint::screw:
-        column_of(units, along_and_about_z::axis<0>(r));
-        break;
-      case joint::several: {  // a unit axis by number, as z
-        const std::array<direction<S>, 3> unit{units.x, units.y, units.z};
+  if (r.moves == joint::revolute) [[likely]]
+    return put_axis(r.first, units, about_z::axis<0>(r));
+  switch (r.moves) {
+    case joint::revolute:
+      break;
+    case joint::prismatic:
+      put_axis(r.first, units, along_z::axis<0>(r));
+      break;
+    case joint::screw:
+      put_axis(r.first, units, along_and_about_z::axis<0>(r));
+      break;
+    case joint::several: {  // unit axes by number, each as z
+      const std::array<direction<S>, 3> unit{units.x, units.y, units.z};
+      for (int k = 0; k < r.axes; ++k) {
         const std::size_t n = r.axis[static_cast<std::size_t>(k)];
         if (n < 3)
-          column_of({unit[0], unit[1], unit[n]}, along_z::axis<0>(r));
+          put_axis(r.first + k, {unit[0], unit[1], unit[n]}, along_z::axis<0>(r));
         else
-          column_of({unit[0], unit[1], unit[n - 3]}, about_z::axis<0>(r));
-        break;
+          put_axis(r.first + k, {unit[0], unit[1], unit[n - 3]}, about_z::axis<0>(r));
       }
-      case joint::varying:
-        column_of(units, engine::motion_vector{at.axis(k).linear, at.axis(k).angular});
-        break;
+      break;
     }
-    put(r.first + k, linear, angular);  // one call, because the code of `put` may be long
-  } while (++k < r.axes);
+    case joint::varying:
+      for (int k = 0; k < r.axes; ++k)
+        put_axis(r.first + k, units, engine::motion_vector{at.axis(k).linear, at.axis(k).angular});
+      break;
+  }
 }
 /// Visits the joints from a frame to its base or `top`: visit(body node, its joint transform, units, p), as in
 /// `columns_of_joint`, in axes of the frame. Returns the slot, as `pose_in_base`.

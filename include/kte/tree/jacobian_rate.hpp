@@ -18,7 +18,7 @@ int jacobian_rate_columns(const body_tree<P>& f, const memory<P, S>& m, const fr
                           world_axis<S>& moves, const Put& put) {
   world_axis<S> beyond{}, with_own{};
   const auto visit = [&](const body_node<P>& r, const joint_transform<S>& at, const auto& units, const auto& p) {
-    columns_of_joint(r, at, units, p, [&](int k, const auto& linear, const auto& angular) {
+    columns_of_joint(r, at, units, p, [&](int k, const auto& linear, const auto& angular) KTE_INLINE_LAMBDA {
       const vec3<S> u = components<S>(linear), w = components<S>(angular);
       world_axis<S> own{};
       if (r.moves == joint::varying) [[unlikely]] {
