@@ -217,7 +217,7 @@ TEST_CASE("events of elements in lanes: stops that are hit at other times in eac
           .gravity(along_y(-9.81));
   CHECK_THROWS_MATCHES(kte::lanes(hinged, parameter{"q/stiffness", P(1.0)}), bad_argument,
                        kte::test::says("is a double by the type of its element"));
-  constexpr double tolerance = 1e-13;
+  static constexpr double tolerance = 1e-13;
   const auto start = [&hinged](const auto& c) {
     using S = typename std::remove_cvref_t<decltype(c)>::scalar;
     const auto f = [arm = kte::lanes(hinged, parameter{"tip/mass", c["mass"]})](const S&, const pair<S>& x) {
