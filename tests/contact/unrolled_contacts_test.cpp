@@ -3,6 +3,8 @@
 #include <kte/kte.hpp>
 #include <kte/math/quaternion.hpp>
 
+#include <Eigen/QR>
+
 #include <array>
 #include <limits>
 
@@ -180,4 +182,9 @@ TEST_CASE("unrolled dynamics with contacts names what it refuses") {
   CHECK_THROWS_AS(contact_dynamics(c, Eigen::Vector4d(0, 7, 0, 0), still, broken), bad_argument);
   broken = q, broken[0] = std::numeric_limits<double>::infinity();
   CHECK_THROWS_AS(contact_dynamics(c, broken, still, still), bad_argument);
+  const auto in_ball = chain(free_joint_2D(flat_pose, plane, box), inertia_2D(box, planar_body(2.0, 0.02)),
+                             sphere_contact_2D(corner, plane, box, ball_surface(0.5), 0.1, {0.5, 0}));
+  const Eigen::Vector3d none(0, 0, 0);
+  CHECK_THROWS_MATCHES(contact_dynamics(in_ball, none, none, none), bad_argument,
+                       says("kte: contact 'corner': its surface has no normal here"));
 }

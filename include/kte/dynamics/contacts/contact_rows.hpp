@@ -117,24 +117,29 @@ struct contact_workspace {
   /// The place of a contact in the relative motion m of its frames. Errors name the contact.
   template <class Contacts, class Motion>
   void locate(const Contacts& c, contact_at& x, const Motion& m) {
-    const auto& at = place(x);
-    const auto fail = [&](std::string_view why) {
-      constexpr std::string_view name = "kte: ";
-      raise<bad_argument>("kte: contact '" + std::string(c.loop_name(at.loop)) +
-                          "': " + std::string(why.substr(why.starts_with(name) ? name.size() : 0)));
-    };
+    put_place(c, x, [&] { return c.touch_at(place(x).element, m); });
+  }
+  /// The place of a contact, touch(). Errors name the contact.
+  template <class Contacts, class Touch>
+  KTE_INLINE void put_place(const Contacts& c, contact_at& x, const Touch& touch) {
 #if defined(__cpp_exceptions)
     try {
-      x.place = c.touch_at(at.element, m);
+      x.place = touch();
     } catch (const bad_argument& e) {
-      fail(e.what());
+      refuse_place(c, x, e.what());
     }
 #else
-    x.place = c.touch_at(at.element, m);
+    x.place = touch();
 #endif
     x.slip = x.place.slip;
-    if (!(dot(x.place.normal, x.place.normal) <= 2)) [[unlikely]]
-      fail("its surface has no normal here, as at the centre of a ball or on the axis of a cylinder");
+    if (const double square = dot(x.place.normal, x.place.normal); !(square > 0.5 && square < 2)) [[unlikely]]
+      refuse_place(c, x, "its surface has no normal here, as at the centre of a ball or on the axis of a cylinder");
+  }
+  template <class Contacts>
+  [[noreturn, gnu::cold]] void refuse_place(const Contacts& c, const contact_at& x, std::string_view why) {
+    constexpr std::string_view name = "kte: ";
+    raise<bad_argument>("kte: contact '" + std::string(c.loop_name(place(x).loop)) +
+                        "': " + std::string(why.substr(why.starts_with(name) ? name.size() : 0)));
   }
   /// The rows of a contact of those of all, such as J v, in m.
   vec3<> unscaled(const contact_at& x, const Eigen::VectorXd& all) const {

@@ -47,7 +47,7 @@ class chain_on_contacts<Chain, Given, std::index_sequence<E...>> : articulated_c
     bool several = false;
     base::accelerate(tau, a, [&](const auto& bodies) KTE_INLINE_LAMBDA {
       this->check_moved();
-      unroll<count>([&]<std::size_t C>() KTE_INLINE_LAMBDA { this->template find<C>(m); });
+      unroll<count>([&]<std::size_t C>() KTE_INLINE_LAMBDA { this->template find<C>(contacts, m); });
       choose_contacts(contacts, m, leaves_by_motion{m}, slides_by_motion{m});
       unroll<count>([&]<std::size_t C>() KTE_INLINE_LAMBDA {
         if (m.contacts[C].touches) this->template put_rows<C>(bodies, m);
@@ -94,12 +94,11 @@ class chain_on_contacts<Chain, Given, std::index_sequence<E...>> : articulated_c
     }
   }
   /// The place and slip velocity of contact C.
-  template <std::size_t C>
-  KTE_INLINE void find(contact_solver& m) {
-    auto& x = m.contacts[C];
+  template <std::size_t C, class Contacts>
+  KTE_INLINE void find(const Contacts& contacts, contact_solver& m) {
     motion_[C] = as_closing_motion<double>(relative(moved<C, 0>(), moved<C, 1>()));
-    x.place = this->chain_.template core<element[C]>().touch_at(motion_[C]);
-    x.slip = x.place.slip;
+    m.put_place(contacts, m.contacts[C],
+                [&]() KTE_INLINE_LAMBDA { return this->chain_.template core<element[C]>().touch_at(motion_[C]); });
   }
   /// Its rows of B, and `bias`.
   template <std::size_t C, class Bodies>
