@@ -119,17 +119,17 @@ struct contact_workspace {
   void locate(const Contacts& c, contact_at& x, const Motion& m) {
     put_place(c, x, [&] { return c.touch_at(place(x).element, m); });
   }
-  /// The place of a contact, touch(). Errors name the contact.
-  template <class Contacts, class Touch>
-  KTE_INLINE void put_place(const Contacts& c, contact_at& x, const Touch& touch) {
+  /// The place of a contact, from find_place(). Errors name the contact.
+  template <class Contacts, class Find>
+  KTE_INLINE void put_place(const Contacts& c, contact_at& x, const Find& find_place) {
 #if defined(__cpp_exceptions)
     try {
-      x.place = touch();
+      x.place = find_place();
     } catch (const bad_argument& e) {
       refuse_place(c, x, e.what());
     }
 #else
-    x.place = touch();
+    x.place = find_place();
 #endif
     x.slip = x.place.slip;
     if (const double square = dot(x.place.normal, x.place.normal); !(square > 0.5 && square < 2)) [[unlikely]]
