@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/detail/compiled.hpp>
 #include <kte/dynamics/looped/derivatives.hpp>
 #include <kte/dynamics/looped/mass_matrix_inverse.hpp>
 #include <kte/dynamics/runtime/arguments.hpp>
@@ -113,25 +114,33 @@ void check_regular_tree(const runtime_chain& c, const basic_runtime_state<S>& s)
 }
 /// Whether a chain has contacts.
 inline bool has_contacts(const runtime_chain& c) { return c.wiring().count(kind::contact) > 0; }
+[[noreturn]] void refuse_first_contact(const runtime_chain& c);
+[[noreturn]] void refuse_first_loop(const runtime_chain& c, const char* instead);
 /// Throws `bad_argument`, naming the first contact, for a chain with contacts in an algorithm that does not support
 /// them.
 inline void refuse_contacts(const runtime_chain& c) {
-  if (!has_contacts(c)) [[likely]]
-    return;
+  if (has_contacts(c)) [[unlikely]]
+    refuse_first_contact(c);
+}
+/// Throws `bad_argument`, naming the first closure, for a chain with loops in an algorithm that does not support them.
+inline void refuse_loops(const runtime_chain& c, const char* instead = "") {
+  if (has_loops(c)) [[unlikely]]
+    refuse_first_loop(c, instead);
+}
+#ifdef KTE_FUNCTION
+[[noreturn]] KTE_FUNCTION void refuse_first_contact(const runtime_chain& c) {
   const auto& elements = c.wiring().elements;
   const auto first = std::find_if(elements.begin(), elements.end(), [](const auto& e) { return e.touches; });
   throw bad_argument("kte: this algorithm does not support contacts, as " + describe_element(*first->element) +
                      ": contact_dynamics computes motions with contact forces");
 }
-/// Throws `bad_argument`, naming the first closure, for a chain with loops in an algorithm that does not support them.
-inline void refuse_loops(const runtime_chain& c, const char* instead = "") {
-  if (!has_loops(c)) [[likely]]
-    return;
+[[noreturn]] KTE_FUNCTION void refuse_first_loop(const runtime_chain& c, const char* instead) {
   const auto& elements = c.wiring().elements;
   const auto first = std::find_if(elements.begin(), elements.end(), [](const auto& e) { return e.closes; });
   throw bad_argument("kte: this algorithm does not know closures of loops, as " + describe_element(*first->element) +
                      instead);
 }
+#endif
 /// `check_regular_tree`, and refuses closures of loops.
 template <class S>
 void check_regular(const runtime_chain& c, const basic_runtime_state<S>& s) {
