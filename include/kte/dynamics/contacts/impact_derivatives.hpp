@@ -84,6 +84,17 @@ struct contact_in_impact {
     for (int k = 1; k < rows(); ++k) put(k, D(dot(as<D>(basis[static_cast<std::size_t>(k)]), rest)));
   }
 };
+/// The contacts that stick or slide after an impact, which `strike` has solved.
+inline std::vector<contact_in_impact> closed_in_impact(const contact_solver& m, const impact_memory& memory) {
+  std::vector<contact_in_impact> all;
+  for (std::size_t i = 0; i < m.touching.size(); ++i) {
+    if (m.modes[i] == contact_mode::open) continue;
+    const auto& x = m.touched(i);
+    all.push_back({x.closure, x.planar, m.modes[i] == contact_mode::sticks, x.place.law.friction, memory.restitution[i],
+                   m.force_of(x), x.basis});
+  }
+  return all;
+}
 
 /// The derivatives of v^+ at the state, with the velocities v before and v^+ after an impact.
 inline impact_derivatives_result derive_impact(const runtime_chain& c, runtime_state& s, contact_solver& m,
@@ -209,14 +220,7 @@ KTE_FUNCTION impact_derivatives_result impact_derived(const runtime_chain& c, ru
   if (memory.result.restitution != 1)
     throw bad_argument("kte: at contacts " + names_of_touching(contacts_of(c), m) +
                        " restitution is reduced so that energy does not grow: the impact has no known derivatives");
-  std::vector<contact_in_impact> contacts;
-  for (std::size_t i = 0; i < m.touching.size(); ++i) {
-    if (m.modes[i] == contact_mode::open) continue;
-    const auto& x = m.touched(i);
-    contacts.push_back({x.closure, x.planar, m.modes[i] == contact_mode::sticks, x.place.law.friction,
-                        memory.restitution[i], m.force_of(x), x.basis});
-  }
-  auto r = derive_impact(c, s, m, before, after, contacts);
+  auto r = derive_impact(c, s, m, before, after, closed_in_impact(m, memory));
   write_numbers<vector_of::v>(s, after, "v");
   return r;
 }

@@ -94,14 +94,7 @@ class contact_saltation {
     if (memory.result.restitution != 1) refuse("restitution is reduced so that energy does not grow");
     if ((after - v_after_).cwiseAbs().maxCoeff() > 1e-8 * (1 + v_.cwiseAbs().maxCoeff()))
       refuse("there are several impacts at one time");
-    std::vector<contact_in_impact> contacts;
-    for (std::size_t i = 0; i < m.touching.size(); ++i) {
-      if (m.modes[i] == contact_mode::open) continue;
-      const auto& x = m.touched(i);
-      contacts.push_back({x.closure, x.planar, m.modes[i] == contact_mode::sticks, x.place.law.friction,
-                          memory.restitution[i], m.force_of(x), x.basis});
-    }
-    return of_reset(derive_impact(model_.chain(), s, m, v_, after, contacts));
+    return of_reset(derive_impact(model_.chain(), s, m, v_, after, closed_in_impact(m, memory)));
   }
   /// DR where sliding stops: velocities are put on the rows of closed contacts.
   Eigen::MatrixXd stop() {
