@@ -32,9 +32,9 @@ class plot_drawing {
     return four_digits(x) + (unit.empty() ? "" : " " + unit);
   }
   std::string description() const {
-    std::string s = "Curves against " + shortened(l_.against.name, 30) + " from " +
-                    with_unit(l_.across->range().low, l_.against.meaning.unit) + " to " +
-                    with_unit(l_.across->range().high, l_.against.meaning.unit) + ".";
+    std::string s = "Curves against ";
+    s += shortened(l_.against.name, 30) + " from " + with_unit(l_.across->range().low, l_.against.meaning.unit) +
+         " to " + with_unit(l_.across->range().high, l_.against.meaning.unit) + ".";
     for (const auto& p : l_.all)
       for (std::size_t i = 0; i < p.panel.columns.size(); ++i) {
         const auto& c = p.panel.columns[i];
