@@ -33,14 +33,15 @@ class plot_drawing {
   }
   std::string description() const {
     std::string s = "Curves against ";
-    s += shortened(l_.against.name, 30) + " from " + with_unit(l_.across->range().low, l_.against.meaning.unit) +
-         " to " + with_unit(l_.across->range().high, l_.against.meaning.unit) + ".";
+    s.append(shortened(l_.against.name, 30)).append(" from ");
+    s += with_unit(l_.across->range().low, l_.against.meaning.unit) + " to " +
+         with_unit(l_.across->range().high, l_.against.meaning.unit) + ".";
     for (const auto& p : l_.all)
       for (std::size_t i = 0; i < p.panel.columns.size(); ++i) {
         const auto& c = p.panel.columns[i];
         const auto& range = p.curves.ranges[i];
-        s += " " + shortened(c.name, 30) +
-             (range.empty() ? " has no numbers to show."
+        s.append(" ").append(shortened(c.name, 30));
+        s += (range.empty() ? " has no numbers to show."
                             : " is between " + with_unit(range.low, c.meaning.unit) + " and " +
                                   with_unit(range.high, c.meaning.unit) + ".");
       }
