@@ -1,7 +1,7 @@
 #include "call.hpp"
 
-#include <kte/dynamics/detail/batch.hpp>
 #include <kte/dynamics/executors.hpp>
+#include <kte/dynamics/packs/batch.hpp>
 
 #include <thread>
 

@@ -24,6 +24,13 @@ template <class Core>
 inline constexpr bool acts = !is_transmission<Core> && !is_closure<Core> && !is_contact<Core> && !is_rigid_body<Core> &&
                              Core::ports.back().how != access::base;
 
+/// The number of inertial parameters of an element (`inertial_parameters` of dynamics/regressor.hpp).
+template <class Core>
+inline constexpr int parameter_count = Core::ports[0].what == kind::gen        ? has_mass<Core, double>
+                                       : !is_rigid_body<Core>                  ? 0
+                                       : Core::ports[0].what == kind::frame_2D ? 4
+                                                                               : 10;
+
 template <class P>
 struct element_numbers {
   part is = part::force;

@@ -1,11 +1,11 @@
 #ifndef KTE_BATCH_HPP
 #define KTE_BATCH_HPP
 
-#include <kte/dynamics/detail/batch.hpp>
 #include <kte/dynamics/executors.hpp>
 #include <kte/dynamics/forward_dynamics.hpp>
 #include <kte/dynamics/inverse_dynamics.hpp>
 #include <kte/dynamics/mass_matrix.hpp>
+#include <kte/dynamics/packs/batch.hpp>
 
 /// The algorithms on any number of states of a chain, W states at a time in the elements of packs. Runtime chains with
 /// elements that may hold their coordinate throw `bad_argument`.

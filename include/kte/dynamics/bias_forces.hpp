@@ -84,15 +84,15 @@ namespace kte {
 
 template <class S>
 const runtime_vector<S>& static_forces(const runtime_chain& c, basic_runtime_state<S>& s) {
-  c.check(s), detail::check_positions(s);
+  c.check(s), detail::refuse_constraint_forces(c), detail::check_positions(s);
   const detail::rates_aside aside(s, true);
-  return inverse_dynamics(c, s);
+  return detail::forces_at_state(c, s);
 }
 template <class S>
 const runtime_vector<S>& gravity_forces(const runtime_chain& c, basic_runtime_state<S>& s) {
-  detail::check_regular_tree(c, s), detail::check_positions(s);
+  detail::check_regular_tree(c, s), detail::refuse_distributed_masses(c, s), detail::check_positions(s);
   const detail::rates_aside aside(s, true);
-  detail::forces_of_bodies(c, s, true);
+  detail::forces_on_coordinates(detail::runtime_elements{c}, s, detail::acting::bodies);
   return detail::applied_forces(s);
 }
 namespace detail {
@@ -101,7 +101,7 @@ template <class S>
 const runtime_vector<S>& nonlinear_effects_of(const runtime_chain& c, basic_runtime_state<S>& s) {
   if (!s.tree().only_bodies) {
     const rates_aside aside(s, false);
-    return inverse_dynamics(c, s);
+    return forces_at_state(c, s);
   }
   bias_forces_of_bodies(runtime_elements{c}, s);
   take_generalized_forces(s);
@@ -119,15 +119,18 @@ const runtime_vector<S>& nonlinear_effects(const runtime_chain& c, basic_runtime
 }
 template <class S>
 const runtime_vector<S>& coriolis_forces(const runtime_chain& c, basic_runtime_state<S>& s) {
-  detail::check_regular_tree(c, s), detail::check_state_velocities(s);
+  detail::check_regular_tree(c, s), detail::refuse_distributed_masses(c, s), detail::check_state_velocities(s);
   const detail::rates_aside aside(s, false);
-  detail::forces_of_bodies(c, s, false);
+  detail::forces_on_coordinates(detail::runtime_elements{c}, s, detail::acting::bodies, false);
   return detail::applied_forces(s);
 }
 template <class S, indexable Q>
 const runtime_vector<S>& static_forces(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q) {
   detail::refuse_constraint_forces(c);
-  return detail::take<detail::keeping::if_needed>(c, s, q).call([&]() -> const auto& { return static_forces(c, s); });
+  return detail::take<detail::keeping::if_needed>(c, s, q).call([&]() -> const auto& {
+    const detail::rates_aside aside(s, true);
+    return detail::forces_at_state(c, s);
+  });
 }
 template <class S, indexable Q>
 const runtime_vector<S>& gravity_forces(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q) {

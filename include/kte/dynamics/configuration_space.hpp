@@ -1,8 +1,8 @@
 #ifndef KTE_CONFIGURATION_SPACE_HPP
 #define KTE_CONFIGURATION_SPACE_HPP
 
-#include <kte/dynamics/detail/coordinate_motion.hpp>
-#include <kte/dynamics/detail/diagnose.hpp>
+#include <kte/dynamics/arguments/coordinate_motion.hpp>
+#include <kte/dynamics/arguments/diagnose.hpp>
 #include <kte/dynamics/state_vectors.hpp>
 #include <kte/math/dual.hpp>
 #include <kte/static_chain/static_chain.hpp>

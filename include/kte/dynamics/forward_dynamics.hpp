@@ -10,17 +10,6 @@
 namespace kte {
 
 namespace detail {
-/// Accelerations by the articulated-body algorithm (ABA).
-template <class S, int N, class Chain, class Given>
-KTE_INLINE void articulated_accelerations(const Chain& c, const Given& g, const joint_vector<S, N>& tau,
-                                          joint_vector<S, N>& a) {
-  static_assert(sizeof(check_loads_of<Chain>) > 0);
-  if constexpr (is_unrolled<Chain, S>) {
-    articulated_chain<S, Chain, Given>(c, g).accelerate(tau, a);
-  } else {
-    a = accelerations_by_tree<S>(c, g, tau);
-  }
-}
 /// By articulated bodies where the chain is a tree of joints or not unrolled, otherwise by the factorised mass matrix.
 template <class S, class Chain, class At, class V, class Base>
 KTE_INLINE auto accelerations_under(const Chain& c, const At& at, const V& v, const Base& base,
@@ -31,11 +20,16 @@ KTE_INLINE auto accelerations_under(const Chain& c, const At& at, const V& v, co
   if constexpr (has_closures<Chain>) {
     a = static_loops<Chain>::template accelerations<S>(c, given{at, v, same<zero_t>{}, base}, tau);
   } else if constexpr (is_tree_of_joints<Chain> || !Chain::common || !is_unrolled<Chain, S>) {
+    static_assert(sizeof(check_loads_of<Chain>) > 0);
     using given_type = given<At, V, same<zero_t>, Base, true>;
-    if constexpr (is_unrolled<Chain, S>)
-      static_assert(sizeof(typename articulated_chain<S, Chain, given_type>::need) > 0);
     const given_type g{at, v, {}, base};
-    articulated_accelerations(c, g, tau, a);
+    if constexpr (is_unrolled<Chain, S>) {
+      using bodies = articulated_chain<S, Chain, given_type>;
+      static_assert(sizeof(typename bodies::need) > 0);
+      bodies(c, g).accelerate(tau, a);
+    } else {
+      a = accelerations_by_tree<S>(c, g, tau);
+    }
   } else {
     a = tau + generalized_forces<S>(c, given{at, v, same<zero_t>{}, base}, one);
     auto m = mass_matrix_at<S>(c, at, base);
@@ -109,15 +103,16 @@ template <class S>
 const runtime_vector<S>& forward_dynamics(const runtime_chain& c, basic_runtime_state<S>& s) {
   detail::check_regular_tree(c, s);
   detail::check_positions(s);
-  return detail::accelerations_of_chain(c, s, [](int) { return S(0); });
+  detail::keep_forces(s, [](int) { return S(0); });
+  return detail::accelerations_of_chain(c, s);
 }
 template <class S, indexable Q, indexable V, indexable T>
 const runtime_vector<S>& forward_dynamics(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
                                           const T& tau) {
   detail::check_regular_tree(c, s);
   return detail::take(c, s, q, v, detail::not_given{}, tau).call([&]() -> const auto& {
-    return detail::accelerations_of_chain(c, s,
-                                          [&](int i) { return static_cast<S>(tau[static_cast<std::size_t>(i)]); });
+    detail::keep_forces(s, [&](int i) { return static_cast<S>(tau[static_cast<std::size_t>(i)]); });
+    return detail::accelerations_of_chain(c, s);
   });
 }
 

@@ -91,7 +91,11 @@ template <class Gravity, class... E, indexable Q, indexable V, indexable X, key_
     using given_type = detail::given<decltype(at), detail::each<S, V>, accelerations, base_type, true>;
     const given_type g{at, {v}, {known}, base};
     if constexpr (detail::is_tree_of_joints<chain_type> || !chain_type::common) {
-      detail::articulated_accelerations(c, g, force, r.a);
+      static_assert(sizeof(detail::check_loads_of<chain_type>) > 0);
+      if constexpr (detail::is_unrolled<chain_type, S>)
+        detail::articulated_chain<S, chain_type, given_type>(c, g).accelerate(force, r.a);
+      else
+        r.a = detail::accelerations_by_tree<S>(c, g, force);
     } else {
       using at_rest = detail::same<zero_t>;
       r.a = force -
@@ -165,8 +169,8 @@ hybrid_dynamics_result<S, Eigen::Dynamic> hybrid_dynamics(const runtime_chain& c
         r.a = hybrid_accelerations_on_loops(c, s, is_known, given, r.tau);
         return r;
       }
-    r.a = accelerations_under(
-        c, s, [&force](int i) { return force[i]; }, is_known);
+    keep_forces(s, [&force](int i) { return force[i]; });
+    r.a = accelerations_under_kept(c, s, is_known);
     r.tau = inverse_dynamics(c, s);
     for (std::size_t i = 0; i < n; ++i)  // given numbers are returned unchanged
       if (!is_known[i]) r.tau[static_cast<Eigen::Index>(i)] = force[static_cast<Eigen::Index>(i)];

@@ -120,26 +120,35 @@ inline void refuse_constraint_forces(const runtime_chain& c) {
   refuse_contacts(c);
   refuse_loops(c, ": inverse_dynamics(c, s, q, v, a, kte::actuated(\"q1\")) of kte/loops.hpp does");
 }
+/// As `inverse_dynamics`, without the forces of contacts and closures.
+template <class S>
+const runtime_vector<S>& forces_at_state(const runtime_chain& c, basic_runtime_state<S>& s) {
+  check_whole(c, s);
+  bool by_passes = false;
+  if constexpr (std::is_same_v<S, double>)
+    if (s.tree().irregular) [[unlikely]]
+      c.doMotion(s), c.clearForce(s), c.doForce(s), by_passes = true;
+  if (!by_passes) forces_on_coordinates(runtime_elements{c}, s, acting::all);
+  return applied_forces(s);
+}
 }  // namespace detail
 
 template <class S>
 const runtime_vector<S>& inverse_dynamics(const runtime_chain& c, basic_runtime_state<S>& s) {
   detail::refuse_constraint_forces(c);
-  detail::coordinate_forces(c, s);
-  detail::take_generalized_forces(s);
-  detail::check_result(s.work.forces, static_cast<std::size_t>(s.dofs()), [&s] { detail::diagnose("a force", s); });
-  return s.work.forces;
+  return detail::forces_at_state(c, s);
 }
 template <class S, indexable Q, indexable V, indexable A>
 const runtime_vector<S>& inverse_dynamics(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
                                           const A& a) {
   detail::refuse_constraint_forces(c);
   return detail::take<detail::keeping::if_needed>(c, s, q, v, a).call([&]() -> const auto& {
-    return inverse_dynamics(c, s);
+    return detail::forces_at_state(c, s);
   });
 }
 
 #ifdef KTE_EXTERN
+KTE_EXTERN template const runtime_vector<double>& detail::forces_at_state(const runtime_chain&, runtime_state&);
 KTE_EXTERN template const runtime_vector<double>& inverse_dynamics(const runtime_chain&, runtime_state&);
 #endif
 

@@ -92,19 +92,11 @@ template <class Gravity, class... E, class S>
 namespace kte {
 
 namespace detail {
-/// Calls visit(element, numbers, first column, number of columns) for each element with inertial parameters. Returns
-/// the number of parameters.
-template <class Visit>
-int for_each_parametric(const runtime_chain& c, const Visit& visit) {
-  int column = 0;
-  for (const topology::connection& e : c.wiring().elements) {
-    if (e.rigid) continue;
-    const element_numbers<double> n = e.element->numbers();
-    const int count = n.has_mass ? 1 : n.is == part::body ? (e.ports[0].what == kind::frame_2D ? 4 : 10) : 0;
-    if (count > 0) visit(e, n, column, count);
-    column += count;
-  }
-  return column;
+/// The number of inertial parameters of a chain.
+inline int count_parameters(const runtime_chain& c) {
+  int count = 0;
+  for (const topology::connection& e : c.wiring().elements) count += e.parameters;
+  return count;
 }
 /// As `torque_regressor`, at the positions, rates and accelerations of the state.
 template <class S>
@@ -114,20 +106,23 @@ runtime_matrix<S> regressor_of(const runtime_chain& c, basic_runtime_state<S>& s
   place_bodies(runtime_elements{c}, s);
   take_rates(s), take_bases(s);
   tree::move_bodies<false>(t.body_tree, s.work);
-  const int columns = for_each_parametric(c, [](auto&&...) {});
+  place_in_world(s);
+  const int columns = count_parameters(c);
   runtime_matrix<S> y = runtime_matrix<S>::Zero(t.plan.coordinates, columns);
-  for_each_parametric(c, [&](const topology::connection& e, const element_numbers<double>& n, int first, int count) {
-    const int index = e.index[0];
-    if (n.has_mass) {
-      y(t.plan.row_of_gen[static_cast<std::size_t>(index)], first) = s.template get<kind::gen>(index).q_ddot;
-      return;
+  int first = 0;
+  for (const topology::connection& e : c.wiring().elements) {
+    if (e.parameters == 1) {
+      const int coordinate = e.index[0];
+      y(t.plan.row_of_gen[static_cast<std::size_t>(coordinate)], first) = s.template get<kind::gen>(coordinate).q_ddot;
+    } else if (e.parameters > 0) {
+      const auto& place = t.body_tree.frame(e.ports[0].what, e.index[0]);
+      tree::forces_by_parameters(t.body_tree, s.work, place, [&](int k, const engine::per_parameter<S>& x) {
+        const int row = t.body_tree.row[static_cast<std::size_t>(k)];
+        for (int i = 0; i < e.parameters; ++i) y(row, first + i) += engine::parameter_at(x, i, e.parameters);
+      });
     }
-    const auto& place = t.body_tree.frame(e.ports[0].what, index);
-    tree::forces_by_parameters(t.body_tree, s.work, place, [&](int k, const engine::per_parameter<S>& x) {
-      const int row = t.body_tree.row[static_cast<std::size_t>(k)];
-      for (int i = 0; i < count; ++i) y(row, first + i) += engine::parameter_at(x, i, count);
-    });
-  });
+    first += e.parameters;
+  }
   pull_back_followers(runtime_elements{c}, s,
                       [&y](int to, int from, const S& ratio) { y.row(to) += ratio * y.row(from); });
   y.conservativeResize(s.dofs(), columns);
@@ -140,12 +135,16 @@ runtime_matrix<S> regressor_of(const runtime_chain& c, basic_runtime_state<S>& s
 #ifdef KTE_FUNCTION
 KTE_FUNCTION Eigen::VectorXd inertial_parameters(const runtime_chain& c) {
   using namespace detail;
-  Eigen::VectorXd pi(for_each_parametric(c, [](auto&&...) {}));
-  for_each_parametric(c, [&pi](const topology::connection&, const element_numbers<double>& n, int first, int count) {
+  Eigen::VectorXd pi(count_parameters(c));
+  int first = 0;
+  for (const topology::connection& e : c.wiring().elements) {
+    if (e.parameters == 0) continue;
+    const element_numbers<double> n = e.element->numbers();
     const auto& [m, h, j] = n.weight;
     const engine::per_parameter<double> all{m, h.x, h.y, h.z, j.xx, j.xy, j.yy, j.xz, j.yz, j.zz};
-    for (int i = 0; i < count; ++i) pi[first + i] = n.has_mass ? n.mass : engine::parameter_at(all, i, count);
-  });
+    for (int i = 0; i < e.parameters; ++i)
+      pi[first++] = e.parameters == 1 ? n.mass : engine::parameter_at(all, i, e.parameters);
+  }
   return pi;
 }
 #endif

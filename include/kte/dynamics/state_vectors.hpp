@@ -1,7 +1,7 @@
 #ifndef KTE_STATE_VECTORS_HPP
 #define KTE_STATE_VECTORS_HPP
 
-#include <kte/dynamics/detail/state_numbers.hpp>
+#include <kte/dynamics/arguments/state_numbers.hpp>
 
 /// The numbers of a state as vectors, in the order of the chain's layout (static_chain/layout.hpp), and back. For
 /// static chains, sizes are known at compile time. Throws `bad_argument` for a vector of wrong size.

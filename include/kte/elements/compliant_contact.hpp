@@ -3,7 +3,7 @@
 #include <kte/contact/contact_geometry.hpp>
 #include <kte/contact/disc_geometry.hpp>
 #include <kte/contract/contact_between.hpp>
-#include <kte/kernels/hunt_crossley.hpp>
+#include <kte/kernels/force_laws.hpp>
 
 namespace kte {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kte/contract/transmission.hpp>
-#include <kte/kernels/stribeck.hpp>
+#include <kte/kernels/force_laws.hpp>
 
 namespace kte {
 

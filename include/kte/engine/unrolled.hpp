@@ -40,13 +40,15 @@ struct unrolled {
                                    const PullBack& pull_back) const {
     static_assert(!Keep && !Bases);
     const inward_steps<Values, Own, Meet, PullBack> steps{values, own, meet, pull_back};
-    bodies.each_base([&]<class Frame>(Frame) KTE_INLINE_LAMBDA { (void)carried_by<true, Frame>(steps); });
+    bodies.each_base([&]<class Frame>(Frame)
+                         KTE_INLINE_LAMBDA { (void)with_parts<true, Frame, 0>(steps, steps.alone()); });
   }
   /// The sum of the values on a frame.
   template <class Frame, class Values, class Own, class Meet, class PullBack>
   KTE_INLINE constexpr auto carried(const Values& values, const Own& own, const Meet& meet,
                                     const PullBack& pull_back) const {
-    return carried_by<false, Frame>(inward_steps<Values, Own, Meet, PullBack>{values, own, meet, pull_back});
+    const inward_steps<Values, Own, Meet, PullBack> steps{values, own, meet, pull_back};
+    return with_parts<false, Frame, 0>(steps, steps.alone());
   }
 
   /// From parents to children: step(body, kept value, value of its parent), with base(frame) for bodies on bases.
@@ -68,17 +70,17 @@ struct unrolled {
     const Own& own;
     const Meet& meet;
     const PullBack& pull_back;
+    /// What a frame without parts carries.
+    KTE_INLINE constexpr auto alone() const {
+      const auto none = Bodies::none();
+      return own(none, values.at(none));
+    }
   };
 
   template <std::size_t I, class Value, class Step>
   KTE_INLINE constexpr void ancestors(const Value& value, const Step& step) const {
     constexpr int parent = Bodies::template parent<I>;
     if constexpr (parent >= 0) to_base<std::size_t{parent}>(value, step);
-  }
-  template <bool Ends, class Frame, class Steps>
-  KTE_INLINE constexpr auto carried_by(const Steps& steps) const {
-    const auto none = Bodies::none();
-    return with_parts<Ends, Frame, 0>(steps, steps.own(none, steps.values.at(none)));
   }
   /// Adds the parts from N on to `sum`, one after the other. In a single expression g++ would compute the last part
   /// first, whose numbers then wait in memory.
@@ -93,7 +95,7 @@ struct unrolled {
         return with_parts<Ends, Frame, N + 1>(steps, sum + steps.own(part, steps.values.at(part)));
       } else {
         constexpr std::size_t i{number};
-        const auto carried = carried_by<false, typename Bodies::template end<i>>(steps);
+        const auto carried = with_parts<false, typename Bodies::template end<i>, 0>(steps, steps.alone());
         const auto b = bodies.template body<i>();
         const auto met = steps.meet(b, carried, tree_place<i, Ends>{*this});
         if constexpr (Ends) {

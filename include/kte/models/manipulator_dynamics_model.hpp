@@ -1,7 +1,7 @@
 #pragma once
 
-#include <kte/dynamics/detail/internal_rates.hpp>
 #include <kte/dynamics/forward_dynamics.hpp>
+#include <kte/models/detail/internal_rates.hpp>
 #include <kte/models/detail/rate_derivatives.hpp>
 #include <kte/models/modes.hpp>
 #include <kte/models/state_rate_function.hpp>

@@ -1,77 +1,18 @@
 #pragma once
 
-#include <kte/contract/joint.hpp>
-#include <kte/engine/body.hpp>
+#include <kte/recursions/coriolis.hpp>
+#include <kte/recursions/gyration.hpp>
 
-/// First variations of inverse dynamics, one element at a time. A frame moves by A = (a, al) and w under a wrench W. If
-/// everything beyond it is unchanged,
+/// The derivatives of inverse dynamics by q, v and a, as first variations. For each axis j, the changes of the wrench
+/// on its body go inward, and give the derivatives for all axes on the way to the base. There are two forms:
 ///
-///   dW = I (da, dal) + B dw                                       (1)
+///   in axes of the bodies     for static chains, whose typed zeros fold
+///   in axes of the world      for loops over arrays, with four vectors side by side
 ///
-/// I is the composite inertia of its subtree. B is the derivative of W by w: one 3x3 matrix for the force and one for
-/// the torque. Linear velocities and positions do not occur, so (1) needs half the operations of the equivalent on
-/// spatial vectors (Carpentier and Mansard, RSS 2018; Singh, Russo, Wensing, IEEE RA-L 2022).
+/// The first in a loop takes 1.8 to 2.7 times as long as the second (docs/decisions/24-engine.md).
+
+// ---- in axes of the bodies: (1) of recursions/gyration.hpp, one element at a time
 namespace kte::detail {
-
-/// B of (1).
-template <class F, class T>
-struct gyration {
-  using geometry = gyration;
-  F force;
-  T torque;
-};
-template <class F, class T>
-gyration(F, T) -> gyration<F, T>;
-template <class F, class T, class G, class U>
-KTE_INLINE constexpr auto operator+(const gyration<F, T>& a, const gyration<G, U>& b) {
-  return gyration{a.force + b.force, a.torque + b.torque};
-}
-inline constexpr gyration<mat3<zero3>, mat3<zero3>> no_gyration{};
-
-/// I and B.
-template <class C, class G>
-struct turning_body {
-  using geometry = turning_body;
-  C inertia;
-  G gyration;
-};
-template <class C, class G>
-turning_body(C, G) -> turning_body<C, G>;
-template <class C, class G, class D, class H>
-KTE_INLINE constexpr auto operator+(const turning_body<C, G>& a, const turning_body<D, H>& b) {
-  return turning_body{a.inertia + b.inertia, a.gyration + b.gyration};
-}
-
-/// The derivative of w x (w x r) by w: w r^T - 2 r w^T + (w . r) 1.
-template <class W, class R>
-KTE_INLINE constexpr auto centripetal_by_rate(const W& w, const R& r) {
-  return dyad(w, r) - constant<2>{} * dyad(r, w) + diagonal_matrix(dot(w, r));
-}
-
-/// B of a body that rotates by w, from W = (... + w x (w x h), ... + w x J w).
-template <class M, class H, class J, class W>
-KTE_INLINE constexpr auto gyration_of(const composite<M, H, J>& b, const W& w) {
-  return gyration{centripetal_by_rate(w, b.moment), cross_matrix(w) * full(b.inertia) - cross_matrix(b.inertia * w)};
-}
-
-/// B transformed to the base A of an element, whose end has the pose x and the velocities v_B, w_B (in axes of the
-/// end), with
-///
-///   dal_E = R^T dal_A + R^T dw_A x w_B                                                                     (2)
-///   da_E = R^T (da_A + dal_A x p + K dw_A) + 2 R^T dw_A x v_B,   K = centripetal_by_rate(w_A, p)         (3)
-template <class Motion, class W, class M, class H, class J, class F, class T>
-KTE_INLINE constexpr auto gyration_through(const Motion& x, const W& w_a, const composite<M, H, J>& b,
-                                           const gyration<F, T>& g) {
-  const auto r = matrix(x.rotation);
-  const auto t = transpose(r);
-  const auto w_b = x.rotation * x.ang_velocity;
-  const auto v_b = x.rotation * x.velocity;
-  const auto h = x.rotation * b.moment;
-  const auto k = centripetal_by_rate(w_a, x.position) - constant<2>{} * cross_matrix(v_b);
-  const auto turned = full(congruence(x.rotation, b.inertia)) * cross_matrix(w_b);
-  const auto force = r * (g.force * t) + (b.mass * k + cross_matrix(h) * cross_matrix(w_b));
-  return gyration{force, r * (g.torque * t) + (cross_matrix(h) * k - turned) + cross_matrix(x.position) * force};
-}
 
 /// A change of motion of a frame.
 template <class W, class A, class AL>
@@ -83,7 +24,7 @@ struct variation {
 template <class W, class A, class AL>
 variation(W, A, AL) -> variation<W, A, AL>;
 
-/// (1)
+/// (1) of recursions/gyration.hpp
 template <class C, class G, class V>
 KTE_INLINE constexpr auto varied_wrench(const C& c, const G& b, const V& d) {
   const auto w =
@@ -153,14 +94,6 @@ KTE_INLINE constexpr auto sensitivity_through(const Motion& x, const W& w, const
                      x.rotation * z.to_rate + by_k + (cross(w_b, t) + constant<2>{} * cross(v_b, f))};
 }
 
-/// A body, its motion relative to its parent, and its parent.
-///   relative()         the motion of its joint (frames/motion.hpp)
-///   parent_motion()    w, a, al of the parent
-///   load()             the wrench that it and its subtree exert: -W
-template <class B>
-concept moving_body = engine::body_with_axes<B> && requires(const B& b) {
-  b.relative(), b.parent_motion(), b.load();
-};
 template <int K, class B>
 KTE_INLINE constexpr auto axis_motion(const B& b) {
   const auto s = b.template axis<K>();
@@ -245,21 +178,6 @@ struct variation_columns {
     }
   }
 };
-/// Steps of I and B: the parts fixed to a frame, whose motion is in `more`; to the parent.
-struct turning_alone {
-  template <class B, class Kept>
-  KTE_INLINE constexpr auto operator()(const B& b, const Kept&) const {
-    return turning_body{b.composite(), gyration_of(b.composite(), b.more.motion.ang_velocity)};
-  }
-};
-struct turning_to_parent {
-  template <moving_body B, class Kept, class C>
-  KTE_INLINE constexpr auto operator()(const B& b, const Kept&, const C& c) const {
-    const auto x = b.relative();
-    return turning_body{transported(x.rotation, x.position, c.inertia),
-                        gyration_through(x, b.parent_motion().ang_velocity, c.inertia, c.gyration)};
-  }
-};
 /// Inward: the derivatives of the forces on all axes.
 template <class Driver, class Put>
 KTE_INLINE constexpr void derivatives_of_forces(const Driver& d, const Put& put) {
@@ -268,3 +186,115 @@ KTE_INLINE constexpr void derivatives_of_forces(const Driver& d, const Put& put)
 }
 
 }  // namespace kte::detail
+
+// ---- in axes of the world
+namespace kte::engine {
+
+/// to += a x b
+template <class To, class A, class B>
+KTE_INLINE void add_cross(To& to, const A& a, const B& b) {
+  to.x += a.y * b.z - a.z * b.y, to.y += a.z * b.x - a.x * b.z, to.z += a.x * b.y - a.y * b.x;
+}
+/// The derivatives of the forces on axes (Singh, Russo and Wensing, Efficient analytical derivatives of rigid-body
+/// dynamics using spatial vector algebra, 2022). F is the wrench of a body and its subtree; notation of (1), (2) of
+/// tree/variations.hpp:
+///
+///   d tau_j / d q_i = s_j . (2B s_i' + M s_i'' + s_i x* F)     for axes j of ancestors of body i              (3)
+///   d tau_i / d q_j = s_i . (2B s_j' + M s_j'')                and for axes of one body                      (4)
+///   d tau_j / d v_i = s_j . (2B s_i + M mixed_i),   d tau_i / d v_j likewise,   d tau_j / d a_i = s_j . M s_i   (5)
+///
+/// B and M are those of body i with its subtree. For an observer relative to whom all bodies move faster by u, 2B
+/// increases by
+///
+///   force -2 m [u]x,   torque -2 [h]x [u]x          (6)
+///
+/// The wrenches F_q, F_v, F_a that (3) to (5) multiply by s_j go inward side by side: T += p x F. With them goes 2B^T
+/// s_i, which (4), (5) multiply by s_j' and s_j; it increases by 2 u x F_a. put(j, i, by_q, by_v, by_a): derivatives of
+/// tau_j by coordinate i.
+///
+/// t.slides(i): whether an axis of joint i has a linear part. `axes`, `bodies`: of tree/variations.hpp; `bodies`
+/// change. wrench_of(i): F. `Lanes`: four numbers side by side (tree/variations.hpp).
+template <class Lanes, class S, world_joints T, class Axis, class Body, class WrenchOf, class Put>
+void vary_forces_in_world(const T& t, const Axis* axes, Body* bodies, const WrenchOf& wrench_of, const Put& put) {
+  using four = typename Lanes::type;
+  using vectors = vec3<four>;
+  for (int i = t.count(); i-- > 0;) {
+    const Body& b = bodies[i];
+    const wrench<vec3<S>, vec3<S>> body_wrench = wrench_of(i);
+    const int first = t.first(i), end = first + t.axes(i);
+    const S& mass = b.inertia.mass;
+    const vec3<S>& h = b.inertia.moment;
+    const sym3<S>& inertia = b.inertia.inertia;
+    for (int k = first; k < end; ++k) {
+      const Axis& x = axes[k];
+      vectors linear, angular, turning;
+      Lanes::load(linear, x.linear), Lanes::load(angular, x.angular), Lanes::load(turning, x.turning);
+      vectors force{mass * linear.x, mass * linear.y, mass * linear.z};
+      add_cross(force, angular, h), add_cross(force, b.force, turning);
+      vectors torque{inertia.xx * angular.x + inertia.xy * angular.y + inertia.xz * angular.z,
+                     inertia.xy * angular.x + inertia.yy * angular.y + inertia.yz * angular.z,
+                     inertia.xz * angular.x + inertia.yz * angular.y + inertia.zz * angular.z};
+      add_cross(torque, h, linear);
+      torque.x += b.torque.x.x * turning.x + b.torque.x.y * turning.y + b.torque.x.z * turning.z;
+      torque.y += b.torque.y.x * turning.x + b.torque.y.y * turning.y + b.torque.y.z * turning.z;
+      torque.z += b.torque.z.x * turning.x + b.torque.z.y * turning.y + b.torque.z.z * turning.z;
+      vectors pushing = force;  // zero except F_a
+      const auto power_on = [&](const joint_axis<S>& s, bool slides, four& power) KTE_INLINE_LAMBDA {
+        power = s.angular.x * torque.x + s.angular.y * torque.y + s.angular.z * torque.z;
+        if (slides) power += s.linear.x * pushing.x + s.linear.y * pushing.y + s.linear.z * pushing.z;
+      };
+      const bool slides = t.slides(i);
+      for (int j = first; j < end; ++j) {
+        four own;
+        power_on(axes[j].axis(), slides, own);
+        put(j, k, S(own[0]), S(own[1]), S(own[2]));
+      }
+      if (t.parent(i) < 0) continue;
+      const joint_axis<S> s = x.axis();
+      const vec3<S> more = cross(s.angular, body_wrench.force);
+      vec3<S> more_torque = cross(s.angular, body_wrench.torque), to_rate = transpose(b.torque) * s.angular;
+      if (slides) {
+        more_torque = more_torque + cross(s.linear, body_wrench.force);
+        to_rate = to_rate - cross(b.force, s.linear);
+      }
+      force.x[0] += more.x, force.y[0] += more.y, force.z[0] += more.z;
+      pushing = force;
+      pushing.x[3] = pushing.y[3] = pushing.z[3] = S(0);
+      force.x[3] = force.x[2], force.y[3] = force.y[2], force.z[3] = force.z[2];
+      torque.x[0] += more_torque.x, torque.y[0] += more_torque.y, torque.z[0] += more_torque.z;
+      torque.x[3] = to_rate.x, torque.y[3] = to_rate.y, torque.z[3] = to_rate.z;
+      const vec3<S> by_a{force.x[2], force.y[2], force.z[2]};
+      for (int at = i;;) {
+        vectors ways;
+        Lanes::load(ways, bodies[at].ways);
+        add_cross(torque, ways, force);
+        vectors from_rates;  // F_a thrice, 2B^T s
+        Lanes::repeat_third(torque.x, from_rates.x), Lanes::repeat_third(torque.y, from_rates.y);
+        Lanes::repeat_third(torque.z, from_rates.z);
+        at = t.parent(at);
+        const bool before_slides = t.slides(at);
+        for (int j = t.first(at); j < t.first(at) + t.axes(at); ++j) {
+          const Axis& y = axes[j];
+          Lanes::load(linear, y.linear), Lanes::load(angular, y.angular);
+          four on, back;
+          power_on(y.axis(), before_slides, on);
+          back = angular.x * from_rates.x + angular.y * from_rates.y + angular.z * from_rates.z;
+          back += by_a.x * linear.x + by_a.y * linear.y + by_a.z * linear.z;
+          const S at_a = S(on[2]);
+          put(j, k, S(on[0]), S(on[1]), at_a);                        // (3), (5)
+          put(k, j, S(back[0] + back[3]), S(back[1] + on[3]), at_a);  // (4), (5)
+        }
+        if (t.parent(at) < 0) break;
+      }
+    }
+    if (t.parent(i) < 0) continue;
+    Body& to = bodies[t.parent(i)];
+    const vec3<S>&p = t.step(i), force = b.force - (S(2) * mass) * b.passing;
+    const sym3<S> seen = kte::detail::shifted(inertia, p, h + kte::detail::half(mass) * p);
+    to.inertia = {to.inertia.mass + mass, to.inertia.moment + (h + mass * p), to.inertia.inertia + seen};
+    to.force = to.force + force;
+    to.torque = to.torque + (b.torque + (cross_twice(h, vec3<S>(S(-2) * b.passing)) + cross_twice(p, force)));  // (6)
+  }
+}
+
+}  // namespace kte::engine

@@ -3,6 +3,8 @@
 #include <kte/engine/body.hpp>
 #include <kte/math/rigid_body.hpp>
 
+#include <type_traits>
+
 /// The recursive Newton-Euler algorithm (RNEA; Luh, Walker, Paul 1980; Featherstone 2008, section 5.3), with classical
 /// accelerations in the axes of each body.
 namespace kte::engine {
@@ -67,20 +69,20 @@ KTE_INLINE void transmit(const Driver& d, const Kept& kept, const Motions& m, co
       },
       [](const body auto& b, const auto&, const auto& w) KTE_INLINE_LAMBDA { return pulled_back(b, w); });
 }
-/// `transmit` for the inertial wrenches of moving bodies, minus the loads load(body) that act on them.
-template <bool Keep, class Driver, class Kept, class Motions, class Load, class S>
-KTE_INLINE void transmitted_forces(const Driver& d, const Kept& kept, const Motions& m, const Load& load, S* force) {
-  transmit<Keep>(
-      d, kept, m, [=](const auto& b, const auto& moves) KTE_INLINE_LAMBDA { return body_wrench(b, moves) - load(b); },
-      force);
-}
-/// `transmit` for loads only.
-template <class Driver, class Kept, class Load, class S>
-KTE_INLINE void transmitted_loads(const Driver& d, const Kept& kept, const Load& load, S* force) {
-  transmit<false>(
-      d, kept, kept_constant<nothing>{}, [=](const auto& b, nothing) KTE_INLINE_LAMBDA { return no_wrench - load(b); },
-      force);
-}
+/// `own` of `transmit`: the wrench of a moving body, or none if there are no motions, minus the load load(body) on it.
+template <class Load>
+struct wrench_under {
+  Load load;
+  template <class B, class M>
+  KTE_INLINE constexpr auto operator()(const B& b, const M& m) const {
+    if constexpr (std::is_same_v<M, nothing>)
+      return no_wrench - load(b);
+    else
+      return body_wrench(b, m) - load(b);
+  }
+};
+template <class Load>
+wrench_under(Load) -> wrench_under<Load>;
 /// Stands for no loads.
 struct no_load {
   template <class B>

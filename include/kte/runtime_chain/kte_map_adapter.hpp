@@ -64,7 +64,7 @@ class kte_map_adapter final : public kte_element {
     c.rigid = detail::is_transmission<Core>, c.distributed_mass = distributed_mass<Core>;
     c.load = is_load<Core>, c.closes = detail::is_closure<Core>;
     c.touches = detail::is_contact<Core>;
-    c.starts_in_place = starts_in_place<Core>;
+    c.starts_in_place = starts_in_place<Core>, c.parameters = detail::parameter_count<Core>;
     const bool on_frames =
         std::any_of(Core::ports.begin(), Core::ports.end(), [](const port& p) { return is_frame(p.what); });
     t.has_derivatives &= on_frames || detail::has_derivatives<Core>;

@@ -48,6 +48,7 @@ class topology {
     bool closes = false;            ///< whether it closes a loop
     bool touches = false;           ///< whether it is a contact
     bool starts_in_place = false;   ///< whether its internal states follow from the position at the start of a motion
+    int parameters = 0;             ///< number of its inertial parameters
   };
 
   std::array<std::vector<std::string>, kinds> names;  ///< names of all items, by kind

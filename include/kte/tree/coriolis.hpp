@@ -18,6 +18,7 @@ struct nodes_in_world {
   int parent(int i) const { return at(i).parent - f.bases; }  // bases come first
   int first(int i) const { return at(i).first; }
   int axes(int i) const { return at(i).axes; }
+  bool slides(int i) const { return at(i).moves != joint::revolute; }
   const world_axis<S>& axis(int k) const { return m.axes[static_cast<std::size_t>(k)]; }
   const vec3<S>& step(int i) const { return m.world[static_cast<std::size_t>(f.bases + i)].step; }
 };

@@ -193,9 +193,9 @@ void move_in_duals(const body_tree<P>& f, const memory<P, S>& m, dual_memory<D>&
 template <class P, class S, class D>
 void transmit_in_duals(const body_tree<P>& f, const memory<P, S>& m, dual_memory<D>& d) {
   const dual_bodies<P, S, D> bodies{f, m, d};
-  engine::transmitted_forces<true>(engine::looped<dual_bodies<P, S, D>>{bodies}, d.wrenches.data(),
-                                   engine::kept_array<body_motion<D>>{d.bodies.data() + f.bases},
-                                   load_of_slot<D>{d.loads.data()}, d.force.data());
+  engine::transmit<true>(engine::looped<dual_bodies<P, S, D>>{bodies}, d.wrenches.data(),
+                         engine::kept_array<body_motion<D>>{d.bodies.data() + f.bases},
+                         engine::wrench_under{load_of_slot<D>{d.loads.data()}}, d.force.data());
 }
 
 }  // namespace kte::tree

@@ -20,8 +20,9 @@ void move_bodies(const body_tree<P>& f, memory<P, S>& m) {
 template <class P, class S, class Load>
 void transmit_wrenches(const body_tree<P>& f, memory<P, S>& m, const Load& load) {
   const tree_bodies<P, S> bodies(f, m.joint_transforms);
-  engine::transmitted_forces<true>(engine::looped<tree_bodies<P, S>>{bodies}, m.wrenches.data(),
-                                   engine::kept_array<body_motion<S>>{m.bodies.data() + f.bases}, load, m.force.data());
+  engine::transmit<true>(engine::looped<tree_bodies<P, S>>{bodies}, m.wrenches.data(),
+                         engine::kept_array<body_motion<S>>{m.bodies.data() + f.bases}, engine::wrench_under{load},
+                         m.force.data());
 }
 
 /// `loads` of the working memory, as an argument of `transmit_wrenches`.
@@ -37,8 +38,9 @@ struct load_of_slot {
 template <class P, class S>
 void transmit_loads(const body_tree<P>& f, memory<P, S>& m) {
   const tree_bodies<P, S> bodies(f, m.joint_transforms);
-  engine::transmitted_loads(engine::looped<tree_bodies<P, S>>{bodies}, m.wrenches.data(),
-                            load_of_slot<S>{m.loads.data()}, m.force.data());
+  engine::transmit<false>(engine::looped<tree_bodies<P, S>>{bodies}, m.wrenches.data(),
+                          engine::kept_constant<engine::nothing>{},
+                          engine::wrench_under{load_of_slot<S>{m.loads.data()}}, m.force.data());
 }
 
 }  // namespace kte::tree

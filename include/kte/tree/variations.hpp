@@ -1,12 +1,12 @@
 #pragma once
 
-#include <kte/recursions/coriolis.hpp>
-#include <kte/tree/composite.hpp>
+#include <kte/recursions/force_variations.hpp>
+#include <kte/tree/coriolis.hpp>
 #include <kte/tree/newton_euler.hpp>
 #include <kte/tree/simd.hpp>
 
-/// Derivatives of inverse dynamics (Singh, Russo and Wensing, Efficient analytical derivatives of rigid-body dynamics
-/// using spatial vector algebra, 2022), in world axes at the origin of each body. A spatial motion is (linear,
+/// Derivatives of inverse dynamics in world axes at the origin of each body (`vary_forces_in_world` of
+/// recursions/force_variations.hpp). A spatial motion is (linear,
 /// angular): the velocity of the body's point at the origin, and its angular velocity. Each body has an observer who
 /// moves with its origin at its present velocity, so that no large velocities are subtracted from each other.
 namespace kte::tree {
@@ -32,23 +32,21 @@ struct four_vectors {
   KTE_INLINE void set(std::size_t i, const vec3<S>& v) { x[i] = v.x, y[i] = v.y, z[i] = v.z; }
   KTE_INLINE vec3<S> get(std::size_t i) const { return {x[i], y[i], z[i]}; }
 };
+/// Four numbers in a register.
 template <class S>
-KTE_INLINE void load_vectors(vec3<simd<S, 4>>& to, const four_vectors<S>& from) {
-  load<S>(to.x, from.x.data()), load<S>(to.y, from.y.data()), load<S>(to.z, from.z.data());
-}
-/// to += a x b
-template <class To, class A, class B>
-KTE_INLINE void add_cross(To& to, const A& a, const B& b) {
-  to.x += a.y * b.z - a.z * b.y, to.y += a.z * b.x - a.x * b.z, to.z += a.x * b.y - a.y * b.x;
-}
-/// (x_2, x_2, x_2, x_3)
-template <class S>
-KTE_INLINE void repeat_third(const simd<S, 4>& x, simd<S, 4>& y) {
-  if constexpr (requires { x.n; })
-    y.n = {x[2], x[2], x[2], x[3]};
-  else
-    y = __builtin_shufflevector(x, x, 2, 2, 2, 3);
-}
+struct four_lanes {
+  using type = simd<S, 4>;
+  KTE_INLINE static void load(vec3<type>& to, const four_vectors<S>& from) {
+    tree::load<S>(to.x, from.x.data()), tree::load<S>(to.y, from.y.data()), tree::load<S>(to.z, from.z.data());
+  }
+  /// (x_2, x_2, x_2, x_3)
+  KTE_INLINE static void repeat_third(const type& x, type& y) {
+    if constexpr (requires { x.n; })
+      y.n = {x[2], x[2], x[2], x[3]};
+    else
+      y = __builtin_shufflevector(x, x, 2, 2, 2, 3);
+  }
+};
 
 /// For an axis s of a body with velocity v, whose parent has v_p, a_p (all at the origin of the body):
 ///
@@ -66,7 +64,7 @@ struct axis_variation {
     angular.set(0, second.angular), angular.set(1, mixed.angular), angular.set(2, s.angular), angular.set(3, first);
     turning.set(0, first), turning.set(1, s.angular);
   }
-  KTE_INLINE spatial_motion<S> axis() const { return {linear.get(2), angular.get(2)}; }
+  KTE_INLINE world_axis<S> axis() const { return {linear.get(2), angular.get(2)}; }
 };
 /// For a body with its subtree: inertia M, and 2 B, which acts on angular parts only,
 ///
@@ -143,6 +141,20 @@ void start_variations(const body_tree<P>& f, const memory<P, S>& m, variation_me
     b.force = S(-2) * (body.mass * cross(w, c));
     b.torque = gyroscopic(w, inertia) + cross_twice(c, b.force);
   }
+}
+
+/// The derivatives of the forces on all axes, put(j, i, by_q, by_v, by_a): of the force on axis j by coordinate i. Call
+/// `transmit_wrenches`, `start_variations` first.
+template <class P, class S, class Put>
+void vary_forces(const body_tree<P>& f, const memory<P, S>& m, variation_memory<S>& v, const Put& put) {
+  engine::vary_forces_in_world<four_lanes<S>, S>(
+      nodes_in_world<P, S>{f, m}, v.axes.data(), v.bodies.data() + f.bases,
+      [&](int i) {
+        const auto slot = static_cast<std::size_t>(f.bases + i);
+        const mat3<vec3<S>>& r = m.world[slot].rotation;
+        return dense_wrench<S>{r * m.wrenches[slot].force, r * m.wrenches[slot].torque};
+      },
+      put);
 }
 
 }  // namespace kte::tree

@@ -102,10 +102,7 @@ KTE_FUNCTION Eigen::VectorXd actuated_forces(const runtime_chain& c, runtime_sta
   refuse_contacts(c);
   const Eigen::MatrixXd g = actuated_motion(c, s, names);
   if (has_loops(c)) check_accelerations_on_loops(closures_of(c), s, loops_of(c, s).equations);
-  coordinate_forces(c, s);
-  take_generalized_forces(s);
-  check_result(s.work.forces, static_cast<std::size_t>(s.dofs()), diagnose_state{"a force", s});
-  return g.transpose() * s.work.forces;
+  return g.transpose() * forces_at_state(c, s);
 }
 #endif
 

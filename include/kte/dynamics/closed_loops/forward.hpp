@@ -13,15 +13,14 @@ template <class S>
 inline const runtime_vector<S>& (*accelerations_on_loops_in_lanes)(const runtime_chain&,
                                                                    basic_runtime_state<S>&) = nullptr;
 
-/// At checked positions, under the forces applied(i).
-template <class S, class Tau>
-const runtime_vector<S>& accelerations_of_chain(const runtime_chain& c, basic_runtime_state<S>& s, const Tau& applied) {
+/// At checked positions, under the stored forces (`keep_forces`).
+template <class S>
+const runtime_vector<S>& accelerations_of_chain(const runtime_chain& c, basic_runtime_state<S>& s) {
   refuse_contacts(c);
   if constexpr (std::is_same_v<S, double>)
     if (has_loops(c)) [[unlikely]] {
       if (accelerations_on_loops == nullptr)
         throw bad_argument("kte: forward dynamics of a chain with closures of loops needs #include <kte/loops.hpp>");
-      for (int i = 0; i < s.dofs(); ++i) s.work.kept[static_cast<std::size_t>(i)] = applied(i);
       return accelerations_on_loops(c, s);
     }
   if constexpr (has_lanes_of_double<S>)
@@ -29,10 +28,9 @@ const runtime_vector<S>& accelerations_of_chain(const runtime_chain& c, basic_ru
       if (accelerations_on_loops_in_lanes<S> == nullptr)
         throw bad_argument("kte: forward dynamics of a chain with closures of loops in packs: use kte::batch, or " +
                            std::string("kte::lanes for lanes with their own parameters"));
-      for (int i = 0; i < s.dofs(); ++i) s.work.kept[static_cast<std::size_t>(i)] = applied(i);
       return accelerations_on_loops_in_lanes<S>(c, s);
     }
-  return accelerations_under(c, s, applied);
+  return accelerations_under_kept(c, s);
 }
 
 }  // namespace kte::detail

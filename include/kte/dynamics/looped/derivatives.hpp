@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kte/dynamics/looped/mass_matrix.hpp>
-#include <kte/tree/derivatives.hpp>
+#include <kte/tree/variations.hpp>
 
 /// Derivatives of inverse dynamics as loops over body nodes, for all `Elements` and states of
 /// dynamics/looped/inverse_dynamics.hpp.

@@ -79,12 +79,6 @@ void accelerate_after(State& s, const Biases& biases) {
   }
 }
 
-/// Accelerations from the forces tau(i) and those of the elements, written to `forces`, by ABA; for trees.
-template <class Elements, class State, class Tau>
-void accelerate_articulated(const Elements& c, State& s, const Tau& tau, std::span<const char> prescribed) {
-  accelerate_after(s, articulate_under(c, s, tau, prescribed));
-}
-
 /// Forward dynamics of any chain, by factorization of its mass matrix.
 template <class Elements, class State, class Tau>
 void accelerate_by_mass(const Elements& c, State& s, const Tau& tau, std::span<const char> prescribed) {
@@ -125,29 +119,28 @@ bool goes_by_clusters(const State& s, std::span<const char> prescribed) {
   return s.tree().clusters.complete &&
          std::none_of(prescribed.begin(), prescribed.end(), [](char given) { return given != 0; });
 }
-/// By articulated bodies in trees, and in clusters where coordinates follow others; else by the mass matrix; with
-/// load-dependent friction.
+/// Forward dynamics with load-dependent friction, by articulated bodies in a `tree`, else by the mass matrix.
 template <class Elements, class State, class Tau>
-void accelerate_with_friction(const Elements& c, State& s, const Tau& tau, std::span<const char> prescribed) {
+void accelerate_with_friction(const Elements& c, State& s, const Tau& tau, std::span<const char> prescribed,
+                              bool tree) {
   using S = typename State::scalar;
-  const bool tree = s.tree().plan.tree && !some_of_joint_prescribed(s, prescribed);
   const auto& readers = s.tree().readers;
-  if (readers.empty()) [[likely]]
-    return tree                              ? accelerate_articulated(c, s, tau, prescribed)
-           : goes_by_clusters(s, prescribed) ? accelerate_clustered(c, s, tau)
-                                             : accelerate_by_mass(c, s, tau, prescribed);
   Eigen::Matrix<S, Eigen::Dynamic, 1> all(s.dofs()), given(s.dofs());
   read_listed_numbers<vector_of::a>(s, given);
-  iterate_friction(c, s, [&] {
+  const auto sweep = [&] {
     for_each_listed_freedom(s, [&](auto& x, const freedom& at) { put<vector_of::a>(x, at, given); });
     for (int i = 0; i < s.dofs(); ++i) all[i] = tau(i);
     for (std::size_t k = 0; tree && k < readers.size(); ++k)  // with M, friction is needed on all coordinates together
       if (const int row = s.tree().plan.joint_row[static_cast<std::size_t>(readers[k])]; row < s.dofs())
         all[row] += s.work.friction[k];
     const auto applied = [&all](int i) { return all[i]; };
-    tree ? accelerate_articulated(c, s, applied, prescribed) : accelerate_by_mass(c, s, applied, prescribed);
+    if (tree)
+      accelerate_after(s, articulate_under(c, s, applied, prescribed));
+    else
+      accelerate_by_mass(c, s, applied, prescribed);
     for_each_listed_freedom(s, [&](auto& x, const freedom& at) { put<vector_of::a>(x, at, s.work.forces); });
-  });
+  };
+  friction_iteration(c, s, sweep).solve();
 }
 
 /// Calls visit(element, row of the coordinate that it holds).
@@ -156,23 +149,40 @@ void for_each_held(const Elements& c, State& s, const Visit& visit) {
   for (const int e : s.tree().locks)
     if (c.holds(e, s)) visit(e, s.tree().plan.row_of_gen[static_cast<std::size_t>(c.index(e, 0))]);
 }
-/// Forward dynamics with locked coordinates, whose accelerations are zero.
+/// The rows whose accelerations are given: `prescribed`, and locked coordinates, whose accelerations are set to zero.
+/// `rows`: memory for the result if a coordinate is locked.
+template <class Elements, class State>
+std::span<const char> with_locked_rows(const Elements& c, State& s, std::span<const char> prescribed,
+                                       std::vector<char>& rows) {
+  for_each_held(c, s, [&](int e, int row) {
+    if (rows.empty()) {
+      rows.assign(prescribed.begin(), prescribed.end());
+      rows.resize(static_cast<std::size_t>(s.dofs()));
+    }
+    char& is_prescribed = rows[static_cast<std::size_t>(row)];
+    if (!is_prescribed) s.template get<kind::gen>(c.index(e, 0)).q_ddot = typename State::scalar(0);
+    is_prescribed = 1;
+  });
+  return rows.empty() ? prescribed : std::span<const char>(rows);
+}
+/// Forward dynamics: by articulated bodies in trees, and in clusters where coordinates follow others; else by the mass
+/// matrix.
 template <class Elements, class State, class Tau>
 void accelerate_by_tree(const Elements& c, State& s, const Tau& tau, std::span<const char> prescribed) {
   if constexpr (requires { requires State::always_tree; }) {
-    accelerate_articulated(c, s, tau, prescribed);
+    accelerate_after(s, articulate_under(c, s, tau, prescribed));
   } else {
     std::vector<char> rows;
-    for_each_held(c, s, [&](int e, int row) {
-      if (rows.empty()) {
-        rows.assign(prescribed.begin(), prescribed.end());
-        rows.resize(static_cast<std::size_t>(s.dofs()));
-      }
-      char& is_prescribed = rows[static_cast<std::size_t>(row)];
-      if (!is_prescribed) s.template get<kind::gen>(c.index(e, 0)).q_ddot = typename State::scalar(0);
-      is_prescribed = 1;
-    });
-    accelerate_with_friction(c, s, tau, rows.empty() ? prescribed : std::span<const char>(rows));
+    const std::span<const char> given = with_locked_rows(c, s, prescribed, rows);
+    const bool tree = s.tree().plan.tree && !some_of_joint_prescribed(s, given);
+    if (!s.tree().readers.empty()) [[unlikely]]
+      accelerate_with_friction(c, s, tau, given, tree);
+    else if (tree) [[likely]]
+      accelerate_after(s, articulate_under(c, s, tau, given));
+    else if (goes_by_clusters(s, given))
+      accelerate_clustered(c, s, tau);
+    else
+      accelerate_by_mass(c, s, tau, given);
   }
 }
 

@@ -151,9 +151,4 @@ class friction_iteration {
   vector x_, r_, best_;
 };
 
-template <class Elements, class State, class Sweep>
-void iterate_friction(const Elements& c, State& s, const Sweep& sweep) {
-  friction_iteration<Elements, State, Sweep>(c, s, sweep).solve();
-}
-
 }  // namespace kte::detail

@@ -63,12 +63,11 @@ void for_each_friction(const Elements& c, State& s, const F& f) {
   }
 }
 
-/// Writes the generalized forces due to the motion of bodies to the state, for chains with bodies only.
+/// Writes the generalized forces to the state, for chains with bodies only, after `transmit_wrenches`.
 template <class State>
-void forces_of_moved_bodies(State& s) {
+void put_forces_of_bodies(State& s) {
   const auto& t = s.tree();
   auto& w = s.work;
-  tree::transmit_wrenches(t.body_tree, w, engine::no_load{});
   if (t.has_own_mass)
     for (std::size_t k = 0; k < w.force.size(); ++k) w.force[k] += w.own_mass[k] * w.acceleration[k];
   for (const auto& r : t.body_tree.nodes) {
@@ -86,7 +85,8 @@ void bias_forces_of_bodies(const Elements& c, State& s) {
   place_bodies(c, s), take_rates(s), take_bases(s);
   std::fill(w.acceleration.begin(), w.acceleration.end(), typename State::scalar(0));
   tree::move_bodies<false>(s.tree().body_tree, w);
-  forces_of_moved_bodies(s);
+  tree::transmit_wrenches(s.tree().body_tree, w, engine::no_load{});
+  put_forces_of_bodies(s);
 }
 
 /// Inverse dynamics (RNEA): writes the generalized forces on the coordinates to the state, at its rates and
@@ -104,7 +104,8 @@ void forces_on_coordinates(const Elements& c, State& s, acting who, bool acceler
       w.bodies[b].acceleration = w.bodies[b].ang_acceleration = vec3<S>{};
   if (t.only_bodies) {
     if (!moved) tree::move_bodies<false>(t.body_tree, w);
-    return forces_of_moved_bodies(s);
+    tree::transmit_wrenches(t.body_tree, w, engine::no_load{});
+    return put_forces_of_bodies(s);
   }
   clear_coordinates(s);
   for (const auto& [coordinate, mass] : t.rotors) {

@@ -16,10 +16,16 @@ void check_masses(const basic_runtime_state<S>& s, const runtime_matrix<S>& m) {
   if (!tree::all_finite_in_row(m.data(), static_cast<std::size_t>(m.size()))) [[unlikely]]
     diagnose_mass(s, first_non_finite(m), false);
 }
-/// Forward dynamics at positions that have been checked, under the stored forces (`kept`).
+/// Stores the forces applied(i), which may refer to a result that the state holds, for `accelerations_under_kept`.
+template <class S, class Tau>
+void keep_forces(basic_runtime_state<S>& s, const Tau& applied) {
+  for (int i = 0; i < s.dofs(); ++i) s.work.kept[static_cast<std::size_t>(i)] = applied(i);
+}
+/// Forward dynamics at positions that have been checked, under the stored forces (`kept`). Rows in `prescribed` take
+/// their accelerations from the state.
 template <class S>
 const runtime_vector<S>& accelerations_under_kept(const runtime_chain& c, basic_runtime_state<S>& s,
-                                                  std::span<const char> prescribed) {
+                                                  std::span<const char> prescribed = {}) {
   const auto& kept = s.work.kept;
   accelerate_by_tree(
       runtime_elements{c}, s, [&kept](int i) { return kept[static_cast<std::size_t>(i)]; }, prescribed);
@@ -28,14 +34,6 @@ const runtime_vector<S>& accelerations_under_kept(const runtime_chain& c, basic_
   });
   write_numbers<vector_of::a>(s, s.work.forces, "a");
   return s.work.forces;
-}
-/// Forward dynamics under applied(i). Rows in `prescribed` take their accelerations from the state.
-template <class S, class Tau>
-const runtime_vector<S>& accelerations_under(const runtime_chain& c, basic_runtime_state<S>& s, const Tau& applied,
-                                             std::span<const char> prescribed = {}) {
-  for (int i = 0; i < s.dofs(); ++i)  // `applied` may refer to a result that the state holds
-    s.work.kept[static_cast<std::size_t>(i)] = applied(i);
-  return accelerations_under_kept(c, s, prescribed);
 }
 
 struct runtime_frame {

@@ -1,10 +1,10 @@
 #pragma once
 
 #include <kte/dynamics/closed_loops/loops_in_lanes.hpp>
-#include <kte/dynamics/detail/batch.hpp>
 #include <kte/dynamics/forward_dynamics.hpp>
 #include <kte/dynamics/inverse_dynamics.hpp>
 #include <kte/dynamics/mass_matrix.hpp>
+#include <kte/dynamics/packs/batch.hpp>
 #include <kte/runtime_chain.hpp>
 
 #include <vector>

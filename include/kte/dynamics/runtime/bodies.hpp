@@ -34,13 +34,6 @@ class rates_aside {
   bool velocities_;
 };
 
-template <class S>
-const runtime_vector<S>& applied_forces(basic_runtime_state<S>& s) {
-  take_generalized_forces(s);
-  check_result(s, [&s] { diagnose("a force", s); });
-  return s.work.forces;
-}
-
 /// Throws `bad_argument` for distributed masses.
 template <class S>
 void refuse_distributed_masses(const runtime_chain& c, const basic_runtime_state<S>& s) {
@@ -48,13 +41,6 @@ void refuse_distributed_masses(const runtime_chain& c, const basic_runtime_state
     throw bad_argument("kte: this algorithm counts the masses of single frames and coordinates, and " +
                        describe_element(runtime_elements{c}.element(s.tree().distributed.front())) +
                        " has a mass between several");
-}
-
-/// Inverse dynamics of the bodies alone, without accelerations of coordinates.
-template <class S>
-void forces_of_bodies(const runtime_chain& c, basic_runtime_state<S>& s, bool accelerated_bases) {
-  refuse_distributed_masses(c, s);
-  forces_on_coordinates(runtime_elements{c}, s, acting::bodies, accelerated_bases);
 }
 
 /// Composite inertias of subtrees, and the places of bodies in the world. `Place`, `Inertia`: without skipped parts.

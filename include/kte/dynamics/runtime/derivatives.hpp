@@ -16,7 +16,7 @@ bool is_known_by_elements(const runtime_chain& c, const basic_runtime_state<S>& 
 template <class S>
 const inverse_dynamics_result<S, Eigen::Dynamic>& forces_derived(const runtime_chain& c, basic_runtime_state<S>& s,
                                                                  bool moved = false) {
-  coordinate_forces(c, s, moved);
+  forces_on_coordinates(runtime_elements{c}, s, acting::all, true, moved);
   take_generalized_forces(s);
   auto& r = s.work.of_forces;
   if constexpr (std::is_same_v<S, double>) {

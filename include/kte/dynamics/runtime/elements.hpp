@@ -155,23 +155,19 @@ void check_motion(const runtime_chain& c, const basic_runtime_state<S>& s) {
     refuse_chain(c, s.tree().moves_unknown);
 }
 
-/// Inverse dynamics, with the result in the state. `moved`: as for `forces_on_coordinates`.
+/// The forces to apply, after `forces_on_coordinates` or the passes; checked.
 template <class S>
-void coordinate_forces(const runtime_chain& c, basic_runtime_state<S>& s, bool moved = false) {
-  check_whole(c, s);
-  if constexpr (std::is_same_v<S, double>)
-    if (s.tree().irregular) [[unlikely]] {
-      c.doMotion(s), c.clearForce(s), c.doForce(s);
-      return;
-    }
-  forces_on_coordinates(runtime_elements{c}, s, acting::all, true, moved);
+const runtime_vector<S>& applied_forces(basic_runtime_state<S>& s) {
+  take_generalized_forces(s);
+  check_result(s, [&s] { diagnose("a force", s); });
+  return s.work.forces;
 }
 
 #ifdef KTE_EXTERN
 KTE_EXTERN template void check_whole(const runtime_chain&, const runtime_state&);
 KTE_EXTERN template void check_regular_tree(const runtime_chain&, const runtime_state&);
 KTE_EXTERN template void check_regular(const runtime_chain&, const runtime_state&);
-KTE_EXTERN template void coordinate_forces(const runtime_chain&, runtime_state&, bool);
+KTE_EXTERN template void forces_on_coordinates(const runtime_elements&, runtime_state&, acting, bool, bool);
 KTE_EXTERN template void mass_of_coordinates(const runtime_elements&, runtime_state&);
 KTE_EXTERN template void take_generalized_forces(runtime_state&);
 #endif

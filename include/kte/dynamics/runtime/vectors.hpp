@@ -1,7 +1,7 @@
 #pragma once
 
-#include <kte/dynamics/detail/diagnose.hpp>
-#include <kte/dynamics/detail/state_numbers.hpp>
+#include <kte/dynamics/arguments/diagnose.hpp>
+#include <kte/dynamics/arguments/state_numbers.hpp>
 #include <kte/runtime_chain/runtime_state.hpp>
 
 /// The numbers of a runtime state as vectors, and errors that name a number of it.

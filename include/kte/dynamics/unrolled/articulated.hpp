@@ -132,6 +132,10 @@ class driven_bodies : public typed_bodies<S, Chain, Axes> {
   }
 };
 
+struct no_change {
+  template <class Bodies>
+  KTE_INLINE constexpr void operator()(const Bodies&) const {}
+};
 /// Articulated inertias inward, accelerations outward. `Given` has positions and rates (`rates_only`).
 template <class S, class Chain, class Given, class Elements = std::make_index_sequence<Chain::size>>
 class articulated_chain;
@@ -152,13 +156,10 @@ class articulated_chain<S, Chain, Given, std::index_sequence<E...>>
   /// Computes the motion due to rates.
   KTE_INLINE constexpr articulated_chain(const Chain& c, const Given& g) : motion_type(c, g) {}
 
-  /// Accelerations under forces `tau`. Throws `singular_mass_matrix`, and `bad_argument` for NaN.
-  KTE_INLINE void accelerate(const vector& tau, vector& a) {
-    accelerate(tau, a, [](const auto&) KTE_INLINE_LAMBDA {});
-  }
-  /// As `accelerate`; before the outward recursion it calls change(bodies), which may change `factors_`.
-  template <class Change>
-  KTE_INLINE void accelerate(const vector& tau, vector& a, const Change& change) {
+  /// Accelerations under forces `tau`. Throws `singular_mass_matrix`, and `bad_argument` for NaN. Before the outward
+  /// recursion it calls change(bodies), which may change `factors_`.
+  template <class Change = no_change>
+  KTE_INLINE void accelerate(const vector& tau, vector& a, const Change& change = {}) {
     static_assert(sizeof(need) > 0);
     const int done[]{(push<E>(typename types::template inputs<E>{}), 0)..., 0};
     (void)done;

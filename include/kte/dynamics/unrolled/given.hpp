@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kte/dynamics/detail/diagnose.hpp>
+#include <kte/dynamics/arguments/diagnose.hpp>
 #include <kte/dynamics/unrolled/passes.hpp>
 #include <kte/kernels/joint_vector.hpp>
 #include <kte/math/quaternion.hpp>

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/contract/element_numbers.hpp>
 #include <kte/detail/unroll.hpp>
 #include <kte/dynamics/unrolled/joints.hpp>
 #include <kte/recursions/regressor.hpp>
@@ -7,12 +8,6 @@
 /// The regressor of static chains.
 namespace kte::detail {
 
-/// The number of inertial parameters of an element.
-template <class Core>
-inline constexpr int parameter_count = Core::ports[0].what == kind::gen        ? has_mass<Core, double>
-                                       : !is_rigid_body<Core>                  ? 0
-                                       : Core::ports[0].what == kind::frame_2D ? 4
-                                                                               : 10;
 /// The first column of each element of a chain, and at the end the number of columns.
 template <class Chain>
 inline constexpr auto first_parameter = []<std::size_t... I>(std::index_sequence<I...>) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kte/dynamics/detail/diagnose.hpp>
+#include <kte/dynamics/arguments/diagnose.hpp>
 #include <kte/manipulators/manipulator.hpp>
 
 /// Common names for coordinates of static and runtime manipulators, for numerical inverse kinematics.

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <kte/dynamics/derivatives.hpp>
-#include <kte/dynamics/detail/internal_rates.hpp>
 #include <kte/models/detail/displacement.hpp>
+#include <kte/models/detail/internal_rates.hpp>
 
 #include <algorithm>
 #include <span>

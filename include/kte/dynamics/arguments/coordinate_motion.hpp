@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kte/dynamics/detail/diagnose.hpp>
+#include <kte/dynamics/arguments/diagnose.hpp>
 #include <kte/frames/rigid_motion.hpp>
 
 /// The pose and rates of one coordinate: a number, a rotation, or a pose.

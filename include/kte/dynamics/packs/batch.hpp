@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kte/dynamics/detail/transpose.hpp>
+#include <kte/dynamics/packs/transpose.hpp>
 #include <kte/errors.hpp>
 #include <kte/math/pack.hpp>
 
