@@ -69,6 +69,8 @@ void put_inputs(const kte::runtime_chain& c, kte::runtime_state& s, py::handle i
 
 std::vector<std::string> names_from(py::handle names) {
   if (py::isinstance<py::str>(names)) return {names.cast<std::string>()};
+  if (!py::hasattr(names, "__iter__"))
+    throw py::type_error("kte: names must be a str or a list of them, not " + py::repr(names).cast<std::string>());
   std::vector<std::string> all;
   for (const auto name : names) {
     if (!py::isinstance<py::str>(name))

@@ -2,6 +2,8 @@
 
 #include <kte/io/model_inputs.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <pybind11/stl.h>
 
 #include "call.hpp"
@@ -45,10 +47,13 @@ std::unique_ptr<any_solver> start_solver(plant& p, const Eigen::VectorXd& q, con
 
 std::vector<double> even_times(double begin, double end, double spacing) {
   std::vector<double> times;
+  if (!std::isfinite(end)) throw kte::bad_argument("kte: the end time must be finite, got " + kte::detail::number(end));
   const double span = std::abs(end - begin);
   if (!(spacing > 0)) throw kte::bad_argument("kte: every must be positive, got " + kte::detail::number(spacing));
   const double count = std::floor(span / spacing * (1 + 4e-16) + 1e-9);
-  if (!(count < 1e9)) throw kte::bad_argument("kte: more than a thousand million samples");
+  if (!(count < 1e9))
+    throw kte::bad_argument("kte: a time of " + kte::detail::number(span) +
+                            " s has more than a thousand million rows every " + kte::detail::number(spacing) + " s");
   for (double i = 0; i <= count; ++i) times.push_back(begin + (end > begin ? i : -i) * spacing);
   if (std::abs(times.back() - end) > 1e-9 * spacing)
     times.push_back(end);
@@ -166,8 +171,16 @@ void simulation::reset(std::size_t event, double t, plant::state& x) {
   if (!py::isinstance<py::tuple>(after) || py::len(after) != 2)
     throw py::type_error("kte: the reset of '" + events_[event].name + "' must return (q, v)");
   const auto& m = plant_.model();
-  x.head(m.nq()) = vector_from("q of a reset", after[py::int_(0)], m.nq());
-  x.segment(m.nq(), m.dofs()) = vector_from("v of a reset", after[py::int_(1)], m.dofs());
+  plant::state reset = x;
+  reset.head(m.nq()) = vector_from("q of a reset", after[py::int_(0)], m.nq());
+  reset.segment(m.nq(), m.dofs()) = vector_from("v of a reset", after[py::int_(1)], m.dofs());
+  plant_.set_inputs(t, reset);
+  try {
+    x = kte::settled(m, t, reset);
+  } catch (const kte::bad_argument& refused) {
+    throw kte::bad_argument("kte: the state after the reset of '" + events_[event].name +
+                            "' cannot be: " + std::string(refused.what()).substr(5));
+  }
 }
 
 /// The times of samples, from now to the end.
@@ -177,8 +190,17 @@ std::vector<double> simulation::times_from(double end, py::handle every, py::han
   return {all.data(), all.data() + all.size()};
 }
 
+/// Contacts that change at one time have one event, whose text names them all; the others have none.
+bool simulation::is_contact(const std::string& name) const {
+  const auto& names = plant_.model().chain().wiring().names[static_cast<std::size_t>(kte::kind::contact)];
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
 py::object simulation::advance(double end, py::handle every, py::handle at) {
   if (running_) throw kte::bad_argument("kte: the simulation is running already, in another thread or in this call");
+  if (end < solver_->time() && plant_.model().contacts() > 0)
+    throw kte::bad_argument("kte: rigid contacts act forward in time only: the end time " + kte::detail::number(end) +
+                            " is before " + kte::detail::number(solver_->time()));
   sampling when{every.is_none() && at.is_none(), {}};
   std::vector<double> times;
   if (!when.every_step) times = times_from(end, every, at), when.times = times;
@@ -207,7 +229,8 @@ py::object simulation::advance(double end, py::handle every, py::handle at) {
     const py::gil_scoped_release without;
     ended = solver_->advance(end, lists_, when, observe);
   }
-  for (const auto& e : ended.events) r.events.push_back({e.name, e.time, e.before, e.after, e.what});
+  for (const auto& e : ended.events)
+    if (!e.what.empty() || !is_contact(e.name)) r.events.push_back({e.name, e.time, e.before, e.after, e.what});
   r.reason = ended.reason == kte::stop_reason::terminal ? "terminal"
              : ended.reason == kte::stop_reason::zeno   ? "zeno"
                                                         : "end_time";
@@ -217,6 +240,10 @@ py::object simulation::advance(double end, py::handle every, py::handle at) {
 }
 
 namespace {
+
+[[noreturn]] void refuse_event(py::handle e) {
+  throw py::type_error("kte: events must be an Event or a list of them, not " + py::repr(e).cast<std::string>());
+}
 
 std::unique_ptr<simulation> make_simulation(py::object chain, py::handle q, py::handle v, double t,
                                             const std::string& solver, double tolerance, py::handle absolute,
@@ -230,8 +257,12 @@ std::unique_ptr<simulation> make_simulation(py::object chain, py::handle q, py::
   if (!events.is_none()) {
     if (py::hasattr(events, "function"))
       list.append(events);
-    else
+    else if (py::hasattr(events, "__iter__"))
       for (const auto e : events) list.append(e);
+    else
+      refuse_event(events);
+    for (const auto e : list)
+      if (!py::hasattr(e, "function")) refuse_event(e);
   }
   auto made = std::make_unique<simulation>(chain, c, std::move(control), signals, list, of_time_alone);
   solver_options o{solver, step, {.absolute = tolerance, .relative = tolerance, .max_steps = max_steps}};
