@@ -288,7 +288,15 @@ takes that of the first part that has one. Threads may share a chain.)");
           }));
   chain.attr("__hash__") = py::none();
   m.def(
-      "_check_element", [](py::handle record) { static_cast<void>(element_from(record)); }, "record"_a);
+      "_check_element",
+      [](py::handle record) {
+        try {
+          static_cast<void>(element_from(record));
+        } catch (const kte::bad_file& e) {  // the record is not from a file
+          throw kte::bad_parameter(e.what());
+        }
+      },
+      "record"_a);
   m.def(
       "element_types", [] { return registry().types(); }, "The names of all types of elements.");
 }

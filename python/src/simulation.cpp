@@ -2,7 +2,6 @@
 
 #include <kte/io/model_inputs.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <pybind11/stl.h>
 
@@ -190,12 +189,6 @@ std::vector<double> simulation::times_from(double end, py::handle every, py::han
   return {all.data(), all.data() + all.size()};
 }
 
-/// Contacts that change at one time have one event, whose text names them all; the others have none.
-bool simulation::is_contact(const std::string& name) const {
-  const auto& names = plant_.model().chain().wiring().names[static_cast<std::size_t>(kte::kind::contact)];
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
-
 py::object simulation::advance(double end, py::handle every, py::handle at) {
   if (running_) throw kte::bad_argument("kte: the simulation is running already, in another thread or in this call");
   if (end < solver_->time() && plant_.model().contacts() > 0)
@@ -229,8 +222,7 @@ py::object simulation::advance(double end, py::handle every, py::handle at) {
     const py::gil_scoped_release without;
     ended = solver_->advance(end, lists_, when, observe);
   }
-  for (const auto& e : ended.events)
-    if (!e.what.empty() || !is_contact(e.name)) r.events.push_back({e.name, e.time, e.before, e.after, e.what});
+  for (const auto& e : ended.events) r.events.push_back({e.name, e.time, e.before, e.after, e.what});
   r.reason = ended.reason == kte::stop_reason::terminal ? "terminal"
              : ended.reason == kte::stop_reason::zeno   ? "zeno"
                                                         : "end_time";

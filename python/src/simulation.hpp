@@ -49,7 +49,6 @@ class simulation : public callbacks {
   };
 
   void law(double t, const plant::state& x, Eigen::VectorXd& u);
-  bool is_contact(const std::string& name) const;
   std::vector<double> times_from(double end, py::handle every, py::handle at) const;
 
   py::object drawn_, recording_ = py::none(), control_ = py::none();

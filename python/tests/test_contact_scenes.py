@@ -21,10 +21,6 @@ def chain(*parts):
     return kte.Chain(kte.base_2D("ground"), *parts, gravity=[0, -G])
 
 
-def what(motion):
-    return [e.what for e in motion.events]
-
-
 def test_a_ball_rolls_in_a_bowl():
     """(7/5) (R - r) theta'' = -g sin(theta): the period of a pendulum, 4 sqrt(7 (R - r)/(5 g)) K(sin(theta_0/2))."""
     radius, bowl, angle = 0.1, 1.0, 0.1
@@ -98,7 +94,7 @@ def test_a_block_on_a_belt_that_signals_move(solver, error):
     motion = kte.simulate(chain(belt, *box(friction, on="belt")), [0, 0.1, 0], time=0.6, inputs=signals, solver=solver)
     assert motion.q[-1][0] == pytest.approx(speed * 0.6 - speed**2 / (2 * friction * G), abs=error)
     if solver != "moreau_jean":
-        assert what(motion) == ["'box/corner 3': sticks; 'box/corner 4': sticks"]
+        assert motion.events[0].what == "'box/corner 3': sticks; 'box/corner 4': sticks"
         assert motion.events[0].time == pytest.approx(speed / (friction * G), rel=1e-12)
 
 
@@ -118,6 +114,20 @@ def test_a_block_lifts_from_a_table_that_shakes():
     np.testing.assert_allclose(motion.q[before, 1], 0.1 + amplitude * (1 - np.cos(w * motion.t[before])), atol=1e-12)
     t = motion.t[after] - lifts.time
     np.testing.assert_allclose(motion.q[after, 1], lifts.q[1] + lifts.v[1] * t - G / 2 * t**2, atol=1e-9)
+
+
+@pytest.mark.parametrize(
+    "force, acceleration, text",
+    [([6, 0, 0], [6 - 0.5 * G, 0], "slides"), ([0, 15, 0], [0, 15 - G], "lifts"), ([4, 0, 0], [0, 0], "")],
+    ids=["slides", "lifts", "sticks"],
+)
+def test_a_controller_moves_a_block_between_two_advances(force, acceleration, text):
+    simulation = kte.Simulation(chain(*box(0.5)), [0, 0.1, 0], control=np.zeros(3))
+    simulation.advance(0.5)
+    simulation.set_control(force)
+    moved = simulation.advance(1.0)
+    np.testing.assert_allclose(simulation.q[:2], np.array([0, 0.1]) + np.array(acceleration) * 0.5**2 / 2, atol=1e-12)
+    assert (text in moved.events[0].what) if text else not moved.events
 
 
 def test_a_reset_settles_contacts():
