@@ -18,6 +18,7 @@ __all__ = [
     "ForwardDynamicsDerivatives",
     "HybridDynamics",
     "ConstrainedDynamics",
+    "ConstrainedDynamicsDerivatives",
     "Contact",
     "ContactDynamics",
     "ContactDynamicsDerivatives",
@@ -130,6 +131,19 @@ class ConstrainedDynamics(NamedTuple):
     rank: int
     mobility: int
     dependent: List[str]
+
+
+class ConstrainedDynamicsDerivatives(NamedTuple):
+    """Derivatives of accelerations and of closure forces, which are by the rows of `loop_jacobian`."""
+
+    a: Array
+    by_q: Array
+    by_v: Array
+    by_tau: Array
+    forces: Array
+    forces_by_q: Array
+    forces_by_v: Array
+    forces_by_tau: Array
 
 
 class Contact(NamedTuple):

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import elements
-from ._element import Element
+from ._element import Element, _array
 from ._results import Array
 from .errors import BadParameter
 
@@ -29,7 +29,7 @@ R = TypeVar("R")
 
 
 def _half(half: ArrayLike, dimension: int) -> Array:
-    h = np.asarray(half, float)
+    h = _array("half", half)
     if h.shape != (dimension,):
         raise BadParameter(f"kte: half must have {dimension} numbers, got {half!r}")
     return np.append(h, 0.0) if dimension == 2 else h
@@ -43,6 +43,8 @@ def _ends(half: ArrayLike, dimension: int) -> List[Array]:
 def _corners(half: ArrayLike, dimension: int) -> List[Array]:
     """Counterclockwise from x, y > 0 in the plane; in space in the order of the binary numbers zyx."""
     h = _half(half, dimension)
+    if not (np.isfinite(h).all() and (h[:dimension] > 0).all()):
+        raise BadParameter(f"kte: half the lengths of a box must be finite and positive, got {half!r}")
     if dimension == 2:
         return [h * s for s in ((1, 1, 1), (-1, 1, 1), (-1, -1, 1), (1, -1, 1))]
     return [h * [1 if k & bit else -1 for bit in (1, 2, 4)] for k in range(8)]

@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Callable, Dict, Iterable, Optional, Tuple, Union
+from typing import Any, Callable, Dict, Iterable, Optional, Tuple, Union
 
 from numpy.typing import ArrayLike
 
@@ -25,7 +25,7 @@ class Event:
     one_sided  the reset must send the function back to the side it came from
     """
 
-    function: Callable[[float, Array, Array], float]
+    function: Callable[[float, Array, Array], Any]  # a number; Any, since components of arrays are such
     direction: str = "both"
     terminal: bool = False
     reset: Optional[Callable[[float, Array, Array], Tuple[ArrayLike, ArrayLike]]] = None

@@ -69,6 +69,8 @@ void put_inputs(const kte::runtime_chain& c, kte::runtime_state& s, py::handle i
 
 std::vector<std::string> names_from(py::handle names) {
   if (py::isinstance<py::str>(names)) return {names.cast<std::string>()};
+  if (!py::hasattr(names, "__iter__"))
+    throw py::type_error("kte: names must be a str or a list of them, not " + py::repr(names).cast<std::string>());
   std::vector<std::string> all;
   for (const auto name : names) {
     if (!py::isinstance<py::str>(name))
@@ -286,7 +288,15 @@ takes that of the first part that has one. Threads may share a chain.)");
           }));
   chain.attr("__hash__") = py::none();
   m.def(
-      "_check_element", [](py::handle record) { static_cast<void>(element_from(record)); }, "record"_a);
+      "_check_element",
+      [](py::handle record) {
+        try {
+          static_cast<void>(element_from(record));
+        } catch (const kte::bad_file& e) {  // the record is not from a file
+          throw kte::bad_parameter(e.what());
+        }
+      },
+      "record"_a);
   m.def(
       "element_types", [] { return registry().types(); }, "The names of all types of elements.");
 }

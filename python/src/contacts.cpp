@@ -125,6 +125,8 @@ axes of the surface.)",
           return to_array(
               compute(x.c, [&](const auto& k, auto& s) { return kte::operational_inertia(k, s, x.q, of); }));
         }
+        if (!names_from(contacts).empty())
+          throw kte::bad_argument("kte: operational_inertia is that of contacts or of a frame, not of both");
         const auto name = frame.cast<std::string>();
         return to_array(
             compute(x.c, [&](const auto& k, auto& s) { return kte::operational_inertia(k, s, x.q, name); }));

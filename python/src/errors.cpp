@@ -2,6 +2,8 @@
 #include <kte/manipulators/nearest.hpp>
 
 #include <pybind11/pybind11.h>
+#include <string_view>
+#include <utility>
 
 #include "parts.hpp"
 
@@ -33,14 +35,41 @@ const char* text_of(kte::failure_reason r) {
   return "other";
 }
 
-/// A message of C++ with the names of Python.
+constexpr std::string_view moving_surfaces =
+    "where signals move its surface, position, velocity and acceleration must belong together";
+/// Texts of C++ messages that name what Python does not have, or has by another name.
+constexpr std::pair<std::string_view, std::string_view> texts[]{
+    {R"(inverse_dynamics(c, s, q, v, a, kte::actuated("q1")) of kte/loops.hpp)", "kte.actuated_forces"},
+    {"use kte::consistent_velocities, or kte::impulse after an impact", "use kte.consistent_velocities"},
+    {"kte::element_events(model) finds impacts, and so does kte::moreau_jean", moving_surfaces},
+    {"kte::settled gives consistent modes", moving_surfaces},
+    {"robot_options::", ""},
+    {"rigid_body{...}.as_published()", "a body with as_published=True"},
+    {"kte::numerical_inverse_kinematics", "kte.inverse_kinematics with numeric=True"},
+    {"kte::", "kte."},
+};
+
+}  // namespace
+
 std::string in_python(std::string what) {
-  for (std::size_t at = 0; (at = what.find("kte::", at)) != std::string::npos;) what.replace(at, 5, "kte.");
+  for (const auto& [cpp, python] : texts)
+    for (std::size_t at = 0; (at = what.find(cpp, at)) != std::string::npos; at += python.size())
+      what.replace(at, cpp.size(), python);
   return what;
 }
+
+namespace {
+
 void raise(const char* type, const char* what) {
   const py::object error = py::module_::import("kte.errors").attr(type);
   PyErr_SetString(error.ptr(), in_python(what).c_str());
+}
+
+/// For a message of pybind11, such as "Unable to cast Python instance of type <class 'str'> to C++ type 'double'".
+std::string of_wrong_type(std::string_view what) {
+  const auto begin = what.find('<'), end = what.find('>');
+  const bool named = begin < end && end != what.npos;
+  return "kte: an argument has a wrong type" + (named ? ": " + std::string(what.substr(begin, end + 1 - begin)) : "");
 }
 
 void raise(const kte::integration_failure& e) {
@@ -80,6 +109,8 @@ void bind_errors(py::module_&) {
       raise("BadFile", e.what());
     } catch (const kte::error& e) {
       raise("Error", e.what());
+    } catch (const py::cast_error& e) {
+      PyErr_SetString(PyExc_TypeError, of_wrong_type(e.what()).c_str());
     }
   });
 }

@@ -1,9 +1,14 @@
 #pragma once
 
+#include <string>
+
 #include "argument_names.hpp"
 
 /// The parts of the module kte._kte.
 namespace kte_python {
+
+/// A message of C++ with the names of Python.
+std::string in_python(std::string what);
 
 void bind_errors(pybind11::module_& m);
 void bind_chain(pybind11::module_& m);

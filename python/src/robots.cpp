@@ -197,6 +197,8 @@ void bind_robots(py::module_& m) {
           "joints", [](const robot_object& r) { return r.robot.joints; },
           "Names of the coordinates of joints, in the order of the file.")
       .def_property_readonly(
+          "loops", [](const robot_object& r) { return r.robot.loops; }, "The names of closures of loops.")
+      .def_property_readonly(
           "contacts", [](const robot_object& r) { return r.robot.contacts; },
           "Names of the rigid contacts of its shapes with the ground.")
       .def_property_readonly(

@@ -2,6 +2,7 @@
 
 #include <kte/io/model_inputs.hpp>
 
+#include <cmath>
 #include <pybind11/stl.h>
 
 #include "call.hpp"
@@ -45,10 +46,13 @@ std::unique_ptr<any_solver> start_solver(plant& p, const Eigen::VectorXd& q, con
 
 std::vector<double> even_times(double begin, double end, double spacing) {
   std::vector<double> times;
+  if (!std::isfinite(end)) throw kte::bad_argument("kte: the end time must be finite, got " + kte::detail::number(end));
   const double span = std::abs(end - begin);
   if (!(spacing > 0)) throw kte::bad_argument("kte: every must be positive, got " + kte::detail::number(spacing));
   const double count = std::floor(span / spacing * (1 + 4e-16) + 1e-9);
-  if (!(count < 1e9)) throw kte::bad_argument("kte: more than a thousand million samples");
+  if (!(count < 1e9))
+    throw kte::bad_argument("kte: a time of " + kte::detail::number(span) +
+                            " s has more than a thousand million rows every " + kte::detail::number(spacing) + " s");
   for (double i = 0; i <= count; ++i) times.push_back(begin + (end > begin ? i : -i) * spacing);
   if (std::abs(times.back() - end) > 1e-9 * spacing)
     times.push_back(end);
@@ -166,8 +170,16 @@ void simulation::reset(std::size_t event, double t, plant::state& x) {
   if (!py::isinstance<py::tuple>(after) || py::len(after) != 2)
     throw py::type_error("kte: the reset of '" + events_[event].name + "' must return (q, v)");
   const auto& m = plant_.model();
-  x.head(m.nq()) = vector_from("q of a reset", after[py::int_(0)], m.nq());
-  x.segment(m.nq(), m.dofs()) = vector_from("v of a reset", after[py::int_(1)], m.dofs());
+  plant::state reset = x;
+  reset.head(m.nq()) = vector_from("q of a reset", after[py::int_(0)], m.nq());
+  reset.segment(m.nq(), m.dofs()) = vector_from("v of a reset", after[py::int_(1)], m.dofs());
+  plant_.set_inputs(t, reset);
+  try {
+    x = kte::settled(m, t, reset);
+  } catch (const kte::bad_argument& refused) {
+    throw kte::bad_argument("kte: the state after the reset of '" + events_[event].name +
+                            "' cannot be: " + std::string(refused.what()).substr(5));
+  }
 }
 
 /// The times of samples, from now to the end.
@@ -179,6 +191,9 @@ std::vector<double> simulation::times_from(double end, py::handle every, py::han
 
 py::object simulation::advance(double end, py::handle every, py::handle at) {
   if (running_) throw kte::bad_argument("kte: the simulation is running already, in another thread or in this call");
+  if (end < solver_->time() && plant_.model().contacts() > 0)
+    throw kte::bad_argument("kte: rigid contacts act forward in time only: the end time " + kte::detail::number(end) +
+                            " is before " + kte::detail::number(solver_->time()));
   sampling when{every.is_none() && at.is_none(), {}};
   std::vector<double> times;
   if (!when.every_step) times = times_from(end, every, at), when.times = times;
@@ -218,6 +233,10 @@ py::object simulation::advance(double end, py::handle every, py::handle at) {
 
 namespace {
 
+[[noreturn]] void refuse_event(py::handle e) {
+  throw py::type_error("kte: events must be an Event or a list of them, not " + py::repr(e).cast<std::string>());
+}
+
 std::unique_ptr<simulation> make_simulation(py::object chain, py::handle q, py::handle v, double t,
                                             const std::string& solver, double tolerance, py::handle absolute,
                                             py::handle relative, double step, long long max_steps, double largest_step,
@@ -230,8 +249,12 @@ std::unique_ptr<simulation> make_simulation(py::object chain, py::handle q, py::
   if (!events.is_none()) {
     if (py::hasattr(events, "function"))
       list.append(events);
-    else
+    else if (py::hasattr(events, "__iter__"))
       for (const auto e : events) list.append(e);
+    else
+      refuse_event(events);
+    for (const auto e : list)
+      if (!py::hasattr(e, "function")) refuse_event(e);
   }
   auto made = std::make_unique<simulation>(chain, c, std::move(control), signals, list, of_time_alone);
   solver_options o{solver, step, {.absolute = tolerance, .relative = tolerance, .max_steps = max_steps}};

@@ -53,7 +53,7 @@ class python_run {
         if (!e.matches(PyExc_Exception)) throw;
         out.add_failure(i, reason_of(e));
       } catch (const kte::error& e) {
-        out.add_failure(i, e.what());
+        out.add_failure(i, in_python(e.what()));
       }
     }
   }
@@ -86,7 +86,7 @@ class run_of_library {
         out.add(
             i, [&numbers](std::size_t k) { return numbers[k]; }, kept);
       } catch (const std::exception& e) {
-        out.add_failure(i, e.what());
+        out.add_failure(i, in_python(e.what()));
       }
     }
   }

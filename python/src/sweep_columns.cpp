@@ -24,6 +24,21 @@ std::vector<std::string> names_of_inputs(const kte::runtime_chain& c) {
   });
   return all;
 }
+/// Columns of tables have no blanks: `_` may stand for those in a name of the chain.
+std::string with_blanks(const kte::runtime_chain& c, const std::string& column, const std::string& third) {
+  std::string found = column;
+  c.for_each_element([&](const kte::kte_element& e) {
+    for (const auto& name : e.names()) {
+      std::string plain(name);
+      std::replace(plain.begin(), plain.end(), ' ', '_');
+      if (plain == name) continue;
+      for (const std::string& prefix : {std::string(), std::string("q/"), std::string("v/"), third + "/"})
+        if (const auto whole = prefix + plain; column == whole || column.starts_with(whole + "/"))
+          found = prefix + std::string(name) + column.substr(whole.size());
+    }
+  });
+  return found;
+}
 
 }  // namespace
 
@@ -55,7 +70,8 @@ Eigen::VectorXd inputs_from(const kte::runtime_chain& c, py::handle inputs) {
 sweep_columns::sweep_columns(const kte::runtime_chain& c, const std::vector<std::string>& columns,
                              const std::string& third) {
   const auto of_q = names_of_numbers(c, true), of_v = names_of_numbers(c, false), inputs = names_of_inputs(c);
-  for (const auto& name : columns) {
+  for (const auto& column : columns) {
+    const auto name = with_blanks(c, column, third);
     const auto after = [&name](const std::string& prefix) { return kte::detail::after_name(name, prefix); };
     target t{what::parameter, -1};
     const auto seek = [&](what of, const std::vector<std::string>& names, std::string_view rest) {

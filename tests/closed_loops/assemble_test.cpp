@@ -57,6 +57,21 @@ TEST_CASE("bars that are too short do not close") {
   CHECK(std::abs(std::sin(q[0])) < 1e-4);
 }
 
+TEST_CASE("from a guess where no direction brings the ends nearer, the start is beside it") {
+  const auto c = four_bar(0.4, 1.1, 0.8, 1.0);
+  auto s = c.make_state();
+  const vector flat = numbers({0, 0, 0});  // open by 0.3 m along the bars
+  const vector q = assemble(c, s, flat), held_q = assemble(c, s, flat, held("q1"));
+  CHECK(kte::loops(c, s, q).gap < 1e-14);
+  CHECK(held_q[0] == 0);
+  CHECK(kte::loops(c, s, held_q).gap < 1e-14);
+  CHECK((assemble(c, s, flat) - q).cwiseAbs().maxCoeff() == 0);
+  // nothing to move: the message is that of the guess
+  CHECK_THROWS_WITH(
+      assemble(c, s, flat, held("q1", "q2", "q3")),
+      Catch::Matchers::StartsWith("kte: the loops do not close: 'pin' stays open by 0.3 m after 0 steps"));
+}
+
 TEST_CASE("a crude guess of many loops") {
   const int n = 40;
   const auto c = four_bars(n);

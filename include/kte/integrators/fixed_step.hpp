@@ -49,10 +49,29 @@ class fixed_step : public integrator<Method, F, X> {
         this->system().rounding(this->x_, total_, this->next_, lost_);
     }
   }
-  /// `detail::iterate` within a step h. Values that are not finite remain, so that `advance` rejects the new state.
+  /// `detail::iterate` of a slope k within a step h, where step() returns the changes of k and the size of k. Bodies at
+  /// rest may have a k of rounding errors of forces in equilibrium: such changes are negligible if they move the state
+  /// by less than its rounding. Values that are not finite remain, so that `advance` rejects the new state.
+  template <class Step>
+  void iterate_slope(const S& h, const Step& step) const {
+    using std::abs;
+    S change(0);
+    iterate(
+        h,
+        [&] {
+          const auto [moved, size] = step();
+          change = moved;
+          return size == S(0) ? moved : S(moved / size);
+        },
+        [&] { return abs(h) * change <= std::numeric_limits<S>::epsilon() * this->x_.norm(); });
+  }
   template <class Step>
   void iterate(const S& h, const Step& step) const {
-    if (detail::iterate<S>(step) == detail::iteration::too_long) [[unlikely]]
+    iterate(h, step, [] { return false; });
+  }
+  template <class Step, class Negligible>
+  void iterate(const S& h, const Step& step, const Negligible& negligible) const {
+    if (detail::iterate<S>(step, negligible) == detail::iteration::too_long) [[unlikely]]
       this->fail(
           "the iteration of a step of " + detail::number(detail::as_double(h)) + " does not converge: it is too long",
           failure_reason::no_convergence);

@@ -41,12 +41,12 @@ class implicit_midpoint : public fixed_step<implicit_midpoint<F, X>, F, X> {
 
   void try_step(const S& end) {
     const S h = end - this->time_, middle = this->time_ + h / 2;
-    this->iterate(h, [&] {
+    this->iterate_slope(h, [&] {
       this->displace((h / 2) * k_);
       this->slope(middle, fresh_);
       const S size = fresh_.norm(), change = (fresh_ - k_).norm();
       k_.swap(fresh_);
-      return size == S(0) ? change : S(change / size);
+      return std::pair{change, size};
     });
     this->displace_at_last(h * k_);  // (1)
   }

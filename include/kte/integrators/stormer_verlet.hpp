@@ -61,13 +61,13 @@ class stormer_verlet : public fixed_step<stormer_verlet<F, X>, F, X> {
   /// The rates of v and internal states that satisfy (1), starting from a guess.
   void solve_kick(const S& h, Eigen::Index m) {
     d_.setZero();
-    this->iterate(h, [&] {
+    this->iterate_slope(h, [&] {
       d_.tail(m) = (h / 2) * k0_.tail(m);
       this->displace(d_);
       this->evaluate(this->time_, this->next_, k1_);
       const S size = k1_.tail(m).norm(), change = (k1_ - k0_).tail(m).norm();
       k0_.swap(k1_);
-      return size == S(0) ? change : S(change / size);
+      return std::pair{change, size};
     });
   }
   static constexpr int degree() { return 3; }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kte/dynamics/centre_of_mass.hpp>
+#include <kte/dynamics/closed_loops/constrained_dynamics.hpp>
 #include <kte/dynamics/derivatives.hpp>
 #include <kte/dynamics/energy.hpp>
 #include <kte/dynamics/forward_dynamics.hpp>
@@ -39,7 +40,14 @@ class runtime_model {
   const auto& inverse_dynamics(const vector& q, const vector& v, const vector& a) {
     return kte::inverse_dynamics(chain_, state_, q, v, a);
   }
+  /// Throws `kte::bad_argument` where loops are open by more than 1e-8 m or rad.
   const auto& forward_dynamics(const vector& q, const vector& v, const vector& tau) {
+    if constexpr (std::is_same_v<S, double>) {
+      if (kte::detail::has_loops(chain_))
+        if (const auto at = kte::loops(chain_, state_, q); !(at.gap <= 1e-8))
+          throw kte::bad_argument("kte: the loops are open: '" + at.widest + "' by " + kte::detail::number(at.gap) +
+                                  " m or rad");
+    }
     return kte::forward_dynamics(chain_, state_, q, v, tau);
   }
   const auto& mass_matrix(const vector& q) { return kte::mass_matrix(chain_, state_, q); }

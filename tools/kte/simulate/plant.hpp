@@ -21,7 +21,7 @@ class plant {
 
   model_type& model() { return model_; }
   const model_type& model() const { return model_; }
-  void set_inputs(double t, const state& x) {
+  void set_inputs(double t, const state& x) const {
     if (!law_) return;
     law_(t, x, u_);
     model_.setInput(u_);
@@ -53,16 +53,32 @@ class plant {
   void magnitudes(const state& x, rate& m) const { model_.magnitudes(x, m); }
   void rounding(const state& x, const rate& d, const state& out, rate& rest) const { model_.rounding(x, d, out, rest); }
   bool has_loops() const { return model_.has_loops(); }
-  void begin_step(const state& x) const { model_.begin_step(x); }
-  void settle(const state& x, rate& d, state& out) const { model_.settle(x, d, out); }
+  void settle_at(double t) const {
+    settling_ = t;
+    model_.settle_at(t);
+  }
+  void begin_step(const state& x) const {
+    move_constraints(x);
+    model_.begin_step(x);
+  }
+  void settle(const state& x, rate& d, state& out) const {
+    move_constraints(out);
+    model_.settle(x, d, out);
+  }
   void tangential(const state& x, rate& e) const { model_.tangential(x, e); }
   void check_end(const state& x, const state& next) const { model_.check_end(x, next); }
 
  private:
-  model_type model_;
-  Eigen::VectorXd u_;
+  /// Inputs may move the surfaces of contacts and the frames of closures.
+  void move_constraints(const state& x) const {
+    if (model_.has_loops() || model_.contacts() > 0) set_inputs(settling_, x);
+  }
+
+  mutable model_type model_;  // its inputs
+  mutable Eigen::VectorXd u_;
   law law_;
   bool of_time_alone_;
+  mutable double settling_ = 0;  ///< the time of states that are put on constraints
 };
 
 }  // namespace kte_tool

@@ -82,13 +82,33 @@ class assembly {
     for (int row = 0; row < s.dofs(); ++row)
       if (slides[static_cast<std::size_t>(row)]) unit_[row] = equations_.places.length;
   }
-  /// A configuration on the loops, starting from q.
-  Eigen::VectorXd from(Eigen::VectorXd q) {
-    constexpr int most_steps = 200;
-    double size = at(q), damping = 1;
+  /// A configuration on the loops, starting from q. Where no direction brings the ends nearer, as in a linkage that is
+  /// folded flat, it starts beside q.
+  Eigen::VectorXd from(const Eigen::VectorXd& q) {
     int steps = 0;
+    Eigen::VectorXd found = nearest_from(q, steps);
+    for (int i = 1; steps == 0 && !is_closed() && !free_.empty() && i <= 8; ++i) {
+      int more = 0;
+      found = nearest_from(moved_(q, beside(i)), more);
+    }
+    if (!is_closed()) {
+      (void)nearest_from(q, steps);
+      fail(steps, steps < most_steps ? "the nearest approach: bars too short, closures that contradict each other, "
+                                       "or another guess"
+                                     : "too many: another guess");
+    }
+    check_upright();
+    return found;
+  }
+
+ private:
+  static constexpr int most_steps = 200;
+  bool is_closed() const { return gap() <= 1e-10; }
+  /// The nearest approach to the loops by (1) from q, after `steps` steps. The state is then there.
+  Eigen::VectorXd nearest_from(Eigen::VectorXd q, int& steps) {
+    double size = at(q), damping = 1;
     bool last = gap() <= 1e-14;
-    for (; gap() > 1e-15 && steps < most_steps; ++steps) {
+    for (steps = 0; gap() > 1e-15 && steps < most_steps; ++steps) {
       Eigen::VectorXd d, next;
       double after = 0;
       bool better = false;
@@ -107,15 +127,14 @@ class assembly {
       last = gap() <= 1e-14;
     }
     (void)at(q);
-    if (!(gap() <= 1e-10))
-      fail(steps, steps < most_steps ? "the nearest approach: bars too short, closures that contradict each other, "
-                                       "or another guess"
-                                     : "too many: another guess");
-    check_upright();
     return q;
   }
-
- private:
+  /// A small displacement, the same at each call: 0.2 rad, or of the length of the chain, at most.
+  Eigen::VectorXd beside(int i) const {
+    Eigen::VectorXd d = Eigen::VectorXd::Zero(unit_.size());
+    for (const int row : free_) d[row] = 0.2 * unit_[row] * std::sin(i * (2.4 * row + 1));
+    return d;
+  }
   /// |g|; computes g and J at q.
   double at(const Eigen::VectorXd& q) {
     set_(q);

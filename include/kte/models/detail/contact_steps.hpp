@@ -46,6 +46,14 @@ struct contact_step {
   double margin_time = 0;
   double largest_force = 0;  ///< of contacts since the last event, N; at an event it may itself be zero
   std::vector<std::array<double, 3>> margins;
+  Eigen::VectorXd inputs;  ///< of the model, for `margins`
+
+  /// Forgets margins that were computed with other inputs of the model.
+  template <class U>
+  void take_inputs(const U& u) {
+    if (inputs.size() == u.size() && inputs == u) return;
+    inputs = u, margin_x.resize(0);
+  }
 };
 
 /// Takes over from the state which contacts pass through their surface.

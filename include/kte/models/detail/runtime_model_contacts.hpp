@@ -13,7 +13,9 @@ struct runtime_model_contacts {
   own_memory& kept;
 
   contact_step& memory() const {
-    return kept.get<contact_step>([this] { return contact_step(contacts_of(model.chain()), s); });
+    auto& step = kept.get<contact_step>([this] { return contact_step(contacts_of(model.chain()), s); });
+    step.take_inputs(model.input());
+    return step;
   }
   int contacts() const { return model.chain().wiring().count(kind::contact); }
   auto no_displacement() const { return Model::rate::Zero(model.rates()).eval(); }

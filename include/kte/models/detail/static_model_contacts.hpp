@@ -25,7 +25,10 @@ struct static_model_contacts<static_chain<Gravity, E...>> {
     const Model& model;
     state_and_step& kept;
 
-    contact_step& memory() const { return kept.step; }
+    contact_step& memory() const {
+      kept.step.take_inputs(model.input());
+      return kept.step;
+    }
     static constexpr int contacts() { return wiring::count(kind::contact); }
     auto no_displacement() const { return Model::rate::Zero().eval(); }
     template <class X>
