@@ -114,7 +114,79 @@ runtime_chain jansen(closed by) {
   return c;
 }
 
+/// Stephenson's six-bar: ternary links P and Q of joints a, b, c; binary links a-a, b-b, and two from c to c that meet
+/// in d. Its first kind stands on the link a-a, the second on the link from c of P to d, the third on P. All angles are
+/// zero where the joints are at these points. Closed by pins, or open.
+struct six_bar {
+  struct point {
+    double x, y;
+  };
+  static constexpr point pa{0, 0}, pb{1.2, 0.1}, pc{1.9, -0.2}, qa{0.2, 0.7}, qb{1.3, 0.9}, qc{1.0, 1.3}, d{2.1, 1.0};
+  runtime_chain c;
+
+  six_bar(int type, bool closed) {
+    c.gravity(along_y(-9.81));
+    if (type == 1) {
+      turn("P", "base", {0, 0}, pa), turn("Q", "base", {0, 0}, qa), turn("b", "P", pa, pb);
+      turn("cP", "P", pa, pc), turn("cQ", "Q", qa, qc);
+      if (closed) pin("1", "b", pb, "Q", qa, qb), pin("2", "cP", pc, "cQ", qc, d);
+    } else if (type == 2) {
+      turn("P", "base", {0, 0}, pc), turn("cQ", "base", {0, 0}, d), turn("Q", "cQ", d, qc);
+      turn("a", "P", pc, pa), turn("b", "P", pc, pb);
+      if (closed) pin("1", "a", pa, "Q", qc, qa), pin("2", "b", pb, "Q", qc, qb);
+    } else {
+      turn("a", "base", {0, 0}, pa), turn("Q", "a", pa, qa), turn("b", "base", {0, 0}, pb);
+      turn("cP", "base", {0, 0}, pc), turn("cQ", "cP", pc, d);
+      if (closed) pin("1", "b", pb, "Q", qa, qb), pin("2", "cQ", d, "Q", qa, qc);
+    }
+  }
+
+ private:
+  /// A body on a joint at a point; `origin`: of what it stands on.
+  void turn(const std::string& name, const std::string& on, point origin, point at) {
+    c << revolute_joint_2D("q" + name, on, name).at(vec2<>{at.x - origin.x, at.y - origin.y})
+      << inertia_2D(name, planar_body(1.0, 0.1, vec3{0.2, 0.1, zero}));
+  }
+  /// A pin at a point of two bodies of the given origins.
+  void pin(const std::string& name, const std::string& one, point origin, const std::string& other, point other_origin,
+           point at) {
+    c << rigid_link_2D(one, one + name, vec2<>{at.x - origin.x, at.y - origin.y})
+      << rigid_link_2D(other, other + name, vec2<>{at.x - other_origin.x, at.y - other_origin.y})
+      << coincident_points_2D("pin" + name, one + name, other + name);
+  }
+};
+
 }  // namespace
+
+TEST_CASE("Stephenson's six-bars of three kinds") {
+  double first = 0;  // the ratio of the first
+  for (const int type : {1, 2, 3}) {
+    INFO(type);
+    const runtime_chain c = six_bar(type, true).c, open = six_bar(type, false).c;
+    auto s = c.make_state();
+    const vector zero_angles = vector::Zero(5);
+    const auto report = kte::loops(c, s, zero_angles);
+    CHECK((report.rows == 4 && report.rank == 4 && report.mobility == 1 && report.gap < 1e-15));
+    // one linkage on three of its links: the angles between links are the same
+    const vector v = consistent_velocities(c, s, zero_angles, vector(vector::Unit(5, 0)));
+    const Eigen::MatrixXd g = loop_motion(c, s, zero_angles, actuated(type == 3 ? "qa" : "qP"));
+    CHECK((v - g.col(0) * v[0]).cwiseAbs().maxCoeff() < 1e-14);
+    const auto over = [&](int i, int k) { return g(i, 0) / g(k, 0); };
+    // the rate of Q over that of P, both relative to a: in the order of joints above
+    const double ratio = type == 1   ? over(1, 0)
+                         : type == 3 ? -over(1, 0)
+                                     : (g(1, 0) + g(2, 0) - g(0, 0) - g(3, 0)) / -g(3, 0);
+    if (type == 1) first = ratio;
+    CHECK(ratio == within(first, 1e-13 * std::abs(first)));
+    CHECK(off_one_matrix(c, open, zero_angles, v) < 1e-9);
+    double turned = 0;
+    const auto r = simulated(c, zero_angles, vector(0.5 * v), 1,
+                             [&](const vector& x) { turned = (std::max)(turned, x.cwiseAbs().maxCoeff()); });
+    CHECK(turned > 0.1);
+    CHECK(r.open < 2e-13);
+    CHECK(r.energy_off < 1e-9);
+  }
+}
 
 TEST_CASE("Peaucellier and Lipkin's linkage moves a point along a line") {
   const auto c = peaucellier();
