@@ -1,4 +1,5 @@
 #include <kte/dynamics/centroidal.hpp>
+#include <kte/elements/law_signal.hpp>
 #include <kte/integrators/bogacki_shampine23.hpp>
 #include <kte/integrators/dormand_prince45.hpp>
 #include <kte/integrators/esdirk.hpp>
@@ -188,6 +189,74 @@ TEST_CASE("states off the loops are refused, with the closure") {
                     Catch::Matchers::StartsWith("kte: the velocities do not keep the loops closed"));
   const vector near = m.on_loops((vector(6) << q + numbers({0, 0.01, 0.02}), v).finished());
   CHECK(open_by(c, s, m, near) < 1e-14);
+}
+
+TEST_CASE("states that are not finite are refused, with the number") {
+  const auto c = four_bars(1);
+  const model m(c);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  vector q = four_bar_q(1, 0.4), v = four_bar_v(1, 1);
+  v[1] = nan;
+  CHECK_THROWS_AS(m.make_x(q, v), bad_argument);
+  CHECK_THROWS_WITH(m.make_x(q, v), "kte: a velocity is not finite");
+  std::swap(q[1], v[1]);
+  CHECK_THROWS_WITH(m.make_x(q, four_bar_v(1, 1)), "kte: a coordinate is not finite: q[1] of 'q1' is nan");
+}
+
+TEST_CASE("accelerations off the loops keep J a = -J_dot v, and tell the gap") {
+  const auto c = four_bars(1);
+  auto s = c.make_state();
+  vector q = four_bar_q(1, 0.4);
+  const vector v = four_bar_v(1, 1), none = vector::Zero(3);
+  CHECK(constrained_dynamics(c, s, q, v, none).gap < 1e-15);
+  q[2] += 1e-3;
+  const auto& r = constrained_dynamics(c, s, q, v, none);
+  const vector a = r.a;
+  const auto& open = r.loop("pin0").residual;
+  CHECK(std::hypot(open.x, open.y) == within(2 * std::sin(5e-4), 1e-15));  // the coupler turned by 1e-3 about its joint
+  CHECK(r.gap == within((std::max)(std::abs(open.x), std::abs(open.y)), 1e-18));
+  CHECK(r.gap == within(kte::loops(c, s, q).gap, 1e-18));
+  const auto rate = [&](double t) -> vector {
+    const vector at = q + t * v + t * t / 2 * a;
+    return loop_jacobian(c, s, at) * (v + t * a);
+  };
+  CHECK(((rate(1e-4) - rate(-1e-4)) / 2e-4).cwiseAbs().maxCoeff() < 1e-6);  // the square of the step times 100
+}
+
+TEST_CASE("models refuse closures on frames that move by functions of time") {
+  const auto wave = [](const auto& t) {
+    using std::cos;
+    return 1.0 - cos(t);  // at rest at time 0
+  };
+  const auto along = [wave](const auto& t) { return along_x(wave(t)); };
+  const auto with_arm = [](runtime_chain c) {
+    c << revolute_joint_2D("q", "base", "arm") << inertia_2D("arm", bar) << rigid_link_2D("arm", "tip", along_x(1.0))
+      << point_on_line_2D("slot", "moved", "tip", axis::y);
+    return c;
+  };
+  runtime_chain slide, table, by_inputs, beside;
+  for (const char* y : {"p", "v", "a"}) slide << law_signal(wave, "time", y), table << law_signal(along, "time", y);
+  for (auto* c : {&slide, &by_inputs})
+    *c << position_control_gen("p", "v", "a", "x") << prismatic_joint_2D("x", "base", "moved", axis::x);
+  table << position_control_2D("p", "v", "a", "base", "moved");
+  CHECK_THROWS_MATCHES(model(with_arm(slide)), bad_argument,
+                       says("'slot' closes a loop with a joint that position_control"));
+  CHECK_THROWS_MATCHES(model(with_arm(table)), bad_argument,
+                       says("'slot' closes a loop with a base that position_control"));
+  // inputs are constant
+  model m(with_arm(by_inputs));
+  m.input("p") = 0.3;
+  const vector q = numbers({std::acos(0.3)}), rest = numbers({0});
+  CHECK_NOTHROW(m.make_x(q, rest));
+  m.input("v") = 0.1;
+  CHECK_NOTHROW(m.make_x(q, rest));  // the closure's own velocity is zero
+  // both frames on the moved one
+  runtime_chain on_table = table;
+  on_table << revolute_joint_2D("q", "moved", "arm") << inertia_2D("arm", bar)
+           << rigid_link_2D("arm", "tip", along_x(1.0)) << revolute_joint_2D("q2", "moved", "arm2").at(vec2<>{1, 0})
+           << inertia_2D("arm2", bar) << rigid_link_2D("arm2", "tip2", along_x(1.0))
+           << distance_2D("rod", "tip", "tip2", 1.0);
+  CHECK_NOTHROW(model(on_table));
 }
 
 TEST_CASE("closures that contradict each other by much are refused, by little not") {

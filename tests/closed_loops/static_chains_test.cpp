@@ -1,3 +1,5 @@
+#include <kte/elements/law_signal.hpp>
+
 #include "allocations.hpp"
 #include "catch.hpp"
 #include "closed_loops/mechanisms.hpp"
@@ -146,6 +148,41 @@ TEST_CASE("a model of a static chain keeps its loops closed") {
   CHECK(std::abs(s[base].force.y + s[base].force.x) > 0);
   CHECK_THROWS_WITH(model.make_x(Eigen::Vector3d(1, 0, 0), v),
                     Catch::Matchers::StartsWith("kte: the state is off the loops: 'pin' is open by "));
+  CHECK_THROWS_WITH(model.make_x(q, Eigen::Vector3d(1, std::numeric_limits<double>::quiet_NaN(), 0)),
+                    "kte: a velocity is not finite");
+  const auto x = model.make_x(q, v);
+  CHECK(model.singular_distance(x) == within(other.singular_distance(vector(x)), 1e-15));
+  CHECK((model.singular_distance(x) > 0.1 && model.singular_distance(x) <= 1));
+}
+
+TEST_CASE("a static chain off the loops tells its gap") {
+  const auto q = assemble(four_bar, guess, held(crank));
+  CHECK(constrained_dynamics(four_bar, q, none, none).gap < 1e-15);
+  const Eigen::Vector3d off = q + Eigen::Vector3d(0, 0, 1e-3);
+  CHECK(constrained_dynamics(four_bar, off, none, none).gap == kte::loops(four_bar, off).gap);
+  CHECK(kte::loops(four_bar, off).gap > 1e-4);
+}
+
+TEST_CASE("a model of a static chain refuses a closure on a joint that moves by a function of time") {
+  static constexpr struct x_ final : coord_key<"x"> {
+  } x;
+  static constexpr struct p_ final : input_key<"p"> {
+  } p;
+  static constexpr struct v_ final : input_key<"v"> {
+  } v;
+  static constexpr struct moved_ final : frame_2D_key<"moved"> {
+  } moved;
+  const auto law = [](const auto& t) { return 0.5 * t * t; };
+  const auto with = [&](const auto& time) {
+    return chain(law_signal(law, time, p), law_signal(law, time, v), position_control_gen(p, v, v, x),
+                 prismatic_joint_2D(x, base, moved, axis::x), revolute_joint_2D(crank, base, a), inertia_2D(a, body),
+                 rigid_link_2D(a, A, along_x(1.0)), point_on_line_2D(pin, moved, A, axis::y));
+  };
+  CHECK_THROWS_WITH(manipulator_dynamics_model(with(chain_time)),
+                    Catch::Matchers::StartsWith("kte: 'pin' closes a loop with a joint that position_control"));
+  static constexpr struct u_ final : input_key<"u"> {
+  } u;
+  CHECK_NOTHROW(manipulator_dynamics_model(with(u)));
 }
 
 TEST_CASE("a second call on loops allocates nothing") {

@@ -78,6 +78,9 @@ TEST_CASE("Jacobians of contacts give their velocities, and rates the derivative
   };
   CHECK(contact_jacobian(c, s, q, at_contacts()).rows() == touches("on floor") + touches("on hill"));
   CHECK_THROWS_MATCHES(contact_jacobian(c, s, q, "hand"), unknown_name, says("no contact 'hand'"));
+  for (const auto& twice : {at_contacts("on hill", "on floor", "on hill"), at_contacts("on hill", "on hill")})
+    CHECK_THROWS_MATCHES(contact_jacobian(c, s, q, twice), bad_argument, says("at_contacts: 'on hill' is named twice"));
+  CHECK_THROWS_AS(contact_jacobian(fixed, q, at_contacts(on_hill, on_hill)), bad_argument);
   runtime_chain none;
   none << at.tree();
   auto t = none.make_state();

@@ -43,7 +43,43 @@ double gap(const runtime_state& s, const char* a, const char* b) {
   return std::hypot(p.x - q.x, p.y - q.y);
 }
 
+/// The largest difference of closed forms from dual numbers, relative to the largest of both.
+template <class Core>
+double off_duals(const Core& core, double q, double v, double a) {
+  const gen_coord<double> at{q, v, a};
+  const coordinate known{q, v, a, std::cos(q), std::sin(q)};
+  const auto& by_duals = static_cast<const coordinate_follower<Core>&>(core);
+  const auto expected = by_duals.doMotion(at);
+  double off = 0;
+  const auto compare = [&](double x, double y) {
+    off = (std::max)(off, std::abs(x - y) / (std::max)(1.0, std::abs(y)));
+  };
+  for (const auto& x : {core.doMotion(at), core.doMotion(known)}) {
+    compare(x.q, expected.q), compare(x.q_dot, expected.q_dot), compare(x.q_ddot, expected.q_ddot);
+    if constexpr (requires { requires Core::gives_sines; })
+      compare(x.cos, std::cos(x.q)), compare(x.sin, std::sin(x.q));
+  }
+  compare(core.doMotion(coordinate{q, skip{}, skip{}, skip{}, skip{}}).q, expected.q);
+  compare(core.doMotion(coordinate{q, v, skip{}, skip{}, skip{}}).q_dot, expected.q_dot);
+  compare(core.doMotion(coordinate{q, v, zero, skip{}, skip{}}).q_ddot,
+          by_duals.doMotion(gen_coord<double>{q, v, 0.0}).q_ddot);
+  compare(nth<0>(core.doForce(at, 2.0)), nth<0>(by_duals.doForce(at, 2.0)));
+  return off;
+}
+
 }  // namespace
+
+TEST_CASE("closed forms of linkages are the derivatives of their positions") {
+  for (const double side : {1.0, -1.0})
+    for (const double q : {-2.9, -1.2, 0.4, 1.1, 2.6, 7.5}) {
+      const four_bar_lengths bars{{1, 0.1}, 0.4, 1.1, 0.8, side};
+      CHECK(off_duals(core::four_bar_coupler(bars), q, 2, -3) < 5e-15);
+      CHECK(off_duals(core::four_bar_rocker(bars), q, 2, -3) < 5e-15);
+      const slider_crank_lengths crank{0.1, 0.25, 0.02, side};
+      CHECK(off_duals(core::slider_crank_rod(crank), q, 2, -3) < 5e-15);
+      CHECK(off_duals(core::slider_crank_slider(crank), q, 2, -3) < 5e-15);
+    }
+}
 
 TEST_CASE("Andrews' squeezer of four-bars", "[laws]") {
   const auto k = squeezer();

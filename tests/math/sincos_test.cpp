@@ -205,6 +205,7 @@ TEST_CASE("angles of directions: each of n to rounding, signs as in atan2") {
       CHECK(off(t[i], std::atan2(static_cast<long double>(y[i]), static_cast<long double>(x[i]))) <=
             1.7e-16 + four_at_once);
       CHECK(std::signbit(t[i]) == std::signbit(y[i]));
+      CHECK(std::abs(angle_of(y[i], x[i]) - t[i]) <= 4.5e-16);
     }
     CHECK((n == 10 || t[n] == 7));
   }

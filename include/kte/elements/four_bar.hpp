@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kte/contract/coordinate_follower.hpp>
+#include <kte/contract/crank_follower.hpp>
 #include <kte/elements/joint_series.hpp>
 #include <kte/kernels/dyad.hpp>
 
@@ -37,17 +37,34 @@ struct four_bar_parameters {
     visit("rocker", self.lengths.rocker), visit("side", self.lengths.side);
   }
 
- protected:
-  /// The vectors at q, with c, s = cos q, sin q, from the end of the crank to the joint of coupler and rocker, and to
-  /// the pivot. `rates`: whether rates follow.
+ public:
+  /// The linkage at a crank angle: vectors from the end of the crank to the joint of coupler and rocker, `w`, and to
+  /// the pivot of the rocker, `r`.
   template <class S>
-  constexpr std::pair<vec2<S>, vec2<S>> joint(const S& q, const S& c, const S& s, bool rates = is_dual<S>) const {
+  struct linkage {
+    vec2<S> w, r;
+  };
+  template <class S>
+  KTE_INLINE constexpr linkage<S> solved(const S& q, const vec2<S>& e, bool rates) const {
     const auto& [pivot, crank, coupler, rocker, side] = lengths;
-    const vec2<S> r{S(pivot.x) - S(crank) * c, S(pivot.y) - S(crank) * s};
+    const vec2<S> r{S(pivot.x) - S(crank) * e.x, S(pivot.y) - S(crank) * e.y};
     return {detail::dyad(
                 r, S(coupler), S(rocker), S(side), {"four_bar_2D", "crank angle", "coupler and rocker are in line"},
                 [&q] { return detail::text_of_angle(q); }, rates),
             r};
+  }
+
+ protected:
+  /// Unit vectors along coupler and rocker.
+  template <class S>
+  KTE_INLINE constexpr vec2<S> along_coupler(const linkage<S>& x) const {
+    const S to_unit = S(1) / S(lengths.coupler);
+    return {x.w.x * to_unit, x.w.y * to_unit};
+  }
+  template <class S>
+  KTE_INLINE constexpr vec2<S> along_rocker(const linkage<S>& x) const {
+    const S to_unit = S(1) / S(lengths.rocker);
+    return {(x.w.x - x.r.x) * to_unit, (x.w.y - x.r.y) * to_unit};
   }
   /// First and second derivatives, by the angle of the crank, of those of coupler and rocker in the ground.
   template <class S>
@@ -62,44 +79,24 @@ struct four_bar_parameters {
   ///
   /// each times v and times u: u_n.v = -u.v_n is the sine between coupler and rocker.
   template <class S>
-  constexpr derivatives<S> derive(const vec2<S>& e, const vec2<S>& along_coupler, const vec2<S>& to_pivot) const {
+  KTE_INLINE constexpr derivatives<S> derive(const vec2<S>& e, const linkage<S>& at) const {
     const S a(lengths.crank), b(lengths.coupler), d(lengths.rocker);
-    const S to_u = S(1) / b, to_v = S(1) / d;
-    const vec2<S> u{along_coupler.x * to_u, along_coupler.y * to_u};
-    const vec2<S> v{(along_coupler.x - to_pivot.x) * to_v, (along_coupler.y - to_pivot.y) * to_v};
-    const auto times = [](const vec2<S>& x, const vec2<S>& y) { return x.x * y.x + x.y * y.y; };
-    const auto across = [](const vec2<S>& x, const vec2<S>& y) { return x.x * y.y - x.y * y.x; };  // x_n.y
-    const S sine = across(u, v), cosine = times(u, v), by_coupler = S(1) / (b * sine), by_rocker = S(1) / (d * sine);
+    const vec2<S> u = along_coupler(at), v = along_rocker(at);
+    const S sine = detail::across(u, v), cosine = detail::along(u, v), inverse = S(1) / sine;
+    const S by_coupler = inverse * (S(1) / b), by_rocker = inverse * (S(1) / d);
     derivatives<S> x;
-    x.coupler = -a * across(e, v) * by_coupler, x.rocker = -a * across(e, u) * by_rocker;
+    x.coupler = -a * detail::across(e, v) * by_coupler, x.rocker = -a * detail::across(e, u) * by_rocker;
     const S b_ff = b * x.coupler * x.coupler, d_gg = d * x.rocker * x.rocker;
-    x.coupler2 = (a * times(e, v) + b_ff * cosine - d_gg) * by_coupler;
-    x.rocker2 = (a * times(e, u) + b_ff - d_gg * cosine) * by_rocker;
+    x.coupler2 = (a * detail::along(e, v) + b_ff * cosine - d_gg) * by_coupler;
+    x.rocker2 = (a * detail::along(e, u) + b_ff - d_gg * cosine) * by_rocker;
     return x;
-  }
-  /// A coordinate y of the crank's: position(e, w, r) of the vectors of `joint`, and y', y'' by rates(derivatives).
-  template <class C, class Position, class Rates>
-  constexpr auto moved(const C& crank, const Position& position, const Rates& rates) const {
-    using S = typename detail::scalar_among<std::remove_cvref_t<decltype(crank.q)>>::type;
-    using std::cos;
-    using std::sin;
-    const S q = as<S>(crank.q);
-    const vec2<S> e{S(cos(q)), S(sin(q))};
-    const auto [w, r] = joint(q, e.x, e.y, true);
-    const auto [ratio, curvature] = rates(derive(e, w, r));
-    const S v = as<S>(crank.q_dot);
-    if constexpr (detail::has_skip<std::remove_cvref_t<decltype(crank.q_ddot)>>) {
-      return coordinate{S(position(e, w, r)), S(ratio * v), skip{}, skip{}, skip{}};
-    } else {
-      return coordinate{S(position(e, w, r)), S(ratio * v), S(ratio * as<S>(crank.q_ddot) + curvature * (v * v)),
-                        skip{}, skip{}};
-    }
   }
 };
 
 /// The angle of the coupler in the crank.
-struct four_bar_coupler : coordinate_follower<four_bar_coupler>, four_bar_parameters {
+struct four_bar_coupler : crank_follower<four_bar_coupler>, four_bar_parameters {
   static constexpr type_name type{"four_bar_coupler", kind::frame_2D};
+  static constexpr bool gives_sines = true;
   static constexpr std::array<port, 2> ports{{{kind::gen, access::in, "crank"}, {kind::gen, access::out, "coupler"}}};
   static constexpr const char* arguments = "{{pivot_x, pivot_y}, crank, coupler, rocker, side}";
 
@@ -108,28 +105,24 @@ struct four_bar_coupler : coordinate_follower<four_bar_coupler>, four_bar_parame
 
   template <class S>
   constexpr S value(const S& q) const {
-    using std::cos;
-    using std::sin;
-    const S c = cos(q), s = sin(q);
-    const auto [w, r] = joint(q, c, s);
-    return detail::angle_from(vec2<S>{c, s}, w);
+    const vec2<S> e = detail::direction(q);
+    return detail::angle_from(e, solved(q, e, is_dual<S>).w);
   }
-  /// As that of `coordinate_follower`, at a third of the time.
-  template <class C>
-  KTE_INLINE constexpr auto doMotion(const C& crank) const {
-    if constexpr (detail::has_skip<std::remove_cvref_t<decltype(crank.q_dot)>>)
-      return coordinate_follower::doMotion(crank);
-    else
-      return moved(
-          crank, [](const auto& e, const auto& w, const auto&) { return detail::angle_from(e, w); },
-          [](const auto& x) {
-            return std::pair{x.coupler - 1, x.coupler2};
-          });
+  template <class S>
+  KTE_INLINE constexpr auto position(const vec2<S>& e, const linkage<S>& x) const {
+    const vec2<S> u = along_coupler(x);
+    return detail::angle_along(vec2<S>{detail::along(e, u), detail::across(e, u)});
+  }
+  template <class S>
+  KTE_INLINE constexpr auto slopes(const vec2<S>& e, const linkage<S>& at) const {
+    const auto x = derive(e, at);
+    return std::pair{S(x.coupler - S(1)), x.coupler2};
   }
 };
 /// The angle of the rocker in the ground.
-struct four_bar_rocker : coordinate_follower<four_bar_rocker>, four_bar_parameters {
+struct four_bar_rocker : crank_follower<four_bar_rocker>, four_bar_parameters {
   static constexpr type_name type{"four_bar_rocker", kind::frame_2D};
+  static constexpr bool gives_sines = true;
   static constexpr std::array<port, 2> ports{{{kind::gen, access::in, "crank"}, {kind::gen, access::out, "rocker"}}};
   static constexpr const char* arguments = "{{pivot_x, pivot_y}, crank, coupler, rocker, side}";
 
@@ -139,25 +132,17 @@ struct four_bar_rocker : coordinate_follower<four_bar_rocker>, four_bar_paramete
   template <class S>
   constexpr S value(const S& q) const {
     using std::atan2;
-    using std::cos;
-    using std::sin;
-    const auto [w, r] = joint(q, S(cos(q)), S(sin(q)));
+    const auto [w, r] = solved(q, detail::direction(q), is_dual<S>);
     return atan2(S(w.y - r.y), S(w.x - r.x));
   }
-  template <class C>
-  KTE_INLINE constexpr auto doMotion(const C& crank) const {
-    if constexpr (detail::has_skip<std::remove_cvref_t<decltype(crank.q_dot)>>)
-      return coordinate_follower::doMotion(crank);
-    else
-      return moved(
-          crank,
-          [](const auto&, const auto& w, const auto& r) {
-            using std::atan2;
-            return atan2(w.y - r.y, w.x - r.x);
-          },
-          [](const auto& x) {
-            return std::pair{x.rocker, x.rocker2};
-          });
+  template <class S>
+  KTE_INLINE constexpr auto position(const vec2<S>&, const linkage<S>& x) const {
+    return detail::angle_along(along_rocker(x));
+  }
+  template <class S>
+  KTE_INLINE constexpr auto slopes(const vec2<S>& e, const linkage<S>& at) const {
+    const auto x = derive(e, at);
+    return std::pair{x.rocker, x.rocker2};
   }
 };
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kte/contract/coordinate_follower.hpp>
+#include <kte/contract/crank_follower.hpp>
 #include <kte/elements/joint_series.hpp>
 #include <kte/errors.hpp>
 #include <kte/kernels/dyad.hpp>
@@ -22,6 +22,11 @@ namespace core {
 /// Parameters of both following coordinates. With the end of the crank at a (cos q, sin q),
 ///
 ///   d = sqrt(b^2 - (h - a sin q)^2),   x = a cos q + s d          (1)
+///
+/// and for the angle f of the rod in the ground, w = (s d, h - a sin q) = b (cos f, sin f),
+///
+///   f' w_x = -a cos q,   f'' w_x = a sin q + f'^2 w_y                        (2)
+///   x' = -a sin q - f' w_y,   x'' = -a cos q - f'^2 w_x - f'' w_y            (3)
 struct slider_crank_parameters {
   slider_crank_lengths lengths;
 
@@ -39,20 +44,29 @@ struct slider_crank_parameters {
     visit("side", self.lengths.side);
   }
 
- protected:
-  /// From the end of the crank to the slider.
+ public:
+  /// The vector w from the end of the crank to the slider at a crank angle.
   template <class S>
-  constexpr vec2<S> along_rod(const S& q, const S& s) const {
+  KTE_INLINE constexpr vec2<S> solved(const S& q, const vec2<S>& e, bool rates) const {
     using std::sqrt;
-    const S b(lengths.rod), across = S(lengths.offset) - S(lengths.crank) * s, k = (b - across) * (b + across);
-    detail::require_transmission(k, S(b * b), {"slider_crank_2D", "crank angle", "the rod is across the slider's line"},
-                                 [&q] { return detail::text_of_angle(q); });
+    const S b(lengths.rod), across = S(lengths.offset) - S(lengths.crank) * e.y, k = (b - across) * (b + across);
+    detail::require_transmission(
+        k, S(b * b), {"slider_crank_2D", "crank angle", "the rod is across the slider's line"},
+        [&q] { return detail::text_of_angle(q); }, rates);
     return {S(lengths.side) * S(sqrt(k)), across};  // (1)
+  }
+
+ protected:
+  /// f' and f'', (2).
+  template <class S>
+  KTE_INLINE constexpr std::pair<S, S> rod_slopes(const vec2<S>& e, const vec2<S>& w) const {
+    const S a(lengths.crank), inverse = S(1) / w.x, f = -a * e.x * inverse;
+    return {f, S((a * e.y + f * f * w.y) * inverse)};
   }
 };
 
 /// The position of the slider on its line.
-struct slider_crank_slider : coordinate_follower<slider_crank_slider>, slider_crank_parameters {
+struct slider_crank_slider : crank_follower<slider_crank_slider>, slider_crank_parameters {
   static constexpr type_name type{"slider_crank_slider", kind::frame_2D};
   static constexpr std::array<port, 2> ports{{{kind::gen, access::in, "crank"}, {kind::gen, access::out, "slider"}}};
   static constexpr const char* arguments = "{crank, rod, offset, side}";
@@ -62,14 +76,24 @@ struct slider_crank_slider : coordinate_follower<slider_crank_slider>, slider_cr
 
   template <class S>
   constexpr S value(const S& q) const {
-    using std::cos;
-    using std::sin;
-    return S(lengths.crank) * S(cos(q)) + along_rod(q, S(sin(q))).x;
+    const vec2<S> e = detail::direction(q);
+    return S(lengths.crank) * e.x + solved(q, e, is_dual<S>).x;
+  }
+  template <class S>
+  KTE_INLINE constexpr auto position(const vec2<S>& e, const vec2<S>& w) const {
+    return coordinate{S(S(lengths.crank) * e.x + w.x), skip{}, skip{}, skip{}, skip{}};
+  }
+  template <class S>
+  KTE_INLINE constexpr auto slopes(const vec2<S>& e, const vec2<S>& w) const {
+    const S a(lengths.crank);
+    const auto [f, f2] = rod_slopes(e, w);
+    return std::pair{S(-a * e.y - f * w.y), S(-a * e.x - f * f * w.x - f2 * w.y)};  // (3)
   }
 };
 /// The angle of the rod in the crank.
-struct slider_crank_rod : coordinate_follower<slider_crank_rod>, slider_crank_parameters {
+struct slider_crank_rod : crank_follower<slider_crank_rod>, slider_crank_parameters {
   static constexpr type_name type{"slider_crank_rod", kind::frame_2D};
+  static constexpr bool gives_sines = true;
   static constexpr std::array<port, 2> ports{{{kind::gen, access::in, "crank"}, {kind::gen, access::out, "rod"}}};
   static constexpr const char* arguments = "{crank, rod, offset, side}";
 
@@ -78,11 +102,18 @@ struct slider_crank_rod : coordinate_follower<slider_crank_rod>, slider_crank_pa
 
   template <class S>
   constexpr S value(const S& q) const {
-    using std::cos;
-    using std::sin;
-    const S c = cos(q), s = sin(q);
-    const vec2<S> w = along_rod(q, s);
-    return detail::angle_from(vec2<S>{c, s}, w);
+    const vec2<S> e = detail::direction(q);
+    return detail::angle_from(e, solved(q, e, is_dual<S>));
+  }
+  template <class S>
+  KTE_INLINE constexpr auto position(const vec2<S>& e, const vec2<S>& w) const {
+    const S to_unit = S(1) / S(lengths.rod);
+    return detail::angle_along(vec2<S>{detail::along(e, w) * to_unit, detail::across(e, w) * to_unit});
+  }
+  template <class S>
+  KTE_INLINE constexpr auto slopes(const vec2<S>& e, const vec2<S>& w) const {
+    const auto [f, f2] = rod_slopes(e, w);
+    return std::pair{S(f - S(1)), f2};
   }
 };
 

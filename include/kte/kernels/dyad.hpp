@@ -45,8 +45,8 @@ struct linkage_words {
 /// tolerance and would stop there or turn back. Throws `dead_point` there, except for positions alone; beyond it throws
 /// `bad_argument`. angle() is the text of the leading coordinate.
 template <class S, class Angle>
-constexpr void require_transmission(const S& k, const S& full, const linkage_words& w, const Angle& angle,
-                                    bool rates = is_dual<S>) {
+KTE_INLINE constexpr void require_transmission(const S& k, const S& full, const linkage_words& w, const Angle& angle,
+                                               bool rates = is_dual<S>) {
   using plain = plain_scalar<S>;
   using std::sqrt;
   const plain near_dead = plain(sqrt(std::numeric_limits<plain>::epsilon()));
@@ -62,8 +62,8 @@ constexpr void require_transmission(const S& k, const S& full, const linkage_wor
 /// n: r rotated by a right angle, to the left. s = 1 or -1 selects the side. k = b^2 c^2 sin^2 of the angle between the
 /// bars. Throws if they are in line, too short, or too different in length (`require_transmission`).
 template <class S, class Angle>
-constexpr vec2<S> dyad(const vec2<S>& r, const S& b, const S& c, const S& side, const linkage_words& words,
-                       const Angle& angle, bool rates = is_dual<S>) {
+KTE_INLINE constexpr vec2<S> dyad(const vec2<S>& r, const S& b, const S& c, const S& side, const linkage_words& words,
+                                  const Angle& angle, bool rates = is_dual<S>) {
   using std::sqrt;
   const S rr = r.x * r.x + r.y * r.y, u = (b * b - c * c + rr) / S(2), k = b * b * rr - u * u, bc = b * c;
   require_transmission(k, S(bc * bc), words, angle, rates);
@@ -71,11 +71,27 @@ constexpr vec2<S> dyad(const vec2<S>& r, const S& b, const S& c, const S& side, 
   return {(u * r.x - h * r.y) * inverse, (u * r.y + h * r.x) * inverse};
 }
 
+/// Products of vectors in the plane: a.b, and a_n.b with a_n, a rotated by a right angle, to the left.
+template <class S>
+KTE_INLINE constexpr S along(const vec2<S>& a, const vec2<S>& b) {
+  return a.x * b.x + a.y * b.y;
+}
+template <class S>
+KTE_INLINE constexpr S across(const vec2<S>& a, const vec2<S>& b) {
+  return a.x * b.y - a.y * b.x;
+}
+/// The unit vector at an angle.
+template <class S>
+constexpr vec2<S> direction(const S& q) {
+  using std::cos;
+  using std::sin;
+  return {S(cos(q)), S(sin(q))};
+}
 /// The angle from a unit vector e to w, between -pi and pi.
 template <class S>
 constexpr S angle_from(const vec2<S>& e, const vec2<S>& w) {
   using std::atan2;
-  return atan2(S(e.x * w.y - e.y * w.x), S(e.x * w.x + e.y * w.y));
+  return atan2(across(e, w), along(e, w));
 }
 
 }  // namespace kte::detail

@@ -50,6 +50,23 @@ KTE_INLINE void atan2_of(const V& y, const V& x, V& angle) {
 #endif
 }  // namespace detail
 
+/// The angle of a direction, atan2(y, x), rad.
+template <class S>
+KTE_INLINE constexpr S angle_of(const S& y, const S& x) {
+  using std::atan2;
+  return atan2(y, x);
+}
+#if defined(KTE_HAS_VECTORS) && !defined(KTE_SCALAR_SINCOS)
+/// Of doubles as in `atan2_each`. Not inlined, because g++ 12 fails on some functions that contain it (segmentation
+/// fault in "slp"); calls whose result is not used disappear.
+[[gnu::const, gnu::noinline]] inline double angle_of(double y, double x) {
+  using double2 = double __attribute__((vector_size(16)));
+  double2 t;
+  detail::atan2_of(double2{y, y}, double2{x, x}, t);
+  return t[0];
+}
+#endif
+
 /// Angles of n directions, atan2(y, x), rad. The numbers must be finite. Four are computed at a time, as in
 /// `sincos_each`.
 inline void atan2_each(const double* y, const double* x, double* angle, std::size_t n) {

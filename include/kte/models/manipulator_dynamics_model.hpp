@@ -64,7 +64,8 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
   using typename base::state;
   using typename chain_type::wiring;
 
-  explicit manipulator_dynamics_model(const chain_type& c) : base(c) {}
+  /// Throws `bad_argument` for a chain with closures whose model is not supported.
+  explicit manipulator_dynamics_model(const chain_type& c) : base(c) { check_chain(); }
 
   using base::make_x;
   /// The state x of q and v, with z = 0; of elements that start in place that of q.
@@ -390,6 +391,9 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
         for (int i = 0; i < size::x_dot; ++i) j(i, k) = r[i].derivative[static_cast<std::size_t>(k - first)];
     }
     for (const detail::freedom& f : this->freedoms()) detail::add_variation_of_pull_back<S>(f, at_x, j);
+  }
+  void check_chain() const {
+    if constexpr (constrained && !touches) constraints::check_chain(this->chain());
   }
   /// Bases at rest, with the signals of the chain.
   auto bases_at(const S& t, const S* z) const {

@@ -26,7 +26,7 @@ Eigen::MatrixXd loop_jacobian_at_state(const runtime_chain& c, runtime_state& s)
 ///   constrained_dynamics(c, s, q, v, tau)    r.a, r.loop("pin").force, r.rank, r.mobility, r.dependent
 ///
 /// The result is in the memory of the state, until the next call. Coordinates and loops of the state get accelerations
-/// and forces; positions and velocities should satisfy the loops. Arguments and errors as for `forward_dynamics`;
+/// and forces. Off the loops, where `gap` is above rounding, J a = -J_dot v holds, and they stay open. Arguments and errors as for `forward_dynamics`;
 /// throws `bad_argument` for a closure on a frame that follows others, for joints that may be held, and for
 /// load-dependent friction.
 template <indexable Q, indexable V, indexable T>
@@ -133,7 +133,7 @@ KTE_FUNCTION const constrained_dynamics_result& constrained_dynamics_under_kept(
     return r;
   }
   r.a = accelerations_on_loops(c, s);
-  r.rank = m.factor.rank(), r.mobility = s.dofs() - r.rank;
+  r.rank = m.factor.rank(), r.mobility = s.dofs() - r.rank, r.gap = widest_gap(m.equations).size;
   r.dependent = dependent_rows(closures_of(c), m.equations, m.factor);
   r.loops.resize(at.closures.size());
   for (std::size_t i = r.names.size(); i < r.loops.size(); ++i)

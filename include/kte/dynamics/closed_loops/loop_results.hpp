@@ -33,6 +33,7 @@ struct constrained_dynamics_result {
     throw unknown_name("kte: this chain has no closure '" + std::string(name) + "'");
   }
   int rank = 0, mobility = 0;
+  double gap = 0;                      ///< the largest residual, m or rad: above rounding, q is off the loops
   std::vector<std::string> dependent;  ///< redundant rows, which have no force
 
   std::vector<std::string> names;  ///< of closures, in order

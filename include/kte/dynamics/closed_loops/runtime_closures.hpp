@@ -23,6 +23,14 @@ struct runtime_closures : runtime_elements {
     return element(e).close_coordinates(q, v, gradient);
   }
   bool is_upright(int e, const closing_motion<double>& m) const { return element(e).is_upright(m); }
+  int element_count() const { return static_cast<int>(chain.wiring().elements.size()); }
+  /// Whether an element is a joint or a link.
+  bool is_transmission(int e) const { return connection(e).rigid; }
+  bool is_time(kind what, int slot) const {
+    const auto& signals = chain.wiring().signals;
+    return std::any_of(signals.begin(), signals.end(),
+                       [&](const auto& x) { return x.what == what && x.slot == slot && x.u < 0; });
+  }
   std::string describe(int e) const { return describe_element(element(e)); }
   std::string loop_name(int loop) const {
     return chain.wiring().names[static_cast<std::size_t>(kind::loop)][static_cast<std::size_t>(loop)];

@@ -30,6 +30,7 @@ template <class Chain>
 struct static_constrained_dynamics_result : static_loop_results<Chain> {
   joint_vector<double, Chain::dofs> a;  ///< accelerations
   int rank = 0, mobility = 0;           ///< number of independent rows of closures; dofs - rank
+  double gap = 0;                       ///< the largest residual, m or rad: above rounding, q is off the loops
   std::vector<std::string> dependent;   ///< redundant rows, which have no force
 };
 
@@ -90,7 +91,7 @@ auto result_of(const Closures& closures, const State& s) {
   static_constrained_dynamics_result<Chain> r;
   const auto& m = s.loops;
   r.a = s.work.forces;
-  r.rank = m.factor.rank(), r.mobility = Chain::dofs - r.rank;
+  r.rank = m.factor.rank(), r.mobility = Chain::dofs - r.rank, r.gap = widest_gap(m.equations).size;
   r.dependent = dependent_rows(closures, m.equations, m.factor);
   for (const auto& x : m.equations.places.closures) {
     auto& loop = r.loops[static_cast<std::size_t>(x.loop)];

@@ -38,6 +38,20 @@ struct static_closures : static_elements<Chain, Given> {
     at(e, [&](const auto& core) { r = is_upright_by(core, m); });
     return r;
   }
+  static int element_count() { return static_cast<int>(Chain::size); }
+  static bool is_transmission(int e) {
+    static constexpr auto is = []<std::size_t... I>(std::index_sequence<I...>) {
+      return std::array<bool, Chain::size>{detail::is_transmission<core_of<Chain, I>>...};
+    }
+    (std::make_index_sequence<Chain::size>{});
+    return is[static_cast<std::size_t>(e)];
+  }
+  static bool is_time(kind what, int slot) {
+    for (int i = 0; i < wiring::table.signals; ++i)
+      if (const auto& x = wiring::table.signal[static_cast<std::size_t>(i)]; x.what == what && x.slot == slot)
+        return x.u < 0;
+    return false;
+  }
   std::string describe(int e) const {
     std::string text;
     [&]<std::size_t... I>(std::index_sequence<I...>) {

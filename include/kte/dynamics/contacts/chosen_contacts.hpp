@@ -2,6 +2,8 @@
 
 #include <kte/dynamics/contacts/contact_dynamics.hpp>
 
+#include <algorithm>
+
 namespace kte {
 
 /// The `names` of contacts, an argument of functions of several contacts. Without names: those that touch.
@@ -16,7 +18,8 @@ chosen_contacts at_contacts(const Text&... names) {
 
 namespace detail {
 /// Places all contacts, at rest, at the positions of the state; returns the numbers of the chosen ones among contacts.
-/// Raises `unknown_name`, and `bad_argument` for a chain without contacts. With `rows`: J of all.
+/// Raises `unknown_name`, and `bad_argument` for a chain without contacts, and for a contact that is named twice. With
+/// `rows`: J of all.
 std::vector<int> place_contacts(const runtime_chain& c, runtime_state& s, const chosen_contacts& chosen, bool rows);
 }  // namespace detail
 
@@ -36,7 +39,10 @@ KTE_FUNCTION std::vector<int> place_contacts(const runtime_chain& c, runtime_sta
   for (const auto& name : chosen.names) {
     std::vector<int> all(m.contacts.size());
     for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<int>(i);
-    numbers.push_back(named_value(m.result.names, all, name));
+    const int number = named_value(m.result.names, all, name);
+    if (std::find(numbers.begin(), numbers.end(), number) != numbers.end())
+      throw bad_argument("kte: at_contacts: '" + name + "' is named twice");
+    numbers.push_back(number);
   }
   for (std::size_t i = 0; chosen.names.empty() && i < m.contacts.size(); ++i)
     if (m.contacts[i].place.gap <= touching_gap * m.equations.places.length) numbers.push_back(static_cast<int>(i));

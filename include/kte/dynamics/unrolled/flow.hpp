@@ -50,7 +50,9 @@ inline constexpr bool has_output = Core::ports[port_count<Core> - 1].how == acce
 /// A coordinate written by an element, with its sine and cosine.
 template <class Q, class QD, class QDD, class C, class S>
 KTE_INLINE constexpr auto with_angle(const coordinate<Q, QD, QDD, C, S>& c) {
-  if constexpr (variable<Q>) {
+  if constexpr (!has_skip<C>) {
+    return c;
+  } else if constexpr (variable<Q>) {
     coordinate<Q, QD, QDD, Q, Q> r{c.q, c.q_dot, c.q_ddot, Q{}, Q{}};
     sincos(c.q, r.sin, r.cos);
     return r;

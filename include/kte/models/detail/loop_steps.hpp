@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/dynamics/closed_loops/given_motion.hpp>
 #include <kte/dynamics/closed_loops/loop_dynamics.hpp>
 #include <kte/dynamics/configuration_space.hpp>
 #include <kte/dynamics/state_vectors.hpp>
@@ -58,6 +59,8 @@ loop_step& step_from(const Loops& loops, const X& x0) {
   if (step.x0.size() == x0.size() && step.x0 == x0) return step;
   step.x0.resize(0);
   loops.put(x0);
+  check_finite(loops.model.velocities_of(x0), static_cast<std::size_t>(loops.model.velocity_count()),
+               "kte: a velocity is not finite");
   auto& e = step.equations;
   e.at_positions(loops.closures(), loops.state(), true);
   choose_rows(loops.closures(), loops.state(), e, step.factor);
@@ -90,7 +93,7 @@ void check_step(const Loops& loops, const X& x0) {
   if (step.sliding > 1e-6) [[unlikely]]
     raise<bad_argument>(
         "kte: the velocities do not keep the loops closed: use kte::consistent_velocities, or "
-        "kte::impulse after an impact");
+        "kte::impulse after an impact; frames that inputs move must be at rest");
   for (const auto& p : step.factor.parts)
     if (p.smallest < least_pivot_of_branch * p.largest) [[unlikely]]
       raise<bad_argument>(
@@ -205,6 +208,11 @@ const loop_factor* rows_of_stage(const Loops& loops) {
   if (!(e.residual.cwiseAbs().maxCoeff() > on_loops_within)) return nullptr;
   const auto& step = loops.step();
   return step.x0.size() > 0 ? &step.factor : nullptr;
+}
+/// Raises `bad_argument` for what the loops of a model do not support.
+template <class Closures, class State>
+void check_model_of_loops(const Closures& c, const State& s, const closure_places& places) {
+  check_loops(c, s), refuse_given_motion(c, s, places);
 }
 /// x projected onto the loops to rounding. Throws `bad_argument` if it is off them.
 template <class Model, class X>

@@ -11,7 +11,8 @@ namespace kte {
 
 KTE_FUNCTION manipulator_dynamics_model<runtime_chain>::manipulator_dynamics_model(const runtime_chain& c)
     : base(c), s_(c.make_state()), rate_(rate::Zero(rates())) {
-  if (detail::has_loops(c)) detail::check_loops(detail::closures_of(c), s_);
+  if (detail::has_loops(c))
+    detail::check_model_of_loops(detail::closures_of(c), s_, detail::loops_of(c, s_).equations.places);
   for (const int e : s_.tree().locks) {
     const auto& index = wiring().elements[static_cast<std::size_t>(e)].index;
     const int row = s_.tree().plan.row_of_gen[static_cast<std::size_t>(index[0])];

@@ -63,6 +63,12 @@ struct static_model_loops<static_chain<Gravity, E...>> {
   static access<Model> of(const Model& m, memory& kept) {
     return {m, kept.template get<state_and_step>([&m] { return state_and_step(m.chain()); })};
   }
+  /// Raises `bad_argument` for what the model does not support.
+  static void check_chain(const chain_type& c) {
+    const named here{};
+    const static_loop_state<chain_type> s(c);
+    check_model_of_loops(closures_type{{c, here}}, s, s.loops.equations.places);
+  }
   template <class Model, class X>
   static X checked(const Model& m, const X& x) {
     return checked_on_loops(m, x);
