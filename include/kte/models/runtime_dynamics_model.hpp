@@ -128,8 +128,8 @@ class manipulator_dynamics_model<runtime_chain, double, void> : public state_spa
   /// friction or velocity of sliding, 2: sense of sliding in space.
   [[nodiscard]] double contact_margin(double t, const state& x, int contact, int part) const;
   /// Resolves impacts, finds the modes of all contacts, and puts x on the rows of closed ones. Returns what changed,
-  /// valid until the next call. `along_solution`: x is a state of an integrator with the present modes.
-  std::string_view resolve_contacts(double t, state& x, bool along_solution = false) const;
+  /// valid until the next call. `event_of`: the contact whose event it is, at a state of an integrator; -1: a start.
+  std::string_view resolve_contacts(double t, state& x, int event_of = -1) const;
   /// What the last `resolve_contacts` has changed.
   [[nodiscard]] std::string_view contact_change() const;
 
@@ -258,8 +258,8 @@ KTE_FUNCTION double manipulator_dynamics_model<runtime_chain>::contact_margin(do
                                  x)[static_cast<std::size_t>(contact)][static_cast<std::size_t>(part)];
 }
 KTE_FUNCTION std::string_view manipulator_dynamics_model<runtime_chain>::resolve_contacts(double t, state& x,
-                                                                                          bool along_solution) const {
-  detail::resolve_contacts(contacts_of_model(), t, x, along_solution);
+                                                                                          int event_of) const {
+  detail::resolve_contacts(contacts_of_model(), t, x, event_of);
   return contact_change();
 }
 KTE_FUNCTION std::string_view manipulator_dynamics_model<runtime_chain>::contact_change() const {
@@ -465,7 +465,7 @@ KTE_FUNCTION void runtime_switching::switch_over(double t, Eigen::VectorXd& x) c
   if (contact < 0)
     model->switch_over(t, part_of_model, element);
   else
-    (void)model->resolve_contacts(t, part_of_model, true);
+    (void)model->resolve_contacts(t, part_of_model, contact);
   x.head(own()) = part_of_model;
 }
 KTE_FUNCTION bool runtime_switching::mend(double t, Eigen::VectorXd& x) const {
