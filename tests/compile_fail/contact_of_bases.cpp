@@ -1,4 +1,5 @@
 // expect: error: .*kte: no joint moves the frames of this contact relative to each other
+// expect: check_frames_of_contact<base_, tip_, foot_, false>
 #include <kte/contacts.hpp>
 #include <kte/elements/rigid_contact.hpp>
 #include <kte/static.hpp>
