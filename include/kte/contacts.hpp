@@ -6,7 +6,9 @@
 #include <kte/contact/surface.hpp>
 #include <kte/dynamics/contacts/contact_derivatives.hpp>
 #include <kte/dynamics/contacts/contact_dynamics.hpp>
+#include <kte/dynamics/contacts/contact_dynamics_in_lanes.hpp>
 #include <kte/dynamics/contacts/contact_jacobian.hpp>
+#include <kte/dynamics/contacts/contact_jacobian_in_lanes.hpp>
 #include <kte/dynamics/contacts/impact.hpp>
 #include <kte/dynamics/contacts/impact_derivatives.hpp>
 #include <kte/dynamics/contacts/operational_inertia.hpp>

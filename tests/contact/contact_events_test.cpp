@@ -190,6 +190,29 @@ TEST_CASE("Painleve's rod has a tangential impact at an event") {
   CHECK(ambiguous.events[0].what.find("ambiguous") != std::string::npos);
 }
 
+TEST_CASE("all events of contacts say what happens") {
+  const planar_model model([] {
+    auto c = planar(0.01);
+    add_point(c, "left", {-0.1, -0.05}, {.friction = 0.2});
+    add_point(c, "right", {0.1, -0.05}, {.friction = 0.2});
+    return c;
+  }());
+  // both land at once: the event of the second finds what the first has resolved
+  const auto end = run(model, numbers({0, 0.15, 0}), numbers({2, 0, 0}), 2.0, {.absolute = 1e-9, .relative = 1e-9});
+  REQUIRE(end.report.count >= 2);
+  CHECK(end.report.events[0].what == "'left': impact, slides; 'right': impact, slides");
+  const std::string whats[]{"'left': impact, slides; 'right': impact, slides",
+                            "'left': sticks; 'right': sticks",
+                            "'left': still slides",
+                            "'right': still slides",
+                            "'left': still sticks",
+                            "'right': still sticks"};
+  for (const auto& e : end.report.events) {
+    INFO(e.what);
+    CHECK(std::find(std::begin(whats), std::end(whats), e.what) != std::end(whats));
+  }
+}
+
 TEST_CASE("a million steps of rolling have no slip") {
   const planar_model model(ball({.friction = 0.5}));
   const vector q = numbers({0, 0, 0.1, 1, 0, 0, 0}), v = numbers({1, 0, 0, 0, 10, 0.5});

@@ -94,6 +94,24 @@ TEST_CASE("a ball bounces with its restitution") {
   CHECK(model.velocities_of(solver.state()).norm() < 1e-3);
 }
 
+TEST_CASE("the forces of steps add up to the change of momentum, where bounces are shorter than steps too") {
+  for (const double h : {1e-2, 2e-3, 1e-3}) {
+    const double height = 0.55, ends = 3 * std::sqrt(2 * height / g);  // of the bounces, for e = 1/2
+    const manipulator_dynamics_model model(rolling_ball(0.5, 0.5));
+    moreau_jean solver(std::cref(model), 0.0,
+                       model.make_x(numbers({0, 0, height + 0.1, 1, 0, 0, 0}), numbers({0, 0, 0, 0, 0, 0})), h);
+    double impulse = 0, before = 0, least = g;
+    solver.integrate(3.0, every(h), [&](double t, const auto& x) {
+      const double force = t > before ? solver.contact("floor").force.z : 0.0;
+      impulse += force * (t - before), before = t;
+      CHECK(std::abs(impulse - (g * t + x[9])) < 1e-11);  // 3000 roundings of 1e-15, and of t
+      if (force > 0) least = (std::min)(least, force);
+      if (t > ends + 6.5 * h) CHECK(std::abs(force - g) < 1e-9);
+    });
+    CHECK(least < 0.9 * g);  // in a step that began with the velocity of a bounce
+  }
+}
+
 TEST_CASE("a control law acts within steps") {
   const auto c = in_runtime(box_on_slope(0.4));
   manipulator_dynamics_model model(c);

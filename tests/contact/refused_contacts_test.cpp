@@ -9,7 +9,9 @@
 #include <kte/dynamics/momentum_rate.hpp>
 #include <kte/dynamics/reduced.hpp>
 #include <kte/dynamics/regressor.hpp>
+#include <kte/elements/compliant_contact.hpp>
 #include <kte/loops.hpp>
+#include <kte/math/pack.hpp>
 #include <kte/models/runtime_dynamics_model.hpp>
 #include <kte/models/runtime_models.hpp>
 #include <kte/statics.hpp>
@@ -74,4 +76,75 @@ TEST_CASE("algorithms without contacts refuse chains with contacts in words, and
   refuses("statics of loops", [&] { (void)static_equilibrium(c, s, q, by); });
   refuses("linearization of loops", [&] { (void)linearize(c, s, q, v, x, by); });
   refuses("models of inverse dynamics", [&] { inverse_dynamics_model<runtime_chain> model(c); });
+}
+
+TEST_CASE("contacts between frames that no joint moves relative to each other are refused by name") {
+  const auto refuses = [](runtime_chain c, const char* why) {
+    c << prismatic_joint_2D("last", "world", "carried", axis::x) << inertia_2D("carried", point_mass(1.0));
+    auto s = c.make_state();
+    const vector at = vector::Constant(3, 0.5);
+    CHECK_THROWS_MATCHES(contact_dynamics(c, s, at, at, at), bad_argument, says(why));
+    CHECK_THROWS_MATCHES(impact(c, s, at, at), bad_argument, says(why));
+    CHECK_THROWS_MATCHES(contact_jacobian(c, s, at, "inner"), bad_argument, says(why));
+    CHECK_THROWS_MATCHES(
+        manipulator_dynamics_model(c).computeStateRate(0.0, manipulator_dynamics_model(c).make_x(at, at)), bad_argument,
+        says(why));
+    auto packs = c.make_state<pack<double, 4>>();
+    const runtime_vector<pack<double, 4>> none = runtime_vector<pack<double, 4>>::Zero(3);
+    CHECK_THROWS_MATCHES(contact_dynamics(c, packs, none, none, none), bad_argument, says(why));
+  };
+  auto c = falling_point();
+  c << rigid_link_2D("point", "toe", along_x(0.5)) << point_contact_2D("inner", "point", "toe", half_space{}, {0.3, 0});
+  refuses(c,
+          "kte: contact 'inner': no joint moves its frames 'point' and 'toe' relative to each other: they are on one");
+  c = falling_point();
+  c << rigid_link_2D("world", "step", along_x(0.5))
+    << point_contact_2D("inner", "world", "step", half_space{}, {0.3, 0});
+  refuses(c,
+          "kte: contact 'inner': no joint moves its frames 'world' and 'step' relative to each other: they are both");
+  c = falling_point();
+  c << base_2D("ledge") << point_contact_2D("inner", "world", "ledge", half_space{}, {0.3, 0});
+  refuses(c,
+          "kte: contact 'inner': no joint moves its frames 'world' and 'ledge' relative to each other: they are both");
+}
+
+TEST_CASE("a body on one that is 1e12 times lighter is no jam") {
+  const auto stack = [](double mass) {
+    runtime_chain c;
+    c.gravity(along_y(-9.81)) << prismatic_joint_2D("low", "world", "plate", axis::y)
+                              << inertia_2D("plate", point_mass(1.0))
+                              << prismatic_joint_2D("high", "world", "block", axis::y)
+                              << inertia_2D("block", point_mass(mass))
+                              << point_contact_2D("under", "world", "plate", half_space{}, {0.0, 0})
+                              << point_contact_2D("over", "plate", "block", half_space{}, {0.0, 0});
+    return c;
+  };
+  const vector none = vector::Zero(2);
+  auto c = stack(1e6);
+  auto s = c.make_state();
+  const auto& r = contact_dynamics(c, s, none, none, none);
+  CHECK(std::abs(r.force("under").y / (9.81 * (1e6 + 1)) - 1) < 1e-9);
+  CHECK(std::abs(r.force("over").y / (9.81 * 1e6) - 1) < 1e-9);  // rounding of W_11 W_22 - W_12^2 = 1e-6
+  c = stack(1e12);
+  s = c.make_state();
+  CHECK_THROWS_MATCHES(
+      contact_dynamics(c, s, none, none, none), no_solution,
+      says("kte: the forces of contacts 'under', 'over' cannot be computed: their equations are nearly"));
+}
+
+TEST_CASE("a flat disc is refused with the name of its compliant contact") {
+  runtime_chain c;
+  c << free_joint_3D("pose", "ground", "coin")
+    << inertia_3D("coin", rigid_body<>{1.0, vec3<>{0, 0, 0}, sym3<>{0.004, 0, 0, 0.004, 0, 0.004}})
+    << compliant_disc_contact_3D("ground", "coin", half_space{}, axis::z, 0.1, {.stiffness = 1e4});
+  auto s = c.make_state();
+  vector q(7);
+  q << 0, 0, -1e-3, 1, 0, 0, 0;
+  const vector none = vector::Zero(6);
+  const auto is_named = says("compliant_disc_contact_3D (frame1 'ground', frame2 'coin'): a disc lies flat");
+  CHECK_THROWS_MATCHES(forward_dynamics(c, s, q, none, none), bad_argument, is_named);
+  CHECK_THROWS_MATCHES(forward_dynamics_derivatives(c, s, q, none, none), bad_argument, is_named);
+  s.pose_3D("pose").position.z = -1e-3;
+  c.doMotion(s), c.clearForce(s);
+  CHECK_THROWS_MATCHES(c.doForce(s), bad_argument, is_named);
 }

@@ -40,6 +40,8 @@ enum class friction_status {
   solved,             ///< lambda satisfies all laws
   several_solutions,  ///< solved; by enumeration, and there are solutions with other u'
   no_solution,        ///< by enumeration: there is none
+  nearly_singular,    ///< by enumeration: none was found, but equations were too nearly singular to exclude one, as
+                      ///< where a body stands on one that is 1e12 times lighter
   not_converged       ///< lambda has the smallest residual of all iterates
 };
 

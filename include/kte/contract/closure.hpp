@@ -30,6 +30,14 @@ KTE_INLINE constexpr closing_motion<S> as_closing_motion(const M& m) {
   return {as<S>(m.position),     as<S>(matrix(m.rotation)), as<S>(m.velocity),
           as<S>(m.ang_velocity), as<S>(m.acceleration),     as<S>(m.ang_acceleration)};
 }
+/// A lane of packs.
+template <class S>
+closing_motion<double> lane_of(const closing_motion<S>& m, std::size_t lane) {
+  const auto one = [lane](const vec3<S>& x) { return vec3<>{x.x[lane], x.y[lane], x.z[lane]}; };
+  return {one(m.position),     {one(m.rotation.x), one(m.rotation.y), one(m.rotation.z)},
+          one(m.velocity),     one(m.ang_velocity),
+          one(m.acceleration), one(m.ang_acceleration)};
+}
 template <class S, class... R>
 KTE_INLINE constexpr std::array<S, sizeof...(R)> rows_in_numbers(const values<R...>& rows) {
   return [&]<std::size_t... K>(std::index_sequence<K...>) {

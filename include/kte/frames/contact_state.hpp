@@ -2,6 +2,8 @@
 
 #include <kte/math/vec.hpp>
 
+#include <cstddef>
+
 namespace kte {
 
 /// The mode of a contact.
@@ -53,6 +55,11 @@ constexpr void read_mode(const X& x, I first, contact_state<S>& to) {
 template <class S>
 [[nodiscard]] constexpr contact_mode mode_of(const contact_state<S>& x) {
   return x.mode == S(1) ? contact_mode::sticks : x.mode == S(2) ? contact_mode::slides : contact_mode::open;
+}
+/// The mode of a contact in a lane of packs.
+template <class S>
+requires(S::lanes > 0) [[nodiscard]] contact_mode mode_of(const contact_state<S>& x, std::size_t lane) {
+  return mode_of(contact_state<>{.mode = static_cast<double>(x.mode[lane])});
 }
 
 }  // namespace kte

@@ -140,7 +140,7 @@ struct contact_switching {
   template <class T, class X>
   void switch_over(const T& t, X& x) const {
     auto own = own_part(x);
-    (void)model->resolve_contacts(t, own, true);
+    (void)model->resolve_contacts(t, own, contact);
     x.head(own.size()) = own;
   }
   template <class T, class X>

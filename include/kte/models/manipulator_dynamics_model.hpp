@@ -123,9 +123,9 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
     return constraints::margin(*this, constraints_, t, x, contact, part);
   }
   /// Resolves impacts, finds the modes of all contacts, and puts x on the rows of closed ones. Returns what changed,
-  /// valid until the next call. `along_solution`: x is a state of an integrator with the present modes.
-  std::string_view resolve_contacts(const S& t, state& x, bool along_solution = false) const requires(touches) {
-    return constraints::resolve(*this, constraints_, t, x, along_solution);
+  /// valid until the next call. `event_of`: the contact whose event it is, at a state of an integrator; -1: a start.
+  std::string_view resolve_contacts(const S& t, state& x, int event_of = -1) const requires(touches) {
+    return constraints::resolve(*this, constraints_, t, x, event_of);
   }
   /// What the last `resolve_contacts` has changed.
   [[nodiscard]] std::string_view contact_change() const requires(touches) {

@@ -122,8 +122,8 @@ class manipulator_dynamics_model<runtime_chain, double, void> : public state_spa
   /// friction or velocity of sliding, 2: sense of sliding in space.
   [[nodiscard]] double contact_margin(double t, const state& x, int contact, int part) const;
   /// Resolves impacts, finds the modes of all contacts, and puts x on the rows of closed ones. Returns what changed,
-  /// valid until the next call. `along_solution`: x is a state of an integrator with the present modes.
-  std::string_view resolve_contacts(double t, state& x, bool along_solution = false) const;
+  /// valid until the next call. `event_of`: the contact whose event it is, at a state of an integrator; -1: a start.
+  std::string_view resolve_contacts(double t, state& x, int event_of = -1) const;
   /// What the last `resolve_contacts` has changed.
   [[nodiscard]] std::string_view contact_change() const;
 

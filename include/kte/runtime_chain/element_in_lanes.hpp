@@ -47,6 +47,12 @@ class element_in_lanes final : public kte_element {
   bool switches() const override { return first().switches(); }
   element_numbers<double> numbers() const override { return first().numbers(); }
   closure_rows rows() const override { return first().rows(); }
+  touch touch_at(const closing_motion<double>& m) const override { return first().touch_at(m); }
+  basic_touch<derivative_number> touch_at(const closing_motion<derivative_number>& m) const override {
+    return first().touch_at(m);
+  }
+  bool has_gate() const override { return first().has_gate(); }
+  bool admits(const runtime_state& s) const override { return first().admits(s); }
   std::span<const std::string_view> closure_parameters() const override { return first().closure_parameters(); }
 
   void doMotion(runtime_state& s) const override { first().doMotion(s); }

@@ -40,20 +40,12 @@ class kte_map_adapter final : public kte_element {
   explicit kte_map_adapter(named_element<Core> e) : core_(e.core), names_(std::move(e.names)) {}
 
   void doMotion(runtime_state& s) const override {
-    if constexpr (may_have_no_value<Core>) {
-      try {
-        on(s).motion(inputs{});
-      } catch (const bad_argument& e) {
-        detail::raise_named(*this, e);
-      } catch (const dead_point& e) {
-        detail::raise_named(*this, e);
-      }
-    } else {
-      on(s).motion(inputs{});
-    }
+    named([&] { on(s).motion(inputs{}); });
   }
   void clearForce(runtime_state& s) const override { on(s).clear(std::make_index_sequence<port_count<Core>>{}); }
-  void doForce(runtime_state& s) const override { on(s).force(inputs{}); }
+  void doForce(runtime_state& s) const override {
+    named([&] { on(s).force(inputs{}); });
+  }
 
   [[gnu::cold]] std::unique_ptr<kte_map> clone() const override { return std::make_unique<kte_map_adapter>(*this); }
   void for_each_element(const std::function<void(const kte_element&)>& visit) const override { visit(*this); }
@@ -92,8 +84,12 @@ class kte_map_adapter final : public kte_element {
   bool holds_code() const override { return kte::holds_code<Core>; }
 
   double kinetic_energy(runtime_state& s) const override { return as<double>(on(s).kinetic_energy(inputs{})); }
-  double potential_energy(runtime_state& s) const override { return as<double>(on(s).potential_energy(inputs{})); }
-  double switching(runtime_state& s) const override { return as<double>(on(s).switching(inputs{})); }
+  double potential_energy(runtime_state& s) const override {
+    return named([&] { return as<double>(on(s).potential_energy(inputs{})); });
+  }
+  double switching(runtime_state& s) const override {
+    return named([&] { return as<double>(on(s).switching(inputs{})); });
+  }
   bool switches() const override {
     using number = decltype(on(std::declval<runtime_state&>()).switching(inputs{}));
     return !typed_constant<number> || locks_coordinate<Core>;
@@ -116,14 +112,16 @@ class kte_map_adapter final : public kte_element {
   double friction(runtime_state& s, const wrench<vec3<>, vec3<>>& end) const override {
     return as<double>(on(s).friction(end));
   }
-  void derive_forces(runtime_state& s) const override { detail::subtract_force_derivatives(core_, s, index_.data()); }
+  void derive_forces(runtime_state& s) const override {
+    named([&] { detail::subtract_force_derivatives(core_, s, index_.data()); });
+  }
   void derive_motion(detail::derivative_state& s) const override {
     if constexpr (detail::acts<Core>)
-      detail::out_of_line_pass<Core, detail::derivative_state>(core_, s, index_.data()).motion();
+      named([&] { detail::out_of_line_pass<Core, detail::derivative_state>(core_, s, index_.data()).motion(); });
   }
   void derive_force(detail::derivative_state& s) const override {
     if constexpr (detail::acts<Core>)
-      detail::out_of_line_pass<Core, detail::derivative_state>(core_, s, index_.data()).force();
+      named([&] { detail::out_of_line_pass<Core, detail::derivative_state>(core_, s, index_.data()).force(); });
   }
   detail::derivative_number derive_friction(
       [[maybe_unused]] detail::derivative_state& s,
@@ -218,6 +216,21 @@ class kte_map_adapter final : public kte_element {
   }
 
  private:
+  /// Returns f(). Errors of elements that may have no value name the element.
+  template <class F>
+  decltype(auto) named(const F& f) const {
+    if constexpr (may_have_no_value<Core>) {
+      try {
+        return f();
+      } catch (const bad_argument& e) {
+        detail::raise_named(*this, e);
+      } catch (const dead_point& e) {
+        detail::raise_named(*this, e);
+      }
+    } else {
+      return f();
+    }
+  }
   using inputs = std::make_index_sequence<input_count<Core>>;
   static constexpr bool closes_frames =
       (detail::is_closure<Core> || detail::is_contact<Core>)&&is_frame(Core::ports[0].what);

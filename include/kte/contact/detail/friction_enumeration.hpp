@@ -4,6 +4,8 @@
 #include <kte/contact/detail/friction_system.hpp>
 #include <kte/contact/detail/least_squares.hpp>
 
+#include <limits>
+
 namespace kte::detail {
 
 /// Combinations of modes of contacts whose friction is piecewise linear: plane contacts, contacts that slide in a fixed
@@ -12,6 +14,8 @@ template <class S>
 class friction_enumeration {
  public:
   static constexpr int most = 64;
+  /// Whether equations of a combination were nearly singular, but not singular; `solve` sets it.
+  bool nearly_singular = false;
 
   /// The number of modes of contact k; 0 if it is not piecewise linear.
   static int modes_of(const friction_system<S>& p, std::size_t k) {
@@ -80,10 +84,13 @@ class friction_enumeration {
     std::array<S, 6> x{};
     if (n > 0) {
       std::array<S, 48> eliminated = A;
-      if (eliminate(eliminated.data(), n, 8) > S(1e-9) * p.unit)
+      const S pivot = eliminate(eliminated.data(), n, 8);
+      if (pivot > S(1e-9) * p.unit) {
         for (int i = 0; i < n; ++i) x[static_cast<std::size_t>(i)] = eliminated[static_cast<std::size_t>(8 * i + n)];
-      else
+      } else {
         x = least_of(A, n, generators);
+        nearly_singular = nearly_singular || pivot > S(100) * std::numeric_limits<S>::epsilon() * p.unit;
+      }
     }
     std::fill_n(lambda, p.size, S(0));
     for (int j = 0; j < n; ++j)

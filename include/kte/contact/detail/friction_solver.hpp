@@ -139,6 +139,7 @@ std::span<const friction_solution<S>> friction_solver<S>::enumerate(const fricti
   const int combinations = enumeration_.combinations(system_);
   F_.resize(m);
   std::size_t count = 0;
+  enumeration_.nearly_singular = false;
   for (int i = 0; i < combinations; ++i) {
     if (all_.size() == count) all_.emplace_back();
     friction_solution<S>& x = all_[count];
@@ -171,7 +172,8 @@ const friction_solution<S>& friction_solver<S>::choose(const friction_options<S>
         found_.modes.assign(system_.contacts.size(), friction_mode::open);
     system_.velocity(found_.lambda.data(), found_.u.data());
     found_.residual = system_.residual(found_.lambda.data(), found_.u.data(), F_.data());
-    found_.status = friction_status::no_solution, found_.method = friction_method::enumeration;
+    found_.status = enumeration_.nearly_singular ? friction_status::nearly_singular : friction_status::no_solution;
+    found_.method = friction_method::enumeration;
     return found_;
   }
   std::size_t best = 0;

@@ -53,42 +53,49 @@ class closure_loads : public closure_motion {
                         const Put& put, const Accelerated& accelerate) {
     const auto& x = places.closures[static_cast<std::size_t>(closure)];
     const auto& m = motions_[static_cast<std::size_t>(closure)];
-    const auto& f = s.tree().body_tree;
     for (int first = 0; first < rows; first += lanes) {
       simd_load on2;
       tree::load_vectors<double>(on2.force, units + first, closing_stride);
       tree::load_vectors<double>(on2.torque, units + 3 * closing_stride + first, closing_stride);
       powers<Accelerate> sum;
-      const auto enter = [&](std::size_t port, const runtime_frame& frame, const simd_load& load) {
-        const auto& place = f.frame(frame.what, frame.index).at;
-        tree::add_to(loads_[static_cast<std::size_t>(x.enters[port])],
-                     tree::seen_from<double>(place.rotation, place.position, load));
-      };
-      clear_loads(x.way);
-      if (x.enters[0] >= 0) {
-        simd_load on1 = tree::seen_from<double>(m.rotation, m.position, on2);
-        for (auto* v : {&on1.force, &on1.torque}) v->x = -v->x, v->y = -v->y, v->z = -v->z;
-        enter(0, x.frame1, on1);
-      } else if constexpr (Accelerate) {
-        auto base = seen_from_base(moved_by_base(s, x.frame1), m.rotation, m.position);
-        base.acceleration = -base.acceleration, base.ang_acceleration = -base.ang_acceleration;
-        sum.at_base(on2, base);
-      }
-      if (x.enters[1] >= 0)
-        enter(1, x.frame2, on2);
-      else if constexpr (Accelerate)
-        sum.at_base(on2, moved_by_base(s, x.frame2));
       const auto put_lanes = [&](int axis, const tree::simd<double>& e) KTE_INLINE_LAMBDA {
         const auto place = static_cast<std::size_t>(places.place_of_axis[static_cast<std::size_t>(axis)]);
         put(place, first, root[static_cast<Eigen::Index>(place)] * e);
       };
-      tree::send_to_bases(f, s.work, x.way, loads_.data(), static_cast<const double*>(nullptr), put_lanes, sum);
+      send_load<Accelerate>(s, x, m, on2, loads_, put_lanes, sum);
       if constexpr (Accelerate) {
         double left[lanes];
         tree::store<double>(sum.sum, left);
         for (int r = first; r < (std::min)(first + lanes, rows); ++r) accelerate(r, left[r - first]);
       }
     }
+  }
+  /// The effect of a wrench on frame2, in its axes, and of the opposite one on frame1, on the axes of their path:
+  /// `tree::send_to_bases`, with `Accelerate` with the powers on moving bases. m: the motion of frame2 in frame1.
+  template <bool Accelerate, class State, class S, class Put, class Sum>
+  static void send_load(State& s, const closure_place& x, const closing_motion<S>& m, const tree::simd_wrench<S>& on2,
+                        std::vector<tree::simd_wrench<S>>& loads, const Put& put, Sum& sum) {
+    const auto& f = s.tree().body_tree;
+    const auto enter = [&](std::size_t port, const runtime_frame& frame, const tree::simd_wrench<S>& load) {
+      const auto& place = f.frame(frame.what, frame.index).at;
+      tree::add_to<S>(loads[static_cast<std::size_t>(x.enters[port])],
+                      tree::seen_from<S>(place.rotation, place.position, load));
+    };
+    clear_loads(loads, x.way);
+    if (x.enters[0] >= 0) {
+      tree::simd_wrench<S> on1 = tree::seen_from<S>(m.rotation, m.position, on2);
+      for (auto* v : {&on1.force, &on1.torque}) v->x = -v->x, v->y = -v->y, v->z = -v->z;
+      enter(0, x.frame1, on1);
+    } else if constexpr (Accelerate) {
+      auto base = seen_from_base(moved_by_base(s, x.frame1), m.rotation, m.position);
+      base.acceleration = -base.acceleration, base.ang_acceleration = -base.ang_acceleration;
+      sum.at_base(on2, base);
+    }
+    if (x.enters[1] >= 0)
+      enter(1, x.frame2, on2);
+    else if constexpr (Accelerate)
+      sum.at_base(on2, moved_by_base(s, x.frame2));
+    tree::send_to_bases(f, s.work, x.way, loads.data(), static_cast<const S*>(nullptr), put, sum);
   }
   /// The position and rotation of frame2 in frame1 for a closure of frames, after `at_positions` or `biased_motion`.
   const closing_motion<double>& place(int closure) const { return motions_[static_cast<std::size_t>(closure)]; }
@@ -121,24 +128,27 @@ class closure_loads : public closure_motion {
   template <bool Accelerate>
   using powers = std::conditional_t<Accelerate, tree::load_powers<double>, const tree::no_powers>;
   /// Accelerations of a base at the origin of a frame with rotation R at p, in axes of the frame: R^T (a + al x p).
-  static tree::body_motion<double> seen_from_base(const tree::body_motion<double>& base, const mat3<vec3<>>& r,
-                                                  const vec3<>& p) {
+  template <class S>
+  static tree::body_motion<S> seen_from_base(const tree::body_motion<S>& base, const mat3<vec3<S>>& r,
+                                             const vec3<S>& p) {
     const auto back = transpose(r);
-    tree::body_motion<double> x{};
+    tree::body_motion<S> x{};
     x.acceleration = back * (base.acceleration + cross(base.ang_acceleration, p));
     x.ang_acceleration = back * base.ang_acceleration;
     return x;
   }
   template <class State>
-  static tree::body_motion<double> moved_by_base(const State& s, const runtime_frame& frame) {
+  static auto moved_by_base(const State& s, const runtime_frame& frame) {
+    using S = typename State::scalar;
     const auto& place = s.tree().body_tree.frame(frame.what, frame.index);
-    return seen_from_base(s.work.bodies[static_cast<std::size_t>(place.slot)], as<double>(place.at.rotation),
-                          place.at.position);
+    return seen_from_base<S>(s.work.bodies[static_cast<std::size_t>(place.slot)], as<S>(place.at.rotation),
+                             as<S>(place.at.position));
   }
-  void clear_loads(const tree::load_way& way) {
-    loads_.resize((std::max)(loads_.size(), way.nodes.size()));
+  template <class Load>
+  static void clear_loads(std::vector<Load>& loads, const tree::load_way& way) {
+    loads.resize((std::max)(loads.size(), way.nodes.size()));
     for (std::size_t n = 0; n < way.nodes.size(); ++n)
-      if (way.loaded[n]) loads_[n] = simd_load{};
+      if (way.loaded[n]) loads[n] = Load{};
   }
   template <bool Accelerate, class Closures, class State, class Put>
   void half_solve_coordinates(const Closures& c, State& s, const closure_place& x, const Eigen::VectorXd& root,
@@ -146,7 +156,7 @@ class closure_loads : public closure_motion {
     coordinate_rows(c, s, x, [&](const auto& values, const double* by) {
       powers<Accelerate> sum;
       double of_jointless = 0;
-      clear_loads(x.way), forces_.assign(tree::most_axes * x.way.nodes.size(), 0);
+      clear_loads(loads_, x.way), forces_.assign(tree::most_axes * x.way.nodes.size(), 0);
       for (std::size_t n = 0; n < x.dofs.size(); ++n) {
         const auto place = static_cast<std::size_t>(places.place_of_row[static_cast<std::size_t>(x.dofs[n])]);
         if (x.enters[n] >= 0) {

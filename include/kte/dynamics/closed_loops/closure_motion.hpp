@@ -10,12 +10,38 @@ namespace kte::detail {
 /// Functions of bodies that have been placed and moved in the working memory of a state.
 class closure_motion {
  public:
+  /// Calls visit(axis, v, w) for the velocity of frame2 relative to frame1 by each axis, in axes of frame2; bodies are
+  /// placed. m: the motion of frame2 in frame1.
+  template <class State, class S, class Visit>
+  static void each_relative_column(const State& s, const closure_place& x, const closing_motion<S>& m,
+                                   const Visit& visit) {
+    const auto& f = s.tree().body_tree;
+    const auto &at_a = f.frame(x.frame1.what, x.frame1.index), &at_b = f.frame(x.frame2.what, x.frame2.index);
+    const int common = tree::common_slot(f, at_a.slot, at_b.slot);
+    const tree::frame_place<S> b_on_a{
+        at_a.slot, plain_pose<S>(compose(pose{at_a.at.rotation, at_a.at.position}, pose{m.rotation, m.position}))};
+    const auto with_sign = [&visit](double sign) {
+      return [&visit, by = S(sign)](int k, const tree::direction<S>& v, const tree::direction<S>& w) {
+        visit(k, by * v, by * w);
+      };
+    };
+    tree::dense_pose<S> seen;
+    (void)tree::jacobian_columns(f, s.work, at_b, seen, with_sign(1), common);
+    (void)tree::jacobian_columns(f, s.work, b_on_a, seen, with_sign(-1), common);
+  }
   /// The motion of frame2 in frame1 at rest.
   template <class State>
   static auto motion_between(const State& s, const closure_place& x) {
     ends_of_closure<typename State::scalar> at;
     find_places(s, x, at);
     return between(at);
+  }
+  /// As `biased_motion`, which is that of the place.
+  template <class State>
+  static auto biased_motion_between(const State& s, const closure_place& x) {
+    ends_of_closure<typename State::scalar> at;
+    find_places(s, x, at);
+    return accelerated<false>(s, x, at, between(at));
   }
   /// The motion of frame2 in frame1 for moving bodies.
   template <class State>

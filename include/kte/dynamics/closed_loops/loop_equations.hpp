@@ -147,22 +147,12 @@ class loop_equations : public closure_loads {
       c.close_frames(x.element, m, closing::residual_dot, rows);
       for (int r = 0; r < x.rows.count(); ++r) j(first + r, column) += places.scale(x, r) * rows[r];
     };
-    const auto& f = s.tree().body_tree;
-    const auto &at_a = f.frame(x.frame1.what, x.frame1.index), &at_b = f.frame(x.frame2.what, x.frame2.index);
-    const int common = tree::common_slot(f, at_a.slot, at_b.slot);
-    const tree::frame_place<double> b_on_a{
-        at_a.slot, plain_pose<double>(compose(pose{at_a.at.rotation, at_a.at.position}, pose{m.rotation, m.position}))};
     const auto each_column = [&](const auto& visit) {  // visit(axis, six numbers)
-      const auto with_sign = [&visit](double sign) {
-        return [&visit, sign](int k, const tree::direction<double>& v, const tree::direction<double>& w) {
-          double six[6];
-          tree::put_column<false, double>(six, sign * v, sign * w);
-          visit(static_cast<std::size_t>(k), six);
-        };
-      };
-      tree::dense_pose<double> seen;
-      (void)tree::jacobian_columns(f, s.work, at_b, seen, with_sign(1), common);
-      (void)tree::jacobian_columns(f, s.work, b_on_a, seen, with_sign(-1), common);
+      each_relative_column(s, x, m, [&](int k, const tree::direction<double>& v, const tree::direction<double>& w) {
+        double six[6];
+        tree::put_column<false, double>(six, v, w);
+        visit(static_cast<std::size_t>(k), six);
+      });
     };
     if (s.tree().plan.tree) {
       each_column([&](std::size_t k, const double* six) {
@@ -171,6 +161,7 @@ class loop_equations : public closure_loads {
       });
       return;
     }
+    const auto& f = s.tree().body_tree;
     Eigen::Matrix<double, 6, Eigen::Dynamic> all =
         Eigen::Matrix<double, 6, Eigen::Dynamic>::Zero(6, s.tree().plan.coordinates);
     each_column([&](std::size_t k, const double* six) {

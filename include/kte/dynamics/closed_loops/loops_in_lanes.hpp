@@ -105,13 +105,12 @@ class loops_in_lanes {
   }
   /// Computes residuals, accelerations and L^-T J^T of a closure of frames, for its rows from `first` on.
   void close_frames(const runtime_closures& c, basic_runtime_state<S>& s, const closure_place& x, std::size_t first) {
-    const auto& f = s.tree().body_tree;
     const closing_motion<S> m = loop_equations::moving_between(s, x);
     const int count = x.rows.count();
     S units[6][6];
     closing_motion<double> motions[lanes];
     double rows[lanes * all_rows_of_closing];
-    for (std::size_t lane = 0; lane < lanes; ++lane) motions[lane] = of_lane(m, lane);
+    for (std::size_t lane = 0; lane < lanes; ++lane) motions[lane] = lane_of(m, lane);
     c.element(x.element).close_frames(motions, rows);
     for (std::size_t lane = 0; lane < lanes; ++lane) {
       const double *g = rows + lane * all_rows_of_closing, *accelerations = g + closing_stride,
@@ -125,17 +124,9 @@ class loops_in_lanes {
     }
     for (int r = 0; r < count; ++r) {
       const load on2{{units[r][0], units[r][1], units[r][2]}, {units[r][3], units[r][4], units[r][5]}};
-      load on1 = tree::seen_from<S>(m.rotation, m.position, on2);
-      for (auto* v : {&on1.force, &on1.torque}) v->x = -v->x, v->y = -v->y, v->z = -v->z;
-      loads_.assign(x.way.nodes.size(), load{});
-      const auto enter = [&](std::size_t port, const runtime_frame& frame, const load& w) {
-        if (x.enters[port] < 0) return;
-        const auto& place = f.frame(frame.what, frame.index).at;
-        tree::add_to<S>(loads_[static_cast<std::size_t>(x.enters[port])],
-                        tree::seen_from<S>(place.rotation, place.position, w));
-      };
-      enter(0, x.frame1, on1), enter(1, x.frame2, on2);
-      send(s, x, nullptr, first + static_cast<std::size_t>(r));
+      const tree::no_powers none;
+      loop_equations::send_load<false>(
+          s, x, m, on2, loads_, [&](int axis, const S& e) { put(axis, e, first + static_cast<std::size_t>(r)); }, none);
     }
   }
   void close_coordinates(const runtime_closures& c, basic_runtime_state<S>& s, const closure_place& x,
@@ -162,21 +153,13 @@ class loops_in_lanes {
       else
         all_.column(first)[places_.column_of_place[place]] += root_[place] * by[n];
     }
-    send(s, x, forces_.data(), first);
+    tree::send_to_bases(s.tree().body_tree, s.work, x.way, loads_.data(), forces_.data(),
+                        [&](int axis, const S& e) { put(axis, e, first); });
   }
-  /// Row `row` of the block: the effect of `loads_` on the axes of their path.
-  void send(basic_runtime_state<S>& s, const closure_place& x, const S* force, std::size_t row) {
-    const auto put = [&](int axis, const S& e) {
-      const auto place = static_cast<std::size_t>(places_.place_of_axis[static_cast<std::size_t>(axis)]);
-      all_.column(row)[places_.column_of_place[place]] += root_[place] * e;
-    };
-    tree::send_to_bases(s.tree().body_tree, s.work, x.way, loads_.data(), force, put);
-  }
-  static closing_motion<double> of_lane(const closing_motion<S>& m, std::size_t lane) {
-    const auto one = [lane](const vec3<S>& x) { return vec3<>{x.x[lane], x.y[lane], x.z[lane]}; };
-    return {one(m.position),     {one(m.rotation.x), one(m.rotation.y), one(m.rotation.z)},
-            one(m.velocity),     one(m.ang_velocity),
-            one(m.acceleration), one(m.ang_acceleration)};
+  /// The effect e on an axis, in row `row` of the block.
+  void put(int axis, const S& e, std::size_t row) {
+    const auto place = static_cast<std::size_t>(places_.place_of_axis[static_cast<std::size_t>(axis)]);
+    all_.column(row)[places_.column_of_place[place]] += root_[place] * e;
   }
 
   using load = tree::simd_wrench<S>;

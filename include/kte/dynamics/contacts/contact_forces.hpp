@@ -39,8 +39,8 @@ std::string names_of_touching(const Contacts& c, const contact_workspace& m) {
 }
 /// Writes the modes of the contacts that touch, from those of the solution: contacts without force that separate are
 /// open.
-template <class Numbers>
-void put_modes(contact_solver& m, const std::vector<friction_mode>& found, const Numbers& lambda, const Numbers& u) {
+template <class Solver, class Numbers>
+void put_modes(Solver& m, const std::vector<friction_mode>& found, const Numbers& lambda, const Numbers& u) {
   const auto row = [&m](std::size_t i) { return static_cast<std::size_t>(m.touched(i).first); };
   double force = 0;
   for (std::size_t i = 0; i < found.size(); ++i) force = (std::max)(force, lambda[row(i)]);
@@ -53,7 +53,8 @@ void put_modes(contact_solver& m, const std::vector<friction_mode>& found, const
 }
 /// Finds the forces of the contacts that touch, those of least norm if there are several with the same motion, unless
 /// `any`. `start`: forces to start from, or none.
-inline friction_status find_friction(contact_solver& m, bool any = false, std::span<const double> start = {}) {
+template <class Solver>
+friction_status find_friction(Solver& m, bool any = false, std::span<const double> start = {}) {
   m.modes.clear();
   if (m.touching.empty()) return friction_status::solved;
   const friction_problem<> p(m.w, m.bias, m.laws);
@@ -70,18 +71,27 @@ inline friction_status find_friction(contact_solver& m, bool any = false, std::s
   put_modes(m, r.modes, r.lambda, r.u);
   return r.status;
 }
+constexpr bool has_forces(friction_status status) {
+  return status == friction_status::solved || status == friction_status::several_solutions;
+}
+inline std::string text_of_no_forces(const std::string& names, friction_status status, double residual) {
+  if (status == friction_status::nearly_singular)
+    return "kte: the forces of contacts " + names +
+           " cannot be computed: their equations are nearly singular, as where a body stands on one that is 1e12 times "
+           "lighter";
+  return "kte: no contact forces satisfy the laws of friction at contacts " + names +
+         (status == friction_status::no_solution ? ": a jam (Painleve): kte::impact finds the velocities after it"
+                                                 : "; residual " + number(residual));
+}
 template <class Contacts>
 [[noreturn, gnu::cold]] void raise_no_forces(const Contacts& c, const contact_solver& m, friction_status status) {
-  raise<no_solution>("kte: no contact forces satisfy the laws of friction at contacts " + names_of_touching(c, m) +
-                     (status == friction_status::no_solution
-                          ? ": a jam (Painleve): kte::impact finds the velocities after it"
-                          : "; residual " + number(m.residual)));
+  raise<no_solution>(text_of_no_forces(names_of_touching(c, m), status, m.residual));
 }
 /// `find_friction`; throws `no_solution`. Returns whether there are several solutions.
 template <class Contacts>
 bool solve_friction(const Contacts& c, contact_solver& m, bool any = false, std::span<const double> start = {}) {
   const auto status = find_friction(m, any, start);
-  if (status == friction_status::no_solution || status == friction_status::not_converged) [[unlikely]]
+  if (!has_forces(status)) [[unlikely]]
     raise_no_forces(c, m, status);
   return status == friction_status::several_solutions;
 }
@@ -164,6 +174,10 @@ inline void put_bias(contact_solver& m, std::size_t i) {
   m.put_rows(x, m.unscaled(x, m.equations.acceleration), m.bias);
   m.bias[x.first] += x.place.bending / m.equations.places.length;
 }
+inline std::string text_of_approach(const std::string& contact, double speed) {
+  return "kte: contact '" + contact + "' approaches at " + number(speed) +
+         " m/s: kte::impact gives the velocities after it";
+}
 /// Chooses the contacts that touch: not those with leaves(contact); those with slides(contact) slide. Raises
 /// `bad_argument` for a contact that approaches.
 template <class Contacts, class Leaves, class Slides>
@@ -172,8 +186,7 @@ void choose_contacts(const Contacts& c, contact_solver& m, const Leaves& leaves,
   for (std::size_t i = 0; i < m.touching.size(); ++i) {
     const auto& x = m.touched(i);
     if (normal_velocity(m, x) < -1) [[unlikely]]
-      raise<bad_argument>("kte: contact '" + c.loop_name(m.place(x).loop) + "' approaches at " +
-                          number(-dot(x.place.normal, x.slip)) + " m/s: kte::impact gives the velocities after it");
+      raise<bad_argument>(text_of_approach(c.loop_name(m.place(x).loop), -dot(x.place.normal, x.slip)));
     if (slides(x)) m.let_slide(i);
   }
 }
@@ -186,9 +199,6 @@ struct slides_by_motion {
   const contact_solver& m;
   bool operator()(const contact_at& x) const { return slides(m, x); }
 };
-constexpr bool has_forces(friction_status status) {
-  return status != friction_status::no_solution && status != friction_status::not_converged;
-}
 /// Accelerations under applied(i), written to `forces` of the working memory, with the contact forces:
 ///
 ///   u' = W lambda + b,   a = a_0 + L^-1 B lambda          (1)

@@ -44,14 +44,19 @@ Eigen::MatrixXd contact_jacobian_rate(const runtime_chain& c, runtime_state& s, 
 // ---- static chains: as for runtime chains; contacts by keys too
 
 template <class Gravity, class... E, indexable Q>
-[[nodiscard]] Eigen::MatrixXd contact_jacobian(const static_chain<Gravity, E...>& c, const Q& q,
-                                               const chosen_contacts& of) {
-  const auto x = detail::positions_at_run_time<static_chain<Gravity, E...>>(q);
-  return detail::at_run_time(c, [&](const auto& r, auto& s) { return contact_jacobian(r, s, x, of); });
+[[nodiscard]] auto contact_jacobian(const static_chain<Gravity, E...>& c, const Q& q, const chosen_contacts& of) {
+  using chain = static_chain<Gravity, E...>;
+  using S = value_of<Q>;
+  if constexpr (detail::has_lanes_of_double<S>) {
+    detail::check_configuration<chain>(q);
+    return detail::at_run_time<S>(c, [&](const auto& r, auto& s) { return contact_jacobian(r, s, q, of); });
+  } else {
+    const auto x = detail::positions_at_run_time<chain>(q);
+    return detail::at_run_time(c, [&](const auto& r, auto& s) { return contact_jacobian(r, s, x, of); });
+  }
 }
 template <class Gravity, class... E, indexable Q, key_type Contact>
-[[nodiscard]] Eigen::MatrixXd contact_jacobian(const static_chain<Gravity, E...>& c, const Q& q,
-                                               const Contact& contact) {
+[[nodiscard]] auto contact_jacobian(const static_chain<Gravity, E...>& c, const Q& q, const Contact& contact) {
   return contact_jacobian(c, q, at_contacts(contact));
 }
 template <class Gravity, class... E, indexable Q, indexable V>

@@ -3,9 +3,22 @@
 #include <kte/dynamics/closed_loops/loop_results.hpp>
 #include <kte/frames/contact_state.hpp>
 
+#include <array>
+
 namespace kte {
 
 namespace detail {
+template <class S>
+struct truth_of_lanes_as {
+  using type = bool;
+};
+template <class S>
+requires(S::lanes > 0) struct truth_of_lanes_as<S> {
+  using type = std::array<bool, std::size_t{S::lanes}>;
+};
+/// A truth value; of packs an array of them, by lane.
+template <class S>
+using truth_of_lanes = typename truth_of_lanes_as<S>::type;
 template <class Values>
 auto& named_value(const std::vector<std::string>& names, Values& values, std::string_view name) {
   for (std::size_t i = 0; i < names.size(); ++i)
@@ -14,19 +27,23 @@ auto& named_value(const std::vector<std::string>& names, Values& values, std::st
 }
 }  // namespace detail
 
-/// The result of `contact_dynamics`.
-struct contact_dynamics_result {
-  Eigen::VectorXd a;     ///< accelerations
-  bool several = false;  ///< whether other accelerations satisfy the laws of contact too; found for up to 3 contacts
-                         ///< in the plane
+/// The result of `contact_dynamics`. S: double, or packs of states.
+template <class S>
+struct basic_contact_dynamics_result {
+  Eigen::Matrix<S, Eigen::Dynamic, 1> a;  ///< accelerations
+  /// Whether other accelerations satisfy the laws of contact too; found for up to 3 contacts in the plane. Of packs an
+  /// array, by lane.
+  detail::truth_of_lanes<S> several{};
   /// A contact: its gap, slip, force and mode. Throws `unknown_name`.
-  const contact_state<>& contact(std::string_view name) const { return detail::named_value(names, contacts, name); }
+  const contact_state<S>& contact(std::string_view name) const { return detail::named_value(names, contacts, name); }
   /// The force of a contact on its body, N, in axes of its surface.
-  const vec3<>& force(std::string_view name) const { return contact(name).force; }
+  const vec3<S>& force(std::string_view name) const { return contact(name).force; }
 
   std::vector<std::string> names;  ///< of contacts, in order
-  std::vector<contact_state<>> contacts;
+  std::vector<contact_state<S>> contacts;
 };
+/// The result of `contact_dynamics` in double.
+using contact_dynamics_result = basic_contact_dynamics_result<double>;
 
 /// The result of `impact`.
 struct impact_result {

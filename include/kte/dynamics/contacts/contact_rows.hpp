@@ -2,12 +2,11 @@
 
 #include <kte/contact/friction_problem.hpp>
 #include <kte/dynamics/closed_loops/loop_dynamics.hpp>
+#include <kte/dynamics/contacts/contact_at.hpp>
+#include <kte/dynamics/contacts/frames_of_contacts.hpp>
 #include <kte/dynamics/contacts/kept_size.hpp>
-#include <kte/frames/contact_state.hpp>
 
-#include <array>
 #include <string>
-#include <vector>
 
 /// The contacts that touch at a state, in rows (n, t_1, t_2) of a basis of each contact, (n, t_1) in the plane. Rows in
 /// m are divided by the length of the chain, as those of closures.
@@ -20,45 +19,6 @@
 ///   B <- (1 - Q Q^T) B,   u' <- u' - B^T Q R^-T u'_C                  (3)
 namespace kte::detail {
 
-/// The basis of a contact in axes of its surface: the normal, and tangents.
-using contact_basis = std::array<vec3<>, 3>;
-inline contact_basis basis_along(const vec3<>& n, const vec3<>& t) { return {n, t, cross(n, t)}; }
-/// With tangents of any direction; `planar`: in the plane x, y.
-inline contact_basis basis_at(const vec3<>& n, bool planar) {
-  if (planar) return basis_along(n, {n.y, -n.x, 0});
-  const vec3<> other = std::abs(n.x) < 0.6 ? vec3<>{1, 0, 0} : vec3<>{0, 1, 0};
-  const vec3<> t = cross(n, other);
-  return basis_along(n, (1 / std::sqrt(dot(t, t))) * t);
-}
-
-inline constexpr std::size_t row_lanes = 4;  ///< rows of a contact, and one of zeros
-/// A contact at a state.
-struct contact_at {
-  int closure = 0;  ///< its number among closures and contacts
-  int slot = 0;     ///< its number among contacts
-  bool planar = false;
-  bool has_gate = false;  ///< `only_if`
-  bool passes = false;    ///< passes through its surface, because its gate is closed
-  touch place{};
-  vec3<> slip{};  ///< velocity of the body on the surface, m/s, in axes of the surface
-  contact_basis basis{};
-  bool touches = false;  ///< whether it is among those that touch
-  int first = 0;         ///< its first row among them
-  struct entries_at {
-    int place = 0;
-    std::array<double, row_lanes> entries{};
-  };
-  std::vector<entries_at> path;  ///< for trees: its rows of B, places in descending order
-  int rows() const { return planar ? 2 : 3; }
-};
-
-/// Contacts touch below this gap, relative to the length of the chain.
-inline constexpr double touching_gap = 1e-9;
-/// Simulations refuse to start with gaps deeper than this, relative to the length of the chain.
-inline constexpr double deepest_start = 1e-8;
-/// Velocities below this one count as rest, m/s relative to the length of the chain.
-inline constexpr double rest_velocity = 1e-9;
-
 /// The equations of the contacts of a chain, and its memory.
 struct contact_workspace {
   template <class Contacts, class State>
@@ -66,6 +26,7 @@ struct contact_workspace {
     const auto& all = equations.places.closures;
     for (std::size_t i = 0; i < all.size(); ++i)
       if (c.touches(all[i].element)) {
+        refuse_fixed_frames(c, s, all[i]);
         contact_at x;
         x.closure = static_cast<int>(i), x.slot = all[i].loop - c.loops();
         x.planar = all[i].rows.count() == 2, x.has_gate = c.has_gate(all[i].element);
@@ -132,14 +93,12 @@ struct contact_workspace {
     x.place = find_place();
 #endif
     x.slip = x.place.slip;
-    if (const double square = dot(x.place.normal, x.place.normal); !(square > 0.5 && square < 2)) [[unlikely]]
-      refuse_place(c, x, "its surface has no normal here, as at the centre of a ball or on the axis of a cylinder");
+    if (!is_unit(x.place.normal)) [[unlikely]]
+      refuse_place(c, x, no_normal_here);
   }
   template <class Contacts>
   [[noreturn, gnu::cold]] void refuse_place(const Contacts& c, const contact_at& x, std::string_view why) {
-    constexpr std::string_view name = "kte: ";
-    raise<bad_argument>("kte: contact '" + std::string(c.loop_name(place(x).loop)) +
-                        "': " + std::string(why.substr(why.starts_with(name) ? name.size() : 0)));
+    raise<bad_argument>(text_of_no_place(std::string(c.loop_name(place(x).loop)), why));
   }
   /// The rows of a contact of those of all, such as J v, in m.
   vec3<> unscaled(const contact_at& x, const Eigen::VectorXd& all) const {

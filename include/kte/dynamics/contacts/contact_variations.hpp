@@ -21,7 +21,7 @@ struct contact_in_mode {
   std::size_t slot = 0;  ///< its number among contacts
   bool planar = false;
   double friction = 0;
-  contact_basis basis{};  ///< n, t
+  contact_basis<> basis{};  ///< n, t
   vec3<> force{};
   vec3<> direction{};  ///< d
   vec3<> slip_rate{};  ///< u', found by `vary`

@@ -59,8 +59,8 @@ struct contact_in_impact {
   int closure = 0;  ///< its number among closures and contacts
   bool planar = false, sticks = false;
   double friction = 0, restitution = 0;
-  vec3<> impulse{};       ///< P, in axes of the surface
-  contact_basis basis{};  ///< n, t
+  vec3<> impulse{};         ///< P, in axes of the surface
+  contact_basis<> basis{};  ///< n, t
   int rows() const { return planar ? 2 : 3; }
 
   /// Calls put(row, value) for (2) or (3) of `impact_derivatives`.

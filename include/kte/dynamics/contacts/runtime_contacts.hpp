@@ -16,11 +16,11 @@ struct runtime_contacts : runtime_closures {
   touch touch_at(int e, const closing_motion<double>& m) const { return element(e).touch_at(m); }
   bool has_gate(int e) const { return element(e).has_gate(); }
   int written(int e) const { return runtime_elements::written(e) + (touches(e) ? loops() : 0); }
+  std::string name_of(kind what, int slot) const {
+    return chain.wiring().names[static_cast<std::size_t>(what)][static_cast<std::size_t>(slot)];
+  }
   std::string loop_name(int i) const {
-    const auto of_kind = [&](kind k, int slot) {
-      return chain.wiring().names[static_cast<std::size_t>(k)][static_cast<std::size_t>(slot)];
-    };
-    return i < loops() ? of_kind(kind::loop, i) : of_kind(kind::contact, i - loops());
+    return i < loops() ? name_of(kind::loop, i) : name_of(kind::contact, i - loops());
   }
   int loops() const { return chain.wiring().count(kind::loop); }
 };

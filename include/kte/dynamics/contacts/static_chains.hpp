@@ -1,6 +1,8 @@
 #pragma once
 
+#include <kte/dynamics/closed_loops/at_run_time.hpp>
 #include <kte/dynamics/closed_loops/static_chains.hpp>
+#include <kte/dynamics/contacts/contact_dynamics_in_lanes.hpp>
 #include <kte/dynamics/contacts/static_contacts.hpp>
 #include <kte/dynamics/contacts/unrolled_contacts.hpp>
 #include <kte/dynamics/unrolled/arguments.hpp>
@@ -30,55 +32,79 @@ decltype(auto) with_contacts_at(const Chain& c, const Q& q, const V& v, const F&
 }
 }  // namespace detail
 
-/// The result of `contact_dynamics` of a static chain.
-template <class Chain>
+/// The result of `contact_dynamics` of a static chain. S: double, or packs of states.
+template <class Chain, class S = double>
 struct static_contact_dynamics_result {
-  joint_vector<double, Chain::dofs> a;  ///< accelerations
-  bool several = false;                 ///< as for runtime chains
-  std::array<contact_state<>, static_cast<std::size_t>(Chain::wiring::count(kind::contact))> contacts;
+  joint_vector<S, Chain::dofs> a;       ///< accelerations
+  detail::truth_of_lanes<S> several{};  ///< as for runtime chains
+  std::array<contact_state<S>, static_cast<std::size_t>(Chain::wiring::count(kind::contact))> contacts;
 
   /// A contact: its gap, slip, force and mode.
   template <key_type Key>
-  const contact_state<>& contact(const Key&) const {
+  const contact_state<S>& contact(const Key&) const {
     return contacts[detail::slot_of_contact<Chain, Key>];
   }
   /// The force of a contact on its body, N, in axes of its surface.
   template <key_type Key>
-  const vec3<>& force(const Key& key) const {
+  const vec3<S>& force(const Key& key) const {
     return contact(key).force;
   }
 };
 
 namespace detail {
-template <class Chain, class Q, class V>
-static_contact_dynamics_result<Chain> contact_dynamics_unrolled(const Chain& c, const Q& q, const V& v,
-                                                                const joint_vector<double, Chain::dofs>& tau) {
-  static_assert(std::is_convertible_v<value_of<Q>, double>, "kte: contacts are computed in double");
+template <class Chain, class S>
+auto& solver_of(static_contact_state<Chain, S>& s) {
+  if constexpr (is_pack<S>)
+    return s.lanes;
+  else
+    return s.contacts;
+}
+template <class Chain, class Q, class V, class S>
+static_contact_dynamics_result<Chain, S> contact_dynamics_unrolled(const Chain& c, const Q& q, const V& v,
+                                                                   const joint_vector<S, Chain::dofs>& tau) {
   check_configuration<Chain>(q);
-  const configuration<double, typename Chain::wiring, Q> at(q);
+  const configuration<S, typename Chain::wiring, Q> at(q);
   at.check();
   using given_type = given_on_contacts<Chain, Q, V>;
-  const given_type g{at, each<double, V>{v}, {}, base_beside_contacts(c)};
-  auto lent = c.kept.template borrow<static_contact_state<Chain>>(c);
-  static_contact_state<Chain>& s = lent;
+  const given_type g{at, each<S, V>{v}, {}, base_beside_contacts(c)};
+  auto lent = c.kept.template borrow<static_contact_state<Chain, S>>(c);
+  auto& m = solver_of<Chain, S>(lent);
   const static_contacts<Chain, given_type> contacts{{{c, g}}};
-  static_contact_dynamics_result<Chain> r;
-  r.several = chain_on_contacts<Chain, given_type>(c, g).accelerate(contacts, s.contacts, tau, r.a);
+  static_contact_dynamics_result<Chain, S> r;
+  r.several = chain_on_contacts<S, Chain, given_type>(c, g).accelerate(contacts, m, tau, r.a);
   put_contacts_at(
-      s.contacts, [&r](int slot) -> auto& { return r.contacts[static_cast<std::size_t>(slot)]; });
+      m, [&r](int slot) -> auto& { return r.contacts[static_cast<std::size_t>(slot)]; });
   return r;
+}
+/// By the loops of runtime chains, in packs.
+template <class Chain, class Q, class V, class S>
+static_contact_dynamics_result<Chain, S> contact_dynamics_in_lanes(const Chain& c, const Q& q, const V& v,
+                                                                   const joint_vector<S, Chain::dofs>& tau) {
+  check_configuration<Chain>(q);
+  return at_run_time<S>(c, [&](const auto& chain, auto& s) {
+    const auto& found = contact_dynamics(chain, s, q, v, tau);
+    static_contact_dynamics_result<Chain, S> r;
+    r.a = found.a, r.several = found.several;
+    for (std::size_t i = 0; i < r.contacts.size(); ++i) r.contacts[i] = found.contacts[i];
+    return r;
+  });
 }
 }  // namespace detail
 
-/// As for runtime chains; r.contact(foot).mode, r.force(foot).
+/// As for runtime chains; r.contact(foot).mode, r.force(foot). In packs for q, v and tau of packs.
 template <class Gravity, class... E, indexable Q, indexable V, indexable T>
 [[nodiscard]] auto contact_dynamics(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const T& tau) {
   using chain_type = static_chain<Gravity, E...>;
+  using S = detail::scalar_at_contacts<Q>;
+  static_assert(std::is_convertible_v<value_of<Q>, double> || detail::has_lanes_of_double<value_of<Q>>,
+                "kte: contacts are computed in double, and packs of it");
   check_size<chain_type::dofs>(v, "v"), check_size<chain_type::dofs>(tau, "tau");
-  joint_vector<double, chain_type::dofs> f;
-  for (int i = 0; i < chain_type::dofs; ++i) f[i] = static_cast<double>(tau[static_cast<std::size_t>(i)]);
+  joint_vector<S, chain_type::dofs> f;
+  for (int i = 0; i < chain_type::dofs; ++i) f[i] = static_cast<S>(tau[static_cast<std::size_t>(i)]);
   if constexpr (detail::unrolls_contacts<chain_type, Q, V>)
     return detail::contact_dynamics_unrolled(c, q, v, f);
+  else if constexpr (detail::is_pack<S>)
+    return detail::contact_dynamics_in_lanes(c, q, v, f);
   else
     return detail::with_contacts_at(c, q, v, [&](const auto& contacts, auto& s) {
       static_contact_dynamics_result<chain_type> r;

@@ -1,26 +1,51 @@
 #pragma once
 
-#include <kte/dynamics/contacts/contact_forces.hpp>
+#include <kte/dynamics/contacts/contacts_in_lanes.hpp>
 #include <kte/dynamics/contacts/ways_of_contacts.hpp>
 #include <kte/dynamics/unrolled/articulated.hpp>
 #include <kte/dynamics/unrolled/jacobian.hpp>
 #include <kte/recursions/inverse_mass.hpp>
 
 /// Accelerations of a static chain with contacts, unrolled. Surfaces are fixed to bases, and bodies are moved by joints
-/// and links. The rows of a contact go to the base side by side in the lanes of a register.
+/// and links. The rows of a contact go to the base side by side in the lanes of a register; in packs S of states one by
+/// one.
 namespace kte::detail {
 
-/// A chain at rates, with its contacts. W, bias and forces are those of contact_rows.hpp.
-template <class Chain, class Given, class Contacts = typename contacts_among<Chain>::type>
+/// The steps of single states and of packs.
+template <class Contacts>
+KTE_INLINE void choose_by_motion(const Contacts& c, contact_solver& m) {
+  choose_contacts(c, m, leaves_by_motion{m}, slides_by_motion{m});
+}
+template <class Contacts, class S>
+KTE_INLINE void choose_by_motion(const Contacts& c, contacts_in_lanes<S>& m) {
+  m.choose(c);
+}
+template <class Contacts>
+KTE_INLINE bool find_forces(const Contacts& c, contact_solver& m) {
+  return solve_friction(c, m);
+}
+template <class Contacts, class S>
+KTE_INLINE truth_of_lanes<S> find_forces(const Contacts& c, contacts_in_lanes<S>& m) {
+  m.solve(c);
+  return m.several;
+}
+inline double length_of(const contact_solver& m) { return m.equations.places.length; }
+template <class S>
+double length_of(const contacts_in_lanes<S>& m) {
+  return m.length;
+}
+
+/// A chain at rates, with its contacts. `Solver` m: W, bias and forces of contact_rows.hpp, or contacts_in_lanes.hpp.
+template <class S, class Chain, class Given, class Contacts = typename contacts_among<Chain>::type>
 class chain_on_contacts;
 
-template <class Chain, class Given, std::size_t... E>
-class chain_on_contacts<Chain, Given, std::index_sequence<E...>> : articulated_chain<double, Chain, Given> {
-  using base = articulated_chain<double, Chain, Given>;
+template <class S, class Chain, class Given, std::size_t... E>
+class chain_on_contacts<S, Chain, Given, std::index_sequence<E...>> : articulated_chain<S, Chain, Given> {
+  using base = articulated_chain<S, Chain, Given>;
   using typename base::types;
   using typename base::wiring;
-  using simd = tree::simd<double>;
-  static constexpr std::size_t lanes = tree::simd_of<double>::count;
+  using simd = tree::simd<S>;
+  static constexpr std::size_t lanes = tree::simd_of<S>::count;
   static constexpr std::size_t count = sizeof...(E);
   static constexpr std::array<std::size_t, count> element{E...};
   template <std::size_t C>
@@ -42,13 +67,13 @@ class chain_on_contacts<Chain, Given, std::index_sequence<E...>> : articulated_c
 
   /// Accelerations under forces `tau`, and the contact forces, to m. Throws as `accelerate_with_contacts`. Returns
   /// whether there are several solutions.
-  template <class Contacts>
-  KTE_INLINE bool accelerate(const Contacts& contacts, contact_solver& m, const vector& tau, vector& a) {
-    bool several = false;
+  template <class Contacts, class Solver>
+  KTE_INLINE truth_of_lanes<S> accelerate(const Contacts& contacts, Solver& m, const vector& tau, vector& a) {
+    truth_of_lanes<S> several{};
     base::accelerate(tau, a, [&](const auto& bodies) KTE_INLINE_LAMBDA {
       this->check_moved();
       unroll<count>([&]<std::size_t C>() KTE_INLINE_LAMBDA { this->template find<C>(contacts, m); });
-      choose_contacts(contacts, m, leaves_by_motion{m}, slides_by_motion{m});
+      choose_by_motion(contacts, m);
       unroll<count>([&]<std::size_t C>() KTE_INLINE_LAMBDA {
         if (m.contacts[C].touches) this->template put_rows<C>(bodies, m);
       });
@@ -58,7 +83,7 @@ class chain_on_contacts<Chain, Given, std::index_sequence<E...>> : articulated_c
           if (m.contacts[C].touches && m.contacts[D].touches) this->template multiply<C, D>(m);
         });
       });
-      several = solve_friction(contacts, m);
+      several = find_forces(contacts, m);
       unroll<count>([&]<std::size_t C>() KTE_INLINE_LAMBDA {
         if (m.contacts[C].touches) this->template push<C>(m);
       });
@@ -94,32 +119,37 @@ class chain_on_contacts<Chain, Given, std::index_sequence<E...>> : articulated_c
     }
   }
   /// The place and slip velocity of contact C.
-  template <std::size_t C, class Contacts>
-  KTE_INLINE void find(const Contacts& contacts, contact_solver& m) {
-    motion_[C] = as_closing_motion<double>(relative(moved<C, 0>(), moved<C, 1>()));
-    m.put_place(contacts, m.contacts[C],
-                [&]() KTE_INLINE_LAMBDA { return this->chain_.template core<element[C]>().touch_at(motion_[C]); });
+  template <std::size_t C, class Contacts, class Solver>
+  KTE_INLINE void find(const Contacts& contacts, Solver& m) {
+    motion_[C] = as_closing_motion<S>(relative(moved<C, 0>(), moved<C, 1>()));
+    const auto& core = this->chain_.template core<element[C]>();
+    if constexpr (!is_pack<S>)
+      m.put_place(contacts, m.contacts[C], [&]() KTE_INLINE_LAMBDA { return core.touch_at(motion_[C]); });
+    else if constexpr (requires { requires core_t<C>::touches_in_packs; })
+      m.put_place(contacts, m.contacts[C], core.touch_at(motion_[C]));
+    else
+      m.put_place(contacts, m.contacts[C], [&](std::size_t lane) { return core.touch_at(lane_of(motion_[C], lane)); });
   }
   /// Its rows of B, and `bias`.
-  template <std::size_t C, class Bodies>
-  KTE_INLINE void put_rows(const Bodies& bodies, contact_solver& m) {
+  template <std::size_t C, class Bodies, class Solver>
+  KTE_INLINE void put_rows(const Bodies& bodies, Solver& m) {
     const auto& x = m.contacts[C];
-    const double unit = 1 / m.equations.places.length;
-    std::array<double, row_lanes> axis[3]{}, rates{x.place.bending * unit};
+    const S unit(1 / length_of(m));
+    std::array<S, row_lanes> axis[3]{}, rates{x.place.bending * unit};
     for (std::size_t k = 0; k < 3; ++k)
       axis[0][k] = unit * x.basis[k].x, axis[1][k] = unit * x.basis[k].y, axis[2][k] = unit * x.basis[k].z;
     const auto to_body = transpose(motion_[C].rotation);
-    const vec3<> arm = x.place.point - motion_[C].position;
-    const vec3<> apart = x.place.slip_rate - as<double>(transpose(moved<C, 0>().rotation) * base_acceleration());
+    const vec3<S> arm = x.place.point - motion_[C].position;
+    const vec3<S> apart = x.place.slip_rate - as<S>(transpose(moved<C, 0>().rotation) * base_acceleration());
     for (std::size_t first = 0; first < core_t<C>::rows.count(); first += lanes) {
       vec3<simd> rows;
       simd rate;
-      tree::load<double>(rows.x, axis[0].data() + first), tree::load<double>(rows.y, axis[1].data() + first);
-      tree::load<double>(rows.z, axis[2].data() + first), tree::load<double>(rate, rates.data() + first);
+      tree::load<S>(rows.x, axis[0].data() + first), tree::load<S>(rows.y, axis[1].data() + first);
+      tree::load<S>(rows.z, axis[2].data() + first), tree::load<S>(rate, rates.data() + first);
       send<C, std::size_t{way<C>::tip}>(
           bodies, first, in_axes_of<core_t<C>::ports[1].what>(to_body * rows, to_body * cross(arm, rows)), rate);
       rate += apart.x * rows.x + apart.y * rows.y + apart.z * rows.z;
-      tree::store<double>(rate, rates.data() + first);
+      tree::store<S>(rate, rates.data() + first);
     }
     for (int k = 0; k < core_t<C>::rows.count(); ++k) m.bias[x.first + k] = rates[static_cast<std::size_t>(k)];
   }
@@ -146,8 +176,8 @@ class chain_on_contacts<Chain, Given, std::index_sequence<E...>> : articulated_c
           const auto row = static_cast<std::size_t>(b.first() + k);
           simd left{};
           add(left, e), add(rate, this->factors_[row].rate * e);
-          tree::store<double>(left, left_[row].data() + row_lanes * C + first);
-          tree::store<double>(simd(this->factors_[row].inverse * left), rate_[row].data() + row_lanes * C + first);
+          tree::store<S>(left, left_[row].data() + row_lanes * C + first);
+          tree::store<S>(simd(this->factors_[row].inverse * left), rate_[row].data() + row_lanes * C + first);
         });
     add(rate, dot(beyond.force, b.more.bias.linear) + dot(beyond.torque, b.more.bias.angular));
     const auto on_parent = engine::pulled_back(b, beyond);
@@ -162,8 +192,8 @@ class chain_on_contacts<Chain, Given, std::index_sequence<E...>> : articulated_c
     if constexpr (!typed_constant<X>) sum += x;
   }
   /// The block of W of contacts C and D.
-  template <std::size_t C, std::size_t D>
-  KTE_INLINE void multiply(contact_solver& m) const {
+  template <std::size_t C, std::size_t D, class Solver>
+  KTE_INLINE void multiply(Solver& m) const {
     static constexpr const auto& c = way<C>::rows;
     static constexpr const auto& d = way<D>::rows;
     constexpr std::size_t shared = [] {
@@ -173,38 +203,38 @@ class chain_on_contacts<Chain, Given, std::index_sequence<E...>> : articulated_c
     }();
     constexpr int of_c = core_t<C>::rows.count(), of_d = core_t<D>::rows.count();
     const Eigen::Index first_c = m.contacts[C].first, first_d = m.contacts[D].first, size = m.w.rows();
-    double* const w = m.w.data();
+    S* const w = m.w.data();
     for (std::size_t first = 0; first < of_c; first += lanes) {
       std::array<simd, of_d> sum{};
       for (std::size_t i = 0; i < shared; ++i) {
         const auto row = static_cast<std::size_t>(c.row[i]);
         simd left;
-        tree::load<double>(left, left_[row].data() + row_lanes * C + first);
+        tree::load<S>(left, left_[row].data() + row_lanes * C + first);
         for (std::size_t k = 0; k < of_d; ++k) sum[k] += rate_[row][row_lanes * D + k] * left;
       }
       for (int k = 0; k < of_d; ++k) {
-        double column[lanes];
-        tree::store<double>(sum[static_cast<std::size_t>(k)], column);
+        S column[lanes];
+        tree::store<S>(sum[static_cast<std::size_t>(k)], column);
         for (int n = 0, r = static_cast<int>(first); n < static_cast<int>(lanes) && r < of_c; ++n, ++r)
           w[(first_d + k) * size + first_c + r] = w[(first_c + r) * size + first_d + k] = column[n];
       }
     }
   }
   /// Adds the effect of the forces of contact C on the rates of axes.
-  template <std::size_t C>
-  KTE_INLINE void push(const contact_solver& m) {
+  template <std::size_t C, class Solver>
+  KTE_INLINE void push(const Solver& m) {
     const int first = m.contacts[C].first;
     for (std::size_t i = 0; i < way<C>::rows.count; ++i) {
       const auto row = static_cast<std::size_t>(way<C>::rows.row[i]);
-      double sum = 0;
+      S sum(0);
       for (int k = 0; k < core_t<C>::rows.count(); ++k)
         sum += rate_[row][row_lanes * C + static_cast<std::size_t>(k)] * m.forces[first + k];
       this->factors_[row].rate += sum;
     }
   }
 
-  std::array<closing_motion<double>, count> motion_;  ///< of bodies at surfaces
-  using rows_of_contacts = std::array<std::array<double, row_lanes * count>, std::size_t{Chain::dofs} + 1>;
+  std::array<closing_motion<S>, count> motion_;  ///< of bodies at surfaces
+  using rows_of_contacts = std::array<std::array<S, row_lanes * count>, std::size_t{Chain::dofs} + 1>;
   rows_of_contacts left_, rate_;  ///< by row of v: e and D^-1 e of recursions/inverse_mass.hpp
 };
 
@@ -213,8 +243,11 @@ template <class Chain>
 KTE_INLINE constexpr auto base_beside_contacts(const Chain& c) {
   return base_under_gravity<Chain::reads_positions_but_contacts>(c);
 }
-template <class Chain, class Q, class V>
-using given_on_contacts = given<configuration<double, typename Chain::wiring, Q>, each<double, V>, same<zero_t>,
+/// The scalar of contacts at positions Q: packs, otherwise double.
+template <class Q>
+using scalar_at_contacts = std::conditional_t<is_pack<value_of<Q>>, value_of<Q>, double>;
+template <class Chain, class Q, class V, class S = scalar_at_contacts<Q>>
+using given_on_contacts = given<configuration<S, typename Chain::wiring, Q>, each<S, V>, same<zero_t>,
                                 decltype(base_beside_contacts(std::declval<const Chain&>())), true>;
 /// Whether it applies to a chain.
 template <class Chain, class Q, class V>
@@ -224,7 +257,7 @@ inline constexpr bool unrolls_contacts = [] {
   else if constexpr (!std::is_void_v<first_element<Chain, has_own_loads>>)
     return false;
   else
-    return chain_on_contacts<Chain, given_on_contacts<Chain, Q, V>>::is_supported;
+    return chain_on_contacts<scalar_at_contacts<Q>, Chain, given_on_contacts<Chain, Q, V>>::is_supported;
 }();
 
 }  // namespace kte::detail

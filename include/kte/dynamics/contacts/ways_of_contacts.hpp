@@ -8,6 +8,13 @@
 /// The frames of the contacts of a static chain.
 namespace kte::detail {
 
+template <class Core>
+constexpr bool is_joint_core() {
+  if constexpr (is_transmission<Core>)
+    return coordinates_of<Core> > 0;
+  else
+    return false;
+}
 /// The elements from a frame to its base, and the rows of v of their degrees of freedom.
 template <class Chain, kind K, int Slot>
 struct way_of_frame {
@@ -41,6 +48,19 @@ struct way_of_frame {
     return l;
   }();
   static constexpr bool moves = rows.count > 0;
+  /// The joints from the frame on, then -1.
+  static constexpr auto joints = [] {
+    constexpr auto is_joint = []<std::size_t... I>(std::index_sequence<I...>) {
+      return std::array<bool, Chain::size + 1>{is_joint_core<core_of<Chain, I>>()...};
+    }
+    (std::make_index_sequence<Chain::size>{});
+    std::array<int, Chain::size + 1> all{};
+    all.fill(-1);
+    std::size_t count = 0;
+    for (int at = tip; at >= 0; at = places[static_cast<std::size_t>(at)].below)
+      if (is_joint[static_cast<std::size_t>(at)]) all[count++] = at;
+    return all;
+  }();
 };
 
 template <class Chain, class Elements = std::make_index_sequence<Chain::size>>
@@ -52,5 +72,34 @@ struct contacts_among<Chain, std::index_sequence<E...>>
 /// The frames of a contact.
 template <class Chain, std::size_t E, std::size_t Port>
 using way_at_port = way_of_frame<Chain, core_of<Chain, E>::ports[Port].what, Chain::wiring::slot(E, Port)>;
+
+/// Whether joints may move the frames of contact E of a chain relative to each other; of frames that follow others this
+/// is not known.
+template <class Chain, std::size_t E>
+inline constexpr bool moves_apart = [] {
+  using first = way_at_port<Chain, E, 0>;
+  using second = way_at_port<Chain, E, 1>;
+  return !first::by_joints_and_links || !second::by_joints_and_links || first::joints != second::joints;
+}();
+template <class Frame1, class Frame2, class Contact, bool MovesApart>
+struct check_frames_of_contact {
+  static_assert(
+      MovesApart,
+      "kte: no joint moves the frames of this contact relative to each other (types Frame1, Frame2, Contact): "
+      "they are on one body, or both on bases");
+};
+template <class Chain, std::size_t E, class Element>
+struct check_touching_element {};
+template <class Chain, std::size_t E, class Core, class Frame1, class Frame2, class Contact>
+requires is_contact<Core>
+struct check_touching_element<Chain, E, element<Core, Frame1, Frame2, Contact>>
+    : check_frames_of_contact<Frame1, Frame2, Contact, moves_apart<Chain, E>> {
+};
+template <class Chain, class Numbers = std::make_index_sequence<Chain::size>>
+struct check_contact_frames;
+/// Refuses contacts between frames that no joint moves relative to each other.
+template <class Gravity, class... Element, std::size_t... E>
+struct check_contact_frames<static_chain<Gravity, Element...>, std::index_sequence<E...>>
+    : check_touching_element<static_chain<Gravity, Element...>, E, Element>... {};
 
 }  // namespace kte::detail

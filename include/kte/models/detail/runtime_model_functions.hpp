@@ -32,8 +32,8 @@ KTE_FUNCTION double manipulator_dynamics_model<runtime_chain>::contact_margin(do
                                  x)[static_cast<std::size_t>(contact)][static_cast<std::size_t>(part)];
 }
 KTE_FUNCTION std::string_view manipulator_dynamics_model<runtime_chain>::resolve_contacts(double t, state& x,
-                                                                                          bool along_solution) const {
-  detail::resolve_contacts(contacts_of_model(), t, x, along_solution);
+                                                                                          int event_of) const {
+  detail::resolve_contacts(contacts_of_model(), t, x, event_of);
   return contact_change();
 }
 KTE_FUNCTION std::string_view manipulator_dynamics_model<runtime_chain>::contact_change() const {
@@ -239,7 +239,7 @@ KTE_FUNCTION void runtime_switching::switch_over(double t, Eigen::VectorXd& x) c
   if (contact < 0)
     model->switch_over(t, part_of_model, element);
   else
-    (void)model->resolve_contacts(t, part_of_model, true);
+    (void)model->resolve_contacts(t, part_of_model, contact);
   x.head(own()) = part_of_model;
 }
 KTE_FUNCTION bool runtime_switching::mend(double t, Eigen::VectorXd& x) const {

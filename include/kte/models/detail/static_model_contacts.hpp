@@ -102,9 +102,9 @@ struct static_model_contacts<static_chain<Gravity, E...>> {
     return contact_margins(of(m, kept), t, x)[static_cast<std::size_t>(contact)][static_cast<std::size_t>(part)];
   }
   template <class Model, class X>
-  static std::string_view resolve(const Model& m, memory& kept, double t, X& x, bool along_solution) {
+  static std::string_view resolve(const Model& m, memory& kept, double t, X& x, int event_of) {
     const auto access = of(m, kept);
-    kte::detail::resolve_contacts(access, t, x, along_solution);
+    kte::detail::resolve_contacts(access, t, x, event_of);
     return access.memory().change;
   }
   template <class Model>
