@@ -8,7 +8,7 @@
 namespace kte {
 
 #ifdef KTE_EXTERN
-#  define KTE_ELEMENT(...) KTE_EXTERN_ELEMENTS template class kte_map_adapter<core::__VA_ARGS__>;
+#  define KTE_ELEMENT(...) KTE_EXTERN template class kte_map_adapter<core::__VA_ARGS__>;
 #  include <kte/elements/all.hpp>
 #endif
 

@@ -118,12 +118,14 @@ const Eigen::VectorXd& constrained_accelerations(const runtime_chain& c, runtime
   return s.work.forces;
 }
 
-inline const bool loops_are_known = [] {
-  accelerations_on_loops = [](const runtime_chain& c, runtime_state& s) -> const Eigen::VectorXd& {
-    const auto& applied = s.work.kept;
-    return constrained_accelerations(c, s, [&applied](int i) { return applied[static_cast<std::size_t>(i)]; });
-  };
-  return true;
-}();
+#ifdef KTE_FUNCTION
+KTE_FUNCTION const Eigen::VectorXd& kept_accelerations_on_loops(const runtime_chain& c, runtime_state& s) {
+  const auto& applied = s.work.kept;
+  return constrained_accelerations(c, s, [&applied](int i) { return applied[static_cast<std::size_t>(i)]; });
+}
+#endif
+#ifndef KTE_EXTERN
+inline const bool loops_are_known = (accelerations_on_loops = kept_accelerations_on_loops, true);
+#endif
 
 }  // namespace kte::detail

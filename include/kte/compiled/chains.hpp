@@ -1,0 +1,16 @@
+#pragma once
+
+/// Runtime chains and their states; motion, dynamics, masses, energies, momenta, parameters.
+#include <kte/dynamics/bias_forces.hpp>
+#include <kte/dynamics/centroidal.hpp>
+#include <kte/dynamics/configuration_space.hpp>
+#include <kte/dynamics/energy.hpp>
+#include <kte/dynamics/forward_dynamics.hpp>
+#include <kte/dynamics/frame_motion.hpp>
+#include <kte/dynamics/hybrid_dynamics.hpp>
+#include <kte/dynamics/inverse_dynamics.hpp>
+#include <kte/dynamics/jacobian.hpp>
+#include <kte/dynamics/mass_matrix.hpp>
+#include <kte/dynamics/mass_matrix_inverse.hpp>
+#include <kte/dynamics/regressor.hpp>
+#include <kte/runtime_chain.hpp>

@@ -1,0 +1,5 @@
+#pragma once
+
+/// Closed loops, also in packs.
+#include <kte/dynamics/lanes.hpp>
+#include <kte/loops.hpp>

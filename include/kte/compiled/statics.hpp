@@ -1,0 +1,5 @@
+#pragma once
+
+/// Equilibria.
+#include <kte/dynamics/closed_loops/statics.hpp>
+#include <kte/statics.hpp>
