@@ -8,14 +8,9 @@
 #include <kte/detail/compiled_here.hpp>
 // clang-format off
 #include <kte/compiled/chains.hpp>
-#include <kte/compiled/derivatives.hpp>
 #include <kte/compiled/loops.hpp>
 #include <kte/compiled/models.hpp>
 #include <kte/compiled/contacts.hpp>
-#include <kte/compiled/integrators.hpp>
-#include <kte/compiled/control.hpp>
-#include <kte/compiled/manipulators.hpp>
 #include <kte/compiled/elements.hpp>
-#include <kte/compiled/statics.hpp>
-#include <kte/compiled/files.hpp>
+#include <kte/compiled/analysis.hpp>
 #include <kte/compiled/robots.hpp>

@@ -1,6 +1,8 @@
 #pragma once
 
-/// Chosen contacts: accelerations, impacts, their derivatives.
+/// Part of kte/compiled.hpp: dynamics, impacts and derivatives with chosen contacts.
+#include <kte/compiled/models.hpp>
+
 #include <kte/dynamics/contacts/contact_derivatives.hpp>
 #include <kte/dynamics/contacts/contact_dynamics.hpp>
 #include <kte/dynamics/contacts/contact_jacobian.hpp>

@@ -1,5 +1,7 @@
 #pragma once
 
-/// Closed loops, also in packs.
+/// Part of kte/compiled.hpp: chains with loops, and chains in the lanes of packs.
+#include <kte/compiled/chains.hpp>
+
 #include <kte/dynamics/lanes.hpp>
 #include <kte/loops.hpp>

@@ -1,6 +1,12 @@
 #pragma once
 
-/// Robots from files.
+/// Part of kte/compiled.hpp: robots and models from files, recordings, tables.
+#include <kte/compiled/elements.hpp>
+#include <kte/compiled/loops.hpp>
+
+#include <kte/io/model_reader.hpp>
+#include <kte/io/recording.hpp>
+#include <kte/io/table_writer.hpp>
 #include <kte/robots/check_robot.hpp>
 #include <kte/robots/detail/mesh_file.hpp>
 #include <kte/robots/detail/mesh_fit.hpp>
