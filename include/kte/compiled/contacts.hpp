@@ -4,7 +4,6 @@
 #include <kte/compiled/models.hpp>
 
 #include <kte/dynamics/contacts/contact_derivatives.hpp>
-#include <kte/dynamics/contacts/contact_dynamics.hpp>
 #include <kte/dynamics/contacts/contact_jacobian.hpp>
 #include <kte/dynamics/contacts/impact.hpp>
 #include <kte/dynamics/contacts/impact_derivatives.hpp>
