@@ -2,7 +2,6 @@
 
 /// Part of kte/compiled.hpp: dynamics, impacts and derivatives with chosen contacts.
 #include <kte/compiled/models.hpp>
-
 #include <kte/dynamics/contacts/contact_derivatives.hpp>
 #include <kte/dynamics/contacts/contact_jacobian.hpp>
 #include <kte/dynamics/contacts/impact.hpp>

@@ -2,7 +2,6 @@
 
 /// Part of kte/compiled.hpp: runtime chains as systems x' = f(t, x), solvers, arms.
 #include <kte/compiled/loops.hpp>
-
 #include <kte/dynamics/contacts/contact_dynamics.hpp>
 #include <kte/integrators/dormand_prince45.hpp>
 #include <kte/integrators/prince_dormand87.hpp>

@@ -3,7 +3,6 @@
 /// Part of kte/compiled.hpp: robots and models from files, recordings, tables.
 #include <kte/compiled/elements.hpp>
 #include <kte/compiled/loops.hpp>
-
 #include <kte/io/model_reader.hpp>
 #include <kte/io/recording.hpp>
 #include <kte/io/table_writer.hpp>
