@@ -11,6 +11,8 @@
 #include <kte/compiled/loops.hpp>
 #include <kte/compiled/models.hpp>
 #include <kte/compiled/contacts.hpp>
+#include <kte/compiled/first_elements.hpp>
 #include <kte/compiled/elements.hpp>
-#include <kte/compiled/analysis.hpp>
+#include <kte/compiled/control.hpp>
+#include <kte/compiled/statics.hpp>
 #include <kte/compiled/robots.hpp>
