@@ -4,7 +4,7 @@
 #include <kte/dynamics/hybrid_dynamics.hpp>
 
 #ifdef KTE_FUNCTION
-#  include <Eigen/QR>
+#  include <kte/kernels/orthogonal_decomposition.hpp>
 
 /// Hybrid dynamics of chains with loops.
 namespace kte::detail {
@@ -36,7 +36,8 @@ KTE_FUNCTION Eigen::VectorXd hybrid_on_loops(const runtime_chain& c, runtime_sta
     square.row(k) = response.row(row);
     missing[k] = given[row] - a[row], sizes[k] = std::abs(given[row]) + std::abs(a[row]);
   }
-  const Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> factor(square);
+  orthogonal_decomposition factor;
+  factor.compute(square);
   const Eigen::VectorXd f = factor.solve(missing);
   const Eigen::VectorXd open = square * f - missing;
   for (Eigen::Index k = 0; k < count; ++k)
