@@ -37,6 +37,12 @@ def _tag():
     return f"{python}-{python}-{platform}"
 
 
+def _jobs():
+    """How many compilers may run at once: each needs up to 2 GB."""
+    memory = os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGE_SIZE")
+    return max(1, min(os.cpu_count() or 1, memory // 2_000_000_000))
+
+
 def _build(folder):
     """The package in a folder."""
     options = ["BENCH", "EXAMPLES", "PROGRAM", "TESTS"]
@@ -45,7 +51,7 @@ def _build(folder):
         + [f"-DKTE_BUILD_{what}=OFF" for what in options]
         + ["-DCMAKE_BUILD_TYPE=Release", "-DCMAKE_CXX_FLAGS_RELEASE=-O2 -DNDEBUG", f"-DPython3_EXECUTABLE={sys.executable}"]
     )
-    subprocess.check_call(["cmake", "--build", folder, "--target", "kte_python_package", "--parallel", str(os.cpu_count() or 1)])
+    subprocess.check_call(["cmake", "--build", folder, "--target", "kte_python_package", "--parallel", str(_jobs())])
 
 
 def _files(package):

@@ -4,7 +4,7 @@
 set -e
 cd "$(dirname "$0")/../.."
 mkdir -p build/tidy
-find include/kte -name '*.hpp' ! -path '*/detail/*' ! -name compiled.hpp | sort |
+find include/kte -name '*.hpp' ! -path '*/detail/*' ! -name compiled.hpp ! -path '*/compiled/*' | sort |
   sed 's|^include/\(.*\)$|#include <\1>|' >build/tidy/headers.cpp
 clang-tidy --quiet build/tidy/headers.cpp -- -std=c++20 -DKTE_NO_FORCED_INLINE -Iinclude \
   $(pkg-config --cflags eigen3 tinyxml2 | sed 's/-I/-isystem /g') >build/tidy/found 2>build/tidy/errors || true

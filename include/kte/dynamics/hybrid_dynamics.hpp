@@ -136,6 +136,14 @@ namespace detail {
 /// Accelerations and forces of a chain with loops; kte/loops.hpp sets it (dynamics/closed_loops/hybrid.hpp).
 inline Eigen::VectorXd (*hybrid_accelerations_on_loops)(const runtime_chain&, runtime_state&, const std::vector<char>&,
                                                         const Eigen::VectorXd&, Eigen::VectorXd&) = nullptr;
+#ifdef KTE_EXTERN
+/// In kte::compiled.
+Eigen::VectorXd hybrid_on_loops(const runtime_chain&, runtime_state&, const std::vector<char>&, const Eigen::VectorXd&,
+                                Eigen::VectorXd&);
+#  ifdef KTE_FUNCTION
+inline const bool hybrid_dynamics_knows_loops = (hybrid_accelerations_on_loops = hybrid_on_loops, true);
+#  endif
+#endif
 }  // namespace detail
 
 template <class S, indexable Q, indexable V, indexable X>

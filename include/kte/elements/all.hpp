@@ -2,7 +2,8 @@
 
 /// The list of the elements of this library: the header of each, and its core types in runtime chains and files, with
 /// parameters of plain numbers, and axes x, y, z typed. If several types share a name, a record becomes the first that
-/// it fits. Registry, precompiled elements, `kte/static.hpp` and docs/elements.md follow this list.
+/// it fits. Registry, precompiled elements, `kte/static.hpp` and docs/elements.md follow this list. Who takes it in two
+/// halves defines KTE_ELEMENT_OF_SECOND_HALF too.
 #ifndef KTE_ELEMENT
 #  define KTE_ELEMENT(...)
 #endif
@@ -130,6 +131,10 @@ KTE_ELEMENT(joint_motor_gen)
 #include <kte/elements/joint_stiction.hpp>
 KTE_ELEMENT(joint_stiction_gen)
 KTE_ELEMENT(brake_gen)
+#ifdef KTE_ELEMENT_OF_SECOND_HALF
+#  undef KTE_ELEMENT
+#  define KTE_ELEMENT KTE_ELEMENT_OF_SECOND_HALF
+#endif
 #include <kte/elements/joint_stiffness.hpp>
 KTE_ELEMENT(joint_stiffness_gen<double, double>)
 #include <kte/elements/law_spring.hpp>
@@ -251,3 +256,4 @@ KTE_ELEMENT(placed_3D<core::vmc_revolute_joint<kind::frame_3D, vec3<>>>)
 // clang-format on
 
 #undef KTE_ELEMENT
+#undef KTE_ELEMENT_OF_SECOND_HALF

@@ -7,8 +7,7 @@
 #include <kte/runtime_chain/kte_map_adapter.hpp>
 
 // Who links the elements has no need to read them.
-#if !defined(KTE_EXTERN) || defined(KTE_COMPILED_ELEMENTS) || \
-    (defined(KTE_COMPILED_HERE) && !defined(KTE_COMPILED_LOOPS))
+#ifdef KTE_FUNCTION
 #  include <kte/elements/compiled_elements.hpp>
 #  define KTE_ALL_ELEMENTS
 #endif
@@ -328,7 +327,7 @@ element_registry element_registry::standard() {
 #  undef KTE_ALL_ELEMENTS
 #endif
 #ifdef KTE_EXTERN
-KTE_EXTERN_ELEMENTS template element_registry element_registry::standard<void>();
+KTE_EXTERN template element_registry element_registry::standard<void>();
 #endif
 
 }  // namespace kte

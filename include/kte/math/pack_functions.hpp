@@ -141,7 +141,7 @@ template <class P>
 }
 
 template <class P, std::size_t... I>
-KTE_INLINE void sincos(const P& x, P& sine, P& cosine, std::index_sequence<I...>) {
+KTE_INLINE void sincos_of_pack(const P& x, P& sine, P& cosine, std::index_sequence<I...>) {
   P s, c;
   (reduced_sincos<typename P::value_type, typename P::register_bits>(x.in_register(I), s.in_register(I),
                                                                      c.in_register(I)),
@@ -161,7 +161,7 @@ KTE_INLINE void sincos(const P& x, P& sine, P& cosine, std::index_sequence<I...>
 /// for double below 2.3e-16, for float below 1e-7.
 template <class T, int N, class A>
 KTE_INLINE void sincos(const pack<T, N, A>& angle, pack<T, N, A>& sine, pack<T, N, A>& cosine) {
-  detail::sincos(angle, sine, cosine, typename pack<T, N, A>::registers{});
+  detail::sincos_of_pack(angle, sine, cosine, typename pack<T, N, A>::registers{});
 }
 /// The sine of each element, rad.
 template <class T, int N, class A>

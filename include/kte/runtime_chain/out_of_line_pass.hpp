@@ -9,7 +9,7 @@
 #include <utility>
 
 /// The passes of one element of a runtime chain in dual numbers, on copies of its connected items whose arithmetic is
-/// not inlined (math/out_of_line.hpp).
+/// not inlined (math/out_of_line.hpp). Cold, so that compilers keep them small: they are calls of that arithmetic.
 namespace kte::detail {
 
 template <class State>
@@ -51,25 +51,25 @@ class out_of_line_pass<Core, State, std::index_sequence<P...>> {
  public:
   using scalar = out_of_line_of<State>;
 
-  out_of_line_pass(const Core& core, State& s, const int* index)
+  [[gnu::cold]] out_of_line_pass(const Core& core, State& s, const int* index)
       : core_(core),
         state_(s),
         index_(index),
         things_{out_of_line_copy<Core::ports[P].what>(s, index[P], is_output(P))...} {}
 
-  void motion() {
+  [[gnu::cold]] void motion() {
     pass().motion(inputs{});
     const int done[]{(Core::ports[P].declares() ? (give_back<P>(), 0) : 0)...};
     (void)done;
   }
-  void force() {
+  [[gnu::cold]] void force() {
     pass().force(inputs{});
     const int done[]{(
         is_output(P) ? 0 : (add_out_of_line_load<Core::ports[P].what>(state_, index_[P], std::get<P>(things_)), 0))...};
     (void)done;
   }
   /// The friction of a joint under a wrench.
-  auto friction(const wrench<vec3<typename State::scalar>, vec3<typename State::scalar>>& end) {
+  [[gnu::cold]] auto friction(const wrench<vec3<typename State::scalar>, vec3<typename State::scalar>>& end) {
     return scalar(pass().friction(std::bit_cast<wrench<vec3<scalar>, vec3<scalar>>>(end))).number;
   }
   /// The item connected to port i.

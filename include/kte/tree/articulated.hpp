@@ -26,6 +26,8 @@ auto bias_motions(const body_tree<P>& f, memory<P, S>& m) {
   return engine::bias_motions<bias_motion<S>>(engine::looped<articulated_bodies<P, S>>{bodies}, m.biases.data(),
                                               m.rate.data(), m.acceleration.data());
 }
+template <class P, class S>
+using bias_motions_type = decltype(bias_motions(std::declval<const body_tree<P>&>(), std::declval<memory<P, S>&>()));
 /// Articulated inertias and bias forces of all bodies under `force` on axes and `loads`, which are zero if no element
 /// acts on frames. Writes `factors`. Returns the first axis that moves no mass, or -1. Call `bias_motions` first.
 template <class P, class S, class Biases>

@@ -8,6 +8,13 @@ namespace kte::detail {
 /// Accelerations of a chain with loops under the forces `kept` in the working memory. kte/loops.hpp sets the pointer,
 /// so that programs without loops do not compile this; kte::compiled sets it too.
 inline const Eigen::VectorXd& (*accelerations_on_loops)(const runtime_chain&, runtime_state&) = nullptr;
+#ifdef KTE_EXTERN
+/// In kte::compiled (loop_dynamics.hpp).
+const Eigen::VectorXd& kept_accelerations_on_loops(const runtime_chain&, runtime_state&);
+#  ifdef KTE_FUNCTION
+inline const bool loops_are_known = (accelerations_on_loops = kept_accelerations_on_loops, true);
+#  endif
+#endif
 /// Those of packs of states; set by `kte::lanes` (dynamics/lanes.hpp) and by batches.
 template <class S>
 inline const runtime_vector<S>& (*accelerations_on_loops_in_lanes)(const runtime_chain&,

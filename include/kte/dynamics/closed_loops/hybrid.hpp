@@ -4,7 +4,7 @@
 #include <kte/dynamics/hybrid_dynamics.hpp>
 
 #ifdef KTE_FUNCTION
-#  include <Eigen/QR>
+#  include <kte/kernels/orthogonal_decomposition.hpp>
 
 /// Hybrid dynamics of chains with loops.
 namespace kte::detail {
@@ -15,8 +15,9 @@ namespace kte::detail {
 ///   E R E^T f = given - E a0,   a = a0 + R E^T f          (1)
 ///
 /// E: selects the rows of given coordinates.
-inline Eigen::VectorXd hybrid_on_loops(const runtime_chain& c, runtime_state& s, const std::vector<char>& is_given,
-                                       const Eigen::VectorXd& given, Eigen::VectorXd& forces) {
+KTE_FUNCTION Eigen::VectorXd hybrid_on_loops(const runtime_chain& c, runtime_state& s,
+                                             const std::vector<char>& is_given, const Eigen::VectorXd& given,
+                                             Eigen::VectorXd& forces) {
   for (int i = 0; i < s.dofs(); ++i) s.work.kept[static_cast<std::size_t>(i)] = forces[i];
   Eigen::VectorXd a = accelerations_on_loops(c, s);
   std::vector<int> rows;
@@ -35,7 +36,8 @@ inline Eigen::VectorXd hybrid_on_loops(const runtime_chain& c, runtime_state& s,
     square.row(k) = response.row(row);
     missing[k] = given[row] - a[row], sizes[k] = std::abs(given[row]) + std::abs(a[row]);
   }
-  const Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> factor(square);
+  orthogonal_decomposition factor;
+  factor.compute(square);
   const Eigen::VectorXd f = factor.solve(missing);
   const Eigen::VectorXd open = square * f - missing;
   for (Eigen::Index k = 0; k < count; ++k)
@@ -56,10 +58,9 @@ inline Eigen::VectorXd hybrid_on_loops(const runtime_chain& c, runtime_state& s,
   write_numbers<vector_of::a>(s, a, "a");
   return a;
 }
-inline const bool hybrid_dynamics_knows_loops = [] {
-  hybrid_accelerations_on_loops = hybrid_on_loops;
-  return true;
-}();
+#  ifndef KTE_EXTERN
+inline const bool hybrid_dynamics_knows_loops = (hybrid_accelerations_on_loops = hybrid_on_loops, true);
+#  endif
 
 }  // namespace kte::detail
 #endif

@@ -118,12 +118,35 @@ const Eigen::VectorXd& constrained_accelerations(const runtime_chain& c, runtime
   return s.work.forces;
 }
 
-inline const bool loops_are_known = [] {
-  accelerations_on_loops = [](const runtime_chain& c, runtime_state& s) -> const Eigen::VectorXd& {
-    const auto& applied = s.work.kept;
-    return constrained_accelerations(c, s, [&applied](int i) { return applied[static_cast<std::size_t>(i)]; });
-  };
-  return true;
-}();
+#ifdef KTE_FUNCTION
+KTE_FUNCTION const Eigen::VectorXd& kept_accelerations_on_loops(const runtime_chain& c, runtime_state& s) {
+  const auto& applied = s.work.kept;
+  return constrained_accelerations(c, s, [&applied](int i) { return applied[static_cast<std::size_t>(i)]; });
+}
+#endif
+#ifndef KTE_EXTERN
+inline const bool loops_are_known = (accelerations_on_loops = kept_accelerations_on_loops, true);
+#endif
+
+#ifdef KTE_EXTERN
+KTE_EXTERN template void loop_equations::at_positions(const runtime_closures&, runtime_state&, bool, bool);
+KTE_EXTERN template void loop_equations::at_rates(const runtime_closures&, runtime_state&);
+KTE_EXTERN template void loop_factor::factorize(const runtime_closures&, runtime_state&, const loop_equations&);
+KTE_EXTERN template void loop_factor::choose<false>(const runtime_closures&, runtime_state&, loop_equations&, double);
+KTE_EXTERN template void loop_factor::choose<true>(const runtime_closures&, runtime_state&, loop_equations&, double);
+KTE_EXTERN template void accelerate_on_loops(const runtime_closures&, runtime_state&, loop_workspace&, const no_forces&,
+                                             const loop_factor*);
+KTE_EXTERN template void accelerate_by_tree(const runtime_elements&, runtime_state&, const no_forces&,
+                                            std::span<const char>);
+#endif
 
 }  // namespace kte::detail
+
+#ifdef KTE_EXTERN
+namespace kte::tree {
+KTE_EXTERN template int articulate(const body_tree<double>&, memory<double, double>&,
+                                   const bias_motions_type<double, double>&);
+KTE_EXTERN template void accelerate(const body_tree<double>&, memory<double, double>&,
+                                    const bias_motions_type<double, double>&);
+}  // namespace kte::tree
+#endif

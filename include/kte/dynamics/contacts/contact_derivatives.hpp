@@ -6,8 +6,7 @@
 #ifdef KTE_FUNCTION
 #  include <kte/dynamics/contacts/contact_variations.hpp>
 #  include <kte/dynamics/runtime/derivatives.hpp>
-
-#  include <Eigen/QR>
+#  include <kte/kernels/orthogonal_decomposition.hpp>
 #endif
 
 namespace kte {
@@ -97,8 +96,7 @@ class contact_sensitivity {
       closed += x.rows.count();
     }
     for (const auto& x : contacts) put(x, e, j);
-    small_.setThreshold(1e-10);
-    if (equations > 0) small_.compute(rows_ * inverse_ * forces_.transpose() + own_);
+    if (equations > 0) small_.compute(rows_ * inverse_ * forces_.transpose() + own_, 1e-10);
   }
   /// Solves (4) for columns of F and A: da and dx.
   void solve(const Eigen::MatrixXd& f, const Eigen::MatrixXd& rows, Eigen::MatrixXd& a, Eigen::MatrixXd& x) const {
@@ -137,7 +135,7 @@ class contact_sensitivity {
   }
 
   Eigen::MatrixXd inverse_, rows_, forces_, own_;  ///< M^-1, N, K^T, E
-  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> small_;
+  orthogonal_decomposition small_;
 };
 
 /// Writes the derivatives of accelerations and contact forces to r, in the modes of a solution, which is in the state

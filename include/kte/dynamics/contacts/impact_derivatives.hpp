@@ -6,8 +6,7 @@
 #ifdef KTE_FUNCTION
 #  include <kte/dynamics/contacts/contact_variations.hpp>
 #  include <kte/dynamics/contacts/mode_dynamics.hpp>
-
-#  include <Eigen/QR>
+#  include <kte/kernels/orthogonal_decomposition.hpp>
 #endif
 
 namespace kte {
@@ -201,9 +200,8 @@ inline impact_derivatives_result derive_impact(const runtime_chain& c, runtime_s
   r.by_q = -inverse * by_q, r.by_v = Eigen::MatrixXd::Identity(n, n);
   if (rows == 0) return r;
   const Eigen::MatrixXd effect = inverse * push.transpose();
-  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> system;
-  system.setThreshold(1e-10);
-  system.compute(of_after * effect + of_impulses);
+  orthogonal_decomposition system;
+  system.compute(of_after * effect + of_impulses, 1e-10);
   r.by_q -= effect * system.solve(of_q + of_after * r.by_q);
   r.by_v -= effect * system.solve(of_before + of_after);
   return r;

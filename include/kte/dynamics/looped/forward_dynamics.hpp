@@ -12,6 +12,11 @@
 /// checked. For all `Elements` and states of dynamics/looped/inverse_dynamics.hpp.
 namespace kte::detail {
 
+/// No forces but those of elements.
+struct no_forces {
+  constexpr double operator()(int) const { return 0; }
+};
+
 /// Sets the rows whose accelerations are given; an empty span means none. Other joints are free to move.
 template <class State>
 void prescribe(State& s, std::span<const char> prescribed) {

@@ -152,3 +152,12 @@ void derive_forces_by_duals(const runtime_chain& c, basic_runtime_state<S>& s) {
 }
 
 }  // namespace kte::detail
+
+#ifdef KTE_EXTERN
+namespace kte::tree {
+KTE_EXTERN template void move_in_duals(const body_tree<double>&, const memory<double, double>&,
+                                       dual_memory<detail::derivative_number>&);
+KTE_EXTERN template void transmit_in_duals(const body_tree<double>&, const memory<double, double>&,
+                                           dual_memory<detail::derivative_number>&);
+}  // namespace kte::tree
+#endif

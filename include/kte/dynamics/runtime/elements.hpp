@@ -170,6 +170,11 @@ KTE_EXTERN template void check_regular(const runtime_chain&, const runtime_state
 KTE_EXTERN template void forces_on_coordinates(const runtime_elements&, runtime_state&, acting, bool, bool);
 KTE_EXTERN template void mass_of_coordinates(const runtime_elements&, runtime_state&);
 KTE_EXTERN template void take_generalized_forces(runtime_state&);
+KTE_EXTERN template void place_bodies(const runtime_elements&, runtime_state&);
+KTE_EXTERN template void place_in_world(runtime_state&);
+KTE_EXTERN template void take_rates(runtime_state&);
+KTE_EXTERN template void take_bases(runtime_state&);
+KTE_EXTERN template void forces_on_coordinates(const runtime_elements&, runtime_state&, acting, bool, bool);
 #endif
 
 }  // namespace kte::detail

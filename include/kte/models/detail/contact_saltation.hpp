@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kte/dynamics/contacts/impact_derivatives.hpp>
+#include <kte/models/detail/contact_steps.hpp>
 #include <kte/models/runtime_dynamics_model.hpp>
 
 #ifdef KTE_FUNCTION
