@@ -174,7 +174,6 @@ KTE_EXTERN template void place_bodies(const runtime_elements&, runtime_state&);
 KTE_EXTERN template void place_in_world(runtime_state&);
 KTE_EXTERN template void take_rates(runtime_state&);
 KTE_EXTERN template void take_bases(runtime_state&);
-KTE_EXTERN template void forces_on_coordinates(const runtime_elements&, runtime_state&, acting, bool, bool);
 #endif
 
 }  // namespace kte::detail
