@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kte/recursions/world_joints.hpp>
+#include <kte/math/matrix.hpp>
 
 #include <array>
 
@@ -40,21 +40,12 @@ KTE_INLINE per_parameter<S> power_by_parameters(const Motion& x, const vec3<S>& 
           S(u.z * al.z + d.z * w.z)};
 }
 
-/// The forces on the axes of joint i and of all joints before it for the motion x of a body, by inertial parameters:
-/// put(k, y) for each axis k; y uses the column of axis k in the Jacobian of the frame of the body. `rotation`: of this
-/// frame in the world; `way`: from the end of joint i to it, in axes of the world.
-template <class S, world_joints T, class Motion, class Put>
-KTE_INLINE void forces_by_parameters(const T& t, int i, const mat3<vec3<S>>& rotation, vec3<S> way, const Motion& x,
-                                     const Put& put) {
-  const mat3<vec3<S>> in = transpose(rotation);
-  for (; i >= 0; i = t.parent(i)) {
-    for (int k = t.first(i); k < t.first(i) + t.axes(i); ++k) {
-      const joint_axis<S>& s = t.axis(k);
-      const vec3<S> v = in * (s.linear + cross(s.angular, way)), u = in * s.angular;
-      put(k, power_by_parameters(x, v, u));
-    }
-    way = t.step(i) + way;
-  }
+/// The forces on axes for the motion x of a body, by inertial parameters: put(k, y) for each column of the Jacobian of
+/// the frame of the body, in its own axes. columns(f) calls f(k, v, u) for them: `frame_columns` of
+/// recursions/world_joints.hpp for static chains, those of tree/jacobian.hpp for loops.
+template <class S, class Motion, class Columns, class Put>
+KTE_INLINE void forces_by_parameters(const Motion& x, const Columns& columns, const Put& put) {
+  columns([&](int k, const vec3<S>& v, const vec3<S>& u) KTE_INLINE_LAMBDA { put(k, power_by_parameters(x, v, u)); });
 }
 
 }  // namespace kte::engine
