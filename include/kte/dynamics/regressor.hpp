@@ -106,7 +106,6 @@ runtime_matrix<S> regressor_of(const runtime_chain& c, basic_runtime_state<S>& s
   place_bodies(runtime_elements{c}, s);
   take_rates(s), take_bases(s);
   tree::move_bodies<false>(t.body_tree, s.work);
-  place_in_world(s);
   const int columns = count_parameters(c);
   runtime_matrix<S> y = runtime_matrix<S>::Zero(t.plan.coordinates, columns);
   int first = 0;

@@ -239,7 +239,7 @@ void vary_forces_in_world(const T& t, const Axis* axes, Body* bodies, const Wren
       torque.y += b.torque.y.x * turning.x + b.torque.y.y * turning.y + b.torque.y.z * turning.z;
       torque.z += b.torque.z.x * turning.x + b.torque.z.y * turning.y + b.torque.z.z * turning.z;
       vectors pushing = force;  // zero except F_a
-      const auto power_on = [&](const joint_axis<S>& s, bool slides, four& power) KTE_INLINE_LAMBDA {
+      const auto power_on = [&](const auto& s, bool slides, four& power) KTE_INLINE_LAMBDA {
         power = s.angular.x * torque.x + s.angular.y * torque.y + s.angular.z * torque.z;
         if (slides) power += s.linear.x * pushing.x + s.linear.y * pushing.y + s.linear.z * pushing.z;
       };
@@ -250,7 +250,7 @@ void vary_forces_in_world(const T& t, const Axis* axes, Body* bodies, const Wren
         put(j, k, S(own[0]), S(own[1]), S(own[2]));
       }
       if (t.parent(i) < 0) continue;
-      const joint_axis<S> s = x.axis();
+      const auto s = x.axis();
       const vec3<S> more = cross(s.angular, body_wrench.force);
       vec3<S> more_torque = cross(s.angular, body_wrench.torque), to_rate = transpose(b.torque) * s.angular;
       if (slides) {
@@ -264,16 +264,17 @@ void vary_forces_in_world(const T& t, const Axis* axes, Body* bodies, const Wren
       torque.x[0] += more_torque.x, torque.y[0] += more_torque.y, torque.z[0] += more_torque.z;
       torque.x[3] = to_rate.x, torque.y[3] = to_rate.y, torque.z[3] = to_rate.z;
       const vec3<S> by_a{force.x[2], force.y[2], force.z[2]};
-      for (int at = i;;) {
+      for (int at = i, inward = t.parent(i); inward >= 0;) {
         vectors ways;
         Lanes::load(ways, bodies[at].ways);
         add_cross(torque, ways, force);
         vectors from_rates;  // F_a thrice, 2B^T s
         Lanes::repeat_third(torque.x, from_rates.x), Lanes::repeat_third(torque.y, from_rates.y);
         Lanes::repeat_third(torque.z, from_rates.z);
-        at = t.parent(at);
+        at = inward, inward = t.parent(at);
         const bool before_slides = t.slides(at);
-        for (int j = t.first(at); j < t.first(at) + t.axes(at); ++j) {
+        const int before = t.first(at), before_end = before + t.axes(at);
+        for (int j = before; j < before_end; ++j) {
           const Axis& y = axes[j];
           Lanes::load(linear, y.linear), Lanes::load(angular, y.angular);
           four on, back;
@@ -284,7 +285,6 @@ void vary_forces_in_world(const T& t, const Axis* axes, Body* bodies, const Wren
           put(j, k, S(on[0]), S(on[1]), at_a);                        // (3), (5)
           put(k, j, S(back[0] + back[3]), S(back[1] + on[3]), at_a);  // (4), (5)
         }
-        if (t.parent(at) < 0) break;
       }
     }
     if (t.parent(i) < 0) continue;

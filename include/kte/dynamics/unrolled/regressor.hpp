@@ -66,12 +66,12 @@ class unrolled_regressor {
   /// Separate, so that it is instantiated once for all bodies.
   template <int Count, class Motion>
   void add_body(int joint, const mat3<vec3<S>>& rotation, const vec3<S>& way, const Motion& x, int column) {
-    engine::forces_by_parameters(joints_, joint, rotation, way, x,
-                                 [this, column](int k, const engine::per_parameter<S>& all) KTE_INLINE_LAMBDA {
-                                   const int row = joints::row[static_cast<std::size_t>(k)];
-                                   for (int i = 0; i < Count; ++i)
-                                     y_(row, column + i) += engine::parameter_at(all, i, Count);
-                                 });
+    engine::forces_by_parameters<S>(
+        x, [&](const auto& put) KTE_INLINE_LAMBDA { engine::frame_columns(joints_, joint, rotation, way, put); },
+        [this, column](int k, const engine::per_parameter<S>& all) KTE_INLINE_LAMBDA {
+          const int row = joints::row[static_cast<std::size_t>(k)];
+          for (int i = 0; i < Count; ++i) y_(row, column + i) += engine::parameter_at(all, i, Count);
+        });
   }
   /// Adds the row of a dependent coordinate to that of its leading coordinate: q_end' = ratio q_base'.
   template <std::size_t I>
