@@ -36,8 +36,8 @@ KTE_INLINE constexpr auto angle_along(const vec2<S>& e) {
 /// derived from it also has these functions of q and e = (cos q, sin q):
 ///
 ///   solved(q, e, rates)    the linkage, for those below; throws `dead_point` for rates at dead points
-///   position(e, linkage)   y(q) as a coordinate without rates; with its cosine and sine if the core has
-///                          `static constexpr bool gives_sines = true`
+///   position(e, linkage)   y(q) as a coordinate without rates; with its cosine and sine if it is an angle, which
+///                          unrolled chains use
 ///   slopes(e, linkage)     dy/dq and d2y/dq2, a std::pair
 template <class Core>
 struct crank_follower : coordinate_follower<Core> {

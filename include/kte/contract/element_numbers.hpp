@@ -39,7 +39,6 @@ struct element_numbers {
   bool measures_accelerations = false;
   bool load_dependent_friction = false;  ///< for a joint: whether its friction depends on what it carries
   bool locks_coordinate = false;
-  bool gives_sines = false;       ///< whether it writes a coordinate with its sine and cosine
   bool varying_axes = false;      ///< for a joint: contract/varying_joint.hpp
   bool distributed_mass = false;  ///< whether it has a mass between several ports
   rigid_numbers<P> rigid{};
@@ -132,7 +131,6 @@ element_numbers<P> numbers_of(const Core& core) {
     n.is = part::base;
   } else if constexpr (last.how == access::out) {
     n.is = is_frame(last.what) ? part::mover : is_signal(last.what) ? part::signal : part::follower;
-    n.gives_sines = requires { requires Core::gives_sines; };
     n.measures_accelerations = reads_accelerations<Core>;
   } else if constexpr (has_mass<Core, P>) {
     const auto m = core.template mass<P>();

@@ -236,7 +236,6 @@ struct stored_element {
     } else if constexpr (at<ports - 1>.what == kind::gen) {
       using S = std::remove_cvref_t<decltype(x.q)>;
       x.q = as<S>(m.q), x.q_dot = as<S>(m.q_dot), x.q_ddot = as<S>(m.q_ddot);
-      if constexpr (!has_skip<std::remove_cvref_t<decltype(m.cos)>>) x.cos = as<S>(m.cos), x.sin = as<S>(m.sin);
     } else {
       set_motion(x, m);
     }

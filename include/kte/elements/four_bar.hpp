@@ -96,7 +96,6 @@ struct four_bar_parameters {
 /// The angle of the coupler in the crank.
 struct four_bar_coupler : crank_follower<four_bar_coupler>, four_bar_parameters {
   static constexpr type_name type{"four_bar_coupler", kind::frame_2D};
-  static constexpr bool gives_sines = true;
   static constexpr std::array<port, 2> ports{{{kind::gen, access::in, "crank"}, {kind::gen, access::out, "coupler"}}};
   static constexpr const char* arguments = "{{pivot_x, pivot_y}, crank, coupler, rocker, side}";
 
@@ -122,7 +121,6 @@ struct four_bar_coupler : crank_follower<four_bar_coupler>, four_bar_parameters 
 /// The angle of the rocker in the ground.
 struct four_bar_rocker : crank_follower<four_bar_rocker>, four_bar_parameters {
   static constexpr type_name type{"four_bar_rocker", kind::frame_2D};
-  static constexpr bool gives_sines = true;
   static constexpr std::array<port, 2> ports{{{kind::gen, access::in, "crank"}, {kind::gen, access::out, "rocker"}}};
   static constexpr const char* arguments = "{{pivot_x, pivot_y}, crank, coupler, rocker, side}";
 

@@ -93,7 +93,6 @@ struct slider_crank_slider : crank_follower<slider_crank_slider>, slider_crank_p
 /// The angle of the rod in the crank.
 struct slider_crank_rod : crank_follower<slider_crank_rod>, slider_crank_parameters {
   static constexpr type_name type{"slider_crank_rod", kind::frame_2D};
-  static constexpr bool gives_sines = true;
   static constexpr std::array<port, 2> ports{{{kind::gen, access::in, "crank"}, {kind::gen, access::out, "rod"}}};
   static constexpr const char* arguments = "{crank, rod, offset, side}";
 

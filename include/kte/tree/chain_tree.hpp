@@ -7,7 +7,6 @@
 #include <kte/tree/tree_in_lanes.hpp>
 
 #include <algorithm>
-#include <set>
 
 /// The data that the loops over body nodes need of a chain, computed from its wiring and the numbers of its elements.
 namespace kte::detail {
@@ -26,9 +25,8 @@ class chain_tree {
   std::vector<rotor> rotors;  ///< masses on generalized coordinates
   std::vector<P> own_mass;    ///< by row: the sum of all masses on coordinates
   bool has_own_mass = false;
-  bool only_bodies = false;       ///< whether the chain is a tree of degrees of freedom with bodies only
-  std::vector<int> angles;        ///< body nodes whose sine and cosine are computed
-  std::vector<int> given_angles;  ///< body nodes whose sine and cosine their followers give
+  bool only_bodies = false;  ///< whether the chain is a tree of degrees of freedom with bodies only
+  std::vector<int> angles;   ///< body nodes whose sine and cosine are used
   /// Elements that write coordinates, signals and frames before bodies are placed (`followers`), and those that write
   /// signals and frames, on which forces depend, after it (`late`), in order.
   std::vector<int> followers, late;
@@ -110,7 +108,6 @@ class chain_tree {
         written(one.written),
         touched(one.touched),
         turned(one.turned),
-        gives_sines_(one.gives_sines_),
         dofs_(one.dofs_) {
     const auto lane = [&](std::size_t i) -> const auto& { return trees[i < trees.size() ? i : 0]; };
     body_tree = tree::tree_in_lanes<P>([&](std::size_t i) -> const auto& { return lane(i).body_tree; });
@@ -128,11 +125,8 @@ class chain_tree {
   }
   void find_angles() {
     for (std::size_t i = 0; i < body_tree.nodes.size(); ++i) {
-      const auto& r = body_tree.nodes[i];
-      if (r.moves == tree::joint::revolute && all(r.turns == P(1)) && gives_sines_.count(r.slot) > 0)
-        given_angles.push_back(static_cast<int>(i));
-      else if (r.moves == tree::joint::revolute || r.moves == tree::joint::screw)
-        angles.push_back(static_cast<int>(i));
+      const auto m = body_tree.nodes[i].moves;
+      if (m == tree::joint::revolute || m == tree::joint::screw) angles.push_back(static_cast<int>(i));
     }
   }
   template <class Connections>
@@ -235,7 +229,6 @@ class chain_tree {
         if (depends_.at(kind::gen, index(last)) == level::bodies)
           exclude(number, " moves a coordinate by what depends on frames");
         followers.push_back(number);
-        if (n.gives_sines) gives_sines_.insert(index(last));
         break;
       case part::mover:
       case part::signal: {
@@ -310,7 +303,6 @@ class chain_tree {
 
   std::array<std::vector<place>, 2> frames_;  ///< until the tree is built
   dependencies<growing> depends_;             ///< until the tree is built
-  std::set<int> gives_sines_;                 ///< coordinates whose sines elements write
   int dofs_;
 };
 

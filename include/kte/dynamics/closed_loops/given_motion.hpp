@@ -9,15 +9,16 @@
 /// projection of steps does not support.
 namespace kte::detail {
 
-/// What moves by time or measurements: a signal, a coordinate or a frame, with the element that writes it, or -1. Inputs
-/// of the chain are constant between changes by the user, and move nothing.
+/// What moves by time or measurements: a signal, a coordinate or a frame, with the element that writes it, or -1.
+/// Inputs of the chain are constant between changes by the user, and move nothing.
 template <class Closures>
 std::map<std::pair<kind, int>, int> moved_by_signals(const Closures& c) {
   std::map<std::pair<kind, int>, int> moved;
   const int n = c.element_count();
   for (int e = 0; e < n; ++e)
     for (std::size_t p = 0; p < c.ports(e).size(); ++p)
-      if (const kind k = c.ports(e)[p].what; is_signal(k) && c.is_time(k, c.index(e, p))) moved[{k, c.index(e, p)}] = -1;
+      if (const kind k = c.ports(e)[p].what; is_signal(k) && c.is_time(k, c.index(e, p)))
+        moved[{k, c.index(e, p)}] = -1;
   for (std::size_t known = ~std::size_t{0}; known != moved.size();) {
     known = moved.size();
     for (int e = 0; e < n; ++e) {

@@ -126,15 +126,8 @@ bool is_turning(const tree::body_node<P>& r) {
 template <class Elements, class State>
 void place_bodies_by_coordinates(const Elements& c, State& s) {
   const auto& nodes = s.tree().body_tree.nodes;
-  const auto &angles = s.tree().angles, &given = s.tree().given_angles;
-  place_turning(s, angles);
-  for (const int n : given) {
-    const auto& r = nodes[static_cast<std::size_t>(n)];
-    const auto& x = s.template get<kind::gen>(r.slot);
-    s.work.joint_transforms[static_cast<std::size_t>(n)].angle =
-        r.after * tree::turn<typename State::scalar>{x.cos, x.sin};
-  }
-  if (angles.size() + given.size() == nodes.size()) return;
+  place_turning(s, s.tree().angles);
+  if (s.tree().angles.size() == nodes.size()) return;
   for (std::size_t n = 0; n < nodes.size(); ++n)
     if (!is_turning(nodes[n])) place_other(c, s, nodes[n], s.work.joint_transforms[n]);
 }

@@ -121,11 +121,13 @@ void note_stage(const Loops& loops) {
 }
 /// Raises `bad_argument` if a step from x0 ends much nearer to a singular configuration than it began, where velocities
 /// would have errors of eps over the pivot. A shorter step ends before the singular configuration, and the next step
-/// passes it. Also if a stage was there: off the loops by e, with a pivot of the size of e, it has wrong directions of
-/// closure forces, and the error estimate does not see all stages.
+/// passes it. From a state nearer than this, rounding errors above a small tolerance would force ever shorter steps,
+/// which end at the singular configuration. Steps that are themselves short may end anywhere. Also if a stage was
+/// there: off the loops by e, with a pivot of the size of e, it has wrong directions of closure forces, and the error
+/// estimate does not see all stages.
 template <class Loops, class X>
 void check_step_end(const Loops& loops, const X& x0) {
-  constexpr double near_it = 1e-4, nearer = 1e-2, nearest_stage = 3e-3;
+  constexpr double near_it = 3e-3, nearer = 0.05, nearest_stage = 3e-3;
   auto& start = step_from(loops, x0);
   if (std::exchange(start.nearest, 1) < nearest_stage) [[unlikely]]
     raise<bad_argument>(
