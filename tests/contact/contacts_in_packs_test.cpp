@@ -122,14 +122,14 @@ void check_lane(const A& a_of_packs, const X& contacts, std::size_t lane, const 
 template <class Chain>
 std::array<int, 3> check_packs(const Chain& fixed, const runtime_chain& c, const states& x) {
   auto many = c.make_state<P>();
-  auto one = c.make_state();
+  auto single = c.make_state();
   const auto q = packs(x.q), v = packs(x.v), tau = packs(x.tau);
   const auto& r = contact_dynamics(c, many, q, v, tau);
   const auto f = contact_dynamics(fixed, q, v, tau);
   std::array<int, 3> modes{};
   for (std::size_t lane = 0; lane < 8; ++lane) {
     const auto k = static_cast<Eigen::Index>(lane);
-    const auto& y = contact_dynamics(c, one, vector(x.q.col(k)), vector(x.v.col(k)), vector(x.tau.col(k)));
+    const auto& y = contact_dynamics(c, single, vector(x.q.col(k)), vector(x.v.col(k)), vector(x.tau.col(k)));
     check_lane(r.a, r.contacts, lane, y.a, y.contacts);
     check_lane(f.a, f.contacts, lane, y.a, y.contacts);
     CHECK((!r.several[lane] && !f.several[lane]));
@@ -168,7 +168,7 @@ TEST_CASE("accelerations and contact forces in packs satisfy the equations of mo
   random_numbers draw(11);
   const states x = mixed(c, draw);
   auto many = c.make_state<P>();
-  auto one = bare.make_state(), touching = c.make_state();
+  auto single = bare.make_state(), touching = c.make_state();
   const auto q = packs(x.q), v = packs(x.v), tau = packs(x.tau);
   const auto names = at_contacts("a", "c");
   const auto j = contact_jacobian(c, many, q, names), j_static = contact_jacobian(fixed, q, names);
@@ -187,7 +187,7 @@ TEST_CASE("accelerations and contact forces in packs satisfy the equations of mo
         const auto& f = r.contacts[static_cast<std::size_t>(row / 3)].force;
         load[i] += j(row, i)[lane] * (row % 3 == 0 ? f.x : row % 3 == 1 ? f.y : f.z)[lane];
       }
-    const vector left = inverse_dynamics(bare, one, at, vector(x.v.col(k)), a) - load;
+    const vector left = inverse_dynamics(bare, single, at, vector(x.v.col(k)), a) - load;
     CHECK(left.cwiseAbs().maxCoeff() <= 1e-12);
   }
   CHECK_THROWS_MATCHES(contact_jacobian(c, many, q, at_contacts()), bad_argument,
@@ -205,14 +205,14 @@ TEST_CASE("lanes with redundant contacts have the forces of least norm of single
     << box_contact_3D("crate", "ground", "crate", half_space{}, vec3{0.3, 0.2, 0.1}, {.friction = 0.4});
   c.gravity(along_z(-9.81));
   auto many = c.make_state<P>();
-  auto one = c.make_state();
+  auto single = c.make_state();
   states x(c);
   x.q.row(2).setConstant(0.1);
   for (Eigen::Index k = 0; k < 8; ++k) x.tau(0, k) = 0.5 * static_cast<double>(k), x.v(1, k) = k > 5 ? 1.0 : 0.0;
   const auto& r = contact_dynamics(c, many, packs(x.q), packs(x.v), packs(x.tau));
   for (std::size_t lane = 0; lane < 8; ++lane) {
     const auto k = static_cast<Eigen::Index>(lane);
-    const auto& y = contact_dynamics(c, one, vector(x.q.col(k)), vector(x.v.col(k)), vector(x.tau.col(k)));
+    const auto& y = contact_dynamics(c, single, vector(x.q.col(k)), vector(x.v.col(k)), vector(x.tau.col(k)));
     for (Eigen::Index i = 0; i < 6; ++i) CHECK(std::abs(r.a[i][lane] - y.a[i]) <= 1e-11);
     for (std::size_t i = 0; i < 8; ++i) {
       CHECK(mode_of(r.contacts[i], lane) == mode_of(y.contacts[i]));
@@ -239,8 +239,8 @@ TEST_CASE("lanes may have other friction, and other masses") {
     const auto k = static_cast<Eigen::Index>(lane);
     const auto own = kte::lanes(c, parameter{"a/friction", friction[lane]}, parameter{"c/friction", friction[lane]},
                                 parameter{"body/mass", mass[lane]});
-    auto one = own.make_state();
-    const auto& y = contact_dynamics(own, one, vector(x.q.col(k)), vector(x.v.col(k)), vector(x.tau.col(k)));
+    auto single = own.make_state();
+    const auto& y = contact_dynamics(own, single, vector(x.q.col(k)), vector(x.v.col(k)), vector(x.tau.col(k)));
     check_lane(r.a, r.contacts, lane, y.a, y.contacts);
     sliding += mode_of(r.contact("a"), lane) == contact_mode::slides;
   }
@@ -250,11 +250,11 @@ TEST_CASE("lanes may have other friction, and other masses") {
 TEST_CASE("plane problems in packs tell the lanes with several solutions, and those that are jammed") {
   const auto check = [](const runtime_chain& c, const states& x, int several) {
     auto many = c.make_state<P>();
-    auto one = c.make_state();
+    auto single = c.make_state();
     const auto& r = contact_dynamics(c, many, packs(x.q), packs(x.v), packs(x.tau));
     for (std::size_t lane = 0; lane < 8; ++lane) {
       const auto k = static_cast<Eigen::Index>(lane);
-      const auto& y = contact_dynamics(c, one, vector(x.q.col(k)), vector(x.v.col(k)), vector(x.tau.col(k)));
+      const auto& y = contact_dynamics(c, single, vector(x.q.col(k)), vector(x.v.col(k)), vector(x.tau.col(k)));
       check_lane(r.a, r.contacts, lane, y.a, y.contacts);
       CHECK(r.several[lane] == y.several);
       several -= y.several;
