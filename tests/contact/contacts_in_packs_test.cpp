@@ -24,8 +24,8 @@ inline constexpr struct body_ final : frame_3D_key<"body"> {} body;
 inline constexpr struct hip_ final : frame_3D_key<"hip"> {} hip;
 inline constexpr struct shank_ final : frame_3D_key<"shank"> {} shank;
 inline constexpr struct foot_ final : frame_3D_key<"foot"> {} foot;
-inline constexpr struct a_ final : contact_key<"a"> {} a;
-inline constexpr struct c_ final : contact_key<"c"> {} c;
+inline constexpr struct corner_ final : contact_key<"a"> {} on_corner;
+inline constexpr struct on_foot_ final : contact_key<"c"> {} on_foot;
 // clang-format on
 
 /// A body on a corner and the foot of a leg: both touch the ground where the body is level at a height of 0.25.
@@ -36,8 +36,8 @@ constexpr auto standing_body(double friction) {
                rigid_link_3D(body, hip, vec3<>{0.2, 0, 0}), revolute_joint_3D(knee, hip, shank, axis::y),
                inertia_3D(shank, rigid_body<>{0.4, vec3<>{0, 0, -0.1}, sym3<>{0.004, 0, 0, 0.003, 0, 0.002}}),
                rigid_link_3D(shank, foot, vec3<>{0, 0, -0.25}),
-               sphere_contact_3D(a, world, body, half_space{}, 0.05, {friction, 0}, vec3<>{-0.2, 0.1, -0.2}),
-               point_contact_3D(c, world, foot, half_space{}, {friction, 0}))
+               sphere_contact_3D(on_corner, world, body, half_space{}, 0.05, {friction, 0}, vec3<>{-0.2, 0.1, -0.2}),
+               point_contact_3D(on_foot, world, foot, half_space{}, {friction, 0}))
       .gravity(along_z(-9.81));
 }
 
@@ -121,15 +121,15 @@ void check_lane(const A& a_of_packs, const X& contacts, std::size_t lane, const 
 /// Packs of a chain, static and at run time, against single states.
 template <class Chain>
 std::array<int, 3> check_packs(const Chain& fixed, const runtime_chain& c, const states& x) {
-  auto all = c.make_state<P>();
-  auto one = c.make_state();
+  auto many = c.make_state<P>();
+  auto single = c.make_state();
   const auto q = packs(x.q), v = packs(x.v), tau = packs(x.tau);
-  const auto& r = contact_dynamics(c, all, q, v, tau);
+  const auto& r = contact_dynamics(c, many, q, v, tau);
   const auto f = contact_dynamics(fixed, q, v, tau);
   std::array<int, 3> modes{};
   for (std::size_t lane = 0; lane < 8; ++lane) {
     const auto k = static_cast<Eigen::Index>(lane);
-    const auto& y = contact_dynamics(c, one, vector(x.q.col(k)), vector(x.v.col(k)), vector(x.tau.col(k)));
+    const auto& y = contact_dynamics(c, single, vector(x.q.col(k)), vector(x.v.col(k)), vector(x.tau.col(k)));
     check_lane(r.a, r.contacts, lane, y.a, y.contacts);
     check_lane(f.a, f.contacts, lane, y.a, y.contacts);
     CHECK((!r.several[lane] && !f.several[lane]));
@@ -158,21 +158,21 @@ TEST_CASE("contact dynamics in packs is that of single states") {
 
 TEST_CASE("accelerations and contact forces in packs satisfy the equations of motion, with the Jacobian in packs") {
   const auto fixed = standing_body(0.6);
-  runtime_chain c, free;
+  runtime_chain c, bare;
   c << fixed;
-  free << free_joint_3D("pose", "world", "body")
+  bare << free_joint_3D("pose", "world", "body")
        << inertia_3D("body", rigid_body<>{2.0, vec3<>{0.02, 0.01, 0.03}, sym3<>{0.05, 0.002, 0.001, 0.06, 0.003, 0.04}})
        << rigid_link_3D("body", "hip", vec3<>{0.2, 0, 0}) << revolute_joint_3D("knee", "hip", "shank", axis::y)
        << inertia_3D("shank", rigid_body<>{0.4, vec3<>{0, 0, -0.1}, sym3<>{0.004, 0, 0, 0.003, 0, 0.002}});
-  free.gravity(along_z(-9.81));
+  bare.gravity(along_z(-9.81));
   random_numbers draw(11);
   const states x = mixed(c, draw);
-  auto all = c.make_state<P>();
-  auto one = free.make_state(), touching = c.make_state();
+  auto many = c.make_state<P>();
+  auto single = bare.make_state(), touching = c.make_state();
   const auto q = packs(x.q), v = packs(x.v), tau = packs(x.tau);
   const auto names = at_contacts("a", "c");
-  const auto j = contact_jacobian(c, all, q, names), j_static = contact_jacobian(fixed, q, names);
-  const auto r = contact_dynamics(c, all, q, v, tau);
+  const auto j = contact_jacobian(c, many, q, names), j_static = contact_jacobian(fixed, q, names);
+  const auto r = contact_dynamics(c, many, q, v, tau);
   REQUIRE((j.rows() == 6 && j.cols() == 7));
   for (std::size_t lane = 0; lane < 8; ++lane) {
     const auto k = static_cast<Eigen::Index>(lane);
@@ -187,15 +187,15 @@ TEST_CASE("accelerations and contact forces in packs satisfy the equations of mo
         const auto& f = r.contacts[static_cast<std::size_t>(row / 3)].force;
         load[i] += j(row, i)[lane] * (row % 3 == 0 ? f.x : row % 3 == 1 ? f.y : f.z)[lane];
       }
-    const vector left = inverse_dynamics(free, one, at, vector(x.v.col(k)), a) - load;
+    const vector left = inverse_dynamics(bare, single, at, vector(x.v.col(k)), a) - load;
     CHECK(left.cwiseAbs().maxCoeff() <= 1e-12);
   }
-  CHECK_THROWS_MATCHES(contact_jacobian(c, all, q, at_contacts()), bad_argument,
+  CHECK_THROWS_MATCHES(contact_jacobian(c, many, q, at_contacts()), bad_argument,
                        says("kte: contact 'c' touches in some lanes and not in others"));
-  CHECK_THROWS_AS(contact_jacobian(c, all, q, "d"), unknown_name);
+  CHECK_THROWS_AS(contact_jacobian(c, many, q, "d"), unknown_name);
   states up(c);
   up.q.row(2).setConstant(0.25);
-  CHECK(contact_jacobian(c, all, packs(up.q), at_contacts()).rows() == 6);
+  CHECK(contact_jacobian(c, many, packs(up.q), at_contacts()).rows() == 6);
 }
 
 TEST_CASE("lanes with redundant contacts have the forces of least norm of single states") {
@@ -204,15 +204,15 @@ TEST_CASE("lanes with redundant contacts have the forces of least norm of single
     << inertia_3D("crate", rigid_body<>{2.0, vec3<>{0, 0, 0}, sym3<>{0.03, 0, 0, 0.06, 0, 0.08}})
     << box_contact_3D("crate", "ground", "crate", half_space{}, vec3{0.3, 0.2, 0.1}, {.friction = 0.4});
   c.gravity(along_z(-9.81));
-  auto all = c.make_state<P>();
-  auto one = c.make_state();
+  auto many = c.make_state<P>();
+  auto single = c.make_state();
   states x(c);
   x.q.row(2).setConstant(0.1);
   for (Eigen::Index k = 0; k < 8; ++k) x.tau(0, k) = 0.5 * static_cast<double>(k), x.v(1, k) = k > 5 ? 1.0 : 0.0;
-  const auto& r = contact_dynamics(c, all, packs(x.q), packs(x.v), packs(x.tau));
+  const auto& r = contact_dynamics(c, many, packs(x.q), packs(x.v), packs(x.tau));
   for (std::size_t lane = 0; lane < 8; ++lane) {
     const auto k = static_cast<Eigen::Index>(lane);
-    const auto& y = contact_dynamics(c, one, vector(x.q.col(k)), vector(x.v.col(k)), vector(x.tau.col(k)));
+    const auto& y = contact_dynamics(c, single, vector(x.q.col(k)), vector(x.v.col(k)), vector(x.tau.col(k)));
     for (Eigen::Index i = 0; i < 6; ++i) CHECK(std::abs(r.a[i][lane] - y.a[i]) <= 1e-11);
     for (std::size_t i = 0; i < 8; ++i) {
       CHECK(mode_of(r.contacts[i], lane) == mode_of(y.contacts[i]));
@@ -231,16 +231,16 @@ TEST_CASE("lanes may have other friction, and other masses") {
   x.tau.row(0).setConstant(6.0);  // lanes with little friction begin to slide
   std::array<parameter<P>, 3> of_lanes{
       {{"a/friction", P::load(friction)}, {"c/friction", P::load(friction)}, {"body/mass", P::load(mass)}}};
-  const auto all = kte::lanes(c, std::span<const parameter<P>>(of_lanes));
-  auto s = make_state<P>(all);
-  const auto& r = contact_dynamics(all, s, packs(x.q), packs(x.v), packs(x.tau));
+  const auto many = kte::lanes(c, std::span<const parameter<P>>(of_lanes));
+  auto s = make_state<P>(many);
+  const auto& r = contact_dynamics(many, s, packs(x.q), packs(x.v), packs(x.tau));
   int sliding = 0;
   for (std::size_t lane = 0; lane < 8; ++lane) {
     const auto k = static_cast<Eigen::Index>(lane);
     const auto own = kte::lanes(c, parameter{"a/friction", friction[lane]}, parameter{"c/friction", friction[lane]},
                                 parameter{"body/mass", mass[lane]});
-    auto one = own.make_state();
-    const auto& y = contact_dynamics(own, one, vector(x.q.col(k)), vector(x.v.col(k)), vector(x.tau.col(k)));
+    auto single = own.make_state();
+    const auto& y = contact_dynamics(own, single, vector(x.q.col(k)), vector(x.v.col(k)), vector(x.tau.col(k)));
     check_lane(r.a, r.contacts, lane, y.a, y.contacts);
     sliding += mode_of(r.contact("a"), lane) == contact_mode::slides;
   }
@@ -249,12 +249,12 @@ TEST_CASE("lanes may have other friction, and other masses") {
 
 TEST_CASE("plane problems in packs tell the lanes with several solutions, and those that are jammed") {
   const auto check = [](const runtime_chain& c, const states& x, int several) {
-    auto all = c.make_state<P>();
-    auto one = c.make_state();
-    const auto& r = contact_dynamics(c, all, packs(x.q), packs(x.v), packs(x.tau));
+    auto many = c.make_state<P>();
+    auto single = c.make_state();
+    const auto& r = contact_dynamics(c, many, packs(x.q), packs(x.v), packs(x.tau));
     for (std::size_t lane = 0; lane < 8; ++lane) {
       const auto k = static_cast<Eigen::Index>(lane);
-      const auto& y = contact_dynamics(c, one, vector(x.q.col(k)), vector(x.v.col(k)), vector(x.tau.col(k)));
+      const auto& y = contact_dynamics(c, single, vector(x.q.col(k)), vector(x.v.col(k)), vector(x.tau.col(k)));
       check_lane(r.a, r.contacts, lane, y.a, y.contacts);
       CHECK(r.several[lane] == y.several);
       several -= y.several;
