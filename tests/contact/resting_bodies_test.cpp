@@ -59,6 +59,6 @@ TEST_CASE("methods with a fixed step bring a block to rest") {
     CHECK(solver.state()[0] == within(way, error));
     CHECK(solver.state().segment(3, 3).cwiseAbs().maxCoeff() < 1e-13);
   };
-  check(implicit_midpoint(std::cref(model), 0.0, start, 1e-3), 1e-13);
+  check(implicit_midpoint(std::cref(model), 0.0, start, 1e-3), 0.5 * g * 1e-6 / 8);  // dense output is linear
   check(runge_kutta4(std::cref(model), 0.0, start, 1e-3), 1e-13);
 }
