@@ -1,13 +1,14 @@
 #pragma once
 
-/// From here on, this unit compiles what headers declare `extern` with KTE_COMPILED (kte/detail/compiled.hpp). What the
-/// headers before contain is compiled in other units: so each header of kte/compiled makes a unit of its own,
+/// From here on, this unit compiles what headers declare `extern` with KTE_COMPILED (kte/detail/compiled.hpp).
+/// Functions of headers that were included before are in other units. CMake so makes a unit of each part of
+/// kte/compiled.hpp, as a user of the parts that it includes:
 ///
-///   #include <kte/compiled/A.hpp>              all headers that are before it in kte/compiled.hpp
+///   #include <kte/compiled/chains.hpp>
 ///   #include <kte/detail/compiled_here.hpp>
-///   #include <kte/compiled/B.hpp>
+///   #include <kte/compiled/loops.hpp>
 ///
-/// which CMake writes. Every function is compiled in the first of them whose headers contain it, also by way of others.
+/// A function is compiled in the first part whose headers contain it, by whatever way they are included.
 #include <kte/detail/compiled.hpp>
 
 #undef KTE_EXTERN
