@@ -3,6 +3,8 @@
 #include <kte/contacts.hpp>
 #include <kte/elements/rigid_contact.hpp>
 
+#include <Eigen/QR>
+
 #include "catch.hpp"
 #include "closed_loops/static_four_bar.hpp"
 #include "closed_loops/tangle.hpp"
