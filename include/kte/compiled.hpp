@@ -13,6 +13,7 @@
 #include <kte/compiled/contacts.hpp>
 #include <kte/compiled/first_elements.hpp>
 #include <kte/compiled/elements.hpp>
+#include <kte/compiled/registry.hpp>
 #include <kte/compiled/control.hpp>
 #include <kte/compiled/statics.hpp>
 #include <kte/compiled/robots.hpp>

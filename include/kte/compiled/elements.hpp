@@ -1,6 +1,5 @@
 #pragma once
 
-/// Part of kte/compiled.hpp: the other half of the elements, and the registry by which files make elements.
+/// Part of kte/compiled.hpp: the other half of the elements.
 #include <kte/compiled/first_elements.hpp>
 #include <kte/elements/compiled_elements.hpp>
-#include <kte/elements/registry.hpp>

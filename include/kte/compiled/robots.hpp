@@ -1,8 +1,8 @@
 #pragma once
 
 /// Part of kte/compiled.hpp: robots and models from files, recordings, tables.
-#include <kte/compiled/elements.hpp>
 #include <kte/compiled/loops.hpp>
+#include <kte/compiled/registry.hpp>
 #include <kte/io/model_reader.hpp>
 #include <kte/io/recording.hpp>
 #include <kte/io/table_writer.hpp>

@@ -1,0 +1,5 @@
+#pragma once
+
+/// Part of kte/compiled.hpp: the registry by which files make elements.
+#include <kte/compiled/elements.hpp>
+#include <kte/elements/registry.hpp>
