@@ -311,3 +311,18 @@ TEST_CASE("a static chain has the events of the same runtime chain") {
   CHECK(under_law.integrate(2.0, element_events(pushed)).count == report.count);
   CHECK((under_law.state().head(3) - solver.state().head(3)).cwiseAbs().maxCoeff() < 1e-13);
 }
+
+TEST_CASE("bodies at rest without friction have no events") {
+  runtime_chain discs;  // one on the other, in a corridor
+  discs.gravity({0, -g, 0}) << base_2D("world");
+  for (const std::string name : {"low", "high"})
+    discs << prismatic_joint_2D(name + " x", "world", name + " slide", axis::x)
+          << prismatic_joint_2D(name + " y", name + " slide", name + " lift", axis::y)
+          << revolute_joint_2D(name + " angle", name + " lift", name) << inertia_2D(name, planar_body(1.0, 0.005));
+  discs << sphere_contact_2D("floor", "world", "low", half_space{}, 0.1, {.friction = 0.0})
+        << sphere_contact_2D("pair", "low", "high", ball_surface(0.1), 0.1, {.friction = 0.0});
+  const planar_model model(discs);
+  const auto end = run(model, numbers({0, 0.1, 0, 0, 0.3, 0}), numbers({0, 0, 0, 0, 0, 0}), 1.0, tight);
+  CHECK(end.report.count == 0);
+  CHECK((end.x.head(6) - numbers({0, 0.1, 0, 0, 0.3, 0})).cwiseAbs().maxCoeff() < 1e-15);
+}

@@ -65,8 +65,8 @@ struct dyad_bar1 : coordinate_follower<dyad_bar1>, dyad_parameters {
 
   template <class S>
   constexpr S value(const S& q1, const S& q2) const {
-    const auto e = detail::direction(q1);
-    return detail::angle_from(e, joint(e, detail::direction(q2), q1, q2).first);
+    const auto e = detail::direction_at(q1);
+    return detail::angle_from(e, joint(e, detail::direction_at(q2), q1, q2).first);
   }
 };
 /// The angle of the second bar in the second crank.
@@ -81,8 +81,8 @@ struct dyad_bar2 : coordinate_follower<dyad_bar2>, dyad_parameters {
 
   template <class S>
   constexpr S value(const S& q1, const S& q2) const {
-    const auto e = detail::direction(q2);
-    const auto [w, r] = joint(detail::direction(q1), e, q1, q2);
+    const auto e = detail::direction_at(q2);
+    const auto [w, r] = joint(detail::direction_at(q1), e, q1, q2);
     return detail::angle_from(e, vec2<S>{w.x - r.x, w.y - r.y});
   }
 };

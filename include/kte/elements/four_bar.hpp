@@ -104,7 +104,7 @@ struct four_bar_coupler : crank_follower<four_bar_coupler>, four_bar_parameters 
 
   template <class S>
   constexpr S value(const S& q) const {
-    const vec2<S> e = detail::direction(q);
+    const vec2<S> e = detail::direction_at(q);
     return detail::angle_from(e, solved(q, e, is_dual<S>).w);
   }
   template <class S>
@@ -130,7 +130,7 @@ struct four_bar_rocker : crank_follower<four_bar_rocker>, four_bar_parameters {
   template <class S>
   constexpr S value(const S& q) const {
     using std::atan2;
-    const auto [w, r] = solved(q, detail::direction(q), is_dual<S>);
+    const auto [w, r] = solved(q, detail::direction_at(q), is_dual<S>);
     return atan2(S(w.y - r.y), S(w.x - r.x));
   }
   template <class S>

@@ -76,7 +76,7 @@ struct slider_crank_slider : crank_follower<slider_crank_slider>, slider_crank_p
 
   template <class S>
   constexpr S value(const S& q) const {
-    const vec2<S> e = detail::direction(q);
+    const vec2<S> e = detail::direction_at(q);
     return S(lengths.crank) * e.x + solved(q, e, is_dual<S>).x;
   }
   template <class S>
@@ -101,7 +101,7 @@ struct slider_crank_rod : crank_follower<slider_crank_rod>, slider_crank_paramet
 
   template <class S>
   constexpr S value(const S& q) const {
-    const vec2<S> e = detail::direction(q);
+    const vec2<S> e = detail::direction_at(q);
     return detail::angle_from(e, solved(q, e, is_dual<S>));
   }
   template <class S>

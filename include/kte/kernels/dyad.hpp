@@ -82,7 +82,7 @@ KTE_INLINE constexpr S across(const vec2<S>& a, const vec2<S>& b) {
 }
 /// The unit vector at an angle.
 template <class S>
-constexpr vec2<S> direction(const S& q) {
+constexpr vec2<S> direction_at(const S& q) {
   using std::cos;
   using std::sin;
   return {S(cos(q)), S(sin(q))};

@@ -144,7 +144,8 @@ void resolve_contacts(const Access& a, double t, X& x, int event_of) {
       for (std::size_t i = 0; i < m.contacts.size(); ++i) {
         const auto& of = s.template get<kind::contact>(m.contacts[i].slot);
         changes[i].after = mode_of(of);
-        changes[i].turns = mode_of(of) == contact_mode::slides && dot(changes[i].direction, of.direction) < 0.999;
+        changes[i].turns = mode_of(of) == contact_mode::slides && m.contacts[i].place.law.friction > 0 &&
+                           dot(changes[i].direction, of.direction) < 0.999;
         put_mode(of, at_modes + numbers_of_contact * m.contacts[i].slot, x);
       }
       step.change = text_of_changes(c, m, changes, event_of);
