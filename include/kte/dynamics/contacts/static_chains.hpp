@@ -2,6 +2,7 @@
 
 #include <kte/dynamics/closed_loops/at_run_time.hpp>
 #include <kte/dynamics/closed_loops/static_chains.hpp>
+#include <kte/dynamics/contacts/check_contact_frames.hpp>
 #include <kte/dynamics/contacts/contact_dynamics_in_lanes.hpp>
 #include <kte/dynamics/contacts/static_contacts.hpp>
 #include <kte/dynamics/contacts/unrolled_contacts.hpp>
@@ -98,6 +99,7 @@ template <class Gravity, class... E, indexable Q, indexable V, indexable T>
   using S = detail::scalar_at_contacts<Q>;
   static_assert(std::is_convertible_v<value_of<Q>, double> || detail::has_lanes_of_double<value_of<Q>>,
                 "kte: contacts are computed in double, and packs of it");
+  static_assert(sizeof(detail::check_contact_frames<chain_type>) > 0);
   check_size<chain_type::dofs>(v, "v"), check_size<chain_type::dofs>(tau, "tau");
   joint_vector<S, chain_type::dofs> f;
   for (int i = 0; i < chain_type::dofs; ++i) f[i] = static_cast<S>(tau[static_cast<std::size_t>(i)]);
@@ -137,6 +139,7 @@ template <class Gravity, class... E, indexable Q, indexable V>
 [[nodiscard]] auto impact(const static_chain<Gravity, E...>& c, const Q& q, const V& v,
                           impact_law law = impact_law::at_once) {
   using chain_type = static_chain<Gravity, E...>;
+  static_assert(sizeof(detail::check_contact_frames<chain_type>) > 0);
   return detail::with_contacts_at(c, q, v, [&](const auto& contacts, auto& s) {
     static_impact_result<chain_type> r;
     Eigen::VectorXd& after = s.contacts.velocities;

@@ -1,9 +1,9 @@
 #pragma once
 
 #include <kte/dynamics/closed_loops/static_closures.hpp>
+#include <kte/dynamics/contacts/check_contact_frames.hpp>
 #include <kte/dynamics/contacts/contacts_in_lanes.hpp>
 #include <kte/dynamics/contacts/strike.hpp>
-#include <kte/dynamics/contacts/ways_of_contacts.hpp>
 
 namespace kte::detail {
 
