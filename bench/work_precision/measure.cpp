@@ -88,6 +88,7 @@ std::vector<row> measure(const problem& p, const effort& e) {
   std::vector<row> rows;
   for (const auto& c : p.contenders) {
     if (e.quick) {
+      if (p.name == "rober" && c->method == "trapezoidal") continue;  // stops there after 3e6 steps, most of all work
       rows.push_back(try_once(*c, setting_of(p, *c, 1)));
     } else {
       refine(p, *c, e, rows);
