@@ -36,7 +36,7 @@ scene bouncing_ball();
 /// A box on corners (+-0.1, -0.05) m at 2 m/s up a slope of 0.3, mu 0.2: it comes back. Error of its place after 2 s,
 /// m.
 scene sliding_box();
-/// The same with mu 0.4: it rests from 0.3 s on. Error after 10 s, m.
+/// That box with mu 0.4: it rests from 0.3 s on. Error after 10 s, m.
 scene resting_box();
 /// A ball of radius 0.1 m at 1 m/s on the ground, mu 0.2: slides, then rolls. Error of its place after 2 s, m.
 scene slipping_ball();

@@ -69,7 +69,7 @@ TEST_CASE("Friction in lanes: the lanes that are solved are those whose contacts
   CHECK(left > 20);
 }
 
-TEST_CASE("Friction in lanes: contacts that are open in one lane leave the others as they were") {
+TEST_CASE("Friction in lanes: contacts that are open in one lane leave the others unchanged") {
   friction_scenes random(5);
   std::vector<friction_scene> scenes;
   for (std::size_t lane = 0; lane < std::size_t{P::lanes}; ++lane) scenes.push_back(random.legs(2, 100.0));

@@ -216,7 +216,7 @@ void place_bodies_in_world(State& s) {
   place_bases_in_world(s);
   tree::place_bodies_in_world<Hand>(s.tree().body_tree, s.work);
 }
-/// The same with the axes of joints.
+/// Places all bodies and the axes of joints in the world.
 template <class State>
 void place_in_world(State& s) {
   place_bases_in_world(s);
