@@ -56,7 +56,8 @@ class loop_factor {
   bool is_dense() const { return dense_; }
   /// x becomes (M + A)^-1 x after `factorize_mass`.
   void solve_mass(Eigen::VectorXd& x) const { mass_.half_solve(x.data()), mass_.other_half(x.data()); }
-  /// (1) for a tree from the articulated inertias in the working memory of the state; valid until the next recursion writes there.
+  /// (1) for a tree from the articulated inertias in the working memory of the state; valid until the next recursion
+  /// writes there.
   template <class State>
   void take_articulated(const State& s, const loop_equations& e) {
     const auto& at = e.places;

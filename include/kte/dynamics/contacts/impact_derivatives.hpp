@@ -28,9 +28,9 @@ impact_derivatives_result impact_derived(const runtime_chain& c, runtime_state& 
 ///   u_n^+ + e u_n = 0,   u_t^+ = 0 of contacts that stick                            (2)
 ///   u_n^+ + e u_n = 0,   |u_t^+| P_t + mu P_n u_t^+ = 0 of those that slide          (3)
 ///
-/// with P = 0 of contacts that open. The set of touching contacts does not depend on q. Throws `bad_argument` for a chain with closures
-/// of loops, and for an impact that reduces its coefficients of restitution so that energy does not grow. Arguments and
-/// other errors as for `impact`.
+/// with P = 0 of contacts that open. The set of touching contacts does not depend on q. Throws `bad_argument` for a
+/// chain with closures of loops, and for an impact that reduces its coefficients of restitution so that energy does not
+/// grow. Arguments and other errors as for `impact`.
 ///
 ///   const auto r = kte::impact_derivatives(c, s, q, v);    r.v, r.by_q, r.by_v
 template <indexable Q, indexable V>
