@@ -2,6 +2,8 @@
 #include <boost/hana/for_each.hpp>
 
 #include "models.hpp"
+#include "robots/hyq.hpp"
+#include "robots/panda.hpp"
 #include "runtime_calls.hpp"
 
 namespace bench {
@@ -27,11 +29,32 @@ struct at_run_time {
   }
 };
 
+struct panda {
+  static constexpr auto name = "panda";
+  static constexpr auto& chain = robots::panda;
+  static constexpr auto& tool = robots::panda_names::hand;
+};
+struct hyq {
+  static constexpr auto name = "hyq";
+  static constexpr auto& chain = robots::hyq;
+  static constexpr auto& tool = robots::hyq_names::body;
+};
+/// For robots with references for few operations.
+template <class Model>
+void add_dynamics() {
+  namespace calls = runtime_calls;
+  add(operation::inverse_dynamics, "runtime", Model::name, call_on<at_run_time<Model>, calls::inverse_dynamics>);
+  add(operation::mass_matrix, "runtime", Model::name, call_on<at_run_time<Model>, calls::mass_matrix>);
+  add(operation::forward_dynamics, "runtime", Model::name, call_on<at_run_time<Model>, calls::forward_dynamics>);
+}
+
 const registered here{[] {
   add_runtime<at_run_time<pendulum>>();
   add_runtime<at_run_time<iiwa14>>();
   add_runtime<at_run_time<ur5>>();
   add_runtime<at_run_time<solo12>>();
+  add_dynamics<panda>();
+  add_dynamics<hyq>();
   add(operation::regressor, "runtime", iiwa14::name, call_on<at_run_time<iiwa14>, runtime_calls::regressor>);
 }};
 
