@@ -73,8 +73,10 @@ END
 
 ## Pinocchio
 
-Times of Pinocchio $pinocchio divided by those of kte in the same run, followed by the errors of kte; in the last column Pinocchio's time and error.
-Debian does not package Pinocchio: its headers were compiled from source by $("$(cache KTE_BENCH_CLANG)" --version | head -n 1), with the flags of the table above; the code of g++ 12 is up to 1.7 times slower.
+Times of Pinocchio $pinocchio divided by those of kte in the same run, followed by the errors of kte.
+The last column has Pinocchio's time and error.
+Debian does not package Pinocchio.
+Its headers were compiled by $("$(cache KTE_BENCH_CLANG)" --version | head -n 1), with the flags of the table above; with g++ 12 it takes up to 1.7 times as long.
 kte was compiled as in the table.
 Pinocchio writes the upper triangle of M only; of the inverse it was copied to the lower one, which kte writes too.
 

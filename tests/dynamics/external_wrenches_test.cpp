@@ -1,5 +1,6 @@
 #include <kte/dynamics/external_wrenches.hpp>
 #include <kte/dynamics/momentum_rate.hpp>
+#include <kte/kte.hpp>
 
 #include <limits>
 

@@ -112,7 +112,7 @@ const auto& forward_dynamics_derivatives(const runtime_chain& c, basic_runtime_s
   detail::check_regular(c, s);
   return detail::take(c, s, q, v, detail::found_later{}, tau).call([&]() -> const auto& {
     detail::keep_forces(s, [&](int i) { return static_cast<S>(tau[static_cast<std::size_t>(i)]); });
-    detail::accelerations_under_kept(c, s);
+    detail::accelerations_at_state(c, s);
     return detail::accelerations_derived(c, s);
   });
 }

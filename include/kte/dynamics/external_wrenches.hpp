@@ -160,7 +160,7 @@ runtime_vector<S> forward_dynamics(const runtime_chain& c, basic_runtime_state<S
     runtime_vector<S> all = detail::forces_of_loads(c, s, checked);
     for (Eigen::Index i = 0; i < all.size(); ++i) all[i] += static_cast<S>(tau[static_cast<std::size_t>(i)]);
     detail::keep_forces(s, [&all](int i) { return all[i]; });
-    return runtime_vector<S>(detail::accelerations_under_kept(c, s));
+    return runtime_vector<S>(detail::accelerations_at_state(c, s));
   });
 }
 template <class Gravity, class... E, indexable Q, indexable V, indexable T, key_type First, key_type... Frames>

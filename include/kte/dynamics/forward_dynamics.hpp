@@ -93,8 +93,7 @@ template <class Gravity, class... E, class S>
 #if defined(KTE_RUNTIME_CHAINS) && !defined(KTE_FORWARD_DYNAMICS_OF_RUNTIME_CHAINS)
 #define KTE_FORWARD_DYNAMICS_OF_RUNTIME_CHAINS
 
-#include <kte/dynamics/closed_loops/forward.hpp>
-#include <kte/dynamics/runtime/algorithms.hpp>
+#include <kte/dynamics/runtime/accelerations.hpp>
 #include <kte/dynamics/runtime/refused_calls.hpp>
 
 namespace kte {
@@ -104,7 +103,7 @@ const runtime_vector<S>& forward_dynamics(const runtime_chain& c, basic_runtime_
   detail::check_regular_tree(c, s);
   detail::check_positions(s);
   detail::keep_forces(s, [](int) { return S(0); });
-  return detail::accelerations_of_chain(c, s);
+  return detail::accelerations_at_state(c, s);
 }
 template <class S, indexable Q, indexable V, indexable T>
 const runtime_vector<S>& forward_dynamics(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
@@ -112,7 +111,7 @@ const runtime_vector<S>& forward_dynamics(const runtime_chain& c, basic_runtime_
   detail::check_regular_tree(c, s);
   return detail::take(c, s, q, v, detail::not_given{}, tau).call([&]() -> const auto& {
     detail::keep_forces(s, [&](int i) { return static_cast<S>(tau[static_cast<std::size_t>(i)]); });
-    return detail::accelerations_of_chain(c, s);
+    return detail::accelerations_at_state(c, s);
   });
 }
 

@@ -135,7 +135,7 @@ template <class Gravity, class... E, class S, key_type Frame>
 #if defined(KTE_RUNTIME_CHAINS) && !defined(KTE_FORWARD_KINEMATICS_OF_RUNTIME_CHAINS)
 #define KTE_FORWARD_KINEMATICS_OF_RUNTIME_CHAINS
 
-#include <kte/dynamics/runtime/algorithms.hpp>
+#include <kte/dynamics/runtime/frames.hpp>
 #include <kte/dynamics/runtime/refused_calls.hpp>
 #include <kte/tree/jacobian.hpp>
 

@@ -125,7 +125,7 @@ template <class Gravity, class... E, indexable Q, indexable V, indexable X, key_
 #define KTE_HYBRID_DYNAMICS_OF_RUNTIME_CHAINS
 
 #include <kte/dynamics/inverse_dynamics.hpp>
-#include <kte/dynamics/runtime/algorithms.hpp>
+#include <kte/dynamics/runtime/accelerations.hpp>
 
 #include <string_view>
 #include <vector>
@@ -178,7 +178,7 @@ hybrid_dynamics_result<S, Eigen::Dynamic> hybrid_dynamics(const runtime_chain& c
         return r;
       }
     keep_forces(s, [&force](int i) { return force[i]; });
-    r.a = accelerations_under_kept(c, s, is_known);
+    r.a = accelerations_at_state(c, s, is_known);
     r.tau = inverse_dynamics(c, s);
     for (std::size_t i = 0; i < n; ++i)  // given numbers are returned unchanged
       if (!is_known[i]) r.tau[static_cast<Eigen::Index>(i)] = force[static_cast<Eigen::Index>(i)];

@@ -47,10 +47,21 @@ template <class Gravity, class... E, class S>
 #if defined(KTE_RUNTIME_CHAINS) && !defined(KTE_MASS_MATRIX_OF_RUNTIME_CHAINS)
 #define KTE_MASS_MATRIX_OF_RUNTIME_CHAINS
 
-#include <kte/dynamics/runtime/algorithms.hpp>
+#include <kte/dynamics/runtime/elements.hpp>
 #include <kte/dynamics/runtime/refused_calls.hpp>
 
 namespace kte {
+
+namespace detail {
+template <class S>
+void check_masses(const basic_runtime_state<S>& s, const runtime_matrix<S>& m) {
+  if (!tree::all_finite_in_row(m.data(), static_cast<std::size_t>(m.size()))) [[unlikely]]
+    diagnose_mass(s, first_non_finite(m), false);
+}
+#ifdef KTE_EXTERN
+KTE_EXTERN template void check_masses(const runtime_state&, const runtime_matrix<double>&);
+#endif
+}  // namespace detail
 
 template <class S>
 const runtime_matrix<S>& mass_matrix(const runtime_chain& c, basic_runtime_state<S>& s) {

@@ -65,7 +65,8 @@ template <class Gravity, class... E, class S>
 #if defined(KTE_RUNTIME_CHAINS) && !defined(KTE_MASS_MATRIX_INVERSE_OF_RUNTIME_CHAINS)
 #define KTE_MASS_MATRIX_INVERSE_OF_RUNTIME_CHAINS
 
-#include <kte/dynamics/runtime/algorithms.hpp>
+#include <kte/dynamics/mass_matrix.hpp>
+#include <kte/dynamics/runtime/elements.hpp>
 
 namespace kte {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kte/dynamics/frame_motion.hpp>
-#include <kte/dynamics/runtime/algorithms.hpp>
+#include <kte/dynamics/runtime/frames.hpp>
 #include <kte/dynamics/unrolled/plan.hpp>
 #include <kte/runtime_chain.hpp>
 

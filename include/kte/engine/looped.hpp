@@ -180,5 +180,7 @@ struct looped {
       });
   }
 };
+template <class Bodies>
+looped(const Bodies&) -> looped<Bodies>;
 
 }  // namespace kte::engine

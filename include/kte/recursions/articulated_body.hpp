@@ -111,12 +111,20 @@ KTE_INLINE constexpr auto accelerated_if_free(const B& b, const axis_factors<S>*
   }
 }
 
+/// The step of the outward recursion (1), with the rates and given accelerations of axes.
+template <class S>
+struct bias_motion_of_child {
+  const S* rate;
+  const S* change;
+  template <body B, class M>
+  KTE_INLINE constexpr auto operator()(const B& b, const M& parent) const {
+    return bias_motion_of(b, parent, rate + b.first(), change + b.first());
+  }
+};
 /// Outward recursion (1), from the angular velocities of the bases in `kept`.
 template <class Hand, class Driver, class Kept, class S>
 KTE_INLINE auto bias_motions(const Driver& d, const Kept& kept, const S* rate, const S* change) {
-  return d.template outward<Hand>(kept, [=](const body auto& b, const auto& parent) KTE_INLINE_LAMBDA {
-    return bias_motion_of(b, parent, rate + b.first(), change + b.first());
-  });
+  return d.template outward<Hand>(kept, bias_motion_of_child<S>{rate, change});
 }
 /// The steps of the inward recursion: a body alone, with own(body, bias motion) in its p^A; its joint, with
 /// force(body)(k) on axis k; its parent.

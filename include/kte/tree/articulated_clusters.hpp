@@ -150,44 +150,30 @@ struct acceleration_in_cluster {
   }
 };
 
-/// As `bias_motions`.
-template <class P, class S>
-auto bias_motions_of_clusters(const body_tree<P>& f, memory<P, S>& m, const cluster_layout& layout) {
-  for (std::size_t b = 0; b < static_cast<std::size_t>(f.bases); ++b)
-    m.biases[b].ang_velocity = m.bodies[b].ang_velocity;
-  const clustered_bodies<P, S> bodies(f, m, layout);
-  return engine::bias_motions<bias_motion<S>>(engine::looped<clustered_bodies<P, S>>{bodies}, m.biases.data(),
-                                              m.rate.data(), m.acceleration.data());
-}
-/// As `articulate`, with clusters that are open. Those without bodies are closed too.
+/// Articulated inertias and bias forces of all bodies, with clusters that are open. Those without bodies are closed
+/// too. Writes `factors`. Returns the first axis that moves no mass, or -1.
 template <class P, class S, class Biases>
 int articulate_clusters(const body_tree<P>& f, memory<P, S>& m, const cluster_layout& layout, cluster_memory<S>& x,
                         const Biases& biases) {
   const clustered_bodies<P, S> bodies(f, m, layout);
   int unmoved = -1;
-  const auto force = [force = m.force.data()](const auto& b) KTE_INLINE_LAMBDA {
-    return [of_joint = force + b.first()](int k) KTE_INLINE_LAMBDA { return of_joint[k]; };
-  };
-  const auto own = [load = load_of_slot<S>{m.loads.data()}](const auto& b, const auto& y)
-                       KTE_INLINE_LAMBDA { return engine::velocity_wrench(b, y.ang_velocity) - load(b); };
-  using force_type = decltype(force);
-  using eliminate = engine::joint_elimination<S, force_type, int>;
-  using to_parent = engine::articulated_to_parent<force_type>;
+  const forces_on_axes<S> force{m.force.data()};
+  using eliminate = engine::joint_elimination<S, forces_on_axes<S>, int>;
+  using to_parent = engine::articulated_to_parent<forces_on_axes<S>>;
   const in_clusters<P, S> in{f, layout, x};
-  engine::looped<clustered_bodies<P, S>>{bodies}.template inward<false, articulated_body<S>, false>(
-      m.articulated.data(), biases, engine::articulated_alone<std::remove_const_t<decltype(own)>>{own},
+  engine::looped{bodies}.template inward<false, articulated_body<S>, false>(
+      m.articulated.data(), biases, engine::articulated_alone<bias_wrench<S>>{{{m.loads.data()}}},
       cluster_elimination<P, S, eliminate>{in, m.biases.data() + f.bases, eliminate{force, m.factors.data(), unmoved},
                                            unmoved},
       cluster_to_parent<P, S, to_parent>{in, to_parent{force}});
   return unmoved;
 }
-/// As `accelerate`.
+/// Accelerations of all bodies and axes, after `articulate_clusters`.
 template <class P, class S, class Biases>
 void accelerate_clusters(const body_tree<P>& f, memory<P, S>& m, const cluster_layout& layout, cluster_memory<S>& x,
                          const Biases& biases) {
-  using hand = engine::body_motion<skip, vec3<S>, vec3<S>, vec3<S>>;
   const clustered_bodies<P, S> bodies(f, m, layout);
-  engine::looped<clustered_bodies<P, S>>{bodies}.template descend<hand>(
+  engine::looped{bodies}.template descend<accelerated_body<S>>(
       m.bodies.data(), biases,
       acceleration_in_cluster<P, S>{{f, layout, x}, {m.factors.data(), m.acceleration.data()}});
 }

@@ -164,7 +164,7 @@ void accelerate_from_rest(const body_tree<P>& f, memory<P, S>& m,
   using hand = engine::body_motion<skip, zero3, vec3<S>, vec3<S>>;
   for (std::size_t b = 0; b < static_cast<std::size_t>(f.bases); ++b) m.bodies[b] = {};
   const articulated_bodies<P, S> bodies(f, m, joint_transforms);
-  engine::accelerate<hand>(engine::looped<articulated_bodies<P, S>>{bodies}, m.bodies.data(),
+  engine::accelerate<hand>(engine::looped{bodies}, m.bodies.data(),
                            engine::kept_constant<engine::bias_motion<zero3, zero3, zero3, zero3>>{}, factors,
                            m.acceleration.data());
 }

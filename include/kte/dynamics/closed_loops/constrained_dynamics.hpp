@@ -1,8 +1,8 @@
 #pragma once
 
-#include <kte/dynamics/closed_loops/forward.hpp>
 #include <kte/dynamics/closed_loops/loop_dynamics.hpp>
 #include <kte/dynamics/closed_loops/loop_results.hpp>
+#include <kte/dynamics/runtime/accelerations.hpp>
 #include <kte/runtime_chain.hpp>
 
 namespace kte {
@@ -129,7 +129,7 @@ KTE_FUNCTION const constrained_dynamics_result& constrained_dynamics_under_kept(
   const auto& at = m.equations.places;
   auto& r = m.result;
   if (!has_loops(c)) {
-    r.a = accelerations_under_kept(c, s, {}), r.mobility = s.dofs();
+    r.a = accelerations_at_state(c, s), r.mobility = s.dofs();
     return r;
   }
   r.a = accelerations_on_loops(c, s);

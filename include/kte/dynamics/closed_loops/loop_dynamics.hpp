@@ -1,8 +1,8 @@
 #pragma once
 
-#include <kte/dynamics/closed_loops/forward.hpp>
 #include <kte/dynamics/closed_loops/loop_factor.hpp>
 #include <kte/dynamics/closed_loops/loop_results.hpp>
+#include <kte/dynamics/runtime/accelerations.hpp>
 
 /// Accelerations and closure forces of a chain with loops, in the working memory of a state.
 namespace kte::detail {
@@ -92,7 +92,7 @@ void accelerate_on_loops(const Closures& c, State& s, loop_workspace& m, const T
     factor.subtract_change(s, e, e.acceleration, multipliers);
     accelerate_after(s, biases);
   } else {
-    accelerate_by_tree(c.elements(), s, applied, {});
+    accelerations_on_coordinates(c.elements(), s, applied, {});
     e.at_positions(c, s, true);
     auto& a = s.work.forces;
     change = a;
@@ -136,17 +136,8 @@ KTE_EXTERN template void loop_factor::choose<false>(const runtime_closures&, run
 KTE_EXTERN template void loop_factor::choose<true>(const runtime_closures&, runtime_state&, loop_equations&, double);
 KTE_EXTERN template void accelerate_on_loops(const runtime_closures&, runtime_state&, loop_workspace&, const no_forces&,
                                              const loop_factor*);
-KTE_EXTERN template void accelerate_by_tree(const runtime_elements&, runtime_state&, const no_forces&,
-                                            std::span<const char>);
+KTE_EXTERN template void accelerations_on_coordinates(const runtime_elements&, runtime_state&, const no_forces&,
+                                                      std::span<const char>);
 #endif
 
 }  // namespace kte::detail
-
-#ifdef KTE_EXTERN
-namespace kte::tree {
-KTE_EXTERN template int articulate(const body_tree<double>&, memory<double, double>&,
-                                   const bias_motions_type<double, double>&);
-KTE_EXTERN template void accelerate(const body_tree<double>&, memory<double, double>&,
-                                    const bias_motions_type<double, double>&);
-}  // namespace kte::tree
-#endif

@@ -180,7 +180,7 @@ bool accelerate_on_loops_in_lanes(const runtime_chain& c, basic_runtime_state<S>
   const auto make = [&] { return loops_in_lanes<S>(closures_of(c), s); };
   auto& loops = s.loops.template get<loops_in_lanes<S>>(make);
   if (loops.layout != c.wiring().layout) loops = make();
-  accelerate_by_tree(runtime_elements{c}, s, tau, {});
+  accelerations_on_coordinates(runtime_elements{c}, s, tau, {});
   return loops.correct(closures_of(c), s);
 }
 /// Under the forces `kept` in the working memory. Throws `no_solution` if states differ in their independent rows.

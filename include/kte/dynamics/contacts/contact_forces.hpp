@@ -147,7 +147,7 @@ void accelerate_freely(const Contacts& c, State& s, contact_solver& m, const Tau
   check_loops(c, s);
   auto& e = m.equations;
   const bool tree = s.tree().plan.tree;
-  accelerate_by_tree(c.elements(), s, applied, {});
+  accelerations_on_coordinates(c.elements(), s, applied, {});
   auto& a = s.work.forces;
   m.before = a;
   const auto& a0 = m.before;

@@ -82,7 +82,7 @@ class velocity_step {
   void accelerate(const Contacts& c, State& s, contact_solver& m) {
     const auto correction = [this](int i) { return implicit_.correction(i, change_); };
     if (!implicit_.coupled()) {
-      accelerate_by_tree(c.elements(), s, correction, {});
+      accelerations_on_coordinates(c.elements(), s, correction, {});
       m.before = s.work.forces;
       return;
     }

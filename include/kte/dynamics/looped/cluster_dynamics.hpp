@@ -94,7 +94,7 @@ void accelerate_clustered(const Elements& c, State& s, const Tau& tau) {
   move_and_derive_followers(c, s);
   place_bodies_by_coordinates(c, s);
   take_rates(s), take_bases(s);
-  const auto biases = tree::bias_motions_of_clusters(t.body_tree, w, t.clusters);
+  const auto biases = tree::bias_motions(tree::clustered_bodies(t.body_tree, w, t.clusters), w);
   forces_by_rates(c, s);
   for (int i = 0; i < s.dofs(); ++i) w.forces[i] += tau(i);
   for (std::size_t k = 0; k < t.body_tree.row.size(); ++k)

@@ -39,8 +39,8 @@ void check_jointless_masses(const Elements& c, const State& s) {
         [[unlikely]]
       c.diagnose_mass(s, row, true);
 }
-/// Articulated inertias and bias forces under the forces tau(i) and those of the elements, by ABA; for trees. Rows that
-/// are `prescribed` keep the accelerations of the state. Returns the bias motions.
+/// Articulated inertias and bias forces under the forces tau(i) and those of the elements; for trees. Rows that are
+/// `prescribed` keep the accelerations of the state. Returns the bias motions, for `accelerate_after`.
 template <class Elements, class State, class Tau>
 auto articulate_under(const Elements& c, State& s, const Tau& tau, std::span<const char> prescribed) {
   using S = typename State::scalar;
@@ -49,7 +49,8 @@ auto articulate_under(const Elements& c, State& s, const Tau& tau, std::span<con
   prescribe(s, prescribed);
   place_bodies(c, s);
   take_rates(s), take_bases(s);
-  const auto biases = tree::bias_motions(t.body_tree, w);
+  const tree::articulated_bodies bodies(t.body_tree, w);
+  const auto biases = tree::bias_motions(bodies, w);
   if (t.on_coordinates.empty() && t.on_frames.empty()) {
     for (int i = 0; i < s.dofs(); ++i) w.forces[i] = tau(i);
   } else {
@@ -59,18 +60,25 @@ auto articulate_under(const Elements& c, State& s, const Tau& tau, std::span<con
   }
   for (std::size_t k = 0; k < t.body_tree.row.size(); ++k)
     w.force[k] = t.body_tree.row[k] < s.dofs() ? w.forces[t.body_tree.row[k]] : S(0);
-  if (const int bad = tree::articulate(t.body_tree, w, biases); bad >= 0) [[unlikely]]
-    diagnose_axis(c, s, bad);
+  int unmoved = -1;
+  engine::articulate<tree::articulated_body<S>>(engine::looped{bodies}, w.articulated.data(), biases,
+                                                tree::bias_wrench<S>{{w.loads.data()}},
+                                                tree::forces_on_axes<S>{w.force.data()}, w.factors.data(), unmoved);
+  if (unmoved >= 0) [[unlikely]]
+    diagnose_axis(c, s, unmoved);
   if (!t.on_frames.empty() || !t.late.empty()) take_rates(s);  // accelerations of prescribed joints
   check_jointless_masses(c, s);
   return biases;
 }
-/// Accelerations after `articulate_under`, written to `forces`.
+/// Accelerations after `articulate_under`, from the motions of bases, written to `forces`.
 template <class State, class Biases>
 void accelerate_after(State& s, const Biases& biases) {
+  using S = typename State::scalar;
   const auto& t = s.tree();
   auto& w = s.work;
-  tree::accelerate(t.body_tree, w, biases);
+  const tree::articulated_bodies bodies(t.body_tree, w);
+  engine::accelerate<tree::accelerated_body<S>>(engine::looped{bodies}, w.bodies.data(), biases, w.factors.data(),
+                                                w.acceleration.data());
   for (std::size_t k = 0; k < t.body_tree.row.size(); ++k)
     if (t.body_tree.row[k] < s.dofs()) w.forces[t.body_tree.row[k]] = w.acceleration[k];
   for (const int row : t.plan.jointless_dofs) {
@@ -170,10 +178,10 @@ std::span<const char> with_locked_rows(const Elements& c, State& s, std::span<co
   });
   return rows.empty() ? prescribed : std::span<const char>(rows);
 }
-/// Forward dynamics: by articulated bodies in trees, and in clusters where coordinates follow others; else by the mass
-/// matrix.
+/// Forward dynamics under the forces tau(i) and those of the elements, written to `forces`: by articulated bodies in
+/// trees, and in clusters where coordinates follow others; else by the mass matrix.
 template <class Elements, class State, class Tau>
-void accelerate_by_tree(const Elements& c, State& s, const Tau& tau, std::span<const char> prescribed) {
+void accelerations_on_coordinates(const Elements& c, State& s, const Tau& tau, std::span<const char> prescribed) {
   if constexpr (requires { requires State::always_tree; }) {
     accelerate_after(s, articulate_under(c, s, tau, prescribed));
   } else {

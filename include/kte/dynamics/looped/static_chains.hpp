@@ -209,7 +209,7 @@ void accelerate_static(const Chain& c, const Given& g, State& s, const Tau& tau)
   }
   (std::make_integer_sequence<int, Chain::dofs>{});
   s.take(g), check_regular(c, s);
-  accelerate_by_tree(
+  accelerations_on_coordinates(
       static_elements{c, g}, s, [&tau](int i) { return tau[i]; }, prescribed);
   check_accelerations<typename Chain::wiring>(s.work.forces, g, tau);
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kte/dynamics/runtime/algorithms.hpp>
+#include <kte/dynamics/runtime/elements.hpp>
 #include <kte/tree/momentum.hpp>
 
 /// Loops over the bodies of runtime chains, in the working memory of a state.

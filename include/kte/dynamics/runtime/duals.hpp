@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kte/dynamics/looped/dual_derivatives.hpp>
-#include <kte/dynamics/runtime/algorithms.hpp>
+#include <kte/dynamics/runtime/elements.hpp>
 #include <kte/runtime_chain/derivative_state.hpp>
 
 /// Derivatives of inverse dynamics of runtime chains by dual numbers, for forces between frames and for coordinates

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kte/dynamics/runtime/algorithms.hpp>
+#include <kte/dynamics/runtime/frames.hpp>
 #include <kte/tree/jacobian.hpp>
 
 #include <string>

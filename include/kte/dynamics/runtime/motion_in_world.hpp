@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kte/dynamics/runtime/algorithms.hpp>
+#include <kte/dynamics/runtime/frames.hpp>
 
 /// Accelerations of frames of runtime chains in the world. States represent gravity as an acceleration of bases.
 namespace kte::detail {

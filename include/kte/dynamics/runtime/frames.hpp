@@ -1,40 +1,13 @@
 #pragma once
 
 #include <kte/dynamics/runtime/elements.hpp>
-#include <kte/kernels/solve.hpp>
 
-#include <algorithm>
 #include <utility>
 
-/// The algorithms on runtime chains, as loops over body nodes.
+/// The frames of runtime chains: what moves them, and their motion.
 namespace kte {
 
 namespace detail {
-
-template <class S>
-void check_masses(const basic_runtime_state<S>& s, const runtime_matrix<S>& m) {
-  if (!tree::all_finite_in_row(m.data(), static_cast<std::size_t>(m.size()))) [[unlikely]]
-    diagnose_mass(s, first_non_finite(m), false);
-}
-/// Stores the forces applied(i), which may refer to a result that the state holds, for `accelerations_under_kept`.
-template <class S, class Tau>
-void keep_forces(basic_runtime_state<S>& s, const Tau& applied) {
-  for (int i = 0; i < s.dofs(); ++i) s.work.kept[static_cast<std::size_t>(i)] = applied(i);
-}
-/// Forward dynamics at positions that have been checked, under the stored forces (`kept`). Rows in `prescribed` take
-/// their accelerations from the state.
-template <class S>
-const runtime_vector<S>& accelerations_under_kept(const runtime_chain& c, basic_runtime_state<S>& s,
-                                                  std::span<const char> prescribed = {}) {
-  const auto& kept = s.work.kept;
-  accelerate_by_tree(
-      runtime_elements{c}, s, [&kept](int i) { return kept[static_cast<std::size_t>(i)]; }, prescribed);
-  check_result(s, [&] {
-    diagnose("an acceleration", s, runtime_vector<S>(Eigen::Map<const runtime_vector<S>>(kept.data(), s.dofs())));
-  });
-  write_numbers<vector_of::a>(s, s.work.forces, "a");
-  return s.work.forces;
-}
 
 struct runtime_frame {
   kind what;
@@ -96,9 +69,6 @@ template <class S>
 inline constexpr bool goes_through_passes = passes_in<S>::known;
 
 #ifdef KTE_EXTERN
-KTE_EXTERN template void check_masses(const runtime_state&, const runtime_matrix<double>&);
-KTE_EXTERN template const runtime_vector<double>& accelerations_under_kept(const runtime_chain&, runtime_state&,
-                                                                           std::span<const char>);
 KTE_EXTERN template void move_element(const topology&, runtime_state&, int);
 #endif
 
