@@ -115,6 +115,10 @@ void put_on_loops(State& s, loop_workspace& m, Eigen::VectorXd& v) {
     v -= m.change;
   }
 }
+inline void check_velocities_on_loops(const Eigen::VectorXd& v) {
+  if (!tree::all_finite_in_row(v.data(), static_cast<std::size_t>(v.size()))) [[unlikely]]
+    too_large{"a velocity"}();
+}
 #ifdef KTE_FUNCTION
 KTE_FUNCTION loops_report loops_at_state(const runtime_chain& c, runtime_state& s) {
   if (has_loops(c)) return report_of(closures_of(c), factorized_loops(c, s), s.dofs());
@@ -151,6 +155,7 @@ KTE_FUNCTION const Eigen::VectorXd& velocities_on_loops(const runtime_chain& c, 
   Eigen::VectorXd v = read_numbers<vector_of::v>(s);
   if (has_loops(c)) {
     put_on_loops(s, factorized_loops(c, s), v);
+    check_velocities_on_loops(v);
     write_numbers<vector_of::v>(s, v, "v");
   }
   s.work.forces = v;

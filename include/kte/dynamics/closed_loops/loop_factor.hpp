@@ -96,8 +96,11 @@ class loop_factor {
     }
     return true;
   }
-  /// The smallest pivot of block i relative to its possible size; it tends to zero near singular configurations.
-  double smallest_pivot(const loop_equations& e, std::size_t i) const { return parts[i].smallest / reach(e, i); }
+  /// The smallest pivot of block i relative to its possible size; it tends to zero near singular configurations. 1 if
+  /// its closures constrain nothing.
+  double smallest_pivot(const loop_equations& e, std::size_t i) const {
+    return parts[i].rank() > 0 ? parts[i].smallest / reach(e, i) : 1;
+  }
   int rank() const {
     Eigen::Index n = 0;
     for (const auto& p : parts) n += p.rank();

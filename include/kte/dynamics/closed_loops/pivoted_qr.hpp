@@ -115,8 +115,8 @@ class pivoted_qr {
   static constexpr Eigen::Index lanes = padding + 1;
 
   // Registers begin at multiples of their size, so that each one that is loaded was stored as a whole.
-  double* at(Eigen::Index row, Eigen::Index column) { return &b_.coeffRef(row, column); }
-  const double* at(Eigen::Index row, Eigen::Index column) const { return &b_.coeffRef(row, column); }
+  double* at(Eigen::Index row, Eigen::Index column) { return b_.data() + (column * b_.rows() + row); }
+  const double* at(Eigen::Index row, Eigen::Index column) const { return b_.data() + (column * b_.rows() + row); }
   static Eigen::Index first_of(Eigen::Index row) { return row / lanes * lanes; }
 
   KTE_INLINE static double sum_of(const simd& x) {

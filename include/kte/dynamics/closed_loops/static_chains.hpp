@@ -86,6 +86,14 @@ std::vector<int> rows_of_coordinates(const Chain&, const std::vector<std::string
   }
   return rows;
 }
+/// Raises `bad_argument`, naming the number of v or a that is not finite.
+template <class Chain, class X>
+void check_rates(const X& x, const char* name, const char* what) {
+  joint_vector<double, Chain::dofs> numbers;
+  for (int i = 0; i < Chain::dofs; ++i) numbers[i] = static_cast<double>(x[static_cast<std::size_t>(i)]);
+  check_result(numbers, std::size_t{Chain::dofs},
+               [&] { diagnose_rates<typename Chain::wiring>(what, name, each<double, X>{x}); });
+}
 template <class Chain, class Closures, class State>
 auto result_of(const Closures& closures, const State& s) {
   static_constrained_dynamics_result<Chain> r;
@@ -137,6 +145,7 @@ template <class Gravity, class... E, indexable Q, indexable V>
 [[nodiscard]] auto consistent_velocities(const static_chain<Gravity, E...>& c, const Q& q, const V& v) {
   using chain_type = static_chain<Gravity, E...>;
   check_size<chain_type::dofs>(v, "v");
+  detail::check_rates<chain_type>(v, "v", "a velocity");
   using vector = joint_vector<double, chain_type::dofs>;
   return detail::with_loops_at(c, q, detail::each<double, V>{v}, detail::not_moving{},
                                [&](const auto& closures, auto& s) -> vector {
@@ -145,6 +154,7 @@ template <class Gravity, class... E, indexable Q, indexable V>
                                    on[i] = static_cast<double>(v[static_cast<std::size_t>(i)]);
                                  detail::factorize_loops(closures, s, s.loops);
                                  detail::put_on_loops(s, s.loops, on);
+                                 detail::check_velocities_on_loops(on);
                                  return on;
                                });
 }
@@ -175,6 +185,7 @@ template <class Gravity, class... E, indexable Q>
 [[nodiscard]] Eigen::MatrixXd loop_motion(const static_chain<Gravity, E...>& c, const Q& q,
                                           const actuated_coordinates& by) {
   return detail::with_loops_at(c, q, detail::not_moving{}, detail::not_moving{}, [&](const auto& closures, auto& s) {
+    detail::refuse_repeated(by.names);
     detail::factorize_loops(closures, s, s.loops);
     return detail::motion_by(detail::rows_of_coordinates(c, by.names), s.dofs(), &s.loops);
   });
@@ -185,9 +196,12 @@ template <class Gravity, class... E, indexable Q, indexable V, indexable A>
   using chain_type = static_chain<Gravity, E...>;
   static_assert(sizeof(detail::check_contacts_of<chain_type>) > 0);
   check_size<chain_type::dofs>(v, "v"), check_size<chain_type::dofs>(a, "a");
+  detail::check_rates<chain_type>(v, "v", "a velocity");
+  detail::check_rates<chain_type>(a, "a", "an acceleration");
   return detail::with_loops_at(
       c, q, detail::each<double, V>{v}, detail::each<double, A>{a},
       [&](const auto& closures, auto& s) -> Eigen::VectorXd {
+        detail::refuse_repeated(by.names);
         detail::factorize_loops(closures, s, s.loops);
         const Eigen::MatrixXd g = detail::motion_by(detail::rows_of_coordinates(c, by.names), s.dofs(), &s.loops);
         detail::check_accelerations_on_loops(closures, s, s.loops.equations);

@@ -27,9 +27,10 @@ struct loop_step {
   Eigen::VectorXd x0;
   loop_equations equations;  ///< at x0
   loop_factor factor;
-  double gap = 0;      ///< the largest residual
-  double sliding = 0;  ///< the largest residual rate, relative to the largest terms of J v
-  double nearest = 1;  ///< the smallest pivot of its stages, relative to that of x0
+  double gap = 0;       ///< the largest residual
+  double rounding = 0;  ///< of its residuals
+  double sliding = 0;   ///< the largest residual rate, relative to the largest terms of J v
+  double nearest = 1;   ///< the smallest pivot of its stages, relative to that of x0
 };
 
 /// The loops of a runtime model; other models have the same functions.
@@ -65,10 +66,12 @@ loop_step& step_from(const Loops& loops, const X& x0) {
   e.at_positions(loops.closures(), loops.state(), true);
   choose_rows(loops.closures(), loops.state(), e, step.factor);
   step.gap = e.residual.cwiseAbs().maxCoeff();
+  step.rounding = e.rounding(loops.state(), x0);
   const Eigen::VectorXd v = loops.model.velocities_of(x0);
   const double rate = e.times(v).cwiseAbs().maxCoeff(), most = e.times_sizes(v).maxCoeff();
   // the terms of J v may all be rounding errors, where bodies move along the loops
-  const double fastest = e.times_sizes(Eigen::VectorXd::Constant(v.size(), v.cwiseAbs().maxCoeff())).maxCoeff();
+  const double speed = v.size() > 0 ? v.cwiseAbs().maxCoeff() : 0;
+  const double fastest = e.times_sizes(Eigen::VectorXd::Constant(v.size(), speed)).maxCoeff();
   step.sliding = rate > 0 ? rate / (most + 1e-7 * fastest) : 0;
   step.x0 = x0;
   return step;
@@ -87,7 +90,7 @@ template <class Loops, class X>
 void check_step(const Loops& loops, const X& x0) {
   auto& step = step_from(loops, x0);
   step.nearest = 1;
-  if (step.gap > off_loops_above) [[unlikely]]
+  if (step.gap > (std::max)(off_loops_above, step.rounding)) [[unlikely]]
     raise<bad_argument>("kte: the state is off the loops: " + gap_text(loops.closures(), step.equations) +
                         ": kte::assemble finds one that is on them");
   if (step.sliding > 1e-6) [[unlikely]]
@@ -176,7 +179,7 @@ void settle_on_loops(const Loops& loops, const X& x0, Rate& d, X& x) {
       raise<bad_argument>("kte: the loops do not close at the end of a step: " + gap_text(closures, e) +
                           ": a shorter step");
     if (gap > last / 20) {  // the factor of the start is not accurate enough, or only rounding errors are left
-      if (gap <= on_loops_within && by == &factor) break;
+      if (gap <= (std::max)(on_loops_within, step.rounding) && by == &factor) break;
       (void)evaluate(true);
       factor.factorize(closures, s, e);
       if (factor.keep(closures, s, e, step.factor, 1e-14)) by = &factor;
@@ -185,7 +188,7 @@ void settle_on_loops(const Loops& loops, const X& x0, Rate& d, X& x) {
     last = gap, gap = evaluate(false);
   }
   (void)evaluate(true);
-  if (const double open = e.residual.cwiseAbs().maxCoeff(); !(open <= 1e-10)) [[unlikely]]
+  if (const double open = e.residual.cwiseAbs().maxCoeff(); !(open <= (std::max)(1e-10, step.rounding))) [[unlikely]]
     raise<bad_argument>("kte: the closures contradict each other: " + gap_text(closures, e) +
                         " where others are closed");
   factor.factorize(closures, s, e);
