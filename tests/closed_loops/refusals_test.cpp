@@ -14,7 +14,7 @@ using Catch::Matchers::Message;
 
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 /// A five-bar: two cranks of 1 m, driven by both.
 struct five_bar {
@@ -58,7 +58,8 @@ TEST_CASE("closures that close no loop are refused") {
   };
   CHECK_THROWS_MATCHES(with(coincident_points_2D("x", "base", "wall")), bad_argument, refusal("base", "wall", "both on bases"));
   CHECK_THROWS_MATCHES(with(coincident_points_2D("x", "k", "e")), bad_argument, refusal("k", "e", "on one body"));
-  CHECK_THROWS_MATCHES(with(coupled_coordinates("x", "q0", "q0", 1.0, -1.0)), bad_argument,
+  const auto sum = [](const auto& a, const auto& b, const auto& c) { return a + b + c; };
+  CHECK_THROWS_MATCHES(with(coupled_by("x", "q0", "q1", "q0", sum)), bad_argument,
                        says("loop 'x') couples a coordinate to itself"));
   CHECK(with(coincident_points_2D("x", "base", "e")) == 3);
 
@@ -85,8 +86,8 @@ TEST_CASE("numbers of assemblies, and all coordinates held") {
 
 TEST_CASE("velocities and accelerations that are not finite, or too large") {
   using namespace with_keys;
-  const Eigen::Vector3d q = assemble(four_bar, guess, held(crank)), none(0, 0, 0), bad(0, nan, 0);
-  const Eigen::Vector3d large(1e308, -1e308, 1e308);
+  const Eigen::Vector3d q = assemble(four_bar, guess, held(crank)), none(0, 0, 0), bad(0, not_a_number, 0);
+  const Eigen::Vector3d large(1.7e308, -1.7e308, 1.7e308);
   CHECK_THROWS_MATCHES(consistent_velocities(four_bar, q, bad), bad_argument,
                        Message("kte: a velocity is not finite: v[1] of 'coupler' is nan"));
   CHECK_THROWS_MATCHES(inverse_dynamics(four_bar, q, bad, none, actuated(crank)), bad_argument,
@@ -99,4 +100,29 @@ TEST_CASE("velocities and accelerations that are not finite, or too large") {
   s.coordinate("crank").q_dot = 3;
   CHECK_THROWS_AS(consistent_velocities(c, s, q, large), bad_argument);
   CHECK(s.coordinate("crank").q_dot == 3);
+}
+
+TEST_CASE("a closure whose function has no value or no derivative is named") {
+  const auto at = [](const auto& law, const vector& q, const auto& call) {
+    auto c = parallelogram(1.0);
+    c << coupled_by("cam", "q0", "q1", law);
+    auto s = c.make_state();
+    call(c, s, q);
+  };
+  const auto root = [](const auto& a, const auto& b) {
+    using std::sqrt;
+    return sqrt(a) - b;
+  };
+  const vector none = vector::Zero(3), below = numbers({-1, -1, 1}), at_zero = numbers({0, 0, 0});
+  const auto each = [&](const vector& q, const std::string& what) {
+    const auto message = Message("kte: closure 'cam': " + what + " is not finite at this configuration");
+    CHECK_THROWS_MATCHES(at(root, q, [](auto& c, auto& s, auto& x) { (void)kte::loops(c, s, x); }), bad_argument,
+                         message);
+    CHECK_THROWS_MATCHES(at(root, q, [](auto& c, auto& s, auto& x) { (void)loop_jacobian(c, s, x); }), bad_argument,
+                         message);
+    CHECK_THROWS_AS(at(root, q, [&](auto& c, auto& s, auto& x) { (void)constrained_dynamics(c, s, x, none, none); }),
+                    bad_argument);
+  };
+  each(below, "its residual");
+  each(at_zero, "a derivative of its residual");
 }

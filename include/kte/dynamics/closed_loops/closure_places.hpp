@@ -78,6 +78,17 @@ class closure_places {
     if (x.rows.count() > 1) name.append("[").append(std::to_string(k - x.first + 1)).append("]");
     return name;
   }
+  /// The closures of a block, in a text.
+  template <class Closures>
+  std::string names_in(const Closures& c, const loop_block& b, std::string_view quote = "") const {
+    std::string names;
+    for (const int k : b.closures)
+      names.append(names.empty() ? "" : ", ")
+          .append(quote)
+          .append(c.loop_name(closures[static_cast<std::size_t>(k)].loop))
+          .append(quote);
+    return names;
+  }
   const closure_place& closure_of_row(int k) const {
     std::size_t i = 0;
     while (i + 1 < closures.size() && closures[i + 1].first <= k) ++i;

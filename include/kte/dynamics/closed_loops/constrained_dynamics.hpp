@@ -99,12 +99,7 @@ loops_report report_of(const Closures& c, const loop_workspace& m, int dofs) {
   const auto widest = widest_gap(e);
   r.gap = widest.size, r.widest = c.loop_name(widest.closure->loop);
   r.dependent = dependent_rows(c, e, factor);
-  for (const auto& b : e.places.blocks) {
-    std::string names;
-    for (const int k : b.closures)
-      names.append(names.empty() ? "" : ", ").append(c.loop_name(e.places.closures[static_cast<std::size_t>(k)].loop));
-    r.blocks.push_back(names);
-  }
+  for (const auto& b : e.places.blocks) r.blocks.push_back(e.places.names_in(c, b));
   return r;
 }
 /// Projects velocities onto the loops; call `factorize_loops` first. The second projection removes rounding errors.
@@ -165,6 +160,7 @@ KTE_FUNCTION Eigen::MatrixXd loop_jacobian_at_state(const runtime_chain& c, runt
   if (!has_loops(c)) return Eigen::MatrixXd(0, s.dofs());
   auto& m = loops_of(c, s);
   m.equations.at_positions(closures_of(c), s, true);
+  check_residuals(closures_of(c), m.equations, true);
   return m.equations.dense_jacobian();
 }
 #endif

@@ -2,6 +2,7 @@
 
 #include <kte/dynamics/closed_loops/actuated_forces.hpp>
 #include <kte/dynamics/closed_loops/static_closures.hpp>
+#include <kte/dynamics/unrolled/arguments.hpp>
 
 /// Closed loops of static chains: the algorithms of runtime chains on memory that the chain keeps.
 namespace kte {
@@ -86,14 +87,6 @@ std::vector<int> rows_of_coordinates(const Chain&, const std::vector<std::string
   }
   return rows;
 }
-/// Raises `bad_argument`, naming the number of v or a that is not finite.
-template <class Chain, class X>
-void check_rates(const X& x, const char* name, const char* what) {
-  joint_vector<double, Chain::dofs> numbers;
-  for (int i = 0; i < Chain::dofs; ++i) numbers[i] = static_cast<double>(x[static_cast<std::size_t>(i)]);
-  check_result(numbers, std::size_t{Chain::dofs},
-               [&] { diagnose_rates<typename Chain::wiring>(what, name, each<double, X>{x}); });
-}
 template <class Chain, class Closures, class State>
 auto result_of(const Closures& closures, const State& s) {
   static_constrained_dynamics_result<Chain> r;
@@ -138,14 +131,14 @@ template <class Gravity, class... E, indexable Q>
 [[nodiscard]] Eigen::MatrixXd loop_jacobian(const static_chain<Gravity, E...>& c, const Q& q) {
   return detail::with_loops_at(c, q, detail::not_moving{}, detail::not_moving{}, [](const auto& closures, auto& s) {
     s.loops.equations.at_positions(closures, s, true);
+    detail::check_residuals(closures, s.loops.equations, true);
     return s.loops.equations.dense_jacobian();
   });
 }
 template <class Gravity, class... E, indexable Q, indexable V>
 [[nodiscard]] auto consistent_velocities(const static_chain<Gravity, E...>& c, const Q& q, const V& v) {
   using chain_type = static_chain<Gravity, E...>;
-  check_size<chain_type::dofs>(v, "v");
-  detail::check_rates<chain_type>(v, "v", "a velocity");
+  detail::check_velocities<chain_type>(v);
   using vector = joint_vector<double, chain_type::dofs>;
   return detail::with_loops_at(c, q, detail::each<double, V>{v}, detail::not_moving{},
                                [&](const auto& closures, auto& s) -> vector {
@@ -195,9 +188,7 @@ template <class Gravity, class... E, indexable Q, indexable V, indexable A>
                                                const actuated_coordinates& by) {
   using chain_type = static_chain<Gravity, E...>;
   static_assert(sizeof(detail::check_contacts_of<chain_type>) > 0);
-  check_size<chain_type::dofs>(v, "v"), check_size<chain_type::dofs>(a, "a");
-  detail::check_rates<chain_type>(v, "v", "a velocity");
-  detail::check_rates<chain_type>(a, "a", "an acceleration");
+  detail::check_velocities<chain_type>(v), detail::check_rates<chain_type>(a, "a", "an acceleration");
   return detail::with_loops_at(
       c, q, detail::each<double, V>{v}, detail::each<double, A>{a},
       [&](const auto& closures, auto& s) -> Eigen::VectorXd {
