@@ -50,7 +50,7 @@ TEST_CASE("closures that close no loop are refused") {
     auto c = parallelogram(1.0);
     c << rigid_link_2D("base", "wall", vec2<>{1, 0}) << closure;
     auto s = c.make_state();
-    return kte::loops(c, s, vector::Zero(3)).rank;
+    return kte::loops(c, s, four_bar_q(1, 0.4)).rank;
   };
   const auto refusal = [](const std::string& a, const std::string& b, const std::string& where) {
     return Message("kte: coincident_points_2D (frame1 '" + a + "', frame2 '" + b +

@@ -79,6 +79,9 @@ class loop_factor {
       const auto& b = e.places.blocks[i];
       put_half_solved<Accelerate>(c, s, e, i, parts[i].matrix(static_cast<Eigen::Index>(b.places.size()), b.rows));
       parts[i].choose(least, 1e-13 * reach(e, i));  // pivots below the rounding of their possible size are zero
+      if (!parts[i].is_finite) [[unlikely]]
+        raise<bad_argument>("kte: the loops of " + e.places.names_in(c, b, "'") +
+                            ": a derivative of their residuals is not finite at this configuration");
     }
   }
   /// (2) and (3) for the rows of `chosen`. Returns false if they are dependent.

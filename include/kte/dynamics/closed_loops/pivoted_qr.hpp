@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 
 #include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -17,6 +18,7 @@ class pivoted_qr {
  public:
   std::vector<int> chosen;           ///< columns of B, in the order of R
   double largest = 0, smallest = 0;  ///< of the diagonal of R
+  bool is_finite = true;             ///< whether B was finite
   static constexpr Eigen::Index padding = static_cast<Eigen::Index>(tree::simd_of<double>::count) - 1;
 
   using block = Eigen::Map<Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
@@ -136,7 +138,11 @@ class pivoted_qr {
   }
   void find_squares() {
     largest = smallest = 0;
-    for (Eigen::Index j = 0; j < columns_; ++j) square_[j] = dot(0, at(0, j), at(0, j));
+    is_finite = true;
+    for (Eigen::Index j = 0; j < columns_; ++j) {
+      square_[j] = dot(0, at(0, j), at(0, j));
+      is_finite &= square_[j] < std::numeric_limits<double>::infinity();
+    }
   }
   /// Reflects column k, of this norm, onto axis k by 1 - v v^T / (-d v_0), v of the column less d on its axis. Keeps v
   /// in the column; row k of the others goes to R.
