@@ -72,12 +72,22 @@ class fixed_step : public integrator<Method, F, X> {
   template <class Step, class Negligible>
   void iterate(const S& h, const Step& step, const Negligible& negligible) const {
     if (detail::iterate<S>(step, negligible) == detail::iteration::too_long) [[unlikely]]
-      this->fail(
-          "the iteration of a step of " + detail::number(detail::as_double(h)) + " does not converge: it is too long",
-          failure_reason::no_convergence);
+      this->fail("the iteration of a step of " + detail::number(detail::as_double(h)) +
+                     " does not converge: it is too long" + near_singular(),
+                 failure_reason::no_convergence);
   }
 
  private:
+  /// For messages: that constraints are near a singular configuration, if they are.
+  std::string near_singular() const {
+    if constexpr (base::settles && requires { this->system().singular_distance(this->x_); }) {
+      const double d = detail::as_double(this->system().singular_distance(this->x_));
+      if (d < 0.1)
+        return ", or the constraints are too near to a singular configuration, at a relative distance of " +
+               detail::number(d);
+    }
+    return "";
+  }
   void start(const S& t_end) {
     grid_ = time_grid<S>(this->time_, t_end, step_, "step");
     index_ = 0;

@@ -129,6 +129,23 @@ void velocity_of_one(const freedom& f, const Q& q, const R& rate, Out& out) {
   const S twice = S(2) / (a.w * a.w + a.x * a.x + a.y * a.y + a.z * a.z);
   put_vector(out, angular, vec3<S>{twice * d.x, twice * d.y, twice * d.z});
 }
+/// The sizes of the numbers of a configuration, per number of a displacement: lengths those of the position, angles 1
+/// rad.
+template <class S, class Q, class M>
+void magnitudes_of(const freedom& f, const Q& q, M& m) {
+  const auto i = static_cast<std::size_t>(f.q);
+  if (f.what == kind::gen) {
+    m[f.v] = S(q[i]);
+    return;
+  }
+  for (int k = 0; k < nv_of(f.what); ++k) m[f.v + k] = S(1);
+  if (f.what == kind::rotation_3D) return;
+  using std::sqrt;
+  const auto p = pose_from<S>(f.what, q, i).position;
+  const S length = sqrt(dot(p, p));
+  for (int k = 0; k < (f.what == kind::pose_2D ? 2 : 3); ++k) m[f.v + k] = length;
+}
+
 template <class Out>
 void neutral_one(const freedom& f, Out& out) {
   for (int k = 0; k < nq_of(f.what); ++k) out[f.q + k] = 0;

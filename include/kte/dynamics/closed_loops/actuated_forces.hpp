@@ -40,6 +40,12 @@ Eigen::VectorXd inverse_dynamics(const runtime_chain& c, runtime_state& s, const
 
 namespace kte::detail {
 
+/// Raises `bad_argument` for an actuated coordinate that is named twice.
+inline void refuse_repeated(const std::vector<std::string>& actuated) {
+  for (auto i = actuated.begin(); i != actuated.end(); ++i)
+    if (std::find(actuated.begin(), i, *i) != i) [[unlikely]]
+      raise<bad_argument>("kte: the actuated coordinate '" + *i + "' is named twice");
+}
 /// (1) for the degrees of freedom in `actuated`; call `factorize_loops` first. m is null without loops.
 inline Eigen::MatrixXd motion_by(const std::vector<int>& actuated, int n, const loop_workspace* m) {
   Eigen::MatrixXd j(0, n);
@@ -101,6 +107,7 @@ void check_accelerations_on_loops(const Closures& c, State& s, loop_equations& e
 #ifdef KTE_FUNCTION
 KTE_FUNCTION Eigen::MatrixXd actuated_motion(const runtime_chain& c, runtime_state& s,
                                              const std::vector<std::string>& names) {
+  refuse_repeated(names);
   const auto rows = rows_of_coordinates(c, s, names);
   return motion_by(rows, s.dofs(), has_loops(c) ? &factorized_loops(c, s) : nullptr);
 }

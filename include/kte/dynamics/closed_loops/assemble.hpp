@@ -87,11 +87,11 @@ class assembly {
   Eigen::VectorXd from(const Eigen::VectorXd& q) {
     int steps = 0;
     Eigen::VectorXd found = nearest_from(q, steps);
-    for (int i = 1; steps == 0 && !is_closed() && !free_.empty() && i <= 8; ++i) {
+    for (int i = 1; steps == 0 && !is_closed(found) && !free_.empty() && i <= 8; ++i) {
       int more = 0;
       found = nearest_from(moved_(q, beside(i)), more);
     }
-    if (!is_closed()) {
+    if (!is_closed(found)) {
       (void)nearest_from(q, steps);
       fail(steps, steps < most_steps ? "the nearest approach: bars too short, closures that contradict each other, "
                                        "or another guess"
@@ -103,7 +103,11 @@ class assembly {
 
  private:
   static constexpr int most_steps = 200;
-  bool is_closed() const { return gap() <= 1e-10; }
+  /// Whether the loops are closed at the state, whose configuration is q.
+  bool is_closed(const Eigen::VectorXd& q) const {
+    const double open = gap();
+    return open <= 1e-10 || open <= equations_.rounding(state_, q);
+  }
   /// The nearest approach to the loops by (1) from q, after `steps` steps. The state is then there.
   Eigen::VectorXd nearest_from(Eigen::VectorXd q, int& steps) {
     double size = at(q), damping = 1;
@@ -165,7 +169,7 @@ class assembly {
     if (const double most = x.size() > 0 ? x.cwiseAbs().maxCoeff() : 0; most > quarter_turn) x *= quarter_turn / most;
     d = Eigen::VectorXd::Zero(unit_.size());
     for (std::size_t k = 0; k < free_.size(); ++k) d[free_[k]] = unit_[free_[k]] * x[static_cast<Eigen::Index>(k)];
-    return d.cwiseAbs().maxCoeff() > 0;
+    return n > 0 && x.cwiseAbs().maxCoeff() > 0;
   }
   [[noreturn]] void fail(int steps, const char* why) const {
     const auto widest = widest_gap(equations_);

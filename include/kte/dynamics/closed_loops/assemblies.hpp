@@ -19,8 +19,9 @@ std::vector<Eigen::VectorXd> all_assemblies(const runtime_chain& c, runtime_stat
 /// a fixed seed, so that equal arguments give equal results. Each is closed to rounding. If a fraction p of all starts
 /// leads to a configuration, it is missing with the probability (1 - p)^n.
 ///
-/// Starts are uniform: angles over a turn, lengths up to three lengths of the largest link in both directions. Throws
-/// `bad_argument` if the held coordinates leave the mechanism movable, `unknown_name`.
+/// Starts are uniform: angles over a turn, lengths up to three lengths of the largest link in both directions. The
+/// state is then at q. Throws `bad_argument` if n is not positive or the held coordinates leave the mechanism movable,
+/// `unknown_name`.
 template <indexable Q>
 std::vector<Eigen::VectorXd> assemblies(const runtime_chain& c, runtime_state& s, int n, const Q& q,
                                         const held_coordinates& held) {
@@ -134,6 +135,7 @@ class assembly_list {
         of_free.conservativeResize(Eigen::NoChange, of_free.cols() + 1);
         of_free.rightCols(1) = unit_[i] * j.col(i);
       }
+    if (of_free.cols() == 0) return false;
     Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(of_free);
     qr.setThreshold(1e-8);
     return qr.rank() < of_free.cols();
@@ -152,6 +154,8 @@ KTE_FUNCTION std::vector<Eigen::VectorXd> all_assemblies(const runtime_chain& c,
                                                          const Eigen::VectorXd& q,
                                                          const std::vector<std::string>& held) {
   if (!has_loops(c)) throw bad_argument("kte: this chain has no loops, and no assemblies to find");
+  if (starts < 1)
+    throw bad_argument("kte: assemblies: the number of starts must be positive, got " + std::to_string(starts));
   assembly_list found(c, s, held);
   for (int i = 0; i < starts; ++i) {
     try {
@@ -159,6 +163,7 @@ KTE_FUNCTION std::vector<Eigen::VectorXd> all_assemblies(const runtime_chain& c,
     } catch (const cannot_assemble&) {  // this start does not close
     }
   }
+  write_numbers<vector_of::q>(s, q, "q");
   return found.sorted();
 }
 

@@ -22,6 +22,14 @@ struct closure_place {
   std::vector<int> enters;
   bool of_frames() const { return coordinates.empty(); }
 };
+/// Where the frames of a closure or contact are if no joint moves them relative to each other; otherwise null.
+template <class State>
+const char* fixed_frames(const State& s, const closure_place& x) {
+  const auto& f = s.tree().body_tree;
+  const int a = f.frame(x.frame1.what, x.frame1.index).slot, b = f.frame(x.frame2.what, x.frame2.index).slot;
+  if (a < f.bases && b < f.bases) return "both on bases";
+  return a == b ? "on one body" : nullptr;
+}
 /// Closures that share degrees of freedom, and these degrees of freedom: a separate problem.
 struct loop_block {
   std::vector<int> closures;
@@ -47,13 +55,15 @@ class closure_places {
     for (const auto& r : t.body_tree.nodes) length = (std::max)(length, size_of(r.position));
     for (const auto& of_kind : t.body_tree.frames)
       for (const auto& x : of_kind) length = (std::max)(length, size_of(x.at.position));
+    for (const auto& x : closures)
+      if (x.of_frames()) length = (std::max)(length, own_length(c, x));
     if (!(length > 0)) length = 1;
   }
 
   std::vector<closure_place> closures;
   std::vector<loop_block> blocks;
   int rows = 0;
-  double length = 0;               ///< of the largest link, m: a row in m is divided by it
+  double length = 0;               ///< of the largest link or rod, m: a row in m is divided by it
   std::vector<int> row_of_place;   ///< by place: the row in v
   std::vector<int> axis_of_place;  ///< by place, for trees; -1: it moves no joint
   std::vector<int> place_of_axis;  ///< -1: not a degree of freedom
@@ -67,6 +77,17 @@ class closure_places {
     std::string name(c.loop_name(x.loop));
     if (x.rows.count() > 1) name.append("[").append(std::to_string(k - x.first + 1)).append("]");
     return name;
+  }
+  /// The closures of a block, in a text.
+  template <class Closures>
+  std::string names_in(const Closures& c, const loop_block& b, std::string_view quote = "") const {
+    std::string names;
+    for (const int k : b.closures)
+      names.append(names.empty() ? "" : ", ")
+          .append(quote)
+          .append(c.loop_name(closures[static_cast<std::size_t>(k)].loop))
+          .append(quote);
+    return names;
   }
   const closure_place& closure_of_row(int k) const {
     std::size_t i = 0;
@@ -85,6 +106,24 @@ class closure_places {
     return std::sqrt(static_cast<double>(largest_lane(P(dot(x, x)))));
   }
 
+  template <class Closures>
+  static bool is_contact(const Closures& c, int e) {
+    if constexpr (requires { c.touches(e); })
+      return c.touches(e);
+    else
+      return false;
+  }
+  /// The length that a closure keeps, as `distance` does: twice its largest residual in m where its frames coincide.
+  template <class Closures>
+  static double own_length(const Closures& c, const closure_place& x) {
+    if (is_contact(c, x.element)) return 0;
+    const closing_motion<double> coincident{{}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {}, {}, {}, {}};
+    double residual[6]{}, most = 0;
+    c.close_frames(x.element, coincident, closing::residual, residual);
+    for (int r = 0; r < x.rows.linear; ++r)
+      if (const double size = 2 * std::abs(residual[r]); size < 1e300) most = (std::max)(most, size);
+    return most;
+  }
   template <class State>
   void order_places(const State& s) {
     const auto& t = s.tree();
@@ -108,7 +147,7 @@ class closure_places {
   }
   template <class Closures, class State>
   void add(const Closures& c, const State& s, int e) {
-    const auto refuse = [&c, e](const char* why) { raise<bad_argument>("kte: " + c.describe(e) + why); };
+    const auto refuse = [&c, e](const std::string& why) { raise<bad_argument>("kte: " + c.describe(e) + why); };
     const auto ports = c.ports(e);
     closure_place x;
     x.element = e, x.loop = c.written(e), x.rows = c.rows(e), x.first = rows;
@@ -118,10 +157,13 @@ class closure_places {
       for (const auto& frame : {x.frame1, x.frame2})
         if (s.tree().body_tree.frame(frame.what, frame.index).slot < 0)
           refuse(" is on a frame that follows others: closures take frames that joints and links move");
+      if (const char* where = fixed_frames(s, x); where != nullptr && !is_contact(c, e))
+        refuse(std::string(" closes no loop: no joint moves its frames relative to each other: they are ") + where);
     } else {
       for (std::size_t p = 0; p + 1 < ports.size(); ++p) {
         const int row = s.tree().plan.row_of_gen[static_cast<std::size_t>(c.index(e, p))];
         if (row >= s.dofs()) refuse(" couples a coordinate that is not a degree of freedom");
+        if (std::find(x.dofs.begin(), x.dofs.end(), row) != x.dofs.end()) refuse(" couples a coordinate to itself");
         x.coordinates.push_back(c.index(e, p)), x.dofs.push_back(row);
       }
     }

@@ -99,12 +99,7 @@ loops_report report_of(const Closures& c, const loop_workspace& m, int dofs) {
   const auto widest = widest_gap(e);
   r.gap = widest.size, r.widest = c.loop_name(widest.closure->loop);
   r.dependent = dependent_rows(c, e, factor);
-  for (const auto& b : e.places.blocks) {
-    std::string names;
-    for (const int k : b.closures)
-      names.append(names.empty() ? "" : ", ").append(c.loop_name(e.places.closures[static_cast<std::size_t>(k)].loop));
-    r.blocks.push_back(names);
-  }
+  for (const auto& b : e.places.blocks) r.blocks.push_back(e.places.names_in(c, b));
   return r;
 }
 /// Projects velocities onto the loops; call `factorize_loops` first. The second projection removes rounding errors.
@@ -114,6 +109,10 @@ void put_on_loops(State& s, loop_workspace& m, Eigen::VectorXd& v) {
     m.factor.least_change(s, m.equations, m.equations.times(v), m.change);
     v -= m.change;
   }
+}
+inline void check_velocities_on_loops(const Eigen::VectorXd& v) {
+  if (!tree::all_finite_in_row(v.data(), static_cast<std::size_t>(v.size()))) [[unlikely]]
+    too_large{"a velocity"}();
 }
 #ifdef KTE_FUNCTION
 KTE_FUNCTION loops_report loops_at_state(const runtime_chain& c, runtime_state& s) {
@@ -151,6 +150,7 @@ KTE_FUNCTION const Eigen::VectorXd& velocities_on_loops(const runtime_chain& c, 
   Eigen::VectorXd v = read_numbers<vector_of::v>(s);
   if (has_loops(c)) {
     put_on_loops(s, factorized_loops(c, s), v);
+    check_velocities_on_loops(v);
     write_numbers<vector_of::v>(s, v, "v");
   }
   s.work.forces = v;
@@ -160,6 +160,7 @@ KTE_FUNCTION Eigen::MatrixXd loop_jacobian_at_state(const runtime_chain& c, runt
   if (!has_loops(c)) return Eigen::MatrixXd(0, s.dofs());
   auto& m = loops_of(c, s);
   m.equations.at_positions(closures_of(c), s, true);
+  check_residuals(closures_of(c), m.equations, true);
   return m.equations.dense_jacobian();
 }
 #endif

@@ -40,6 +40,21 @@ void check_loops(const Closures& c, const State& s) {
   if (!s.tree().readers.empty()) [[unlikely]]
     refuse(s.tree().readers.front(), " has load-dependent friction, which chains with closures do not know");
 }
+/// Raises `bad_argument`, naming the closure, unless residuals are finite; with J also its entries.
+template <class Closures>
+void check_residuals(const Closures& c, const loop_equations& e, bool with_jacobian) {
+  const auto is_finite = [](const auto& x) { return x.cwiseAbs().sum() < std::numeric_limits<double>::infinity(); };
+  const auto refuse = [&](int row, const char* what) {
+    raise<bad_argument>("kte: closure '" + c.loop_name(e.places.closure_of_row(row).loop) + "': " + what +
+                        " is not finite at this configuration");
+  };
+  for (int row = 0; row < e.places.rows && !is_finite(e.residual); ++row)
+    if (const double g = e.residual[row]; g - g != 0) refuse(row, "its residual");
+  for (std::size_t i = 0; with_jacobian && i < e.jacobian.size(); ++i)
+    for (Eigen::Index k = 0; k < e.jacobian[i].rows() && !is_finite(e.jacobian[i]); ++k)
+      if (!is_finite(e.jacobian[i].row(k)))
+        refuse(e.places.row_of(e.places.blocks[i], static_cast<int>(k)), "a derivative of its residual");
+}
 /// The pivot that counts as zero for residuals that are not zero: rows that are dependent on the loops are independent
 /// away from them, in proportion to the distance.
 inline double least_pivot_at(const Eigen::VectorXd& residual) {
@@ -56,6 +71,7 @@ void choose_rows(const Closures& c, State& s, loop_equations& e, loop_factor& fa
 template <class Closures, class State>
 void factorize_loops(const Closures& c, State& s, loop_workspace& m) {
   m.equations.at_positions(c, s, true);
+  check_residuals(c, m.equations, true);
   choose_rows(c, s, m.equations, m.factor);
 }
 template <class State>
@@ -87,6 +103,7 @@ void accelerate_on_loops(const Closures& c, State& s, loop_workspace& m, const T
   if (s.tree().plan.tree) {
     const auto biases = articulate_under(c.elements(), s, applied, {});
     e.at_positions(c, s, false, true);
+    check_residuals(c, e, false);
     factor.take_articulated(s, e);
     rows_at_state(std::true_type{});
     factor.subtract_change(s, e, e.acceleration, multipliers);
@@ -94,6 +111,7 @@ void accelerate_on_loops(const Closures& c, State& s, loop_workspace& m, const T
   } else {
     accelerations_on_coordinates(c.elements(), s, applied, {});
     e.at_positions(c, s, true);
+    check_residuals(c, e, true);
     auto& a = s.work.forces;
     change = a;
     for_each_listed_freedom(s, [&change = change](auto& x, const freedom& at) { put<vector_of::a>(x, at, change); });

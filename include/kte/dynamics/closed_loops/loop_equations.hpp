@@ -1,6 +1,9 @@
 #pragma once
 
+#include <kte/dynamics/arguments/coordinate_motion.hpp>
 #include <kte/dynamics/closed_loops/closure_loads.hpp>
+
+#include <limits>
 
 /// The equations of closures at a state: residuals, their Jacobian, and the velocity-dependent part of their
 /// accelerations. Rows in m are divided by the length of the chain.
@@ -94,6 +97,14 @@ class loop_equations : public closure_loads {
   }
   Eigen::VectorXd times_sizes(const Eigen::VectorXd& x) const {
     return product(x, [](double j, double v) { return std::abs(j * v); });
+  }
+  /// The rounding errors that residuals have by those of the numbers q, which may be large: angles after many turns,
+  /// bodies far away. Call `at_positions` with J first.
+  template <class State, class Q>
+  double rounding(const State& s, const Q& q) const {
+    Eigen::VectorXd sizes(s.dofs());
+    for (const auto& f : s.freedoms()) magnitudes_of<double>(f, q, sizes);
+    return 4 * std::numeric_limits<double>::epsilon() * times_sizes(sizes).maxCoeff();
   }
   /// J by degrees of freedom, for residuals in m and rad.
   Eigen::MatrixXd scaled_jacobian() const {

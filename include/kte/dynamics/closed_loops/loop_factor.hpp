@@ -79,6 +79,9 @@ class loop_factor {
       const auto& b = e.places.blocks[i];
       put_half_solved<Accelerate>(c, s, e, i, parts[i].matrix(static_cast<Eigen::Index>(b.places.size()), b.rows));
       parts[i].choose(least, 1e-13 * reach(e, i));  // pivots below the rounding of their possible size are zero
+      if (!parts[i].is_finite) [[unlikely]]
+        raise<bad_argument>("kte: the loops of " + e.places.names_in(c, b, "'") +
+                            ": a derivative of their residuals is not finite at this configuration");
     }
   }
   /// (2) and (3) for the rows of `chosen`. Returns false if they are dependent.
@@ -96,8 +99,11 @@ class loop_factor {
     }
     return true;
   }
-  /// The smallest pivot of block i relative to its possible size; it tends to zero near singular configurations.
-  double smallest_pivot(const loop_equations& e, std::size_t i) const { return parts[i].smallest / reach(e, i); }
+  /// The smallest pivot of block i relative to its possible size; it tends to zero near singular configurations. 1 if
+  /// its closures constrain nothing.
+  double smallest_pivot(const loop_equations& e, std::size_t i) const {
+    return parts[i].rank() > 0 ? parts[i].smallest / reach(e, i) : 1;
+  }
   int rank() const {
     Eigen::Index n = 0;
     for (const auto& p : parts) n += p.rank();

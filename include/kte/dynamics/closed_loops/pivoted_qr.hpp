@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 
 #include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -17,6 +18,7 @@ class pivoted_qr {
  public:
   std::vector<int> chosen;           ///< columns of B, in the order of R
   double largest = 0, smallest = 0;  ///< of the diagonal of R
+  bool is_finite = true;             ///< whether B was finite
   static constexpr Eigen::Index padding = static_cast<Eigen::Index>(tree::simd_of<double>::count) - 1;
 
   using block = Eigen::Map<Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
@@ -115,8 +117,8 @@ class pivoted_qr {
   static constexpr Eigen::Index lanes = padding + 1;
 
   // Registers begin at multiples of their size, so that each one that is loaded was stored as a whole.
-  double* at(Eigen::Index row, Eigen::Index column) { return &b_.coeffRef(row, column); }
-  const double* at(Eigen::Index row, Eigen::Index column) const { return &b_.coeffRef(row, column); }
+  double* at(Eigen::Index row, Eigen::Index column) { return b_.data() + (column * b_.rows() + row); }
+  const double* at(Eigen::Index row, Eigen::Index column) const { return b_.data() + (column * b_.rows() + row); }
   static Eigen::Index first_of(Eigen::Index row) { return row / lanes * lanes; }
 
   KTE_INLINE static double sum_of(const simd& x) {
@@ -136,7 +138,11 @@ class pivoted_qr {
   }
   void find_squares() {
     largest = smallest = 0;
-    for (Eigen::Index j = 0; j < columns_; ++j) square_[j] = dot(0, at(0, j), at(0, j));
+    is_finite = true;
+    for (Eigen::Index j = 0; j < columns_; ++j) {
+      square_[j] = dot(0, at(0, j), at(0, j));
+      is_finite &= square_[j] < std::numeric_limits<double>::infinity();
+    }
   }
   /// Reflects column k, of this norm, onto axis k by 1 - v v^T / (-d v_0), v of the column less d on its axis. Keeps v
   /// in the column; row k of the others goes to R.

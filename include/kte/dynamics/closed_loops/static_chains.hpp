@@ -2,6 +2,7 @@
 
 #include <kte/dynamics/closed_loops/actuated_forces.hpp>
 #include <kte/dynamics/closed_loops/static_closures.hpp>
+#include <kte/dynamics/unrolled/arguments.hpp>
 
 /// Closed loops of static chains: the algorithms of runtime chains on memory that the chain keeps.
 namespace kte {
@@ -130,13 +131,14 @@ template <class Gravity, class... E, indexable Q>
 [[nodiscard]] Eigen::MatrixXd loop_jacobian(const static_chain<Gravity, E...>& c, const Q& q) {
   return detail::with_loops_at(c, q, detail::not_moving{}, detail::not_moving{}, [](const auto& closures, auto& s) {
     s.loops.equations.at_positions(closures, s, true);
+    detail::check_residuals(closures, s.loops.equations, true);
     return s.loops.equations.dense_jacobian();
   });
 }
 template <class Gravity, class... E, indexable Q, indexable V>
 [[nodiscard]] auto consistent_velocities(const static_chain<Gravity, E...>& c, const Q& q, const V& v) {
   using chain_type = static_chain<Gravity, E...>;
-  check_size<chain_type::dofs>(v, "v");
+  detail::check_velocities<chain_type>(v);
   using vector = joint_vector<double, chain_type::dofs>;
   return detail::with_loops_at(c, q, detail::each<double, V>{v}, detail::not_moving{},
                                [&](const auto& closures, auto& s) -> vector {
@@ -145,6 +147,7 @@ template <class Gravity, class... E, indexable Q, indexable V>
                                    on[i] = static_cast<double>(v[static_cast<std::size_t>(i)]);
                                  detail::factorize_loops(closures, s, s.loops);
                                  detail::put_on_loops(s, s.loops, on);
+                                 detail::check_velocities_on_loops(on);
                                  return on;
                                });
 }
@@ -175,6 +178,7 @@ template <class Gravity, class... E, indexable Q>
 [[nodiscard]] Eigen::MatrixXd loop_motion(const static_chain<Gravity, E...>& c, const Q& q,
                                           const actuated_coordinates& by) {
   return detail::with_loops_at(c, q, detail::not_moving{}, detail::not_moving{}, [&](const auto& closures, auto& s) {
+    detail::refuse_repeated(by.names);
     detail::factorize_loops(closures, s, s.loops);
     return detail::motion_by(detail::rows_of_coordinates(c, by.names), s.dofs(), &s.loops);
   });
@@ -184,10 +188,11 @@ template <class Gravity, class... E, indexable Q, indexable V, indexable A>
                                                const actuated_coordinates& by) {
   using chain_type = static_chain<Gravity, E...>;
   static_assert(sizeof(detail::check_contacts_of<chain_type>) > 0);
-  check_size<chain_type::dofs>(v, "v"), check_size<chain_type::dofs>(a, "a");
+  detail::check_velocities<chain_type>(v), detail::check_rates<chain_type>(a, "a", "an acceleration");
   return detail::with_loops_at(
       c, q, detail::each<double, V>{v}, detail::each<double, A>{a},
       [&](const auto& closures, auto& s) -> Eigen::VectorXd {
+        detail::refuse_repeated(by.names);
         detail::factorize_loops(closures, s, s.loops);
         const Eigen::MatrixXd g = detail::motion_by(detail::rows_of_coordinates(c, by.names), s.dofs(), &s.loops);
         detail::check_accelerations_on_loops(closures, s, s.loops.equations);

@@ -7,15 +7,12 @@ namespace kte::detail {
 /// Raises `bad_argument` for a contact whose frames no joint moves relative to each other: W of it is zero.
 template <class Contacts, class State>
 void refuse_fixed_frames(const Contacts& c, const State& s, const closure_place& x) {
-  const auto& f = s.tree().body_tree;
-  const auto slot = [&f](const runtime_frame& frame) { return f.frame(frame.what, frame.index).slot; };
-  const int a = slot(x.frame1), b = slot(x.frame2);
-  if (a != b && (a >= f.bases || b >= f.bases)) [[likely]]
+  const char* where = fixed_frames(s, x);
+  if (where == nullptr) [[likely]]
     return;
   const auto name = [&c](const runtime_frame& frame) { return "'" + c.name_of(frame.what, frame.index) + "'"; };
   raise<bad_argument>("kte: contact '" + std::string(c.loop_name(x.loop)) + "': no joint moves its frames " +
-                      name(x.frame1) + " and " + name(x.frame2) + " relative to each other: they are " +
-                      (a >= f.bases ? "on one body" : "both on bases"));
+                      name(x.frame1) + " and " + name(x.frame2) + " relative to each other: they are " + where);
 }
 
 }  // namespace kte::detail

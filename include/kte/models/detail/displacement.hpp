@@ -99,23 +99,6 @@ void pull_back_one(const freedom& f, const D& d, R& r) {
              as<S>(w + half * turned + unturned_shift(dot(phi, phi)) * cross(phi, turned)));  // (2)
 }
 
-/// The sizes of the numbers of a configuration, per number of a displacement: lengths those of the position, angles 1
-/// rad.
-template <class S, class Q, class M>
-void magnitudes_of(const freedom& f, const Q& q, M& m) {
-  const auto i = static_cast<std::size_t>(f.q);
-  if (f.what == kind::gen) {
-    m[f.v] = S(q[i]);
-    return;
-  }
-  for (int k = 0; k < nv_of(f.what); ++k) m[f.v + k] = S(1);
-  if (f.what == kind::rotation_3D) return;
-  using std::sqrt;
-  const auto p = pose_from<S>(f.what, q, i).position;
-  const S length = sqrt(dot(p, p));
-  for (int k = 0; k < (f.what == kind::pose_2D ? 2 : 3); ++k) m[f.v + k] = length;
-}
-
 /// Adds to J the derivative of (2) and (3) by d at d = 0, at rates r: -[v]x and -[w]x / 2.
 template <class S, class R, class J>
 void add_variation_of_pull_back(const freedom& f, const R& r, J& jacobian) {

@@ -27,9 +27,10 @@ struct loop_step {
   Eigen::VectorXd x0;
   loop_equations equations;  ///< at x0
   loop_factor factor;
-  double gap = 0;      ///< the largest residual
-  double sliding = 0;  ///< the largest residual rate, relative to the largest terms of J v
-  double nearest = 1;  ///< the smallest pivot of its stages, relative to that of x0
+  double gap = 0;       ///< the largest residual
+  double rounding = 0;  ///< of its residuals
+  double sliding = 0;   ///< the largest residual rate, relative to the largest terms of J v
+  double nearest = 1;   ///< the smallest pivot of its stages, relative to that of x0
 };
 
 /// The loops of a runtime model; other models have the same functions.
@@ -52,6 +53,23 @@ struct runtime_model_loops {
 template <class Model>
 runtime_model_loops(const Model&, runtime_state&, own_memory&) -> runtime_model_loops<Model>;
 
+/// The row of closures with the largest rate J v, this rate by scaled rows, and relative to the largest terms of J v.
+struct opening_row {
+  Eigen::Index row = 0;
+  double rate = 0, relative = 0;
+};
+inline opening_row fastest_row(const loop_equations& e, const Eigen::VectorXd& v) {
+  opening_row r;
+  r.rate = e.times(v).cwiseAbs().maxCoeff(&r.row);
+  if (!(r.rate > 0)) return r;
+  // the terms of J v may all be rounding errors, where bodies move along the loops, and all of J where its rank is 0
+  const double speed = v.cwiseAbs().maxCoeff();
+  const double fastest = e.times_sizes(Eigen::VectorXd::Constant(v.size(), speed)).maxCoeff();
+  r.relative = r.rate / (e.times_sizes(v).maxCoeff() + 1e-7 * fastest + 1e-9 * speed);
+  return r;
+}
+/// Above this rate, relative to the largest terms of J v, velocities do not keep the loops closed.
+inline constexpr double opening_above = 1e-6;
 /// The data of the step from x0; begins the step if necessary.
 template <class Loops, class X>
 loop_step& step_from(const Loops& loops, const X& x0) {
@@ -65,13 +83,20 @@ loop_step& step_from(const Loops& loops, const X& x0) {
   e.at_positions(loops.closures(), loops.state(), true);
   choose_rows(loops.closures(), loops.state(), e, step.factor);
   step.gap = e.residual.cwiseAbs().maxCoeff();
+  step.rounding = e.rounding(loops.state(), x0);
   const Eigen::VectorXd v = loops.model.velocities_of(x0);
-  const double rate = e.times(v).cwiseAbs().maxCoeff(), most = e.times_sizes(v).maxCoeff();
-  // the terms of J v may all be rounding errors, where bodies move along the loops
-  const double fastest = e.times_sizes(Eigen::VectorXd::Constant(v.size(), v.cwiseAbs().maxCoeff())).maxCoeff();
-  step.sliding = rate > 0 ? rate / (most + 1e-7 * fastest) : 0;
+  step.sliding = fastest_row(e, v).relative;
   step.x0 = x0;
   return step;
+}
+/// The closures of a block, or of all, for messages.
+template <class Closures>
+std::string names_of_loops(const Closures& c, const loop_equations& e, std::size_t block) {
+  return "the loops of " + e.places.names_in(c, e.places.blocks[block], "'");
+}
+template <class Closures>
+std::string names_of_loops(const Closures& c, const loop_equations& e) {
+  return e.places.blocks.size() == 1 ? names_of_loops(c, e, 0) : "the loops";
 }
 template <class Closures>
 std::string gap_text(const Closures& c, const loop_equations& e) {
@@ -87,18 +112,18 @@ template <class Loops, class X>
 void check_step(const Loops& loops, const X& x0) {
   auto& step = step_from(loops, x0);
   step.nearest = 1;
-  if (step.gap > off_loops_above) [[unlikely]]
+  if (step.gap > (std::max)(off_loops_above, step.rounding)) [[unlikely]]
     raise<bad_argument>("kte: the state is off the loops: " + gap_text(loops.closures(), step.equations) +
                         ": kte::assemble finds one that is on them");
-  if (step.sliding > 1e-6) [[unlikely]]
+  if (step.sliding > opening_above) [[unlikely]]
     raise<bad_argument>(
         "kte: the velocities do not keep the loops closed: use kte::consistent_velocities, or "
         "kte::impulse after an impact; frames that inputs move must be at rest");
-  for (const auto& p : step.factor.parts)
-    if (p.smallest < least_pivot_of_branch * p.largest) [[unlikely]]
-      raise<bad_argument>(
-          "kte: the loops are as near to a singular configuration as rounding, where the mechanism may go on "
-          "in several ways: larger tolerances pass it in one step");
+  for (std::size_t i = 0; i < step.factor.parts.size(); ++i)
+    if (const auto& p = step.factor.parts[i]; p.smallest < least_pivot_of_branch * p.largest) [[unlikely]]
+      raise<bad_argument>("kte: " + names_of_loops(loops.closures(), step.equations, i) +
+                          " are as near to a singular configuration as rounding, where the mechanism may go on in "
+                          "several ways: larger tolerances pass it in one step");
 }
 /// The smallest pivot at x0, where a step begins, relative to its possible size.
 template <class Loops, class X>
@@ -130,13 +155,14 @@ void check_step_end(const Loops& loops, const X& x0) {
   constexpr double near_it = 3e-3, nearer = 0.05, nearest_stage = 3e-3;
   auto& start = step_from(loops, x0);
   if (std::exchange(start.nearest, 1) < nearest_stage) [[unlikely]]
-    raise<bad_argument>(
-        "kte: a stage of the step is too near to a singular configuration of the loops: a shorter step");
+    raise<bad_argument>("kte: a stage of the step is too near to a singular configuration of " +
+                        names_of_loops(loops.closures(), start.equations) + ": a shorter step");
   const auto& end = loops.workspace();
   for (std::size_t i = 0; i < end.factor.parts.size(); ++i) {
     const double pivot = end.factor.smallest_pivot(end.equations, i);
     if (pivot < near_it && pivot < nearer * start.factor.smallest_pivot(start.equations, i)) [[unlikely]]
-      raise<bad_argument>("kte: the step ends too near to a singular configuration of the loops: a shorter step");
+      raise<bad_argument>("kte: the step ends too near to a singular configuration of " +
+                          names_of_loops(loops.closures(), start.equations, i) + ": a shorter step");
   }
 }
 
@@ -149,6 +175,17 @@ void take_from_displacement(const Model& model, const X& x0, Eigen::Index first,
   if (first == 0) model.pull_back(d, r);
   d -= r;
   model.displace(x0, d, x);
+}
+/// Raises `bad_argument` if a step ends on another branch than it began, as a long step may that passes a singular
+/// configuration: its velocities v at the end are far from directions along the loops at its start.
+template <class Loops>
+void check_branch(const Loops& loops, loop_step& step, const Eigen::VectorXd& v) {
+  constexpr double turn = 0.8, slow = 1e-6;
+  if (step.sliding > opening_above || !(v.norm() > slow)) return;  // the start itself is not on the loops, or at rest
+  const Eigen::VectorXd across = step.factor.least_change(loops.state(), step.equations, step.equations.times(v));
+  if (across.norm() > turn * v.norm()) [[unlikely]]
+    raise<bad_argument>("kte: the step ends on another branch of " + names_of_loops(loops.closures(), step.equations) +
+                        ", or turns too far: a shorter step");
 }
 /// (1) and (2).
 template <class Loops, class X, class Rate>
@@ -176,7 +213,7 @@ void settle_on_loops(const Loops& loops, const X& x0, Rate& d, X& x) {
       raise<bad_argument>("kte: the loops do not close at the end of a step: " + gap_text(closures, e) +
                           ": a shorter step");
     if (gap > last / 20) {  // the factor of the start is not accurate enough, or only rounding errors are left
-      if (gap <= on_loops_within && by == &factor) break;
+      if (gap <= (std::max)(on_loops_within, step.rounding) && by == &factor) break;
       (void)evaluate(true);
       factor.factorize(closures, s, e);
       if (factor.keep(closures, s, e, step.factor, 1e-14)) by = &factor;
@@ -185,12 +222,21 @@ void settle_on_loops(const Loops& loops, const X& x0, Rate& d, X& x) {
     last = gap, gap = evaluate(false);
   }
   (void)evaluate(true);
-  if (const double open = e.residual.cwiseAbs().maxCoeff(); !(open <= 1e-10)) [[unlikely]]
-    raise<bad_argument>("kte: the closures contradict each other: " + gap_text(closures, e) +
+  if (const double open = e.residual.cwiseAbs().maxCoeff(); !(open <= (std::max)(1e-10, step.rounding))) [[unlikely]]
+    raise<bad_argument>("kte: the closures contradict each other, or the step is too long: " + gap_text(closures, e) +
                         " where others are closed");
   factor.factorize(closures, s, e);
   if (!factor.keep(closures, s, e, step.factor, 1e-14)) factor.choose(closures, s, e, least_pivot);
   for (int i = 0; i < 2; ++i) move(n, factor.least_change(s, e, e.times(model.velocities_of(x))));
+  check_branch(loops, step, model.velocities_of(x));
+  if (factor.rank() == e.places.rows) return;
+  if (const auto r = fastest_row(e, model.velocities_of(x)); r.relative > opening_above) [[unlikely]] {
+    const auto& closure = e.places.closure_of_row(static_cast<int>(r.row));
+    const int k = static_cast<int>(r.row) - closure.first;
+    raise<bad_argument>("kte: the closures contradict each other, or the step is too long: '" +
+                        closures.loop_name(closure.loop) + "' opens by " + number(r.rate / e.places.scale(closure, k)) +
+                        (k < closure.rows.linear ? " m/s" : " rad/s") + " where others stay closed");
+  }
 }
 /// (3), for positions and velocities.
 template <class Loops, class X, class Rate>
