@@ -1,9 +1,11 @@
+import collections
 import copy
 import pickle
 import subprocess
 import sys
 import threading
 import time
+import types
 
 import numpy as np
 import pytest
@@ -101,6 +103,10 @@ def test_inputs_are_numbers_or_functions():
     chain = kte.Chain(kte.prismatic_joint_3D("x", "a", "b", [1, 0, 0]), kte.inertia_gen("x", 2), kte.driving_actuator_gen("x", "u"))
     assert kte.simulate(chain, [0.0], time=1, inputs={"u": 4}).q[-1] == pytest.approx([1], rel=1e-9)
     assert kte.simulate(chain, [0.0], time=1, inputs={"u": lambda t, q, v: 12 * t}).q[-1] == pytest.approx([1], rel=1e-9)
+    for mapping in (types.MappingProxyType({"u": 4}), collections.ChainMap({"u": 4})):
+        assert kte.simulate(chain, [0.0], time=1, inputs=mapping).q[-1] == pytest.approx([1], rel=1e-9)
+    with pytest.raises(TypeError, match=r"inputs must be a dict from signals to numbers or functions .*, not 4"):
+        kte.simulate(chain, [0.0], time=1, inputs=4)
     with pytest.raises(kte.UnknownName, match=r"no input 'y' \(there are 'u'\)"):
         kte.simulate(chain, [0.0], time=1, inputs={"y": 1})
     simulation = kte.Simulation(chain, [0.0], inputs={"u": 4})
