@@ -78,7 +78,7 @@ def test_gates_know_the_time_the_position_and_the_velocity(solver):
 
     fall, end = np.sqrt(2 / G), 0.6
     through = [end, 1 - G / 2 * end**2, 0]
-    error = 1e-8 if solver != "moreau_jean" else 5e-3
+    error = 1e-8 if solver != "moreau_jean" else 2e-3 * G * fall  # the way of two steps
     for lands in (lambda t, q, v: t > 0.5, lambda t, q, v: q[0] < 0, lambda t, q, v: v[1] > 0, lambda t, q, v: np.bool_(False)):
         motion = kte.simulate(ball(), [0, 1, 0], [1, 0, 0], time=end, only_if=gate(lands), solver=solver)
         np.testing.assert_allclose(motion.q[-1], through, atol=error)
