@@ -25,7 +25,7 @@ bool is_masked(py::handle x, int depth) {
     return false;
   }
   static PyObject* masked = nullptr;
-  if (!masked) masked = py::module_::import("numpy.ma").attr("MaskedArray").release().ptr();
+  if (!masked) masked = py::object(py::module_::import("numpy.ma").attr("MaskedArray")).release().ptr();
   return PyType_IsSubtype(type, reinterpret_cast<PyTypeObject*>(masked)) != 0;
 }
 
