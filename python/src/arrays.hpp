@@ -14,8 +14,8 @@ namespace kte_python {
 namespace py = pybind11;
 using array = py::array_t<double>;
 
-/// Throws TypeError, which names the argument, for a masked array of numpy and for a list or tuple that has one: an array
-/// of its numbers would have those that are masked too.
+/// Throws TypeError, which names the argument, for a masked array of numpy and for a list or tuple that has one: an
+/// array of its numbers would have those that are masked too.
 void refuse_masked(const char* name, py::handle x);
 
 /// An argument of n numbers, of one state or of several: an array of shape (n,) or (states, n), of any strides, or what

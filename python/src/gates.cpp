@@ -11,7 +11,8 @@ namespace {
 /// A rigid contact with a gate of the program.
 class gated_contact final : public kte::detail::forwarding_element {
  public:
-  gated_contact(std::unique_ptr<kte::kte_element> contact, gate g) : contact_(std::move(contact)), gate_(std::move(g)) {}
+  gated_contact(std::unique_ptr<kte::kte_element> contact, gate g)
+      : contact_(std::move(contact)), gate_(std::move(g)) {}
   gated_contact(const gated_contact& o) : forwarding_element(o), contact_(copy_of(*o.contact_)), gate_(o.gate_) {}
   ~gated_contact() override = default;
 

@@ -69,7 +69,8 @@ simulation::simulation(py::object drawn, kte::runtime_chain c, py::object contro
       forces_(has_forces_ ? coordinate_forces(c) : coordinate_forces()),
       chain_(std::move(c)),
       plant_(
-          with_gates(chain_, gates_of(gates)), [this](double t, const plant::state& x, Eigen::VectorXd& u) { law(t, x, u); },
+          with_gates(chain_, gates_of(gates)),
+          [this](double t, const plant::state& x, Eigen::VectorXd& u) { law(t, x, u); },
           of_time_alone && forces_.of_tau_alone()) {
   u_ = plant_.model().input();
   tau_ = Eigen::VectorXd::Zero(chain_.dofs());

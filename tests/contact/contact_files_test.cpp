@@ -73,7 +73,8 @@ TEST_CASE("rigid contacts are written into headers, but for those with functions
   for (const auto* call : {
            "::kte::contact_key<\"1\"> {} n1_;",
            "sphere_contact_3D(n1_, ground_, body_, {{0.6, 0.0, 0.8}, 0.0}, 0.1, {0.3, 0.6}, ::kte::zero3{})",
-           "sphere_contact_3D(n2_, ground_, body_, {{0.0, 0.0, 0.0}, -2.0}, 0.1, {0.3, 0.6}, ::kte::vec3{0.1, 0.2, 0.3})",
+           "sphere_contact_3D(n2_, ground_, body_, {{0.0, 0.0, 0.0}, -2.0}, 0.1, {0.3, 0.6}, ::kte::vec3{0.1, 0.2, "
+           "0.3})",
            "sphere_contact_3D(n4_, ground_, body_, {{0.0, 0.0, 0.0}, 0.5}, ::kte::zero, {0.0, 0.0}, ::kte::zero3{})",
            "disc_contact_3D(n5_, ground_, body_, {{0.0, 0.0, 1.0}}, ::kte::axis::y, 0.3, {0.3, 0.6})",
            "sphere_contact_2D(n6_, floor_, box_, {{0.0, 1.0, 0.0}, 0.0}, 0.1, {0.3, 0.6}, ",

@@ -6,7 +6,8 @@
 
 namespace kte_tool {
 
-/// A mechanism as people look at it, at a configuration, the neutral one by default: frames in a tree, bodies, coordinates.
+/// A mechanism as people look at it, at a configuration, the neutral one by default: frames in a tree, bodies,
+/// coordinates.
 struct structure {
   struct frame {
     std::string name;
