@@ -23,8 +23,9 @@ template <kind Dim, class Geometry>
 struct rigid_contact : contact<rigid_contact<Dim, Geometry>, Dim> {
   static constexpr type_name type{Geometry::rigid_name, Dim};
   static constexpr const char* arguments =
-      std::is_same_v<Geometry, disc_geometry> ? "{normal}, axis, radius, {friction, restitution}"
-                                              : "{surface_axis, surface_radius}, radius, {friction, restitution}, offset";
+      std::is_same_v<Geometry, disc_geometry>
+          ? "{normal}, axis, radius, {friction, restitution}"
+          : "{surface_axis, surface_radius}, radius, {friction, restitution}, offset";
   static constexpr bool holds_code = requires { requires Geometry::surface_type::holds_code; };
   static constexpr bool may_have_no_value = true;
   static constexpr bool touches_in_packs = requires { requires Geometry::in_packs; };

@@ -116,7 +116,7 @@ class sdf_choice {
     if (!others.empty()) root_.not_read("the robot is model '" + excerpt(chosen.name) + "'; not read: " + others);
   }
 
-  /// Of the ground in another model; visuals have some too.
+  /// Another model may be the ground; height maps of visuals do not touch.
   void warn_of_height_maps(const xml_node& x) const {
     for (const auto& c : x.children)
       if (c.name == "heightmap")

@@ -11,7 +11,8 @@ inline void warn_of_height_map(const xml_item& x) {
   x.moves_differently("not read: the ground does not have this surface, but a plane");
 }
 
-/// Reads the shape of a <visual> or a <collision>, without its pose. `touches`: whether contacts of collisions are read.
+/// Reads the shape of a <visual> or a <collision>, without its pose. `touches`: whether contacts of collisions are
+/// read.
 inline robot_shape sdf_shape(const xml_item& x, bool touches) {
   using form = robot_shape::form;
   x.only({"pose", "geometry", "material", "surface", "density"}, {"name"});
