@@ -70,6 +70,7 @@ def make(type: str, ports: Sequence[Tuple[str, str]], parameters: Sequence[Tuple
 
 
 def _array(name: str, x: ArrayLike) -> np.ndarray[Any, np.dtype[np.float64]]:
+    _kte._refuse_masked(name, x)
     try:
         a = np.asarray(x)
         if a.dtype.kind not in "iuf":

@@ -35,7 +35,7 @@ from ._results import (
     SupportPolygon,
     Wrench,
 )
-from .simulation import Event, Law
+from .simulation import Event, Gate, Law
 
 __version__: str
 
@@ -192,6 +192,7 @@ class Simulation:
         control: Union[None, ArrayLike, Law] = ...,
         inputs: Optional[Mapping[str, Union[ArrayLike, Law]]] = ...,
         events: Union[None, Event, Iterable[Event]] = ...,
+        only_if: Optional[Mapping[str, Gate]] = ...,
     ) -> None: ...
     def advance(self, end: float, *, every: Optional[float] = ..., at: Optional[ArrayLike] = ...) -> Recording: ...
     @property
@@ -267,6 +268,7 @@ def trapezoidal_motion(robot: _Mechanism, start: ArrayLike, end: ArrayLike, *, l
 def quintic_motion(
     robot: _Mechanism, start: ArrayLike, end: ArrayLike, at_least: float = ..., *, limits: Optional[Limits] = ...
 ) -> Motion: ...
+def _refuse_masked(name: str, x: Any) -> None: ...
 def _check_element(record: Any) -> None: ...
 def element_types() -> List[str]: ...
 def inverse_dynamics(

@@ -6,7 +6,7 @@ from typing import List, Optional
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ._element import Element, Rotation
+from ._element import Element, Rotation, _array
 from .elements import prismatic_joint_3D, revolute_joint_3D, rigid_link_2D, rigid_link_3D
 from .errors import BadParameter
 
@@ -14,7 +14,7 @@ __all__ = ["cylindrical_joint_3D", "universal_joint_3D", "hooke_joint_3D", "fixe
 
 
 def _check_axes(axis1: ArrayLike, axis2: ArrayLike) -> None:
-    if not np.linalg.norm(np.cross(np.asarray(axis1, float), np.asarray(axis2, float))) > 1e-6:
+    if not np.linalg.norm(np.cross(_array("axis1", axis1), _array("axis2", axis2))) > 1e-6:
         raise BadParameter(f"kte: the axes of a universal joint must not be parallel, got {axis1!r} and {axis2!r}")
 
 

@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Callable, Dict, Iterable, Optional, Tuple, Union
+from typing import Any, Callable, Iterable, Mapping, Optional, Tuple, Union
 
 from numpy.typing import ArrayLike
 
@@ -11,6 +11,8 @@ from ._results import Array
 
 #: A number or array over time, of (t, q, v).
 Law = Callable[[float, Array, Array], ArrayLike]
+#: Whether a contact lands, a function of (t, q, v).
+Gate = Callable[[float, Array, Array], Any]  # a bool; Any, since components of arrays compare to such of numpy
 
 
 @dataclass(frozen=True)
@@ -42,8 +44,9 @@ def simulate(
     every: Optional[float] = 0.01,
     at: Optional[ArrayLike] = None,
     control: Union[None, ArrayLike, Law] = None,
-    inputs: Optional[Dict[str, Union[ArrayLike, Law]]] = None,
+    inputs: Optional[Mapping[str, Union[ArrayLike, Law]]] = None,
     events: Union[None, Event, Iterable[Event]] = None,
+    only_if: Optional[Mapping[str, Gate]] = None,
     t: float = 0.0,
     solver: str = "dormand_prince45",
     tolerance: float = 1e-9,
@@ -73,5 +76,6 @@ def simulate(
         control=control,
         inputs=inputs,
         events=events,
+        only_if=only_if,
     )
     return simulation.advance(t + time, every=None if at is not None else every, at=at)

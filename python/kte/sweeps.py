@@ -155,6 +155,7 @@ class _Evaluation:
             if absent:
                 raise UnknownName(f"kte: the function of the sweep gave no {absent[0]!r}, but {', '.join(kept)}")
             kept = [kept[name] for name in self.keep]
+        _kte._refuse_masked("the result of the function of the sweep", kept)
         try:
             if kept is None:
                 raise TypeError
@@ -169,6 +170,8 @@ def _cases(cases: Any) -> Cases:
     if hasattr(cases, "columns") and hasattr(cases, "to_numpy"):  # a DataFrame
         return _kte.list_of_cases([str(name) for name in cases.columns], cases.to_numpy(dtype=float))
     if isinstance(cases, Mapping) and cases:
+        for name, x in cases.items():
+            _kte._refuse_masked(f"column {name!r} of cases", x)
         columns = [np.asarray(x, dtype=float) for x in cases.values()]
         if len({x.shape for x in columns}) > 1 or columns[0].ndim != 1:
             raise BadArgument(f"kte: cases have columns of shapes {', '.join(str(x.shape) for x in columns)}, expected (cases,)")

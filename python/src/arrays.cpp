@@ -4,14 +4,34 @@
 
 #include <cstdint>
 
+#include "parts.hpp"
+
 namespace kte_python {
 
 namespace {
 
 std::string text_of_shape(const py::array& a) { return py::str(a.attr("shape")).cast<std::string>(); }
 
+/// Whether it is a masked array, or a list that has one, nested at most `depth` times. Numbers and plain arrays are
+/// found out by their types.
+bool is_masked(py::handle x, int depth) {
+  PyTypeObject* const type = Py_TYPE(x.ptr());
+  if (type == py::detail::npy_api::get().PyArray_Type_ || type == &PyFloat_Type || type == &PyLong_Type) return false;
+  if (PyList_Check(x.ptr()) || PyTuple_Check(x.ptr())) {
+    if (depth == 0) return false;
+    const Py_ssize_t n = PySequence_Fast_GET_SIZE(x.ptr());
+    for (Py_ssize_t i = 0; i < n; ++i)
+      if (is_masked(PySequence_Fast_GET_ITEM(x.ptr(), i), depth - 1)) return true;
+    return false;
+  }
+  static PyObject* masked = nullptr;
+  if (!masked) masked = py::object(py::module_::import("numpy.ma").attr("MaskedArray")).release().ptr();
+  return PyType_IsSubtype(type, reinterpret_cast<PyTypeObject*>(masked)) != 0;
+}
+
 /// An array of doubles of this machine.
 py::array as_doubles(const char* name, py::handle x) {
+  refuse_masked(name, x);
   py::array a = py::isinstance<py::array>(x) ? py::reinterpret_borrow<py::array>(x) : py::array::ensure(x);
   if (!a) {
     PyErr_Clear();
@@ -40,6 +60,18 @@ double number_at(const void* x) {
 }
 
 }  // namespace
+
+void refuse_masked(const char* name, py::handle x) {
+  if (is_masked(x, 3)) [[unlikely]]
+    throw py::type_error(std::string("kte: ") + name +
+                         " must be numbers without a mask, not a masked array: its filled() or compressed() has such");
+}
+
+void bind_arrays(py::module_& m) {
+  m.def(
+      "_refuse_masked", [](const std::string& name, py::handle x) { refuse_masked(name.c_str(), x); }, py::arg("name"),
+      py::arg("x"));
+}
 
 numbers::numbers(const char* name, py::handle x, Py_ssize_t n) : name_(name), n_(n) {
   py::array a = as_doubles(name, x);

@@ -14,11 +14,15 @@ namespace kte_python {
 namespace py = pybind11;
 using array = py::array_t<double>;
 
+/// Throws TypeError, which names the argument, for a masked array of numpy and for a list or tuple that has one: an
+/// array of its numbers would have those that are masked too.
+void refuse_masked(const char* name, py::handle x);
+
 /// An argument of n numbers, of one state or of several: an array of shape (n,) or (states, n), of any strides, or what
 /// numpy makes an array of.
 class numbers {
  public:
-  /// Throws `bad_argument` with the expected shape, TypeError for what are no real numbers.
+  /// Throws `bad_argument` with the expected shape, TypeError for masked arrays and for what are no real numbers.
   numbers(const char* name, py::handle x, Py_ssize_t n);
 
   bool several() const { return dimensions_ == 2; }

@@ -48,9 +48,15 @@ const chain_object& chain_of(py::handle x) {
   throw py::type_error("kte: expected a Chain, or what has one, as a Robot, not " + py::repr(x).cast<std::string>());
 }
 
+py::dict dict_from(const char* what, const char* of, py::handle x) {
+  if (py::isinstance<py::dict>(x)) return py::reinterpret_borrow<py::dict>(x);
+  if (py::hasattr(x, "keys")) return py::dict(py::reinterpret_borrow<py::object>(x));
+  throw py::type_error(std::string("kte: ") + what + " must be a dict from " + of + ", not " +
+                       py::repr(x).cast<std::string>());
+}
+
 void put_inputs(const kte::runtime_chain& c, kte::runtime_state& s, py::handle inputs) {
-  if (!py::isinstance<py::dict>(inputs)) throw py::type_error("kte: inputs must be a dict from names to numbers");
-  for (const auto& [key, value] : py::reinterpret_borrow<py::dict>(inputs)) {
+  for (const auto& [key, value] : dict_from("inputs", "names to numbers", inputs)) {
     const auto name = key.cast<std::string>();
     const auto k = c.wiring().kind_of(name, false);
     const auto& writers = c.wiring().writers[static_cast<std::size_t>(k)];

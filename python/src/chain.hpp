@@ -70,6 +70,8 @@ kte::runtime_chain chain_from_bytes(const py::bytes& b);
 const chain_object& chain_of(py::handle x);
 /// The size of a chain, by which it is judged whether a call takes long.
 inline std::size_t size_of(const kte::runtime_chain& c) { return c.wiring().elements.size(); }
+/// A dict, or what is made one, as any mapping is. Throws TypeError: `what` must be a dict from `of`.
+py::dict dict_from(const char* what, const char* of, py::handle x);
 /// Puts inputs, a dict from names to numbers or three numbers, into a state.
 void put_inputs(const kte::runtime_chain& c, kte::runtime_state& s, py::handle inputs);
 /// From names to numbers, in the order of a sequence of names.

@@ -7,6 +7,7 @@ PYBIND11_MODULE(_kte, m) {
   m.doc() = "The compiled part of kte.";
   m.attr("__version__") = KTE_VERSION;
   kte_python::bind_errors(m);
+  kte_python::bind_arrays(m);
   kte_python::bind_chain(m);
   kte_python::bind_dynamics(m);
   kte_python::bind_derivatives(m);

@@ -35,6 +35,7 @@ class motion_object {
   double duration() const { return duration_; }
   /// (q, v, a) at a time, or at many.
   py::object operator()(py::handle t) const {
+    refuse_masked("t", t);
     const auto times = py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(t);
     if (!times || times.ndim() > 1) {
       PyErr_Clear();

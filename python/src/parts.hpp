@@ -11,6 +11,7 @@ namespace kte_python {
 std::string in_python(std::string what);
 
 void bind_errors(pybind11::module_& m);
+void bind_arrays(pybind11::module_& m);
 void bind_chain(pybind11::module_& m);
 void bind_dynamics(pybind11::module_& m);
 void bind_derivatives(pybind11::module_& m);

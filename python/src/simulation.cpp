@@ -1,5 +1,6 @@
 #include "simulation.hpp"
 
+#include <kte/dynamics/state_vectors.hpp>
 #include <kte/io/model_inputs.hpp>
 
 #include <cmath>
@@ -62,15 +63,17 @@ std::vector<double> even_times(double begin, double end, double spacing) {
 }
 
 simulation::simulation(py::object drawn, kte::runtime_chain c, py::object control, const py::dict& inputs,
-                       const py::list& events, bool of_time_alone)
+                       const py::list& events, const py::dict& gates, bool of_time_alone)
     : drawn_(std::move(drawn)),
       has_forces_(!control.is_none()),
       forces_(has_forces_ ? coordinate_forces(c) : coordinate_forces()),
+      chain_(std::move(c)),
       plant_(
-          c, [this](double t, const plant::state& x, Eigen::VectorXd& u) { law(t, x, u); },
+          with_gates(chain_, gates_of(gates)),
+          [this](double t, const plant::state& x, Eigen::VectorXd& u) { law(t, x, u); },
           of_time_alone && forces_.of_tau_alone()) {
   u_ = plant_.model().input();
-  tau_ = Eigen::VectorXd::Zero(c.dofs());
+  tau_ = Eigen::VectorXd::Zero(chain_.dofs());
   set_control(std::move(control));
   set_inputs(inputs);
   for (const auto e : events) {
@@ -139,6 +142,30 @@ std::pair<py::object, py::object> simulation::q_and_v(const plant::state& x) con
   return {to_array(Eigen::VectorXd(m.positions_of(x))), to_array(Eigen::VectorXd(m.velocities_of(x)))};
 }
 
+std::map<std::string, gate> simulation::gates_of(const py::dict& functions) {
+  std::map<std::string, gate> all;
+  for (const auto& [key, function] : functions) {
+    const auto name = key.cast<std::string>();
+    if (!py::hasattr(function, "__call__"))
+      throw py::type_error("kte: only_if of '" + name + "' must be a function of (t, q, v), not " +
+                           py::repr(function).cast<std::string>());
+    gates_[name] = py::reinterpret_borrow<py::object>(function);
+    all[name] = [this, name](double t, const kte::runtime_state& s) { return admits(name, t, s); };
+  }
+  return all;
+}
+/// Without the GIL.
+bool simulation::admits(const std::string& contact, double t, const kte::runtime_state& s) const {
+  const py::gil_scoped_acquire with;
+  const py::object open = gates_.at(contact)(t, to_array(Eigen::VectorXd(kte::positions(s))),
+                                             to_array(Eigen::VectorXd(kte::velocities(s))));
+  if (open.is_none())
+    throw py::type_error("kte: only_if of '" + contact + "' must return whether the contact lands, not None");
+  const int is = PyObject_IsTrue(open.ptr());
+  if (is < 0) throw py::error_already_set();
+  return is == 1;
+}
+
 /// Without the GIL.
 void simulation::law(double t, const plant::state& x, Eigen::VectorXd& u) {
   if (++evaluations_ % 64 == 0) {
@@ -200,7 +227,7 @@ py::object simulation::advance(double end, py::handle every, py::handle at) {
 
   auto made = std::make_unique<recording_object>();
   auto& r = *made;
-  r.chain = plant_.model().chain(), r.drawn = drawn_;
+  r.chain = chain_, r.drawn = drawn_;
   const auto x = solver_->state();
   r.nx = static_cast<std::size_t>(x.size()), r.nu = static_cast<std::size_t>(u_.size());
   recording_ = py::cast(std::move(made));
@@ -240,9 +267,13 @@ namespace {
 std::unique_ptr<simulation> make_simulation(py::object chain, py::handle q, py::handle v, double t,
                                             const std::string& solver, double tolerance, py::handle absolute,
                                             py::handle relative, double step, long long max_steps, double largest_step,
-                                            py::object control, py::handle inputs, py::handle events) {
+                                            py::object control, py::handle inputs, py::handle events,
+                                            py::handle only_if) {
   const auto& c = chain_of(chain).chain();
-  const auto signals = inputs.is_none() ? py::dict() : py::reinterpret_borrow<py::dict>(inputs);
+  const auto dict_or_none = [](const char* what, const char* of, py::handle x) {
+    return x.is_none() ? py::dict() : dict_from(what, of, x);
+  };
+  const auto signals = dict_or_none("inputs", "signals to numbers or functions of (t, q, v)", inputs);
   bool of_time_alone = !py::hasattr(control, "__call__");
   for (const auto& [name, value] : signals) of_time_alone = of_time_alone && !py::hasattr(value, "__call__");
   py::list list;
@@ -256,7 +287,8 @@ std::unique_ptr<simulation> make_simulation(py::object chain, py::handle q, py::
     for (const auto e : list)
       if (!py::hasattr(e, "function")) refuse_event(e);
   }
-  auto made = std::make_unique<simulation>(chain, c, std::move(control), signals, list, of_time_alone);
+  const auto gates = dict_or_none("only_if", "contacts to functions of (t, q, v)", only_if);
+  auto made = std::make_unique<simulation>(chain, c, std::move(control), signals, list, gates, of_time_alone);
   solver_options o{solver, step, {.absolute = tolerance, .relative = tolerance, .max_steps = max_steps}};
   if (!absolute.is_none()) o.tolerances.absolute = absolute.cast<double>();
   if (!relative.is_none()) o.tolerances.relative = relative.cast<double>();
@@ -273,7 +305,7 @@ void bind_simulation(py::module_& m) {
   const auto none = py::none();
   py::class_<simulation>(m, "Simulation", R"(Simulation(chain, q, v=None, *, t=0, solver="dormand_prince45",
            tolerance=1e-9, absolute=None, relative=None, step=1e-3, max_steps=1000000000, largest_step=0,
-           control=None, inputs=None, events=None)
+           control=None, inputs=None, events=None, only_if=None)
 
 A mechanism that moves, from q and v at the time t.
 
@@ -283,11 +315,13 @@ solver     dormand_prince45, prince_dormand87, bogacki_shampine23, fehlberg45, a
            contacts, with `step`, s
 control    forces on all numbers of v, N and Nm: a function of (t, q, v), or an array that is constant until it is set
 inputs     a dict from signals to numbers, or to functions of (t, q, v)
-events     an `Event` or a list of them)")
+events     an `Event` or a list of them
+only_if    a dict from rigid contacts to functions of (t, q, v): the contact lands only where they are true, and passes
+           through its surface elsewhere)")
       .def(py::init(&make_simulation), "chain"_a, "q"_a, "v"_a = none, py::kw_only(), "t"_a = 0.0,
            "solver"_a = "dormand_prince45", "tolerance"_a = 1e-9, "absolute"_a = none, "relative"_a = none,
            "step"_a = 1e-3, "max_steps"_a = 1'000'000'000LL, "largest_step"_a = 0.0, "control"_a = none,
-           "inputs"_a = none, "events"_a = none)
+           "inputs"_a = none, "events"_a = none, "only_if"_a = none)
       .def("advance", &simulation::advance, R"(advance(end, *, every=None, at=None)
 
 Integrates to the time `end`, s, and returns a `Recording` of every step, of even times, or of the times `at`. Ctrl-C stops

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <chrono>
+#include <map>
 #include <pybind11/pybind11.h>
 
 #include "coordinate_forces.hpp"
+#include "gates.hpp"
 #include "recording.hpp"
 #include "solvers.hpp"
 
@@ -12,9 +14,9 @@ namespace kte_python {
 /// kte.Simulation: a chain, forces on its coordinates and inputs by functions of the program, and a solver.
 class simulation : public callbacks {
  public:
-  /// `drawn` is what the program simulates.
+  /// `drawn` is what the program simulates; `gates` has functions of the contacts that they let land.
   simulation(py::object drawn, kte::runtime_chain c, py::object control, const py::dict& inputs, const py::list& events,
-             bool of_time_alone);
+             const py::dict& gates, bool of_time_alone);
   simulation(const simulation&) = delete;
   simulation& operator=(const simulation&) = delete;
 
@@ -48,12 +50,17 @@ class simulation : public callbacks {
     bool terminal, one_sided;
   };
 
+  /// The gates of contacts, as functions for the chain.
+  std::map<std::string, gate> gates_of(const py::dict& functions);
+  bool admits(const std::string& contact, double t, const kte::runtime_state& s) const;
   void law(double t, const plant::state& x, Eigen::VectorXd& u);
   std::vector<double> times_from(double end, py::handle every, py::handle at) const;
 
   py::object drawn_, recording_ = py::none(), control_ = py::none();
   bool has_forces_;
   coordinate_forces forces_;
+  kte::runtime_chain chain_;  ///< of recordings: with the forces, without gates
+  std::map<std::string, py::object> gates_;
   plant plant_;
   Eigen::VectorXd u_, tau_;
   std::vector<input_law> laws_;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "arrays.hpp"
+#include "chain.hpp"
 
 namespace kte_python {
 
@@ -15,9 +16,7 @@ struct wrenches_argument {
   std::vector<kte::external_wrench> all;  ///< refer to the names
 
   explicit wrenches_argument(py::handle wrenches) {
-    if (!py::isinstance<py::dict>(wrenches))
-      throw py::type_error("kte: wrenches must be a dict from frames to 3 or 6 numbers");
-    for (const auto& [frame, load] : py::reinterpret_borrow<py::dict>(wrenches)) {
+    for (const auto& [frame, load] : dict_from("wrenches", "frames to 3 or 6 numbers", wrenches)) {
       const auto x = vector_from("a wrench", load, -1);
       if (x.size() != 3 && x.size() != 6)
         throw kte::bad_argument("kte: a wrench has " + std::to_string(x.size()) +

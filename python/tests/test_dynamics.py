@@ -161,6 +161,56 @@ def test_integers_are_numbers_and_others_are_not():
             kte.gravity_forces(IIWA, bad)
 
 
+def masked(x):
+    x = np.asarray(x, float)
+    return np.ma.array(x, mask=x == x.flat[0])
+
+
+@pytest.mark.parametrize(
+    "name, call",
+    [
+        ("q", lambda: kte.gravity_forces(IIWA, masked(np.zeros(7)))),
+        ("q", lambda: kte.gravity_forces(IIWA, np.ma.array(np.zeros(7)))),  # without masked numbers
+        ("q", lambda: kte.gravity_forces(IIWA, masked(np.zeros((4, 7))))),
+        ("q", lambda: kte.gravity_forces(IIWA, [masked(np.zeros(7))] * 4)),
+        ("q", lambda: kte.gravity_forces(IIWA, [0.0] * 6 + [np.ma.masked])),
+        ("tau", lambda: kte.forward_dynamics(IIWA, np.zeros(7), np.zeros(7), masked(np.ones(7)))),
+        ("a wrench", lambda: kte.external_forces(IIWA, np.zeros(7), {"tool": masked([1, 2, 3])})),
+        ("rotation", lambda: kte.inverse_kinematics(IIWA, "tool", [0.5, 0, 0.5], masked(np.eye(3)))),
+        ("limits.lower", lambda: kte.quintic_motion(IIWA, np.zeros(7), np.ones(7), limits=IIWA.limits._replace(lower=masked(np.ones(7))))),
+        ("t", lambda: kte.quintic_motion(IIWA, np.zeros(7), 0.1 * np.ones(7), 1)(masked([0, 1]))),
+        ("gravity", lambda: kte.Chain(gravity=masked([0, 0, -9.81]))),
+        ("position", lambda: kte.rigid_link_3D("a", "b", masked([0, 0, 1]))),
+        ("position", lambda: kte.rigid_link_3D("a", "b", [np.ma.masked, 0, 1])),
+        ("rotation", lambda: kte.rigid_link_2D("a", "b", [0, 1], masked(np.eye(2)))),
+        ("mass", lambda: kte.inertia_gen("q", np.ma.masked)),
+        ("half", lambda: kte.box_contact_3D("crate", "a", "b", masked([1, 2, 3]))),
+        ("axis1", lambda: kte.universal_joint_3D("p", "y", "a", "b", masked([1, 0, 0]), [0, 1, 0])),
+        ("control", lambda: kte.simulate(IIWA, np.zeros(7), time=1, control=masked(np.ones(7)))),
+        ("the result of control", lambda: kte.simulate(IIWA, np.zeros(7), time=1, control=lambda t, q, v: masked(v))),
+        ("at", lambda: kte.simulate(IIWA, np.zeros(7), time=1, at=masked([0.5, 1]))),
+        ("values", lambda: kte.one_of("x", masked([1, 2]))),
+        ("values", lambda: kte.list_of_cases(["x", "y"], masked(np.eye(2)))),
+        ("column 'x' of cases", lambda: kte.sweep({"x": masked([1, 2])}, lambda c: 1, "k")),
+    ],
+)
+def test_masked_arrays_are_refused_by_name(name, call):
+    with pytest.raises(TypeError, match=f"^kte: {name} must be numbers without a mask, not a masked array"):
+        call()
+
+
+def test_a_masked_result_of_a_sweep_fails_its_case():
+    table = kte.sweep({"x": [1, 2]}, lambda c: {"k": np.ma.masked if c["x"] == 1 else 3.0}, "k")
+    assert table["failed"].tolist() == [True, False] and "the result of the function of the sweep must be numbers without" in table.failures[0].reason
+
+
+def test_lists_that_hold_themselves_are_no_numbers():
+    endless = []
+    endless.append(endless)
+    with pytest.raises((TypeError, ValueError)):
+        kte.gravity_forces(IIWA, endless)
+
+
 @pytest.mark.parametrize(
     "shape, expected",
     [((6,), r"\(6,\), expected \(7,\) or \(states, 7\)"), ((), r"\(\), expected"), ((2, 3, 7), r"\(2, 3, 7\), expected")],

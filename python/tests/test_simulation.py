@@ -1,11 +1,11 @@
+import collections
 import copy
-import os
 import pickle
-import signal
 import subprocess
 import sys
 import threading
 import time
+import types
 
 import numpy as np
 import pytest
@@ -103,6 +103,10 @@ def test_inputs_are_numbers_or_functions():
     chain = kte.Chain(kte.prismatic_joint_3D("x", "a", "b", [1, 0, 0]), kte.inertia_gen("x", 2), kte.driving_actuator_gen("x", "u"))
     assert kte.simulate(chain, [0.0], time=1, inputs={"u": 4}).q[-1] == pytest.approx([1], rel=1e-9)
     assert kte.simulate(chain, [0.0], time=1, inputs={"u": lambda t, q, v: 12 * t}).q[-1] == pytest.approx([1], rel=1e-9)
+    for mapping in (types.MappingProxyType({"u": 4}), collections.ChainMap({"u": 4})):
+        assert kte.simulate(chain, [0.0], time=1, inputs=mapping).q[-1] == pytest.approx([1], rel=1e-9)
+    with pytest.raises(TypeError, match=r"inputs must be a dict from signals to numbers or functions .*, not 4"):
+        kte.simulate(chain, [0.0], time=1, inputs=4)
     with pytest.raises(kte.UnknownName, match=r"no input 'y' \(there are 'u'\)"):
         kte.simulate(chain, [0.0], time=1, inputs={"y": 1})
     simulation = kte.Simulation(chain, [0.0], inputs={"u": 4})
@@ -182,17 +186,21 @@ def test_a_simulation_runs_once_at_a_time(pendulum):
         simulation.advance(1.0)
 
 
-def test_control_c_stops_a_simulation(iiwa):
-    def interrupt():
-        time.sleep(0.2)
-        os.kill(os.getpid(), signal.SIGINT)
-
-    simulation = kte.Simulation(iiwa, np.full(7, 0.2))
-    threading.Thread(target=interrupt).start()
-    with pytest.raises(KeyboardInterrupt):
-        simulation.advance(1e6, every=1.0)
-    assert 0 < simulation.t < 1e6
-    simulation.advance(simulation.t + 0.1)
+def test_control_c_stops_a_simulation(robots):
+    code = f"""
+import os, signal, threading, kte
+signal.signal(signal.SIGINT, signal.default_int_handler)  # jobs in the background of a shell ignore it
+simulation = kte.Simulation(kte.load_robot({str(robots / "iiwa14.urdf")!r}), [0.2] * 7)
+threading.Timer(0.2, os.kill, (os.getpid(), signal.SIGINT)).start()
+try:
+    simulation.advance(1e6, every=1.0)
+except KeyboardInterrupt:
+    stopped = simulation.t
+    simulation.advance(stopped + 0.1)
+    print(0 < stopped < 1e6, abs(simulation.t - stopped - 0.1) < 1e-9)
+"""
+    out = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=60)
+    assert out.stdout == "True True\n", out.stderr
 
 
 def test_other_threads_run_during_a_simulation(iiwa):

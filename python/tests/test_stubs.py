@@ -20,6 +20,17 @@ reveal_type(a)
 reveal_type(kte.forward_kinematics(chain, [0.0], "b").position)
 motion = kte.simulate(chain, [0.0], time=1, control=lambda t, q, v: -q, events=kte.Event(lambda t, q, v: float(q[0])))
 kte.view(motion, "page.html")
+push = kte.driving_actuator_gen("q", "motor")
+kte.simulate(chain << push, [0.0], time=1, inputs={"motor": lambda t, q, v: 12 * t})
+kte.simulate(chain, [0.0], time=1, inputs={"motor": lambda t, q, v: np.sin(q[0]), "wind": [2, 0, 0]})
+laws = {"motor": lambda t, q, v: 2.0 * t}
+kte.Simulation(chain, [0.0], inputs=laws).set_inputs({"motor": lambda t, q, v: t, "wind": np.zeros(3)})
+kte.simulate(chain, [0.0], time=1, inputs=laws, only_if={"foot": lambda t, q, v: q[0] > 0})
+def torque(t: float, q: kte.Array, v: kte.Array) -> float: return -2.0 * t
+kte.simulate(chain, [0.0], time=1, inputs={"motor": torque}, control=lambda t, q, v: [1.0])
+table = kte.sweep(kte.evenly("x", 0, 1, 3), lambda c: {"k": 2 * c["x"]}, "k")
+reveal_type(table)
+kte.simulate(chain, [0.0], time=1, inputs={"motor": lambda t: 2.0})  # an error
 kte.revolute_joint_3D("q", "a")  # an error
 kte.forward_dynamics(chain, [0.0], [0.0])  # an error
 """
@@ -34,8 +45,10 @@ def test_the_package_and_a_program_have_types(tmp_path):
     (tmp_path / "program.py").write_text(PROGRAM)
     result = run("mypy", "--strict", "program.py", cwd=tmp_path)
     errors = [line for line in result.stdout.splitlines() if ": error:" in line]
-    assert len(errors) == 2 and all("program.py:1" in e for e in errors), result.stdout
-    assert result.stdout.count("ndarray[Any, numpy.dtype[") == 2
+    lines = [i for i, line in enumerate(PROGRAM.splitlines(), 1) if line.endswith("# an error")]
+    assert [int(e.split(":")[1]) for e in errors] == lines, result.stdout
+    revealed = [line for line in result.stdout.splitlines() if "Revealed type" in line]
+    assert ["ndarray[Any, numpy.dtype[" in line for line in revealed] == [True, True, False] and "SweepTable" in revealed[2]
     assert run("mypy", "--strict", "-p", "kte", cwd=tmp_path).returncode == 0
 
 

@@ -269,6 +269,7 @@ def test_an_interrupted_sweep_continues(tmp_path, extension):
 def test_ctrl_c_stops_simulations(tmp_path):
     code = f"""
 import os, signal, threading, kte
+signal.signal(signal.SIGINT, signal.default_int_handler)  # jobs in the background of a shell ignore it
 chain = kte.Chain(kte.revolute_joint_2D("q", "a", "b"), kte.inertia_2D("b", 1, com=[1, 0]), gravity=[0, -9.81])
 threading.Timer(0.5, os.kill, (os.getpid(), signal.SIGINT)).start()
 try:

@@ -65,7 +65,27 @@ TEST_CASE("rigid contacts go through records, model files and archives") {
   code << base_3D("a") << base_3D("b")
        << point_contact_3D("c", "a", "b", surface([](const auto& p) { return p.z; }), {});
   CHECK_THROWS_AS(record_of(code), bad_argument);
-  CHECK_THROWS_MATCHES(to_header(c, "bodies"), bad_argument, says("no header can hold a sphere_contact_3D"));
+}
+
+TEST_CASE("rigid contacts are written into headers, but for those with functions") {
+  const auto c = touching();
+  const auto text = to_header(c, "bodies");
+  for (const auto* call : {
+           "::kte::contact_key<\"1\"> {} n1_;",
+           "sphere_contact_3D(n1_, ground_, body_, {{0.6, 0.0, 0.8}, 0.0}, 0.1, {0.3, 0.6}, ::kte::zero3{})",
+           "sphere_contact_3D(n2_, ground_, body_, {{0.0, 0.0, 0.0}, -2.0}, 0.1, {0.3, 0.6}, ::kte::vec3{0.1, 0.2, "
+           "0.3})",
+           "sphere_contact_3D(n4_, ground_, body_, {{0.0, 0.0, 0.0}, 0.5}, ::kte::zero, {0.0, 0.0}, ::kte::zero3{})",
+           "disc_contact_3D(n5_, ground_, body_, {{0.0, 0.0, 1.0}}, ::kte::axis::y, 0.3, {0.3, 0.6})",
+           "sphere_contact_2D(n6_, floor_, box_, {{0.0, 1.0, 0.0}, 0.0}, 0.1, {0.3, 0.6}, ",
+       })
+    CHECK_THAT(text, contains_text(call));
+  auto gated = c;
+  gated << point_contact_3D("8", "ground", "body", half_space{}, {}).only_if([](const auto&) { return true; });
+  CHECK_THROWS_MATCHES(to_header(gated, "bodies"), bad_argument, says("holds a function of its program"));
+  auto hill = c;
+  hill << point_contact_3D("9", "ground", "body", surface([](const auto& p) { return p.z; }), {});
+  CHECK_THROWS_MATCHES(to_header(hill, "bodies"), bad_argument, says("holds a function of its program"));
 }
 
 TEST_CASE("states print contacts, and recordings name their quantities") {

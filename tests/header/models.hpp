@@ -12,6 +12,14 @@ namespace header_models {
 /// What the element reads is declared before it.
 inline kte::model_record with_bases(const kte::element_record& e, const kte::kte_element& made) {
   kte::model_record m{{0, 0, -9.81}, {}};
+  if (made.ports().back().what == kte::kind::contact) {  // of a body that moves
+    const std::string suffix = made.ports()[0].what == kte::kind::frame_2D ? "_2D" : "_3D";
+    const auto &ground = made.names()[0], &body = made.names()[1];
+    m.elements.push_back({"base" + suffix, 1, {{"base", ground}}, {}});
+    m.elements.push_back({"free_joint" + suffix, 1, {{"coordinate", "pose"}, {"base", ground}, {"end", body}}, {}});
+    m.elements.push_back(e);
+    return m;
+  }
   for (std::size_t p = 0; p < made.ports().size(); ++p) {
     const auto& port = made.ports()[p];
     if (kte::is_signal(port.what) || port.writes() || (port.how != kte::access::on && !kte::is_frame(port.what)))
@@ -49,9 +57,8 @@ inline std::map<std::string, kte::model_record> all() {
       if (p.name == "rest_rotation") p.values = {0, -1, 0, 1, 0, 0, 0, 0, 1};
     const auto made = made_of_different_numbers(registry, record);
     const auto& e = dynamic_cast<const kte::kte_element&>(*made);
-    const kte::kind last = e.ports().back().what;
-    if (last == kte::kind::loop || last == kte::kind::contact) continue;  // headers hold no closures and contacts
-    models["of_" + type] = with_bases(e.record(), e);                     // with all of its parameters
+    if (e.ports().back().what == kte::kind::loop) continue;  // headers hold no closures
+    models["of_" + type] = with_bases(e.record(), e);        // with all of its parameters
   }
   const auto link = [](const char* from, const char* to, std::vector<double> position, std::vector<double> rotation) {
     return kte::element_record{"rigid_link_3D",

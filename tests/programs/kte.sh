@@ -94,6 +94,24 @@ gives 0 '' "$kte" info pendulum.json --dot
 prints 'digraph kte {'
 gives 2 '--json and --dot' "$kte" info pendulum.json --dot --json
 
+mass='<inertial><mass value="2"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial>'
+echo '<robot name="box"><link name="box">'"$mass"'<visual><geometry><box size="1 2 2"/></geometry></visual></link></robot>' >box.urdf
+for options in '' --floating-base; do
+  gives 0 '' "$kte" info box.urdf $options
+  prints '3 m large'
+done
+gives 0 '' "$kte" check box.urdf --floating-base
+prints '3 m large'
+# A cylinder along x, 2 by 1 by 1, moves, and a floor of 100 m does not.
+shape='<visual><origin rpy="0 1.5707963267948966 0"/><geometry><cylinder radius="0.5" length="2"/></geometry></visual>'
+floor='<link name="base"><visual><geometry><box size="100 100 1"/></geometry></visual></link>'
+sed "s|<link name=\"base\"/>|$floor|; s|<link name=\"arm\">|&$shape|" arm.urdf >rod.urdf
+gives 0 'not physically realizable' "$kte" info rod.urdf
+prints '2.4495 m large'
+sed 's|<geometry>.*</geometry>|<geometry><mesh filename="a.stl"/></geometry>|' box.urdf >unknown.urdf
+gives 0 '' "$kte" info unknown.urdf
+prints 'of unknown size'
+
 # simulate
 gives 0 '' "$kte" simulate pendulum.json --time 1 --start start.csv --record swing.csv
 prints 'pendulum.json: 1 s by dormand_prince45'
@@ -328,6 +346,22 @@ gives 0 '' "$kte" simulate foot.urdf --floating-base --ground world --contact-st
 prints 'floating_base: q'
 gives 1 "no link or frame 'floor' for the ground (--ground): its base is 'leg', or 'world' with --floating-base" "$kte" simulate foot.urdf --ground floor
 gives 2 '--contact-dissipation need --ground' "$kte" simulate foot.urdf --friction 1
+gives 0 "foot.urdf:2: a shape of 'leg' is left out: toe" "$kte" convert foot.urdf foot.json --floating-base --ground world --friction 0.5
+printf 'q_0,q_1,q_2,q_3,q_4,q_5,q_6\n0,0,0.42,0,0,0,1\n' >stands.csv
+gives 0 '' "$kte" simulate foot.json --start stands.csv --time 0.1
+gives 0 "foot.urdf:2: a shape of 'leg' is left out: toe" "$kte" convert foot.urdf foot.hpp --floating-base --ground world
+if ! grep -q '::kte::sphere_contact_3D(toe_, world_, leg_, ' foot.hpp; then wrong 'foot.hpp has no contact'; fi
+printf 'q_0,q_1,q_2,q_3,q_4,q_5,q_6,v_0,v_1,v_2,v_3,v_4,v_5,tau_0,tau_1,tau_2,tau_3,tau_4,tau_5\n0,0,1,0,0,0,1,0,0,0,0,0,0,0,0,0,0,0,0\n' >flies.csv
+gives 1 "--static does not support rigid contacts; this chain has 'toe'" env HOME="$PWD" "$kte" eval foot.json flies.csv --ops fd --static
+gives 2 '--ground is for model files and C++ headers' "$kte" convert foot.urdf again.urdf --ground world
+gives 2 '--contact-dissipation need --ground' "$kte" convert foot.urdf foot.json --friction 1
+cat >hill.sdf <<'END'
+<sdf version="1.9"><model name="m"><link name="leg">
+<collision name="hill"><geometry><heightmap><uri>a.png</uri></heightmap></geometry></collision></link></model></sdf>
+END
+gives 0 '' "$kte" check hill.sdf --floating-base --ground world
+prints "hill.sdf:2: collision 'hill': <heightmap>: not read: the ground does not have this surface, but a plane"
+gives 2 '--contact-dissipation need --ground' "$kte" check hill.sdf --friction 1
 
 if [ -n "$(find . -name called)" ]; then wrong "a shell has read a file's name"; fi
 [ "$failures" -eq 0 ]

@@ -2,6 +2,7 @@
 #include <kte/elements/joint_damping.hpp>
 #include <kte/elements/joint_stiffness.hpp>
 #include <kte/models/runtime_dynamics_model.hpp>
+#include <kte/robots/check_robot.hpp>
 #include <kte/robots/load_robot.hpp>
 
 #include "catch.hpp"
@@ -254,6 +255,40 @@ TEST_CASE("height fields of MJCF are the ground") {
   CHECK(c.contacts.size() == 16);
   CHECK(text_of(c.warnings) ==
         holding("contacts of 'b': the rims of cylinders touch height fields by 8 points each (!)"));
+}
+
+TEST_CASE("height maps of SDF and fields of MJCF that are not read are named with their line") {
+  const auto line_of = [](const std::vector<robot_note>& notes, const std::string& text, bool moves) {
+    for (const auto& n : notes)
+      if (n.text.find(text) != n.text.npos && n.changes_motion == moves) return n.line;
+    return -1;
+  };
+  const std::string map =
+      "<collision name='hill'>\n<geometry>\n<heightmap><uri>a.png</uri></heightmap></geometry></collision>";
+  const auto ball =
+      link_text("ball", "<collision name='ball'><geometry><sphere><radius>.1</radius></sphere></geometry></collision>");
+  const auto own = model(joint("fixed", "fixed", "world", "ground", "") + link_text("ground", map) + ball);
+  const auto other = sdf("<world name='w'><model name='terrain'><static>true</static><link name='l'>" + map +
+                         "</link></model><model name='m'>" + ball + "</model></world>");
+  const std::string of_sdf = "<heightmap>: not read: the ground does not have this surface, but a plane";
+  for (const auto& [text, o] : {std::pair{own, on()}, std::pair{other, floating()}}) {
+    CHECK(line_of(read(text, o).warnings, "collision 'hill': " + of_sdf, true) == 3);
+    CHECK(line_of(check_robot(describe_robot(text, "r.sdf", o), o), of_sdf, true) == 3);
+    auto strict = o;
+    strict.strict = true;
+    CHECK_THROWS_WITH(read(text, strict), Catch::Matchers::Contains("3: collision 'hill': " + of_sdf));
+  }
+  const auto untouched = read(own, {});
+  CHECK(line_of(untouched.not_read, "<heightmap>: not read", false) == 3);
+  CHECK(line_of(untouched.warnings, "heightmap", true) == -1);
+
+  const std::string mjcf =
+      "<mujoco><asset>\n<hfield name='h' size='1 2 .8 .1' file='hill.png'/></asset><worldbody>\n<geom name='hill' "
+      "type='hfield' hfield='h'/><body name='b'><freejoint/><geom size='.1'/></body></worldbody></mujoco>";
+  const std::string of_mjcf = "geom 'hill': its height field is not read: 'hill.png' is an image";
+  CHECK(line_of(read(mjcf, on()).warnings, of_mjcf, true) == 3);
+  CHECK(line_of(check_robot(describe_robot(mjcf, "r.xml", on()), on()), of_mjcf, true) == 3);
+  CHECK(line_of(read(mjcf, {}).not_read, "geom 'hill': its hfield is not read", false) == 3);
 }
 
 TEST_CASE("capsules, cylinders and other shapes touch, or are named") {

@@ -54,7 +54,7 @@ findings look_at(const options& o) {
       for (const auto& n : kte::check_robot(*m.description, o.in.robot)) add_once(f.odd, n);
     for (const auto& text : kte::check_chain(m.chain())) add_once(f.odd, {0, text});
     look_at_loops(m.robot, f);
-    f.parts.emplace(m.chain());
+    f.parts.emplace(m.robot);
     for (const auto& b : f.parts->bodies)
       if (m.model && b.as_published)
         add_once(f.odd,
@@ -82,7 +82,7 @@ std::string mobility_text(const structure& s) {
   for (const auto& [type, n] : kinds) joints += (joints.empty() ? "" : ", ") + std::to_string(n) + " " + type;
   return degrees_text(dofs) + (joints.empty() ? "" : " (" + joints + ")") +
          (followers ? ", " + counted(followers, "follower") : "") + ", " + bodies_text(s.bodies.size()) + " of " +
-         short_number(s.mass) + " kg, " + counted(s.frames.size(), "frame") + ", " + short_number(s.size) + " m large";
+         short_number(s.mass) + " kg, " + counted(s.frames.size(), "frame") + ", " + size_text(s.size);
 }
 
 std::string text_of(const findings& f, const options& o) {
@@ -126,6 +126,7 @@ std::string json_of(const findings& f, const options& o) {
 }
 
 int check(const options& o) {
+  check_contacts(o.in);
   const auto f = look_at(o);
   kte::detail::write_standard_output(printable_lines(o.json ? json_of(f, o) : text_of(f, o)));
   return !f.parts || (o.strict && !f.odd.empty()) ? 1 : 0;
@@ -135,17 +136,16 @@ int check(const options& o) {
 
 void add_check(command_line& line) {
   const auto o = std::make_shared<options>();
-  add_reading(
-      line.add(
-          "check", "reports what is unusual about a mechanism",
-          "Reports what is unusual about a mechanism: inertias that are not physically realizable, joints that move no "
-          "mass, empty ranges, masses, lengths and angles that appear to be in other units, a nearly singular mass "
-          "matrix, links and joints that do not form a tree. Then lists the parts of the file that were not read, and "
-          "the number of degrees of freedom. The exit code is 1 if the file is not a mechanism."),
-      o->in)
+  auto& c = line.add(
+      "check", "reports what is unusual about a mechanism",
+      "Reports what is unusual about a mechanism: inertias that are not physically realizable, joints that move no "
+      "mass, empty ranges, masses, lengths and angles that appear to be in other units, a nearly singular mass "
+      "matrix, links and joints that do not form a tree. Then lists the parts of the file that were not read, and "
+      "the number of degrees of freedom. The exit code is 1 if the file is not a mechanism.");
+  add_reading(c, o->in)
       .flag("--strict", o->strict, "exit code 1 also if anything is unusual")
-      .flag("--json", o->json, "prints JSON")
-      .runs([o] { return check(*o); });
+      .flag("--json", o->json, "prints JSON");
+  add_contacts(c, o->in).runs([o] { return check(*o); });
 }
 
 }  // namespace kte_tool

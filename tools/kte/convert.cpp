@@ -125,6 +125,9 @@ std::string text_of(const convert_options& o, target t, const mechanism& m) {
 
 int convert(const convert_options& o) {
   const auto t = target_of(o);
+  check_contacts(o.in);
+  if (o.in.robot.contacts.requested() && (t == target::urdf || t == target::mjcf))
+    throw usage_error("--ground is for model files and C++ headers: URDF and MJCF have the shapes that touch");
   const auto m = read_and_warn(o.in);
   for (const auto& text : texts_of(m.robot.not_read, m.file)) say(text);
   const auto text = text_of(o, t, m);
@@ -139,16 +142,17 @@ int convert(const convert_options& o) {
 
 void add_convert(command_line& line) {
   const auto o = std::make_shared<convert_options>();
-  add_reading(line.add("convert", "converts it to another format",
-                       "Writes a mechanism in the format given by the ending of OUT: .urdf, .mjcf, .json, .xml or .kte "
-                       "(model files of the library), .hpp (a C++ header in which it is a type). Standard error lists "
-                       "what the format cannot express. OUT is replaced only after everything is written."),
-              o->in)
+  auto& c = line.add(
+      "convert", "converts it to another format",
+      "Writes a mechanism in the format given by the ending of OUT: .urdf, .mjcf, .json, .xml or .kte (model files of "
+      "the library), .hpp (a C++ header in which it is a type). Standard error lists what the format cannot express. "
+      "OUT is replaced only after everything is written.");
+  add_reading(c, o->in)
       .word("OUT", o->out, "the file to write; with --to, - is standard output")
       .text("--to", "FORMAT", o->to, "urdf, mjcf, json, xml, kte or hpp, whatever the name of OUT")
       .text("--name", "NAME", o->name, "name of the robot in a C++ header; default: that in the file")
-      .flag("--lossy", o->lossy, "omits features that the format cannot express, instead of refusing them")
-      .runs([o] { return convert(*o); });
+      .flag("--lossy", o->lossy, "omits features that the format cannot express, instead of refusing them");
+  add_contacts(c, o->in).runs([o] { return convert(*o); });
 }
 
 }  // namespace kte_tool

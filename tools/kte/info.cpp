@@ -123,7 +123,7 @@ std::string text_of(const mechanism& m, const structure& s) {
   std::string t = printable(m.file) + " (" + m.format + "): '" + m.robot.name + "'\n";
   t += degrees_text(m.chain().dofs()) + ", " + counted(static_cast<std::size_t>(m.chain().nq()), "number") + " in q; " +
        bodies_text(s.bodies.size()) + " of " + short_number(s.mass) + " kg; " + counted(s.frames.size(), "frame") +
-       "; " + short_number(s.size) + " m large; gravity " + short_vector(g) + " m/s^2\n\n";
+       "; " + size_text(s.size) + "; gravity " + short_vector(g) + " m/s^2\n\n";
   t += tree_text(m, s).text();
   const auto centred = [](const structure::body& b) {
     return short_number(b.mass) + " kg at " + short_vector(b.centre) + " m, moments " + short_number(b.moments[0]) +
@@ -216,7 +216,7 @@ int info(const info_options& o) {
     kte::detail::write_standard_output(kte::to_dot(m.chain()));
     return 0;
   }
-  const structure s(m.chain(), shown_configuration(m));
+  const structure s(m.robot, shown_configuration(m));
   kte::detail::write_standard_output(o.json ? json_of(m, s) : printable_lines(text_of(m, s)));
   return 0;
 }

@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <map>
 
+#include "shape_extent.hpp"
+
 namespace kte_tool {
 
 namespace {
@@ -26,7 +28,8 @@ kte::vec3<> vector_of(const kte::element_record& r, std::string_view name) {
 /// Fills a structure, element by element.
 class structure_reader {
  public:
-  structure_reader(const kte::runtime_chain& chain, const Eigen::VectorXd& q, structure& out) : out_(out) {
+  structure_reader(const kte::robot& r, const Eigen::VectorXd& q, structure& out) : out_(out) {
+    const auto& chain = r.chain;
     chain.for_each_element([this](const kte::kte_element& e) { add(e); });
     for (const auto& e : kte::layout(chain)) {
       auto& c = coordinate(e.name, e.what);
@@ -39,7 +42,7 @@ class structure_reader {
     for (const auto& s : t.signals)
       if (s.u >= 0) out_.inputs.push_back(t.names[static_cast<std::size_t>(s.what)][static_cast<std::size_t>(s.slot)]);
     place(chain, q);
-    measure();
+    measure(r.shapes);
   }
 
  private:
@@ -117,7 +120,13 @@ class structure_reader {
       f.position = x.position, f.rotation = x.rotation;
     }
   }
-  void measure() {
+  /// Whether a joint moves the frame in the world.
+  bool moves(int frame) const {
+    for (; frame >= 0; frame = out_.frames[static_cast<std::size_t>(frame)].parent)
+      if (!out_.frames[static_cast<std::size_t>(frame)].moved_by.empty()) return true;
+    return false;
+  }
+  void measure(const std::vector<kte::robot::shape>& shapes) {
     constexpr double far = std::numeric_limits<double>::infinity();
     kte::vec3<> low{far, far, far}, high{-far, -far, -far};
     const auto reach = [&](const kte::vec3<>& p) {
@@ -129,6 +138,21 @@ class structure_reader {
       const auto& f = out_.frames[static_cast<std::size_t>(frames_.at(b.frame))];
       reach(f.position + f.rotation * b.centre);
     }
+    const auto frame_of = [this](const kte::robot::shape& s) {
+      const auto at = frames_.find(s.frame);
+      return at == frames_.end() ? -1 : at->second;
+    };
+    const bool some_move = std::any_of(shapes.begin(), shapes.end(), [&](const auto& s) { return moves(frame_of(s)); });
+    for (const auto& s : shapes) {
+      const int at = frame_of(s);
+      if (at < 0 || moves(at) != some_move) continue;
+      const auto& f = out_.frames[static_cast<std::size_t>(at)];
+      const auto turn = f.rotation * s.origin.rotation;
+      const auto x = half_extent(s, turn.x), y = half_extent(s, turn.y), z = half_extent(s, turn.z);
+      if (!x || !y || !z) continue;
+      const kte::vec3<> centre = f.position + f.rotation * s.origin.position, half{*x, *y, *z};
+      reach(centre - half), reach(centre + half);
+    }
     const kte::vec3<> way = high - low;
     out_.size = out_.frames.empty() ? 0 : std::sqrt(dot(way, way));
   }
@@ -139,8 +163,8 @@ class structure_reader {
 
 }  // namespace
 
-structure::structure(const kte::runtime_chain& chain) : structure(chain, kte::neutral_configuration(chain)) {}
-structure::structure(const kte::runtime_chain& chain, const Eigen::VectorXd& q) { structure_reader(chain, q, *this); }
+structure::structure(const kte::robot& r) : structure(r, kte::neutral_configuration(r.chain)) {}
+structure::structure(const kte::robot& r, const Eigen::VectorXd& q) { structure_reader(r, q, *this); }
 
 std::string short_type(const std::string& type) {
   if (type.starts_with("rigid_link")) return "fixed";

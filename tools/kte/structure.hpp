@@ -6,7 +6,8 @@
 
 namespace kte_tool {
 
-/// A chain as people look at it, at a configuration, the neutral one by default: frames in a tree, bodies, coordinates.
+/// A mechanism as people look at it, at a configuration, the neutral one by default: frames in a tree, bodies,
+/// coordinates.
 struct structure {
   struct frame {
     std::string name;
@@ -41,10 +42,13 @@ struct structure {
   std::vector<coordinate> coordinates;
   std::vector<other> others;  ///< elements that are neither joints nor links nor bodies
   std::vector<std::string> inputs;
-  double mass = 0, size = 0;  ///< kg; m, the diagonal of the box that holds all frames and centres of mass
+  double mass = 0;  ///< kg
+  /// The diagonal of the box that holds all frames, centres of mass, and shapes that move, or all shapes if none moves,
+  /// m. Shapes of meshes, planes and height fields do not count.
+  double size = 0;
 
-  explicit structure(const kte::runtime_chain& chain);
-  structure(const kte::runtime_chain& chain, const Eigen::VectorXd& q);
+  explicit structure(const kte::robot& r);
+  structure(const kte::robot& r, const Eigen::VectorXd& q);
 };
 
 /// "revolute" of "revolute_joint_3D".

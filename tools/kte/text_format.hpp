@@ -18,6 +18,8 @@ inline std::string short_number(double x) {
 inline std::string short_vector(const kte::vec3<>& x) {
   return "(" + short_number(x.x) + ", " + short_number(x.y) + ", " + short_number(x.z) + ")";
 }
+/// "0.5 m large".
+inline std::string size_text(double size) { return size > 0 ? short_number(size) + " m large" : "of unknown size"; }
 /// "1 joint", "2 joints".
 inline std::string counted(std::size_t n, const std::string& what) {
   return std::to_string(n) + " " + what + (n == 1 ? "" : "s");

@@ -22,6 +22,10 @@ namespace core {
 template <kind Dim, class Geometry>
 struct rigid_contact : contact<rigid_contact<Dim, Geometry>, Dim> {
   static constexpr type_name type{Geometry::rigid_name, Dim};
+  static constexpr const char* arguments =
+      std::is_same_v<Geometry, disc_geometry>
+          ? "{normal}, axis, radius, {friction, restitution}"
+          : "{surface_axis, surface_radius}, radius, {friction, restitution}, offset";
   static constexpr bool holds_code = requires { requires Geometry::surface_type::holds_code; };
   static constexpr bool may_have_no_value = true;
   static constexpr bool touches_in_packs = requires { requires Geometry::in_packs; };
@@ -83,13 +87,13 @@ constexpr auto touching(const Geometry& g, const C& name, const A& surface, cons
 
 /// A rigid contact, in the plane, of a surface of frame1 with a circle of a radius, m, about the origin of frame2, or
 /// about the point `offset` of it, m. `contact` names the contact, its force and its mode.
-template <class C, class A, class B, class Surface, entry Radius>
+template <class C, class A, class B, class Surface = contact_surface, entry Radius = double>
 [[nodiscard]] constexpr auto sphere_contact_2D(const C& contact, const A& frame1, const B& frame2,
                                                const Surface& surface, const Radius& radius, const contact_law& law) {
   return detail::touching<kind::frame_2D>(detail::sphere_on<kind::frame_2D>(surface, as<double>(radius), {}), contact,
                                           frame1, frame2, law);
 }
-template <class C, class A, class B, class Surface, entry Radius, class Offset>
+template <class C, class A, class B, class Surface = contact_surface, class Offset, entry Radius = double>
 [[nodiscard]] constexpr auto sphere_contact_2D(const C& contact, const A& frame1, const B& frame2,
                                                const Surface& surface, const Radius& radius, const contact_law& law,
                                                const Offset& offset) {
@@ -103,13 +107,13 @@ template <class C, class A, class B, class Surface, entry Radius, class Offset>
 ///   sphere_contact_3D(foot, ground, shank_tip, half_space{}, 0.016, {.friction = 0.7, .restitution = 0.0})
 ///
 /// Surfaces: `half_space`, `ball_surface`, `bowl_surface`, `cylinder_surface`, `height_field`, `surface`.
-template <class C, class A, class B, class Surface, entry Radius>
+template <class C, class A, class B, class Surface = contact_surface, entry Radius = double>
 [[nodiscard]] constexpr auto sphere_contact_3D(const C& contact, const A& frame1, const B& frame2,
                                                const Surface& surface, const Radius& radius, const contact_law& law) {
   return detail::touching<kind::frame_3D>(detail::sphere_on<kind::frame_3D>(surface, as<double>(radius), {}), contact,
                                           frame1, frame2, law);
 }
-template <class C, class A, class B, class Surface, entry Radius, class X, class Y, class Z>
+template <class C, class A, class B, class Surface = contact_surface, class X, class Y, class Z, entry Radius = double>
 [[nodiscard]] constexpr auto sphere_contact_3D(const C& contact, const A& frame1, const B& frame2,
                                                const Surface& surface, const Radius& radius, const contact_law& law,
                                                const vec3<X, Y, Z>& offset) {

@@ -43,12 +43,12 @@ class header_writer {
     if (e.ports().back().what == kind::loop)
       throw bad_argument("kte: no header can hold a " + std::string(e.type()) +
                          ": headers do not support closures of loops");
-    if (e.ports().back().what == kind::contact)
-      throw bad_argument("kte: no header can hold a " + std::string(e.type()) +
-                         ": headers do not support rigid contacts");
-    std::string names;
-    for (std::size_t p = 0; p < e.ports().size(); ++p)
-      names.append(p == 0 ? "" : ", ").append(key(e.ports()[p].what, e.names()[p]));
+    const std::size_t ports = e.ports().size(), first = e.ports().back().what == kind::contact ? ports - 1 : 0;
+    std::string names;  // the name of a contact comes first
+    for (std::size_t i = 0; i < ports; ++i) {
+      const std::size_t p = (first + i) % ports;
+      names.append(i == 0 ? "" : ", ").append(key(e.ports()[p].what, e.names()[p]));
+    }
     const auto record = e.record();
     const auto [arguments, place] = argument_writer(record).write(call->second);
     elements_.append(elements_.empty() ? "" : after_body_ ? ",\n" : ",").append("\n      ::kte::");

@@ -140,8 +140,8 @@ class kte_element : public kte_map {
   }
   /// Whether it is a contact with `only_if`.
   virtual bool has_gate() const { return false; }
-  /// For a contact with `only_if`: whether it acts, after doMotion.
-  virtual bool admits(const runtime_state&) const { return true; }
+  /// For a contact with `only_if`: whether it acts at the time t, after doMotion.
+  virtual bool admits(double /*t*/, const runtime_state&) const { return true; }
   /// Whether a closed loop of rotations is at the true solution, not half a turn away.
   virtual bool is_upright(const detail::closing_motion<double>&) const { return true; }
   /// The residual of a closure of coordinates at q with rates v, its derivatives by the coordinates, and its second

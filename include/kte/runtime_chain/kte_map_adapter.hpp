@@ -171,7 +171,7 @@ class kte_map_adapter final : public kte_element {
       return {};
   }
   bool has_gate() const override { return detail::has_gate<Core>; }
-  bool admits([[maybe_unused]] const runtime_state& s) const override {
+  bool admits(double /*t*/, [[maybe_unused]] const runtime_state& s) const override {
     if constexpr (detail::has_gate<Core>)
       return core_.admits(s);
     else

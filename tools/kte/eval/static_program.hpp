@@ -29,6 +29,8 @@ inline std::string main_text(const evaluated_robot& r, const options& o) {
 /// named after all that it depends on, by a hash. Throws if it does not say that it has done all.
 inline int run_static(const evaluated_robot& r, const options& o) {
   check_frames(r.chain, o.frames);
+  if (const auto& contacts = r.chain.wiring().names[static_cast<std::size_t>(kte::kind::contact)]; !contacts.empty())
+    throw kte::bad_argument("kte: --static does not support rigid contacts; this chain has '" + contacts.front() + "'");
   const auto own_folder = std::filesystem::read_symlink("/proc/self/exe").parent_path();
   const auto words = compiler_words(own_folder / installed_library, own_folder / installed_headers);
   const std::string header = kte::to_header(r.chain, "robot"), main = main_text(r, o);

@@ -13,7 +13,7 @@ bool admits_contact(const Model& m, double t, const X& x, int e) {
   m.setJointStates(t, x, s);
   m.doMotion(s);
   if constexpr (requires { m.wiring().elements; }) {
-    return m.wiring().elements[static_cast<std::size_t>(e)].element->admits(s);
+    return m.wiring().elements[static_cast<std::size_t>(e)].element->admits(t, s);
   } else {
     bool is = true;
     const auto ask = [&]<std::size_t I>(std::integral_constant<std::size_t, I>) {

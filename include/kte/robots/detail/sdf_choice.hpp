@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kte/robots/detail/sdf_includes.hpp>
+#include <kte/robots/detail/sdf_shape.hpp>
 
 namespace kte::detail {
 
@@ -110,8 +111,18 @@ class sdf_choice {
       if (!c.fault.empty())
         root_.warn("model '" + excerpt(c.name) + "', which is not the robot, cannot be read: " + c.fault);
       others += (others.empty() ? "'" : ", '") + excerpt(c.name) + "'";
+      if (options_.contacts.requested() && c.model != nullptr) warn_of_height_maps(*c.model);
     }
     if (!others.empty()) root_.not_read("the robot is model '" + excerpt(chosen.name) + "'; not read: " + others);
+  }
+
+  /// Another model may be the ground; height maps of visuals do not touch.
+  void warn_of_height_maps(const xml_node& x) const {
+    for (const auto& c : x.children)
+      if (c.name == "heightmap")
+        warn_of_height_map({c, d_});
+      else if (c.name != "visual")
+        warn_of_height_maps(c);
   }
 
   robot_description& d_;

@@ -97,7 +97,7 @@ class sdf_links {
   }
 
   robot_shape shape(const xml_item& x, const sdf_scope& scope, const std::string& link) const {
-    auto s = sdf_shape(x);
+    auto s = sdf_shape(x, options_.contacts.requested());
     s.origin = in_link(x, scope, link);
     if (s.is == robot_shape::form::plane) s.origin = s.origin * robot_pose{{}, turn_of_z_to(plane_normal(x))};
     return s;

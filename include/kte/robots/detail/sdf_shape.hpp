@@ -6,8 +6,14 @@
 
 namespace kte::detail {
 
-/// Reads the shape of a <visual> or a <collision>, without its pose.
-inline robot_shape sdf_shape(const xml_item& x) {
+/// Warns of the <heightmap> of a collision, where contacts are requested.
+inline void warn_of_height_map(const xml_item& x) {
+  x.moves_differently("not read: the ground does not have this surface, but a plane");
+}
+
+/// Reads the shape of a <visual> or a <collision>, without its pose. `touches`: whether contacts of collisions are
+/// read.
+inline robot_shape sdf_shape(const xml_item& x, bool touches) {
   using form = robot_shape::form;
   x.only({"pose", "geometry", "material", "surface", "density"}, {"name"});
   robot_shape s;
@@ -19,8 +25,8 @@ inline robot_shape sdf_shape(const xml_item& x) {
     x.not_read(geometry ? "its <geometry> is empty" : "has no <geometry>");
     return s;
   }
-  geometry->only({"box", "cylinder", "sphere", "capsule", "ellipsoid", "plane", "mesh", "empty", "drake:capsule",
-                  "drake:ellipsoid"},
+  geometry->only({"box", "cylinder", "sphere", "capsule", "ellipsoid", "plane", "mesh", "empty", "heightmap",
+                  "drake:capsule", "drake:ellipsoid"},
                  {});
   for (const auto& g : geometry->children()) {
     std::string_view of = g.name();
@@ -34,6 +40,12 @@ inline robot_shape sdf_shape(const xml_item& x) {
     if (of == "cylinder" || of == "capsule") {
       s.is = of == "capsule" ? form::capsule : form::cylinder;
       s.size = {child_number(g, "radius", of == "capsule" ? 0.5 : 1), child_number(g, "length", 1), 0};
+    }
+    if (of == "heightmap") {
+      if (touches && x.name() == "collision")
+        warn_of_height_map(g);
+      else
+        g.not_read("not read");
     }
     if (of == "mesh") {
       g.only({"uri", "scale"}, {});
