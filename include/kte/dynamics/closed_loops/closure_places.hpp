@@ -108,7 +108,7 @@ class closure_places {
   }
   template <class Closures, class State>
   void add(const Closures& c, const State& s, int e) {
-    const auto refuse = [&c, e](const char* why) { raise<bad_argument>("kte: " + c.describe(e) + why); };
+    const auto refuse = [&c, e](const std::string& why) { raise<bad_argument>("kte: " + c.describe(e) + why); };
     const auto ports = c.ports(e);
     closure_place x;
     x.element = e, x.loop = c.written(e), x.rows = c.rows(e), x.first = rows;
@@ -121,7 +121,9 @@ class closure_places {
     } else {
       for (std::size_t p = 0; p + 1 < ports.size(); ++p) {
         const int row = s.tree().plan.row_of_gen[static_cast<std::size_t>(c.index(e, p))];
-        if (row >= s.dofs()) refuse(" couples a coordinate that is not a degree of freedom");
+        if (row >= s.dofs()) 
+          refuse(" has a " + std::string(ports[p].role) +
+                 " that is not a degree of freedom: closures couple coordinates that no element or signal moves");
         x.coordinates.push_back(c.index(e, p)), x.dofs.push_back(row);
       }
     }

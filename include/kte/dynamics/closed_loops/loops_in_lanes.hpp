@@ -19,13 +19,15 @@ class loops_in_lanes {
     for (auto& x : gap_) x = 0;
   }
   /// Writes the accelerations on the loops to `forces` of the working memory; call forward dynamics of the tree first.
-  /// Returns false if the independent rows of the states differ.
+  /// Returns false if the independent rows of the states differ; raises `bad_argument` for loops that are not
+  /// assembled.
   bool correct(const runtime_closures& c, basic_runtime_state<S>& s) {
     take_roots(s);
     std::fill(std::begin(gap_), std::end(gap_), 0.0);
     rates_.assign(root_.size(), S(0));
     bool agree = true;
     for (const auto& b : places_.blocks) agree &= solve(c, s, b);
+    refuse_unassembled(c);
     if (!agree) return false;
     auto& factors = s.work.factors;
     for (std::size_t k = 0; k < rates_.size(); ++k)
@@ -41,6 +43,20 @@ class loops_in_lanes {
   }
 
  private:
+  void refuse_unassembled(const runtime_closures& c) const {
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+      if (!(gap_[lane] > unassembled_above)) [[likely]]
+        continue;
+      const auto& x = places_.closure_of_row(widest_[lane]);
+      const bool linear = widest_[lane] - x.first < x.rows.linear;
+      raise<bad_argument>("kte: forward_dynamics: '" + c.loop_name(x.loop) + "' is open by " +
+                          number(gap_[lane] / places_.scale(x, widest_[lane] - x.first)) + (linear ? " m" : " rad") +
+                          assemble_first);
+    }
+  }
+  void note_gap(std::size_t lane, int row, double gap) {
+    if (gap > gap_[lane]) gap_[lane] = gap, widest_[lane] = row;
+  }
   /// D^-1/2 by place.
   void take_roots(const basic_runtime_state<S>& s) {
     root_.resize(places_.row_of_place.size());
@@ -117,7 +133,7 @@ class loops_in_lanes {
                    *wrenches = accelerations + closing_stride;
       for (int r = 0; r < count; ++r) {
         const double scale = places_.scale(x, r);
-        gap_[lane] = (std::max)(gap_[lane], std::abs(scale * g[r]));
+        note_gap(lane, x.first + r, std::abs(scale * g[r]));
         acceleration_[static_cast<std::size_t>(x.first + r)].set(lane, scale * accelerations[r]);
         for (int i = 0; i < 6; ++i) units[r][i].set(lane, scale * wrenches[i * closing_stride + r]);
       }
@@ -140,7 +156,7 @@ class loops_in_lanes {
         q[n] = at.q[lane], v[n] = at.q_dot[lane];
       }
       const auto [g, curvature] = c.element(x.element).lane(lane).close_coordinates(q, v, gradient);
-      gap_[lane] = (std::max)(gap_[lane], std::abs(g));
+      note_gap(lane, x.first, std::abs(g));
       acceleration.set(lane, curvature);
       for (std::size_t n = 0; n < x.coordinates.size(); ++n) by[n].set(lane, gradient[n]);
     }
@@ -165,6 +181,7 @@ class loops_in_lanes {
   using load = tree::simd_wrench<S>;
   closure_places places_;
   double gap_[lanes];            ///< the largest residual of each state
+  int widest_[lanes]{};          ///< and its row
   std::vector<S> acceleration_;  ///< of all rows
   std::vector<S> root_, rates_;  ///< by place
   qr_in_lanes<S> all_, qr_;      ///< of a block: all rows; independent rows first

@@ -11,12 +11,13 @@
 /// step begins, and N = M^-1 J_S^T R^-1 (dynamics/closed_loops/loop_factor.hpp):
 ///
 ///   q(d) = q0 (+) (d_q + N mu),   g_S(q) = 0           (1)
-///   v(d) = v0 + d_v + N nu,       J_S(q) v = 0         (2)
+///   v(d) = v0 + d_v + N nu,       J_S(q) v + g_S' = 0  (2)
 ///   e <- e - N R^-T J_S e         for error estimates   (3)
 ///
 /// With (3) the projection keeps the order of the method (Eich, Convergence results for a coordinate projection method,
 /// SIAM J. Numer. Anal. 30, 1993). Rows are selected on the loops, because rows that are dependent there are
-/// independent away from them.
+/// independent away from them. g and its rate g' by given motions are those at the time of the state: signals that are
+/// functions of time may move coordinates and frames.
 namespace kte::detail {
 
 /// A state is on the loops if residuals are below the first bound, and off the loops above the second, relative to the
@@ -24,9 +25,16 @@ namespace kte::detail {
 inline constexpr double on_loops_within = 1e-12, off_loops_above = 1e-8;
 
 struct loop_step {
+  template <class Closures, class State>
+  loop_step(const Closures& c, const State& s) : equations(c, s), moved_by(given_motion_of(c)) {}
+  bool is_moved() const { return moved_by != given_motion::none; }
+
   Eigen::VectorXd x0;
   loop_equations equations;  ///< at x0
   loop_factor factor;
+  given_motion moved_by;
+  double time = 0;             ///< of the states that are put on the loops
+  Eigen::VectorXd given_rates;  ///< g' of the last state
   double gap = 0;      ///< the largest residual
   double sliding = 0;  ///< the largest residual rate, relative to the largest terms of J v
   double nearest = 1;  ///< the smallest pivot of its stages, relative to that of x0
@@ -40,14 +48,17 @@ struct runtime_model_loops {
   own_memory& kept;
 
   auto closures() const { return closures_of(model.chain()); }
+  bool inputs_move() const { return model.inputs_move(); }
   runtime_state& state() const { return s; }
   loop_workspace& workspace() const { return loops_of(model.chain(), s); }
   loop_step& step() const {
-    return kept.get<loop_step>([&] { return loop_step{{}, loop_equations(closures(), s), {}}; });
+    return kept.get<loop_step>([&] { return loop_step(closures(), s); });
   }
-  /// Writes x to the state.
-  void put(const Eigen::VectorXd& x) const { model.setJointStates(x, s), check_positions(s); }
-  void put_positions(const Eigen::VectorXd& x) const { set_positions(s, model.positions_of(x)); }
+  /// Writes x to the state, with the signals at the time of the step.
+  void put(const Eigen::VectorXd& x) const { model.setJointStates(step().time, x, s), check_positions(s); }
+  void put_positions(const Eigen::VectorXd& x) const {
+    step().is_moved() ? put(x) : set_positions(s, model.positions_of(x));
+  }
 };
 template <class Model>
 runtime_model_loops(const Model&, runtime_state&, own_memory&) -> runtime_model_loops<Model>;
@@ -66,18 +77,32 @@ loop_step& step_from(const Loops& loops, const X& x0) {
   choose_rows(loops.closures(), loops.state(), e, step.factor);
   step.gap = e.residual.cwiseAbs().maxCoeff();
   const Eigen::VectorXd v = loops.model.velocities_of(x0);
-  const double rate = e.times(v).cwiseAbs().maxCoeff(), most = e.times_sizes(v).maxCoeff();
+  Eigen::VectorXd rates = e.times(v);
+  double most = e.times_sizes(v).maxCoeff();
+  if (step.is_moved()) {
+    e.put_given_rates(loops.closures(), loops.state(), step.given_rates);
+    rates += step.given_rates, most += step.given_rates.cwiseAbs().maxCoeff();
+  }
+  const double rate = rates.cwiseAbs().maxCoeff();
   // the terms of J v may all be rounding errors, where bodies move along the loops
   const double fastest = e.times_sizes(Eigen::VectorXd::Constant(v.size(), v.cwiseAbs().maxCoeff())).maxCoeff();
   step.sliding = rate > 0 ? rate / (most + 1e-7 * fastest) : 0;
   step.x0 = x0;
   return step;
 }
+/// Raises `bad_argument`, naming a closure, if inputs move its frames at velocities other than zero: the positions that
+/// they give are constant.
 template <class Closures>
-std::string gap_text(const Closures& c, const loop_equations& e) {
-  const auto widest = widest_gap(e);
-  return "'" + c.loop_name(widest.closure->loop) + "' is open by " + number(widest.size) +
-         (widest.linear ? " m" : " rad");
+void refuse_moving_inputs(const Closures& c, const loop_step& step) {
+  const auto& at = step.equations.places;
+  for (int k = 0; k < at.rows; ++k) {
+    const auto& x = at.closure_of_row(k);
+    if (const double rate = std::abs(step.given_rates[k]); !(rate <= 1e-12)) [[unlikely]]
+      raise<bad_argument>("kte: inputs give a velocity to a frame of '" + c.loop_name(x.loop) + "', which opens at " +
+                          number(rate / at.scale(x, k - x.first)) + (k - x.first < x.rows.linear ? " m/s" : " rad/s") +
+                          ", but inputs are constant in a step: set these velocities to zero, or let functions of "
+                          "kte::chain_time (law_signal) give the motion");
+  }
 }
 /// With loops closed to rounding, branches can be distinguished if pivots are above the square root of rounding.
 inline constexpr double least_pivot_of_branch = 1e-7;
@@ -85,15 +110,18 @@ inline constexpr double least_pivot_of_branch = 1e-7;
 /// distinguished.
 template <class Loops, class X>
 void check_step(const Loops& loops, const X& x0) {
+  if (loops.step().is_moved()) loops.step().x0.resize(0);  // the time or inputs may have changed
   auto& step = step_from(loops, x0);
   step.nearest = 1;
+  if (step.moved_by == given_motion::inputs && !loops.inputs_move()) [[unlikely]]
+    refuse_moving_inputs(loops.closures(), step);
   if (step.gap > off_loops_above) [[unlikely]]
     raise<bad_argument>("kte: the state is off the loops: " + gap_text(loops.closures(), step.equations) +
                         ": kte::assemble finds one that is on them");
   if (step.sliding > 1e-6) [[unlikely]]
     raise<bad_argument>(
         "kte: the velocities do not keep the loops closed: use kte::consistent_velocities, or "
-        "kte::impulse after an impact; frames that inputs move must be at rest");
+        "kte::impulse after an impact");
   for (const auto& p : step.factor.parts)
     if (p.smallest < least_pivot_of_branch * p.largest) [[unlikely]]
       raise<bad_argument>(
@@ -190,7 +218,12 @@ void settle_on_loops(const Loops& loops, const X& x0, Rate& d, X& x) {
                         " where others are closed");
   factor.factorize(closures, s, e);
   if (!factor.keep(closures, s, e, step.factor, 1e-14)) factor.choose(closures, s, e, least_pivot);
-  for (int i = 0; i < 2; ++i) move(n, factor.least_change(s, e, e.times(model.velocities_of(x))));
+  if (step.is_moved())
+    e.put_given_rates(closures, s, step.given_rates);
+  else
+    step.given_rates.setZero(e.places.rows);
+  for (int i = 0; i < 2; ++i)
+    move(n, factor.least_change(s, e, e.times(model.velocities_of(x)) + step.given_rates));
 }
 /// (3), for positions and velocities.
 template <class Loops, class X, class Rate>
@@ -211,10 +244,11 @@ const loop_factor* rows_of_stage(const Loops& loops) {
   const auto& step = loops.step();
   return step.x0.size() > 0 ? &step.factor : nullptr;
 }
-/// Raises `bad_argument` for what the loops of a model do not support.
+/// Raises `bad_argument` for what the loops of a model, with or without contacts, do not support.
 template <class Closures, class State>
-void check_model_of_loops(const Closures& c, const State& s, const closure_places& places) {
-  check_loops(c, s), refuse_given_motion(c, s, places);
+void check_model_of_loops(const Closures& c, const State& s, const closure_places& places, bool with_contacts) {
+  check_loops(c, s), refuse_given_motion(c, s, places, moved_by_measurements(c), "by measurements");
+  if (with_contacts) refuse_given_motion(c, s, places, moved_by_time(c), "in time, in a chain with contacts");
 }
 /// x projected onto the loops to rounding. Throws `bad_argument` if it is off them.
 template <class Model, class X>
