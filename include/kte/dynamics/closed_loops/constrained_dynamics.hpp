@@ -116,15 +116,15 @@ loops_report report_of(const Closures& c, const loop_workspace& m, int dofs) {
 template <class Closures, class State>
 void put_on_loops(const Closures& c, State& s, loop_workspace& m, Eigen::VectorXd& v) {
   const auto& e = m.equations;
-  Eigen::VectorXd given;
-  m.equations.put_given_rates(c, s, given);
+  Eigen::VectorXd by_given;
+  m.equations.put_given_rates(c, s, by_given);
   for (int i = 0; i < 2; ++i) {
-    m.factor.least_change(s, e, e.times(v) + given, m.change);
+    m.factor.least_change(s, e, e.times(v) + by_given, m.change);
     v -= m.change;
   }
-  const double moved = given.cwiseAbs().maxCoeff();
+  const double moved = by_given.cwiseAbs().maxCoeff();
   if (!(moved > 0)) return;
-  const Eigen::VectorXd left = e.times(v) + given;
+  const Eigen::VectorXd left = e.times(v) + by_given;
   const double bound = 1e-8 * (e.times_sizes(v).maxCoeff() + moved);
   for (int k = 0; k < e.places.rows; ++k)
     if (!(std::abs(left[k]) <= bound)) [[unlikely]]

@@ -145,9 +145,10 @@ class loop_equations : public closure_loads {
       for (const int k : b.closures) {
         const auto& x = places.closures[static_cast<std::size_t>(k)];
         for (int r = 0; r < x.rows.count(); ++r, ++row)
-          for (std::size_t n = 0; n < b.places.size(); ++n)
-            visit(x.first + r, places.row_of_place[static_cast<std::size_t>(b.places[n])],
-                  jacobian[i](row, static_cast<Eigen::Index>(n)));
+          for (const int place : x.places) {
+            const auto at = static_cast<std::size_t>(place);
+            visit(x.first + r, places.row_of_place[at], jacobian[i](row, places.column_of_place[at]));
+          }
       }
     }
   }

@@ -57,7 +57,8 @@ struct runtime_model_loops {
   /// Writes x to the state, with the signals at the time of the step.
   void put(const Eigen::VectorXd& x) const { model.setJointStates(step().time, x, s), check_positions(s); }
   void put_positions(const Eigen::VectorXd& x) const {
-    step().is_moved() ? put(x) : set_positions(s, model.positions_of(x));
+    if (step().is_moved()) return put(x);
+    set_positions(s, model.positions_of(x));
   }
 };
 template <class Model>
