@@ -75,11 +75,10 @@ TEST_CASE("a batch refuses loops that are not assembled, by state and closure") 
   states all(c, 11, [](auto k, const vector&) { return four_bar_q(2, 0.3 + 0.05 * double(k)); });
   all.q(4, 6) += 0.1;
   Eigen::MatrixXd a(5, 11);
-  CHECK_THROWS_MATCHES(
-      batch::forward_dynamics<8>(c, all.q, all.v, all.tau, a), bad_argument,
-      Catch::Matchers::Predicate<bad_argument>([](const bad_argument& e) {
-        return std::string(e.what()).starts_with("kte: state 6: forward_dynamics: 'pin1' is open by ");
-      }));
+  CHECK_THROWS_MATCHES(batch::forward_dynamics<8>(c, all.q, all.v, all.tau, a), bad_argument,
+                       Catch::Matchers::Predicate<bad_argument>([](const bad_argument& e) {
+                         return std::string(e.what()).starts_with("kte: state 6: forward_dynamics: 'pin1' is open by ");
+                       }));
   CHECK(a.col(6).array().isNaN().all());
   CHECK(a.col(5).allFinite());
 }

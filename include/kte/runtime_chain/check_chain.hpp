@@ -65,8 +65,8 @@ KTE_FUNCTION std::vector<std::string> check_chain(const runtime_chain& c) {
   }
   for (std::size_t k = 0; k < kinds; ++k)
     for (std::size_t i = 0; i < used[k].size(); ++i)
-      if (const auto& x = used[k][i]; !x.writer.empty() && x.joint_count + x.followers + x.others == 0 &&
-                                      x.first_mass.empty())
+      if (const auto& x = used[k][i];
+          !x.writer.empty() && x.joint_count + x.followers + x.others == 0 && x.first_mass.empty())
         found.push_back(x.writer + " writes '" + t.names[k][i] + "', which nothing reads" +
                         detail::did_you_mean(t.names[k][i], free));
   return found;

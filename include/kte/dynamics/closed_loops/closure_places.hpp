@@ -16,7 +16,7 @@ struct closure_place {
   runtime_frame frame1, frame2;  ///< for a closure of frames
   std::vector<int> coordinates;  ///< for a closure of coordinates: slots, and rows of v
   std::vector<int> dofs;
-  std::vector<int> axes;  ///< for a closure of coordinates: the axis of the joint there
+  std::vector<int> axes;    ///< for a closure of coordinates: the axis of the joint there
   std::vector<int> places;  ///< degrees of freedom where its rows have entries, in order
   tree::load_way way;       ///< path of its forces, for trees
   /// By place in the path: for frame1, frame2 or coordinates; -1 on a base.
@@ -121,7 +121,7 @@ class closure_places {
     } else {
       for (std::size_t p = 0; p + 1 < ports.size(); ++p) {
         const int row = s.tree().plan.row_of_gen[static_cast<std::size_t>(c.index(e, p))];
-        if (row >= s.dofs()) 
+        if (row >= s.dofs())
           refuse(" has a " + std::string(ports[p].role) +
                  " that is not a degree of freedom: closures couple coordinates that no element or signal moves");
         x.coordinates.push_back(c.index(e, p)), x.dofs.push_back(row);

@@ -27,8 +27,8 @@ Eigen::MatrixXd loop_jacobian_at_state(const runtime_chain& c, runtime_state& s)
 ///
 /// The result is in the memory of the state, until the next call. Coordinates and loops of the state get accelerations
 /// and forces. Off the loops, where `gap` is above rounding, J a = -J_dot v holds, and they stay open. Arguments and
-/// errors as for `forward_dynamics`, which refuses open loops; throws `bad_argument` for a closure on a frame that follows others, for joints
-/// that may be held, and for load-dependent friction.
+/// errors as for `forward_dynamics`, which refuses open loops; throws `bad_argument` for a closure on a frame that
+/// follows others, for joints that may be held, and for load-dependent friction.
 template <indexable Q, indexable V, indexable T>
 const constrained_dynamics_result& constrained_dynamics(const runtime_chain& c, runtime_state& s, const Q& q,
                                                         const V& v, const T& tau) {

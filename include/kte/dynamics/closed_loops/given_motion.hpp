@@ -32,9 +32,8 @@ std::map<std::pair<kind, int>, int> moved_by(const Closures& c, const Begins& be
 }
 template <class Closures>
 auto moved_by_measurements(const Closures& c) {
-  return moved_by(c, [&c](int e, std::size_t p) {
-    return is_signal(c.ports(e).back().what) && !is_signal(c.ports(e)[p].what);
-  });
+  return moved_by(
+      c, [&c](int e, std::size_t p) { return is_signal(c.ports(e).back().what) && !is_signal(c.ports(e)[p].what); });
 }
 /// By the time, or internal states, which move with it.
 template <class Closures>

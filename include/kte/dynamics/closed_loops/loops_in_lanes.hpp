@@ -18,9 +18,9 @@ class loops_in_lanes {
       : layout(c.layout()), places_(c, s), acceleration_(static_cast<std::size_t>(places_.rows)) {
     for (auto& x : gap_) x = 0;
   }
-  /// Subtracts the change by the closures from the rates u D^-1 of axes, and from the forces on coordinates that move no
-  /// joint (`loop_factor::subtract_change`); call `articulate_under` first. Returns false if the independent rows of the
-  /// states differ; raises `bad_argument` for loops that are not assembled.
+  /// Subtracts the change by the closures from the rates u D^-1 of axes, and from the forces on coordinates that move
+  /// no joint (`loop_factor::subtract_change`); call `articulate_under` first. Returns false if the independent rows of
+  /// the states differ; raises `bad_argument` for loops that are not assembled.
   bool subtract_change(const runtime_closures& c, basic_runtime_state<S>& s) {
     take_roots(s);
     std::fill(std::begin(gap_), std::end(gap_), 0.0);

@@ -33,11 +33,11 @@ struct loop_step {
   loop_equations equations;  ///< at x0
   loop_factor factor;
   given_motion moved_by;
-  double time = 0;             ///< of the states that are put on the loops
+  double time = 0;              ///< of the states that are put on the loops
   Eigen::VectorXd given_rates;  ///< g' of the last state
-  double gap = 0;      ///< the largest residual
-  double sliding = 0;  ///< the largest residual rate, relative to the largest terms of J v
-  double nearest = 1;  ///< the smallest pivot of its stages, relative to that of x0
+  double gap = 0;               ///< the largest residual
+  double sliding = 0;           ///< the largest residual rate, relative to the largest terms of J v
+  double nearest = 1;           ///< the smallest pivot of its stages, relative to that of x0
 };
 
 /// The loops of a runtime model; other models have the same functions.
@@ -223,8 +223,7 @@ void settle_on_loops(const Loops& loops, const X& x0, Rate& d, X& x) {
     e.put_given_rates(closures, s, step.given_rates);
   else
     step.given_rates.setZero(e.places.rows);
-  for (int i = 0; i < 2; ++i)
-    move(n, factor.least_change(s, e, e.times(model.velocities_of(x)) + step.given_rates));
+  for (int i = 0; i < 2; ++i) move(n, factor.least_change(s, e, e.times(model.velocities_of(x)) + step.given_rates));
 }
 /// (3), for positions and velocities.
 template <class Loops, class X, class Rate>
