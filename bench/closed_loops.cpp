@@ -61,10 +61,12 @@ mechanism four_bars(int count) {
 struct arguments {
   std::vector<vector> q;
   vector v, tau;
-  explicit arguments(int dofs) : v(vector::Constant(dofs, 0.3)), tau(vector::Zero(dofs)) {
+  explicit arguments(const kte::runtime_chain& c) : v(vector::Constant(c.dofs(), 0.3)), tau(vector::Zero(c.dofs())) {
     std::mt19937 g(5);
     std::uniform_real_distribution<double> u(-1, 1);
-    for (int k = 0; k < 16; ++k) q.push_back(vector::NullaryExpr(dofs, [&] { return u(g); }));
+    auto s = c.make_state();
+    for (int k = 0; k < 16; ++k)
+      q.push_back(kte::assemble(c, s, vector::NullaryExpr(c.dofs(), [&] { return u(g); }).eval()));
   }
 };
 double error_of(const mechanism& m, const arguments& x) {
@@ -95,7 +97,7 @@ void add(const std::string& name, const mechanism& m, bool closed, const Call& c
   benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& state) {
     const kte::runtime_chain& c = closed ? m.closed : m.tree;
     auto s = c.make_state();
-    const arguments x(c.dofs());
+    const arguments x(m.closed);
     std::size_t k = 0;
     for (auto _ : state) benchmark::DoNotOptimize(call(c, s, x.q[k++ % x.q.size()], x));
     if (closed) state.counters["error"] = error_of(m, x);

@@ -22,11 +22,11 @@ double batch_error(const runtime_chain& c, const Eigen::MatrixXd& q, const Eigen
   return (a - expected).cwiseAbs().maxCoeff() / (1 + expected.cwiseAbs().maxCoeff());
 }
 
-/// `count` states of a chain, on its loops where `closed`.
+/// `count` states of a chain on its loops.
 struct states {
   Eigen::MatrixXd q, v, tau;
   template <class Guess>
-  states(const runtime_chain& c, Eigen::Index count, bool closed, const Guess& guess)
+  states(const runtime_chain& c, Eigen::Index count, const Guess& guess)
       : q(c.nq(), count), v(c.dofs(), count), tau(v) {
     random_numbers draw(7);
     auto s = c.make_state();
@@ -35,7 +35,6 @@ struct states {
       q.col(k) = guess(k, drawn());
       tau.col(k) = drawn();
       v.col(k) = drawn();
-      if (!closed) continue;
       q.col(k) = assemble(c, s, vector(q.col(k)));
       v.col(k) = consistent_velocities(c, s, vector(q.col(k)), vector(v.col(k)));
     }
@@ -49,7 +48,7 @@ TEST_CASE("batches of chains with closures equal single calls") {
   const auto check = [](const auto&... closure) {
     tangle x;
     ((x.closed << closure), ...);
-    const states all(x.closed, 19, false,
+    const states all(x.closed, 19,
                      [&](auto, const vector& d) { return integrate(x.open, neutral_configuration(x.open), d, 1.0); });
     CHECK(batch_error<8>(x.closed, all.q, all.v, all.tau) < 1e-12);
     CHECK(batch_error<2>(x.closed, all.q, all.v, all.tau) < 1e-12);
@@ -62,18 +61,31 @@ TEST_CASE("batches of chains with closures equal single calls") {
 TEST_CASE(
     "batches with redundant closures, and with states that differ in their independent rows, equal single calls") {
   for (const auto& c : {four_bars(2, true), four_bars_in_space(2)}) {
-    const states all(c, 21, true, [](auto k, const vector&) { return four_bar_q(2, 0.3 + 0.05 * double(k)); });
+    const states all(c, 21, [](auto k, const vector&) { return four_bar_q(2, 0.3 + 0.05 * double(k)); });
     CHECK(batch_error<8>(c, all.q, all.v, all.tau) < 1e-12);
     // Horizontal, J has rank 2 instead of 4.
-    const states some(c, 21, true,
+    const states some(c, 21,
                       [](auto k, const vector&) { return four_bar_q(2, k % 3 == 1 ? pi / 2 : 0.05 * double(k)); });
     CHECK(batch_error<8>(c, some.q, some.v, some.tau) < 1e-12);
   }
 }
 
+TEST_CASE("a batch refuses loops that are not assembled, by state and closure") {
+  const auto c = four_bars(2);
+  states all(c, 11, [](auto k, const vector&) { return four_bar_q(2, 0.3 + 0.05 * double(k)); });
+  all.q(4, 6) += 0.1;
+  Eigen::MatrixXd a(5, 11);
+  CHECK_THROWS_MATCHES(batch::forward_dynamics<8>(c, all.q, all.v, all.tau, a), bad_argument,
+                       Catch::Matchers::Predicate<bad_argument>([](const bad_argument& e) {
+                         return std::string(e.what()).starts_with("kte: state 6: forward_dynamics: 'pin1' is open by ");
+                       }));
+  CHECK(a.col(6).array().isNaN().all());
+  CHECK(a.col(5).allFinite());
+}
+
 TEST_CASE("a batch with closures has NaN for a state without a result, and names it") {
   const auto c = four_bars(1);
-  states all(c, 11, true, [](auto k, const vector&) { return four_bar_q(1, 0.3 + 0.05 * double(k)); });
+  states all(c, 11, [](auto k, const vector&) { return four_bar_q(1, 0.3 + 0.05 * double(k)); });
   all.tau(1, 4) = std::numeric_limits<double>::infinity();
   Eigen::MatrixXd a(3, 11);
   CHECK_THROWS_MATCHES(batch::forward_dynamics<8>(c, all.q, all.v, all.tau, a), bad_argument,

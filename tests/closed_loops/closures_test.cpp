@@ -123,3 +123,24 @@ TEST_CASE("what closures refuse") {
                                "then written twice"));
   CHECK_THROWS_AS(c << coincident_points_2D("m", "a", "nowhere"), bad_wiring);
 }
+
+TEST_CASE("misspelt coordinates of closures are refused, with the one that is meant") {
+  const auto refuses = [](const auto& closure, const std::string& what) {
+    runtime_chain c;
+    c << revolute_joint_2D("crank", "base", "a") << revolute_joint_2D("rocker", "base", "b") << closure;
+    CHECK_THROWS_MATCHES(c.make_state(), bad_wiring, Message("kte: " + what));
+    CHECK_THROWS_AS(to_chain(record_of(c)).make_state(), error);
+  };
+  refuses(coupled_coordinates("gear", "crank", "roker", 1.0, 2.0),
+          "coupled_coordinates (coordinate1 'crank', coordinate2 'roker', loop 'gear'): nothing moves by 'roker', did "
+          "you mean 'rocker'?");
+  refuses(coupled_by_polynomial("cam", "cranck", "rocker", 0.0, 1.0),
+          "coupled_by_polynomial (coordinate1 'cranck', coordinate2 'rocker', loop 'cam'): nothing moves by 'cranck', "
+          "did you mean 'crank'?");
+  runtime_chain c;
+  c << revolute_joint_2D("crank", "base", "a")
+    << coupled_by("cam", "crank", "other", [](const auto& x, const auto& y) { return x - y; });
+  CHECK_THROWS_MATCHES(c.make_state(), bad_wiring,
+                       Message("kte: coupled_by (coordinate1 'crank', coordinate2 'other', loop 'cam'): nothing moves "
+                               "by 'other': is it misspelt?"));
+}

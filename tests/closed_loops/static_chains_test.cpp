@@ -161,28 +161,45 @@ TEST_CASE("a static chain off the loops tells its gap") {
   const Eigen::Vector3d off = q + Eigen::Vector3d(0, 0, 1e-3);
   CHECK(constrained_dynamics(four_bar, off, none, none).gap == kte::loops(four_bar, off).gap);
   CHECK(kte::loops(four_bar, off).gap > 1e-4);
+  CHECK_NOTHROW(kte::forward_dynamics(four_bar, off, none, none));
+  CHECK_THROWS_WITH(kte::forward_dynamics(four_bar, guess, none, none),
+                    Catch::Matchers::StartsWith("kte: forward_dynamics: 'pin' is open by "));
 }
 
-TEST_CASE("a model of a static chain refuses a closure on a joint that moves by a function of time") {
+TEST_CASE("a model of a static chain with a closure on a joint that moves in time") {
   static constexpr struct x_ final : coord_key<"x"> {
   } x;
   static constexpr struct p_ final : input_key<"p"> {
   } p;
   static constexpr struct v_ final : input_key<"v"> {
   } v;
+  static constexpr struct acc_ final : input_key<"acc"> {
+  } acc;
   static constexpr struct moved_ final : frame_2D_key<"moved"> {
   } moved;
-  const auto law = [](const auto& t) { return 0.5 * t * t; };
-  const auto with = [&](const auto& time) {
-    return chain(law_signal(law, time, p), law_signal(law, time, v), position_control_gen(p, v, v, x),
-                 prismatic_joint_2D(x, base, moved, axis::x), revolute_joint_2D(crank, base, a), inertia_2D(a, body),
-                 rigid_link_2D(a, A, along_x(1.0)), point_on_line_2D(pin, moved, A, axis::y));
-  };
-  CHECK_THROWS_WITH(manipulator_dynamics_model(with(chain_time)),
-                    Catch::Matchers::StartsWith("kte: 'pin' closes a loop with a joint that position_control"));
-  static constexpr struct u_ final : input_key<"u"> {
-  } u;
-  CHECK_NOTHROW(manipulator_dynamics_model(with(u)));
+  const auto bar_in_slot =
+      chain(law_signal([](const auto& t) { return 0.3 + 0.5 * t * t; }, chain_time, p),
+            law_signal([](const auto& t) { return t; }, chain_time, v),
+            law_signal([](const auto& t) { return 0 * t + 1; }, chain_time, acc), position_control_gen(p, v, acc, x),
+            prismatic_joint_2D(x, base, moved, axis::x), revolute_joint_2D(crank, base, a), inertia_2D(a, body),
+            rigid_link_2D(a, A, along_x(1.0)), point_on_line_2D(pin, moved, A, axis::y));
+  const manipulator_dynamics_model model(bar_in_slot);
+  using one = Eigen::Matrix<double, 1, 1>;
+  prince_dormand87 solver(std::cref(model), 0.0, model.make_x(one(std::acos(0.3)), one(0)),
+                          {.absolute = 1e-9, .relative = 1e-9});
+  solver.integrate(1.0);
+  CHECK(solver.state()[0] == within(std::acos(0.8), 1e-14));
+  CHECK(solver.state()[1] == within(-1 / 0.6, 1e-14));
+  const auto s = model.state_at(1.0, solver.state());
+  CHECK(s[crank].q_ddot == within((-1 - 0.8 / 0.36) / 0.6, 1e-13));
+
+  const auto of_inputs = chain(position_control_gen(p, v, acc, x), prismatic_joint_2D(x, base, moved, axis::x),
+                               revolute_joint_2D(crank, base, a), inertia_2D(a, body),
+                               rigid_link_2D(a, A, along_x(1.0)), point_on_line_2D(pin, moved, A, axis::y));
+  manipulator_dynamics_model by_inputs(of_inputs);
+  by_inputs.input(p) = 0.3, by_inputs.input(v) = 0.1;
+  CHECK_THROWS_WITH(by_inputs.make_x(one(std::acos(0.3)), one(0)),
+                    Catch::Matchers::StartsWith("kte: inputs give a velocity to a frame of 'pin'"));
 }
 
 TEST_CASE("a second call on loops allocates nothing") {

@@ -221,3 +221,18 @@ TEST_CASE("what is odd about a chain is found, and may be meant") {
             "moves"});
   CHECK(check_chain(with_shared).empty());
 }
+
+TEST_CASE("misspelt coordinates of followers are found") {
+  runtime_chain c;
+  c << mimic_gen("hub", "left", 1.0) << mimic_gen("hub", "right", -1.0)
+    << revolute_joint_3D("left", "ground", "a", axis::y) << revolute_joint_3D("right", "ground", "b", axis::y)
+    << revolute_joint_3D("crank", "ground", "arm", axis::y);
+  CHECK(check_chain(c).empty());
+  c << mimic_gen("cranck", "rocker", 2.0) << revolute_joint_3D("rocker", "ground", "r", axis::y)
+    << mimic_gen("crank", "cuopler", -1.0) << revolute_joint_3D("coupler", "arm", "k", axis::y);
+  CHECK(check_chain(c) ==
+        std::vector<std::string>{
+            "mimic_gen (base 'cranck', end 'rocker') follows a separate degree of freedom, 'cranck', by which no joint "
+            "moves, did you mean 'crank'?",
+            "mimic_gen (base 'crank', end 'cuopler') writes 'cuopler', which nothing reads, did you mean 'coupler'?"});
+}

@@ -40,6 +40,14 @@ inline constexpr bool writes_last = [] {
   return true;
 }();
 
+/// Whether the ports of a closure are frames, or coordinates, and its loop.
+template <class Core>
+inline constexpr bool closes_positions = [] {
+  for (std::size_t p = 0; p + 1 < port_count<Core>; ++p)
+    if (const kind k = Core::ports[p].what; is_closure<Core> && k != Core::ports[0].what) return false;
+  return !is_closure<Core> || is_frame(Core::ports[0].what) || Core::ports[0].what == kind::gen;
+}();
+
 /// A core to be connected.
 template <class Core>
 struct check_functions {
@@ -58,8 +66,8 @@ struct check_functions<Core> {
                         force = writes_signal<Core> || has::force, rate = kept_count<Core> == 0 || has::rate,
                         mass = !distributed_mass<Core> || has::mass_loads,
                         capacity = !locks_coordinate<Core> || has::capacity,
-                        friction = !load_dependent_friction<Core> || has::friction;
-  static constexpr bool passed = last && relative && motion && force && rate && mass && capacity && friction;
+                        friction = !load_dependent_friction<Core> || has::friction, closes = closes_positions<Core>;
+  static constexpr bool passed = last && relative && motion && force && rate && mass && capacity && friction && closes;
 
   static_assert(rule<Core, void, last>, "kte: the port that an element writes is the last of its ports");
   static_assert(
@@ -82,6 +90,9 @@ struct check_functions<Core> {
       rule<Core, void, capacity>,
       "kte: an element that may lock a coordinate has a function capacity(things...) that returns the largest "
       "holding force");
+  static_assert(rule<Core, void, closes>,
+                "kte: a closure has ports of two frames, or of one to four coordinates, and of its loop, because its "
+                "residual depends on positions alone; signals can move a joint in the loop (docs/loops.md)");
   static_assert(rule<Core, void, friction>,
                 "kte: a joint with load-dependent friction has a function friction(coordinate, wrench) that returns a "
                 "load on the coordinate");

@@ -137,6 +137,7 @@ class adams : public integrator<adams<F, X>, F, X> {
   bool correct(const S& end, detail::adams_errors<S>& e) {
     by_ = h_ * past_.g(order_);
     this->next_ += by_ * change_;
+    this->settle_at(end);
     if constexpr (base::settles)
       if (this->next_is_finite()) this->settle_next();
     this->evaluate(end, this->next_, slope_);

@@ -139,6 +139,7 @@ class solution {
 
   void evaluate_piece(const piece& p, const S& t, X& x) const {
     const S theta = (t - p.begin) / p.length;
+    if constexpr (requires { detail::unwrapped(motion_).settle_at(t); }) detail::unwrapped(motion_).settle_at(t);
     const typename X::Scalar* numbers = numbers_.data() + p.first;
     from_ = Eigen::Map<const X>(numbers, last_.size());
     numbers += last_.size();

@@ -85,6 +85,9 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
     return constraints::checked(*this, base::make_x(q, v, z));
   }
   static constexpr bool has_loops() requires(constrained) { return detail::has_closures<chain_type>; }
+  /// The time of the next calls of `begin_step`, `settle`, `make_x` and `on_loops`, 0 at first: surfaces, and joints in
+  /// loops, may move by signals. Integrators call it.
+  void settle_at(const S& t) const requires(constrained) { constraints::settle_at(*this, constraints_, t); }
   /// To be called at the start of a step from x0: chooses the independent rows of closures. Throws `bad_argument` where
   /// x0 is off the loops.
   void begin_step(const state& x0) const requires(constrained) { constraints::begin_step(*this, constraints_, x0); }
@@ -115,8 +118,6 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
   }
 
   // ---- of chains with contacts (models/detail/contact_events.hpp)
-  /// The time of the next calls of `begin_step` and `settle`: surfaces may move.
-  void settle_at(const S& t) const requires(touches) { constraints::settle_at(*this, constraints_, t); }
   /// The function of a contact that passes through zero where its mode changes; `part` 0: its gap or normal force, 1:
   /// friction or velocity of sliding, 2: sense of sliding in space.
   [[nodiscard]] S contact_margin(const S& t, const state& x, int contact, int part) const requires(touches) {

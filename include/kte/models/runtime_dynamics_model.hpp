@@ -152,8 +152,14 @@ class manipulator_dynamics_model<runtime_chain, double, void> : public state_spa
   /// Projects the positions and velocities of x = x0 (+) d onto the loops, by the least change in kinetic energy, and
   /// updates d. Throws `bad_argument`, naming the closure that does not close.
   void settle(const state& x0, rate& d, state& x) const;
-  /// The time of the next calls of `begin_step` and `settle`: the surfaces of contacts may move.
+  /// The time of the next calls of `begin_step`, `settle`, `make_x` and `on_loops`, 0 at first: the surfaces of
+  /// contacts, and joints in loops, may move by signals. Integrators call it.
   void settle_at(double t) const;
+  /// Declares that the inputs are functions of time: the caller sets them before each evaluation, `begin_step` and
+  /// `settle`. Joints in loops may then move by them; otherwise inputs are constant in a step, and velocities that they
+  /// give to such joints are refused.
+  void let_inputs_move() { inputs_move_ = true; }
+  [[nodiscard]] bool inputs_move() const { return inputs_move_; }
   /// Removes from a displacement from x0 the part that `settle` would remove.
   void tangential(const state& x0, rate& e) const;
   /// Chooses the independent rows of closures for the step from x0. Throws `bad_argument` if x0 is off the loops.
@@ -182,6 +188,7 @@ class manipulator_dynamics_model<runtime_chain, double, void> : public state_spa
   mutable detail::own_memory step_;  ///< the rows of closures and contacts of a step
   std::vector<detail::lock_place> locks_;
   output_function output_;
+  bool inputs_move_ = false;
 };
 manipulator_dynamics_model(const runtime_chain&)->manipulator_dynamics_model<runtime_chain>;
 

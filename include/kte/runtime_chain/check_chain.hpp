@@ -4,9 +4,10 @@
 
 namespace kte {
 
-/// Probable mistakes in a chain, as messages: a coordinate that moves several joints; and a degree of freedom that
-/// moves only masses on coordinates, if nothing else is connected to it, or if its name is similar to that of a joint
-/// coordinate. Empty without findings.
+/// Probable mistakes in a chain, as messages: a coordinate that moves several joints; a degree of freedom that moves
+/// only masses on coordinates, if nothing else is connected to it, or if its name is similar to that of a joint
+/// coordinate; a degree of freedom that only followers read, if its name is similar to that of a joint coordinate; a
+/// follower that nothing reads. Empty without findings.
 [[nodiscard]] std::vector<std::string> check_chain(const runtime_chain& c);
 /// Probable mistakes in a static chain; see above.
 template <class Gravity, class... E>
@@ -19,37 +20,55 @@ template <class Gravity, class... E>
 KTE_FUNCTION std::vector<std::string> check_chain(const runtime_chain& c) {
   const topology& t = c.wiring();
   struct users {
-    std::string joints, first_mass;
-    int joint_count = 0, others = 0;
+    std::string joints, first_mass, first_follower, writer;
+    int joint_count = 0, followers = 0, others = 0;
   };
   std::array<std::vector<users>, kinds> used;
   for (std::size_t k = 0; k < kinds; ++k) used[k].resize(t.names[k].size());
-  std::vector<std::string> moving;  // coordinates of joints
-  for (const auto& e : t.elements)
+  std::vector<std::string> moving, free;  // coordinates of joints; those that are degrees of freedom
+  for (const auto& e : t.elements) {
+    const bool follows = is_coordinate(e.ports.back().what) && e.ports.back().how == access::out;
     for (std::size_t p = 0; p < e.ports.size(); ++p) {
       const auto k = static_cast<std::size_t>(e.ports[p].what), i = static_cast<std::size_t>(e.index[p]);
       auto& x = used[k][i];
       if (e.rigid && is_coordinate(e.ports[p].what) && is_frame(e.ports.back().what)) {
         x.joints += (x.joint_count++ == 0 ? "" : ", ") + t.describe(e);
         moving.push_back(t.names[k][i]);
+        if (t.writers[k][i] < 0) free.push_back(t.names[k][i]);
+      } else if (follows && p + 1 == e.ports.size()) {
+        x.writer = t.describe(e);
+      } else if (follows) {
+        if (x.followers++ == 0) x.first_follower = t.describe(e);
       } else if (e.ports.size() > 1 || !detail::wiring_rules::moves(e.ports[p].how)) {
         ++x.others;
       } else if (x.first_mass.empty()) {
         x.first_mass = t.describe(e);
       }
     }
+  }
   std::vector<std::string> found;
   for (const auto& f : t.free) {
     const auto k = static_cast<std::size_t>(f.what), i = static_cast<std::size_t>(f.slot);
-    const auto& [joints, mass, joint_count, others] = used[k][i];
+    const auto& x = used[k][i];
     const auto& name = t.names[k][i];
-    if (joint_count > 1) found.push_back("'" + name + "' moves " + std::to_string(joint_count) + " joints: " + joints);
-    if (joint_count > 0 || mass.empty()) continue;
-    const auto meant = detail::did_you_mean(name, moving);
-    if (others == 0 || !meant.empty())
-      found.push_back(mass + " is moved by a separate degree of freedom, '" + name + "', by which no joint moves" +
-                      meant);
+    if (x.joint_count > 1)
+      found.push_back("'" + name + "' moves " + std::to_string(x.joint_count) + " joints: " + x.joints);
+    if (x.joint_count > 0) continue;
+    const bool only_leads = x.first_mass.empty() && x.others == 0 && x.followers > 0;
+    if (x.first_mass.empty() && !only_leads) continue;
+    const auto meant = detail::did_you_mean(name, only_leads ? free : moving);
+    const std::string separate = " a separate degree of freedom, '" + name + "', by which no joint moves" + meant;
+    if (only_leads && !meant.empty())
+      found.push_back(x.first_follower + " follows" + separate);
+    else if (!only_leads && (x.others + x.followers == 0 || !meant.empty()))
+      found.push_back(x.first_mass + " is moved by" + separate);
   }
+  for (std::size_t k = 0; k < kinds; ++k)
+    for (std::size_t i = 0; i < used[k].size(); ++i)
+      if (const auto& x = used[k][i];
+          !x.writer.empty() && x.joint_count + x.followers + x.others == 0 && x.first_mass.empty())
+        found.push_back(x.writer + " writes '" + t.names[k][i] + "', which nothing reads" +
+                        detail::did_you_mean(t.names[k][i], free));
   return found;
 }
 #endif

@@ -17,7 +17,9 @@ class plant {
 
   /// A law of the time alone does not change the derivatives of f by x.
   plant(const kte::runtime_chain& c, law l, bool of_time_alone)
-      : model_(c), u_(model_.input()), law_(std::move(l)), of_time_alone_(of_time_alone) {}
+      : model_(c), u_(model_.input()), law_(std::move(l)), of_time_alone_(of_time_alone) {
+    if (law_) model_.let_inputs_move();
+  }
 
   model_type& model() { return model_; }
   const model_type& model() const { return model_; }

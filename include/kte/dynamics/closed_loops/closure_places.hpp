@@ -16,8 +16,9 @@ struct closure_place {
   runtime_frame frame1, frame2;  ///< for a closure of frames
   std::vector<int> coordinates;  ///< for a closure of coordinates: slots, and rows of v
   std::vector<int> dofs;
-  std::vector<int> axes;  ///< for a closure of coordinates: the axis of the joint there
-  tree::load_way way;     ///< path of its forces, for trees
+  std::vector<int> axes;    ///< for a closure of coordinates: the axis of the joint there
+  std::vector<int> places;  ///< degrees of freedom where its rows have entries, in order
+  tree::load_way way;       ///< path of its forces, for trees
   /// By place in the path: for frame1, frame2 or coordinates; -1 on a base.
   std::vector<int> enters;
   bool of_frames() const { return coordinates.empty(); }
@@ -46,12 +47,11 @@ class closure_places {
     const auto& t = s.tree();
     order_places(s);
     c.each_closure([&](int e) { add(c, s, e); });
-    std::vector<std::vector<int>> touched;
     for (auto& x : closures) {
       if (t.plan.tree) find_way(s, x);
-      touched.push_back(places_of(s, x));
+      x.places = places_of(s, x);
     }
-    make_blocks(touched);
+    make_blocks();
     for (const auto& r : t.body_tree.nodes) length = (std::max)(length, size_of(r.position));
     for (const auto& of_kind : t.body_tree.frames)
       for (const auto& x : of_kind) length = (std::max)(length, size_of(x.at.position));
@@ -162,7 +162,9 @@ class closure_places {
     } else {
       for (std::size_t p = 0; p + 1 < ports.size(); ++p) {
         const int row = s.tree().plan.row_of_gen[static_cast<std::size_t>(c.index(e, p))];
-        if (row >= s.dofs()) refuse(" couples a coordinate that is not a degree of freedom");
+        if (row >= s.dofs())
+          refuse(" has a " + std::string(ports[p].role) +
+                 " that is not a degree of freedom: closures couple coordinates that no element or signal moves");
         if (std::find(x.dofs.begin(), x.dofs.end(), row) != x.dofs.end()) refuse(" couples a coordinate to itself");
         x.coordinates.push_back(c.index(e, p)), x.dofs.push_back(row);
       }
@@ -223,7 +225,7 @@ class closure_places {
     all.erase(std::unique(all.begin(), all.end()), all.end());
     return all;
   }
-  void make_blocks(const std::vector<std::vector<int>>& touched) {
+  void make_blocks() {
     std::vector<int> owner(row_of_place.size(), -1);  // by place: a closure
     std::vector<int> joined(closures.size());         // by closure: another one of its block
     std::iota(joined.begin(), joined.end(), 0);
@@ -232,7 +234,7 @@ class closure_places {
       return i;
     };
     for (std::size_t i = 0; i < closures.size(); ++i)
-      for (const int place : touched[i]) {
+      for (const int place : closures[i].places) {
         int& at = owner[static_cast<std::size_t>(place)];
         if (at < 0) at = static_cast<int>(i);
         const int a = first_of(at), b = first_of(static_cast<int>(i));
@@ -245,7 +247,7 @@ class closure_places {
       auto& b = blocks[static_cast<std::size_t>(block)];
       b.closures.push_back(static_cast<int>(i)), b.rows += closures[i].rows.count();
       for (int k = 0; k < closures[i].rows.count(); ++k) b.rows_among_all.push_back(closures[i].first + k);
-      b.places.insert(b.places.end(), touched[i].begin(), touched[i].end());
+      b.places.insert(b.places.end(), closures[i].places.begin(), closures[i].places.end());
     }
     column_of_place.assign(row_of_place.size(), -1);
     for (auto& b : blocks) {

@@ -27,8 +27,8 @@ Eigen::MatrixXd loop_jacobian_at_state(const runtime_chain& c, runtime_state& s)
 ///
 /// The result is in the memory of the state, until the next call. Coordinates and loops of the state get accelerations
 /// and forces. Off the loops, where `gap` is above rounding, J a = -J_dot v holds, and they stay open. Arguments and
-/// errors as for `forward_dynamics`; throws `bad_argument` for a closure on a frame that follows others, for joints
-/// that may be held, and for load-dependent friction.
+/// errors as for `forward_dynamics`, which refuses open loops; throws `bad_argument` for a closure on a frame that
+/// follows others, for joints that may be held, and for load-dependent friction.
 template <indexable Q, indexable V, indexable T>
 const constrained_dynamics_result& constrained_dynamics(const runtime_chain& c, runtime_state& s, const Q& q,
                                                         const V& v, const T& tau) {
@@ -55,8 +55,12 @@ Eigen::MatrixXd loop_jacobian(const runtime_chain& c, runtime_state& s, const Q&
   return detail::take(c, s, q).call([&] { return detail::loop_jacobian_at_state(c, s); });
 }
 
-/// The velocities nearest to v, measured by kinetic energy, that keep the loops closed: J v = 0. They are stored in the
-/// state.
+/// The velocities nearest to v, measured by kinetic energy, that keep the loops closed: J v = 0. Given motions of the
+/// state, those of bases and of coordinates and frames that signals move, are kept:
+///
+///   J v + g' = 0,   g': the rates of the residuals while the degrees of freedom are at rest          (2)
+///
+/// The result is stored in the state. Throws `bad_argument`, naming a closure, if no velocities satisfy (2).
 template <indexable Q, indexable V>
 Eigen::VectorXd consistent_velocities(const runtime_chain& c, runtime_state& s, const Q& q, const V& v) {
   detail::check_regular_tree(c, s);
@@ -102,13 +106,25 @@ loops_report report_of(const Closures& c, const loop_workspace& m, int dofs) {
   for (const auto& b : e.places.blocks) r.blocks.push_back(e.places.names_in(c, b));
   return r;
 }
-/// Projects velocities onto the loops; call `factorize_loops` first. The second projection removes rounding errors.
-template <class State>
-void put_on_loops(State& s, loop_workspace& m, Eigen::VectorXd& v) {
+/// Projects velocities onto the loops, J v = -(the rates by given motions); call `factorize_loops` first. The second
+/// projection removes rounding errors. Raises `bad_argument` if given motions do not keep the loops closed.
+template <class Closures, class State>
+void put_on_loops(const Closures& c, State& s, loop_workspace& m, Eigen::VectorXd& v) {
+  const auto& e = m.equations;
+  Eigen::VectorXd by_given;
+  m.equations.put_given_rates(c, s, by_given);
   for (int i = 0; i < 2; ++i) {
-    m.factor.least_change(s, m.equations, m.equations.times(v), m.change);
+    m.factor.least_change(s, e, e.times(v) + by_given, m.change);
     v -= m.change;
   }
+  const double moved = by_given.cwiseAbs().maxCoeff();
+  if (!(moved > 0)) return;
+  const Eigen::VectorXd left = e.times(v) + by_given;
+  const double bound = 1e-8 * (e.times_sizes(v).maxCoeff() + moved);
+  for (int k = 0; k < e.places.rows; ++k)
+    if (!(std::abs(left[k]) <= bound)) [[unlikely]]
+      raise<bad_argument>("kte: no velocities keep '" + c.loop_name(e.places.closure_of_row(k).loop) +
+                          "' closed with the given motions, those of bases and of coordinates that signals move");
 }
 inline void check_velocities_on_loops(const Eigen::VectorXd& v) {
   if (!tree::all_finite_in_row(v.data(), static_cast<std::size_t>(v.size()))) [[unlikely]]
@@ -131,7 +147,7 @@ KTE_FUNCTION const constrained_dynamics_result& constrained_dynamics_under_kept(
     r.a = accelerations_at_state(c, s), r.mobility = s.dofs();
     return r;
   }
-  r.a = accelerations_on_loops(c, s);
+  r.a = accelerations_on_loops(c, s, false);
   r.rank = m.factor.rank(), r.mobility = s.dofs() - r.rank, r.gap = widest_gap(m.equations).size;
   r.dependent = dependent_rows(closures_of(c), m.equations, m.factor);
   r.loops.resize(at.closures.size());
@@ -149,7 +165,7 @@ KTE_FUNCTION const constrained_dynamics_result& constrained_dynamics_under_kept(
 KTE_FUNCTION const Eigen::VectorXd& velocities_on_loops(const runtime_chain& c, runtime_state& s) {
   Eigen::VectorXd v = read_numbers<vector_of::v>(s);
   if (has_loops(c)) {
-    put_on_loops(s, factorized_loops(c, s), v);
+    put_on_loops(closures_of(c), s, factorized_loops(c, s), v);
     check_velocities_on_loops(v);
     write_numbers<vector_of::v>(s, v, "v");
   }

@@ -111,7 +111,7 @@ KTE_FUNCTION constrained_dynamics_derivatives_result constrained_dynamics_derive
   constrained_dynamics_derivatives_result r;
   const Eigen::Index n = s.dofs();
   for (int i = 0; i < s.dofs(); ++i) s.work.kept[static_cast<std::size_t>(i)] = tau[i];
-  r.a = accelerations_at_state(c, s);
+  r.a = has_loops(c) ? accelerations_on_loops(c, s, false) : accelerations_at_state(c, s);
   r.mobility = s.dofs();
   if (!has_loops(c)) {
     const auto& tree = accelerations_derived(c, s);

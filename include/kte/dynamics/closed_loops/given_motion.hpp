@@ -5,20 +5,17 @@
 #include <map>
 #include <utility>
 
-/// Closures on frames that move by functions of time. Velocities that keep such a loop closed depend on time, which the
-/// projection of steps does not support.
+/// Closures on frames that move by signals. Models support functions of time: the projection of steps takes positions
+/// and rates of residuals at the time of a state. They do not support functions of measurements, because residuals then
+/// depend on other quantities than positions and the time.
 namespace kte::detail {
 
-/// What moves by time or measurements: a signal, a coordinate or a frame, with the element that writes it, or -1.
-/// Inputs of the chain are constant between changes by the user, and move nothing.
-template <class Closures>
-std::map<std::pair<kind, int>, int> moved_by_signals(const Closures& c) {
+/// What moves by signals: a signal, a coordinate or a frame, with the element that writes it. begins(e, p): whether the
+/// motion begins at port p of element e.
+template <class Closures, class Begins>
+std::map<std::pair<kind, int>, int> moved_by(const Closures& c, const Begins& begins) {
   std::map<std::pair<kind, int>, int> moved;
   const int n = c.element_count();
-  for (int e = 0; e < n; ++e)
-    for (std::size_t p = 0; p < c.ports(e).size(); ++p)
-      if (const kind k = c.ports(e)[p].what; is_signal(k) && c.is_time(k, c.index(e, p)))
-        moved[{k, c.index(e, p)}] = -1;
   for (std::size_t known = ~std::size_t{0}; known != moved.size();) {
     known = moved.size();
     for (int e = 0; e < n; ++e) {
@@ -27,18 +24,44 @@ std::map<std::pair<kind, int>, int> moved_by_signals(const Closures& c) {
       if (last.how != access::out || c.is_transmission(e)) continue;
       bool moves = false;
       for (std::size_t p = 0; p + 1 < ports.size(); ++p)
-        moves |= (is_signal(last.what) && !is_signal(ports[p].what)) || moved.count({ports[p].what, c.index(e, p)}) > 0;
+        moves |= begins(e, p) || moved.count({ports[p].what, c.index(e, p)}) > 0;
       if (moves) moved.emplace(std::pair{last.what, c.written(e)}, e);
     }
   }
   return moved;
 }
-/// Raises `bad_argument` if a closure is on a frame that moves in this way relative to its other frame.
+template <class Closures>
+auto moved_by_measurements(const Closures& c) {
+  return moved_by(
+      c, [&c](int e, std::size_t p) { return is_signal(c.ports(e).back().what) && !is_signal(c.ports(e)[p].what); });
+}
+/// By the time, or internal states, which move with it.
+template <class Closures>
+auto moved_by_time(const Closures& c) {
+  return moved_by(c, [&c](int e, std::size_t p) {
+    const kind k = c.ports(e)[p].what;
+    return k == kind::internal || (is_signal(k) && c.is_time(k, c.index(e, p)));
+  });
+}
+/// How signals move coordinates and frames of a chain: not at all, by its inputs only, which are constant between
+/// changes by the user, or by the time.
+enum class given_motion { none, inputs, time };
+template <class Closures>
+given_motion given_motion_of(const Closures& c) {
+  const auto moves_something = [](const auto& moved) {
+    return std::any_of(moved.begin(), moved.end(), [](const auto& x) { return !is_signal(x.first.first); });
+  };
+  if (moves_something(moved_by_time(c))) return given_motion::time;
+  return moves_something(moved_by(c, [&c](int e, std::size_t p) { return is_signal(c.ports(e)[p].what); }))
+             ? given_motion::inputs
+             : given_motion::none;
+}
+/// Raises `bad_argument` if a closure is on a frame in `moved` that moves relative to its other frame.
 template <class Closures, class State>
-void refuse_given_motion(const Closures& c, const State& s, const closure_places& places) {
+void refuse_given_motion(const Closures& c, const State& s, const closure_places& places,
+                         const std::map<std::pair<kind, int>, int>& moved, const char* how) {
   const auto& t = s.tree();
   const auto& f = t.body_tree;
-  const auto moved = moved_by_signals(c);
   if (moved.empty()) return;
   std::vector<int> by_row(static_cast<std::size_t>(t.plan.coordinates), -1);
   for (std::size_t i = 0; i < t.plan.row_of_gen.size(); ++i)
@@ -55,9 +78,8 @@ void refuse_given_motion(const Closures& c, const State& s, const closure_places
     const auto check = [&](int e, const char* what) {
       if (e >= 0)
         raise<bad_argument>("kte: '" + c.loop_name(x.loop) + "' closes a loop with a " + what + " that " +
-                            c.describe(e) +
-                            " moves in time: models with closures do not support this; let it be moved by a joint "
-                            "and forces on it");
+                            c.describe(e) + " moves " + how +
+                            ": such models do not support this; let it be moved by a joint and forces on it");
     };
     const int a = f.frame(x.frame1.what, x.frame1.index).slot, b = f.frame(x.frame2.what, x.frame2.index).slot;
     const int common = tree::common_slot(f, a, b);

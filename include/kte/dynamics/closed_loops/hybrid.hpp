@@ -19,7 +19,7 @@ KTE_FUNCTION Eigen::VectorXd hybrid_on_loops(const runtime_chain& c, runtime_sta
                                              const std::vector<char>& is_given, const Eigen::VectorXd& given,
                                              Eigen::VectorXd& forces) {
   for (int i = 0; i < s.dofs(); ++i) s.work.kept[static_cast<std::size_t>(i)] = forces[i];
-  Eigen::VectorXd a = accelerations_on_loops(c, s);
+  Eigen::VectorXd a = accelerations_on_loops(c, s, false);
   std::vector<int> rows;
   for (int i = 0; i < s.dofs(); ++i)
     if (is_given[static_cast<std::size_t>(i)]) rows.push_back(i);

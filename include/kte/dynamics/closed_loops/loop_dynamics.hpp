@@ -10,6 +10,9 @@ namespace kte::detail {
 /// Pivots below this fraction of the first count as zero when rows are selected.
 inline constexpr double least_pivot = 1e-10;
 
+/// Loops that are open by more than this, m relative to the length of the chain or rad, are not assembled.
+inline constexpr double unassembled_above = 1e-2;
+
 /// The equations of the closures of a chain, their factor, and quantities derived from both.
 struct loop_workspace {
   template <class Closures, class State>
@@ -54,6 +57,16 @@ void check_residuals(const Closures& c, const loop_equations& e, bool with_jacob
     for (Eigen::Index k = 0; k < e.jacobian[i].rows() && !is_finite(e.jacobian[i]); ++k)
       if (!is_finite(e.jacobian[i].row(k)))
         refuse(e.places.row_of(e.places.blocks[i], static_cast<int>(k)), "a derivative of its residual");
+}
+/// Raises `bad_argument`, naming the closure with the largest gap, for forward dynamics of loops that are not
+/// assembled.
+inline constexpr const char* assemble_first =
+    ": kte::assemble closes the loops, and kte::constrained_dynamics supports open ones";
+template <class Closures>
+void refuse_unassembled(const Closures& c, const loop_equations& e) {
+  if (!(e.residual.cwiseAbs().maxCoeff() > unassembled_above)) [[likely]]
+    return;
+  raise<bad_argument>("kte: forward_dynamics: " + gap_text(c, e) + assemble_first);
 }
 /// The pivot that counts as zero for residuals that are not zero: rows that are dependent on the loops are independent
 /// away from them, in proportion to the distance.
@@ -126,20 +139,24 @@ void accelerate_on_loops(const Closures& c, State& s, loop_workspace& m, const T
   multipliers = -multipliers;
   put_loop_forces(e.places, multipliers, s);
 }
-/// `accelerate_on_loops` with the results in a runtime state.
+/// `accelerate_on_loops` with the results in a runtime state. `assembled`: refuses loops that are not assembled.
 template <class Tau>
 const Eigen::VectorXd& constrained_accelerations(const runtime_chain& c, runtime_state& s, const Tau& applied,
-                                                 const loop_factor* rows = nullptr) {
-  accelerate_on_loops(closures_of(c), s, loops_of(c, s), applied, rows);
+                                                 const loop_factor* rows = nullptr, bool assembled = false) {
+  auto& m = loops_of(c, s);
+  accelerate_on_loops(closures_of(c), s, m, applied, rows);
+  if (assembled) refuse_unassembled(closures_of(c), m.equations);
   check_result(s, diagnose_state{"an acceleration", s});
   write_numbers<vector_of::a>(s, s.work.forces, "a");
   return s.work.forces;
 }
 
 #ifdef KTE_FUNCTION
-KTE_FUNCTION const Eigen::VectorXd& kept_accelerations_on_loops(const runtime_chain& c, runtime_state& s) {
+KTE_FUNCTION const Eigen::VectorXd& kept_accelerations_on_loops(const runtime_chain& c, runtime_state& s,
+                                                                bool assembled) {
   const auto& applied = s.work.kept;
-  return constrained_accelerations(c, s, [&applied](int i) { return applied[static_cast<std::size_t>(i)]; });
+  return constrained_accelerations(
+      c, s, [&applied](int i) { return applied[static_cast<std::size_t>(i)]; }, nullptr, assembled);
 }
 #endif
 #ifndef KTE_EXTERN

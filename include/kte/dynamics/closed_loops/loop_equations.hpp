@@ -2,6 +2,7 @@
 
 #include <kte/dynamics/arguments/coordinate_motion.hpp>
 #include <kte/dynamics/closed_loops/closure_loads.hpp>
+#include <kte/dynamics/looped/rare_shapes.hpp>
 
 #include <limits>
 
@@ -68,6 +69,25 @@ class loop_equations : public closure_loads {
     for (std::size_t k = 0; k < places.closures.size(); ++k)
       if (places.closures[k].of_frames()) find_places(s, places.closures[k], ends_[k]);
     accelerate_residuals(c, s, [](int) { return 0.0; });
+  }
+  /// Computes the rates of residuals by given motions, those of bases and of coordinates that signals move, while the
+  /// degrees of freedom are at rest; call `at_positions` first. Zero without such motions. Overwrites the motion in the
+  /// working memory of the state.
+  template <class Closures, class State>
+  void put_given_rates(const Closures& c, State& s, Eigen::VectorXd& rates) {
+    rates.setZero(places.rows);
+    const motion_aside<State> aside(s);
+    bring_up_to_date(c.elements(), s);
+    take_rates(s), take_bases(s);
+    tree::move_bodies<true>(s.tree().body_tree, s.work);
+    for (std::size_t k = 0; k < places.closures.size(); ++k) {
+      const auto& x = places.closures[k];
+      if (!x.of_frames()) continue;
+      double rows[6];
+      find_places(s, x, ends_[k]);
+      c.close_frames(x.element, accelerated(s, x, ends_[k], motions_[k]), closing::residual_dot, rows);
+      for (int r = 0; r < x.rows.count(); ++r) rates[x.first + r] = places.scale(x, r) * rows[r];
+    }
   }
   /// Computes the second derivatives of residuals at the motions of bodies in the working memory; call `at_positions`
   /// first. a(i): the accelerations of degrees of freedom.
@@ -136,9 +156,10 @@ class loop_equations : public closure_loads {
       for (const int k : b.closures) {
         const auto& x = places.closures[static_cast<std::size_t>(k)];
         for (int r = 0; r < x.rows.count(); ++r, ++row)
-          for (std::size_t n = 0; n < b.places.size(); ++n)
-            visit(x.first + r, places.row_of_place[static_cast<std::size_t>(b.places[n])],
-                  jacobian[i](row, static_cast<Eigen::Index>(n)));
+          for (const int place : x.places) {
+            const auto at = static_cast<std::size_t>(place);
+            visit(x.first + r, places.row_of_place[at], jacobian[i](row, places.column_of_place[at]));
+          }
       }
     }
   }
@@ -198,6 +219,13 @@ inline loop_gap widest_gap(const loop_equations& e) {
       if (const double g = std::abs(e.residual[x.first + r]); !(g <= most))
         most = g, widest = {g / e.places.scale(x, r), &x, r < x.rows.linear};
   return widest;
+}
+/// "'pin' is open by 0.1 m".
+template <class Closures>
+std::string gap_text(const Closures& c, const loop_equations& e) {
+  const auto widest = widest_gap(e);
+  return "'" + c.loop_name(widest.closure->loop) + "' is open by " + number(widest.size) +
+         (widest.linear ? " m" : " rad");
 }
 
 }  // namespace kte::detail

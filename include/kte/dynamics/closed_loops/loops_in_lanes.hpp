@@ -18,29 +18,43 @@ class loops_in_lanes {
       : layout(c.layout()), places_(c, s), acceleration_(static_cast<std::size_t>(places_.rows)) {
     for (auto& x : gap_) x = 0;
   }
-  /// Writes the accelerations on the loops to `forces` of the working memory; call forward dynamics of the tree first.
-  /// Returns false if the independent rows of the states differ.
-  bool correct(const runtime_closures& c, basic_runtime_state<S>& s) {
+  /// Subtracts the change by the closures from the rates u D^-1 of axes, and from the forces on coordinates that move
+  /// no joint (`loop_factor::subtract_change`); call `articulate_under` first. Returns false if the independent rows of
+  /// the states differ; raises `bad_argument` for loops that are not assembled.
+  bool subtract_change(const runtime_closures& c, basic_runtime_state<S>& s) {
     take_roots(s);
     std::fill(std::begin(gap_), std::end(gap_), 0.0);
     rates_.assign(root_.size(), S(0));
     bool agree = true;
     for (const auto& b : places_.blocks) agree &= solve(c, s, b);
+    refuse_unassembled(c);
     if (!agree) return false;
-    auto& factors = s.work.factors;
-    for (std::size_t k = 0; k < rates_.size(); ++k)
-      if (const int axis = places_.axis_of_place[k]; axis >= 0)
-        factors[static_cast<std::size_t>(axis)].rate = rates_[k] * root_[k];
-    tree::accelerate_from_rest(s.tree().body_tree, s.work, s.work.joint_transforms, factors.data());
     for (std::size_t k = 0; k < rates_.size(); ++k) {
-      const int axis = places_.axis_of_place[k];
-      s.work.forces[places_.row_of_place[k]] -=
-          axis >= 0 ? s.work.acceleration[static_cast<std::size_t>(axis)] : S(rates_[k] * root_[k]);
+      const int axis = places_.axis_of_place[k], row = places_.row_of_place[k];
+      const S rate = rates_[k] * root_[k];
+      if (axis >= 0)
+        s.work.factors[static_cast<std::size_t>(axis)].rate -= rate;
+      else
+        s.work.forces[row] -= s.tree().own_mass[static_cast<std::size_t>(row)] * rate;
     }
     return true;
   }
 
  private:
+  void refuse_unassembled(const runtime_closures& c) const {
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+      if (!(gap_[lane] > unassembled_above)) [[likely]]
+        continue;
+      const auto& x = places_.closure_of_row(widest_[lane]);
+      const bool linear = widest_[lane] - x.first < x.rows.linear;
+      raise<bad_argument>("kte: forward_dynamics: '" + c.loop_name(x.loop) + "' is open by " +
+                          number(gap_[lane] / places_.scale(x, widest_[lane] - x.first)) + (linear ? " m" : " rad") +
+                          assemble_first);
+    }
+  }
+  void note_gap(std::size_t lane, int row, double gap) {
+    if (gap > gap_[lane]) gap_[lane] = gap, widest_[lane] = row;
+  }
   /// D^-1/2 by place.
   void take_roots(const basic_runtime_state<S>& s) {
     root_.resize(places_.row_of_place.size());
@@ -105,7 +119,7 @@ class loops_in_lanes {
   }
   /// Computes residuals, accelerations and L^-T J^T of a closure of frames, for its rows from `first` on.
   void close_frames(const runtime_closures& c, basic_runtime_state<S>& s, const closure_place& x, std::size_t first) {
-    const closing_motion<S> m = loop_equations::moving_between(s, x);
+    const closing_motion<S> m = loop_equations::biased_motion_between(s, x);
     const int count = x.rows.count();
     S units[6][6];
     closing_motion<double> motions[lanes];
@@ -117,16 +131,17 @@ class loops_in_lanes {
                    *wrenches = accelerations + closing_stride;
       for (int r = 0; r < count; ++r) {
         const double scale = places_.scale(x, r);
-        gap_[lane] = (std::max)(gap_[lane], std::abs(scale * g[r]));
+        note_gap(lane, x.first + r, std::abs(scale * g[r]));
         acceleration_[static_cast<std::size_t>(x.first + r)].set(lane, scale * accelerations[r]);
         for (int i = 0; i < 6; ++i) units[r][i].set(lane, scale * wrenches[i * closing_stride + r]);
       }
     }
     for (int r = 0; r < count; ++r) {
       const load on2{{units[r][0], units[r][1], units[r][2]}, {units[r][3], units[r][4], units[r][5]}};
-      const tree::no_powers none;
-      loop_equations::send_load<false>(
-          s, x, m, on2, loads_, [&](int axis, const S& e) { put(axis, e, first + static_cast<std::size_t>(r)); }, none);
+      tree::load_powers<S> sum;
+      loop_equations::send_load<true>(
+          s, x, m, on2, loads_, [&](int axis, const S& e) { put(axis, e, first + static_cast<std::size_t>(r)); }, sum);
+      acceleration_[static_cast<std::size_t>(x.first + r)] += sum.sum;
     }
   }
   void close_coordinates(const runtime_closures& c, basic_runtime_state<S>& s, const closure_place& x,
@@ -140,21 +155,25 @@ class loops_in_lanes {
         q[n] = at.q[lane], v[n] = at.q_dot[lane];
       }
       const auto [g, curvature] = c.element(x.element).lane(lane).close_coordinates(q, v, gradient);
-      gap_[lane] = (std::max)(gap_[lane], std::abs(g));
+      note_gap(lane, x.first, std::abs(g));
       acceleration.set(lane, curvature);
       for (std::size_t n = 0; n < x.coordinates.size(); ++n) by[n].set(lane, gradient[n]);
     }
     loads_.assign(x.way.nodes.size(), load{}), forces_.assign(tree::most_axes * x.way.nodes.size(), S(0));
     for (std::size_t n = 0; n < x.dofs.size(); ++n) {
-      acceleration += by[n] * s.work.forces[x.dofs[n]];
       const auto place = static_cast<std::size_t>(places_.place_of_row[static_cast<std::size_t>(x.dofs[n])]);
-      if (x.enters[n] >= 0)
+      if (x.enters[n] >= 0) {
         forces_[tree::most_axes * static_cast<std::size_t>(x.enters[n]) + static_cast<std::size_t>(x.axes[n])] += by[n];
-      else
-        all_.column(first)[places_.column_of_place[place]] += root_[place] * by[n];
+        continue;
+      }
+      all_.column(first)[places_.column_of_place[place]] += root_[place] * by[n];
+      acceleration += by[n] * s.work.forces[x.dofs[n]] / s.tree().own_mass[static_cast<std::size_t>(x.dofs[n])];
     }
-    tree::send_to_bases(s.tree().body_tree, s.work, x.way, loads_.data(), forces_.data(),
-                        [&](int axis, const S& e) { put(axis, e, first); });
+    tree::load_powers<S> sum;
+    tree::send_to_bases(
+        s.tree().body_tree, s.work, x.way, loads_.data(), forces_.data(),
+        [&](int axis, const S& e) { put(axis, e, first); }, sum);
+    acceleration += sum.sum;
   }
   /// The effect e on an axis, in row `row` of the block.
   void put(int axis, const S& e, std::size_t row) {
@@ -165,6 +184,7 @@ class loops_in_lanes {
   using load = tree::simd_wrench<S>;
   closure_places places_;
   double gap_[lanes];            ///< the largest residual of each state
+  int widest_[lanes]{};          ///< and its row
   std::vector<S> acceleration_;  ///< of all rows
   std::vector<S> root_, rates_;  ///< by place
   qr_in_lanes<S> all_, qr_;      ///< of a block: all rows; independent rows first
@@ -180,17 +200,17 @@ bool accelerate_on_loops_in_lanes(const runtime_chain& c, basic_runtime_state<S>
   const auto make = [&] { return loops_in_lanes<S>(closures_of(c), s); };
   auto& loops = s.loops.template get<loops_in_lanes<S>>(make);
   if (loops.layout != c.wiring().layout) loops = make();
-  accelerations_on_coordinates(runtime_elements{c}, s, tau, {});
-  return loops.correct(closures_of(c), s);
+  const auto biases = articulate_under(runtime_elements{c}, s, tau, {});
+  if (!loops.subtract_change(closures_of(c), s)) return false;
+  accelerate_after(s, biases);
+  return true;
 }
 /// Under the forces `kept` in the working memory. Throws `no_solution` if states differ in their independent rows.
 template <class S>
 const runtime_vector<S>& accelerations_on_loops_of_packs(const runtime_chain& c, basic_runtime_state<S>& s) {
   if (!s.tree().plan.tree)
     throw bad_argument("kte: forward dynamics in packs of chains with closures: joints must not share coordinates");
-  if (!s.tree().readers.empty())
-    throw bad_argument("kte: " + describe_element(runtime_elements{c}.element(s.tree().readers.front())) +
-                       " has load-dependent friction, which chains with closures do not know");
+  check_loops(closures_of(c), s);
   const auto& kept = s.work.kept;
   if (!accelerate_on_loops_in_lanes(c, s, [&kept](int i) { return kept[static_cast<std::size_t>(i)]; }))
     throw no_solution("kte: these states differ in the independent rows of their closures");

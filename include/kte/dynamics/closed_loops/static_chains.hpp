@@ -64,6 +64,7 @@ struct static_loops<static_chain<Gravity, E...>> {
     static_assert(std::is_same_v<S, double>, "kte: closed loops are computed in double");
     return with_loops(c, g, [&](const auto& closures, auto& s) -> vector {
       accelerate(closures, s, g, tau);
+      refuse_unassembled(closures, s.loops.equations);
       return s.work.forces;
     });
   }
@@ -146,7 +147,7 @@ template <class Gravity, class... E, indexable Q, indexable V>
                                  for (int i = 0; i < chain_type::dofs; ++i)
                                    on[i] = static_cast<double>(v[static_cast<std::size_t>(i)]);
                                  detail::factorize_loops(closures, s, s.loops);
-                                 detail::put_on_loops(s, s.loops, on);
+                                 detail::put_on_loops(closures, s, s.loops, on);
                                  detail::check_velocities_on_loops(on);
                                  return on;
                                });

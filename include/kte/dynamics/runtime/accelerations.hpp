@@ -5,12 +5,13 @@
 /// Forward dynamics of runtime chains with or without loops.
 namespace kte::detail {
 
-/// Accelerations of a chain with loops under the forces `kept` in the working memory. kte/loops.hpp sets the pointer,
-/// so that programs without loops do not compile this; kte::compiled sets it too.
-inline const Eigen::VectorXd& (*accelerations_on_loops)(const runtime_chain&, runtime_state&) = nullptr;
+/// Accelerations of a chain with loops under the forces `kept` in the working memory; `assembled`: refuses loops that
+/// are not assembled. kte/loops.hpp sets the pointer, so that programs without loops do not compile this; kte::compiled
+/// sets it too.
+inline const Eigen::VectorXd& (*accelerations_on_loops)(const runtime_chain&, runtime_state&, bool assembled) = nullptr;
 #ifdef KTE_EXTERN
 /// In kte::compiled (loop_dynamics.hpp).
-const Eigen::VectorXd& kept_accelerations_on_loops(const runtime_chain&, runtime_state&);
+const Eigen::VectorXd& kept_accelerations_on_loops(const runtime_chain&, runtime_state&, bool assembled);
 #  ifdef KTE_FUNCTION
 inline const bool loops_are_known = (accelerations_on_loops = kept_accelerations_on_loops, true);
 #  endif
@@ -24,7 +25,7 @@ inline const runtime_vector<S>& (*accelerations_on_loops_in_lanes)(const runtime
 template <class S>
 const runtime_vector<S>& accelerations_with_loops(const runtime_chain& c, basic_runtime_state<S>& s) {
   if constexpr (std::is_same_v<S, double>) {
-    if (accelerations_on_loops != nullptr) return accelerations_on_loops(c, s);
+    if (accelerations_on_loops != nullptr) return accelerations_on_loops(c, s, true);
     throw bad_argument("kte: forward dynamics of a chain with closures of loops needs #include <kte/loops.hpp>");
   } else if constexpr (has_lanes_of_double<S>) {
     if (accelerations_on_loops_in_lanes<S> != nullptr) return accelerations_on_loops_in_lanes<S>(c, s);

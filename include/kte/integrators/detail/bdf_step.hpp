@@ -69,6 +69,7 @@ class bdf_step : public implicit_integrator<Method, F, X> {
         order_, [&](int j) { return formulas_.history(order_, j); }, history_);
     correction_.setZero();
     this->move_to(predicted_);
+    this->settle_at(end);
     const S rounding = size(std::numeric_limits<S>::epsilon() * this->x_) + abs(c_) * floor_.size();
     newton_.begin(S(0.05), rounding);  // a small part of the permitted error
     auto progress = detail::newton::go_on;

@@ -11,12 +11,13 @@
 /// step begins, and N = M^-1 J_S^T R^-1 (dynamics/closed_loops/loop_factor.hpp):
 ///
 ///   q(d) = q0 (+) (d_q + N mu),   g_S(q) = 0           (1)
-///   v(d) = v0 + d_v + N nu,       J_S(q) v = 0         (2)
+///   v(d) = v0 + d_v + N nu,       J_S(q) v + g_S' = 0  (2)
 ///   e <- e - N R^-T J_S e         for error estimates   (3)
 ///
 /// With (3) the projection keeps the order of the method (Eich, Convergence results for a coordinate projection method,
 /// SIAM J. Numer. Anal. 30, 1993). Rows are selected on the loops, because rows that are dependent there are
-/// independent away from them.
+/// independent away from them. g and its rate g' by given motions are those at the time of the state: signals that are
+/// functions of time may move coordinates and frames.
 namespace kte::detail {
 
 /// A state is on the loops if residuals are below the first bound, and off the loops above the second, relative to the
@@ -24,13 +25,20 @@ namespace kte::detail {
 inline constexpr double on_loops_within = 1e-12, off_loops_above = 1e-8;
 
 struct loop_step {
+  template <class Closures, class State>
+  loop_step(const Closures& c, const State& s) : equations(c, s), moved_by(given_motion_of(c)) {}
+  bool is_moved() const { return moved_by != given_motion::none; }
+
   Eigen::VectorXd x0;
   loop_equations equations;  ///< at x0
   loop_factor factor;
-  double gap = 0;       ///< the largest residual
-  double rounding = 0;  ///< of its residuals
-  double sliding = 0;   ///< the largest residual rate, relative to the largest terms of J v
-  double nearest = 1;   ///< the smallest pivot of its stages, relative to that of x0
+  given_motion moved_by;
+  double time = 0;              ///< of the states that are put on the loops
+  Eigen::VectorXd given_rates;  ///< g' of the last state
+  double gap = 0;               ///< the largest residual
+  double rounding = 0;          ///< of its residuals
+  double sliding = 0;           ///< the largest residual rate, relative to the largest terms of J v
+  double nearest = 1;           ///< the smallest pivot of its stages, relative to that of x0
 };
 
 /// The loops of a runtime model; other models have the same functions.
@@ -41,32 +49,45 @@ struct runtime_model_loops {
   own_memory& kept;
 
   auto closures() const { return closures_of(model.chain()); }
+  bool inputs_move() const { return model.inputs_move(); }
   runtime_state& state() const { return s; }
   loop_workspace& workspace() const { return loops_of(model.chain(), s); }
   loop_step& step() const {
-    return kept.get<loop_step>([&] { return loop_step{{}, loop_equations(closures(), s), {}}; });
+    return kept.get<loop_step>([&] { return loop_step(closures(), s); });
   }
-  /// Writes x to the state.
-  void put(const Eigen::VectorXd& x) const { model.setJointStates(x, s), check_positions(s); }
-  void put_positions(const Eigen::VectorXd& x) const { set_positions(s, model.positions_of(x)); }
+  /// Writes x to the state, with the signals at the time of the step.
+  void put(const Eigen::VectorXd& x) const { model.setJointStates(step().time, x, s), check_positions(s); }
+  void put_positions(const Eigen::VectorXd& x) const {
+    if (step().is_moved()) return put(x);
+    set_positions(s, model.positions_of(x));
+  }
 };
 template <class Model>
 runtime_model_loops(const Model&, runtime_state&, own_memory&) -> runtime_model_loops<Model>;
 
-/// The row of closures with the largest rate J v, this rate by scaled rows, and relative to the largest terms of J v.
+/// The row of closures with the largest rate J v + g', this rate by scaled rows, and relative to its largest terms.
 struct opening_row {
   Eigen::Index row = 0;
   double rate = 0, relative = 0;
 };
-inline opening_row fastest_row(const loop_equations& e, const Eigen::VectorXd& v) {
+inline opening_row fastest_row(const loop_equations& e, const Eigen::VectorXd& v, const Eigen::VectorXd& given_rates) {
   opening_row r;
-  r.rate = e.times(v).cwiseAbs().maxCoeff(&r.row);
+  r.rate = (e.times(v) + given_rates).cwiseAbs().maxCoeff(&r.row);
   if (!(r.rate > 0)) return r;
   // the terms of J v may all be rounding errors, where bodies move along the loops, and all of J where its rank is 0
   const double speed = v.cwiseAbs().maxCoeff();
   const double fastest = e.times_sizes(Eigen::VectorXd::Constant(v.size(), speed)).maxCoeff();
-  r.relative = r.rate / (e.times_sizes(v).maxCoeff() + 1e-7 * fastest + 1e-9 * speed);
+  const double terms = e.times_sizes(v).maxCoeff() + given_rates.cwiseAbs().maxCoeff();
+  r.relative = r.rate / (terms + 1e-7 * fastest + 1e-9 * speed);
   return r;
+}
+/// Writes the rates of closures by given motions at the state to the data of a step.
+template <class Loops>
+void put_given_rates(const Loops& loops, loop_step& step, loop_equations& e) {
+  if (step.is_moved())
+    e.put_given_rates(loops.closures(), loops.state(), step.given_rates);
+  else
+    step.given_rates.setZero(e.places.rows);
 }
 /// Above this rate, relative to the largest terms of J v, velocities do not keep the loops closed.
 inline constexpr double opening_above = 1e-6;
@@ -85,7 +106,8 @@ loop_step& step_from(const Loops& loops, const X& x0) {
   step.gap = e.residual.cwiseAbs().maxCoeff();
   step.rounding = e.rounding(loops.state(), x0);
   const Eigen::VectorXd v = loops.model.velocities_of(x0);
-  step.sliding = fastest_row(e, v).relative;
+  put_given_rates(loops, step, e);
+  step.sliding = fastest_row(e, v, step.given_rates).relative;
   step.x0 = x0;
   return step;
 }
@@ -98,11 +120,19 @@ template <class Closures>
 std::string names_of_loops(const Closures& c, const loop_equations& e) {
   return e.places.blocks.size() == 1 ? names_of_loops(c, e, 0) : "the loops";
 }
+/// Raises `bad_argument`, naming a closure, if inputs move its frames at velocities other than zero: the positions that
+/// they give are constant.
 template <class Closures>
-std::string gap_text(const Closures& c, const loop_equations& e) {
-  const auto widest = widest_gap(e);
-  return "'" + c.loop_name(widest.closure->loop) + "' is open by " + number(widest.size) +
-         (widest.linear ? " m" : " rad");
+void refuse_moving_inputs(const Closures& c, const loop_step& step) {
+  const auto& at = step.equations.places;
+  for (int k = 0; k < at.rows; ++k) {
+    const auto& x = at.closure_of_row(k);
+    if (const double rate = std::abs(step.given_rates[k]); !(rate <= 1e-12)) [[unlikely]]
+      raise<bad_argument>("kte: inputs give a velocity to a frame of '" + c.loop_name(x.loop) + "', which opens at " +
+                          number(rate / at.scale(x, k - x.first)) + (k - x.first < x.rows.linear ? " m/s" : " rad/s") +
+                          ", but inputs are constant in a step: set these velocities to zero, or let functions of "
+                          "kte::chain_time (law_signal) give the motion");
+  }
 }
 /// With loops closed to rounding, branches can be distinguished if pivots are above the square root of rounding.
 inline constexpr double least_pivot_of_branch = 1e-7;
@@ -110,15 +140,18 @@ inline constexpr double least_pivot_of_branch = 1e-7;
 /// distinguished.
 template <class Loops, class X>
 void check_step(const Loops& loops, const X& x0) {
+  if (loops.step().is_moved()) loops.step().x0.resize(0);  // the time or inputs may have changed
   auto& step = step_from(loops, x0);
   step.nearest = 1;
+  if (step.moved_by == given_motion::inputs && !loops.inputs_move()) [[unlikely]]
+    refuse_moving_inputs(loops.closures(), step);
   if (step.gap > (std::max)(off_loops_above, step.rounding)) [[unlikely]]
     raise<bad_argument>("kte: the state is off the loops: " + gap_text(loops.closures(), step.equations) +
                         ": kte::assemble finds one that is on them");
   if (step.sliding > opening_above) [[unlikely]]
     raise<bad_argument>(
         "kte: the velocities do not keep the loops closed: use kte::consistent_velocities, or "
-        "kte::impulse after an impact; frames that inputs move must be at rest");
+        "kte::impulse after an impact");
   for (std::size_t i = 0; i < step.factor.parts.size(); ++i)
     if (const auto& p = step.factor.parts[i]; p.smallest < least_pivot_of_branch * p.largest) [[unlikely]]
       raise<bad_argument>("kte: " + names_of_loops(loops.closures(), step.equations, i) +
@@ -182,7 +215,8 @@ template <class Loops>
 void check_branch(const Loops& loops, loop_step& step, const Eigen::VectorXd& v) {
   constexpr double turn = 0.8, slow = 1e-6;
   if (step.sliding > opening_above || !(v.norm() > slow)) return;  // the start itself is not on the loops, or at rest
-  const Eigen::VectorXd across = step.factor.least_change(loops.state(), step.equations, step.equations.times(v));
+  const Eigen::VectorXd across =
+      step.factor.least_change(loops.state(), step.equations, step.equations.times(v) + step.given_rates);
   if (across.norm() > turn * v.norm()) [[unlikely]]
     raise<bad_argument>("kte: the step ends on another branch of " + names_of_loops(loops.closures(), step.equations) +
                         ", or turns too far: a shorter step");
@@ -227,10 +261,12 @@ void settle_on_loops(const Loops& loops, const X& x0, Rate& d, X& x) {
                         " where others are closed");
   factor.factorize(closures, s, e);
   if (!factor.keep(closures, s, e, step.factor, 1e-14)) factor.choose(closures, s, e, least_pivot);
-  for (int i = 0; i < 2; ++i) move(n, factor.least_change(s, e, e.times(model.velocities_of(x))));
+  put_given_rates(loops, step, e);
+  for (int i = 0; i < 2; ++i) move(n, factor.least_change(s, e, e.times(model.velocities_of(x)) + step.given_rates));
   check_branch(loops, step, model.velocities_of(x));
   if (factor.rank() == e.places.rows) return;
-  if (const auto r = fastest_row(e, model.velocities_of(x)); r.relative > opening_above) [[unlikely]] {
+  if (const auto r = fastest_row(e, model.velocities_of(x), step.given_rates); r.relative > opening_above)
+      [[unlikely]] {
     const auto& closure = e.places.closure_of_row(static_cast<int>(r.row));
     const int k = static_cast<int>(r.row) - closure.first;
     raise<bad_argument>("kte: the closures contradict each other, or the step is too long: '" +
@@ -257,10 +293,11 @@ const loop_factor* rows_of_stage(const Loops& loops) {
   const auto& step = loops.step();
   return step.x0.size() > 0 ? &step.factor : nullptr;
 }
-/// Raises `bad_argument` for what the loops of a model do not support.
+/// Raises `bad_argument` for what the loops of a model, with or without contacts, do not support.
 template <class Closures, class State>
-void check_model_of_loops(const Closures& c, const State& s, const closure_places& places) {
-  check_loops(c, s), refuse_given_motion(c, s, places);
+void check_model_of_loops(const Closures& c, const State& s, const closure_places& places, bool with_contacts) {
+  check_loops(c, s), refuse_given_motion(c, s, places, moved_by_measurements(c), "by measurements");
+  if (with_contacts) refuse_given_motion(c, s, places, moved_by_time(c), "in time, in a chain with contacts");
 }
 /// x projected onto the loops to rounding. Throws `bad_argument` if it is off them.
 template <class Model, class X>

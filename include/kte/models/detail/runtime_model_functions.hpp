@@ -12,7 +12,8 @@ namespace kte {
 KTE_FUNCTION manipulator_dynamics_model<runtime_chain>::manipulator_dynamics_model(const runtime_chain& c)
     : base(c), s_(c.make_state()), rate_(rate::Zero(rates())) {
   if (detail::has_loops(c))
-    detail::check_model_of_loops(detail::closures_of(c), s_, detail::loops_of(c, s_).equations.places);
+    detail::check_model_of_loops(detail::closures_of(c), s_, detail::loops_of(c, s_).equations.places,
+                                 detail::has_contacts(c));
   for (const int e : s_.tree().locks) {
     const auto& index = wiring().elements[static_cast<std::size_t>(e)].index;
     const int row = s_.tree().plan.row_of_gen[static_cast<std::size_t>(index[0])];
@@ -200,7 +201,10 @@ KTE_FUNCTION void manipulator_dynamics_model<runtime_chain>::settle(const state&
   if (detail::has_loops(chain())) detail::settle_on_loops(detail::runtime_model_loops{*this, s_, step_}, x0, d, x);
 }
 KTE_FUNCTION void manipulator_dynamics_model<runtime_chain>::settle_at(double t) const {
-  if (detail::has_contacts(chain())) contacts_of_model().memory().time = t;
+  if (detail::has_contacts(chain()))
+    contacts_of_model().memory().time = t;
+  else if (detail::has_loops(chain()))
+    detail::runtime_model_loops{*this, s_, step_}.step().time = t;
 }
 KTE_FUNCTION void manipulator_dynamics_model<runtime_chain>::tangential(const state& x0, rate& e) const {
   if (detail::has_contacts(chain())) return detail::make_tangential_to_contacts(contacts_of_model(), x0, e);

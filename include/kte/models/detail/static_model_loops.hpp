@@ -29,17 +29,17 @@ struct static_model_loops<static_chain<Gravity, E...>> {
   };
   using closures_type = static_closures<chain_type, named>;
   struct state_and_step {
-    explicit state_and_step(const chain_type& c) : s(c), step{{}, loop_equations(closures_type{{c, here}}, s), {}} {}
+    explicit state_and_step(const chain_type& c) : s(c), step(closures_type{{c, here}}, s) {}
     static_loop_state<chain_type> s;
     named here{};
     loop_step step;
-    double time = 0;
   };
   template <class Model>
   struct access {
     const Model& model;
     state_and_step& kept;
 
+    static constexpr bool inputs_move() { return false; }
     closures_type closures() const { return {{model.chain(), kept.here}}; }
     auto& state() const { return kept.s; }
     loop_workspace& workspace() const { return kept.s.loops; }
@@ -51,7 +51,7 @@ struct static_model_loops<static_chain<Gravity, E...>> {
       at.check();
       std::copy_n(q, wiring::nq, kept.here.at.q.numbers.data());
       kept.s.take(
-          given{at, each<double, const double*>{v}, same<zero_t>{}, model.bases_at(kept.time, v + wiring::dofs)});
+          given{at, each<double, const double*>{v}, same<zero_t>{}, model.bases_at(kept.step.time, v + wiring::dofs)});
       check_regular(model.chain(), kept.s);
     }
     template <class X>
@@ -67,11 +67,15 @@ struct static_model_loops<static_chain<Gravity, E...>> {
   static void check_chain(const chain_type& c) {
     const named here{};
     const static_loop_state<chain_type> s(c);
-    check_model_of_loops(closures_type{{c, here}}, s, s.loops.equations.places);
+    check_model_of_loops(closures_type{{c, here}}, s, s.loops.equations.places, false);
   }
   template <class Model, class X>
   static X checked(const Model& m, const X& x) {
     return checked_on_loops(m, x);
+  }
+  template <class Model>
+  static void settle_at(const Model& m, memory& kept, double t) {
+    of(m, kept).step().time = t;
   }
   template <class Model, class X>
   static void begin_step(const Model& m, memory& kept, const X& x0) {
