@@ -78,15 +78,18 @@ class closure_places {
     if (x.rows.count() > 1) name.append("[").append(std::to_string(k - x.first + 1)).append("]");
     return name;
   }
-  /// The closures of a block, in a text.
+  /// The closures of a block, in a text: the first `most` of them, and how many others there are.
   template <class Closures>
-  std::string names_in(const Closures& c, const loop_block& b, std::string_view quote = "") const {
+  std::string names_in(const Closures& c, const loop_block& b, std::string_view quote,
+                       std::size_t most = static_cast<std::size_t>(-1)) const {
     std::string names;
-    for (const int k : b.closures)
+    for (std::size_t i = 0; i < b.closures.size(); ++i) {
+      if (i == most) return names + " and " + std::to_string(b.closures.size() - most) + " others";
       names.append(names.empty() ? "" : ", ")
           .append(quote)
-          .append(c.loop_name(closures[static_cast<std::size_t>(k)].loop))
+          .append(c.loop_name(closures[static_cast<std::size_t>(b.closures[i])].loop))
           .append(quote);
+    }
     return names;
   }
   const closure_place& closure_of_row(int k) const {

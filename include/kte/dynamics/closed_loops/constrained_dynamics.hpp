@@ -103,7 +103,7 @@ loops_report report_of(const Closures& c, const loop_workspace& m, int dofs) {
   const auto widest = widest_gap(e);
   r.gap = widest.size, r.widest = c.loop_name(widest.closure->loop);
   r.dependent = dependent_rows(c, e, factor);
-  for (const auto& b : e.places.blocks) r.blocks.push_back(e.places.names_in(c, b));
+  for (const auto& b : e.places.blocks) r.blocks.push_back(e.places.names_in(c, b, ""));
   return r;
 }
 /// Projects velocities onto the loops, J v = -(the rates by given motions); call `factorize_loops` first. The second

@@ -80,7 +80,7 @@ class loop_factor {
       put_half_solved<Accelerate>(c, s, e, i, parts[i].matrix(static_cast<Eigen::Index>(b.places.size()), b.rows));
       parts[i].choose(least, 1e-13 * reach(e, i));  // pivots below the rounding of their possible size are zero
       if (!parts[i].is_finite) [[unlikely]]
-        raise<bad_argument>("kte: the loops of " + e.places.names_in(c, b, "'") +
+        raise<bad_argument>("kte: the loops of " + e.places.names_in(c, b, "'", 3) +
                             ": a derivative of their residuals is not finite at this configuration");
     }
   }

@@ -39,6 +39,7 @@ struct loop_step {
   double rounding = 0;          ///< of its residuals
   double sliding = 0;           ///< the largest residual rate, relative to the largest terms of J v
   double nearest = 1;           ///< the smallest pivot of its stages, relative to that of x0
+  double nearest_at_end = 1;    ///< that of the stages of the last attempt
 };
 
 /// The loops of a runtime model; other models have the same functions.
@@ -114,7 +115,7 @@ loop_step& step_from(const Loops& loops, const X& x0) {
 /// The closures of a block, or of all, for messages.
 template <class Closures>
 std::string names_of_loops(const Closures& c, const loop_equations& e, std::size_t block) {
-  return "the loops of " + e.places.names_in(c, e.places.blocks[block], "'");
+  return "the loops of " + e.places.names_in(c, e.places.blocks[block], "'", 3);
 }
 template <class Closures>
 std::string names_of_loops(const Closures& c, const loop_equations& e) {
@@ -158,14 +159,16 @@ void check_step(const Loops& loops, const X& x0) {
                           " are as near to a singular configuration as rounding, where the mechanism may go on in "
                           "several ways: larger tolerances pass it in one step");
 }
-/// The smallest pivot at x0, where a step begins, relative to its possible size.
-template <class Loops, class X>
-double singular_distance_of(const Loops& loops, const X& x0) {
-  auto& step = step_from(loops, x0);
+/// The smallest pivot where a step begins, relative to its possible size.
+inline double smallest_pivot_of(const loop_step& step) {
   double d = 1;
   for (std::size_t i = 0; i < step.factor.parts.size(); ++i)
     d = (std::min)(d, step.factor.smallest_pivot(step.equations, i));
   return d;
+}
+template <class Loops, class X>
+double singular_distance_of(const Loops& loops, const X& x0) {
+  return smallest_pivot_of(step_from(loops, x0));
 }
 /// Notes how near a stage of a step is to a singular configuration, after its accelerations.
 template <class Loops>
@@ -185,9 +188,10 @@ void note_stage(const Loops& loops) {
 /// estimate does not see all stages.
 template <class Loops, class X>
 void check_step_end(const Loops& loops, const X& x0) {
-  constexpr double near_it = 3e-3, nearer = 0.05, nearest_stage = 3e-3;
+  constexpr double near_it = 1e-2, nearer = 0.1, nearest_stage = 3e-3;
   auto& start = step_from(loops, x0);
-  if (std::exchange(start.nearest, 1) < nearest_stage) [[unlikely]]
+  start.nearest_at_end = std::exchange(start.nearest, 1);
+  if (start.nearest_at_end < nearest_stage) [[unlikely]]
     raise<bad_argument>("kte: a stage of the step is too near to a singular configuration of " +
                         names_of_loops(loops.closures(), start.equations) + ": a shorter step");
   const auto& end = loops.workspace();
@@ -274,7 +278,12 @@ void settle_on_loops(const Loops& loops, const X& x0, Rate& d, X& x) {
                         (k < closure.rows.linear ? " m/s" : " rad/s") + " where others stay closed");
   }
 }
-/// (3), for positions and velocities.
+/// (3), for positions and velocities. Velocities of stages have rounding errors of about
+///
+///   r = 4 sqrt(rows) eps |v| / (smallest pivot),          (4)
+///
+/// which no shorter step makes smaller. They do not count as errors of the method: otherwise small tolerances would
+/// force ever shorter steps towards a singular configuration, where these errors grow without bound.
 template <class Loops, class X, class Rate>
 void make_tangential(const Loops& loops, const X& x0, Rate& e) {
   auto& step = step_from(loops, x0);
@@ -283,6 +292,10 @@ void make_tangential(const Loops& loops, const X& x0, Rate& e) {
     const Eigen::VectorXd part = e.segment(first, n);
     e.segment(first, n) -= step.factor.least_change(loops.state(), step.equations, step.equations.times(part));
   }
+  const double rounding = 4 * std::sqrt(step.equations.places.rows) * std::numeric_limits<double>::epsilon();
+  const double pivot = step.nearest_at_end * smallest_pivot_of(step);
+  const double size = e.segment(n, n).norm(), least = rounding * loops.model.velocities_of(x0).norm() / pivot;  // (4)
+  if (size > 0) e.segment(n, n) *= (std::max)(0.0, 1 - least / size);
 }
 /// The rows for a stage of a step at the state: those selected at its start, unless the state is on the loops.
 template <class Loops>
