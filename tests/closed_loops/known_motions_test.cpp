@@ -1,3 +1,5 @@
+#include <kte/integrators/runge_kutta4.hpp>
+
 #include "closed_loops/known_motions.hpp"
 
 using namespace kte;
@@ -191,6 +193,24 @@ TEST_CASE("Galloway's kite passes its change points on its branch") {
   check_report(k, 0, {1, 1});
   check_dynamics(k, "crank", 0.6, 8, 1e-13);
   for (const double tolerance : {1e-6, 1e-9}) check_motion(k, 0.6, 8, 4, tolerance, 1e4 * tolerance);
+}
+
+TEST_CASE("fixed steps through change points stay on their branch, or stop") {
+  const auto k = kite();
+  const manipulator_dynamics_model<runtime_chain> model(k.chain);
+  int stopped = 0;
+  for (const double h : {0.01, 0.006, 0.004}) {
+    INFO(h);
+    runge_kutta4 solver(std::cref(model), 0.0, model.make_x(k.q(0.6), k.v(0.6, 7)), h);
+    try {
+      solver.integrate(3.0);
+    } catch (const integration_failure& e) {
+      ++stopped;
+      CHECK_THAT(e.what(), contains_text("the step ends on another branch of the loops of 'pin', or turns too far"));
+    }
+    CHECK(k.off_branch(solver.state().head(3)) < 1e-7);
+  }
+  CHECK(stopped > 0);
 }
 
 TEST_CASE("scissors of several cells, through the posture in which all bars are aligned") {
