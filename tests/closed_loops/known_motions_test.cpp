@@ -68,7 +68,7 @@ known_motion kite() {
 }
 
 /// Scissors of n cells of two bars of 1 m at the angles y and pi - y, crossing at their middles; the lower end of one
-/// slides along x. With all bars along x, or upright, each cell may move on its own.
+/// slides along x. With all bars along x, or upright, each cell may move separately.
 known_motion scissors(int n) {
   auto c = falling();
   std::string from = "base";
