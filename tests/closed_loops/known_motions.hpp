@@ -2,10 +2,10 @@
 
 #include <kte/math/dual.hpp>
 
+#include <functional>
+
 #include "catch.hpp"
 #include "closed_loops/mechanisms.hpp"
-
-#include <functional>
 
 /// Mechanisms of one degree of freedom whose positions are known in closed form, and what their motions must be.
 namespace kte::test::loops {
@@ -58,9 +58,7 @@ struct known_motion {
   }
   /// y and its rate at time t.
   Eigen::Vector2d after(double y, double rate, double t) const {
-    const auto f = [this](double, const Eigen::Vector2d& x) {
-      return Eigen::Vector2d(x[1], acceleration(x[0], x[1]));
-    };
+    const auto f = [this](double, const Eigen::Vector2d& x) { return Eigen::Vector2d(x[1], acceleration(x[0], x[1])); };
     prince_dormand87 solver(f, 0.0, Eigen::Vector2d(y, rate), {.absolute = 1e-14, .relative = 1e-14});
     solver.integrate(t);
     return solver.state();

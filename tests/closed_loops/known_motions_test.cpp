@@ -1,5 +1,7 @@
 #include "closed_loops/known_motions.hpp"
 
+#include <kte/integrators/runge_kutta4.hpp>
+
 using namespace kte;
 using namespace kte::test;
 using namespace kte::test::loops;
@@ -56,14 +58,17 @@ known_motion kite() {
           },
           [=](const second& y) {
             const auto p = places_at(y);
-            return std::vector{moving_mass{1, 0.5 * p.ax, 0.5 * p.ay}, turning(1.0 / 12, y),
-                               moving_mass{1, 0.5 * (p.ax + p.bx), 0.5 * (p.ay + p.by)}, turning(1.0 / 12, p.coupler),
-                               moving_mass{1, 0.5 * (p.bx + 2.0), 0.5 * p.by}, turning(4.0 / 12, p.rocker)};
+            return std::vector{moving_mass{1, 0.5 * p.ax, 0.5 * p.ay},
+                               turning(1.0 / 12, y),
+                               moving_mass{1, 0.5 * (p.ax + p.bx), 0.5 * (p.ay + p.by)},
+                               turning(1.0 / 12, p.coupler),
+                               moving_mass{1, 0.5 * (p.bx + 2.0), 0.5 * p.by},
+                               turning(4.0 / 12, p.rocker)};
           }};
 }
 
 /// Scissors of n cells of two bars of 1 m at the angles y and pi - y, crossing at their middles; the lower end of one
-/// slides along x. With all bars along x, or upright, each cell may move on its own.
+/// slides along x. With all bars along x, or upright, each cell may move separately.
 known_motion scissors(int n) {
   auto c = falling();
   std::string from = "base";
@@ -191,6 +196,24 @@ TEST_CASE("Galloway's kite passes its change points on its branch") {
   check_report(k, 0, {1, 1});
   check_dynamics(k, "crank", 0.6, 8, 1e-13);
   for (const double tolerance : {1e-6, 1e-9}) check_motion(k, 0.6, 8, 4, tolerance, 1e4 * tolerance);
+}
+
+TEST_CASE("fixed steps through change points stay on their branch, or stop") {
+  const auto k = kite();
+  const manipulator_dynamics_model<runtime_chain> model(k.chain);
+  int stopped = 0;
+  for (const double h : {0.01, 0.006, 0.004}) {
+    INFO(h);
+    runge_kutta4 solver(std::cref(model), 0.0, model.make_x(k.q(0.6), k.v(0.6, 7)), h);
+    try {
+      solver.integrate(3.0);
+    } catch (const integration_failure& e) {
+      stopped += std::string(e.what()).find("ends on another branch of the loops of 'pin'") != std::string::npos;
+      CHECK_THAT(e.what(), contains_text("'pin'"));
+    }
+    CHECK(k.off_branch(solver.state().head(3)) < 1e-7);
+  }
+  CHECK(stopped > 0);
 }
 
 TEST_CASE("scissors of several cells, through the posture in which all bars are aligned") {

@@ -56,12 +56,22 @@ TEST_CASE("closures that close no loop are refused") {
     return Message("kte: coincident_points_2D (frame1 '" + a + "', frame2 '" + b +
                    "', loop 'x') closes no loop: no joint moves its frames relative to each other: they are " + where);
   };
-  CHECK_THROWS_MATCHES(with(coincident_points_2D("x", "base", "wall")), bad_argument, refusal("base", "wall", "both on bases"));
+  CHECK_THROWS_MATCHES(with(coincident_points_2D("x", "base", "wall")), bad_argument,
+                       refusal("base", "wall", "both on bases"));
   CHECK_THROWS_MATCHES(with(coincident_points_2D("x", "k", "e")), bad_argument, refusal("k", "e", "on one body"));
   const auto sum = [](const auto& a, const auto& b, const auto& c) { return a + b + c; };
   CHECK_THROWS_MATCHES(with(coupled_by("x", "q0", "q1", "q0", sum)), bad_argument,
                        says("loop 'x') couples a coordinate to itself"));
   CHECK(with(coincident_points_2D("x", "base", "e")) == 3);
+  {
+    using namespace with_keys;
+    const auto fixed = chain(revolute_joint_2D(crank, base, a), inertia_2D(a, body),
+                             rigid_link_2D(base, A, along_x(1.0)), coincident_points_2D(pin, base, A));
+    CHECK_THROWS_MATCHES(
+        kte::loops(fixed, Eigen::Matrix<double, 1, 1>(0.3)), bad_argument,
+        Message("kte: coincident_points_2D (frame1 'base', frame2 'A', loop 'pin') closes no loop: no joint moves its "
+                "frames relative to each other: they are both on bases"));
+  }
 
   runtime_chain fixed;  // without degrees of freedom
   fixed << base_gen("q") << revolute_joint_2D("q", "base", "a") << coincident_points_2D("x", "base", "a");

@@ -52,15 +52,16 @@ struct static_closures : static_elements<Chain, Given> {
         return x.u < 0;
     return false;
   }
-  std::string describe(int e) const {
-    std::string text;
-    [&]<std::size_t... I>(std::index_sequence<I...>) {
-      const int done[]{
-          (e == static_cast<int>(I) ? (text = std::string(std::string_view(core_of<Chain, I>::type)), 0) : 0)...};
-      (void)done;
+  static std::string describe(int e) {
+    static constexpr auto types = []<std::size_t... I>(std::index_sequence<I...>) {
+      return std::array<std::string_view, Chain::size>{std::string_view(core_of<Chain, I>::type)...};
     }
     (std::make_index_sequence<Chain::size>{});
-    return text;
+    const auto ports_of = [](int i) { return static_elements<Chain, Given>::ports(i); };
+    std::size_t first = 0;
+    for (int i = 0; i < e; ++i) first += ports_of(i).size();
+    const std::span<const std::string_view> names(names_of<kind::loop, Chain>::at_ports);
+    return describe_element(types[static_cast<std::size_t>(e)], ports_of(e), names.subspan(first, ports_of(e).size()));
   }
   static std::string loop_name(int loop) { return name<kind::loop>(loop); }
 
@@ -69,9 +70,9 @@ struct static_closures : static_elements<Chain, Given> {
   struct names_of;
   template <kind K, class Gravity, class... E>
   struct names_of<K, static_chain<Gravity, E...>> {
+    static constexpr auto at_ports = names_at_ports<wiring, E...>();
     static constexpr auto table = [] {
       std::array<std::string_view, std::size_t{wiring::count(K)} + 1> names{};
-      const auto at_ports = names_at_ports<wiring, E...>();
       for (std::size_t p = 0; p < std::size_t{wiring::ports}; ++p)
         if (wiring::table.what[p] == K) names[static_cast<std::size_t>(wiring::table.slot[p])] = at_ports[p];
       return names;

@@ -164,7 +164,11 @@ void settle_contacts(const Access& a, const X& x0, Rate& d, X& x) {
       m.find(c, s);
       put_gaps(m, step.gaps, step.values);
       const double gap = step.gaps.largest_of_chosen(step.values);
-      closed = gap <= 1e-16 || (gap > last / 20 && gap <= on_loops_within);
+      const auto rounding = [&] {
+        e.at_positions(c, s, true);
+        return e.rounding(s, x);
+      };
+      closed = gap <= 1e-16 || (gap > last / 20 && (gap <= on_loops_within || gap <= rounding()));
       if (closed) return;
       if (!(gap < 1e300) || i == 20) [[unlikely]]
         raise<bad_argument>("kte: contacts " + names_of_touching(c, step.at) +
