@@ -9,10 +9,11 @@ from numpy.typing import ArrayLike
 from ._kte import Chain, Recording, Robot, Simulation
 from ._results import Array
 
+# Functions return Any, since components of arrays are such: mypy --strict refuses them where a type is declared.
 #: A number or array over time, of (t, q, v).
-Law = Callable[[float, Array, Array], ArrayLike]
-#: Whether a contact lands, a function of (t, q, v).
-Gate = Callable[[float, Array, Array], Any]  # a bool; Any, since components of arrays compare to such of numpy
+Law = Callable[[float, Array, Array], Any]
+#: Whether a contact lands, a bool, of (t, q, v).
+Gate = Callable[[float, Array, Array], Any]
 
 
 @dataclass(frozen=True)
@@ -27,7 +28,7 @@ class Event:
     one_sided  the reset must send the function back to the side it came from
     """
 
-    function: Callable[[float, Array, Array], Any]  # a number; Any, since components of arrays are such
+    function: Callable[[float, Array, Array], Any]  # a number
     direction: str = "both"
     terminal: bool = False
     reset: Optional[Callable[[float, Array, Array], Tuple[ArrayLike, ArrayLike]]] = None

@@ -22,8 +22,8 @@ from .errors import BadArgument, Error, UnknownName
 
 __all__ = ["Case", "OperationRun", "SimulationRun", "SweepTable", "sweep"]
 
-#: What a function of a sweep returns: the kept numbers, or a dict that has them.
-Kept = Union[float, ArrayLike, Mapping[str, float]]
+#: What a function of a sweep returns: the kept numbers, or a dict that has them; Any, since components of arrays are.
+Kept = Any
 
 _AHEAD = 64  # shards that workers have at a time
 _A_PACK = 8  # cases in a pack, at most

@@ -15,9 +15,10 @@ BUILD = Path(kte.__file__).resolve().parents[2]
 
 @pytest.mark.skipif(importlib.util.find_spec("pip") is None, reason="needs pip")
 @pytest.mark.skipif(Path(kte.__file__).resolve().parents[1].name != "python", reason="of a build folder only")
-def test_pip_installs_it(tmp_path):
+@pytest.mark.parametrize("folder", [str(BUILD), os.path.relpath(BUILD, SOURCE.parent)], ids=["absolute", "relative"])
+def test_pip_installs_it(folder, tmp_path):
     command = [sys.executable, "-m", "pip", "install", "--no-build-isolation", "--no-index", "--no-deps", "--target"]
-    command += [str(tmp_path / "site"), f"--config-settings=build-dir={BUILD}", str(SOURCE)]
+    command += [str(tmp_path / "site"), f"--config-settings=build-dir={folder}", str(SOURCE)]
     subprocess.run(command, check=True, capture_output=True, text=True, cwd=tmp_path)
     code = "import kte; print(kte.__file__, kte.Chain(kte.base_3D('a')), kte.__version__)"
     environment = {**os.environ, "PYTHONPATH": str(tmp_path / "site")}

@@ -99,7 +99,7 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
     name = f"kte-{_version()}-{_tag()}.whl"
     given = (config_settings or {}).get("build-dir")
     with tempfile.TemporaryDirectory() as temporary:
-        folder = pathlib.Path(given).resolve() if given else pathlib.Path(temporary)
+        folder = (HERE.parent / given).resolve() if given else pathlib.Path(temporary)  # pip has left the user's folder
         if not given:
             _build(str(folder))
         package = folder / "python" / "kte"
