@@ -22,7 +22,7 @@ double batch_error(const runtime_chain& c, const Eigen::MatrixXd& q, const Eigen
   return (a - expected).cwiseAbs().maxCoeff() / (1 + expected.cwiseAbs().maxCoeff());
 }
 
-/// `count` states of a chain on its loops.
+/// `count` states of a chain on its loops, from the first guesses that can be assembled.
 struct states {
   Eigen::MatrixXd q, v, tau;
   template <class Guess>
@@ -32,10 +32,13 @@ struct states {
     auto s = c.make_state();
     for (Eigen::Index k = 0; k < count; ++k) {
       const auto drawn = [&] { return vector::NullaryExpr(c.dofs(), [&] { return draw(); }).eval(); };
-      q.col(k) = guess(k, drawn());
+      for (bool closed = false; !closed;) try {
+          q.col(k) = assemble(c, s, guess(k, drawn()));
+          closed = true;
+        } catch (const cannot_assemble&) {
+        }
       tau.col(k) = drawn();
       v.col(k) = drawn();
-      q.col(k) = assemble(c, s, vector(q.col(k)));
       v.col(k) = consistent_velocities(c, s, vector(q.col(k)), vector(v.col(k)));
     }
   }

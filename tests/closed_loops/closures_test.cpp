@@ -124,7 +124,7 @@ TEST_CASE("what closures refuse") {
   CHECK_THROWS_AS(c << coincident_points_2D("m", "a", "nowhere"), bad_wiring);
 }
 
-TEST_CASE("misspelt coordinates of closures are refused, with the one that is meant") {
+TEST_CASE("misspelt coordinates of closures are refused, with a similar name") {
   const auto refuses = [](const auto& closure, const std::string& what) {
     runtime_chain c;
     c << revolute_joint_2D("crank", "base", "a") << revolute_joint_2D("rocker", "base", "b") << closure;

@@ -129,12 +129,12 @@ TEST_CASE("given motions that open a loop are refused, by name") {
   model m(bar_in_slot);
   m.input("p") = 0.3;
   CHECK_NOTHROW(m.make_x(q, rest));
-  m.input("v") = 0.1;
+  m.input("v") = 0.125;
   CHECK_THROWS_MATCHES(m.make_x(q, rest), bad_argument,
-                       says("kte: inputs give a velocity to a frame of 'slot', which opens at 0.1"));
+                       says("kte: inputs give a velocity to a frame of 'slot', which opens at 0.125 m/s"));
   m.let_inputs_move();
   CHECK_THROWS_MATCHES(m.make_x(q, rest), bad_argument, says("kte: the velocities do not keep the loops closed"));
-  CHECK_NOTHROW(m.make_x(q, numbers({-0.1 / std::sin(q[0])})));
+  CHECK_NOTHROW(m.make_x(q, numbers({-0.125 / std::sin(q[0])})));
 
   runtime_chain measured;
   measured << revolute_joint_2D("q", "base", "arm") << inertia_2D("arm", bar)

@@ -67,7 +67,7 @@ void check(const matrix& b, Eigen::Index rank) {
 
 }  // namespace
 
-TEST_CASE("pivoted QR of full matrices, and of large ones with few entries") {
+TEST_CASE("pivoted QR of full matrices, and of loops in a row") {
   random_numbers draw(5);
   check(matrix::NullaryExpr(5, 3, [&] { return draw(); }), 3);
   check(matrix::NullaryExpr(3, 5, [&] { return draw(); }), 3);

@@ -159,6 +159,7 @@ class manipulator_dynamics_model<runtime_chain, double, void> : public state_spa
   /// `settle`. Joints in loops may then move by them; otherwise inputs are constant in a step, and velocities that they
   /// give to such joints are refused.
   void let_inputs_move() { inputs_move_ = true; }
+  /// Whether the inputs are functions of time.
   [[nodiscard]] bool inputs_move() const { return inputs_move_; }
   /// Removes from a displacement from x0 the part that `settle` would remove.
   void tangential(const state& x0, rate& e) const;

@@ -4,10 +4,7 @@
 
 #include <Eigen/Core>
 
-#include <algorithm>
-#include <bit>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -17,11 +14,6 @@ namespace kte::detail {
 /// B P = Q R by Householder reflections (Golub and Van Loan, Matrix Computations, 2013, 5.4.2), of the columns of B
 /// that are independent: Q has orthonormal columns, R is square and upper triangular. Nothing is allocated where B is
 /// as large as before. Vectors of as many numbers as B has rows have `padding` zeros behind them.
-///
-/// Large B with few entries, as of loops in a row that share bodies with their neighbours, are factorized by their
-/// entries: reflection k is onto the axis of any row where its column has an entry, and changes the columns that share
-/// a row with it. It adds their rows to each other and takes its own out (George and Heath, Linear Algebra Appl. 34,
-/// 1980), in any order of columns: those of a row of loops keep a few entries each.
 class pivoted_qr {
  public:
   std::vector<int> chosen;           ///< columns of B, in the order of R
@@ -36,9 +28,6 @@ class pivoted_qr {
       rows_ = rows, columns_ = columns;
       b_.setZero((rows + padding) / lanes * lanes, columns), r_.setZero(columns, columns);
       diagonal_.resize(columns), inverse_.resize(columns), factor_.resize(columns), square_.resize(columns);
-      words_ = static_cast<std::size_t>(rows + 63) / 64;
-      entries_.assign(columns < least_sparse ? 0 : words_ * static_cast<std::size_t>(columns), 0);
-      axis_.resize(static_cast<std::size_t>(columns)), gathered_.resize(columns);
       chosen.reserve(static_cast<std::size_t>(columns));
     }
     return {b_.data(), rows, columns, Eigen::OuterStride<>(b_.rows())};
@@ -64,7 +53,6 @@ class pivoted_qr {
           tree::store<double>(y, at(i, k)), tree::store<double>(x, at(i, best));
         }
         for (Eigen::Index i = 0; i < k; ++i) std::swap(r_(i, k), r_(i, best));
-        if (is_sparse_) std::swap_ranges(entries_of(k), entries_of(k) + words_, entries_of(best));
         square_[best] = square_[k];
         std::swap(chosen[static_cast<std::size_t>(k)], chosen[static_cast<std::size_t>(best)]);
       }
@@ -86,12 +74,6 @@ class pivoted_qr {
   /// y = Q x.
   void times_q(const double* x, double* y) const {
     const Eigen::Index n = rank();
-    if (is_sparse_) {
-      std::fill_n(y, b_.rows(), 0.0);
-      for (Eigen::Index k = 0; k < n; ++k) y[axis_[static_cast<std::size_t>(k)]] = x[k];
-      for (Eigen::Index k = n; k-- > 0;) reflect_sparse_by(k, y);
-      return;
-    }
     for (Eigen::Index first = 0; first < b_.rows(); first += lanes) {
       simd part{};
       for (Eigen::Index i = first; i < (std::min)(n, first + lanes); ++i)
@@ -102,13 +84,7 @@ class pivoted_qr {
   }
   /// The first numbers of y become Q^T y.
   void times_q_transposed(double* y) const {
-    if (!is_sparse_) {
-      for (Eigen::Index k = 0; k < rank(); ++k) reflect_by(k, y);
-      return;
-    }
-    for (Eigen::Index k = 0; k < rank(); ++k) reflect_sparse_by(k, y);
-    for (Eigen::Index k = 0; k < rank(); ++k) gathered_[k] = y[axis_[static_cast<std::size_t>(k)]];
-    std::copy_n(gathered_.data(), rank(), y);
+    for (Eigen::Index k = 0; k < rank(); ++k) reflect_by(k, y);
   }
   /// x becomes R^-1 x.
   void solve(double* x) const {
@@ -167,85 +143,15 @@ class pivoted_qr {
       square_[j] = dot(0, at(0, j), at(0, j));
       is_finite &= square_[j] < std::numeric_limits<double>::infinity();
     }
-    find_entries();
-  }
-  /// Whether B is large and has few entries; where they are.
-  void find_entries() {
-    is_sparse_ = false;
-    if (entries_.empty()) return;
-    std::fill(entries_.begin(), entries_.end(), 0);
-    Eigen::Index count = 0;
-    for (Eigen::Index j = 0; j < columns_; ++j) {
-      std::uint64_t* const to = entries_of(j);
-      const double* const column = at(0, j);
-      for (Eigen::Index i = 0; i < rows_; ++i)
-        if (column[i] != 0) to[i / 64] |= std::uint64_t{1} << (i % 64), ++count;
-    }
-    is_sparse_ = 5 * count < rows_ * columns_;
-  }
-  std::uint64_t* entries_of(Eigen::Index column) { return entries_.data() + words_ * static_cast<std::size_t>(column); }
-  const std::uint64_t* entries_of(Eigen::Index column) const {
-    return entries_.data() + words_ * static_cast<std::size_t>(column);
-  }
-  /// Calls visit(row) for the entries of a column.
-  template <class Visit>
-  KTE_INLINE void each_row(Eigen::Index column, const Visit& visit) const {
-    const std::uint64_t* const from = entries_of(column);
-    for (std::size_t w = 0; w < words_; ++w)
-      for (std::uint64_t left = from[w]; left != 0; left &= left - 1)
-        visit(static_cast<Eigen::Index>(64 * w) + std::countr_zero(left));
-  }
-  bool share_rows(Eigen::Index a, Eigen::Index b) const {
-    std::uint64_t shared = 0;
-    for (std::size_t w = 0; w < words_; ++w) shared |= entries_of(a)[w] & entries_of(b)[w];
-    return shared != 0;
-  }
-  /// `reflect` by the entries of column k, onto the axis of the first of them.
-  void reflect_sparse(Eigen::Index k, double norm) {
-    Eigen::Index axis = -1;
-    each_row(k, [&](Eigen::Index i) { axis = axis < 0 ? i : axis; });
-    if (axis < 0) axis = 0;  // a column of zeros, which `take` refuses afterwards
-    axis_[static_cast<std::size_t>(k)] = axis;
-    const double v0 = begin_reflection(k, b_(axis, k), norm);
-    b_(axis, k) = v0;
-    const auto word = static_cast<std::size_t>(axis / 64);
-    const std::uint64_t own = std::uint64_t{1} << (axis % 64);
-    for (Eigen::Index j = k + 1; j < columns_; ++j) {
-      if (!share_rows(k, j)) {
-        r_(k, j) = 0;
-        continue;
-      }
-      double along = 0, square = 0;
-      each_row(k, [&](Eigen::Index i) { along += b_(i, k) * b_(i, j); });
-      along *= factor_[k];
-      each_row(k, [&](Eigen::Index i) { b_(i, j) -= along * b_(i, k); });
-      r_(k, j) = b_(axis, j), b_(axis, j) = 0;
-      for (std::size_t w = 0; w < words_; ++w) entries_of(j)[w] |= entries_of(k)[w];
-      entries_of(j)[word] &= ~own;
-      each_row(j, [&](Eigen::Index i) { square += b_(i, j) * b_(i, j); });
-      square_[j] = square;
-    }
-  }
-  KTE_INLINE void reflect_sparse_by(Eigen::Index k, double* y) const {
-    double along = 0;
-    each_row(k, [&](Eigen::Index i) { along += b_(i, k) * y[i]; });
-    along *= factor_[k];
-    each_row(k, [&](Eigen::Index i) { y[i] -= along * b_(i, k); });
-  }
-  /// Stores the numbers of reflection k, whose column has this norm and the entry `own` on its axis. Returns v_0.
-  double begin_reflection(Eigen::Index k, double own, double norm) {
-    const double d = own > 0 ? -norm : norm, v0 = own - d, half = -d * v0;
-    diagonal_[k] = d, inverse_[k] = 1 / d, factor_[k] = half > 0 ? 1 / half : 0;
-    largest = k == 0 ? norm : (std::max)(largest, norm), smallest = k == 0 ? norm : (std::min)(smallest, norm);
-    return v0;
   }
   /// Reflects column k, of this norm, onto axis k by 1 - v v^T / (-d v_0), v of the column less d on its axis. Keeps v
   /// in the column; row k of the others goes to R.
   void reflect(Eigen::Index k, double norm) {
-    if (is_sparse_) return reflect_sparse(k, norm);
     const Eigen::Index first = first_of(k);
     const tree::simd_lane<double> lane(static_cast<int>(k - first));
-    const double v0 = begin_reflection(k, b_(k, k), norm);
+    const double own = b_(k, k), d = own > 0 ? -norm : norm, v0 = own - d, half = -d * v0;
+    diagonal_[k] = d, inverse_[k] = 1 / d, factor_[k] = half > 0 ? 1 / half : 0;
+    largest = k == 0 ? norm : (std::max)(largest, norm), smallest = k == 0 ? norm : (std::min)(smallest, norm);
     simd a, b;
     tree::load<double>(a, at(first, k));
     lane.put(a, v0);
@@ -275,13 +181,7 @@ class pivoted_qr {
     }
   }
 
-  static constexpr Eigen::Index least_sparse = 12;  ///< columns
   Eigen::Index rows_ = 0, columns_ = 0;
-  bool is_sparse_ = false;
-  std::size_t words_ = 0;
-  std::vector<std::uint64_t> entries_;  ///< of each column, a bit for each row; without rows of earlier reflections
-  std::vector<Eigen::Index> axis_;      ///< the row of each reflection
-  mutable Eigen::VectorXd gathered_;
   Eigen::MatrixXd b_, r_;                                 ///< reflections; R above its diagonal
   Eigen::VectorXd diagonal_, inverse_, factor_, square_;  ///< R_kk, 1 / R_kk, 2 / |v|^2; squares of remaining columns
 };
