@@ -63,7 +63,8 @@ template <class Matrix>
 struct derivative_entries {
   entries_of<Matrix> by_q, by_v, by_a;
 };
-/// Writes the derivatives of the forces on joints of a tree of joints to matrices of zeros. `pass`: its motion and forces.
+/// Writes the derivatives of the forces on joints of a tree of joints to matrices of zeros. `pass`: its motion and
+/// forces.
 template <class S, class Pass, class Result>
 KTE_INLINE void write_force_derivatives(const Pass& pass, Result& r) {
   using bodies_type = moving_bodies<S, Pass, axes_of_dofs<typename Pass::chain_type>>;
