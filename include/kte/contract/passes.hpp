@@ -60,6 +60,30 @@ inline constexpr bool has_skip<wrench<F, T>> = has_skip<F> || has_skip<T>;
 template <class... L>
 inline constexpr bool has_skip<values<L...>> = (has_skip<L> || ...);
 
+/// The energies, J, of an element that sees x..., and the first moment m c of a distributed mass in axes of the base,
+/// kg m; typed zeros if it has none.
+template <class Core, class... X>
+KTE_INLINE constexpr auto kinetic_energy_of(const Core& core, const X&... x) {
+  if constexpr (has_kinetic_energy<Core, X...>)
+    return core.kinetic_energy(x...);
+  else
+    return zero;
+}
+template <class Core, class... X>
+KTE_INLINE constexpr auto potential_energy_of(const Core& core, const X&... x) {
+  if constexpr (has_potential_energy<Core, X...>)
+    return core.potential_energy(x...);
+  else
+    return zero;
+}
+template <class Core, class... X>
+KTE_INLINE constexpr auto first_moment_of(const Core& core, const X&... x) {
+  if constexpr (has_first_moment<Core, X...>)
+    return core.first_moment(x...);
+  else
+    return zero3{};
+}
+
 /// The connections of an element as a list of indices.
 struct by_index {
   const int* index;
@@ -185,31 +209,17 @@ struct stored_element {
       return zero;
     }
   }
-  /// The energies, J, of elements that have them.
   template <std::size_t... P>
   KTE_INLINE constexpr auto kinetic_energy(std::index_sequence<P...>) const {
-    if constexpr (has_kinetic_energy<Core, decltype(input<P>())...>) {
-      return core.kinetic_energy(input<P>()...);
-    } else {
-      return zero;
-    }
+    return kinetic_energy_of(core, input<P>()...);
   }
   template <std::size_t... P>
   KTE_INLINE constexpr auto potential_energy(std::index_sequence<P...>) const {
-    if constexpr (has_potential_energy<Core, decltype(input<P>())...>) {
-      return core.potential_energy(input<P>()...);
-    } else {
-      return zero;
-    }
+    return potential_energy_of(core, input<P>()...);
   }
-  /// The first moment m c of a distributed mass in axes of the base, kg m.
   template <std::size_t... P>
   KTE_INLINE constexpr auto first_moment(std::index_sequence<P...>) const {
-    if constexpr (has_first_moment<Core, decltype(input<P>())...>) {
-      return core.first_moment(input<P>()...);
-    } else {
-      return zero3{};
-    }
+    return first_moment_of(core, input<P>()...);
   }
   /// A function that passes through zero where the law of the element changes; 1 if it never does.
   template <std::size_t... P>

@@ -66,8 +66,6 @@ Eigen::Matrix<S, 6, 1> six_numbers(const W& w, std::string_view frame) {
   for (int i = 0; i < 6; ++i) x[i] = S(all[i]);
   return x;
 }
-template <class... Core>
-inline constexpr bool no_load_dependent_friction = (!load_dependent_friction<Core> && ...);
 
 /// A load on a frame of a runtime chain.
 template <class S>
@@ -117,7 +115,7 @@ runtime_vector<S> external_forces(const runtime_chain& c, basic_runtime_state<S>
 template <class Gravity, class... E, indexable Q, key_type... Frames>
 [[nodiscard]] auto external_forces(const static_chain<Gravity, E...>& c, const Q& q,
                                    const wrench_on_frame<Frames>&... loads) {
-  static_assert(detail::no_load_dependent_friction<typename E::core_type...>,
+  static_assert(!detail::has_load_dependent_friction<static_chain<Gravity, E...>>,
                 "kte: external wrenches on a chain with load-dependent friction must be elements of the chain");
   static_assert(sizeof(detail::check_loads_of<static_chain<Gravity, E...>>) > 0 &&
                 sizeof(detail::check_closures_of<static_chain<Gravity, E...>>) > 0);

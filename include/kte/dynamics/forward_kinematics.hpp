@@ -13,16 +13,8 @@ KTE_INLINE constexpr auto motion_of(const Chain& c, const Given& g);
 
 template <class Types, std::size_t I, class Chain, class Given, std::size_t... P>
 KTE_INLINE constexpr auto motion_by(const Chain& c, const Given& g, std::index_sequence<P...>) {
-  if constexpr (writes_freely<core_of<Chain, I>>) {
-    return Types::template written_freely<I>(
-        c.template core<I>(), motion_of<Types, Types::template what<I, P>, Chain::wiring::slot(I, P)>(c, g)...);
-  } else if constexpr (Types::template turns<I>) {
-    return with_angle(c.template core<I>().doMotion(
-        motion_of<Types, Types::template what<I, P>, Chain::wiring::slot(I, P)>(c, g)...));
-  } else {
-    return c.template core<I>().doMotion(
-        motion_of<Types, Types::template what<I, P>, Chain::wiring::slot(I, P)>(c, g)...);
-  }
+  return Types::template moved<I>(c.template core<I>(),
+                                  motion_of<Types, Types::template what<I, P>, Chain::wiring::slot(I, P)>(c, g)...);
 }
 template <class Types, kind K, int Slot, class Chain, class Given>
 KTE_INLINE constexpr auto motion_of(const Chain& c, const Given& g) {
@@ -77,21 +69,20 @@ KTE_INLINE auto pose_at(const Chain& c, const Positions& at, const Base& base) {
     diagnose_signals<typename Chain::wiring>("where a frame stands", base);
     diagnose<typename Chain::wiring>("where a frame stands", at.q, same<zero_t>{}, same<zero_t>{}, "a");
   };
+  const auto check = [&why](const auto&... x) KTE_INLINE_LAMBDA {
+    const S numbers[]{x...};
+    check_result(numbers, sizeof...(x), why);
+  };
+  const auto& [r, position] = p;
   if constexpr (Chain::wiring::table.signals == 0) {  // a rotation that was checked stays one
-    if constexpr (Key::what == kind::frame_2D) {
-      const S numbers[]{p.position.x, p.position.y};
-      check_result(numbers, 2, why);
-    } else {
-      const S numbers[]{p.position.x, p.position.y, p.position.z};
-      check_result(numbers, 3, why);
-    }
+    if constexpr (Key::what == kind::frame_2D)
+      check(position.x, position.y);
+    else
+      check(position.x, position.y, position.z);
   } else if constexpr (Key::what == kind::frame_2D) {
-    const S numbers[]{p.position.x, p.position.y, p.rotation.cos, p.rotation.sin};
-    check_result(numbers, 4, why);
+    check(position.x, position.y, r.cos, r.sin);
   } else {
-    const auto& r = p.rotation;
-    const S numbers[]{p.position.x, p.position.y, p.position.z, dot(r.x, r.x), dot(r.y, r.y), dot(r.z, r.z)};
-    check_result(numbers, 6, why);
+    check(position.x, position.y, position.z, dot(r.x, r.x), dot(r.y, r.y), dot(r.z, r.z));
   }
   return p;
 }

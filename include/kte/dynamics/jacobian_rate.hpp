@@ -108,18 +108,14 @@ linear_angular<S> bias_acceleration_of(const runtime_chain& c, basic_runtime_sta
     return bias_of<S>(m, Axes{}, diagnose_state{"an acceleration", s});
   });
 }
-template <class S>
-basic_runtime_jacobian<S> at_origin(basic_runtime_jacobian<S> j, const vec3<S>& position) {
-  move_to_world_origin(j, position);
-  return j;
-}
 }  // namespace detail
 
 template <class S>
 basic_runtime_jacobian<S> jacobian(const runtime_chain& c, basic_runtime_state<S>& s, const name_or_handle& frame,
                                    at_world_origin_t) {
   auto j = jacobian(c, s, frame, in_world_axes);
-  return detail::at_origin(std::move(j), forward_kinematics(c, s, frame).position);
+  detail::move_to_world_origin(j, forward_kinematics(c, s, frame).position);
+  return j;
 }
 template <class S, indexable Q>
 requires(!names_something<Q>) basic_runtime_jacobian<S> jacobian(const runtime_chain& c, basic_runtime_state<S>& s,

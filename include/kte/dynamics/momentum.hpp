@@ -7,20 +7,6 @@
 
 namespace kte {
 
-namespace detail {
-/// Selects the elements with mass: bodies, and masses on coordinates.
-struct masses_alone {
-  template <class Core>
-  KTE_INLINE static constexpr decltype(auto) of(const Core& core) {
-    if constexpr (has_output<Core> || has_mass<Core, double>) {
-      return (core);
-    } else {
-      return no_load_core<Core>{};
-    }
-  }
-};
-}  // namespace detail
-
 /// The generalized momenta,
 ///
 ///   p = M(q) v                    (1)
@@ -35,7 +21,7 @@ template <class Gravity, class... E, indexable Q, indexable V>
   using S = value_of<Q>;
   check_configuration<chain_type>(q), check_size<chain_type::dofs>(v, "v");
   const configuration<S, typename chain_type::wiring, Q> at(q);
-  const with_loads<chain_type, masses_alone> masses{c};
+  const with_loads<chain_type, masses_alone<true>> masses{c};
   constexpr same_base at_rest{motion{skip{}, skip{}, skip{}, zero3{}, zero3{}, zero3{}}};
   return generalized_forces<S>(masses, given{at, same<zero_t>{}, each<S, V>{v}, rest_base_of<chain_type>(at_rest)},
                                minus_one);

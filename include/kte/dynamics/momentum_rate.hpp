@@ -13,10 +13,7 @@ namespace kte {
 namespace detail {
 template <class S, class Chain, class At, class V, class A>
 KTE_INLINE auto momentum_rate_at_base(const Chain& c, const At& at, const V& v, const A& a) {
-  using bodies = with_loads<Chain, bodies_alone>;
-  const given g{at, v, a, base_at_rest};
-  const bodies b{c};
-  const auto w = load_on_bases(unrolled_passes<bodies, std::remove_const_t<decltype(g)>>(b, g));
+  const auto w = loads_on_bases<bodies_alone>(c, given{at, v, a, base_at_rest});
   return wrench{-w.force, -w.torque};
 }
 }  // namespace detail

@@ -63,19 +63,10 @@ void mark_support(const Connections& c, thing_of_chain frame, Mask& moves) {
 /// The text of thing i of kind k.
 template <class Wiring, class... E>
 std::string_view name_of_thing(kind k, int i) {
-  std::string_view found;
-  std::size_t port = 0;
-  const auto look = [&]<class Core, class... Keys>(const element<Core, Keys...>*) {
-    const std::string_view own[]{Keys::name...};
-    for (const auto& name : own) {
-      if (Wiring::table.what[port] == k && Wiring::table.slot[port] == i) found = name;
-      ++port;
-    }
-    return 0;
-  };
-  const int done[]{look(static_cast<const E*>(nullptr))..., 0};
-  (void)done;
-  return found;
+  const auto names = names_at_ports<Wiring, E...>();
+  for (std::size_t p = Wiring::ports; p-- > 0;)
+    if (Wiring::table.what[p] == k && Wiring::table.slot[p] == i) return names[p];
+  return {};
 }
 }  // namespace detail
 

@@ -30,8 +30,9 @@ KTE_INLINE constexpr auto operator*(const X& k, const motion_vector<A, B>& x) {
   return motion_vector{k * x.linear, k * x.angular};
 }
 /// s^T f: the power of a wrench on a motion.
-template <class V, class W, class F, class T>
-KTE_INLINE constexpr auto power(const motion_vector<V, W>& s, const wrench<F, T>& w) {
+template <class M, class F, class T>
+requires requires(const M& s) { s.linear, s.angular; }
+KTE_INLINE constexpr auto power(const M& s, const wrench<F, T>& w) {
   return dot(s.linear, w.force) + dot(s.angular, w.torque);
 }
 

@@ -118,6 +118,11 @@ template <not_skip T>
   return {};
 }
 
+/// to += a x b, for entries of any kind: also several numbers in a register.
+template <class To, class A, class B>
+KTE_INLINE constexpr void add_cross(To& to, const A& a, const B& b) {
+  to.x += a.y * b.z - a.z * b.y, to.y += a.z * b.x - a.x * b.z, to.z += a.x * b.y - a.y * b.x;
+}
 /// v + a x b, by two fused multiply-adds per component where the CPU has them.
 template <class V, class A, class B>
 [[nodiscard]] KTE_INLINE constexpr auto plus_cross(const V& v, const A& a, const B& b) {

@@ -74,16 +74,15 @@ void coriolis_terms(const T& t, const joint_axis<S>* changes, coriolis_body<S>* 
                                      inertia * change.angular + cross(h, change.linear) + b.turning * s.angular};
       wrench<vec3<S>, vec3<S>> second{mass * s.linear + cross(s.angular, h), inertia * s.angular + cross(h, s.linear)};
       const vec3<S> third = transpose(b.turning) * s.angular + cross(b.momentum, s.linear);
-      for (int j = t.first(i); j < end; ++j)
-        put(j, k, power_on(t.axis(j), first), power_on(t.axis(j), second));  // (3), (4)
+      for (int j = t.first(i); j < end; ++j) put(j, k, power(t.axis(j), first), power(t.axis(j), second));  // (3), (4)
       for (int at = i; t.parent(at) >= 0;) {
         const vec3<S>& d = t.step(at);
         first.torque = first.torque + cross(d, first.force), second.torque = second.torque + cross(d, second.force);
         at = t.parent(at);
         for (int j = t.first(at); j < t.first(at) + t.axes(at); ++j) {
-          const S mass_jk = power_on(t.axis(j), second);
-          put(j, k, power_on(t.axis(j), first), mass_jk);
-          put(k, j, S(power_on(changes[j], second) + dot(t.axis(j).angular, third)), mass_jk);
+          const S mass_jk = power(t.axis(j), second);
+          put(j, k, power(t.axis(j), first), mass_jk);
+          put(k, j, S(power(changes[j], second) + dot(t.axis(j).angular, third)), mass_jk);
         }
       }
     }

@@ -190,11 +190,6 @@ KTE_INLINE constexpr void derivatives_of_forces(const Driver& d, const Put& put)
 // ---- in axes of the world
 namespace kte::engine {
 
-/// to += a x b
-template <class To, class A, class B>
-KTE_INLINE void add_cross(To& to, const A& a, const B& b) {
-  to.x += a.y * b.z - a.z * b.y, to.y += a.z * b.x - a.x * b.z, to.z += a.x * b.y - a.y * b.x;
-}
 /// The derivatives of the forces on axes (Singh, Russo and Wensing, Efficient analytical derivatives of rigid-body
 /// dynamics using spatial vector algebra, 2022). F is the wrench of a body and its subtree; notation of (1), (2) of
 /// tree/variations.hpp:

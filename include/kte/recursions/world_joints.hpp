@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kte/contract/joint_axis.hpp>
+#include <kte/engine/body.hpp>
 #include <kte/math/rigid_body.hpp>
 
 #include <concepts>
@@ -22,12 +23,6 @@ concept world_joints = requires(const T& t) {
   { t.parent(0) } -> std::convertible_to<int>;
   t.first(0), t.axes(0), t.axis(0).angular, t.step(0);
 };
-
-/// s . w: the power of a wrench on an axis.
-template <class S>
-KTE_INLINE S power_on(const joint_axis<S>& s, const wrench<vec3<S>, vec3<S>>& w) {
-  return dot(s.linear, w.force) + dot(s.angular, w.torque);
-}
 
 /// put(k, v, u): the columns of the Jacobian of a frame, in its own axes, for joint i and all joints before it.
 /// `rotation`: of the frame in the world; `way`: from the end of joint i to it, in axes of the world. For loops over

@@ -25,18 +25,18 @@ KTE_INLINE constexpr auto placed_in_world(const B& b, const W& parent) {
   return world_placement{mat3{b.in(a.x), b.in(a.y), b.in(a.z)}, step, parent.position + step};
 }
 /// Writes the axes of a joint in axes of the world, A s_k, to axes[0], ...
-template <int K = 0, body_with_axes B, class R, class Axis>
+template <body B, class R, class Axis>
 KTE_INLINE constexpr void axes_in_world(const B& b, const R& rotation, Axis* axes) {
-  const auto s = b.template axis<K>();
-  assign(axes[K].linear, rotation * s.linear), assign(axes[K].angular, rotation * s.angular);
-  if constexpr (K + 1 < B::axes) axes_in_world<K + 1>(b, rotation, axes);
+  each_axis(b, [&](const auto& k, const auto& s) KTE_INLINE_LAMBDA {
+    assign(axes[k].linear, rotation * s.linear), assign(axes[k].angular, rotation * s.angular);
+  });
 }
 /// All bodies, from the placements of bases in `kept`; with `axes` also the axes of joints.
 template <class Hand, class Driver, class Kept, class... Axis>
 KTE_INLINE void world_placements(const Driver& d, const Kept& kept, Axis*... axes) {
   (void)d.template outward<Hand>(kept, [axes...](const body auto& b, const auto& parent) KTE_INLINE_LAMBDA {
     const auto x = placed_in_world(b, parent);
-    (b.axes_in_world(x.rotation, axes + b.first()), ...);
+    (axes_in_world(b, x.rotation, axes + b.first()), ...);
     return x;
   });
 }

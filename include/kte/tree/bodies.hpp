@@ -29,6 +29,14 @@ struct along_and_about_z {
     return engine::motion_vector{vec3{zero, zero, r.slides}, vec3{zero, zero, r.turns}};
   }
 };
+/// f(axis k of a joint), as a type if possible.
+template <class P, class S, class F>
+KTE_INLINE auto with_axis(const body_node<P>& r, const joint_transform<S>& at, int k, const F& f) {
+  if (r.moves == joint::revolute) return f(about_z::axis<0>(r));
+  if (r.moves == joint::varying) return f(at.axis(k));
+  if (r.moves == joint::screw) return f(along_and_about_z::axis<0>(r));
+  return engine::with_unit_axis(r.axis[static_cast<std::size_t>(k)], f);
+}
 /// Joints that are free to move without masses on their coordinates, joints whose acceleration is given, and others.
 struct free_joint {
   static constexpr bool always = true, free = true;
@@ -77,10 +85,6 @@ struct jointed_body {
   KTE_INLINE static constexpr skip in(skip) { return {}; }
   KTE_INLINE static constexpr zero3 in(zero3) { return {}; }
   KTE_INLINE static constexpr skip out(skip) { return {}; }
-  template <class R>
-  KTE_INLINE void axes_in_world(const R& rotation, world_axis<S>* axes_of_joint) const {
-    engine::axes_in_world(*this, rotation, axes_of_joint);
-  }
   template <class U>
   KTE_INLINE auto in(const U& u) const {
     vec3<S> x;
@@ -142,18 +146,6 @@ struct several_axes_body {
   KTE_INLINE const vec3<S>& position() const { return at.position; }
   KTE_INLINE const auto& inertia() const { return r.body; }
   KTE_INLINE const auto& composite() const { return r.weight; }
-  KTE_INLINE void axes_in_world(const mat3<vec3<S>>& a, world_axis<S>* axes) const {
-    const std::array<vec3<S>, 3> unit{vec3<S>{a.x.x, a.y.x, a.z.x}, vec3<S>{a.x.y, a.y.y, a.z.y},
-                                      vec3<S>{a.x.z, a.y.z, a.z.z}};
-    for (int k = 0; k < r.axes; ++k) {
-      if (!has_unit_axes()) {
-        axes[k] = {a * axis(k).linear, a * axis(k).angular};
-        continue;
-      }
-      const auto n = static_cast<std::size_t>(axis_number(k));
-      axes[k] = n < 3 ? world_axis<S>{unit[n], {}} : world_axis<S>{{}, unit[n - 3]};
-    }
-  }
   KTE_INLINE static constexpr skip in(skip) { return {}; }
   KTE_INLINE static constexpr skip out(skip) { return {}; }
   KTE_INLINE vec3<S> in(const vec3<S>& u) const {

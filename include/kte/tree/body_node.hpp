@@ -82,5 +82,15 @@ struct body_tree {
     return frames[k == kind::frame_2D ? 0 : 1][static_cast<std::size_t>(i)];
   }
 };
+/// The last body that carries both slots, which may be one of them; -1 if they have different bases.
+template <class P>
+int common_slot(const body_tree<P>& f, int a, int b) {
+  while (a != b) {  // parents come first
+    int& later = a > b ? a : b;
+    if (later < f.bases) return -1;
+    later = f.nodes[static_cast<std::size_t>(later - f.bases)].parent;
+  }
+  return a;
+}
 
 }  // namespace kte::tree

@@ -11,19 +11,9 @@
 /// The data that the loops over body nodes need of a chain, computed from its wiring and the numbers of its elements.
 namespace kte::detail {
 
-/// P: the type of its numbers. Plan: the result of `arrange`, or a reference to one.
-template <class P, class Plan>
-class chain_tree {
- public:
-  Plan plan;
-  tree::body_tree<P> body_tree;
-  std::vector<int> slot_of_base;  ///< by base of plan.bases
-  struct rotor {
-    int coordinate;
-    P mass;
-  };
-  std::vector<rotor> rotors;  ///< masses on generalized coordinates
-  std::vector<P> own_mass;    ///< by row: the sum of all masses on coordinates
+/// What the trees of chains that differ in numbers only have in common.
+struct chain_structure {
+  std::vector<int> slot_of_base;  ///< by base of the plan
   bool has_own_mass = false;
   bool only_bodies = false;  ///< whether the chain is a tree of degrees of freedom with bodies only
   std::vector<int> angles;   ///< body nodes whose sine and cosine are used
@@ -49,6 +39,19 @@ class chain_tree {
   };
   exception irregular;      ///< the first with an irregular motion or load: only passes support such chains
   exception moves_unknown;  ///< the first with an irregular motion
+};
+/// P: the type of its numbers. Plan: the result of `arrange`, or a reference to one.
+template <class P, class Plan>
+class chain_tree : public chain_structure {
+ public:
+  Plan plan;
+  tree::body_tree<P> body_tree;
+  struct rotor {
+    int coordinate;
+    P mass;
+  };
+  std::vector<rotor> rotors;  ///< masses on generalized coordinates
+  std::vector<P> own_mass;    ///< by row: the sum of all masses on coordinates
 
   /// `c`: as for `arrange`. each_element(f) calls f(e, its `element_numbers<P>`) for all elements in order.
   template <class Connections, class Each>
@@ -92,23 +95,7 @@ class chain_tree {
   friend class chain_tree;
   template <class T>
   chain_tree(std::span<const chain_tree<T, Plan>> trees, const chain_tree<T, Plan>& one)
-      : plan(one.plan),
-        slot_of_base(one.slot_of_base),
-        own_mass(one.own_mass.size()),
-        only_bodies(one.only_bodies),
-        followers(one.followers),
-        late(one.late),
-        clusters(one.clusters),
-        on_coordinates(one.on_coordinates),
-        on_frames(one.on_frames),
-        weights(one.weights),
-        distributed(one.distributed),
-        readers(one.readers),
-        locks(one.locks),
-        written(one.written),
-        touched(one.touched),
-        turned(one.turned),
-        dofs_(one.dofs_) {
+      : chain_structure(one), plan(one.plan), own_mass(one.own_mass.size()), dofs_(one.dofs_) {
     const auto lane = [&](std::size_t i) -> const auto& { return trees[i < trees.size() ? i : 0]; };
     body_tree = tree::tree_in_lanes<P>([&](std::size_t i) -> const auto& { return lane(i).body_tree; });
     find_angles();
@@ -124,6 +111,7 @@ class chain_tree {
     }
   }
   void find_angles() {
+    angles.clear();
     for (std::size_t i = 0; i < body_tree.nodes.size(); ++i) {
       const auto m = body_tree.nodes[i].moves;
       if (m == tree::joint::revolute || m == tree::joint::screw) angles.push_back(static_cast<int>(i));

@@ -105,13 +105,9 @@ cluster_layout clusters_of(const body_tree<P>& f, int coordinates, int dofs,
     for (int i = 0; i < nodes; ++i) {
       if (!at(linked, row_of(i))) continue;
       int& of_set = at(base, sets.of(row_of(i)));
-      int a = at(f.nodes, i).parent, b = of_set < 0 ? a : of_set;
-      while (a != b) {
-        int& upper = a > b ? a : b;
-        if (upper < f.bases) return x;  // on two bases
-        upper = at(f.nodes, upper - f.bases).parent;
-      }
-      of_set = a;
+      const int parent = at(f.nodes, i).parent;
+      of_set = of_set < 0 ? parent : common_slot(f, parent, of_set);
+      if (of_set < 0) return x;  // on two bases
     }
     for (int i = 0; i < nodes && !grown; ++i) {
       if (!at(linked, row_of(i))) continue;

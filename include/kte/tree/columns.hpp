@@ -54,11 +54,17 @@ struct simd_wrench {
   template <class P>
   KTE_INLINE void go_in(const body_node<P>& r, const joint_transform<S>& at) {
     const placed transform{r, at};
-    const vec3<S>& p = at.position;
     force = transform.out(force), torque = transform.out(torque);
-    torque.x += p.y * force.z - p.z * force.y;
-    torque.y += p.z * force.x - p.x * force.z;
-    torque.z += p.x * force.y - p.y * force.x;
+    add_cross(torque, at.position, force);
+  }
+  KTE_INLINE void add(const simd_wrench& w) {
+    force.x += w.force.x, force.y += w.force.y, force.z += w.force.z;
+    torque.x += w.torque.x, torque.y += w.torque.y, torque.z += w.torque.z;
+  }
+  /// Subtracts e times a wrench, for each number e.
+  KTE_INLINE void subtract(const dense_wrench<S>& w, const simd<S>& e) {
+    force.x -= w.force.x * e, force.y -= w.force.y * e, force.z -= w.force.z * e;
+    torque.x -= w.torque.x * e, torque.y -= w.torque.y * e, torque.z -= w.torque.z * e;
   }
 };
 

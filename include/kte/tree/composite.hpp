@@ -15,10 +15,6 @@ void place_bodies_in_world(const body_tree<P>& f, memory<P, S>& m, Axes*... axes
   const one_axis_bodies<P, S> bodies(f, m.joint_transforms);
   engine::world_placements<Hand>(engine::looped<one_axis_bodies<P, S>>{bodies}, m.world.data(), axes...);
 }
-template <class P, class S>
-void place_in_world(const body_tree<P>& f, memory<P, S>& m) {
-  place_bodies_in_world<world_place<S>>(f, m, m.axes.data());
-}
 
 /// Computes the inertia of each body with all bodies that it carries, at its origin and in its axes; with `Bases` also
 /// those of the bases. `Hand`: a type without skipped parts, if there are any.
@@ -35,14 +31,10 @@ void carry_bodies(const body_tree<P>& f, memory<P, S>& m) {
 template <class P, class S>
 KTE_INLINE dense_wrench<S> accelerating(const body_node<P>& r, const joint_transform<S>& at, int k,
                                         const dense_composite<S>& c) {
-  const auto along = [&c](const auto& s) KTE_INLINE_LAMBDA {
+  return with_axis(r, at, k, [&c](const auto& s) KTE_INLINE_LAMBDA {
     const auto w = accelerating_wrench(c, s.linear, s.angular);
     return dense_wrench<S>{as<S>(w.force), as<S>(w.torque)};
-  };
-  if (r.moves == joint::revolute) return along(about_z::axis<0>(r));
-  if (r.moves == joint::varying) return along(at.axis(k));
-  if (r.moves == joint::screw) return along(along_and_about_z::axis<0>(r));
-  return engine::with_unit_axis(r.axis[static_cast<std::size_t>(k)], along);
+  });
 }
 
 /// The composite-rigid-body algorithm (CRBA; Featherstone 2008, section 6.2). With F the wrench that accelerates the

@@ -95,10 +95,6 @@ void inverse_masses(const body_tree<P>& f, const memory<P, S>& m, mass_memory<S>
   const int axes = static_cast<int>(f.axes());
   w.resize(f.axes()), x.rows.resize(f.axes(), f.axes()), all.resize(f.axes());
   all.begin(axes, axes);
-  const auto give = [](simd_wrench<S>& load, const dense_wrench<S>& gain, const simd<S>& e) KTE_INLINE_LAMBDA {
-    load.force.x -= gain.force.x * e, load.force.y -= gain.force.y * e, load.force.z -= gain.force.z * e;
-    load.torque.x -= gain.torque.x * e, load.torque.y -= gain.torque.y * e, load.torque.z -= gain.torque.z * e;
-  };
   for (std::size_t i = f.nodes.size(); i-- > 0;) {
     const body_node<P>& r = f.nodes[i];
     const joint_transform<S>& at = m.joint_transforms[i];
@@ -121,7 +117,7 @@ void inverse_masses(const body_tree<P>& f, const memory<P, S>& m, mass_memory<S>
         if (k <= r.first) simd_lane<S>(r.first - k).put(e, S(1));
         store<S>(e, left + k);
         if (on_base) return;
-        give(load, gain, e);
+        load.subtract(gain, e);
         load.go_in(r, at);
       });
     } else {
@@ -138,7 +134,7 @@ void inverse_masses(const body_tree<P>& f, const memory<P, S>& m, mass_memory<S>
         w.change(l, r.last, [&](simd_wrench<S>& load, int k) KTE_INLINE_LAMBDA {
           simd<S> e;
           tree::load<S>(e, left + k);
-          give(load, factors[l - r.first].gain, e);
+          load.subtract(factors[l - r.first].gain, e);
         });
       }
       if (!on_base) w.change(r.first, r.last, [&](simd_wrench<S>& load, int) KTE_INLINE_LAMBDA { load.go_in(r, at); });
@@ -161,12 +157,8 @@ S inverse_mass_of_axis(const body_tree<P>& f, const memory<P, S>& m, std::size_t
     const joint_transform<S>& at = m.joint_transforms[i];
     for (int l = own ? k : r.axes - 1; m.is_free[i] && l >= 0; --l) {
       const axis_factors<S>& factor = m.factors[static_cast<std::size_t>(r.first + l)];
-      S e(0);
-      if (r.moves == joint::several)
-        e = component(load.force, load.torque, r.axis[static_cast<std::size_t>(l)]);
-      else
-        powers_along(r, at, load, l + 1, [&e](int, const S& power) { e = power; });  // the last one
-      if (own && l == k) e = S(1);
+      const S e =
+          own && l == k ? S(1) : with_axis(r, at, l, [&load](const auto& s) { return as<S>(engine::power(s, load)); });
       sum += factor.inverse * e * e;  // (2)
       load = {load.force - e * factor.gain.force, load.torque - e * factor.gain.torque};
     }

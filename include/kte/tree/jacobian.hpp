@@ -118,15 +118,4 @@ void jacobian_columns_in_world(const body_tree<P>& f, memory<P, S>& m, const fra
   }
 }
 
-/// The last body that carries both slots, which may be one of them; -1 if they have different bases.
-template <class P>
-int common_slot(const body_tree<P>& f, int a, int b) {
-  while (a != b) {  // parents come first
-    int& later = a > b ? a : b;
-    if (later < f.bases) return -1;
-    later = f.nodes[static_cast<std::size_t>(later - f.bases)].parent;
-  }
-  return a;
-}
-
 }  // namespace kte::tree

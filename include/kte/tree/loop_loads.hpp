@@ -32,16 +32,8 @@ KTE_INLINE simd_wrench<S> seen_from(const mat3<vec3<R>>& r, const vec3<R>& p, co
                          r.z.x * u.x + r.z.y * u.y + r.z.z * u.z};
   };
   simd_wrench<S> x{turned(w.force), turned(w.torque)};
-  x.torque.x += p.y * x.force.z - p.z * x.force.y;
-  x.torque.y += p.z * x.force.x - p.x * x.force.z;
-  x.torque.z += p.x * x.force.y - p.y * x.force.x;
+  add_cross(x.torque, p, x.force);
   return x;
-}
-
-template <class S>
-KTE_INLINE void add_to(simd_wrench<S>& sum, const simd_wrench<S>& x) {
-  sum.force.x += x.force.x, sum.force.y += x.force.y, sum.force.z += x.force.z;
-  sum.torque.x += x.torque.x, sum.torque.y += x.torque.y, sum.torque.z += x.torque.z;
 }
 
 /// Sums of `send_to_bases`, one per load.
@@ -85,10 +77,6 @@ struct no_powers {
 template <class P, class S, class Put, class Sum>
 void send_to_bases(const body_tree<P>& f, const memory<P, S>& m, const load_way& way, simd_wrench<S>* loads,
                    const S* force, const Put& put, Sum& sum) {
-  const auto leave = [](simd_wrench<S>& load, const dense_wrench<S>& gain, const simd<S>& e) KTE_INLINE_LAMBDA {
-    load.force.x -= gain.force.x * e, load.force.y -= gain.force.y * e, load.force.z -= gain.force.z * e;
-    load.torque.x -= gain.torque.x * e, load.torque.y -= gain.torque.y * e, load.torque.z -= gain.torque.z * e;
-  };
   simd_wrench<S> load{};
   bool at_hand = false;
   for (std::size_t n = 0; n < way.nodes.size(); ++n) {
@@ -98,7 +86,7 @@ void send_to_bases(const body_tree<P>& f, const memory<P, S>& m, const load_way&
     if (!at_hand)
       load = way.loaded[n] ? loads[n] : simd_wrench<S>{};
     else if (way.loaded[n])
-      add_to(load, loads[n]);
+      load.add(loads[n]);
     const joint_transform<S>& at = m.joint_transforms[i];
     const S* const forces = force + (force ? most_axes * n : 0);
     simd<S> e;
@@ -106,7 +94,7 @@ void send_to_bases(const body_tree<P>& f, const memory<P, S>& m, const load_way&
       load.power_on(r, e);
       if (force) e += forces[0];
       put(r.first, e), sum.at_axis(e, factors[0].rate);
-      leave(load, factors[0].gain, e);
+      load.subtract(factors[0].gain, e);
     } else if (m.is_free[i]) {
       simd<S>* const all[]{&load.force.x, &load.force.y, &load.force.z, &load.torque.x, &load.torque.y, &load.torque.z};
       for (int k = r.axes; k-- > 0;) {
@@ -116,7 +104,7 @@ void send_to_bases(const body_tree<P>& f, const memory<P, S>& m, const load_way&
           e = *all[r.axis[static_cast<std::size_t>(k)]];
         if (force) e += forces[k];
         put(r.first + k, e), sum.at_axis(e, factors[k].rate);
-        leave(load, factors[k].gain, e);
+        load.subtract(factors[k].gain, e);
       }
     }
     at_hand = false;
@@ -129,7 +117,7 @@ void send_to_bases(const body_tree<P>& f, const memory<P, S>& m, const load_way&
       continue;
     }
     at_hand = way.next[n] == static_cast<int>(n) + 1;
-    if (!at_hand) add_to(loads[way.next[n]], load);
+    if (!at_hand) loads[way.next[n]].add(load);
   }
 }
 template <class P, class S, class Put>

@@ -98,7 +98,6 @@ KTE_INLINE S& component(vec3<S>& linear, vec3<S>& angular, int n) {
   return *components[n];
 }
 
-using engine::power_on;
 /// dS/dt of axis k of a `varying` joint at these rates, in the axes of the body.
 template <class P, class S>
 world_axis<S> rate_of_axis(const body_node<P>& r, const joint_transform<S>& at, int k, const S* rate) {
@@ -159,7 +158,7 @@ template <class P, class S, class Put>
 KTE_INLINE void powers_along(const body_node<P>& r, const joint_transform<S>& at, const dense_wrench<S>& w, int count,
                              const Put& put) {
   if (r.moves == joint::varying) [[unlikely]] {
-    for (int k = 0; k < count; ++k) put(k, power_on(at.axis(k), w));
+    for (int k = 0; k < count; ++k) put(k, engine::power(at.axis(k), w));
     return;
   }
   switch (r.moves) {

@@ -147,6 +147,15 @@ std::string_view name_of_row(const Layout& layout, int i) {
                           .append(coordinate)
                           .append("' are too heavy, too far away, or infinitely fast (a loop at its dead centre)"));
 }
+/// Diagnoses a mass matrix without factorization, at coordinate `row`: its mass is zero, or not finite.
+template <class Layout>
+[[noreturn, gnu::cold]] void raise_unusable_mass(const Layout& layout, int row, bool finite,
+                                                 std::span<const double> q) {
+  if (finite) raise_singular_mass_matrix(name_of_row(layout, row));
+  const argument positions{"q", q, true};
+  if (!culprit(layout, {positions}).empty()) raise_not_finite("a mass", layout, {positions});
+  raise_non_finite_mass(name_of_row(layout, row));
+}
 /// Diagnoses a coordinate whose load-dependent friction has no consistent accelerations.
 [[noreturn, gnu::cold]] inline void raise_jammed(std::string_view coordinate) {
   raise<no_solution>(
@@ -252,15 +261,10 @@ template <class Wiring, class Q, class V, class A>
     raise_if_no_rotation(layout, {x.data(), nq});
   raise_not_finite(what, layout, {{"q", {x.data(), nq}, true}, {"v", {y.data(), n}}, {a_name, {z.data(), n}}});
 }
-/// Diagnoses a mass matrix without factorization, at coordinate `row`: its mass is zero, or not finite.
 template <class Wiring, class Q>
 [[noreturn, gnu::cold, gnu::noinline]] void diagnose_mass(int row, bool finite, Q q) {
-  const auto& layout = layout_of_wiring<Wiring>::table;
-  if (finite) raise_singular_mass_matrix(name_of_row(layout, row));
   const auto x = plain_numbers<Wiring::nq>(q);
-  const argument positions{"q", {x.data(), std::size_t{Wiring::nq}}, true};
-  if (!culprit(layout, {positions}).empty()) raise_not_finite("a mass", layout, {positions});
-  raise_non_finite_mass(name_of_row(layout, row));
+  raise_unusable_mass(layout_of_wiring<Wiring>::table, row, finite, {x.data(), std::size_t{Wiring::nq}});
 }
 template <class Wiring, class Matrix, class Q>
 [[gnu::cold, gnu::noinline]] void diagnose_non_finite(const Matrix& m, Q q) {

@@ -4,6 +4,8 @@
 #include <kte/kernels/joint_vector.hpp>
 #include <kte/static_chain/state.hpp>
 
+#include <vector>
+
 /// The numbers of coordinates in a state, static or runtime.
 namespace kte {
 
@@ -123,6 +125,38 @@ KTE_INLINE constexpr void write_numbers(State& s, const X& x) {
     });
   });
 }
+
+/// Saves the accelerations, and on request the velocities, of a state with a list `freedoms()`, and sets them to zero;
+/// restores them when destroyed.
+template <class State>
+class rates_aside {
+  using S = typename State::scalar;
+
+ public:
+  rates_aside(State& s, bool velocities) : rates_aside(s, velocities, s.work.kept) {}
+  /// In this memory: two numbers for each degree of freedom.
+  rates_aside(State& s, bool velocities, std::vector<S>& kept) : state_(s), kept_(kept), velocities_(velocities) {
+    each([](S& x, S& old) { old = x, x = S(0); });
+  }
+  ~rates_aside() {
+    each([](S& x, const S& old) { x = old; });
+  }
+  rates_aside(const rates_aside&) = delete;
+  rates_aside& operator=(const rates_aside&) = delete;
+
+ private:
+  template <class F>
+  void each(const F& f) {
+    for_each_listed_freedom(state_, [&](auto& c, const freedom& at) {
+      auto i = static_cast<std::size_t>(at.v), j = i + static_cast<std::size_t>(state_.dofs());
+      visit_a(c, [&](S& x) { f(x, kept_[i++]); });
+      if (velocities_) visit_v(c, [&](S& x) { f(x, kept_[j++]); });
+    });
+  }
+  State& state_;
+  std::vector<S>& kept_;
+  bool velocities_;
+};
 }  // namespace detail
 
 }  // namespace kte

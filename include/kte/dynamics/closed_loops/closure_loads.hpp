@@ -78,8 +78,7 @@ class closure_loads : public closure_motion {
     const auto& f = s.tree().body_tree;
     const auto enter = [&](std::size_t port, const runtime_frame& frame, const tree::simd_wrench<S>& load) {
       const auto& place = f.frame(frame.what, frame.index).at;
-      tree::add_to<S>(loads[static_cast<std::size_t>(x.enters[port])],
-                      tree::seen_from<S>(place.rotation, place.position, load));
+      loads[static_cast<std::size_t>(x.enters[port])].add(tree::seen_from<S>(place.rotation, place.position, load));
     };
     clear_loads(loads, x.way);
     if (x.enters[0] >= 0) {

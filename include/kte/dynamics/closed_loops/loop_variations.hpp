@@ -120,10 +120,7 @@ inline loop_variations vary_loops(const runtime_chain& c, runtime_state& s, cons
   const Eigen::Index n = s.dofs(), rows = e.places.rows;
   r.forces.tau.resize(n), r.forces.by_q.setZero(n, n), r.forces.by_v.setZero(n, n);
   for (auto* m : {&r.accelerations_by_q, &r.accelerations_by_v, &r.velocities_by_q}) m->setZero(rows, n);
-  derivative_state& d = state_with_derivatives(c, s);
-  take_given(s, d);
-  take_bases(s), place_in_world(s), place_second_axes(c, s);
-  tree::place_bases_in_duals(s.tree().body_tree, s.work, d.work);
+  derivative_state& d = state_in_duals(c, s);
   const closures_in_duals closures(c, s, e.places, d);
   const auto derive = [&](const directions& moving) -> const auto& {
     const bool by_q = moving.by == vector_of::q;

@@ -113,10 +113,7 @@ inline contact_variations vary_contacts(const runtime_chain& c, runtime_state& s
   r.forces.tau.resize(n), r.forces.by_q.setZero(n, n), r.forces.by_v.setZero(n, n);
   r.equations_by_q.setZero(equations, n), r.equations_by_v.setZero(equations, n);
   r.contact_forces.assign(contacts.size(), {Eigen::MatrixXd::Zero(3, n), Eigen::MatrixXd::Zero(3, n)});
-  derivative_state& d = state_with_derivatives(c, s);
-  take_given(s, d);
-  take_bases(s), place_in_world(s), place_second_axes(c, s);
-  tree::place_bases_in_duals(s.tree().body_tree, s.work, d.work);
+  derivative_state& d = state_in_duals(c, s);
   const auto derive = [&](const directions& moving) -> const auto& {
     const std::size_t by = moving.by == vector_of::q ? 0 : 1;
     auto& rows = by == 0 ? r.equations_by_q : r.equations_by_v;

@@ -109,14 +109,11 @@ inline impact_derivatives_result derive_impact(const runtime_chain& c, runtime_s
   };
   // By groups of `lanes` directions, then by contact
   using motions = std::vector<std::vector<motion_by_q>>;
-  derivative_state& d = state_with_derivatives(c, s);
   inverse_dynamics_result<double, Eigen::Dynamic> forces;
   forces.tau.resize(n), forces.by_q.setZero(n, n), forces.by_v.setZero(n, n);
   const auto vary = [&](const Eigen::VectorXd& v, const Eigen::VectorXd& a, bool pushes, motions& found) {
     write_numbers<vector_of::v>(s, v, "v"), write_numbers<vector_of::a>(s, a, "a");
-    take_given(s, d);
-    take_bases(s), place_in_world(s), place_second_axes(c, s);
-    tree::place_bases_in_duals(s.tree().body_tree, s.work, d.work);
+    derivative_state& d = state_in_duals(c, s);
     found.clear();
     const auto derive = [&](const directions& moving) -> const auto& {
       if (moving.by == vector_of::q) found.emplace_back();

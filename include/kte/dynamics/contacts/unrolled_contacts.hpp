@@ -241,7 +241,7 @@ class chain_on_contacts<S, Chain, Given, std::index_sequence<E...>> : articulate
 /// A base under gravity, without positions that only contacts read: these place their frames themselves.
 template <class Chain>
 KTE_INLINE constexpr auto base_beside_contacts(const Chain& c) {
-  return base_under_gravity<Chain::reads_positions_but_contacts>(c);
+  return base_under_gravity<Chain, Chain::reads_positions_but_contacts>(c);
 }
 /// The scalar of contacts at positions Q: packs, otherwise double.
 template <class Q>

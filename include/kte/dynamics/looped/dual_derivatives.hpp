@@ -30,6 +30,23 @@ struct directions {
 
   int lane(int row) const { return (colour != nullptr ? colour[row] : row) - first; }
 };
+/// Sets the derivatives of q, v and a to these directions.
+template <class S, int N>
+void point_along(const directions& along, std::span<const freedom> freedoms, std::span<dual<S, N>> q,
+                 std::span<dual<S, N>> v, std::span<dual<S, N>> a) {
+  for (auto* numbers : {&q, &v, &a})
+    for (auto& x : *numbers) x = dual<S, N>(x.value);
+  for (const freedom& f : freedoms)
+    for (int k = 0; k < nv_of(f.what); ++k) {
+      const int lane = along.lane(f.v + k);
+      if (lane < 0 || lane >= N) continue;
+      if (along.by == vector_of::q)
+        displace(f, k, static_cast<std::size_t>(lane), q);
+      else
+        (along.by == vector_of::v ? v : a)[static_cast<std::size_t>(f.v + k)]
+            .derivative[static_cast<std::size_t>(lane)] = S(1);
+    }
+}
 /// Writes the derivatives of tau = evaluate(directions), a function of q, v and a in dual numbers, by q, v, and a if
 /// `by_a`, to `r`, as many directions at a time as dual numbers have.
 template <class S, int N, class Evaluate, class Result>
@@ -38,19 +55,9 @@ void derive_by_duals(std::span<const freedom> freedoms, std::span<dual<S, N>> q,
   const int dofs = static_cast<int>(v.size());
   for (const vector_of by : {vector_of::q, vector_of::v, vector_of::a})
     for (int first = 0; first < dofs && (by != vector_of::a || by_a); first += N) {
-      for (auto* numbers : {&q, &v, &a})
-        for (auto& x : *numbers) x = dual<S, N>(x.value);
-      for (const freedom& f : freedoms)
-        for (int k = 0; k < nv_of(f.what); ++k) {
-          const int lane = f.v + k - first;
-          if (lane < 0 || lane >= N) continue;
-          if (by == vector_of::q)
-            displace(f, k, static_cast<std::size_t>(lane), q);
-          else
-            (by == vector_of::v ? v : a)[static_cast<std::size_t>(f.v + k)].derivative[static_cast<std::size_t>(lane)] =
-                S(1);
-        }
-      const auto& tau = evaluate(directions{by, first});
+      const directions along{by, first};
+      point_along(along, freedoms, q, v, a);
+      const auto& tau = evaluate(along);
       auto& to = by == vector_of::q ? r.by_q : by == vector_of::v ? r.by_v : r.by_a;
       for (int i = 0; i < dofs; ++i) {
         r.tau[i] = tau[i].value;

@@ -219,8 +219,9 @@ void place_bodies_in_world(State& s) {
 /// Places all bodies and the axes of joints in the world.
 template <class State>
 void place_in_world(State& s) {
+  using place = tree::world_place<typename State::scalar>;
   place_bases_in_world(s);
-  tree::place_in_world(s.tree().body_tree, s.work);
+  tree::place_bodies_in_world<place>(s.tree().body_tree, s.work, s.work.axes.data());
 }
 
 }  // namespace kte::detail

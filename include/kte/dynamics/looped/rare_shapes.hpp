@@ -5,29 +5,6 @@
 /// Distributed masses in the loops over body nodes. `Elements` and states as in dynamics/looped/inverse_dynamics.hpp.
 namespace kte::detail {
 
-/// Saves rates and accelerations of all degrees of freedom and sets them to zero; restores them when destroyed.
-template <class State>
-class motion_aside {
- public:
-  explicit motion_aside(State& s) : state_(s), v_(s.dofs()), a_(s.dofs()) {
-    read_listed_numbers<vector_of::v>(s, v_), read_listed_numbers<vector_of::a>(s, a_);
-    const decltype(v_) none = decltype(v_)::Zero(s.dofs());
-    put_all(none, none);
-  }
-  ~motion_aside() { put_all(v_, a_); }
-  motion_aside(const motion_aside&) = delete;
-  motion_aside& operator=(const motion_aside&) = delete;
-
- private:
-  template <class V>
-  void put_all(const V& v, const V& a) {
-    for_each_listed_freedom(
-        state_, [&](auto& x, const freedom& at) { put<vector_of::v>(x, at, v), put<vector_of::a>(x, at, a); });
-  }
-  State& state_;
-  Eigen::Matrix<typename State::scalar, Eigen::Dynamic, 1> v_, a_;
-};
-
 /// The forces of distributed masses on the degrees of freedom, at rest, under the accelerations of the state.
 template <class Elements, class State>
 void forces_of_distributed_masses(const Elements& c, State& s) {
@@ -54,7 +31,8 @@ void forces_of_distributed_masses(const Elements& c, State& s) {
 template <class Elements, class State, class Matrix>
 void add_distributed_masses(const Elements& c, State& s, Matrix& m) {
   using S = typename State::scalar;
-  const motion_aside<State> aside(s);
+  std::vector<S> kept(2 * static_cast<std::size_t>(s.dofs()));
+  const rates_aside aside(s, true, kept);
   place_in_world(s);
   Eigen::Matrix<S, Eigen::Dynamic, 1> a = Eigen::Matrix<S, Eigen::Dynamic, 1>::Zero(s.dofs()), none(s.dofs()),
                                       f(s.dofs());

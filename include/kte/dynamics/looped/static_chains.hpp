@@ -13,38 +13,26 @@
 /// functions as scalars each call makes them.
 namespace kte::detail {
 
-/// The steps of elements in the loops over body nodes: one function for each type of element core, whatever the number
-/// of elements and the chain.
 template <class Core>
 using inputs_of = std::make_index_sequence<input_count<Core>>;
 template <class Core, class State>
 auto passes_of(const Core& core, State& s, const int* index) {
   return stored_element<Core, State, by_index>{core, s, {index}};
 }
-struct move_step {
-  template <class Core, class State>
-  [[gnu::noinline]] static void apart(const Core& core, State& s, const int* index) {
+/// What elements do in the loops over body nodes: one function for each type of core, whatever the number of elements
+/// and the chain.
+enum class element_step { move, push, mass_loads, derive };
+template <element_step Step, class Core, class State>
+[[gnu::noinline]] void step_of_core(const Core& core, State& s, const int* index) {
+  if constexpr (Step == element_step::move)
     passes_of(core, s, index).motion(inputs_of<Core>{});
-  }
-};
-struct push_step {
-  template <class Core, class State>
-  [[gnu::noinline]] static void apart(const Core& core, State& s, const int* index) {
+  else if constexpr (Step == element_step::push)
     passes_of(core, s, index).force(inputs_of<Core>{});
-  }
-};
-struct mass_step {
-  template <class Core, class State>
-  [[gnu::noinline]] static void apart(const Core& core, State& s, const int* index) {
+  else if constexpr (Step == element_step::mass_loads)
     passes_of(core, s, index).mass_force(inputs_of<Core>{});
-  }
-};
-struct derivative_step {
-  template <class Core, class State>
-  [[gnu::noinline]] static void apart(const Core& core, State& s, const int* index) {
+  else
     subtract_force_derivatives(core, s, index);
-  }
-};
+}
 
 /// The elements of a chain with an effect in a step, as an index_sequence.
 template <class Chain, class Elements = std::make_index_sequence<Chain::size>>
@@ -53,13 +41,13 @@ template <class Chain, std::size_t... E>
 struct acting_elements<Chain, std::index_sequence<E...>>
     : numbers_where<std::array<bool, sizeof...(E) + 1>{acts<core_of<Chain, E>>...}> {};
 
-template <class Step, std::size_t I, class Chain, class State>
+template <element_step Step, std::size_t I, class Chain, class State>
 void do_step(const Chain& c, State& s) {
   using wiring = typename Chain::wiring;
-  Step::apart(c.template core<I>(), s, wiring::table.slot.data() + wiring::first[I]);
+  step_of_core<Step>(c.template core<I>(), s, wiring::table.slot.data() + wiring::first[I]);
 }
 /// By number of the element.
-template <class Step, class Chain, class State>
+template <element_step Step, class Chain, class State>
 inline constexpr auto steps_of = [] {
   std::array<void (*)(const Chain&, State&), Chain::size> all{};
   unroll(typename acting_elements<Chain>::type{},
@@ -80,20 +68,20 @@ struct static_elements {
 
   template <class State>
   void move(int e, State& s) const {
-    run<move_step>(e, s);
+    run<element_step::move>(e, s);
   }
   template <class State>
   void push(int e, State& s) const {
-    run<push_step>(e, s);
+    run<element_step::push>(e, s);
   }
   template <class State>
   void derive(int e, State& s) const {
-    run<derivative_step>(e, s);
+    run<element_step::derive>(e, s);
   }
   // Used only by rare chains; not instantiated for others.
   template <class State>
   void mass_loads(int e, State& s) const {
-    if constexpr (!Chain::common) run<mass_step>(e, s);
+    if constexpr (!Chain::common) run<element_step::mass_loads>(e, s);
   }
   template <class State>
   bool holds(int e, State& s) const {
@@ -135,13 +123,11 @@ struct static_elements {
   /// Calls f<e>(core of element e).
   template <class F>
   void with_core(int e, const F& f) const {
-    [&]<std::size_t... I>(std::index_sequence<I...>) {
-      const int done[]{(e == static_cast<int>(I) ? (f.template operator()<I>(chain.template core<I>()), 0) : 0)..., 0};
-      (void)done;
-    }
-    (std::make_index_sequence<Chain::size>{});
+    unroll<Chain::size>([&]<std::size_t I>() {
+      if (e == static_cast<int>(I)) f.template operator()<I>(chain.template core<I>());
+    });
   }
-  template <class Step, class State>
+  template <element_step Step, class State>
   void run(int e, State& s) const {
     steps_of<Step, Chain, State>[static_cast<std::size_t>(e)](chain, s);
   }
@@ -190,13 +176,20 @@ auto forces_by_tree(const Chain& c, const Given& g, Sign sign) {
   return take_forces(c, g, s, sign);
 }
 
-template <class S, class Chain, class Given>
-joint_matrix<S, Chain::dofs> mass_by_tree(const Chain& c, const Given& g) {
+/// f(elements, state) of an algorithm that loops over body nodes; the state has the given quantities.
+template <class S, class Chain, class Given, class F>
+auto by_tree(const Chain& c, const Given& g, const F& f) {
   auto lent = c.kept.template borrow<static_state<S, Chain>>(c);
   static_state<S, Chain>& s = lent;
   s.take(g), check_regular(c, s);
-  mass_of_coordinates(static_elements{c, g}, s);
-  return s.work.mass;
+  return f(static_elements{c, g}, s);
+}
+template <class S, class Chain, class Given>
+joint_matrix<S, Chain::dofs> mass_by_tree(const Chain& c, const Given& g) {
+  return by_tree<S>(c, g, [](const auto& elements, auto& s) -> joint_matrix<S, Chain::dofs> {
+    mass_of_coordinates(elements, s);
+    return s.work.mass;
+  });
 }
 
 /// Accelerations under the forces `tau`. A degree of freedom whose acceleration is given (not a typed zero in `Given`)
@@ -239,18 +232,14 @@ void accelerations_and_inverse_by_tree(const Chain& c, const Given& g, const joi
 template <class S, class Chain, class Given>
 void invert_by_tree(const Chain& c, const Given& g, const joint_matrix<S, Chain::dofs>& by_a,
                     joint_matrix<S, Chain::dofs>& inverse) {
-  auto lent = c.kept.template borrow<static_state<S, Chain>>(c);
-  static_state<S, Chain>& s = lent;
-  s.take(g);
-  invert_free_rows_with_friction(static_elements{c, g}, s, by_a, inverse);
+  by_tree<S>(c, g, [&](const auto& elements, auto& s) { invert_free_rows_with_friction(elements, s, by_a, inverse); });
 }
 template <class S, class Chain, class Given>
 joint_matrix<S, Chain::dofs> inverse_mass_by_tree(const Chain& c, const Given& g) {
-  auto lent = c.kept.template borrow<static_state<S, Chain>>(c);
-  static_state<S, Chain>& s = lent;
-  s.take(g), check_regular(c, s);
-  articulate_and_invert(static_elements{c, g}, s, s.work.inverse);
-  return s.work.inverse;
+  return by_tree<S>(c, g, [](const auto& elements, auto& s) -> joint_matrix<S, Chain::dofs> {
+    articulate_and_invert(elements, s, s.work.inverse);
+    return s.work.inverse;
+  });
 }
 
 template <class S, class Chain, class Given, class Result>
@@ -260,16 +249,6 @@ void derivatives_by_tree(const Chain& c, const Given& g, Result& r) {
   r.tau = take_forces(c, g, s, minus_one);
   derive_forces(static_elements{c, g}, s);
   r.by_q = s.work.of_forces.by_q, r.by_v = s.work.of_forces.by_v, r.by_a = s.work.of_forces.by_a;
-}
-
-/// Calls f(elements, state) for an algorithm that is a loop over body nodes for chains of all sizes. The state has the
-/// given quantities.
-template <class S, class Chain, class Given, class F>
-auto by_tree(const Chain& c, const Given& g, const F& f) {
-  auto lent = c.kept.template borrow<static_state<S, Chain>>(c);
-  static_state<S, Chain>& s = lent;
-  s.take(g), check_regular(c, s);
-  return f(static_elements{c, g}, s);
 }
 
 }  // namespace kte::detail

@@ -62,7 +62,9 @@ class static_state {
 
   explicit static_state(const Chain& c)
       : tree_(static_connections<Chain>{}, static_plan<Chain>,
-              [&c](const auto& each) { each_element(c, each, std::make_index_sequence<Chain::size>{}); }),
+              [&c](const auto& each) {
+                unroll<Chain::size>([&]<std::size_t I>() { each(I, numbers_of<parameter>(c.template core<I>())); });
+              }),
         work(tree_, dofs(), Chain::size) {}
 
   /// Copies all given quantities (dynamics/unrolled/given.hpp).
@@ -99,11 +101,6 @@ class static_state {
   }
 
  private:
-  template <class Each, std::size_t... I>
-  static void each_element(const Chain& c, const Each& each, std::index_sequence<I...>) {
-    const int done[]{(each(I, numbers_of<parameter>(c.template core<I>())), 0)..., 0};
-    (void)done;
-  }
   /// Copies a number; quantities that were not computed become zero.
   template <class To, class From>
   static void take_number(To& to, const From& from) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kte/detail/shuffles.hpp>
+#include <kte/detail/unroll.hpp>
 #include <kte/math/pack.hpp>
 
 #include <algorithm>
@@ -12,6 +13,8 @@
 /// Converts states, each with contiguous numbers, to packs with one number of all states, and back. Done number by
 /// number, this took half as long as inverse dynamics of a robot with seven joints.
 namespace kte::batch::detail {
+
+using kte::detail::unroll;
 
 #if defined(KTE_HAS_SHUFFLES)
 
@@ -27,24 +30,19 @@ template <class T, std::size_t W, std::size_t L>
 struct squares {
   using V = vector<T, W>;
   using lanes = std::make_index_sequence<W>;
-  using rows = std::make_index_sequence<L>;
 
   /// Loads from rows with a distance of `row` numbers: v[j] has rows j, j + L, j + 2 L ...
-  KTE_INLINE static void load(const T* p, std::size_t row, std::array<V, L>& v) { load(p, row, v, rows{}); }
-  KTE_INLINE static void store(const std::array<V, L>& v, T* p, std::size_t row) { store(v, p, row, rows{}); }
+  KTE_INLINE static void load(const T* p, std::size_t row, std::array<V, L>& v) {
+    unroll<L>([&]<std::size_t J>() KTE_INLINE_LAMBDA { v[J] = joined<W>(p + J * row, row); });
+  }
+  KTE_INLINE static void store(const std::array<V, L>& v, T* p, std::size_t row) {
+    unroll<L>([&]<std::size_t J>() KTE_INLINE_LAMBDA { parted<W>(v[J], p + J * row, row); });
+  }
   /// Transposes by Eklundh's method (IEEE Trans. Computers C-21, 1972): exchanges off-diagonal blocks of size 1, 2, 4
   /// ...
   KTE_INLINE static void transpose(std::array<V, L>& v) { exchange<1>(v); }
 
  private:
-  template <std::size_t... J>
-  KTE_INLINE static void load(const T* p, std::size_t row, std::array<V, L>& v, std::index_sequence<J...>) {
-    ((v[J] = joined<W>(p + J * row, row)), ...);
-  }
-  template <std::size_t... J>
-  KTE_INLINE static void store(const std::array<V, L>& v, T* p, std::size_t row, std::index_sequence<J...>) {
-    (parted<W>(v[J], p + J * row, row), ...);
-  }
   template <std::size_t M>
   KTE_INLINE static vector<T, M> joined(const T* p, std::size_t row) {
     if constexpr (M == L) {
@@ -76,13 +74,9 @@ struct squares {
   template <std::size_t H>
   KTE_INLINE static void exchange(std::array<V, L>& v) {
     if constexpr (H < L) {
-      exchange<H>(v, rows{});
+      unroll<L>([&]<std::size_t J>() KTE_INLINE_LAMBDA { exchange_rows<H, J>(v, lanes{}); });
       exchange<2 * H>(v);
     }
-  }
-  template <std::size_t H, std::size_t... J>
-  KTE_INLINE static void exchange(std::array<V, L>& v, std::index_sequence<J...>) {
-    (exchange_rows<H, J>(v, lanes{}), ...);
   }
   template <std::size_t H, std::size_t J, std::size_t... I>
   KTE_INLINE static void exchange_rows(std::array<V, L>& v, std::index_sequence<I...>) {
@@ -101,30 +95,24 @@ struct columns {
   static constexpr std::size_t w = sizeof(typename P::register_type) / sizeof(T);
   static constexpr std::size_t l = (std::min)(std::bit_floor(N), w);
   using square = squares<T, w, l>;
-  using all_squares = std::make_index_sequence<(N + l - 1) / l>;
-  using in_square = std::make_index_sequence<l>;
+  static constexpr std::size_t all_squares = (N + l - 1) / l;
   static constexpr std::size_t start(std::size_t i) { return (std::min)(i * l, N - l); }
 
-  template <std::size_t... I>
-  KTE_INLINE static void load_all(const T* states, std::size_t reg, P* x, std::index_sequence<I...>) {
-    (load<start(I)>(states + reg * w * N, reg, x, in_square{}), ...);
+  KTE_INLINE static void load(const T* states, std::size_t reg, P* x) {
+    unroll<all_squares>([&]<std::size_t I>() KTE_INLINE_LAMBDA {
+      std::array<typename square::V, l> v;
+      square::load(states + reg * w * N + start(I), N, v);
+      square::transpose(v);
+      unroll<l>([&]<std::size_t J>() KTE_INLINE_LAMBDA { x[start(I) + J].in_register(reg) = v[J]; });
+    });
   }
-  template <std::size_t First, std::size_t... J>
-  KTE_INLINE static void load(const T* states, std::size_t reg, P* x, std::index_sequence<J...>) {
-    std::array<typename square::V, l> v;
-    square::load(states + First, N, v);
-    square::transpose(v);
-    ((x[First + J].in_register(reg) = v[J]), ...);
-  }
-  template <std::size_t... I>
-  KTE_INLINE static void store_all(const P* x, std::size_t reg, T* states, std::index_sequence<I...>) {
-    (store<start(I)>(x, reg, states + reg * w * N, in_square{}), ...);
-  }
-  template <std::size_t First, std::size_t... J>
-  KTE_INLINE static void store(const P* x, std::size_t reg, T* states, std::index_sequence<J...>) {
-    std::array<typename square::V, l> v{x[First + J].in_register(reg)...};
-    square::transpose(v);
-    square::store(v, states + First, N);
+  KTE_INLINE static void store(const P* x, std::size_t reg, T* states) {
+    unroll<all_squares>([&]<std::size_t I>() KTE_INLINE_LAMBDA {
+      std::array<typename square::V, l> v;
+      unroll<l>([&]<std::size_t J>() KTE_INLINE_LAMBDA { v[J] = x[start(I) + J].in_register(reg); });
+      square::transpose(v);
+      square::store(v, states + reg * w * N + start(I), N);
+    });
   }
 };
 
@@ -140,11 +128,8 @@ template <std::size_t N, class P>
 KTE_INLINE void gather(const typename P::value_type* states, P* x) {
 #if defined(KTE_HAS_SHUFFLES)
   if constexpr (N > 0 && by_squares<P>) {
-    using c = columns<P, N>;
-    const auto each = [&]<std::size_t... R>(std::index_sequence<R...>) KTE_INLINE_LAMBDA {
-      (c::load_all(states, R, x, typename c::all_squares{}), ...);
-    };
-    return each(typename P::registers{});
+    return unroll(typename P::registers{},
+                  [&]<std::size_t R>() KTE_INLINE_LAMBDA { columns<P, N>::load(states, R, x); });
   }
 #endif
   for (std::size_t k = 0; k < std::size_t{P::lanes}; ++k)
@@ -154,11 +139,8 @@ template <std::size_t N, class P>
 KTE_INLINE void scatter(const P* x, typename P::value_type* states) {
 #if defined(KTE_HAS_SHUFFLES)
   if constexpr (N > 0 && by_squares<P>) {
-    using c = columns<P, N>;
-    const auto each = [&]<std::size_t... R>(std::index_sequence<R...>) KTE_INLINE_LAMBDA {
-      (c::store_all(x, R, states, typename c::all_squares{}), ...);
-    };
-    return each(typename P::registers{});
+    return unroll(typename P::registers{},
+                  [&]<std::size_t R>() KTE_INLINE_LAMBDA { columns<P, N>::store(x, R, states); });
   }
 #endif
   for (std::size_t k = 0; k < std::size_t{P::lanes}; ++k)

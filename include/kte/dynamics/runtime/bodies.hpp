@@ -8,32 +8,6 @@ namespace kte {
 
 namespace detail {
 
-/// Saves the accelerations, and on request the velocities, of a state, and restores them when destroyed.
-template <class S>
-class rates_aside {
- public:
-  rates_aside(basic_runtime_state<S>& s, bool velocities) : state_(s), velocities_(velocities) {
-    each([](S& x, S& kept) { kept = x, x = S(0); });
-  }
-  ~rates_aside() {
-    each([](S& x, const S& kept) { x = kept; });
-  }
-  rates_aside(const rates_aside&) = delete;
-  rates_aside& operator=(const rates_aside&) = delete;
-
- private:
-  template <class F>
-  void each(const F& f) {
-    for_each_listed_freedom(state_, [&](auto& c, const freedom& at) {
-      auto i = static_cast<std::size_t>(at.v), j = i + static_cast<std::size_t>(state_.dofs());
-      visit_a(c, [&](S& x) { f(x, state_.work.kept[i++]); });
-      if (velocities_) visit_v(c, [&](S& x) { f(x, state_.work.kept[j++]); });
-    });
-  }
-  basic_runtime_state<S>& state_;
-  bool velocities_;
-};
-
 /// Throws `bad_argument` for distributed masses.
 template <class S>
 void refuse_distributed_masses(const runtime_chain& c, const basic_runtime_state<S>& s) {

@@ -126,6 +126,16 @@ void place_second_axes(const runtime_chain& c, basic_runtime_state<S>& s) {
     place_varying(runtime_elements{c}, s, s.tree().body_tree.nodes[static_cast<std::size_t>(i)],
                   s.work.joint_transforms[static_cast<std::size_t>(i)], true);
 }
+/// The state with derivatives, with everything that `inverse_dynamics_in_duals` needs but directions. Call inverse
+/// dynamics first.
+template <std::same_as<double> S>
+auto& state_in_duals(const runtime_chain& c, basic_runtime_state<S>& s) {
+  auto& d = state_with_derivatives(c, s);
+  take_given(s, d);
+  take_bases(s), place_in_world(s), place_second_axes(c, s);
+  tree::place_bases_in_duals(s.tree().body_tree, s.work, d.work);
+  return d;
+}
 /// Derivatives by q and v at the state, written to `of_forces`; call inverse dynamics first. by_a is the mass matrix,
 /// minus the derivatives of load-dependent friction.
 template <std::same_as<double> S>
@@ -134,11 +144,7 @@ void derive_forces_by_duals(const runtime_chain& c, basic_runtime_state<S>& s) {
   const Eigen::Index n = s.dofs();
   r.tau.resize(n), r.by_q.setZero(n, n), r.by_v.setZero(n, n), r.by_a.setZero(n, n);
   const bool load_dependent = !s.tree().readers.empty();
-  auto& d = state_with_derivatives(c, s);
-  take_given(s, d);
-  place_in_world(s);
-  place_second_axes(c, s);
-  tree::place_bases_in_duals(s.tree().body_tree, s.work, d.work);
+  auto& d = state_in_duals(c, s);
   derive_by_duals(
       s.freedoms(), std::span(d.q), std::span(d.v), std::span(d.a), load_dependent,
       [&](const directions& moving) -> const auto& {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kte/contract/joint_axis.hpp>
+#include <kte/detail/unroll.hpp>
 #include <kte/runtime_chain/chain.hpp>
 
 #include <array>
@@ -39,29 +40,11 @@ void write_lane(const One& from, std::size_t lane, Item& to) {
 /// Calls visit(item in packs, item of a lane) for an item at a port.
 template <class S, class Visit>
 void with_item(basic_runtime_state<S>& s, runtime_state& one, kind k, int i, const Visit& visit) {
-  const auto at = [&]<kind K>(std::integral_constant<kind, K>) { visit(s.template get<K>(i), one.get<K>(i)); };
-  switch (k) {
-    case kind::gen:
-      return at(std::integral_constant<kind, kind::gen>{});
-    case kind::frame_2D:
-      return at(std::integral_constant<kind, kind::frame_2D>{});
-    case kind::frame_3D:
-      return at(std::integral_constant<kind, kind::frame_3D>{});
-    case kind::input:
-      return at(std::integral_constant<kind, kind::input>{});
-    case kind::vector:
-      return at(std::integral_constant<kind, kind::vector>{});
-    case kind::internal:
-      return at(std::integral_constant<kind, kind::internal>{});
-    case kind::rotation_3D:
-      return at(std::integral_constant<kind, kind::rotation_3D>{});
-    case kind::pose_2D:
-      return at(std::integral_constant<kind, kind::pose_2D>{});
-    case kind::pose_3D:
-      return at(std::integral_constant<kind, kind::pose_3D>{});
-    default:
-      return;  // loops and contacts: their own algorithms
-  }
+  unroll<kinds>([&]<std::size_t K>() {
+    constexpr auto what = static_cast<kind>(K);
+    if constexpr (what != kind::loop && what != kind::contact)  // they have their own algorithms
+      if (k == what) visit(s.template get<what>(i), one.get<what>(i));
+  });
 }
 /// Calls each(element `number` of the lane, state of the lane, lane); the items at the ports are copied there and back.
 template <class S, class Each>

@@ -34,8 +34,14 @@ class runtime_chain;
                   "kte: this is the state of a static chain; a runtime chain makes its own: make_state(c)"); \
     return __VA_ARGS__();                                                                                    \
   }
-#define KTE_STATE_FORGOTTEN \
-  "kte: algorithms on runtime chains work in a state, the second argument: auto s = make_state(c);"
+#define KTE_STATE_FORGOTTEN(algorithm, count, arguments, ...)                                         \
+  template <indexable... A>                                                                           \
+  requires(sizeof...(A) == count) auto algorithm(const runtime_chain&, const A&...) {                 \
+    static_assert(detail::fit<A...>,                                                                  \
+                  "kte: algorithms on runtime chains work in a state, the second argument: auto s = " \
+                  "make_state(c); " #algorithm "(c, s, " arguments ")");                              \
+    return __VA_ARGS__();                                                                             \
+  }
 
 KTE_ASKED_BY_NAME(forward_kinematics, "q", pose<mat3<vec3<>>, vec3<>>)
 KTE_ASKED_BY_NAME(jacobian, "q", Eigen::Matrix<double, 6, Eigen::Dynamic>)
@@ -46,31 +52,11 @@ KTE_STATE_OF_STATIC_CHAIN(forward_dynamics, Eigen::VectorXd)
 KTE_STATE_OF_STATIC_CHAIN(inverse_dynamics, Eigen::VectorXd)
 KTE_STATE_OF_STATIC_CHAIN(mass_matrix, Eigen::MatrixXd)
 
-template <indexable Q, indexable V, indexable T>
-[[nodiscard]] Eigen::VectorXd forward_dynamics(const runtime_chain&, const Q&, const V&, const T&) {
-  static_assert(detail::fit<Q, V, T>, KTE_STATE_FORGOTTEN " forward_dynamics(c, s, q, v, tau)");
-  return {};
-}
-template <indexable Q, indexable V, indexable A>
-[[nodiscard]] Eigen::VectorXd inverse_dynamics(const runtime_chain&, const Q&, const V&, const A&) {
-  static_assert(detail::fit<Q, V, A>, KTE_STATE_FORGOTTEN " inverse_dynamics(c, s, q, v, a)");
-  return {};
-}
-template <indexable Q>
-[[nodiscard]] Eigen::MatrixXd mass_matrix(const runtime_chain&, const Q&) {
-  static_assert(detail::fit<Q>, KTE_STATE_FORGOTTEN " mass_matrix(c, s, q)");
-  return {};
-}
-template <indexable Q, text_type Text>
-[[nodiscard]] pose<mat3<vec3<>>, vec3<>> forward_kinematics(const runtime_chain&, const Q&, const Text&) {
-  static_assert(detail::fit<Q>, KTE_STATE_FORGOTTEN " forward_kinematics(c, s, q, \"hand\")");
-  return {};
-}
-template <indexable Q, text_type Text>
-[[nodiscard]] Eigen::Matrix<double, 6, Eigen::Dynamic> jacobian(const runtime_chain&, const Q&, const Text&) {
-  static_assert(detail::fit<Q>, KTE_STATE_FORGOTTEN " jacobian(c, s, q, \"hand\")");
-  return {};
-}
+KTE_STATE_FORGOTTEN(forward_dynamics, 3, "q, v, tau", Eigen::VectorXd)
+KTE_STATE_FORGOTTEN(inverse_dynamics, 3, "q, v, a", Eigen::VectorXd)
+KTE_STATE_FORGOTTEN(mass_matrix, 1, "q", Eigen::MatrixXd)
+KTE_STATE_FORGOTTEN(forward_kinematics, 2, "q, \"hand\"", pose<mat3<vec3<>>, vec3<>>)
+KTE_STATE_FORGOTTEN(jacobian, 2, "q, \"hand\"", Eigen::Matrix<double, 6, Eigen::Dynamic>)
 
 #undef KTE_ASKED_BY_NAME
 #undef KTE_STATE_OF_STATIC_CHAIN

@@ -76,12 +76,8 @@ diagnose_state(const char*, const basic_runtime_state<S>&) -> diagnose_state<S>;
 /// Throws `singular_mass_matrix` for the mass of coordinate `row`.
 template <class S>
 [[noreturn, gnu::cold]] void diagnose_mass(const basic_runtime_state<S>& s, int row, bool finite) {
-  const auto layout = layout_of_state(s);
-  if (finite) raise_singular_mass_matrix(name_of_row(layout, row));
   const auto q = plain_numbers(read_numbers<vector_of::q>(s));
-  const argument positions{"q", q, true};
-  if (!culprit(layout, {positions}).empty()) raise_not_finite("a mass", layout, {positions});
-  raise_non_finite_mass(name_of_row(layout, row));
+  raise_unusable_mass(layout_of_state(s), row, finite, q);
 }
 }  // namespace detail
 

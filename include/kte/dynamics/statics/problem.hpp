@@ -35,8 +35,10 @@ class static_problem {
   static_problem(const runtime_chain& c, const runtime_state& s, const std::vector<external_wrench>& loads,
                  std::string_view parameter)
       : chain_(with_loads(c, s, loads)), state_(chain_.make_state()) {
-    const auto copy = [&]<std::size_t... K>(std::index_sequence<K...>) { (copy_things<static_cast<kind>(K)>(s), ...); };
-    copy(std::make_index_sequence<kinds>{});
+    unroll<kinds>([&]<std::size_t K>() {
+      constexpr auto what = static_cast<kind>(K);
+      for (int i = 0; i < chain_.wiring().count(what); ++i) state_.get<what>(i) = s.get<what>(i);
+    });
     for_each_listed_freedom(state_, [](auto& x, const freedom&) {
       const auto rest = [](double& number) { number = 0; };
       visit_v(x, rest), visit_a(x, rest);
@@ -117,10 +119,6 @@ class static_problem {
 
   static runtime_chain with_loads(const runtime_chain& c, const runtime_state& s,
                                   const std::vector<external_wrench>& loads);
-  template <kind K>
-  void copy_things(const runtime_state& s) {
-    for (int i = 0; i < chain_.wiring().count(K); ++i) state_.get<K>(i) = s.get<K>(i);
-  }
   void find_parameter(std::string_view name) {
     if (name.empty()) return;
     const topology& t = chain_.wiring();
@@ -228,19 +226,11 @@ KTE_FUNCTION void static_problem::take_known() {
 }
 KTE_FUNCTION void static_problem::derive(const loaded_elements& elements) {
   using number = derivative_number;
-  auto& d = state_with_derivatives(chain_, state_);
-  take_given(state_, d);
-  place_in_world(state_), place_second_axes(chain_, state_);
-  tree::place_bases_in_duals(state_.tree().body_tree, state_.work, d.work);
+  auto& d = state_in_duals(chain_, state_);
   const int* const colour = pattern_.colour.data();
   for (int first = 0; first < pattern_.colours; first += number::variables) {
     const directions moving{vector_of::q, first, colour};
-    for (auto* numbers : {&d.q, &d.v, &d.a})
-      for (auto& x : *numbers) x = number(x.value);
-    for (const freedom& f : d.freedoms())
-      for (int k = 0; k < nv_of(f.what); ++k)
-        if (const int lane = moving.lane(f.v + k); lane >= 0 && lane < number::variables)
-          displace(f, k, static_cast<std::size_t>(lane), std::span(d.q));
+    point_along(moving, d.freedoms(), std::span(d.q), std::span(d.v), std::span(d.a));
     inverse_dynamics_in_duals(elements, state_, d, moving);
     each_entry([&](int i, int j, double& to) {
       if (const int lane = moving.lane(j); lane >= 0 && lane < number::variables)

@@ -104,7 +104,7 @@ class driven_bodies : public typed_bodies<S, Chain, Axes> {
     using frame = typename base::template end<I>;
     const auto& x = this->motion_.template get<frame::what, frame::slot>();
     return [&]<int... K>(std::integer_sequence<int, K...>) KTE_INLINE_LAMBDA {
-      return base::template body_with<I>(mass<I>(), [&]() KTE_INLINE_LAMBDA {
+      return base::template body_with<I>(base::template own_mass<I>(), [&]() KTE_INLINE_LAMBDA {
         return joint_drive{
             make_loads(this->motion_.template force_on_axis<I, K>(tau_)...),
             engine::bias_motion{skip{}, zero3{}, engine::fresh(x.acceleration), engine::fresh(x.ang_acceleration)}};
@@ -120,16 +120,6 @@ class driven_bodies : public typed_bodies<S, Chain, Axes> {
     });
   }
   static constexpr auto none() { return base::none_with(no_wrench); }
-
- private:
-  template <std::size_t I>
-  KTE_INLINE constexpr auto mass() const {
-    if constexpr (Axes::template axes<I> == 0) {
-      return zero;
-    } else {
-      return this->motion_.template mass_of_joint<I>();
-    }
-  }
 };
 
 struct no_change {
@@ -200,10 +190,6 @@ class articulated_chain<S, Chain, Given, std::index_sequence<E...>>
   KTE_INLINE constexpr auto force_on_axis(const vector& tau) const {
     constexpr kind k = coordinate_kind<core_t<I>>;
     return tau[axes::template row<I> + K] + number_of<k, K>(coordinate_load<k, wiring::slot(I, 0)>());
-  }
-  template <std::size_t I>
-  KTE_INLINE constexpr auto mass_of_joint() const {
-    return this->template mass_on_coordinate<S, coordinate_kind<core_t<I>>, wiring::slot(I, 0)>();
   }
 
  protected:

@@ -122,13 +122,13 @@ template <class S, class Core, class More>
 struct fixed_part {
   const Core& core;
   More more;
-  KTE_INLINE constexpr auto composite() const { return core.template mass<S>(); }
-};
-template <class S, class Core, class More>
-requires(!has_mass<Core, S>) struct fixed_part<S, Core, More> {
-  const Core& core;
-  More more;
-  KTE_INLINE static constexpr auto composite() { return no_mass; }
+  KTE_INLINE constexpr auto composite() const {
+    if constexpr (has_mass<Core, S>) {
+      return core.template mass<S>();
+    } else {
+      return no_mass;
+    }
+  }
 };
 struct no_element {};
 inline constexpr no_element nothing_fixed{};
@@ -182,6 +182,15 @@ class typed_bodies {
   static constexpr auto none() { return none_with(engine::nothing{}); }
 
  protected:
+  /// The mass on the coordinate of joint I; zero without axes here.
+  template <std::size_t I>
+  KTE_INLINE constexpr auto own_mass() const {
+    if constexpr (Axes::template axes<I> == 0) {
+      return zero;
+    } else {
+      return motion_.template mass_on_coordinate<S, coordinate_kind<core_t<I>>, wiring::slot(I, 0)>();
+    }
+  }
   /// Returns the body with more(), which is constructed in place.
   template <std::size_t I, class M, class MakeMore>
   KTE_INLINE constexpr auto body_with(const M& mass, const MakeMore& more) const {

@@ -1,76 +1,40 @@
 #pragma once
 
-#include <kte/contract/coordinate_variation.hpp>
-#include <kte/detail/unroll.hpp>
-#include <kte/dynamics/unrolled/given.hpp>
+#include <kte/contract/force_derivatives.hpp>
+#include <kte/dynamics/unrolled/flow.hpp>
 
-/// Derivatives of the forces of elements on generalized coordinates: springs, dampers, masses.
+/// Derivatives of the forces of elements on generalized coordinates of static chains: springs, dampers, masses.
 namespace kte::detail {
 
-template <class S, class Chain, class Given>
-class coordinate_derivatives {
+/// The ports of element I for contract/force_derivatives.hpp.
+template <class Chain, class Given, std::size_t I>
+struct given_ports {
   using types = flow_types<Chain, Given>;
   using wiring = typename Chain::wiring;
-  using matrix = joint_matrix<S, Chain::dofs>;
-
- public:
-  const Chain& chain;
   const Given& given;
-  matrix &by_q, &by_v, &by_a;
 
-  /// Subtracts the derivatives of these forces, because tau is the force that elements do not provide.
-  KTE_INLINE void subtract() const {
-    unroll<Chain::size>([this]<std::size_t I>() KTE_INLINE_LAMBDA { this->template element<I>(); });
+  template <std::size_t P>
+  KTE_INLINE decltype(auto) item() const {
+    return types::template given<types::template what<I, P>, wiring::slot(I, P)>(given);
   }
-
- private:
-  template <std::size_t I>
-  KTE_INLINE void element() const {
-    using core = typename types::template core<I>;
-    if constexpr (is_on_coordinates<core>)
-      unroll<port_count<core>>([this]<std::size_t P>() KTE_INLINE_LAMBDA {
-        this->template by_port<I, P>(std::make_index_sequence<port_count<core>>{});
-      });
-  }
-  template <std::size_t I, std::size_t P>
-  static constexpr bool free =
-      types::template what<I, P> == kind::gen&& wiring::template is_free<kind::gen, wiring::slot(I, P)>;
-  template <std::size_t I, std::size_t P>
-  static constexpr int row = wiring::template at<kind::gen, wiring::slot(I, P)>.v;
-
-  /// Whether port L has the coordinate of an earlier port; `seen` then varies both together.
-  template <std::size_t I, std::size_t L>
-  static constexpr bool is_again() {
-    for (std::size_t before = 0; before < L; ++before)
-      if (types::template core<I>::ports[before].what == kind::gen && wiring::slot(I, before) == wiring::slot(I, L))
-        return true;
-    return false;
-  }
-  /// Derivatives by the coordinate at port L.
-  template <std::size_t I, std::size_t L, std::size_t... P>
-  KTE_INLINE void by_port(std::index_sequence<P...>) const {
-    if constexpr (free<I, L> && !is_again<I, L>()) {
-      const auto loads = chain.template core<I>().doForce(seen<I, P, L>()...);
-      const int done[]{(put<I, P, L>(loads), 0)...};
-      (void)done;
-    }
-  }
-  template <std::size_t I, std::size_t P, std::size_t L>
-  KTE_INLINE auto seen() const {
+  template <std::size_t P>
+  static constexpr int row() {
     constexpr kind k = types::template what<I, P>;
-    constexpr int slot = wiring::slot(I, P);
-    if constexpr (k == kind::gen) {
-      return varied_coordinate<S>(types::template given<k, slot>(given), slot == wiring::slot(I, L));
-    } else {
-      return types::template given<k, slot>(given);
-    }
+    if constexpr (wiring::template is_free<k, wiring::slot(I, P)>)
+      return wiring::template at<k, wiring::slot(I, P)>.v;
+    else
+      return -1;
   }
-  template <std::size_t I, std::size_t P, std::size_t L, class Loads>
-  KTE_INLINE void put(const Loads& loads) const {
-    if constexpr (free<I, P>)
-      subtract_variation<S>(nth<load_index<typename types::template core<I>, P>>(loads), by_q, by_v, by_a, row<I, P>,
-                            row<I, L>);
-  }
+  static constexpr bool are_one(std::size_t a, std::size_t b) { return wiring::slot(I, a) == wiring::slot(I, b); }
 };
+/// Subtracts them from the derivatives of inverse dynamics.
+template <class S, class Chain, class Given, class Result>
+KTE_INLINE void subtract_coordinate_derivatives(const Chain& c, const Given& g, Result& r) {
+  unroll<Chain::size>([&]<std::size_t I>() KTE_INLINE_LAMBDA {
+    using core = typename flow_types<Chain, Given>::template core<I>;
+    const given_ports<Chain, Given, I> ports{g};
+    force_derivatives<S, core, given_ports<Chain, Given, I>, Result>{c.template core<I>(), ports, r}.subtract();
+  });
+}
 
 }  // namespace kte::detail

@@ -33,13 +33,12 @@ class unrolled_coriolis {
 
  private:
   /// The inertia fixed to a frame, without the bodies that joints move.
-  template <kind K, int Slot, std::size_t... N>
-  KTE_INLINE constexpr auto fixed_to(std::index_sequence<N...>) const {
-    return (no_mass + ... + part<loads_on<wiring, K, Slot>[N].element>());
-  }
   template <kind K, int Slot>
   KTE_INLINE constexpr auto fixed_to() const {
-    return fixed_to<K, Slot>(std::make_index_sequence<loads_on<wiring, K, Slot>.size()>{});
+    return [this]<std::size_t... N>(std::index_sequence<N...>) KTE_INLINE_LAMBDA {
+      return (no_mass + ... + this->template part<loads_on<wiring, K, Slot>[N].element>());
+    }
+    (std::make_index_sequence<loads_on<wiring, K, Slot>.size()>{});
   }
   template <std::size_t I>
   KTE_INLINE constexpr auto part() const {

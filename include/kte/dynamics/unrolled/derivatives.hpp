@@ -11,16 +11,12 @@
 /// Derivatives of inverse and forward dynamics of static chains.
 namespace kte::detail {
 
+template <class Core>
+struct lacks_derivatives : std::bool_constant<!has_derivatives<Core>> {};
 /// Whether all elements of a chain provide their derivatives.
 template <class Chain>
 inline constexpr bool is_analytical =
-    is_tree_of_joints<Chain>&& Chain::common&&[]<std::size_t... I>(std::index_sequence<I...>) {
-  const bool all_known[]{has_derivatives<typename Chain::template core_type<I>>..., true};
-  for (const bool k : all_known)
-    if (!k) return false;
-  return true;
-}
-(std::make_index_sequence<Chain::size>{});
+    is_tree_of_joints<Chain>&& Chain::common&& std::is_void_v<first_element<Chain, lacks_derivatives>>;
 
 /// The derivatives at q, v and a, with given bases and inputs.
 template <class S, class Chain, class At, class Base, class Q, class V, class A>
@@ -31,9 +27,9 @@ KTE_INLINE auto derivatives_at(const Chain& c, const At& at, const Base& base, c
     const given g{at, each<S, V>{v}, each<S, A>{a}, base};
     if constexpr (is_unrolled<Chain, S>) {
       r.by_q.setZero(), r.by_v.setZero(), r.by_a.setZero();
-      using given_type = std::remove_const_t<decltype(g)>;
-      const unrolled_force_derivatives<S, Chain, given_type> pass(c, g, r.by_q, r.by_v, r.by_a);
-      coordinate_derivatives<S, Chain, given_type>{c, g, r.by_q, r.by_v, r.by_a}.subtract();
+      const unrolled_passes<Chain, std::remove_const_t<decltype(g)>> pass(c, g);
+      write_force_derivatives<S>(pass, r);
+      subtract_coordinate_derivatives<S>(c, g, r);
       r.tau = forces_of<S>(pass, minus_one);
     } else {
       derivatives_by_tree<S>(c, g, r);

@@ -14,31 +14,19 @@ KTE_INLINE constexpr auto sum_over_elements(const F& f) {
   (std::make_index_sequence<Chain::size>{});
 }
 
-/// The kinetic energy of an element; see<P>(): the item at port P. (As a lambda in a lambda, clang 14 would instantiate
-/// both branches.)
-template <class Core, class See, std::size_t... P>
-KTE_INLINE auto kinetic_energy_of(const Core& core, const See& see, std::index_sequence<P...>) {
-  if constexpr (has_kinetic_energy<Core, decltype(see.template operator()<P>())...>) {
-    return core.kinetic_energy(see.template operator()<P>()...);
+/// The potential energy of an element, including that of a distributed mass in gravity. see<P>(): the item at port P,
+/// evaluated only if the element has such an energy.
+template <class Core, class Gravity, class See, std::size_t... P>
+KTE_INLINE auto potential_energy_in(const Gravity& gravity, const Core& core, const See& see,
+                                    std::index_sequence<P...>) {
+  if constexpr (has_potential_energy<Core, decltype(see.template operator()<P>())...> ||
+                has_first_moment<Core, decltype(see.template operator()<P>())...>) {
+    const auto energy = [&](const auto&... x) KTE_INLINE_LAMBDA {
+      return potential_energy_of(core, x...) - dot(gravity, first_moment_of(core, x...));
+    };
+    return energy(see.template operator()<P>()...);
   } else {
     return zero;
-  }
-}
-/// The potential energy of an element, including that of a distributed mass in gravity.
-template <class Core, class Gravity, class See, std::size_t... P>
-KTE_INLINE auto potential_energy_of(const Core& core, const Gravity& gravity, const See& see,
-                                    std::index_sequence<P...>) {
-  const auto own = [&]() KTE_INLINE_LAMBDA {
-    if constexpr (has_potential_energy<Core, decltype(see.template operator()<P>())...>) {
-      return core.potential_energy(see.template operator()<P>()...);
-    } else {
-      return zero;
-    }
-  }();
-  if constexpr (has_first_moment<Core, decltype(see.template operator()<P>())...>) {
-    return own - dot(gravity, core.first_moment(see.template operator()<P>()...));
-  } else {
-    return own;
   }
 }
 
@@ -49,11 +37,11 @@ KTE_INLINE auto kinetic_energy_at(const Chain& c, const At& at, const V& v) {
   using types = flow_types<Chain, given_type>;
   const unrolled_motion<Chain, given_type> m(c, g);
   return sum_over_elements<Chain>([&]<std::size_t I>() KTE_INLINE_LAMBDA {
-    const auto& core = c.template core<I>();
-    const auto see = [&m]<std::size_t Port>() KTE_INLINE_LAMBDA -> decltype(auto) {
-      return m.template get<types::template what<I, Port>, Chain::wiring::slot(I, Port)>();
-    };
-    return kinetic_energy_of(core, see, typename types::template inputs<I>{});
+    return [&]<std::size_t... P>(std::index_sequence<P...>) KTE_INLINE_LAMBDA {
+      return kinetic_energy_of(c.template core<I>(),
+                               m.template get<types::template what<I, P>, Chain::wiring::slot(I, P)>()...);
+    }
+    (typename types::template inputs<I>{});
   });
 }
 
@@ -63,11 +51,10 @@ KTE_INLINE auto potential_energy_at(const Chain& c, const At& at) {
   const given g{at, same<skip>{}, same<skip>{}, base_with_pose};
   using types = flow_types<Chain, std::remove_const_t<decltype(g)>>;
   const auto elastic = sum_over_elements<Chain>([&]<std::size_t I>() KTE_INLINE_LAMBDA {
-    const auto& core = c.template core<I>();
-    const auto see = [&]<std::size_t Port>() KTE_INLINE_LAMBDA {
-      return motion_of<types, types::template what<I, Port>, Chain::wiring::slot(I, Port)>(c, g);
+    const auto see = [&]<std::size_t P>() KTE_INLINE_LAMBDA {
+      return motion_of<types, types::template what<I, P>, Chain::wiring::slot(I, P)>(c, g);
     };
-    return potential_energy_of(core, c.gravity(), see, typename types::template inputs<I>{});
+    return potential_energy_in(c.gravity(), c.template core<I>(), see, typename types::template inputs<I>{});
   });
   return elastic - dot(c.gravity(), weight_of<S>(c, at).moment);  // (2)
 }

@@ -62,15 +62,6 @@ KTE_INLINE constexpr auto with_angle(const coordinate<Q, QD, QDD, C, S>& c) {
   }
 }
 
-template <bool Turns, class C>
-struct with_angle_if {
-  using type = C;
-};
-template <class C>
-struct with_angle_if<true, C> {
-  using type = decltype(with_angle(std::declval<const C&>()));
-};
-
 /// Which quantities of an item an element reads.
 enum class view { whole, no_accelerations, rates };
 /// The view of an element that reads no accelerations, or of an evaluation without them: frames then have none.
@@ -179,12 +170,6 @@ struct flow_types {
   template <std::size_t I, std::size_t P>
   using seen = typename viewed_type<shown<I, P>, typename thing<what<I, P>, wiring::slot(I, P)>::type>::type;
 
-  template <std::size_t I, std::size_t... P>
-  requires(has_output<core<I>> && !writes_freely<core<I>>) struct written<I, std::index_sequence<P...>> {
-    using moved = decltype(std::declval<const core<I>&>().doMotion(std::declval<const seen<I, P>&>()...));
-    using type = typename with_angle_if<turns<I>, std::remove_cvref_t<moved>>::type;
-    type value;
-  };
   /// The result of doMotion of an element that writes freely. It is evaluated only if everything that it may read is
   /// known.
   template <std::size_t I, class... Seen>
@@ -200,10 +185,21 @@ struct flow_types {
       return motion{none, skip{}, none, none, none, none};
     }
   }
+  /// What doMotion of element I writes, with the sine and cosine of a coordinate that turns a joint.
+  template <std::size_t I, class... Seen>
+  KTE_INLINE static constexpr auto moved(const core<I>& element, const Seen&... x) {
+    if constexpr (writes_freely<core<I>>) {
+      return written_freely<I>(element, x...);
+    } else if constexpr (turns<I>) {
+      return with_angle(element.doMotion(x...));
+    } else {
+      return element.doMotion(x...);
+    }
+  }
   template <std::size_t I, std::size_t... P>
-  requires(writes_freely<core<I>>) struct written<I, std::index_sequence<P...>> {
-    using type = decltype(flow_types::template written_freely<I>(std::declval<const core<I>&>(),
-                                                                 std::declval<const seen<I, P>&>()...));
+  requires(has_output<core<I>>) struct written<I, std::index_sequence<P...>> {
+    using type =
+        decltype(flow_types::template moved<I>(std::declval<const core<I>&>(), std::declval<const seen<I, P>&>()...));
     type value;
   };
   /// The indices of the loads on an item.

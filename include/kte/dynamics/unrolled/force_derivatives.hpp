@@ -50,38 +50,27 @@ class moving_bodies : public typed_bodies<S, Pass, Axes> {
   static constexpr auto at_rest_ = at_rest(no_rotation{}, zero3{});
 };
 
+/// Writes the entries of a matrix.
+template <class Matrix>
+struct entries_of {
+  Matrix& to;
+  template <class X>
+  KTE_INLINE constexpr void operator()(int i, int j, const X& x) const {
+    to(i, j) = as<typename Matrix::Scalar>(x);
+  }
+};
 template <class Matrix>
 struct derivative_entries {
-  Matrix &of_q, &of_v, &of_a;
-  template <class X>
-  KTE_INLINE constexpr void by_q(int i, int j, const X& x) const {
-    of_q(i, j) = as<typename Matrix::Scalar>(x);
-  }
-  template <class X>
-  KTE_INLINE constexpr void by_v(int i, int j, const X& x) const {
-    of_v(i, j) = as<typename Matrix::Scalar>(x);
-  }
-  template <class X>
-  KTE_INLINE constexpr void by_a(int i, int j, const X& x) const {
-    of_a(i, j) = as<typename Matrix::Scalar>(x);
-  }
+  entries_of<Matrix> by_q, by_v, by_a;
 };
-
-/// Motion, forces, and the derivatives of the forces on joints, of a tree of joints.
-template <class S, class Chain, class Given>
-class unrolled_force_derivatives : public unrolled_passes<Chain, Given> {
-  using passes = unrolled_passes<Chain, Given>;
-
- public:
-  using matrix = joint_matrix<S, Chain::dofs>;
-
-  /// Adds the derivatives to matrices of zeros.
-  KTE_INLINE unrolled_force_derivatives(const Chain& c, const Given& g, matrix& by_q, matrix& by_v, matrix& by_a)
-      : passes(c, g) {
-    using bodies_type = moving_bodies<S, passes, axes_of_dofs<Chain>>;
-    const bodies_type bodies(*this);
-    derivatives_of_forces(engine::unrolled<bodies_type>{bodies}, derivative_entries<matrix>{by_q, by_v, by_a});
-  }
-};
+/// Writes the derivatives of the forces on joints of a tree of joints to matrices of zeros. `pass`: its motion and
+/// forces.
+template <class S, class Pass, class Result>
+KTE_INLINE void write_force_derivatives(const Pass& pass, Result& r) {
+  using bodies_type = moving_bodies<S, Pass, axes_of_dofs<typename Pass::chain_type>>;
+  const bodies_type bodies(pass);
+  const derivative_entries<decltype(r.by_q)> put{{r.by_q}, {r.by_v}, {r.by_a}};
+  derivatives_of_forces(engine::unrolled<bodies_type>{bodies}, put);
+}
 
 }  // namespace kte::detail

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/detail/unroll.hpp>
 #include <kte/dynamics/arguments/diagnose.hpp>
 #include <kte/dynamics/unrolled/passes.hpp>
 #include <kte/kernels/joint_vector.hpp>
@@ -58,7 +59,9 @@ struct configuration {
 
   KTE_INLINE explicit configuration(const Q& numbers)
       : q{numbers}, angle(gather(q, std::make_index_sequence<turns::angles.count>{})) {
-    turn(std::make_index_sequence<turns::quaternions.count>{});
+    unroll<turns::quaternions.count>([this]<std::size_t N>() KTE_INLINE_LAMBDA {
+      rotation[N] = matrix_of_any_length(this->template quaternion<int{turns::quaternions.place[N]}>());
+    });
   }
 
   /// Throws `bad_argument` unless all numbers are finite and quaternions are not 0.
@@ -111,11 +114,6 @@ struct configuration {
   KTE_INLINE static auto gather(const each<S, Q>& q, std::index_sequence<N...>) {
     const std::array<S, sizeof...(N) + 1> x{q.template at<int{turns::angles.place[N]}>()...};
     return sincos_all<S, sizeof...(N)>([&](std::size_t n) KTE_INLINE_LAMBDA { return x[n]; });
-  }
-  template <std::size_t... N>
-  KTE_INLINE void turn(std::index_sequence<N...>) {
-    const int done[]{(rotation[N] = matrix_of_any_length(quaternion<int{turns::quaternions.place[N]}>()), 0)..., 0};
-    (void)done;
   }
   template <int I>
   KTE_INLINE auto quaternion() const {
@@ -206,18 +204,13 @@ template <class Base, class Motion>
 only_positions(const Base&, Motion) -> only_positions<Base, Motion>;
 
 /// A base at rest under gravity. Positions and linear velocities are omitted unless an element of the chain reads them.
-template <bool ReadsPositions, class Chain>
+template <class Chain, bool ReadsPositions = Chain::reads_positions>
 KTE_INLINE constexpr auto base_under_gravity(const Chain& c) {
   if constexpr (ReadsPositions) {
     return same_base{motion{zero3{}, no_rotation{}, zero3{}, zero3{}, -c.gravity(), zero3{}}};
   } else {
     return same_base{motion{skip{}, skip{}, skip{}, zero3{}, -c.gravity(), zero3{}}};
   }
-}
-
-template <class Chain>
-KTE_INLINE constexpr auto base_under_gravity(const Chain& c) {
-  return base_under_gravity<Chain::reads_positions>(c);
 }
 
 /// All external arguments: positions, rates, bases. With `RatesOnly`, elements see frames without accelerations:

@@ -13,12 +13,8 @@ struct resting_bodies : typed_bodies<S, Chain, Axes> {
   using typed_bodies<S, Chain, Axes>::typed_bodies;
   template <std::size_t I>
   KTE_INLINE constexpr auto body() const {
-    const auto no_more = []() KTE_INLINE_LAMBDA { return engine::nothing{}; };
-    if constexpr (Axes::template axes<I> == 0) {
-      return this->template body_with<I>(zero, no_more);
-    } else {
-      return this->template body_with<I>(this->motion_.template mass_of_joint<I>(), no_more);
-    }
+    return this->template body_with<I>(this->template own_mass<I>(),
+                                       []() KTE_INLINE_LAMBDA { return engine::nothing{}; });
   }
 };
 

@@ -10,25 +10,17 @@ namespace kte::detail {
 /// The elements from a base to a frame.
 template <class Chain, kind K, int Slot>
 struct branch {
-  using wiring = typename Chain::wiring;
-  template <std::size_t I>
-  using core_t = typename Chain::template core_type<I>;
-  /// The parent frame of element I, of the kind of its frame; for links and joints it is at their last port but one.
-  static constexpr std::array<int, Chain::size + 1> base_of = []<std::size_t... I>(std::index_sequence<I...>) {
-    return std::array<int, Chain::size + 1>{
-        wiring::slot(I, port_count<core_t<I>> < 2 ? 0 : port_count<core_t<I>> - 2)..., 0};
-  }
-  (std::make_index_sequence<Chain::size>{});
+  static constexpr auto& steps = tree_steps<Chain>;
   static constexpr std::size_t length = [] {
     std::size_t n = 0;
-    for (int w = wiring::writer(K, Slot); w >= 0; w = wiring::writer(K, base_of[std::size_t(w)])) ++n;
+    for (int e = Chain::wiring::writer(K, Slot); e >= 0; e = steps[std::size_t(e)].below) ++n;
     return n;
   }();
   static constexpr std::array<std::size_t, length + 1> elements = [] {
-    std::array<std::size_t, length + 1> e{};
-    int w = wiring::writer(K, Slot);
-    for (std::size_t n = length; n-- > 0; w = wiring::writer(K, base_of[std::size_t(w)])) e[n] = std::size_t(w);
-    return e;
+    std::array<std::size_t, length + 1> all{};
+    int e = Chain::wiring::writer(K, Slot);
+    for (std::size_t n = length; n-- > 0; e = steps[std::size_t(e)].below) all[n] = std::size_t(e);
+    return all;
   }();
 };
 
@@ -77,14 +69,10 @@ class unrolled_jacobian : columns<S, Chain, Given> {
 /// Whether all elements between a base and a frame are links and joints.
 template <class Chain, kind K, int Slot>
 inline constexpr bool moves_rigidly = [] {
-  constexpr int w = Chain::wiring::writer(K, Slot);
-  if constexpr (w < 0) {
-    return true;
-  } else if constexpr (!is_transmission<core_of<Chain, std::size_t{w}>>) {
-    return false;
-  } else {
-    return moves_rigidly<Chain, K, Chain::wiring::slot(std::size_t{w}, port_count<core_of<Chain, std::size_t{w}>> - 2)>;
-  }
+  const static_connections<Chain> c;
+  for (int e = Chain::wiring::writer(K, Slot); e >= 0; e = tree_steps<Chain>[std::size_t(e)].below)
+    if (!c.rigid(std::size_t(e))) return false;
+  return true;
 }();
 /// The Jacobian of a frame that follows others.
 template <bool World, class S, class Frame, class Chain, class At>

@@ -10,35 +10,6 @@
 /// over numbers.
 namespace kte::detail {
 
-/// A joint or link: the element whose end is its base, or -1; the number of its first axis among all axes; the rows of
-/// its coordinates.
-struct tree_step {
-  int below = -1, axes = 0;
-  std::array<int, 6> row{};
-  std::size_t first = 0;
-};
-template <class Chain>
-inline constexpr auto tree_steps = [] {
-  std::array<tree_step, Chain::size + 1> steps{};  // the last has the number of all axes
-  const static_connections<Chain> c;
-  for (std::size_t e = 0; e < Chain::size; ++e) {
-    auto& x = steps[e];
-    steps[e + 1].first = x.first;
-    if (!c.rigid(e)) continue;
-    const auto ports = c.ports(e);
-    const std::size_t base = ports.size() - 2;
-    x.below = c.writer(ports[base].what, c.index(e, base));
-    if (base > 0 && ports[0].what != kind::gen) {
-      x.axes = nv_of(ports[0].what);
-      for (int k = 0; k < x.axes; ++k) x.row[static_cast<std::size_t>(k)] = static_plan<Chain>.joint_row[e] + k;
-    }
-    for (std::size_t k = 0; ports[k].what == kind::gen; ++k)
-      x.row[k] = static_plan<Chain>.row_of_gen[static_cast<std::size_t>(c.index(e, k))], ++x.axes;
-    steps[e + 1].first += static_cast<std::size_t>(x.axes);
-  }
-  return steps;
-}();
-
 /// The joints of a chain, in order: the element of each, and the joint or base on which it is.
 template <class Chain>
 struct joints_of {

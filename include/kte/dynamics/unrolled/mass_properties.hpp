@@ -15,11 +15,7 @@ KTE_INLINE constexpr auto sum_over_grounds(const Motion& m, const F& f) {
   using chain = typename Motion::chain_type;
   using types = typename Motion::types;
   const auto of_base = [&]<kind K, int Slot>() KTE_INLINE_LAMBDA {
-    if constexpr (wiring::writer(K, Slot) < 0) {
-      return f.template operator()<frame_place<K, Slot>>(pose{no_rotation{}, zero3{}});
-    } else {
-      return no_mass;
-    }
+    return f.template operator()<frame_place<K, Slot>>(pose{no_rotation{}, zero3{}});
   };
   const auto of_element = [&]<std::size_t I>() KTE_INLINE_LAMBDA {
     constexpr kind k = types::template output_kind<I>;
@@ -27,14 +23,10 @@ KTE_INLINE constexpr auto sum_over_grounds(const Motion& m, const F& f) {
     const auto& x = m.template get<k, slot>();
     return f.template operator()<frame_place<k, slot>>(pose{x.rotation, x.position});
   };
-  return [&]<int... P, int... Q, std::size_t... I>(std::integer_sequence<int, P...>, std::integer_sequence<int, Q...>,
-                                                   std::index_sequence<I...>) KTE_INLINE_LAMBDA {
-    return (no_mass + ... + of_base.template operator()<kind::frame_2D, P>()) +
-           (no_mass + ... + of_base.template operator()<kind::frame_3D, Q>()) +
-           (no_mass + ... + of_element.template operator()<I>());
+  return sum_over_bases<wiring>(no_mass, of_base) + [&]<std::size_t... I>(std::index_sequence<I...>) KTE_INLINE_LAMBDA {
+    return (no_mass + ... + of_element.template operator()<I>());
   }
-  (std::make_integer_sequence<int, wiring::count(kind::frame_2D)>{},
-   std::make_integer_sequence<int, wiring::count(kind::frame_3D)>{}, typename given_bases<chain>::type{});
+  (typename given_bases<chain>::type{});
 }
 
 inline constexpr same_base base_of_nothing{motion{skip{}, skip{}, skip{}, skip{}, skip{}, skip{}}};
@@ -81,31 +73,19 @@ KTE_INLINE vec3<S> divided_by_mass(const M& mass, const X& sum, const Diagnose& 
   return r;
 }
 
-/// The sum of the loads of a pass on bases, which have common origin and axes.
-template <class Pass>
-KTE_INLINE auto load_on_bases(const Pass& pass) {
-  using wiring = typename Pass::chain_type::wiring;
-  const auto on = [&pass]<kind K, int Slot>() KTE_INLINE_LAMBDA {
-    if constexpr (wiring::writer(K, Slot) < 0) {
-      return pass.template load<K, Slot>();
-    } else {
-      return no_wrench;
-    }
-  };
-  return [&on]<int... P, int... Q>(std::integer_sequence<int, P...>, std::integer_sequence<int, Q...>)
-      KTE_INLINE_LAMBDA {
-    return (no_wrench + ... + on.template operator()<kind::frame_2D, P>()) +
-           (no_wrench + ... + on.template operator()<kind::frame_3D, Q>());
-  }
-  (std::make_integer_sequence<int, wiring::count(kind::frame_2D)>{},
-   std::make_integer_sequence<int, wiring::count(kind::frame_3D)>{});
+/// The sum on bases of what elements have as `Loads` (unrolled/other_loads.hpp); bases have common origin and axes.
+template <class Loads, class Chain, class Given>
+KTE_INLINE auto loads_on_bases(const Chain& c, const Given& g) {
+  const with_loads<Chain, Loads> with{c};
+  const unrolled_passes<with_loads<Chain, Loads>, Given> pass(with, g);
+  return sum_over_bases<typename Chain::wiring>(
+      no_wrench, [&pass]<kind K, int Slot>() KTE_INLINE_LAMBDA { return pass.template load<K, Slot>(); });
 }
 /// The sum of the momenta of all bodies with bases at rest, about their origin and in their axes.
 template <class S, class Chain, class At, class V>
 KTE_INLINE auto momentum_at_base(const Chain& c, const At& at, const V& v) {
   const given g{at, v, same<skip>{}, rest_base_of<Chain>(base_with_velocity)};
-  const with_loads<Chain, momenta<S>> bodies{c};
-  return load_on_bases(unrolled_passes<with_loads<Chain, momenta<S>>, std::remove_const_t<decltype(g)>>(bodies, g));
+  return loads_on_bases<momenta<S>>(c, g);
 }
 
 }  // namespace kte::detail

@@ -17,9 +17,6 @@ constexpr auto no_load() {
   }
 }
 
-template <class Core>
-struct no_loads;
-
 /// A core without loads.
 template <class Core>
 struct no_load_core {
@@ -28,28 +25,28 @@ struct no_load_core {
 
   template <class... Inputs>
   KTE_INLINE constexpr auto doForce(const Inputs&...) const {
-    return none(loaded{});
+    return loads();
+  }
+  KTE_INLINE static constexpr auto loads() {
+    return []<std::size_t... P>(std::index_sequence<P...>) KTE_INLINE_LAMBDA {
+      return make_loads(no_load<Core::ports[P].what>()...);
+    }
+    (typename numbers_where<takes_load>::type{});
   }
 
  private:
-  friend no_loads<Core>;
   /// Whether each port takes a load: ports that are not signals.
   static constexpr auto takes_load = [] {
     std::array<bool, port_count<Core>> is{};
     for (std::size_t p = 0; p < input_count<Core>; ++p) is[p] = !is_signal(Core::ports[p].what);
     return is;
   }();
-  using loaded = typename numbers_where<takes_load>::type;
-  template <std::size_t... P>
-  KTE_INLINE static constexpr auto none(std::index_sequence<P...>) {
-    return make_loads(no_load<Core::ports[P].what>()...);
-  }
 };
 
 /// The type of its loads.
 template <class Core>
 struct no_loads {
-  using type = decltype(no_load_core<Core>::none(typename no_load_core<Core>::loaded{}));
+  using type = decltype(no_load_core<Core>::loads());
 };
 
 }  // namespace kte::detail

@@ -22,17 +22,19 @@ struct momentum_of {
 template <class Core>
 inline constexpr bool is_body = has_mass<Core, double>&& is_frame(Core::ports[0].what);
 
-/// Selects the forces of bodies only.
-struct bodies_alone {
+/// Selects the forces of bodies, on request also those of masses on coordinates; other elements have no loads.
+template <bool OnCoordinates>
+struct masses_alone {
   template <class Core>
   KTE_INLINE static constexpr decltype(auto) of(const Core& core) {
-    if constexpr (has_output<Core> || is_body<Core>) {
+    if constexpr (has_output<Core> || is_body<Core> || (OnCoordinates && has_mass<Core, double>)) {
       return (core);
     } else {
       return no_load_core<Core>{};
     }
   }
 };
+using bodies_alone = masses_alone<false>;
 /// Selects the momenta of bodies; other elements have no loads.
 template <class S>
 struct momenta {

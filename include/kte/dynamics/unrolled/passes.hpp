@@ -73,16 +73,6 @@ class unrolled_motion<Chain, Given, std::index_sequence<E...>>
   /// The sum of the masses on coordinate Slot of kind K, kg or kg m^2.
   template <class S, kind K, int Slot>
   KTE_INLINE constexpr auto mass_on_coordinate() const {
-    return mass_on_coordinate<S, K, Slot>(std::make_index_sequence<loads_on<wiring, K, Slot>.size()>{});
-  }
-
- protected:
-  const Chain& chain_;
-  const Given& given_;
-
- private:
-  template <class S, kind K, int Slot, std::size_t... N>
-  KTE_INLINE constexpr auto mass_on_coordinate(std::index_sequence<N...>) const {
     const auto mass = [this]<std::size_t I>() KTE_INLINE_LAMBDA {
       if constexpr (K == kind::gen && has_mass<typename types::template core<I>, S>) {
         return chain_.template core<I>().template mass<S>();
@@ -90,20 +80,22 @@ class unrolled_motion<Chain, Given, std::index_sequence<E...>>
         return zero;
       }
     };
-    return (zero + ... + mass.template operator()<loads_on<wiring, K, Slot>[N].element>());
+    return [&mass]<std::size_t... N>(std::index_sequence<N...>) KTE_INLINE_LAMBDA {
+      return (zero + ... + mass.template operator()<loads_on<wiring, K, Slot>[N].element>());
+    }
+    (std::make_index_sequence<loads_on<wiring, K, Slot>.size()>{});
   }
+
+ protected:
+  const Chain& chain_;
+  const Given& given_;
+
+ private:
   template <std::size_t I, std::size_t... P>
   KTE_INLINE constexpr typename written<I>::type move(std::index_sequence<P...>) const {
-    const auto& core = chain_.template core<I>();
-    if constexpr (writes_freely<typename types::template core<I>>) {
-      return types::template written_freely<I>(
-          core, get<types::template what<I, P>, wiring::slot(I, P), types::template shown<I, P>>()...);
-    } else if constexpr (types::template turns<I>) {
-      return with_angle(
-          core.doMotion(get<types::template what<I, P>, wiring::slot(I, P), types::template shown<I, P>>()...));
-    } else {
-      return core.doMotion(get<types::template what<I, P>, wiring::slot(I, P), types::template shown<I, P>>()...);
-    }
+    return types::template moved<I>(
+        chain_.template core<I>(),
+        get<types::template what<I, P>, wiring::slot(I, P), types::template shown<I, P>>()...);
   }
 };
 

@@ -51,5 +51,15 @@ KTE_INLINE void for_each_base(const F& f) {
   unroll(given_things<Wiring, kind::frame_3D>{},
          [&f]<std::size_t I>() KTE_INLINE_LAMBDA { f.template operator()<kind::frame_3D, int{I}>(); });
 }
+/// none + the sum of f<K, Slot>() over these frames.
+template <class Wiring, class X, class F>
+KTE_INLINE constexpr auto sum_over_bases(const X& none, const F& f) {
+  return [&]<std::size_t... P, std::size_t... Q>(std::index_sequence<P...>, std::index_sequence<Q...>)
+      KTE_INLINE_LAMBDA {
+    return (none + ... + f.template operator()<kind::frame_2D, int{P}>()) +
+           (none + ... + f.template operator()<kind::frame_3D, int{Q}>());
+  }
+  (given_things<Wiring, kind::frame_2D>{}, given_things<Wiring, kind::frame_3D>{});
+}
 
 }  // namespace kte::detail

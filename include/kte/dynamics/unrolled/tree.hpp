@@ -12,6 +12,35 @@ namespace kte::detail {
 template <class Chain>
 inline constexpr bool is_tree_of_joints = static_plan<Chain>.tree;
 
+/// A joint or link: the element whose end is its base, or -1; the number of its first axis among all axes; the rows of
+/// its coordinates.
+struct tree_step {
+  int below = -1, axes = 0;
+  std::array<int, 6> row{};
+  std::size_t first = 0;
+};
+template <class Chain>
+inline constexpr auto tree_steps = [] {
+  std::array<tree_step, Chain::size + 1> steps{};  // the last has the number of all axes
+  const static_connections<Chain> c;
+  for (std::size_t e = 0; e < Chain::size; ++e) {
+    auto& x = steps[e];
+    steps[e + 1].first = x.first;
+    if (!c.rigid(e)) continue;
+    const auto ports = c.ports(e);
+    const std::size_t base = ports.size() - 2;
+    x.below = c.writer(ports[base].what, c.index(e, base));
+    if (base > 0 && ports[0].what != kind::gen) {
+      x.axes = nv_of(ports[0].what);
+      for (int k = 0; k < x.axes; ++k) x.row[static_cast<std::size_t>(k)] = static_plan<Chain>.joint_row[e] + k;
+    }
+    for (std::size_t k = 0; ports[k].what == kind::gen; ++k)
+      x.row[k] = static_plan<Chain>.row_of_gen[static_cast<std::size_t>(c.index(e, k))], ++x.axes;
+    steps[e + 1].first += static_cast<std::size_t>(x.axes);
+  }
+  return steps;
+}();
+
 /// Whether element I is a joint whose coordinate is a degree of freedom.
 template <class Chain, std::size_t I, class Core = typename Chain::template core_type<I>>
 inline constexpr bool is_free_joint = [] {
@@ -84,17 +113,8 @@ struct joint_place {
 /// The place of element I; a joint that is not free to move has no axes.
 template <class Chain, std::size_t I, bool IsFree>
 constexpr joint_place joint_place_of() {
-  using core = core_of<Chain, I>;
-  using wiring = typename Chain::wiring;
-  joint_place p;
-  if constexpr (is_transmission<core>) {
-    p.below = wiring::writer(core::ports.back().what, wiring::slot(I, port_count<core> - 2));
-    if constexpr (IsFree) {
-      p.row = wiring::template at<coordinate_kind<core>, wiring::slot(I, 0)>.v;
-      p.axes = joint_dofs<core>;
-    }
-  }
-  return p;
+  const tree_step& x = tree_steps<Chain>[I];
+  return {IsFree ? x.row[0] : 0, IsFree ? x.axes : 0, x.below};
 }
 
 }  // namespace kte::detail

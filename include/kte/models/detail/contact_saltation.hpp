@@ -120,11 +120,8 @@ class contact_saltation {
     using D = derivative_number;
     const auto& c = model_.chain();
     runtime_state s = s_;
-    derivative_state& d = state_with_derivatives(c, s);
     write_numbers<vector_of::a>(s, Eigen::VectorXd(Eigen::VectorXd::Zero(n_)), "a");
-    take_given(s, d);
-    take_bases(s), place_in_world(s), place_second_axes(c, s);
-    tree::place_bases_in_duals(s.tree().body_tree, s.work, d.work);
+    derivative_state& d = state_in_duals(c, s);
     inverse_dynamics_result<double, Eigen::Dynamic> forces;
     forces.tau.resize(n_), forces.by_q.setZero(n_, n_), forces.by_v.setZero(n_, n_);
     Eigen::RowVectorXd row(n_);
