@@ -35,12 +35,7 @@ std::unique_ptr<any_solver> start_solver(plant& p, const Eigen::VectorXd& q, con
                                          const solver_options& o) {
   check_solver(o.name);
   if (!(o.step > 0)) throw kte::bad_argument("kte: step must be positive, got " + kte::detail::number(o.step));
-  if (auto& m = p.model(); m.has_loops() && q.size() == m.nq() && v.size() == m.dofs()) {  // inputs may move the loops
-    plant::state at_start = plant::state::Zero(m.nq() + m.dofs() + m.internals());
-    at_start.head(m.nq()) = q, at_start.segment(m.nq(), m.dofs()) = v;
-    p.set_inputs(t, at_start), p.settle_at(t);
-  }
-  plant::state x = p.model().make_x(q, v);
+  plant::state x = p.make_x(t, q, v);
   p.set_inputs(t, x);
   x = kte::settled(p.model(), t, x);
   auto solver = make_explicit_solver(p, x, t, o);

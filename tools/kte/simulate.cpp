@@ -212,7 +212,7 @@ int simulate(simulate_options& o) {
     return kte::energy(chain, state, q, v);
   };
   s.before = energy_at(start.q, start.v);
-  plant::state x = p.model().make_x(start.q, start.v);
+  plant::state x = p.make_x(0, start.q, start.v);
   p.set_inputs(0, x);
   x = kte::settled(p.model(), 0.0, x);
   std::optional<recording_file> out;

@@ -28,6 +28,15 @@ class plant {
     law_(t, x, u_);
     model_.setInput(u_);
   }
+  /// The state of q and v at t, on the loops, which inputs may move.
+  state make_x(double t, const Eigen::VectorXd& q, const Eigen::VectorXd& v) const {
+    if (model_.has_loops() && q.size() == model_.nq() && v.size() == model_.dofs()) {
+      state x = state::Zero(q.size() + v.size() + model_.internals());
+      x.head(q.size()) = q, x.segment(q.size(), v.size()) = v;
+      set_inputs(t, x), settle_at(t);
+    }
+    return model_.make_x(q, v);
+  }
   /// Whether the inputs depend on x.
   bool follows_state() const { return law_ && !of_time_alone_; }
   const rate& operator()(double t, const state& x) {
