@@ -76,7 +76,8 @@ class loop_equations : public closure_loads {
   template <class Closures, class State>
   void put_given_rates(const Closures& c, State& s, Eigen::VectorXd& rates) {
     rates.setZero(places.rows);
-    const motion_aside<State> aside(s);
+    std::vector<double> kept(2 * static_cast<std::size_t>(s.dofs()));
+    const rates_aside aside(s, true, kept);
     bring_up_to_date(c.elements(), s);
     take_rates(s), take_bases(s);
     tree::move_bodies<true>(s.tree().body_tree, s.work);
