@@ -90,7 +90,7 @@ def test_messages_name_functions_of_python(closed):
     chain, q, v = closed
     with pytest.raises(kte.BadArgument, match="kte.actuated_forces does$"):
         kte.inverse_dynamics(chain, q, v, v)
-    with pytest.raises(kte.BadArgument, match="use kte.consistent_velocities;"):
+    with pytest.raises(kte.BadArgument, match="use kte.consistent_velocities$"):
         kte.simulate(chain, q, [1, 1, 1], time=1)
     failed = kte.sweep(kte.evenly("q/crank", 0.5, 1, 2), kte.SimulationRun(chain, q, time=1), "crank").failures
     assert all("kte.assemble finds one" in f.reason for f in failed)
