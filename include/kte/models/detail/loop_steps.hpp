@@ -282,8 +282,8 @@ void settle_on_loops(const Loops& loops, const X& x0, Rate& d, X& x) {
 ///
 ///   r = 4 sqrt(rows) eps |v| / (smallest pivot),          (4)
 ///
-/// which no shorter step makes smaller. They do not count as errors of the method: otherwise small tolerances would
-/// force ever shorter steps towards a singular configuration, where these errors grow without bound.
+/// which no shorter step makes smaller. They do not count as errors of a step that passes a singular configuration:
+/// otherwise small tolerances would force ever shorter steps towards it, where these errors grow without bound.
 template <class Loops, class X, class Rate>
 void make_tangential(const Loops& loops, const X& x0, Rate& e) {
   auto& step = step_from(loops, x0);
@@ -292,6 +292,7 @@ void make_tangential(const Loops& loops, const X& x0, Rate& e) {
     const Eigen::VectorXd part = e.segment(first, n);
     e.segment(first, n) -= step.factor.least_change(loops.state(), step.equations, step.equations.times(part));
   }
+  if (step.nearest_at_end > 0.5) return;  // far from singular configurations, where (4) would hide stiffness
   const double rounding = 4 * std::sqrt(step.equations.places.rows) * std::numeric_limits<double>::epsilon();
   const double pivot = step.nearest_at_end * smallest_pivot_of(step);
   const double size = e.segment(n, n).norm(), least = rounding * loops.model.velocities_of(x0).norm() / pivot;  // (4)
