@@ -2,8 +2,7 @@
 #include <boost/hana/for_each.hpp>
 
 #include "models.hpp"
-#include "robots/hyq.hpp"
-#include "robots/panda.hpp"
+#include "panda_hyq.hpp"
 #include "runtime_calls.hpp"
 
 namespace bench {
@@ -29,16 +28,6 @@ struct at_run_time {
   }
 };
 
-struct panda {
-  static constexpr auto name = "panda";
-  static constexpr auto& chain = robots::panda;
-  static constexpr auto& tool = robots::panda_names::hand;
-};
-struct hyq {
-  static constexpr auto name = "hyq";
-  static constexpr auto& chain = robots::hyq;
-  static constexpr auto& tool = robots::hyq_names::body;
-};
 /// For robots with references for few operations.
 template <class Model>
 void add_dynamics() {

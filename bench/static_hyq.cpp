@@ -1,14 +1,10 @@
 /// The static chain of a robot that floats, with general inertias.
-#include "robots/hyq.hpp"
+#include "panda_hyq.hpp"
 #include "static_calls.hpp"
 
 namespace bench {
 namespace {
 
-struct hyq {
-  static constexpr auto name = "hyq";
-  static constexpr auto& chain = robots::hyq;
-};
 const registered here{[] {
   using calls = static_calls<hyq, double>;
   add(operation::inverse_dynamics, "static", hyq::name, calls::inverse_dynamics);

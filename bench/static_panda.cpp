@@ -1,14 +1,10 @@
 /// The static chain of a robot with general inertias and a hand of two fingers.
-#include "robots/panda.hpp"
+#include "panda_hyq.hpp"
 #include "static_calls.hpp"
 
 namespace bench {
 namespace {
 
-struct panda {
-  static constexpr auto name = "panda";
-  static constexpr auto& chain = robots::panda;
-};
 const registered here{[] {
   using calls = static_calls<panda, double>;
   add(operation::inverse_dynamics, "static", panda::name, calls::inverse_dynamics);

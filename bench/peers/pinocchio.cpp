@@ -12,8 +12,7 @@
 #include <stdexcept>
 
 #include "models.hpp"
-#include "robots/hyq.hpp"
-#include "robots/panda.hpp"
+#include "panda_hyq.hpp"
 #include "timing.hpp"
 
 namespace bench::peers {
@@ -197,17 +196,6 @@ void add_model(bool all) {
   add(operation::id_derivatives, calls::id_derivatives);
   add(operation::fd_derivatives, calls::fd_derivatives);
 }
-
-struct panda {
-  static constexpr auto name = "panda";
-  static constexpr auto& chain = robots::panda;
-  static constexpr auto& tool = robots::panda_names::hand;
-};
-struct hyq {
-  static constexpr auto name = "hyq";
-  static constexpr auto& chain = robots::hyq;
-  static constexpr auto& tool = robots::hyq_names::body;
-};
 
 const registered here{[] {
   add_model<iiwa14>(true);
