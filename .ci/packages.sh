@@ -18,6 +18,38 @@ as_root() {
   fi
 }
 
+# A new machine updates itself at first: apt-get waits for that.
+apt_get() {
+  as_root apt-get -q -o DPkg::Lock::Timeout=600 "$@"
+}
+
+# Package lists, once, as soon as a package cannot be had: perhaps only they are missing or old.
+update_lists() {
+  [ -z "$updated" ] || return 1
+  updated=yes
+  apt_get update
+}
+updated=
+
+# fetch PACKAGE...
+fetch() {
+  echo "Installing $*"
+  apt_get install -y --no-install-recommends "$@" || { update_lists && apt_get install -y --no-install-recommends "$@"; }
+}
+
+# install_missing: all at once, which takes a third of the time; if that fails, one after the other, so that the message
+# names the package.
+install_missing() {
+  [ -n "$missing" ] || return 0
+  # shellcheck disable=SC2086  # words
+  fetch $missing && return 0
+  for package in $missing; do
+    fetch "$package" && continue
+    echo "kte: cannot install the package $package, which is needed here; install it by hand and try again" >&2
+    exit 1
+  done
+}
+
 # install_packages PACKAGE...: those that all need, and these.
 install_packages() {
   missing=
@@ -38,16 +70,13 @@ install_packages() {
   need libxml2-utils xmllint
   need python3 python3
   for package in "$@"; do need "$package"; done
-  updated=
-  for package in $missing; do
-    echo "Installing $package"
-    as_root apt-get install -y -q --no-install-recommends "$package" && continue
-    # Perhaps only the lists are missing or old.
-    if [ -z "$updated" ]; then
-      updated=yes
-      as_root apt-get update -q && as_root apt-get install -y -q --no-install-recommends "$package" && continue
-    fi
-    echo "kte: cannot install the package $package, which is needed here; install it by hand and try again" >&2
-    exit 1
-  done
+  install_missing
+}
+
+# install_optional PACKAGE...: true if all of them are there; the caller says what is left out without them.
+install_optional() {
+  missing=
+  for package in "$@"; do need "$package"; done
+  # shellcheck disable=SC2086
+  [ -z "$missing" ] || fetch $missing
 }

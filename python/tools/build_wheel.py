@@ -63,7 +63,7 @@ def _headers():
     root = HERE.parent
     files = {p.relative_to(root): p for p in sorted((root / "include").rglob("*.hpp"))}
     for name in ("frame_named", "static_library", "static_library_of"):
-        files[f"include/eval/{name}.hpp"] = root / "tools" / "kte" / "eval" / f"{name}.hpp"
+        files[f"include/eval/{name}.hpp"] = root / "apps" / "kte" / "eval" / f"{name}.hpp"
     return {f"kte/{name}": p.read_bytes() for name, p in files.items()}
 
 

@@ -2,9 +2,9 @@
 #include <kte/robots/description.hpp>
 #include <kte/view/detail/chain_parts.hpp>
 
-#include "../tools/view/page_limits.hpp"
-#include "../tools/view/scene_builder.hpp"
-#include "../tools/view/triangles.hpp"
+#include "../src/view/page_limits.hpp"
+#include "../src/view/scene_builder.hpp"
+#include "../src/view/triangles.hpp"
 #include "catch.hpp"
 #include "robots/folder.hpp"
 

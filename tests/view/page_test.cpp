@@ -1,6 +1,6 @@
 #include <kte/view.hpp>
 
-#include "../tools/view/page_resource.hpp"
+#include "../src/view/page_resource.hpp"
 #include "catch.hpp"
 #include "chain/models.hpp"
 #include "io/scratch.hpp"

@@ -8,7 +8,7 @@
 #include <kte/manipulators/manipulator.hpp>
 #include <kte/view/scene_of.hpp>
 
-#include "../tools/view/element_kinds.hpp"
+#include "../src/view/element_kinds.hpp"
 #include "catch.hpp"
 #include "chain/gear.hpp"
 #include "chain/models.hpp"

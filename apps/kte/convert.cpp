@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <map>
 
-#include "../header_of_file.hpp"
+#include "../kte_header/header_of_file.hpp"
 #include "commands.hpp"
 #include "mechanism.hpp"
 #include "message.hpp"

@@ -2,7 +2,9 @@
 # (the name of the file unless told) when the target is built, by the program kte-header, which is built once, and puts
 # its folder on the target's include path: `#include "name.hpp"`, then `robots::name`. An installed kte has kte-header in
 # its bin/, which is taken if it is there.
-set(KTE_HEADER_SOURCE ${CMAKE_CURRENT_LIST_DIR}/kte_header.cpp CACHE INTERNAL "")
+# Beside this file where kte is installed.
+find_file(KTE_HEADER_SOURCE kte_header.cpp PATHS ${CMAKE_CURRENT_LIST_DIR} ${CMAKE_CURRENT_LIST_DIR}/../apps/kte_header NO_DEFAULT_PATH NO_CACHE)
+set(KTE_HEADER_SOURCE ${KTE_HEADER_SOURCE} CACHE INTERNAL "")
 
 function(kte_add_header_program)
   if(TARGET kte_header)

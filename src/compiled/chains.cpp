@@ -1,0 +1,3 @@
+// clang-format off: the order counts (kte/detail/compiled_here.hpp)
+#include <kte/detail/compiled_here.hpp>
+#include <kte/compiled/chains.hpp>

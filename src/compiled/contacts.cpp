@@ -1,0 +1,4 @@
+// clang-format off: the order counts (kte/detail/compiled_here.hpp)
+#include <kte/compiled/models.hpp>
+#include <kte/detail/compiled_here.hpp>
+#include <kte/compiled/contacts.hpp>

@@ -1,0 +1,5 @@
+// clang-format off: the order counts (kte/detail/compiled_here.hpp)
+#include <kte/compiled/loops.hpp>
+#include <kte/compiled/registry.hpp>
+#include <kte/detail/compiled_here.hpp>
+#include <kte/compiled/robots.hpp>

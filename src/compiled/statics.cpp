@@ -1,0 +1,5 @@
+// clang-format off: the order counts (kte/detail/compiled_here.hpp)
+#include <kte/compiled/models.hpp>
+#include <kte/compiled/registry.hpp>
+#include <kte/detail/compiled_here.hpp>
+#include <kte/compiled/statics.hpp>
