@@ -11,7 +11,6 @@
 #include <kte/compiled/loops.hpp>
 #include <kte/compiled/models.hpp>
 #include <kte/compiled/contacts.hpp>
-#include <kte/compiled/first_elements.hpp>
 #include <kte/compiled/elements.hpp>
 #include <kte/compiled/registry.hpp>
 #include <kte/compiled/control.hpp>

@@ -1,3 +1,4 @@
-// clang-format off: the order counts (kte/detail/compiled_here.hpp)
+// The order counts: kte/detail/compiled_here.hpp.
+// clang-format off
 #include <kte/detail/compiled_here.hpp>
 #include <kte/compiled/chains.hpp>

@@ -1,4 +1,5 @@
-// clang-format off: the order counts (kte/detail/compiled_here.hpp)
+// The order counts: kte/detail/compiled_here.hpp.
+// clang-format off
 #include <kte/compiled/models.hpp>
 #include <kte/compiled/registry.hpp>
 #include <kte/detail/compiled_here.hpp>

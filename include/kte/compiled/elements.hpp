@@ -1,5 +1,5 @@
 #pragma once
 
-/// Part of kte/compiled.hpp: the other half of the elements.
-#include <kte/compiled/first_elements.hpp>
+/// Part of kte/compiled.hpp: the elements in runtime chains.
+#include <kte/compiled/chains.hpp>
 #include <kte/elements/compiled_elements.hpp>

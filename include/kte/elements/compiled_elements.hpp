@@ -1,13 +1,14 @@
 #pragma once
 
-#include <kte/elements/detail/first_elements.hpp>
+#include <kte/detail/compiled.hpp>
+#include <kte/elements/all.hpp>
+#include <kte/runtime_chain/kte_map_adapter.hpp>
 
 /// The elements of elements/all.hpp in runtime chains, which kte::compiled has compiled.
 namespace kte {
 
 #ifdef KTE_EXTERN
-#  define KTE_ELEMENT(...)
-#  define KTE_ELEMENT_OF_SECOND_HALF(...) KTE_EXTERN template class kte_map_adapter<core::__VA_ARGS__>;
+#  define KTE_ELEMENT(...) KTE_EXTERN template class kte_map_adapter<core::__VA_ARGS__>;
 #  include <kte/elements/all.hpp>
 #endif
 

@@ -1,4 +1,0 @@
-// clang-format off: the order counts (kte/detail/compiled_here.hpp)
-#include <kte/compiled/chains.hpp>
-#include <kte/detail/compiled_here.hpp>
-#include <kte/compiled/first_elements.hpp>

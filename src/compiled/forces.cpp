@@ -1,0 +1,9 @@
+// Masses, springs, dampers and other forces in runtime chains.
+#include <kte/elements/list/forces.hpp>
+#include <kte/runtime_chain/kte_map_adapter.hpp>
+
+namespace kte {
+#undef KTE_ELEMENT
+#define KTE_ELEMENT(...) template class kte_map_adapter<core::__VA_ARGS__>;
+#include <kte/elements/list/forces.hpp>
+}  // namespace kte
