@@ -8,4 +8,5 @@
 #include <kte/dynamics/contacts/impact_derivatives.hpp>
 #include <kte/dynamics/contacts/operational_inertia.hpp>
 #include <kte/dynamics/contacts/support_polygon.hpp>
+#include <kte/dynamics/contacts/velocity_step.hpp>
 #include <kte/models/saltation_matrix.hpp>

@@ -8,6 +8,7 @@
 #include <kte/contact/detail/friction_scaling.hpp>
 #include <kte/contact/detail/friction_sticking.hpp>
 #include <kte/contact/friction_problem.hpp>
+#include <kte/detail/compiled.hpp>
 
 namespace kte {
 
@@ -68,3 +69,9 @@ class friction_solver {
 }  // namespace kte
 
 #include <kte/contact/detail/friction_solver.hpp>
+
+#ifdef KTE_EXTERN
+namespace kte {
+KTE_EXTERN template class friction_solver<double>;
+}
+#endif

@@ -102,8 +102,8 @@ void put_loop_forces(const closure_places& at, const Eigen::VectorXd& multiplier
 ///
 /// a0: accelerations of the tree; J a0 of trees is a sum on the way inward, and a is computed once. The rows are those
 /// of `rows`; if there are none, or they are dependent, rows are selected here.
-template <class Closures, class State, class Tau>
-void accelerate_on_loops(const Closures& c, State& s, loop_workspace& m, const Tau& applied,
+template <class Closures, class State>
+void accelerate_on_loops(const Closures& c, State& s, loop_workspace& m, const given_forces<double>& applied,
                          const loop_factor* rows = nullptr) {
   check_loops(c, s);
   auto& e = m.equations;
@@ -140,9 +140,14 @@ void accelerate_on_loops(const Closures& c, State& s, loop_workspace& m, const T
   put_loop_forces(e.places, multipliers, s);
 }
 /// `accelerate_on_loops` with the results in a runtime state. `assembled`: refuses loops that are not assembled.
-template <class Tau>
-const Eigen::VectorXd& constrained_accelerations(const runtime_chain& c, runtime_state& s, const Tau& applied,
-                                                 const loop_factor* rows = nullptr, bool assembled = false) {
+const Eigen::VectorXd& constrained_accelerations(const runtime_chain& c, runtime_state& s,
+                                                 const given_forces<double>& applied, const loop_factor* rows = nullptr,
+                                                 bool assembled = false);
+
+#ifdef KTE_FUNCTION
+KTE_FUNCTION const Eigen::VectorXd& constrained_accelerations(const runtime_chain& c, runtime_state& s,
+                                                              const given_forces<double>& applied,
+                                                              const loop_factor* rows, bool assembled) {
   auto& m = loops_of(c, s);
   accelerate_on_loops(closures_of(c), s, m, applied, rows);
   if (assembled) refuse_unassembled(closures_of(c), m.equations);
@@ -150,13 +155,9 @@ const Eigen::VectorXd& constrained_accelerations(const runtime_chain& c, runtime
   write_numbers<vector_of::a>(s, s.work.forces, "a");
   return s.work.forces;
 }
-
-#ifdef KTE_FUNCTION
 KTE_FUNCTION const Eigen::VectorXd& kept_accelerations_on_loops(const runtime_chain& c, runtime_state& s,
                                                                 bool assembled) {
-  const auto& applied = s.work.kept;
-  return constrained_accelerations(
-      c, s, [&applied](int i) { return applied[static_cast<std::size_t>(i)]; }, nullptr, assembled);
+  return constrained_accelerations(c, s, given_forces(s.work.kept.data()), nullptr, assembled);
 }
 #endif
 #ifndef KTE_EXTERN
@@ -169,10 +170,8 @@ KTE_EXTERN template void loop_equations::at_rates(const runtime_closures&, runti
 KTE_EXTERN template void loop_factor::factorize(const runtime_closures&, runtime_state&, const loop_equations&);
 KTE_EXTERN template void loop_factor::choose<false>(const runtime_closures&, runtime_state&, loop_equations&, double);
 KTE_EXTERN template void loop_factor::choose<true>(const runtime_closures&, runtime_state&, loop_equations&, double);
-KTE_EXTERN template void accelerate_on_loops(const runtime_closures&, runtime_state&, loop_workspace&, const no_forces&,
-                                             const loop_factor*);
-KTE_EXTERN template void accelerations_on_coordinates(const runtime_elements&, runtime_state&, const no_forces&,
-                                                      std::span<const char>);
+KTE_EXTERN template void accelerate_on_loops(const runtime_closures&, runtime_state&, loop_workspace&,
+                                             const given_forces<double>&, const loop_factor*);
 #endif
 
 }  // namespace kte::detail

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <kte/detail/function_ref.hpp>
 #include <kte/dynamics/contacts/contact_forces.hpp>
 #include <kte/dynamics/contacts/implicit_forces.hpp>
+#include <kte/dynamics/contacts/runtime_contacts.hpp>
 
 /// The step of velocities of time stepping with contacts, in the working memory of a state.
 namespace kte::detail {
@@ -19,9 +21,9 @@ class velocity_step {
   /// From the velocities v at the start, with forces at the state: positions of the middle, and velocities near those
   /// of the middle.
   /// `open_gates(m)` finds which contacts pass through their surface.
-  template <class Contacts, class State, class Gates>
-  void first(const Contacts& c, State& s, contact_solver& m, double h, const force_slopes* law, const Gates& open_gates,
-             Eigen::VectorXd& v) {
+  template <class Contacts, class State>
+  void first(const Contacts& c, State& s, contact_solver& m, double h, const force_slopes* law,
+             const function_ref<contact_workspace&>& open_gates, Eigen::VectorXd& v) {
     check_loops(c, s);
     auto& e = m.equations;
     const bool tree = s.tree().plan.tree;
@@ -80,16 +82,17 @@ class velocity_step {
   /// a_0, to `before`.
   template <class Contacts, class State>
   void accelerate(const Contacts& c, State& s, contact_solver& m) {
-    const auto correction = [this](int i) { return implicit_.correction(i, change_); };
+    correction_.resize(s.dofs());
+    for (int i = 0; i < s.dofs(); ++i) correction_[i] = implicit_.correction(i, change_);
     if (!implicit_.coupled()) {
-      accelerations_on_coordinates(c.elements(), s, correction, {});
+      accelerations_on_coordinates(c.elements(), s, given_forces(correction_.data()), {});
       m.before = s.work.forces;
       return;
     }
     for_each_listed_freedom(s, [](auto& x, const freedom&) { visit_a(x, [](double& a) { a = 0; }); });
     forces_on_coordinates(c.elements(), s, acting::all);
     m.before.resize(s.dofs()), read_listed_numbers<vector_of::f>(s, m.before);
-    for (int i = 0; i < s.dofs(); ++i) m.before[i] += correction(i);
+    m.before += correction_;
     m.factor.solve_mass(m.before);
   }
   /// u of (2) without P, of contacts and closures; slip velocities are those of `first`.
@@ -139,10 +142,19 @@ class velocity_step {
 
   implicit_forces implicit_;
   Eigen::VectorXd change_, from_;  ///< v_m - v, and that of `first`
+  Eigen::VectorXd correction_;     ///< D (v_m - v)
   Eigen::VectorXd at_end_, by_forces_, changes_, at_start_;
   std::vector<vec3<>> impulses_;  ///< of the last step, by contact, in axes of its surface, Ns
   std::vector<double> guess_;
   std::vector<int> touched_;  ///< in the step before
 };
+
+#ifdef KTE_EXTERN
+KTE_EXTERN template void velocity_step::first(const runtime_contacts&, runtime_state&, contact_solver&, double,
+                                              const force_slopes*, const function_ref<contact_workspace&>&,
+                                              Eigen::VectorXd&);
+KTE_EXTERN template void velocity_step::again(const runtime_contacts&, runtime_state&, contact_solver&, double,
+                                              Eigen::VectorXd&);
+#endif
 
 }  // namespace kte::detail

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kte/dynamics/looped/forces_by_rates.hpp>
+#include <kte/dynamics/looped/given_forces.hpp>
 #include <kte/dynamics/looped/mass_matrix.hpp>
 #include <kte/tree/articulated_clusters.hpp>
 
@@ -85,8 +86,8 @@ template <class Elements, class State>
   c.diagnose_mass(s, x.dofs[d], all(pivot == pivot));
 }
 /// Forces tau(i), and those of the elements, to accelerations in `forces`.
-template <class Elements, class State, class Tau>
-void accelerate_clustered(const Elements& c, State& s, const Tau& tau) {
+template <class Elements, class State>
+void accelerate_clustered(const Elements& c, State& s, const given_forces<typename State::scalar>& tau) {
   using S = typename State::scalar;
   const auto& t = s.tree();
   auto& w = s.work;

@@ -12,11 +12,6 @@
 /// checked. For all `Elements` and states of dynamics/looped/inverse_dynamics.hpp.
 namespace kte::detail {
 
-/// No forces but those of elements.
-struct no_forces {
-  constexpr double operator()(int) const { return 0; }
-};
-
 /// Sets the rows whose accelerations are given; an empty span means none. Other joints are free to move.
 template <class State>
 void prescribe(State& s, std::span<const char> prescribed) {
@@ -41,8 +36,9 @@ void check_jointless_masses(const Elements& c, const State& s) {
 }
 /// Articulated inertias and bias forces under the forces tau(i) and those of the elements; for trees. Rows that are
 /// `prescribed` keep the accelerations of the state. Returns the bias motions, for `accelerate_after`.
-template <class Elements, class State, class Tau>
-auto articulate_under(const Elements& c, State& s, const Tau& tau, std::span<const char> prescribed) {
+template <class Elements, class State>
+auto articulate_under(const Elements& c, State& s, const given_forces<typename State::scalar>& tau,
+                      std::span<const char> prescribed) {
   using S = typename State::scalar;
   const auto& t = s.tree();
   auto& w = s.work;
@@ -93,8 +89,9 @@ void accelerate_after(State& s, const Biases& biases) {
 }
 
 /// Forward dynamics of any chain, by factorization of its mass matrix.
-template <class Elements, class State, class Tau>
-void accelerate_by_mass(const Elements& c, State& s, const Tau& tau, std::span<const char> prescribed) {
+template <class Elements, class State>
+void accelerate_by_mass(const Elements& c, State& s, const given_forces<typename State::scalar>& tau,
+                        std::span<const char> prescribed) {
   using S = typename State::scalar;
   using vector = Eigen::Matrix<S, Eigen::Dynamic, 1>;
   const int n = s.dofs();
@@ -133,9 +130,9 @@ bool goes_by_clusters(const State& s, std::span<const char> prescribed) {
          std::none_of(prescribed.begin(), prescribed.end(), [](char given) { return given != 0; });
 }
 /// Forward dynamics with load-dependent friction, by articulated bodies in a `tree`, else by the mass matrix.
-template <class Elements, class State, class Tau>
-void accelerate_with_friction(const Elements& c, State& s, const Tau& tau, std::span<const char> prescribed,
-                              bool tree) {
+template <class Elements, class State>
+void accelerate_with_friction(const Elements& c, State& s, const given_forces<typename State::scalar>& tau,
+                              std::span<const char> prescribed, bool tree) {
   using S = typename State::scalar;
   const auto& readers = s.tree().readers;
   Eigen::Matrix<S, Eigen::Dynamic, 1> all(s.dofs()), given(s.dofs());
@@ -146,7 +143,7 @@ void accelerate_with_friction(const Elements& c, State& s, const Tau& tau, std::
     for (std::size_t k = 0; tree && k < readers.size(); ++k)  // with M, friction is needed on all coordinates together
       if (const int row = s.tree().plan.joint_row[static_cast<std::size_t>(readers[k])]; row < s.dofs())
         all[row] += s.work.friction[k];
-    const auto applied = [&all](int i) { return all[i]; };
+    const given_forces<typename State::scalar> applied(all.data());
     if (tree)
       accelerate_after(s, articulate_under(c, s, applied, prescribed));
     else
@@ -180,8 +177,9 @@ std::span<const char> with_locked_rows(const Elements& c, State& s, std::span<co
 }
 /// Forward dynamics under the forces tau(i) and those of the elements, written to `forces`: by articulated bodies in
 /// trees, and in clusters where coordinates follow others; else by the mass matrix.
-template <class Elements, class State, class Tau>
-void accelerations_on_coordinates(const Elements& c, State& s, const Tau& tau, std::span<const char> prescribed) {
+template <class Elements, class State>
+void accelerations_on_coordinates(const Elements& c, State& s, const given_forces<typename State::scalar>& tau,
+                                  std::span<const char> prescribed) {
   if constexpr (requires { requires State::always_tree; }) {
     accelerate_after(s, articulate_under(c, s, tau, prescribed));
   } else {
