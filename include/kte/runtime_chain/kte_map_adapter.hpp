@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kte/runtime_chain/element_parts.hpp>
+#include <kte/runtime_chain/general_dynamics.hpp>
 
 namespace kte {
 
@@ -70,6 +71,7 @@ namespace detail {
 /// The element of a runtime chain with a core. Programs that link kte::compiled instantiate no adapters of its cores.
 template <class Core>
 [[gnu::cold]] std::unique_ptr<kte_element> adapted(named_element<Core> e) {
+  if constexpr (needs_general_dynamics<Core>) general_dynamics<runtime_state>::bring();
   return std::make_unique<kte_map_adapter<Core>>(std::move(e));
 }
 }  // namespace detail

@@ -178,8 +178,19 @@ std::span<const char> with_locked_rows(const Elements& c, State& s, std::span<co
   });
   return rows.empty() ? prescribed : std::span<const char>(rows);
 }
+/// Forward dynamics of chains that are no trees of joints (`tree`), or have load-dependent friction.
+template <class Elements, class State, class Tau>
+void accelerate_generally(const Elements& c, State& s, const Tau& tau, std::span<const char> prescribed, bool tree) {
+  if (!s.tree().readers.empty())
+    accelerate_with_friction(c, s, tau, prescribed, tree);
+  else if (goes_by_clusters(s, prescribed))
+    accelerate_clustered(c, s, tau);
+  else
+    accelerate_by_mass(c, s, tau, prescribed);
+}
 /// Forward dynamics under the forces tau(i) and those of the elements, written to `forces`: by articulated bodies in
-/// trees, and in clusters where coordinates follow others; else by the mass matrix.
+/// trees, and in clusters where coordinates follow others; else by the mass matrix. `Elements` may have
+/// `accelerate_generally` for chains that are no trees.
 template <class Elements, class State, class Tau>
 void accelerations_on_coordinates(const Elements& c, State& s, const Tau& tau, std::span<const char> prescribed) {
   if constexpr (requires { requires State::always_tree; }) {
@@ -188,14 +199,12 @@ void accelerations_on_coordinates(const Elements& c, State& s, const Tau& tau, s
     std::vector<char> rows;
     const std::span<const char> given = with_locked_rows(c, s, prescribed, rows);
     const bool tree = s.tree().plan.tree && !some_of_joint_prescribed(s, given);
-    if (!s.tree().readers.empty()) [[unlikely]]
-      accelerate_with_friction(c, s, tau, given, tree);
-    else if (tree) [[likely]]
+    if (tree && s.tree().readers.empty()) [[likely]]
       accelerate_after(s, articulate_under(c, s, tau, given));
-    else if (goes_by_clusters(s, given))
-      accelerate_clustered(c, s, tau);
+    else if constexpr (requires { c.accelerate_generally(s, tau, given, tree); })
+      c.accelerate_generally(s, tau, given, tree);
     else
-      accelerate_by_mass(c, s, tau, given);
+      accelerate_generally(c, s, tau, given, tree);
   }
 }
 

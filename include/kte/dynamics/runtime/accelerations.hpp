@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kte/dynamics/runtime/elements.hpp>
+#include <kte/dynamics/runtime/general_dynamics.hpp>
 
 /// Forward dynamics of runtime chains with or without loops.
 namespace kte::detail {
