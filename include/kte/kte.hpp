@@ -24,6 +24,7 @@
 ///                                      implicit_follower.hpp
 ///   kte/elements/registry.hpp          runtime chains from records (plain data)
 ///   kte/runtime_chain/from_record.hpp  static chains from records
+///   kte/shared_coordinates.hpp         forward dynamics of runtime chains whose joints share coordinates
 ///   kte/adapters/sundials.hpp          solvers of SUNDIALS
 ///   kte/adapters/odeint.hpp            chains for Boost.Numeric.Odeint
 ///   kte/testing/element_laws.hpp       tests for custom elements

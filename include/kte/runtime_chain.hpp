@@ -57,3 +57,6 @@
 #ifdef KTE_BATCH_HPP
 #  include <kte/dynamics/batch.hpp>
 #endif
+#ifndef KTE_EXTERN
+#  include <kte/dynamics/runtime/general_dynamics.hpp>  // for the elements that bring it
+#endif

@@ -4,6 +4,6 @@
 
 namespace kte {
 #undef KTE_ELEMENT
-#define KTE_ELEMENT(...) template class kte_map_adapter<core::__VA_ARGS__>;
+#define KTE_ELEMENT(...) template std::unique_ptr<kte_element> detail::adapted(named_element<core::__VA_ARGS__>);
 #include <kte/elements/list/joints.hpp>
 }  // namespace kte

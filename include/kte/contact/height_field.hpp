@@ -33,7 +33,7 @@ struct height_field {
   }
   /// s and n for a sphere of a radius, m, about p.
   template <class S>
-  KTE_INLINE constexpr surface_point<S> at(const vec3<S>& p, double radius) const {
+  constexpr surface_point<S> at(const vec3<S>& p, double radius) const {
     const auto x = upright(p);
     const ground<S> below = at_foot(x.x, x.y);
     const S rise = S(x.z - below.h), along = S(rise / below.steepness());
@@ -44,7 +44,7 @@ struct height_field {
   }
   /// n_dot where p moves by v.
   template <class S>
-  KTE_INLINE constexpr vec3<S> bend(const vec3<S>& p, const vec3<S>& v, double radius) const {
+  constexpr vec3<S> bend(const vec3<S>& p, const vec3<S>& v, double radius) const {
     const auto x = upright(p), u = upright(v);
     ground<S> foot = at_foot(x.x, x.y);
     S fx = u.x, fy = u.y;
@@ -105,7 +105,7 @@ struct height_field {
       return p;
   }
   template <class S>
-  constexpr ground<S> at_foot(const S& x, const S& y) const {
+  [[gnu::noinline]] constexpr ground<S> at_foot(const S& x, const S& y) const {
     using first = dual<S, 2>;
     using second = dual<first, 2>;
     const auto variable = [](const S& value, std::size_t i) {
@@ -134,7 +134,7 @@ struct height_field {
   /// The point of the surface nearest to p; two more steps than converge in numbers, for their derivatives. Far from
   /// the surface, where Newton's method may fail, a point with a gap.
   template <class S>
-  constexpr ground<S> nearest(const vec3<S>& p, const S& distance, double radius) const {
+  [[gnu::noinline]] constexpr ground<S> nearest(const vec3<S>& p, const S& distance, double radius) const {
     using std::abs;
     S x = p.x, y = p.y;
     int further = 0;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kte/errors.hpp>
+#include <kte/math/derivatives_of.hpp>
 #include <kte/math/plain_scalar.hpp>
 #include <kte/math/select.hpp>
 
@@ -51,38 +52,57 @@ class height_grid {
         !requires { T::lanes; }, "kte: a height_grid takes no packs");
     const auto [u, beyond_x] = clamped(T(T(x - T(at_.x)) / T(at_.step_x)), at_.columns);
     const auto [w, beyond_y] = clamped(T(T(y - T(at_.y)) / T(at_.step_y)), rows_);
-    const auto a = weights(u, at_.columns), b = weights(w, rows_);
-    T h(0), by_u(0), by_w(0);
-    for (std::size_t i = 0; i < 4; ++i)
-      for (std::size_t j = 0; j < 4; ++j) {
-        const T c(coefficients_[(b.first + i) * (at_.columns + 2) + a.first + j]);
-        h = T(h + c * b.value[i] * a.value[j]);
-        by_u = T(by_u + c * b.value[i] * a.slope[j]), by_w = T(by_w + c * b.slope[i] * a.value[j]);
-      }
-    return T(h + by_u * beyond_x + by_w * beyond_y);
+    const auto in = cell_at<typename detail::derivatives_of<T>::plain>(detail::as_double(u), detail::as_double(w));
+    const T s = T(u - T(in.u)), t = T(w - T(in.w));
+    T lines[4], slopes[4];
+    for (std::size_t m = 0; m < 4; ++m) lines[m] = cubic(in.c[m], t);
+    const T h = cubic(lines, s);
+    if (beyond_x == T(0) && beyond_y == T(0)) return h;
+    for (std::size_t m = 0; m < 4; ++m) slopes[m] = slope_of_cubic(in.c[m], t);
+    return T(h + slope_of_cubic(lines, s) * beyond_x + cubic(slopes, s) * beyond_y);
   }
 
  private:
-  template <class T>
-  struct four {
-    std::size_t first;
-    T value[4], slope[4];
+  /// The polynomial of a cell: h = sum c_mn s^m t^n, s = u - u_0, t = w - w_0. Its numbers have no derivatives.
+  template <class L>
+  struct cell {
+    double u, w;  ///< u_0, w_0
+    L c[4][4];
   };
+  /// The cell about u, w: (1) with 6 b as polynomials of the place in the cell.
+  template <class L>
+  cell<L> cell_at(double u, double w) const {
+    constexpr int basis[4][4]{{1, -3, 3, -1}, {4, 0, -6, 3}, {1, 3, 3, -3}, {0, 0, 0, 1}};
+    const std::size_t j = first(u, at_.columns), i = first(w, rows_);
+    cell<L> in{static_cast<double>(j), static_cast<double>(i), {}};
+    for (std::size_t m = 0; m < 4; ++m)
+      for (std::size_t n = 0; n < 4; ++n) {
+        L sum(0);
+        for (std::size_t p = 0; p < 4; ++p)
+          for (std::size_t q = 0; q < 4; ++q)
+            sum += L(coefficients_[(i + p) * (at_.columns + 2) + j + q]) * L(basis[q][m] * basis[p][n]);
+        in.c[m][n] = L(sum / L(36));
+      }
+    return in;
+  }
+  /// The first point of the cell about u.
+  static std::size_t first(double u, std::size_t points) {
+    return (std::min)(static_cast<std::size_t>((std::max)(std::floor(u), 0.0)), points - 2);
+  }
+  // By Horner's rule; not inlined, because products of numbers with second derivatives are long.
+  template <class C, class T>
+  [[gnu::noinline]] static T cubic(const C (&c)[4], const T& x) {
+    return T(T(T(x * c[3] + c[2]) * x + c[1]) * x + c[0]);
+  }
+  template <class C, class T>
+  [[gnu::noinline]] static T slope_of_cubic(const C (&c)[4], const T& x) {
+    return T(T(x * T(C(3) * c[3]) + C(2) * c[2]) * x + c[1]);
+  }
   /// u within the grid, and how far it was beyond.
   template <class T>
   static std::pair<T, T> clamped(const T& u, std::size_t points) {
     const T last(static_cast<double>(points - 1)), in = select(u < T(0), T(0), T(select(u > last, last, u)));
     return {in, T(u - in)};
-  }
-  template <class T>
-  static four<T> weights(const T& u, std::size_t points) {
-    const double place = std::floor(detail::as_double(u));
-    const std::size_t k = (std::min)(static_cast<std::size_t>((std::max)(place, 0.0)), points - 2);
-    const T t = T(u - T(static_cast<double>(k))), s = T(T(1) - t), sixth = T(T(1) / T(6)), half(0.5);
-    return {k,
-            {T(sixth * s * s * s), T(sixth * (T(4) + t * t * (T(3) * t - T(6)))),
-             T(sixth * (T(4) + s * s * (T(3) * s - T(6)))), T(sixth * t * t * t)},
-            {T(-(half * s * s)), T(t * (T(1.5) * t - T(2))), T(-(s * (T(1.5) * s - T(2)))), T(half * t * t)}};
   }
   void prepare(const std::vector<double>& heights) {
     const std::size_t width = at_.columns + 2;

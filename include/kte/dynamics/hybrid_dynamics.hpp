@@ -177,6 +177,7 @@ hybrid_dynamics_result<S, Eigen::Dynamic> hybrid_dynamics(const runtime_chain& c
         r.a = hybrid_accelerations_on_loops(c, s, is_known, given, r.tau);
         return r;
       }
+    if constexpr (std::is_same_v<S, double>) general_dynamics<runtime_state>::bring();  // for parts of joints
     keep_forces(s, [&force](int i) { return force[i]; });
     r.a = accelerations_at_state(c, s, is_known);
     r.tau = inverse_dynamics(c, s);

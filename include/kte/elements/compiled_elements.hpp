@@ -8,7 +8,8 @@
 namespace kte {
 
 #ifdef KTE_EXTERN
-#  define KTE_ELEMENT(...) KTE_EXTERN template class kte_map_adapter<core::__VA_ARGS__>;
+#  define KTE_ELEMENT(...) \
+    KTE_EXTERN template std::unique_ptr<kte_element> detail::adapted(named_element<core::__VA_ARGS__>);
 #  include <kte/elements/all.hpp>
 #endif
 

@@ -110,7 +110,7 @@ class record_reader {
   /// An element as a part of a runtime chain: the result of functions that make elements of several types.
   template <class Core>
   [[gnu::cold]] static std::unique_ptr<kte_map> adapt(named_element<Core> e) {
-    return std::make_unique<kte_map_adapter<Core>>(std::move(e));
+    return detail::adapted(std::move(e));
   }
   /// Sets the parameters of a core to those of the record.
   template <class Core>

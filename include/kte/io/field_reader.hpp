@@ -31,7 +31,7 @@ class field_reader {
   /// Reads the fields of an open group: required and optional ones, in any order, each once. Fields that begin with x_
   /// are reported to `warn` and skipped.
   using names = std::initializer_list<std::string_view>;
-  void fields(const char* what, names needed, names others, function_ref<const std::string&> read) {
+  void fields(const char* what, names needed, names others, function_ref<void(const std::string&)> read) {
     const std::size_t start = in_.at();
     unsigned seen = 0;
     for (std::string name; in_.next_field(name);) {
@@ -49,7 +49,7 @@ class field_reader {
         fail_at(start, what + std::string(" has no '") + std::string(needed.begin()[k]) + "'");
   }
   /// A group of fields whose names are data.
-  void any_fields(const std::string& group, function_ref<const std::string&, const file_place&> read) {
+  void any_fields(const std::string& group, function_ref<void(const std::string&, const file_place&)> read) {
     std::set<std::string> seen;
     in_.open_group(group);
     for (std::string name; in_.next_field(name);) {
@@ -60,12 +60,12 @@ class field_reader {
     }
   }
   /// Reads a list; calls read(i) for each item.
-  void list(const std::string& name, function_ref<std::size_t> read) {
+  void list(const std::string& name, function_ref<void(std::size_t)> read) {
     in_.open_list(name);
     for (std::size_t i = 0; in_.next_item(i); ++i) count_item(), read(i);
   }
   /// Reads a list of groups, named "element 3" in messages.
-  void groups(const std::string& name, const std::string& called, function_ref<> read) {
+  void groups(const std::string& name, const std::string& called, function_ref<void()> read) {
     const std::string before = part_.empty() ? called : part_ + ", " + called;
     const std::string outside = part_;
     list(name, [&](std::size_t i) {

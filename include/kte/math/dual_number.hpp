@@ -56,10 +56,11 @@ struct dual {
   derivatives<T, N> derivative;
 
   dual() = default;
-  constexpr dual(const T& x) : value(x), derivative{} {}  // NOLINT(google-explicit-constructor)
+  KTE_INLINE constexpr dual(const T& x) : value(x), derivative{} {}  // NOLINT(google-explicit-constructor)
   template <constant_of<T> A>
-  constexpr dual(const A& x) : value(static_cast<T>(x)), derivative{} {}  // NOLINT(google-explicit-constructor)
-  constexpr dual(const T& x, const derivatives<T, N>& dx) : value(x), derivative(dx) {}
+  KTE_INLINE constexpr dual(const A& x)
+      : value(static_cast<T>(x)), derivative{} {}  // NOLINT(google-explicit-constructor)
+  KTE_INLINE constexpr dual(const T& x, const derivatives<T, N>& dx) : value(x), derivative(dx) {}
 
   constexpr dual& operator+=(const auto& x) { return *this = *this + x; }
   constexpr dual& operator-=(const auto& x) { return *this = *this - x; }

@@ -2,7 +2,6 @@
 
 #include <kte/detail/inline.hpp>
 
-#include <array>
 #include <bit>
 #include <cstddef>
 #include <type_traits>
@@ -66,19 +65,19 @@ class derivatives {
  public:
   using value_type = T;
 
-  constexpr T& operator[](std::size_t i) { return d_[i]; }
-  constexpr const T& operator[](std::size_t i) const { return d_[i]; }
+  KTE_INLINE constexpr T& operator[](std::size_t i) { return d_[i]; }
+  KTE_INLINE constexpr const T& operator[](std::size_t i) const { return d_[i]; }
   static constexpr std::size_t size() { return std::size_t{N}; }
-  constexpr const T* data() const { return d_.data(); }
-  constexpr const T* begin() const { return d_.data(); }
-  constexpr const T* end() const { return d_.data() + N; }
+  KTE_INLINE constexpr const T* data() const { return d_; }
+  KTE_INLINE constexpr const T* begin() const { return d_; }
+  KTE_INLINE constexpr const T* end() const { return d_ + N; }
 
   /// f(x, y, ...) for each derivative of x, y, ...; f accepts numbers and vectors.
   template <class F, class... X>
   KTE_INLINE static constexpr derivatives map(const F& f, const X&... x) {
     derivatives r;
     if constexpr (at_a_time > 1) {
-      if (!std::is_constant_evaluated()) {
+      if (!__builtin_is_constant_evaluated()) {
         by_vectors(r, std::make_index_sequence<padded / at_a_time>{}, f, x...);
         return r;
       }
@@ -95,10 +94,10 @@ class derivatives {
   template <std::size_t At, class F, class... X>
   KTE_INLINE static void one_vector(derivatives& r, const F& f, const X&... x) {
     using v = detail::simd<T, at_a_time>;
-    v::store(r.d_.data() + At, f(v::load(x.d_.data() + At)...));
+    v::store(r.d_ + At, f(v::load(x.d_ + At)...));
   }
 
-  std::array<T, padded> d_;
+  T d_[padded];  // no std::array: see KTE_INLINE
 };
 
 }  // namespace kte

@@ -45,13 +45,13 @@ class runtime_chain : public kte_map {
   /// Appends an element, a static chain, or a chain. Throws `bad_wiring`, with strong exception guarantee.
   template <class Core>
   runtime_chain& operator<<(named_element<Core> e) {
-    return append(std::make_unique<kte_map_adapter<Core>>(std::move(e)));
+    return append(detail::adapted(std::move(e)));
   }
   template <class... Core>
   runtime_chain& operator<<(named_elements<Core...> e) {
     std::apply(
         [this](auto&... each) {
-          std::unique_ptr<kte_map> all[]{std::make_unique<kte_map_adapter<Core>>(std::move(each))...};
+          std::unique_ptr<kte_map> all[]{detail::adapted(std::move(each))...};
           add(all, sizeof...(Core), {});
         },
         e.all);

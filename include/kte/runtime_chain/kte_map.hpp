@@ -103,27 +103,29 @@ class kte_element : public kte_map {
     return {};
   }
   /// For a distributed mass: adds its loads due to accelerations alone.
-  virtual void mass_loads(runtime_state&) const = 0;
+  virtual void mass_loads(runtime_state&) const {}
   /// For a distributed mass: its first moment m c in axes of the base, kg m, after doMotion.
-  virtual vec3<> first_moment(runtime_state&) const = 0;
+  virtual vec3<> first_moment(runtime_state&) const { return {}; }
   /// Whether it locks its coordinate.
-  virtual bool holds(runtime_state&) const = 0;
+  virtual bool holds(runtime_state&) const { return false; }
   /// The largest holding force, N or Nm.
-  virtual double capacity(runtime_state&) const = 0;
+  virtual double capacity(runtime_state&) const { return 0; }
   /// Updates its mode after its law has changed.
-  virtual void switch_over(runtime_state&) const = 0;
+  virtual void switch_over(runtime_state&) const {}
   /// For a joint with load-dependent friction: its friction, N or Nm, under the wrench at its end.
-  virtual double friction(runtime_state&, const wrench<vec3<>, vec3<>>& end) const = 0;
+  virtual double friction(runtime_state&, const wrench<vec3<>, vec3<>>& /*end*/) const { return 0; }
   /// For an element that acts on coordinates only: subtracts the derivatives of its forces.
-  virtual void derive_forces(runtime_state&) const = 0;
+  virtual void derive_forces(runtime_state&) const {}
   /// doMotion with derivatives, for an element other than a joint, a link or a body.
-  virtual void derive_motion(detail::derivative_state&) const = 0;
+  virtual void derive_motion(detail::derivative_state&) const {}
   /// doForce with derivatives, for an element other than a joint, a link or a body.
-  virtual void derive_force(detail::derivative_state&) const = 0;
+  virtual void derive_force(detail::derivative_state&) const {}
   /// For a joint with load-dependent friction: its friction with derivatives.
   virtual detail::derivative_number derive_friction(
       detail::derivative_state&,
-      const wrench<vec3<detail::derivative_number>, vec3<detail::derivative_number>>& end) const = 0;
+      const wrench<vec3<detail::derivative_number>, vec3<detail::derivative_number>>& /*end*/) const {
+    return {};
+  }
 
   /// The number of rows of a closure (contract/closure.hpp); none for other elements.
   virtual closure_rows rows() const { return {}; }

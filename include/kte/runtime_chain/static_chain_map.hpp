@@ -34,10 +34,8 @@ template <class Chain>
 class static_chain_map final : public kte_map {
  public:
   explicit static_chain_map(const Chain& c) : chain_(c) {
-    boost::hana::for_each(c.elements(), [this](const auto& e) {
-      using core_type = typename std::remove_cvref_t<decltype(e)>::core_type;
-      elements_.push_back(std::make_unique<kte_map_adapter<core_type>>(detail::with_texts(e)));
-    });
+    boost::hana::for_each(c.elements(),
+                          [this](const auto& e) { elements_.push_back(detail::adapted(detail::with_texts(e))); });
   }
   static_chain_map(const static_chain_map& o) : static_chain_map(o.chain_) {}
   ~static_chain_map() override = default;

@@ -103,7 +103,7 @@ void put_loop_forces(const closure_places& at, const Eigen::VectorXd& multiplier
 /// a0: accelerations of the tree; J a0 of trees is a sum on the way inward, and a is computed once. The rows are those
 /// of `rows`; if there are none, or they are dependent, rows are selected here.
 template <class Closures, class State>
-void accelerate_on_loops(const Closures& c, State& s, loop_workspace& m, const given_forces<double>& applied,
+void accelerate_on_loops(const Closures& c, State& s, loop_workspace& m, const tree::given_forces<double>& applied,
                          const loop_factor* rows = nullptr) {
   check_loops(c, s);
   auto& e = m.equations;
@@ -141,12 +141,12 @@ void accelerate_on_loops(const Closures& c, State& s, loop_workspace& m, const g
 }
 /// `accelerate_on_loops` with the results in a runtime state. `assembled`: refuses loops that are not assembled.
 const Eigen::VectorXd& constrained_accelerations(const runtime_chain& c, runtime_state& s,
-                                                 const given_forces<double>& applied, const loop_factor* rows = nullptr,
-                                                 bool assembled = false);
+                                                 const tree::given_forces<double>& applied,
+                                                 const loop_factor* rows = nullptr, bool assembled = false);
 
 #ifdef KTE_FUNCTION
 KTE_FUNCTION const Eigen::VectorXd& constrained_accelerations(const runtime_chain& c, runtime_state& s,
-                                                              const given_forces<double>& applied,
+                                                              const tree::given_forces<double>& applied,
                                                               const loop_factor* rows, bool assembled) {
   auto& m = loops_of(c, s);
   accelerate_on_loops(closures_of(c), s, m, applied, rows);
@@ -157,7 +157,7 @@ KTE_FUNCTION const Eigen::VectorXd& constrained_accelerations(const runtime_chai
 }
 KTE_FUNCTION const Eigen::VectorXd& kept_accelerations_on_loops(const runtime_chain& c, runtime_state& s,
                                                                 bool assembled) {
-  return constrained_accelerations(c, s, given_forces(s.work.kept.data()), nullptr, assembled);
+  return constrained_accelerations(c, s, tree::given_forces(s.work.kept.data()), nullptr, assembled);
 }
 #endif
 #ifndef KTE_EXTERN
@@ -171,7 +171,7 @@ KTE_EXTERN template void loop_factor::factorize(const runtime_closures&, runtime
 KTE_EXTERN template void loop_factor::choose<false>(const runtime_closures&, runtime_state&, loop_equations&, double);
 KTE_EXTERN template void loop_factor::choose<true>(const runtime_closures&, runtime_state&, loop_equations&, double);
 KTE_EXTERN template void accelerate_on_loops(const runtime_closures&, runtime_state&, loop_workspace&,
-                                             const given_forces<double>&, const loop_factor*);
+                                             const tree::given_forces<double>&, const loop_factor*);
 #endif
 
 }  // namespace kte::detail

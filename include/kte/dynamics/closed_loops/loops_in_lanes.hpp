@@ -196,7 +196,7 @@ class loops_in_lanes {
 
 /// Forward dynamics of a tree with closures in packs. Returns false if states differ in their independent rows.
 template <class S>
-bool accelerate_on_loops_in_lanes(const runtime_chain& c, basic_runtime_state<S>& s, const given_forces<S>& tau) {
+bool accelerate_on_loops_in_lanes(const runtime_chain& c, basic_runtime_state<S>& s, const tree::given_forces<S>& tau) {
   const auto make = [&] { return loops_in_lanes<S>(closures_of(c), s); };
   auto& loops = s.loops.template get<loops_in_lanes<S>>(make);
   if (loops.layout != c.wiring().layout) loops = make();
@@ -211,7 +211,7 @@ const runtime_vector<S>& accelerations_on_loops_of_packs(const runtime_chain& c,
   if (!s.tree().plan.tree)
     throw bad_argument("kte: forward dynamics in packs of chains with closures: joints must not share coordinates");
   check_loops(closures_of(c), s);
-  if (!accelerate_on_loops_in_lanes(c, s, given_forces<S>(s.work.kept.data())))
+  if (!accelerate_on_loops_in_lanes(c, s, tree::given_forces<S>(s.work.kept.data())))
     throw no_solution("kte: these states differ in the independent rows of their closures");
   check_result(s, [&s] { diagnose("an acceleration", s); });
   return s.work.forces;

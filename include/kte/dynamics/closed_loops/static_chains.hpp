@@ -71,7 +71,7 @@ struct static_loops<static_chain<Gravity, E...>> {
   template <class Closures, class State, class Given>
   static void accelerate(const Closures& closures, State& s, const Given& g, const vector& tau,
                          const loop_factor* rows = nullptr) {
-    accelerate_on_loops(closures, s, s.loops, given_forces(tau.data()), rows);
+    accelerate_on_loops(closures, s, s.loops, tree::given_forces(tau.data()), rows);
     check_accelerations<wiring>(vector(s.work.forces), g, tau);
   }
 };

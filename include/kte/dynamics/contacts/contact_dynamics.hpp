@@ -59,7 +59,7 @@ inline contact_memory_of_state& contact_memory(const runtime_chain& c, runtime_s
 #ifdef KTE_FUNCTION
 KTE_FUNCTION const contact_dynamics_result& contact_dynamics_under_kept(const runtime_chain& c, runtime_state& s) {
   auto& m = contact_memory(c, s);
-  m.result.several = accelerate_with_contacts(contacts_of(c), s, m, given_forces(s.work.kept.data()));
+  m.result.several = accelerate_with_contacts(contacts_of(c), s, m, tree::given_forces(s.work.kept.data()));
   check_result(s, diagnose_state{"an acceleration", s});
   m.put_loop_forces(m.loop_forces), put_forces_of_closures(m, s);
   write_numbers<vector_of::a>(s, s.work.forces, "a");

@@ -22,7 +22,7 @@ class runtime_contacts_in_lanes {
     result.contacts.resize(all_.contacts.size());
   }
   /// Accelerations under applied(i), to `forces` of the working memory, and the result.
-  void accelerate(const runtime_contacts& c, basic_runtime_state<S>& s, const given_forces<S>& applied) {
+  void accelerate(const runtime_contacts& c, basic_runtime_state<S>& s, const tree::given_forces<S>& applied) {
     const auto biases = articulate_under(c.elements(), s, applied, {});
     for (auto& x : all_.contacts) locate(c, s, x);
     all_.choose(c);
@@ -137,7 +137,7 @@ requires(detail::has_lanes_of_double<S>) const basic_contact_dynamics_result<S>&
     auto& kept = s.work.kept;  // tau may be a result in the state
     for (int i = 0; i < s.dofs(); ++i)
       kept[static_cast<std::size_t>(i)] = static_cast<S>(tau[static_cast<std::size_t>(i)]);
-    m.accelerate(contacts, s, detail::given_forces<S>(kept.data()));
+    m.accelerate(contacts, s, tree::given_forces<S>(kept.data()));
     detail::check_result(s, detail::diagnose_state{"an acceleration", s});
     detail::write_numbers<detail::vector_of::a>(s, s.work.forces, "a");
     m.result.a = s.work.forces;

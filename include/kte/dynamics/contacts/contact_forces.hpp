@@ -143,7 +143,7 @@ void put_forces_of_closures(const contact_solver& m, State& s) {
 /// Accelerations a_0 of the tree under applied(i), to `before`, with the places and slip velocities of contacts, and
 /// the second derivatives of all rows for a_0 in the equations.
 template <class Contacts, class State>
-void accelerate_freely(const Contacts& c, State& s, contact_solver& m, const given_forces<double>& applied) {
+void accelerate_freely(const Contacts& c, State& s, contact_solver& m, const tree::given_forces<double>& applied) {
   check_loops(c, s);
   auto& e = m.equations;
   const bool tree = s.tree().plan.tree;
@@ -206,8 +206,9 @@ struct slides_by_motion {
 /// a_0: accelerations of the tree, b: u' for a_0. Contacts are those of `choose_contacts`. If there are no forces that
 /// satisfy the laws, the accelerations are not found.
 template <class Contacts, class State, class Leaves, class Slides>
-friction_status find_contact_forces(const Contacts& c, State& s, contact_solver& m, const given_forces<double>& applied,
-                                    const Leaves& leaves, const Slides& slides) {
+friction_status find_contact_forces(const Contacts& c, State& s, contact_solver& m,
+                                    const tree::given_forces<double>& applied, const Leaves& leaves,
+                                    const Slides& slides) {
   accelerate_freely(c, s, m, applied);
   choose_contacts(c, m, leaves, slides);
   for (std::size_t i = 0; i < m.touching.size(); ++i) put_bias(m, i);
@@ -222,7 +223,7 @@ friction_status find_contact_forces(const Contacts& c, State& s, contact_solver&
 /// As `find_contact_forces` in a tree, by one factorization and one pass of accelerations: without a_0.
 template <class Contacts, class State, class Leaves, class Slides>
 friction_status find_contact_forces_in_tree(const Contacts& c, State& s, contact_solver& m,
-                                            const given_forces<double>& applied, const Leaves& leaves,
+                                            const tree::given_forces<double>& applied, const Leaves& leaves,
                                             const Slides& slides) {
   check_loops(c, s);
   const auto biases = articulate_under(c.elements(), s, applied, {});
@@ -241,7 +242,8 @@ friction_status find_contact_forces_in_tree(const Contacts& c, State& s, contact
 /// `find_contact_forces` with sliding contacts by their velocity. Throws `no_solution`. Returns whether there are
 /// several solutions.
 template <class Contacts, class State>
-bool accelerate_with_contacts(const Contacts& c, State& s, contact_solver& m, const given_forces<double>& applied) {
+bool accelerate_with_contacts(const Contacts& c, State& s, contact_solver& m,
+                              const tree::given_forces<double>& applied) {
   const auto status = s.tree().plan.tree
                           ? find_contact_forces_in_tree(c, s, m, applied, leaves_by_motion{m}, slides_by_motion{m})
                           : find_contact_forces(c, s, m, applied, leaves_by_motion{m}, slides_by_motion{m});

@@ -134,7 +134,7 @@ void put_rows_of_modes(const State& s, contact_solver& m, mode_rows& rows) {
 /// state get their forces. Raises `no_solution` where (1) is singular.
 template <class Contacts, class State>
 void accelerate_in_modes(const Contacts& c, State& s, contact_solver& m, forces_in_modes& k) {
-  accelerate_freely(c, s, m, given_forces<double>{});
+  accelerate_freely(c, s, m, tree::given_forces<double>{});
   put_rows_of_modes(s, m, k.rows);
   for (std::size_t i = 0; i < m.touching.size(); ++i) put_bias(m, i);
   k.rows.fill(c, s, m);

@@ -110,7 +110,7 @@ template <class Gravity, class... E, indexable Q, indexable V, indexable T>
   else
     return detail::with_contacts_at(c, q, v, [&](const auto& contacts, auto& s) {
       static_contact_dynamics_result<chain_type> r;
-      r.several = detail::accelerate_with_contacts(contacts, s, s.contacts, detail::given_forces(f.data()));
+      r.several = detail::accelerate_with_contacts(contacts, s, s.contacts, tree::given_forces(f.data()));
       r.a = s.work.forces;
       detail::check_accelerations<typename chain_type::wiring>(r.a, contacts.given, f);
       for (std::size_t i = 0; i < r.contacts.size(); ++i)

@@ -23,7 +23,7 @@ class velocity_step {
   /// `open_gates(m)` finds which contacts pass through their surface.
   template <class Contacts, class State>
   void first(const Contacts& c, State& s, contact_solver& m, double h, const force_slopes* law,
-             const function_ref<contact_workspace&>& open_gates, Eigen::VectorXd& v) {
+             const function_ref<void(contact_workspace&)>& open_gates, Eigen::VectorXd& v) {
     check_loops(c, s);
     auto& e = m.equations;
     const bool tree = s.tree().plan.tree;
@@ -85,7 +85,7 @@ class velocity_step {
     correction_.resize(s.dofs());
     for (int i = 0; i < s.dofs(); ++i) correction_[i] = implicit_.correction(i, change_);
     if (!implicit_.coupled()) {
-      accelerations_on_coordinates(c.elements(), s, given_forces(correction_.data()), {});
+      accelerations_on_coordinates(c.elements(), s, tree::given_forces(correction_.data()), {});
       m.before = s.work.forces;
       return;
     }
@@ -151,7 +151,7 @@ class velocity_step {
 
 #ifdef KTE_EXTERN
 KTE_EXTERN template void velocity_step::first(const runtime_contacts&, runtime_state&, contact_solver&, double,
-                                              const force_slopes*, const function_ref<contact_workspace&>&,
+                                              const force_slopes*, const function_ref<void(contact_workspace&)>&,
                                               Eigen::VectorXd&);
 KTE_EXTERN template void velocity_step::again(const runtime_contacts&, runtime_state&, contact_solver&, double,
                                               Eigen::VectorXd&);

@@ -1,9 +1,9 @@
 #pragma once
 
 #include <kte/dynamics/looped/forces_by_rates.hpp>
-#include <kte/dynamics/looped/given_forces.hpp>
 #include <kte/dynamics/looped/mass_matrix.hpp>
 #include <kte/tree/articulated_clusters.hpp>
+#include <kte/tree/given_forces.hpp>
 
 /// Forward dynamics where coordinates follow others, by articulated bodies with clusters. `Elements` and states as in
 /// dynamics/looped/inverse_dynamics.hpp.
@@ -87,7 +87,7 @@ template <class Elements, class State>
 }
 /// Forces tau(i), and those of the elements, to accelerations in `forces`.
 template <class Elements, class State>
-void accelerate_clustered(const Elements& c, State& s, const given_forces<typename State::scalar>& tau) {
+void accelerate_clustered(const Elements& c, State& s, const tree::given_forces<typename State::scalar>& tau) {
   using S = typename State::scalar;
   const auto& t = s.tree();
   auto& w = s.work;

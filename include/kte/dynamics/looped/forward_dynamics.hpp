@@ -37,7 +37,7 @@ void check_jointless_masses(const Elements& c, const State& s) {
 /// Articulated inertias and bias forces under the forces tau(i) and those of the elements; for trees. Rows that are
 /// `prescribed` keep the accelerations of the state. Returns the bias motions, for `accelerate_after`.
 template <class Elements, class State>
-auto articulate_under(const Elements& c, State& s, const given_forces<typename State::scalar>& tau,
+auto articulate_under(const Elements& c, State& s, const tree::given_forces<typename State::scalar>& tau,
                       std::span<const char> prescribed) {
   using S = typename State::scalar;
   const auto& t = s.tree();
@@ -90,7 +90,7 @@ void accelerate_after(State& s, const Biases& biases) {
 
 /// Forward dynamics of any chain, by factorization of its mass matrix.
 template <class Elements, class State>
-void accelerate_by_mass(const Elements& c, State& s, const given_forces<typename State::scalar>& tau,
+void accelerate_by_mass(const Elements& c, State& s, const tree::given_forces<typename State::scalar>& tau,
                         std::span<const char> prescribed) {
   using S = typename State::scalar;
   using vector = Eigen::Matrix<S, Eigen::Dynamic, 1>;
@@ -131,7 +131,7 @@ bool goes_by_clusters(const State& s, std::span<const char> prescribed) {
 }
 /// Forward dynamics with load-dependent friction, by articulated bodies in a `tree`, else by the mass matrix.
 template <class Elements, class State>
-void accelerate_with_friction(const Elements& c, State& s, const given_forces<typename State::scalar>& tau,
+void accelerate_with_friction(const Elements& c, State& s, const tree::given_forces<typename State::scalar>& tau,
                               std::span<const char> prescribed, bool tree) {
   using S = typename State::scalar;
   const auto& readers = s.tree().readers;
@@ -143,7 +143,7 @@ void accelerate_with_friction(const Elements& c, State& s, const given_forces<ty
     for (std::size_t k = 0; tree && k < readers.size(); ++k)  // with M, friction is needed on all coordinates together
       if (const int row = s.tree().plan.joint_row[static_cast<std::size_t>(readers[k])]; row < s.dofs())
         all[row] += s.work.friction[k];
-    const given_forces<typename State::scalar> applied(all.data());
+    const tree::given_forces<typename State::scalar> applied(all.data());
     if (tree)
       accelerate_after(s, articulate_under(c, s, applied, prescribed));
     else
@@ -175,10 +175,22 @@ std::span<const char> with_locked_rows(const Elements& c, State& s, std::span<co
   });
   return rows.empty() ? prescribed : std::span<const char>(rows);
 }
-/// Forward dynamics under the forces tau(i) and those of the elements, written to `forces`: by articulated bodies in
-/// trees, and in clusters where coordinates follow others; else by the mass matrix.
+/// Forward dynamics of chains that are no trees of joints (`tree`), or have load-dependent friction.
 template <class Elements, class State>
-void accelerations_on_coordinates(const Elements& c, State& s, const given_forces<typename State::scalar>& tau,
+void accelerate_generally(const Elements& c, State& s, const tree::given_forces<typename State::scalar>& tau,
+                          std::span<const char> prescribed, bool tree) {
+  if (!s.tree().readers.empty())
+    accelerate_with_friction(c, s, tau, prescribed, tree);
+  else if (goes_by_clusters(s, prescribed))
+    accelerate_clustered(c, s, tau);
+  else
+    accelerate_by_mass(c, s, tau, prescribed);
+}
+/// Forward dynamics under the forces tau(i) and those of the elements, written to `forces`: by articulated bodies in
+/// trees, and in clusters where coordinates follow others; else by the mass matrix. `Elements` may have
+/// `accelerate_generally` for chains that are no trees.
+template <class Elements, class State>
+void accelerations_on_coordinates(const Elements& c, State& s, const tree::given_forces<typename State::scalar>& tau,
                                   std::span<const char> prescribed) {
   if constexpr (requires { requires State::always_tree; }) {
     accelerate_after(s, articulate_under(c, s, tau, prescribed));
@@ -186,14 +198,12 @@ void accelerations_on_coordinates(const Elements& c, State& s, const given_force
     std::vector<char> rows;
     const std::span<const char> given = with_locked_rows(c, s, prescribed, rows);
     const bool tree = s.tree().plan.tree && !some_of_joint_prescribed(s, given);
-    if (!s.tree().readers.empty()) [[unlikely]]
-      accelerate_with_friction(c, s, tau, given, tree);
-    else if (tree) [[likely]]
+    if (tree && s.tree().readers.empty()) [[likely]]
       accelerate_after(s, articulate_under(c, s, tau, given));
-    else if (goes_by_clusters(s, given))
-      accelerate_clustered(c, s, tau);
+    else if constexpr (requires { c.accelerate_generally(s, tau, given, tree); })
+      c.accelerate_generally(s, tau, given, tree);
     else
-      accelerate_by_mass(c, s, tau, given);
+      accelerate_generally(c, s, tau, given, tree);
   }
 }
 

@@ -202,7 +202,8 @@ void accelerate_static(const Chain& c, const Given& g, State& s, const Tau& tau)
   }
   (std::make_integer_sequence<int, Chain::dofs>{});
   s.take(g), check_regular(c, s);
-  accelerations_on_coordinates(static_elements{c, g}, s, given_forces<typename State::scalar>(tau.data()), prescribed);
+  accelerations_on_coordinates(static_elements{c, g}, s, tree::given_forces<typename State::scalar>(tau.data()),
+                               prescribed);
   check_accelerations<typename Chain::wiring>(s.work.forces, g, tau);
 }
 template <class S, class Chain, class Given>

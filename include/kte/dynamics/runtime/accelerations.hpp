@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kte/dynamics/runtime/elements.hpp>
+#include <kte/dynamics/runtime/general_dynamics.hpp>
 
 /// Forward dynamics of runtime chains with or without loops.
 namespace kte::detail {
@@ -49,7 +49,7 @@ const runtime_vector<S>& accelerations_at_state(const runtime_chain& c, basic_ru
   if (has_loops(c)) [[unlikely]]
     return accelerations_with_loops(c, s);
   const auto& kept = s.work.kept;
-  accelerations_on_coordinates(runtime_elements{c}, s, given_forces(kept.data()), prescribed);
+  accelerations_on_coordinates(runtime_elements{c}, s, tree::given_forces(kept.data()), prescribed);
   check_result(s, [&] {
     diagnose("an acceleration", s, runtime_vector<S>(Eigen::Map<const runtime_vector<S>>(kept.data(), s.dofs())));
   });
@@ -59,7 +59,7 @@ const runtime_vector<S>& accelerations_at_state(const runtime_chain& c, basic_ru
 
 #ifdef KTE_EXTERN
 KTE_EXTERN template void accelerations_on_coordinates(const runtime_elements&, runtime_state&,
-                                                      const given_forces<double>&, std::span<const char>);
+                                                      const tree::given_forces<double>&, std::span<const char>);
 KTE_EXTERN template const runtime_vector<double>& accelerations_at_state(const runtime_chain&, runtime_state&,
                                                                          std::span<const char>);
 #endif

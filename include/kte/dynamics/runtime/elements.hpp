@@ -6,6 +6,7 @@
 #include <kte/dynamics/runtime/arguments.hpp>
 #include <kte/dynamics/runtime/element_by_lane.hpp>
 #include <kte/runtime_chain/chain.hpp>
+#include <kte/runtime_chain/general_dynamics.hpp>
 
 #include <algorithm>
 
@@ -37,6 +38,9 @@ struct runtime_elements {
   derivative_number friction(int e, derivative_state& s, const tree::dense_wrench<derivative_number>& end) const {
     return element(e).derive_friction(s, end);
   }
+  /// Forward dynamics if the chain is no tree of joints (dynamics/runtime/general_dynamics.hpp).
+  void accelerate_generally(runtime_state& s, const tree::given_forces<double>& tau, std::span<const char> prescribed,
+                            bool tree) const;
   // Packs: lane by lane.
   template <class S>
   requires(is_pack<S>) void move(int e, basic_runtime_state<S>& s) const {

@@ -94,7 +94,7 @@ void resolve_contacts(const Access& a, double t, X& x, int event_of) {
         for (std::size_t i = 0; i < m.touching.size(); ++i)
           if (m.forces[m.touched(i).first] > 0) changes[static_cast<std::size_t>(m.touching[i])].impact = word;
       };
-      accelerate_freely(c, s, m, given_forces<double>{});
+      accelerate_freely(c, s, m, tree::given_forces<double>{});
       bool approaches = false;
       for (std::size_t i = 0; i < m.contacts.size(); ++i) {
         const auto& y = m.contacts[i];
@@ -115,7 +115,7 @@ void resolve_contacts(const Access& a, double t, X& x, int event_of) {
       };
       if (approaches) return hit("impact");
       const auto status = find_contact_forces(
-          c, s, m, given_forces<double>{}, [&m](const contact_at& y) { return leaves_at_event(m, y); },
+          c, s, m, tree::given_forces<double>{}, [&m](const contact_at& y) { return leaves_at_event(m, y); },
           [&m](const contact_at& y) { return slides_at_event(m, y); });
       if (status == friction_status::no_solution) return hit("tangential impact");
       if (!has_forces(status)) [[unlikely]]

@@ -54,7 +54,7 @@ std::vector<char> ask_gates(const Access& a, double t, X& x) {
     for (const auto& y : m.contacts)
       any |= y.has_gate && mode_of(s.template get<kind::contact>(y.slot)) == contact_mode::open;
     if (!any) return;
-    accelerate_freely(c, s, m, given_forces<double>{});
+    accelerate_freely(c, s, m, tree::given_forces<double>{});
     const double length = m.equations.places.length;
     for (std::size_t i = 0; i < m.contacts.size(); ++i) {
       const auto& y = m.contacts[i];

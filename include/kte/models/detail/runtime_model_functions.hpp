@@ -57,7 +57,7 @@ KTE_FUNCTION const Eigen::VectorXd& manipulator_dynamics_model<runtime_chain>::a
   detail::check_regular_tree(chain(), s_), detail::check_positions(s_);
   const detail::runtime_model_loops loops{*this, s_, step_};
   const auto& a =
-      detail::constrained_accelerations(chain(), s_, detail::given_forces<double>{}, detail::rows_of_stage(loops));
+      detail::constrained_accelerations(chain(), s_, tree::given_forces<double>{}, detail::rows_of_stage(loops));
   detail::note_stage(loops);
   return a;
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace kte::detail {
+namespace kte::tree {
 
 /// Forces tau(i) on coordinates besides those of elements: numbers by row, which must stay where they are, or none. One
 /// type for all callers, so that forward dynamics is compiled once.
@@ -15,4 +15,4 @@ class given_forces {
   const S* by_row_ = nullptr;
 };
 
-}  // namespace kte::detail
+}  // namespace kte::tree
