@@ -2,9 +2,9 @@
 
 #include "catch.hpp"
 
-using namespace kte;
+namespace sundials_stiff_test {
 
-namespace {
+using namespace kte;
 
 /// mu = 1000, from (2, 0).
 struct van_der_pol {
@@ -94,4 +94,4 @@ TEST_CASE("SUNDIALS: Robertson's reactions over eleven decades") {
   CHECK(solver.statistics().evaluations < 10000);
 }
 
-}  // namespace
+}  // namespace sundials_stiff_test

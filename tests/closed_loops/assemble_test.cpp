@@ -1,11 +1,11 @@
 #include "catch.hpp"
 #include "closed_loops/mechanisms.hpp"
 
+namespace assemble_test {
+
 using namespace kte;
 using namespace kte::test;
 using namespace kte::test::loops;
-
-namespace {
 
 /// A four-bar on pivots (0, 0) and (d, 0).
 runtime_chain four_bar(double crank, double coupler, double rocker, double d) {
@@ -16,8 +16,6 @@ runtime_chain four_bar(double crank, double coupler, double rocker, double d) {
     << rigid_link_2D("r", "B2", along_x(rocker)) << coincident_points_2D("pin", "B1", "B2");
   return c;
 }
-
-}  // namespace
 
 TEST_CASE("a four-bar is assembled on both branches, with its crank held", "[both]") {
   const auto c = four_bar(0.4, 1.1, 0.8, 1.0);
@@ -107,3 +105,5 @@ TEST_CASE("a hinge that closes with its axes against each other is refused") {
   }
   CHECK_THROWS_AS(assemble(c, s, numbers({0.5}), held("nothing")), unknown_name);
 }
+
+}  // namespace assemble_test

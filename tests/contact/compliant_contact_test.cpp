@@ -13,10 +13,10 @@
 #include "catch.hpp"
 #include "elements/laws.hpp"
 
+namespace compliant_contact_test {
+
 using namespace kte;
 using namespace kte::test;
-
-namespace {
 
 // clang-format off
 inline constexpr struct ground_ final : frame_3D_key<"ground"> {} ground;
@@ -76,8 +76,6 @@ void check_laws_in_both(const Element& e) {
   check_laws<double>(e);
   check_laws<digits50>(e);
 }
-
-}  // namespace
 
 TEST_CASE("forces of compliant contacts are opposite, and independent of their place", "[laws]") {
   check_laws_in_both(compliant_contact_3D("a", "b", half_space{}, 0.7, rubber));
@@ -240,3 +238,5 @@ TEST_CASE("contacts take packs, where some states touch and others do not") {
   check(bristle_contact_3D(ground, body, hair_x, hair_y, hair_z, half_space{}, 0.7, brush));
   check(compliant_contact_3D(ground, body, height_field(flat), 0.7, rubber));
 }
+
+}  // namespace compliant_contact_test

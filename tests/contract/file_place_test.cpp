@@ -3,6 +3,8 @@
 
 #include "catch.hpp"
 
+namespace file_place_test {
+
 using namespace kte;
 
 TEST_CASE("a place in a file begins a message, one of a program does not", "[both]") {
@@ -31,3 +33,5 @@ TEST_CASE("where it was read is no part of a value") {
   CHECK(made == element_record{"spring_gen", 1, {{"anchor1", "q", here}}, {read}, here});
   CHECK(made != element_record{"spring_gen", 1, {{"anchor1", "p", here}}, {read}, here});
 }
+
+}  // namespace file_place_test

@@ -8,7 +8,7 @@
 #include "robots/iiwa14.hpp"
 #include "robots/ur5.hpp"
 
-namespace {
+namespace passes_test {
 
 using namespace kte;
 
@@ -83,8 +83,6 @@ void compare_bits(const Static& fixed, const runtime_chain& loose, unsigned seed
     fixed.doForce(s), loose.doForce(r), compare();
   }
 }
-
-}  // namespace
 
 // Both kinds execute equal arithmetic in equal order. Compilers that may fuse products into sums (-mfma, -march=native,
 // unless -ffp-contract=off) do so where they inline, which differs: then results agree to rounding.
@@ -164,8 +162,6 @@ TEST_CASE("motion leaves forces and what is given, clearing leaves motion, force
   CHECK(m.coordinate("wheel").f == 3.0);
 }
 
-namespace {
-
 struct keeper {
   static constexpr std::array<port, 3> ports{{{kind::gen, access::on, "coordinate"},
                                               {kind::input, access::in, "input"},
@@ -188,4 +184,4 @@ static_assert(detail::has_skip<skip> && detail::has_skip<vec3<double, skip, doub
 static_assert(detail::has_skip<wrench<vec3<>, vec3<double, double, skip>>>);
 static_assert(detail::has_skip<values<double, skip>> && !detail::has_skip<values<double>>);
 
-}  // namespace
+}  // namespace passes_test

@@ -2,6 +2,8 @@
 
 // Forward dynamics by articulated bodies where the motion of a joint is given, and with masses on coordinates.
 
+namespace articulated_given_test {
+
 using namespace kte;
 using namespace kte::test::trees;
 using models::element_by_element;
@@ -28,3 +30,5 @@ TEST_CASE("masses of coordinates") {
   CHECK(gap(forward_dynamics(model, s, none, none, one_of_them), exact) < 1e-15);
   CHECK(gap(forward_dynamics(model, s, none, none, one_of_them), exact) < 1e-15);  // whatever the state held before
 }
+
+}  // namespace articulated_given_test

@@ -2,6 +2,8 @@
 
 // Chains that articulated bodies must leave to the mass matrix.
 
+namespace articulated_not_test {
+
 using namespace kte;
 using namespace kte::test::trees;
 
@@ -21,3 +23,5 @@ TEST_CASE("chains that are no trees of joints", "[laws]") {
   STATIC_REQUIRE(!by_articulated_bodies<decltype(follower)>);
   check(follower, 8, usual, base);
 }
+
+}  // namespace articulated_not_test

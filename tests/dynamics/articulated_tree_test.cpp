@@ -3,6 +3,8 @@
 // Forward dynamics by articulated bodies in a tree with everything that it can do, and of arguments that are not
 // finite.
 
+namespace articulated_tree_test {
+
 using namespace kte;
 using namespace kte::test::trees;
 using models::element_by_element;
@@ -68,3 +70,5 @@ TEST_CASE("articulated bodies with arguments that are not finite") {
   given([&](auto& t) { thing_of(t, cart).position.x = bad; });
   given([&](auto& t) { thing_of(t, motor) = bad; });
 }
+
+}  // namespace articulated_tree_test

@@ -9,9 +9,9 @@
 #include "random.hpp"
 #include "robots/iiwa14.hpp"
 
-namespace batch = kte::batch;
+namespace batch_test {
 
-namespace {
+namespace batch = kte::batch;
 
 /// Small, so that tests with many widths compile quickly: joints about a typed and a general axis, and a sliding one.
 constexpr auto arm = [] {
@@ -95,8 +95,6 @@ struct backwards {
     while (tasks-- > 0) task(tasks);
   }
 };
-
-}  // namespace
 
 TEST_CASE("a batch is its states", "[laws][both]") {
   for_all_widths([]<class T, int W>() {
@@ -280,3 +278,5 @@ TEST_CASE("threads do all tasks, and rethrow the first exception") {
   }
   CHECK_NOTHROW(batch::threads(3)(0, [](std::size_t) { throw 1; }));
 }
+
+}  // namespace batch_test

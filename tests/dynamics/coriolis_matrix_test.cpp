@@ -11,11 +11,11 @@
 
 // The Coriolis matrix: a formula, Christoffel's symbols, forces, the rate of the mass matrix; static against runtime.
 
+namespace coriolis_matrix_test {
+
 using namespace kte;
 using namespace kte::test;
 using namespace kte::test::small_chains;
-
-namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 /// Sums of products along at most 8 poses, twice.
@@ -64,8 +64,6 @@ template <class Chain>
 void check(const Chain& c, unsigned seed) {
   check(c, models::element_by_element(c), seed);
 }
-
-}  // namespace
 
 TEST_CASE("Coriolis matrix of two links, by its formula", "[laws]") {
   // m_2 at l_2 on a link of l_1: h = -m_2 l_1 l_2 sin q_2 and C = (h v_2, h (v_1 + v_2); -h v_1, 0).
@@ -155,3 +153,5 @@ TEST_CASE("Coriolis matrix of bad arguments") {
   CHECK_THROWS_AS(mass_matrix_rate(model, s, std::vector<double>(3), q), bad_argument);
   CHECK_THROWS_AS(mass_matrix_rate(planar, q, std::array{1e308, 1e308, 1e308, 1e308}), bad_argument);
 }
+
+}  // namespace coriolis_matrix_test

@@ -9,10 +9,10 @@
 // Derivatives of the dynamics of a robot that floats against 21 digits, a pendulum by hand, and errors. Arms are in
 // derivatives_robots_test.cpp, chains with everything in derivatives_tree_test.cpp.
 
+namespace derivatives_test {
+
 using namespace kte;
 using kte::test::error_of;
-
-namespace {
 
 constexpr long double eps = std::numeric_limits<double>::epsilon();
 
@@ -28,8 +28,6 @@ struct pair_of_springs {
   template <class Self, class Visit>
   static constexpr void parameters(Self&, Visit&&) {}
 };
-
-}  // namespace
 
 TEST_CASE("an element with both ports on one coordinate is derived by it once, in a static chain", "[laws]") {
   constexpr auto c = chain(revolute_joint_2D(models::q, models::base, models::joint),
@@ -135,3 +133,5 @@ TEST_CASE("what has no derivatives") {
   CHECK_THROWS_AS(forward_dynamics_derivatives(massless, x, x, x), singular_mass_matrix);
   CHECK_THROWS_AS(forward_dynamics_derivatives(massless, make_state(massless)), singular_mass_matrix);
 }
+
+}  // namespace derivatives_test

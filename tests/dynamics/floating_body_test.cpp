@@ -2,6 +2,8 @@
 
 // Bodies that float and ball joints, in closed form and by other joints.
 
+namespace floating_body_test {
+
 using namespace kte;
 using namespace kte::test::floating_bodies;
 using models::element_by_element;
@@ -188,3 +190,5 @@ TEST_CASE("the momentum of what floats changes by its weight alone") {
     CHECK(torque.norm() <= 20 * eps * 100 * 3 * std::max(1.0, size));
   }
 }
+
+}  // namespace floating_body_test

@@ -4,11 +4,11 @@
 
 // A robot that floats.
 
+namespace floating_robot_test {
+
 using namespace kte;
 using namespace kte::test::floating_bodies;
 using models::element_by_element;
-
-namespace {
 
 /// max |x - reference| / max |reference|
 template <class X>
@@ -31,8 +31,6 @@ long double error_of_matrix(const M& m, const long double* upper) {
     }
   return off(u, upper, u.size());
 }
-
-}  // namespace
 
 TEST_CASE("solo12 against 31 digits", "[laws]") {
   // Bounds as for arms (reference_test.cpp): sums over four bodies in a row, a few eps of the largest number; measured
@@ -126,3 +124,5 @@ TEST_CASE("the length of a quaternion does not matter to any algorithm") {
   };
   check(1.5), check(-1.0), check(1e-100), check(1e100);
 }
+
+}  // namespace floating_robot_test

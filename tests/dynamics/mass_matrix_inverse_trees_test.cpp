@@ -2,6 +2,8 @@
 
 // The inverse of the mass matrix of all that a tree may have.
 
+namespace mass_matrix_inverse_trees_test {
+
 using namespace kte;
 using namespace kte::test::trees;
 
@@ -12,3 +14,5 @@ TEST_CASE("the inverse of the mass matrix of trees", "[laws]") {
     check_inverse(rotors, 3, base, drive, motor, pull);
   }
 }
+
+}  // namespace mass_matrix_inverse_trees_test

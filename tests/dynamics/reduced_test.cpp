@@ -13,11 +13,11 @@
 
 // Chains with locked joints: their forces and masses are those of the whole chain that has these joints at rest.
 
+namespace reduced_test {
+
 using namespace kte;
 using namespace kte::test;
 using namespace kte::test::small_chains;
-
-namespace {
 
 constexpr double rounding = 500 * std::numeric_limits<double>::epsilon();  // M, its inverse, motions along 8 poses
 
@@ -76,8 +76,6 @@ void check(const runtime_chain& c, unsigned seed, const Names&... names) {
   CHECK(gap(forward_dynamics(part, t, at, of(v), of(tau)), of(hybrid.a)) < rounding);
   CHECK(potential_energy(part, t, at) == within_relative(potential_energy(c, s, q), 10 * rounding));
 }
-
-}  // namespace
 
 TEST_CASE("chains with locked joints: forces, masses, accelerations", "[laws]") {
   const auto c = models::element_by_element(floating);
@@ -142,3 +140,5 @@ TEST_CASE("locked joints of the name of a frame, with a brake, and on a mount") 
   CHECK(inverse_dynamics(part, s, std::array{0.1}, std::array{0.0}, std::array{2.0})[0] ==
         within(2 + 9.81 * std::sin(0.6), 1e-14));
 }
+
+}  // namespace reduced_test

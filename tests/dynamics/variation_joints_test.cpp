@@ -2,6 +2,8 @@
 
 // The first variations of how motion and forces pass joints.
 
+namespace variation_joints_test {
+
 using namespace kte;
 using namespace kte::detail;
 using namespace kte::test::variations;
@@ -114,3 +116,5 @@ TEST_CASE("sensitivity_through is the transpose of how motion passes an element"
   worst.below(by_rate_bound);
   dense.below(by_rate_bound);
 }
+
+}  // namespace variation_joints_test

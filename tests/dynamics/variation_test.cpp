@@ -2,6 +2,8 @@
 
 // The first variations of what moves bodies.
 
+namespace variation_test {
+
 using namespace kte;
 using namespace kte::detail;
 using namespace kte::test::variations;
@@ -67,3 +69,5 @@ TEST_CASE("gyration_through of a body is its gyration as part of the base") {
   }
   worst.below(1e-46);
 }
+
+}  // namespace variation_test

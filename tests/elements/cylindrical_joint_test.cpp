@@ -5,10 +5,10 @@
 #include "elements/laws.hpp"
 #include "elements/mechanism_results.hpp"
 
+namespace cylindrical_joint_test {
+
 using namespace kte;
 using namespace kte::test;
-
-namespace {
 
 // clang-format off
 inline constexpr struct turn_   final : coord_key<"turn">      {} turn;
@@ -33,8 +33,6 @@ runtime_chain with_arm(runtime_chain c) {
                     << inertia_3D("hand", brick);
   return c;
 }
-
-}  // namespace
 
 TEST_CASE("a cylindrical joint is the same by keys, by texts, and slid before it turns", "[laws]") {
   runtime_chain texts, other;
@@ -110,3 +108,5 @@ TEST_CASE("a cylindrical joint wants an axis of length 1") {
         }) ==
         "kte: revolute_joint_3D (coordinate 'turn', base 'shaft', end 'sleeve.inner'): axis must have length 1, got 2");
 }
+
+}  // namespace cylindrical_joint_test

@@ -9,10 +9,10 @@
 #include "chain/registered.hpp"
 #include "elements/laws.hpp"
 
+namespace dyad_test {
+
 using namespace kte;
 using namespace kte::test;
-
-namespace {
 
 constexpr dyad_lengths lengths{.pivot = {0.2, 0.03}, .crank1 = 0.15, .bar1 = 0.3, .bar2 = 0.28, .crank2 = 0.12};
 
@@ -31,8 +31,6 @@ runtime_chain five_bar() {
     << driving_actuator_gen("q1", "motor 1") << driving_actuator_gen("q2", "motor 2");
   return c;
 }
-
-}  // namespace
 
 TEST_CASE("a five-bar linkage stays closed, and its dynamics agree", "[laws]") {
   const auto c = five_bar();
@@ -104,3 +102,5 @@ TEST_CASE("a dyad that cannot be closed, with invalid parameters, and in files")
   const auto c = five_bar();
   CHECK(record_of(models::registered(record_of(c))) == record_of(c));
 }
+
+}  // namespace dyad_test

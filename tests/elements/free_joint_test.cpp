@@ -5,10 +5,10 @@
 #include "chain/registered.hpp"
 #include "elements/laws.hpp"
 
+namespace free_joint_test {
+
 using namespace kte;
 using namespace kte::test;
-
-namespace {
 
 // clang-format off
 inline constexpr struct trunk_  final : pose_3D_key<"trunk">   {} trunk;
@@ -44,8 +44,6 @@ frame_3D<> in_space(const frame_2D<>& x) {
   y.force = as<double>(load_of(x).force), y.torque = as<double>(load_of(x).torque);
   return y;
 }
-
-}  // namespace
 
 TEST_CASE("free joints obey the laws", "[laws]") {
   check_laws<double>();
@@ -200,3 +198,5 @@ TEST_CASE("free joints go to records and back") {
   check(in_plane, "free_joint_2D");
   check(solid, "free_joint_3D");
 }
+
+}  // namespace free_joint_test

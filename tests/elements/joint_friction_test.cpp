@@ -9,10 +9,11 @@
 #include "chain/registered.hpp"
 #include "elements/laws.hpp"
 
+namespace joint_friction_test {
+
 using namespace kte;
 using namespace kte::test;
 
-namespace {
 // clang-format off
 inline constexpr struct q_ final : coord_key<"q"> {} q;
 // clang-format on
@@ -33,8 +34,6 @@ S by_formula(const friction_parameters& p, const S& v) {
   const S r = v / S(p.stribeck_velocity), g = p.coulomb + (S(p.stiction) - p.coulomb) * exp(S(-r * r));
   return -(g * tanh(S(v / S(p.smoothing_velocity))) + p.viscous * v);
 }
-
-}  // namespace
 
 TEST_CASE("smooth friction is as its formula says", "[laws]") {
   random_numbers draw(1);
@@ -125,3 +124,5 @@ TEST_CASE("smooth friction is saved and loaded, and rejects invalid input") {
   CHECK(complaint([] { (void)joint_stiffness_gen("q", 1.0, infinity); }) ==
         "kte: joint_stiffness_gen (coordinate 'q'): rest must be finite, got inf");
 }
+
+}  // namespace joint_friction_test

@@ -10,10 +10,11 @@
 #include "chain/registered.hpp"
 #include "elements/laws.hpp"
 
+namespace joint_lugre_test {
+
 using namespace kte;
 using namespace kte::test;
 
-namespace {
 // clang-format off
 inline constexpr struct q_     final : coord_key<"q">           {} q;
 inline constexpr struct push_  final : input_key<"push">        {} push;
@@ -79,8 +80,6 @@ Eigen::Vector3d pushed_in_fixed_steps(double force) {
   }
   return x;
 }
-
-}  // namespace
 
 TEST_CASE("LuGre friction is as in the paper", "[laws]") {
   random_numbers draw(1);
@@ -177,3 +176,5 @@ TEST_CASE("the Jacobian of a model with LuGre friction knows its bristles") {
     CHECK((j.col(i) - differences).norm() <= 1e-9 * differences.norm());
   }
 }
+
+}  // namespace joint_lugre_test

@@ -10,10 +10,10 @@
 
 // Frames at the nearest point of a line, and of a plane.
 
+namespace line_point_mindist_test {
+
 using namespace kte;
 using namespace kte::test;
-
-namespace {
 
 template <class S>
 void check_laws() {
@@ -45,8 +45,6 @@ runtime_chain tied(const Nearest& nearest) {
     << spring_3D("mass", "nearest", 0.0, 50.0) << damper_3D("mass", "nearest", 3.0);
   return c;
 }
-
-}  // namespace
 
 TEST_CASE("nearest points move as they should and hand loads back", "[laws]") {
   check_laws<double>(), check_laws<digits50>();
@@ -140,3 +138,5 @@ TEST_CASE("a mass on a nearest point bars what is about masses, not what is abou
   for (const char* frame : {"mass", "nearest"}) CHECK(jacobian(weighted, t, q, frame) == jacobian(plain, s, q, frame));
   CHECK_THROWS_MATCHES(mass_matrix(weighted, t, q), bad_argument, says("has a mass on a frame that follows others"));
 }
+
+}  // namespace line_point_mindist_test

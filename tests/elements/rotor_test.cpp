@@ -11,10 +11,10 @@
 
 // Rotors on moving housings, and bearings with friction by their load.
 
+namespace rotor_test {
+
 using namespace kte;
 using namespace kte::test;
-
-namespace {
 
 // clang-format off
 inline constexpr struct q_      final : coord_key<"q">         {} q;
@@ -58,8 +58,6 @@ void check_pendulum(const Chain& c, double R) {
     CHECK(inverse_dynamics(r, state, q1, v1, a)[0] == within(0, 2e-14));
   }
 }
-
-}  // namespace
 
 TEST_CASE("a rotor has its reflected inertia, and turns its housing back", "[laws]") {
   runtime_chain c;
@@ -161,3 +159,5 @@ TEST_CASE("a bearing jams where it is larger than its arm") {
           (void)dry_revolute_joint_3D("q", "a", "b", axis::z, 0.1, 0.0);
         }).find("smoothing must be finite and positive, got 0") != std::string::npos);
 }
+
+}  // namespace rotor_test

@@ -4,6 +4,8 @@
 
 // Values that recursions hand on, and axes that are unit vectors by type.
 
+namespace values_test {
+
 using namespace kte;
 using namespace kte::engine;
 
@@ -65,3 +67,5 @@ TEST_CASE("what belongs to a unit axis is left out") {
   CHECK(x.linear == a);
   CHECK(x.angular == a);
 }
+
+}  // namespace values_test

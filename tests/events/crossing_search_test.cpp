@@ -10,6 +10,8 @@
 
 // What the search for zeros is made of.
 
+namespace crossing_search_test {
+
 using namespace kte::detail;
 
 TEST_CASE("the misfit of a quartic is what any value in between is off by", "[both]") {
@@ -104,3 +106,5 @@ TEST_CASE("a short flight is seen: what leaves zero and comes back after a time 
   }
   CHECK(depart([](double) { return 0.0; }, 0.0, 1.0, 0.0).side == 0);
 }
+
+}  // namespace crossing_search_test

@@ -8,10 +8,10 @@
 
 #include "catch.hpp"
 
+namespace adams_BM_test {
+
 using namespace kte;
 using kte::test::contains_text;
-
-namespace {
 
 using rational = boost::multiprecision::cpp_rational;
 template <class S>
@@ -184,4 +184,4 @@ TEST_CASE("Adams-Bashforth-Moulton: failures stop with the last good state") {
     CHECK_THROWS_WITH(adams_BM5(f, 0.0, scalar_state<double>(0.0), bad), contains_text("step"));
 }
 
-}  // namespace
+}  // namespace adams_BM_test

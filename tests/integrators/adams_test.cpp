@@ -8,10 +8,10 @@
 #include "catch.hpp"
 #include "integrators/two_oscillators.hpp"
 
+namespace adams_test {
+
 using namespace kte;
 using namespace kte::test;
-
-namespace {
 
 template <class S>
 using scalar_state = Eigen::Matrix<S, 1, 1>;
@@ -333,4 +333,4 @@ TEST_CASE("an interval of subnormal length is passed through, or refused after a
   }
 }
 
-}  // namespace
+}  // namespace adams_test

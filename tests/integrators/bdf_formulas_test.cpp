@@ -12,12 +12,12 @@
 
 #include "catch.hpp"
 
+namespace bdf_formulas_test {
+
 using namespace kte;
 using detail::backward_differences;
 using detail::bdf_coefficients;
 using detail::newton;
-
-namespace {
 
 using rational = boost::multiprecision::cpp_rational;
 using vector1 = Eigen::Matrix<rational, 1, 1>;
@@ -150,4 +150,4 @@ TEST_CASE("Newton iterations end when little enough is left, or when that is hop
   CHECK(progress.judge(std::nan("")) == newton::hopeless);
 }
 
-}  // namespace
+}  // namespace bdf_formulas_test

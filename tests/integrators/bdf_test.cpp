@@ -6,10 +6,10 @@
 #include "catch.hpp"
 #include "digits50.hpp"
 
+namespace bdf_test {
+
 using namespace kte;
 using kte::test::contains_text;
-
-namespace {
 
 using real50 = kte::test::digits50;
 template <class S>
@@ -258,4 +258,4 @@ TEST_CASE("BDF: dynamic states, and a custom Jacobian") {
   CHECK(std::abs(a.statistics().evaluations - b.statistics().evaluations - 20 * a.statistics().jacobians) <= 10);
 }
 
-}  // namespace
+}  // namespace bdf_test

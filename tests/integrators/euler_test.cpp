@@ -4,9 +4,9 @@
 
 #include "catch.hpp"
 
-using namespace kte;
+namespace euler_test {
 
-namespace {
+using namespace kte;
 
 constexpr auto pendulum = [](double, const Eigen::Vector2d& x) {  // 0.5 m, 9.81 m/s^2
   return Eigen::Vector2d(x[1], -19.62 * std::sin(x[0]));
@@ -89,4 +89,4 @@ TEST_CASE("Euler: bad steps are rejected with their value") {
   CHECK_THROWS_WITH(tiny.integrate(2), kte::test::contains_text("is too small to go from 1 to 2"));
 }
 
-}  // namespace
+}  // namespace euler_test

@@ -15,10 +15,10 @@
 // in part, and grow little where most steps are. Bounds are three to six times the measured error and below that limit;
 // in brackets n, G and the error. Rounding is 1e-16 a step, a part of 1e-4 of all that.
 
+namespace problems_test {
+
 using namespace kte;
 using namespace kte::problems;
-
-namespace {
 
 template <class Problem>
 auto output(const typename Problem::state& x) {
@@ -42,8 +42,6 @@ double error_of(double drift = 0) {
   }
   return most;
 }
-
-}  // namespace
 
 TEST_CASE("plain problems reach their references with the order 5 that the library has", "[long][laws]") {
   CHECK(error_of<pleiades<>>(1e-8) < 1e-9);           // [2400, 3e3, 1.6e-10]
@@ -84,3 +82,5 @@ TEST_CASE("errors and digits of a solution") {
   CHECK(largest_error(nan, r) == HUGE_VALL);
   CHECK(scd(nan, r) == -HUGE_VAL);
 }
+
+}  // namespace problems_test

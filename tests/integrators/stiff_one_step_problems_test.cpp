@@ -12,9 +12,9 @@
 // the end are as many tolerances as there are steps, and as the problem magnifies: that is not known beforehand. Bounds
 // are what was measured, half a digit and a quarter of the evaluations off.
 
-using namespace kte;
+namespace stiff_one_step_problems_test {
 
-namespace {
+using namespace kte;
 
 /// A problem without its Jacobian.
 template <class Problem>
@@ -58,8 +58,6 @@ void check_differences() {
         within_relative(static_cast<double>(exact.statistics().steps), 0.02));
   CHECK(differences.statistics().evaluations > exact.statistics().evaluations);
 }
-
-}  // namespace
 
 TEST_CASE("one-step methods for stiff systems: van der Pol's oscillator, mu = 1000, and HIRES", "[laws]") {
   SECTION("rosenbrock23") {
@@ -111,3 +109,5 @@ TEST_CASE("diagonally implicit methods keep the Jacobian over steps, and its fac
     CHECK(costs.factorizations >= costs.jacobians);
   }
 }
+
+}  // namespace stiff_one_step_problems_test

@@ -8,10 +8,10 @@
 #include "catch.hpp"
 #include "scratch.hpp"
 
+namespace mcap_test {
+
 using namespace kte;
 using kte::test::scratch;
-
-namespace {
 
 /// A file of MCAP taken apart after its specification, mcap.dev/spec, by itself: nothing of the library is used.
 struct mcap_file {
@@ -212,4 +212,4 @@ TEST_CASE("a forged or cut file is reported by offset and column, and needs no m
   }
 }
 
-}  // namespace
+}  // namespace mcap_test

@@ -12,7 +12,7 @@
 #  include <sys/wait.h>
 #  include <unistd.h>
 
-namespace {
+namespace model_crash_test {
 
 /// Two models of different lengths.
 std::array<kte::model_record, 2> two_models() {
@@ -23,8 +23,6 @@ std::array<kte::model_record, 2> two_models() {
           {"inertia_gen", 1, {{"coordinate", "q"}}, {{"mass", {n + 0.5 * i}}}});
   return models;
 }
-
-}  // namespace
 
 TEST_CASE("whenever a program is killed that saves a model, there is the old file or the new one", "[long][both]") {
   const auto models = two_models();
@@ -89,4 +87,6 @@ TEST_CASE("whatever saves a model at the same time, the file is whole", "[long]"
     CHECK(folder.entries() == 1);
   }
 }
+
+}  // namespace model_crash_test
 #endif

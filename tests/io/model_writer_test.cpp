@@ -6,17 +6,15 @@
 
 #include "catch.hpp"
 
-using kte::test::contains_text;
+namespace model_writer_test {
 
-namespace {
+using kte::test::contains_text;
 
 kte::model_record spring(const std::string& anchor = "b") {
   kte::model_record m;
   m.elements.push_back({"spring_gen", 1, {{"anchor1", "a"}, {"anchor2", anchor}}, {{"stiffness", {100}}}});
   return m;
 }
-
-}  // namespace
 
 TEST_CASE("hard numbers and names survive", "[both]") {
   kte::model_record m = spring("a <b> & \"c\" 'd' \\ / \u00e9 ]]> --> \U0001F600");
@@ -56,3 +54,5 @@ TEST_CASE("what could not be read again is not written") {
   CHECK(kte::from_json(kte::to_json(m)) == m);
   CHECK_THROWS_WITH(kte::to_xml(m), contains_text("'the first' is a port, but not a name for an XML tag"));
 }
+
+}  // namespace model_writer_test

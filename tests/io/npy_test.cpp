@@ -7,11 +7,12 @@
 #include "catch.hpp"
 #include "scratch.hpp"
 
+namespace npy_test {
+
 using namespace kte;
 using kte::test::scratch;
 
 /// The format as numpy.lib.format in NumPy's documentation says it.
-namespace {
 
 using names = std::vector<std::string>;
 
@@ -156,4 +157,4 @@ TEST_CASE("a forged or cut file is reported by offset, and needs no memory that 
   }
 }
 
-}  // namespace
+}  // namespace npy_test

@@ -7,10 +7,10 @@
 #include "chain/models.hpp"
 #include "scratch.hpp"
 
+namespace table_allocation_test {
+
 using namespace kte;
 using kte::test::scratch;
-
-namespace {
 
 TEST_CASE("rows of tables and of recorders do not allocate, nor do their flushes", "[both]") {
   const std::vector<double> x(40, 1.0 / 3);
@@ -69,4 +69,4 @@ TEST_CASE("a row for which there is no memory is not there, also not half of it"
       });
 }
 
-}  // namespace
+}  // namespace table_allocation_test

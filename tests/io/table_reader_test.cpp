@@ -6,10 +6,10 @@
 #include "catch.hpp"
 #include "scratch.hpp"
 
+namespace table_reader_test {
+
 using namespace kte;
 using kte::test::scratch;
-
-namespace {
 
 std::string message(const std::string& content, const char* extension = ".txt") {
   scratch file(extension, content);
@@ -78,4 +78,4 @@ TEST_CASE("cells may be in quotes, and a byte order mark may come first") {
   CHECK(message("a b\n1 \"2 3\"\n") == "line 2, column 2: '2 3' is not a number");
 }
 
-}  // namespace
+}  // namespace table_reader_test

@@ -23,9 +23,10 @@
 // Every ready arm as the models of it: kinematics, dynamics and inverse dynamics agree, and it has its limits. All as
 // lists of elements, which is what files hold; of static chains some, of each kind of joint and of the plane.
 
+namespace arm_dynamics_test {
+
 using namespace kte;
 
-namespace {
 struct motion_of {
   Eigen::VectorXd q, v, tau;
 };
@@ -106,7 +107,6 @@ void check_static(const char* name, const Arm& arm) {
   CHECK((a.a - b.a).norm() <= 1e-13 * a.a.norm());
   CHECK((a.driven - b.driven).norm() <= 1e-13 * a.driven.norm());
 }
-}  // namespace
 
 TEST_CASE("every arm as models of it", "[laws]") {
   check("3R", runtime(three_r_chain()));
@@ -124,3 +124,5 @@ TEST_CASE("every arm as models of it", "[laws]") {
   check_static("SCARA", scara());
   check_static("UAV", uav());
 }
+
+}  // namespace arm_dynamics_test

@@ -3,6 +3,8 @@
 
 #include "manipulators/six_axes.hpp"
 
+namespace arm_families_test {
+
 using namespace kte;
 using namespace arms;
 using test::says;
@@ -169,3 +171,5 @@ TEST_CASE(
     CHECK(compared > 3000);
   }
 }
+
+}  // namespace arm_families_test

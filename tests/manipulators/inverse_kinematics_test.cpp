@@ -3,6 +3,8 @@
 
 #include "manipulators/six_axes.hpp"
 
+namespace inverse_kinematics_test {
+
 using namespace kte;
 using namespace arms;
 using test::says;
@@ -184,3 +186,5 @@ TEST_CASE("limits: on one is within, whole turns are added") {
   limits.lower[5] += 0.01, limits.upper[5] += 0.01;
   CHECK(count(limits) == 0);
 }
+
+}  // namespace inverse_kinematics_test

@@ -11,9 +11,10 @@
 
 // Static arms have the answers of the runtime chains of the same elements.
 
+namespace static_arms_test {
+
 using namespace kte;
 
-namespace {
 joint_limits<> listed(const auto& limits) {
   const auto list = [](const auto& x) { return std::vector<double>(x.begin(), x.end()); };
   return {list(limits.lower),        list(limits.upper), list(limits.rate),
@@ -46,7 +47,6 @@ double difference(const char* name, const Arm& arm, const Request&... request) {
   }
   return most;
 }
-}  // namespace
 
 TEST_CASE("static = runtime, to rounding: an arm for each of the formulas", "[laws]") {
   static_assert(ur().with_axes_within(1e-4).family() == arm_family::three_parallel);
@@ -57,3 +57,5 @@ TEST_CASE("static = runtime, to rounding: an arm for each of the formulas", "[la
   CHECK(difference("Panda", panda(), locked("q7", 0.3)) <= 1e-12);
   CHECK(difference("SSRMS", ssrms(), locked("q7", 0.3)) <= 1e-12);
 }
+
+}  // namespace static_arms_test

@@ -12,10 +12,10 @@
 #include "digits50.hpp"
 #include "math/draw.hpp"
 
+namespace dual_test {
+
 using kte::dual, kte::seeded, kte::constant, kte::zero, kte::one;
 using big = kte::test::digits50;
-
-namespace {
 
 using D = dual<double, 3>;
 constexpr double eps = std::numeric_limits<double>::epsilon();
@@ -89,8 +89,6 @@ void check_function(const char* name, const F& f, std::initializer_list<double> 
         return std::remove_cvref_t<decltype(x)>(f(x)); \
       },                                               \
       __VA_ARGS__)
-
-}  // namespace
 
 TEST_CASE("functions of one dual number against 50 digits", "[laws]") {
   KTE_CHECK_FUNCTION(sqrt, {0.3, 2.0, 1e10});
@@ -323,3 +321,5 @@ TEST_CASE("derivatives of the pendulum's inverse dynamics") {
     CHECK(abs(fine[0].derivative[0] - by_q) < 1e-28);
   }
 }
+
+}  // namespace dual_test

@@ -8,6 +8,8 @@
 
 // Packs as numbers of vectors and matrices, kte's and Eigen's.
 
+namespace pack_vectors_test {
+
 using namespace kte;
 using namespace kte::test;
 
@@ -54,3 +56,5 @@ TEST_CASE("packs in Eigen") {
         }
   });
 }
+
+}  // namespace pack_vectors_test

@@ -4,6 +4,8 @@
 
 #include "catch.hpp"
 
+namespace principal_moments_test {
+
 using namespace kte;
 using kte::test::within;
 
@@ -31,3 +33,5 @@ TEST_CASE("principal moments", "[both]") {
   check({1e-300, 2e-300, 0, 1e-300, 0, 1e-300}, {3e-300, 1e-300, -1e-300}, 3e-300);
   check({1, 1e-200, 0, 1e10, 1e-12, 1e-10}, {1e10, 1, 1e-10}, 1e10);
 }
+
+}  // namespace principal_moments_test

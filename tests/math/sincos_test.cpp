@@ -9,9 +9,9 @@
 #include "digits50.hpp"
 #include "math/draw.hpp"
 
-using namespace kte;
+namespace sincos_test {
 
-namespace {
+using namespace kte;
 
 constexpr double inf = std::numeric_limits<double>::infinity();
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
@@ -59,8 +59,6 @@ void for_each_size(F f) {
   [&]<std::size_t... i>(std::index_sequence<i...>) { (f.template operator()<i + 1>(), ...); }
   (std::make_index_sequence<9>{});
 }
-
-}  // namespace
 
 TEST_CASE("sines and cosines are those of long double", "[long][both]") {
   for (const double range : {0.78, std::numbers::pi, 100.0, largest, 2 * largest, 1e7, 1e300}) {
@@ -210,3 +208,5 @@ TEST_CASE("angles of directions: each of n to rounding, signs as in atan2") {
     CHECK((n == 10 || t[n] == 7));
   }
 }
+
+}  // namespace sincos_test

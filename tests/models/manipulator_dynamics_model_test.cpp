@@ -6,10 +6,10 @@
 
 #include "catch.hpp"
 
+namespace manipulator_dynamics_model_test {
+
 using namespace kte;
 using kte::test::contains_text;
-
-namespace {
 
 // clang-format off
 constexpr struct q_     final : coord_key<"q">          {} q;
@@ -38,8 +38,6 @@ constexpr auto frictional_twice =
 
 const auto free_body =
     chain(free_joint_3D(body, world, trunk), inertia_3D(trunk, rigid_body<>{1.0, {}, {1.0, 0.0, 0.0, 2.0, 0.0, 3.0}}));
-
-}  // namespace
 
 using pendulum_model = manipulator_dynamics_model<std::remove_const_t<decltype(pendulum)>>;
 static_assert(state_rate_function<const pendulum_model, Eigen::Vector2d>);
@@ -154,3 +152,5 @@ TEST_CASE("a motion that blows up is a failure of the integration, with its time
   CHECK_THROWS_AS(model.computeStateRate(0.0, Eigen::Vector2d(nan, 0)), bad_argument);
   CHECK_THROWS_AS(model(0.0, Eigen::Vector2d(nan, 0)), bad_argument);
 }
+
+}  // namespace manipulator_dynamics_model_test

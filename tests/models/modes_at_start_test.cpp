@@ -1,5 +1,7 @@
 #include "models/held_block.hpp"
 
+namespace modes_at_start_test {
+
 using namespace kte;
 using namespace kte::test::held_block;
 
@@ -117,3 +119,5 @@ TEST_CASE("parameters of friction that holds") {
   CHECK(says({1.0, 2.0, -1.0}).find("stribeck_velocity must be finite and not negative, got -1") != std::string::npos);
   CHECK(says({1.0, 2.0, 1.0, -1.0}).find("viscous must be finite and not negative, got -1") != std::string::npos);
 }
+
+}  // namespace modes_at_start_test

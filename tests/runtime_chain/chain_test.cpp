@@ -10,10 +10,10 @@
 
 #include "catch.hpp"
 
+namespace chain_test {
+
 using namespace kte;
 using kte::test::contains_text;
-
-namespace {
 
 runtime_chain pendulum() {
   runtime_chain c;
@@ -48,8 +48,6 @@ double seconds(const F& f) {
   f();
   return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
 }
-
-}  // namespace
 
 TEST_CASE("a chain that is moved from is empty and usable", "[both]") {
   auto a = pendulum();
@@ -212,3 +210,5 @@ TEST_CASE("chains nest 30000 deep, in linear time and memory") {  // the square 
   CHECK(copied.wiring().names == (runtime_chain() << copied).wiring().names);
   CHECK(copied.wiring().elements.size() == 200);
 }
+
+}  // namespace chain_test

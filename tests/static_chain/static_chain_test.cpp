@@ -5,6 +5,8 @@
 #include "chain/models.hpp"
 #include "robots/iiwa14.hpp"
 
+namespace static_chain_test {
+
 using namespace models;
 
 TEST_CASE("the README's pendulum", "[both]") {
@@ -161,3 +163,5 @@ TEST_CASE("arguments of the wrong size are named") {
                     "kte: v has 6 numbers, the chain has 7 degrees of freedom");
   CHECK_THROWS_AS(kte::mass_matrix(robots::iiwa14, six), kte::bad_argument);
 }
+
+}  // namespace static_chain_test

@@ -4,18 +4,16 @@
 
 #include "catch.hpp"
 
+namespace arkode_test {
+
 using namespace kte;
 using kte::test::contains_text;
-
-namespace {
 
 using scalar_state = Eigen::Matrix<double, 1, 1>;
 const scalar_state start(1.0);
 /// x = exp(-t^2/2): f needs the time that is.
 constexpr auto bell = [](double t, const scalar_state& x) { return scalar_state(-t * x[0]); };
 const tolerances<double> tight{.absolute = 1e-10, .relative = 1e-10};
-
-}  // namespace
 
 TEST_CASE("ARKODE: the table is that of the argument, explicit or implicit", "[both]") {
   kte::sundials::explicit_runge_kutta verner(bell, 0.0, start, tight, ARKODE_VERNER_8_5_6);
@@ -71,3 +69,5 @@ TEST_CASE("ARKODE: backward, f is called at the times that are, and the statisti
   CHECK(dormand_prince.statistics().rejected == before + by_error + by_newton);
   CHECK(by_error > 0);
 }
+
+}  // namespace arkode_test

@@ -4,6 +4,8 @@
 
 #include "catch.hpp"
 
+namespace relay_test {
+
 using kte::sundials::detail::relay;
 
 TEST_CASE("SUNDIALS: an exception is kept, the flag says stop, and it is thrown once", "[both]") {
@@ -44,3 +46,5 @@ TEST_CASE("SUNDIALS: the last message is kept, in a copy, until the next step") 
   CHECK(r.message().empty());
   CHECK(!r.has_exception());
 }
+
+}  // namespace relay_test
