@@ -50,7 +50,7 @@ void check_van_der_pol(double tolerance) {
   CHECK(2 * with.steps < solve(van_der_pol_with_jacobian{{}, &calls, 0.7}, 0.01).steps);  // it is used
 }
 
-TEST_CASE("SUNDIALS: stiff van der Pol, with and without Jacobian", "[both]") {
+TEST_CASE("SUNDIALS: stiff van der Pol, with and without Jacobian") {
   SECTION("bdf") { check_van_der_pol<kte::sundials::bdf>(1e-9); }
   SECTION("implicit Runge-Kutta") { check_van_der_pol<kte::sundials::implicit_runge_kutta>(1e-7); }
 }

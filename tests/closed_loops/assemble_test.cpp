@@ -17,7 +17,7 @@ runtime_chain four_bar(double crank, double coupler, double rocker, double d) {
   return c;
 }
 
-TEST_CASE("a four-bar is assembled on both branches, with its crank held", "[both]") {
+TEST_CASE("a four-bar is assembled on both branches, with its crank held") {
   const auto c = four_bar(0.4, 1.1, 0.8, 1.0);
   auto s = c.make_state();
   const double q1 = 1.1;

@@ -41,7 +41,7 @@ const auto waves = [](const auto& x, const auto& y) {
 const auto hill = [](const auto& x) { return 0.3 * x * x - 0.1 * x; };
 const auto ellipsoid = [](const auto& p) { return 0.25 * (p.x * p.x) + p.y * p.y + p.z * p.z - 1.0; };
 
-TEST_CASE("rates of gaps and slips are their derivatives", "[laws]") {
+TEST_CASE("rates of gaps and slips are their derivatives") {
   for (const double radius : {0.0, 0.2}) {
     CAPTURE(radius);
     check_laws_in_both(touching(half_space{}, radius), {0, 0, 0.5});

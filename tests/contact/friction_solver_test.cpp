@@ -33,7 +33,7 @@ double worst_of(int count, const maker& make, unsigned seed = 7) {
   return worst;
 }
 
-TEST_CASE("Friction: all random problems of a few points are solved, by the laws themselves", "[both]") {
+TEST_CASE("Friction: all random problems of a few points are solved, by the laws themselves") {
   for (int n = 1; n <= 4; ++n) {
     CHECK(worst_of(250, [n](auto& r) { return r.plate(n); }) < 1e-10);
     CHECK(worst_of(250, [n](auto& r) { return r.points(n); }) < 1e-10);

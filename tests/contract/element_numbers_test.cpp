@@ -23,7 +23,7 @@ double gap(const vec3<A>& a, const vec3<B>& b) {
   return std::sqrt(static_cast<double>(dot(d, d)));
 }
 
-TEST_CASE("a joint is where it stands at zero, where it is tried, and its axis", "[both]") {
+TEST_CASE("a joint is where it stands at zero, where it is tried, and its axis") {
   using namespace models;
   const auto n = numbers_of_element(revolute_joint_3D(hip, ground, trunk, vec3{0.6, 0.0, 0.8}));
   CHECK(n.is == part::rigid);

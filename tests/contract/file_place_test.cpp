@@ -7,7 +7,7 @@ namespace file_place_test {
 
 using namespace kte;
 
-TEST_CASE("a place in a file begins a message, one of a program does not", "[both]") {
+TEST_CASE("a place in a file begins a message, one of a program does not") {
   const auto file = std::make_shared<const std::string>("arms/arm.json");
   CHECK(to_string(file_place{file, 12, 5}) == "arms/arm.json:12:5: ");
   CHECK(to_string(file_place{file, 0, 120}) == "arms/arm.json, byte 120: ");

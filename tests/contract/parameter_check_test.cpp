@@ -23,7 +23,7 @@ std::string refused(const F& f) {
 }
 std::string text(const std::string& rest) { return "kte: strut_gen (anchor1 'hip', anchor2 'knee'): " + rest; }
 
-TEST_CASE("a parameter is refused with element, rule and value, the first of several", "[both]") {
+TEST_CASE("a parameter is refused with element, rule and value, the first of several") {
   CHECK(refused([](const auto& c) { c.require(true, "rule", 1.0); }).empty());
   CHECK(refused([](const auto& c) { c.require(false, "length must be odd", 0.1); }) ==
         text("length must be odd, got 0.10000000000000001"));

@@ -86,8 +86,7 @@ void compare_bits(const Static& fixed, const runtime_chain& loose, unsigned seed
 
 // Both kinds execute equal arithmetic in equal order. Compilers that may fuse products into sums (-mfma, -march=native,
 // unless -ffp-contract=off) do so where they inline, which differs: then results agree to rounding.
-TEST_CASE("the passes of static and runtime chains agree bit for bit where products are not fused into sums",
-          "[laws]") {
+TEST_CASE("the passes of static and runtime chains agree bit for bit where products are not fused into sums") {
   SECTION("pendulum") { compare_bits(models::pendulum, models::by_own_elements(models::pendulum), 1); }
   SECTION("tree") { compare_bits(models::tree, models::by_own_elements(models::tree), 2); }
   SECTION("iiwa14") { compare_bits(robots::iiwa14, models::by_own_elements(robots::iiwa14), 3); }

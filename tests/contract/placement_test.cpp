@@ -52,7 +52,7 @@ void check_laws() {
   check(screw_joint_3D("q", "base", "end", axis::x, S(1) / 3).at(r, turn));
 }
 
-TEST_CASE("joints with a place obey the laws", "[laws]") {
+TEST_CASE("joints with a place obey the laws") {
   check_laws<double>();
   check_laws<digits50>();
 }

@@ -8,7 +8,7 @@ using namespace kte;
 using namespace kte::test::trees;
 using models::element_by_element;
 
-TEST_CASE("given motion", "[laws]") {
+TEST_CASE("given motion") {
   constexpr auto c = driven_3D(across);
   STATIC_REQUIRE(by_articulated_bodies<decltype(c)>);
   check(c, 2, usual, base, drive, motor, pull);

@@ -42,7 +42,7 @@ constexpr auto screws =
           inertia_3D(c, body), screw_joint_3D(q3, c, d, 1.0, axis::x), inertia_3D(d, light))
         .gravity(fall);
 
-TEST_CASE("a tree in the plane", "[laws]") {
+TEST_CASE("a tree in the plane") {
   STATIC_REQUIRE(by_articulated_bodies<decltype(tree_2D)>);
   check(tree_2D, 3, usual, floor_2D, wall, motor);
 }

@@ -24,7 +24,7 @@ void check_singular(const Chain& chain, unsigned seed) {
 }
 constexpr auto without_size(double mass) { return rigid_body{mass, zero3{}, sym3<double>{}}; }
 
-TEST_CASE("coordinates that move no independent mass", "[laws]") {
+TEST_CASE("coordinates that move no independent mass") {
   constexpr auto first = revolute_joint_3D(q1, base, a);
   constexpr auto heavy = inertia_3D(a, body);
   constexpr auto link = rigid_link_3D(a, b, vec3{0.25, 0.5, -0.375}, quarter_turn_x);

@@ -9,7 +9,7 @@ using namespace kte;
 using namespace kte::test::trees;
 using models::element_by_element;
 
-TEST_CASE("a tree in space", "[laws]") {
+TEST_CASE("a tree in space") {
   STATIC_REQUIRE(by_articulated_bodies<decltype(tree_3D)>);
   check(tree_3D, 1, usual, base, cart, motor);
 }

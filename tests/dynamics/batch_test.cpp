@@ -96,7 +96,7 @@ struct backwards {
   }
 };
 
-TEST_CASE("a batch is its states", "[laws][both]") {
+TEST_CASE("a batch is its states") {
   for_all_widths([]<class T, int W>() {
     CAPTURE(W, sizeof(T));
     const states<T> all(100);

@@ -115,7 +115,7 @@ void check_free_fall(const Chain& c, int outside, unsigned seed) {
   }
 }
 
-TEST_CASE("centre of mass and momentum from the bodies, at 50 digits", "[laws]") {
+TEST_CASE("centre of mass and momentum from the bodies, at 50 digits") {
   // Its first two links lie along one fixed axis, so that poses add their lengths in double.
   check_exactly(robots::iiwa14, 1, 1e-15);
   check_exactly(floating, 2);

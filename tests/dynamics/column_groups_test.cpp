@@ -61,7 +61,7 @@ void check_products(const Chain& c) {
   }
 }
 
-TEST_CASE("columns of a leg and of an arm have their rows and those of the trunk", "[laws]") {
+TEST_CASE("columns of a leg and of an arm have their rows and those of the trunk") {
   constexpr auto c = figure();
   constexpr auto g = groups<std::remove_const_t<decltype(c)>>;
   STATIC_REQUIRE(g.count == 3);

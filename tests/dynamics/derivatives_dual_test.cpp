@@ -79,9 +79,7 @@ void check(const char* name, const Chain& chain, double most_of_inverse, double 
   CHECK(worst.by_tau < most_of_forward);
 }
 
-TEST_CASE("derivatives of a chain with springs between frames", "[laws]") {
-  check("sprung", sprung, 4e-15, 3e-15, base);
-}
+TEST_CASE("derivatives of a chain with springs between frames") { check("sprung", sprung, 4e-15, 3e-15, base); }
 TEST_CASE("derivatives where coordinates follow others and move two joints") {
   check("tree", models::tree, 4e-15, 3e-15, models::ground, models::wall, models::motor);
 }

@@ -27,7 +27,7 @@ constexpr auto arm =
         .gravity(weight);
 using motion_type = random_motion_of<big, std::remove_const_t<decltype(arm)>>;
 
-TEST_CASE("derivatives of inverse dynamics under friction by load", "[laws]") {
+TEST_CASE("derivatives of inverse dynamics under friction by load") {
   random_numbers random(1);
   const motion_type m(arm, random);
   const auto r = inverse_dynamics_derivatives(arm, m.q, m.v, m.a);

@@ -54,7 +54,7 @@ void check(const char* name, const Chain& c, const reference::state<N>* states,
   }
 }
 
-TEST_CASE("derivatives of the iiwa14 against 21 digits", "[laws]") {
+TEST_CASE("derivatives of the iiwa14 against 21 digits") {
   check("iiwa14", robots::iiwa14, reference::iiwa14, reference::iiwa14_derivatives, 1e-15L, 25);  // 12 and 25
 }
 TEST_CASE("derivatives of the ur5 against 21 digits") {

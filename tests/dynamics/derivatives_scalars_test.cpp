@@ -55,7 +55,7 @@ double gap_between(const Chain& c) {
   return worst;
 }
 
-TEST_CASE("derivatives in other scalars", "[laws]") {
+TEST_CASE("derivatives in other scalars") {
   using big = kte::test::digits50;
   // Element by element, and by dual numbers: sums over two or three bodies, some eps of the worse of the two.
   CHECK(gap_between<float, double>(arm) < 20 * std::numeric_limits<float>::epsilon());

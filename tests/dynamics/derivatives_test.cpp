@@ -29,7 +29,7 @@ struct pair_of_springs {
   static constexpr void parameters(Self&, Visit&&) {}
 };
 
-TEST_CASE("an element with both ports on one coordinate is derived by it once, in a static chain", "[laws]") {
+TEST_CASE("an element with both ports on one coordinate is derived by it once, in a static chain") {
   constexpr auto c = chain(revolute_joint_2D(models::q, models::base, models::joint),
                            rigid_link_2D(models::joint, models::tip, along_x(1.0)),
                            inertia_2D(models::tip, point_mass(1.0)), connect(pair_of_springs{}, models::q, models::q));

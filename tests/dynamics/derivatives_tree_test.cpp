@@ -91,7 +91,7 @@ void check(const Chain& chain, unsigned seed, const Outside&... outside) {
   CHECK(worst.tau < most);
 }
 
-TEST_CASE("derivatives of a tree in space", "[laws]") { check(branches_3D, 1, base, cart, drive, motor); }
+TEST_CASE("derivatives of a tree in space") { check(branches_3D, 1, base, cart, drive, motor); }
 TEST_CASE("derivatives of a tree in the plane") { check(branches_2D, 2, floor_2D, wall, motor); }
 
 }  // namespace derivatives_tree_test

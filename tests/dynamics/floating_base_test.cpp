@@ -8,7 +8,7 @@ using namespace kte;
 using namespace kte::test::floating_bodies;
 using models::element_by_element;
 
-TEST_CASE("forward dynamics of a state is that of its numbers without tau, floating", "[laws]") {
+TEST_CASE("forward dynamics of a state is that of its numbers without tau, floating") {
   random_numbers random(9);
   const auto& c = pair_of_bodies;
   const auto q = random_configuration(c, random);

@@ -8,7 +8,7 @@ using namespace kte;
 using namespace kte::test::floating_bodies;
 using models::element_by_element;
 
-TEST_CASE("a free body: free fall, Euler's equations, forces in its axes", "[laws]") {
+TEST_CASE("a free body: free fall, Euler's equations, forces in its axes") {
   random_numbers random(1);
   const auto runtime = element_by_element(lone);
   auto r = runtime.make_state();

@@ -36,7 +36,7 @@ void check_digits(const Chain& c, unsigned seed, int rounds) {
   }
 }
 
-TEST_CASE("double precision against 50 digits, floating", "[laws]") {
+TEST_CASE("double precision against 50 digits, floating") {
   // A revolute, a free and a ball joint, springs and a damper: more chains would show the same.
   check_digits(hanging, 12, 20);
 }

@@ -39,7 +39,7 @@ void check_identities(const Chain& c, unsigned seed, int rounds) {
   }
 }
 
-TEST_CASE("mass matrix by columns, forward dynamics after inverse dynamics, floating", "[laws]") {
+TEST_CASE("mass matrix by columns, forward dynamics after inverse dynamics, floating") {
   check_identities(lone, 6, 50);
   check_identities(pair_of_bodies, 7, 50);
   check_identities(hanging, 8, 50);

@@ -32,7 +32,7 @@ long double error_of_matrix(const M& m, const long double* upper) {
   return off(u, upper, u.size());
 }
 
-TEST_CASE("solo12 against 31 digits", "[laws]") {
+TEST_CASE("solo12 against 31 digits") {
   // Bounds as for arms (reference_test.cpp): sums over four bodies in a row, a few eps of the largest number; measured
   // 2e-16. Forward dynamics may lose the condition of M, which is 2e4: 2.5 kg to move, 1e-4 kg m^2 of a lower leg to
   // turn. Articulated bodies divide by each inertia separately, and errors are relative to the largest accelerations,

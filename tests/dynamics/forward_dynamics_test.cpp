@@ -42,7 +42,7 @@ void check_after_inverse_dynamics(const Chain& c, unsigned seed) {
   }
 }
 
-TEST_CASE("forward dynamics after inverse dynamics", "[laws]") {
+TEST_CASE("forward dynamics after inverse dynamics") {
   check_after_inverse_dynamics(pendulum, 1);
   check_after_inverse_dynamics(models::tree, 2);
   check_after_inverse_dynamics(robots::iiwa14, 3);

@@ -86,7 +86,7 @@ void check_poses(const Chain& c, const Frame& frame, unsigned seed) {
   }
 }
 
-TEST_CASE("velocities and accelerations of frames by differences at 50 digits", "[laws]") {
+TEST_CASE("velocities and accelerations of frames by differences at 50 digits") {
   check_by_differences(robots::iiwa14, robots::iiwa14_names::tool, 1);
   check_by_differences(floating, body, 2);
   check_by_differences(floating, tip, 3);

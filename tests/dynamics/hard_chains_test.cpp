@@ -22,7 +22,7 @@ long double error_in(const hard_chain& c) {
   return error_of(forward_dynamics(c.chain, s, c.q, c.v, c.tau), c);
 }
 
-TEST_CASE("long rows of rods", "[laws][both]") {
+TEST_CASE("long rows of rods") {
   CHECK(error_in(uniform_rods(10)) < 1.5e-15L);  // [5e-16]
   CHECK(error_in(uniform_rods(100)) < 3e-15L);   // [9e-16]
   CHECK(error_in(uniform_rods(1000)) < 3e-15L);  // [8e-16]

@@ -83,7 +83,7 @@ void check(const Chain& c, unsigned seed, const Keys&... keys) {
   CHECK(worst.tau < 5e-15);
 }
 
-TEST_CASE("hybrid dynamics of a tree in space", "[laws]") {
+TEST_CASE("hybrid dynamics of a tree in space") {
   SECTION("at its root") { check(tree_3D, 1, q1); }
   SECTION("in its middle, of six degrees of freedom") { check(tree_3D, 2, floating); }
   SECTION("in its middle, a ball joint, and at an end") { check(tree_3D, 3, ball, q3); }

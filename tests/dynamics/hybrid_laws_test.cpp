@@ -13,7 +13,7 @@ namespace hybrid_laws_test {
 using namespace kte;
 using namespace kte::test::trees;
 
-TEST_CASE("with nothing prescribed, hybrid dynamics is forward dynamics", "[laws]") {
+TEST_CASE("with nothing prescribed, hybrid dynamics is forward dynamics") {
   random_numbers random(9);
   for (int round = 0; round < 20; ++round) {
     const trial<decltype(rotors)> x(random);

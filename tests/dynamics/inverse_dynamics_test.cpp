@@ -37,7 +37,7 @@ double power_gap(const Chain& c, random_numbers& random, const Damping& damping)
   return static_cast<double>(abs(v.dot(work) - damping(v) - change) / (1 + abs(change)));
 }
 
-TEST_CASE("inverse dynamics at 50 digits does work that changes the kinetic energy", "[laws]") {
+TEST_CASE("inverse dynamics at 50 digits does work that changes the kinetic energy") {
   random_numbers random(5);
   for (int round = 0; round < 5; ++round) {
     CHECK(power_gap(robots::iiwa14, random, [](const auto&) { return big(0); }) < 1e-21);

@@ -37,7 +37,7 @@ void check_runtime(const Chain& c, const Frame& frame, unsigned seed) {
   CHECK(found);
 }
 
-TEST_CASE("reaction of a pendulum, by its formula", "[laws]") {
+TEST_CASE("reaction of a pendulum, by its formula") {
   // 2 kg at 0.5 m: along the rod m (g sin q - l v^2) inward, across it m (g cos q + l a).
   constexpr auto c = chain(revolute_joint_2D(q1, table, cart), inertia_2D(cart, point_mass(2.0, vec3{0.5, 0.0, zero})))
                          .gravity(along_y(-9.81));

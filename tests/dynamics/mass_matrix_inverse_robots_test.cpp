@@ -23,7 +23,7 @@ void check_robot(const Chain& c, const States& states, const reference::derivati
   worst.check();
 }
 
-TEST_CASE("the inverse of the mass matrix of robots against 21 digits", "[laws]") {
+TEST_CASE("the inverse of the mass matrix of robots against 21 digits") {
   SECTION("iiwa14") { check_robot(robots::iiwa14, reference::iiwa14, reference::iiwa14_derivatives); }
   SECTION("ur5") { check_robot(robots::ur5, reference::ur5, reference::ur5_derivatives); }
   SECTION("solo12") { check_robot(robots::solo12, reference::solo12, reference::solo12_derivatives); }

@@ -14,7 +14,7 @@ constexpr auto shared =
           inertia_3D(b, light), revolute_joint_3D(q1, b, d, oblique), inertia_3D(d, light))
         .gravity(fall);
 
-TEST_CASE("the inverse of the mass matrix where coordinates follow others", "[laws]") {
+TEST_CASE("the inverse of the mass matrix where coordinates follow others") {
   STATIC_REQUIRE(!by_articulated_bodies<decltype(models::tree)>);
   check_inverse(models::tree, 4, models::ground, models::wall, models::motor);
   STATIC_REQUIRE(!by_articulated_bodies<decltype(shared)>);

@@ -45,7 +45,7 @@ runtime_chain tree_of(int bodies, int limb, bool floats) {
   return c;
 }
 
-TEST_CASE("mass matrices of many axes and their inverses", "[laws]") {
+TEST_CASE("mass matrices of many axes and their inverses") {
   struct shape {
     int bodies, limb;
     bool floats;

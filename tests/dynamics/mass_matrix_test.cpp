@@ -41,7 +41,7 @@ void check_columns(const Chain& c, unsigned seed) {
   }
 }
 
-TEST_CASE("columns of the mass matrix by inverse dynamics, of static chains", "[laws]") {
+TEST_CASE("columns of the mass matrix by inverse dynamics, of static chains") {
   check_columns(pendulum, 1);
   check_columns(models::tree, 2);
   check_columns(robots::iiwa14, 3);

@@ -35,7 +35,7 @@ void check_change(const Chain& c, unsigned seed) {
   CHECK(gap(change, differences) < by_differences);
 }
 
-TEST_CASE("generalized momenta are the mass matrix times velocities", "[laws]") {
+TEST_CASE("generalized momenta are the mass matrix times velocities") {
   check_momenta(robots::iiwa14, 1);
   check_momenta(floating_with_springs, 3);
   check_momenta(planar, 4);

@@ -77,7 +77,7 @@ void check(const runtime_chain& c, unsigned seed, const Names&... names) {
   CHECK(potential_energy(part, t, at) == within_relative(potential_energy(c, s, q), 10 * rounding));
 }
 
-TEST_CASE("chains with locked joints: forces, masses, accelerations", "[laws]") {
+TEST_CASE("chains with locked joints: forces, masses, accelerations") {
   const auto c = models::element_by_element(floating);
   check(c, 1, "q1");
   check(c, 2, "trunk", "q2");

@@ -80,9 +80,7 @@ void check(const Chain& arm, const kte::reference::state<n> (&states)[N], const 
   }
 }
 
-TEST_CASE("iiwa14 against 31 digits", "[laws][both]") {
-  check(robots::iiwa14, kte::reference::iiwa14, robots::iiwa14_names::tool);
-}
+TEST_CASE("iiwa14 against 31 digits") { check(robots::iiwa14, kte::reference::iiwa14, robots::iiwa14_names::tool); }
 TEST_CASE("ur5 against 31 digits") { check(robots::ur5, kte::reference::ur5, robots::ur5_names::tool); }
 
 }  // namespace reference_test

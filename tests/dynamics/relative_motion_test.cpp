@@ -55,7 +55,7 @@ void check(const Chain& c, const B& b, const A& a, unsigned seed) {
   }
 }
 
-TEST_CASE("relative motion of frames by identities, differences and runtime chains", "[laws]") {
+TEST_CASE("relative motion of frames by identities, differences and runtime chains") {
   check(floating, tip, aside, 1);    // on two branches
   check(floating, hand, tip, 2);     // the one on the other
   check(floating, body, ground, 3);  // a frame in its base

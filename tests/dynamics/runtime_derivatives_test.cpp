@@ -86,7 +86,7 @@ void check_hybrid(const Chain& model, unsigned seed, const Keys&... keys) {
   in_random_states(model, seed, compare);
 }
 
-TEST_CASE("derivatives of a runtime iiwa14 against 21 digits", "[laws]") {
+TEST_CASE("derivatives of a runtime iiwa14 against 21 digits") {
   const runtime_chain c = element_by_element(robots::iiwa14);
   auto s = c.make_state();
   for (std::size_t k = 0; k < std::size(reference::iiwa14_derivatives); ++k) {

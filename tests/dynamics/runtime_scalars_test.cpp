@@ -120,7 +120,7 @@ void check(const runtime_chain& c, const sample& x, const results<digits50>& exa
   CHECK(gap(results_in<S>(c, x), exact, itself) < roundings * static_cast<double>(std::numeric_limits<S>::epsilon()));
 }
 
-TEST_CASE("runtime chains in other scalars", "[laws]") {
+TEST_CASE("runtime chains in other scalars") {
   const runtime_chain c = creature();
   random_numbers random(11);
   for (int i = 0; i < 5; ++i) {

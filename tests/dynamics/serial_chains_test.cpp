@@ -72,7 +72,7 @@ void check_runtime(const reference::serial_body (&bodies)[B], const reference::s
       [&](const auto& q, const auto& v, const auto& tau) { return forward_dynamics(c, s, q, v, tau); });
 }
 
-TEST_CASE("a chain of 2 bodies against 31 digits", "[laws]") {
+TEST_CASE("a chain of 2 bodies against 31 digits") {
   check_static(reference::chain2_bodies, reference::chain2);
   check_runtime(reference::chain2_bodies, reference::chain2);
 }

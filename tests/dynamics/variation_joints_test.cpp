@@ -8,7 +8,7 @@ using namespace kte;
 using namespace kte::detail;
 using namespace kte::test::variations;
 
-TEST_CASE("gyration_through is gyration seen from the base of an element", "[laws]") {
+TEST_CASE("gyration_through is gyration seen from the base of an element") {
   // With any gyration at the end, not that of a body: the wrench at the base changes by what `transmit` makes of the
   // change at the end, whose motion is that of `compose`.
   worst_gap worst;

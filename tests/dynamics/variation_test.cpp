@@ -8,7 +8,7 @@ using namespace kte;
 using namespace kte::detail;
 using namespace kte::test::variations;
 
-TEST_CASE("centripetal_by_rate and gyration_of are derivatives by the angular velocity", "[laws]") {
+TEST_CASE("centripetal_by_rate and gyration_of are derivatives by the angular velocity") {
   random_numbers random(1);
   worst_gap worst;
   for (int round = 0; round < 10; ++round) {

@@ -40,7 +40,7 @@ double difference_of(const A& a, const B& b) {
   return (a - b).template lpNorm<Eigen::Infinity>();
 }
 
-TEST_CASE("actuators of frames: loads by signals are those of the same numbers as parameters", "[laws]") {
+TEST_CASE("actuators of frames: loads by signals are those of the same numbers as parameters") {
   const vec3<> f{0.3, -0.7, 1.1}, t{-0.2, 0.4, 0.9};
   const auto loads = [&](const auto& by_signals, const auto& by_numbers, const auto& torque) {
     auto x = trial_of(by_signals, 7);

@@ -25,7 +25,7 @@ constexpr auto masses =
           rigid_link_3D(c, on_c, along_z(0.5)), spring_gen(wall, x, 1.0, 10.0))
         .gravity(vec3{-1.0, -9.5, 0.25});
 
-TEST_CASE("a coordinate given from outside is no degree of freedom", "[both]") {
+TEST_CASE("a coordinate given from outside is no degree of freedom") {
   STATIC_REQUIRE(decltype(masses)::dofs == 2);
   auto s = make_state(masses);
   s[wall].q = -2.0, s[x].q = 0.5;

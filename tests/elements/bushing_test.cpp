@@ -33,7 +33,7 @@ std::array<frame_3D<>, 2> loaded(const bushing_matrix& k, const bushing_matrix& 
   return {x.at<0>(), x.at<1>()};
 }
 
-TEST_CASE("bushings obey the laws", "[laws]") { check_laws<double>(), check_laws<digits50>(); }
+TEST_CASE("bushings obey the laws") { check_laws<double>(), check_laws<digits50>(); }
 
 TEST_CASE("functions of half a turn keep their digits where they change to series") {
   const auto errors = []<class S>(const S& t) {

@@ -22,7 +22,7 @@ void check_laws() {
   CHECK(testing::force_is_gradient<S>(solid, draw, energy_of_one(solid)) <= 4 * f * by_differences<S>);
 }
 
-TEST_CASE("constant forces obey the laws", "[laws]") { check_laws<double>(), check_laws<digits50>(); }
+TEST_CASE("constant forces obey the laws") { check_laws<double>(), check_laws<digits50>(); }
 
 TEST_CASE("a constant force keeps its direction in the world, a follower in its frame") {
   auto dead = trial_of(constant_force_2D("a", vec2{3.0, 4.0}, 5), 1);

@@ -34,7 +34,7 @@ runtime_chain with_arm(runtime_chain c) {
   return c;
 }
 
-TEST_CASE("a cylindrical joint is the same by keys, by texts, and slid before it turns", "[laws]") {
+TEST_CASE("a cylindrical joint is the same by keys, by texts, and slid before it turns") {
   runtime_chain texts, other;
   texts << cylindrical_joint_3D("turn", "slide", "ground", "sleeve", oblique);
   other << inertia_gen("turn", 0.0)  // first in the order of coordinates

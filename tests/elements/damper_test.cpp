@@ -40,7 +40,7 @@ auto push(double c, double v1, double v2) {
   return std::pair{x.at<0>().f, x.at<1>().f};
 }
 
-TEST_CASE("dampers obey the laws", "[laws]") {
+TEST_CASE("dampers obey the laws") {
   check_laws<double>();
   check_laws<digits50>();
 }

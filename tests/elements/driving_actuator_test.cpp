@@ -15,7 +15,7 @@ inline constexpr struct base_  final : frame_2D_key<"base">   {} base;
 inline constexpr struct cart_  final : frame_2D_key<"cart">   {} cart;
 // clang-format on
 
-TEST_CASE("a motor adds its input to a coordinate's force", "[laws][both]") {
+TEST_CASE("a motor adds its input to a coordinate's force") {
   auto x = trial_of(driving_actuator_gen("q", "motor"), 1);
   x.at<0>().f = 0.5;
   x.at<1>() = 2.25;

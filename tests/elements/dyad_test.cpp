@@ -32,7 +32,7 @@ runtime_chain five_bar() {
   return c;
 }
 
-TEST_CASE("a five-bar linkage stays closed, and its dynamics agree", "[laws]") {
+TEST_CASE("a five-bar linkage stays closed, and its dynamics agree") {
   const auto c = five_bar();
   auto s = c.make_state();
   random_numbers draw(1);

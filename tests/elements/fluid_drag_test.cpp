@@ -36,7 +36,7 @@ void check_laws() {
   }
 }
 
-TEST_CASE("drag obeys the laws", "[laws]") { check_laws<double>(), check_laws<digits50>(); }
+TEST_CASE("drag obeys the laws") { check_laws<double>(), check_laws<digits50>(); }
 
 TEST_CASE("drag by its formula") {
   const auto force = [](const vec2<>& v, auto... numbers) {

@@ -17,7 +17,7 @@ const auto tether = [](const auto& x) {
   return wrench{transpose(x.rotation) * (-2.0 * x.position), -5.0 * x.ang_velocity};
 };
 
-TEST_CASE("forces by functions are what these say", "[laws]") {
+TEST_CASE("forces by functions are what these say") {
   auto c = trial_of(force_law_gen("q", spring_law), 1);
   c.at<0>() = {.q = 2, .q_dot = 4};
   c.doForce();

@@ -79,7 +79,7 @@ TEST_CASE("closed forms of linkages are the derivatives of their positions") {
     }
 }
 
-TEST_CASE("Andrews' squeezer of four-bars", "[laws]") {
+TEST_CASE("Andrews' squeezer of four-bars") {
   const auto k = squeezer();
   manipulator_dynamics_model model(k);
   model.input("motor") = 0.033;

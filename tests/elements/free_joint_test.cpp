@@ -45,7 +45,7 @@ frame_3D<> in_space(const frame_2D<>& x) {
   return y;
 }
 
-TEST_CASE("free joints obey the laws", "[laws]") {
+TEST_CASE("free joints obey the laws") {
   check_laws<double>();
   check_laws<digits50>();
 }

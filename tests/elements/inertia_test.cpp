@@ -74,7 +74,7 @@ S off_dalembert(const Element& e, const std::vector<particle<S>>& particles, uns
                                            {force.x, force.y, force.z, torque.x, torque.y, torque.z});
 }
 
-TEST_CASE("the mass of an inertia is that of its force", "[laws][both]") {
+TEST_CASE("the mass of an inertia is that of its force") {
   check_laws<double>();
   check_laws<digits50>();
 }

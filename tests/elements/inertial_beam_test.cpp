@@ -18,7 +18,7 @@ namespace inertial_beam_test {
 
 using namespace kte;
 
-TEST_CASE("a beam with a consistent mass moves as a rigid bar between stiff ends", "[laws]") {
+TEST_CASE("a beam with a consistent mass moves as a rigid bar between stiff ends") {
   // a bar of 3 kg and 0.8 m on a hinge: m L^2/3, half of its weight on the tip
   runtime_chain c;
   c << revolute_joint_3D("q", "ground", "root", axis::y) << rigid_link_3D("root", "tip", along_x(0.8))

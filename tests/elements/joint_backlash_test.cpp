@@ -41,7 +41,7 @@ void check_laws() {
   CHECK(testing::no_work_done<S>(joint_backlash_gen("a", "b", S(0), S(0), S(3)), draw) <= rounding<S>);
 }
 
-TEST_CASE("teeth with play push where they touch, and never pull", "[laws]") {
+TEST_CASE("teeth with play push where they touch, and never pull") {
   check_laws<double>(), check_laws<digits50>();
   CHECK(push(0.25, 5) == std::pair{0.0, 0.0});  // within
   CHECK(push(-0.125, -5) == std::pair{0.0, 0.0});

@@ -72,7 +72,7 @@ Eigen::Vector3d pushed_to_and_fro(const Friction& friction) {
   return solver.state();
 }
 
-TEST_CASE("elasto-plastic friction is as in the paper", "[laws]") {
+TEST_CASE("elasto-plastic friction is as in the paper") {
   random_numbers draw(1);
   for (int i = 0; i < 40; ++i) {
     const double v = draw(0.003), z = draw(1.5e-5);

@@ -35,7 +35,7 @@ S by_formula(const friction_parameters& p, const S& v) {
   return -(g * tanh(S(v / S(p.smoothing_velocity))) + p.viscous * v);
 }
 
-TEST_CASE("smooth friction is as its formula says", "[laws]") {
+TEST_CASE("smooth friction is as its formula says") {
   random_numbers draw(1);
   CHECK(testing::no_work_done<double>(joint_friction_gen("q", dry), draw) == 0);
   for (int i = 0; i < 20; ++i) {

@@ -39,7 +39,7 @@ void check_laws() {
   CHECK(testing::no_work_done<S>(joint_limit_gen("q", p), draw) == 0);
 }
 
-TEST_CASE("stops push back where they touch, and never pull", "[laws]") {
+TEST_CASE("stops push back where they touch, and never pull") {
   check_laws<double>(), check_laws<digits50>();
   CHECK(force(both, 0.25, 5) == 0);  // within
   CHECK(force(both, -0.75, -5) == 0);

@@ -81,7 +81,7 @@ Eigen::Vector3d pushed_in_fixed_steps(double force) {
   return x;
 }
 
-TEST_CASE("LuGre friction is as in the paper", "[laws]") {
+TEST_CASE("LuGre friction is as in the paper") {
   random_numbers draw(1);
   for (int i = 0; i < 20; ++i) {
     const double v = draw(0.003), z = draw(1.5e-5);

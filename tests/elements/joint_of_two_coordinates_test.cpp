@@ -73,7 +73,7 @@ runtime_chain runtime_arm(const Joint& joint) {
 auto own() { return runtime_arm(connect(wrist(offset), "yaw", "pitch", "flange", "palm")); }
 auto in_series() { return runtime_arm(hooke_joint_3D("yaw", "pitch", "flange", "palm", axis::z, axis::y, offset)); }
 
-TEST_CASE("an own joint of two coordinates obeys the laws", "[laws]") {
+TEST_CASE("an own joint of two coordinates obeys the laws") {
   random_numbers draw(1);
   const auto joint = connect(wrist(offset), "yaw", "pitch", "base", "end");
   CHECK(testing::motion_is_derivative<double>(joint, draw) <= by_differences<double>);

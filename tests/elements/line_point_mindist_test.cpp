@@ -46,7 +46,7 @@ runtime_chain tied(const Nearest& nearest) {
   return c;
 }
 
-TEST_CASE("nearest points move as they should and hand loads back", "[laws]") {
+TEST_CASE("nearest points move as they should and hand loads back") {
   check_laws<double>(), check_laws<digits50>();
   random_numbers draw(2);
   auto x = trial_of(plane_point_mindist_3D("a", "b", vec3<>{2.0 / 7, -3.0 / 7, 6.0 / 7}, vec3<>{0.25, -0.5, 1}), 3);

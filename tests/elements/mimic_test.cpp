@@ -96,7 +96,7 @@ struct followers {
   }
 };
 
-TEST_CASE("masses of coordinates that follow others are those of all coordinates, folded", "[laws]") {
+TEST_CASE("masses of coordinates that follow others are those of all coordinates, folded") {
   followers x;
   const vec3 axis{0.6, 0.0, 0.8};
   x.free("a"), x.body(revolute_joint_3D("a", "ground", "A", axis), "A", "A'");

@@ -53,7 +53,7 @@ bool same(const frame_2D<>& x, const frame_3D<>& y) {
          near(load_of(x).force, y.force, tolerance) && near(load_of(x).torque, y.torque, tolerance);
 }
 
-TEST_CASE("a chain in the plane is the chain in space about z", "[laws]") {
+TEST_CASE("a chain in the plane is the chain in space about z") {
   random_numbers draw(1);
   auto s = make_state(in_plane);
   auto t = make_state(in_space);

@@ -32,7 +32,7 @@ void check_laws() {
   check(revolute_joint_3D("q", "base", "end", vec3{S(3) / 5, zero, S(4) / 5}));
 }
 
-TEST_CASE("revolute joints obey the laws", "[laws]") {
+TEST_CASE("revolute joints obey the laws") {
   check_laws<double>();
   check_laws<digits50>();
 }

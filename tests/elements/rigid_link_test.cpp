@@ -28,7 +28,7 @@ void check_laws() {
   check(rigid_link_gen("a", "b", S(1) / 3));
 }
 
-TEST_CASE("rigid links obey the laws", "[laws]") {
+TEST_CASE("rigid links obey the laws") {
   check_laws<double>();
   check_laws<digits50>();
 }

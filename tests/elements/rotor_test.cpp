@@ -59,7 +59,7 @@ void check_pendulum(const Chain& c, double R) {
   }
 }
 
-TEST_CASE("a rotor has its reflected inertia, and turns its housing back", "[laws]") {
+TEST_CASE("a rotor has its reflected inertia, and turns its housing back") {
   runtime_chain c;
   c << revolute_joint_3D("p", "ground", "table", axis::z)
     << inertia_3D("table", rigid_body{1.0, zero3{}, sym3{0.2, 0.0, 0.0, 0.2, 0.0, 0.3}}) << inertia_gen("q", 0.5)

@@ -51,7 +51,7 @@ runtime_chain geared_arm(const vec3<>& n, double pitch) {
   return c;
 }
 
-TEST_CASE("screw joints obey the laws", "[laws]") {
+TEST_CASE("screw joints obey the laws") {
   check_laws<double>();
   check_laws<digits50>();
 }

@@ -24,7 +24,7 @@ void check_laws() {
   CHECK(testing::power_is_kept<S>(joint, draw) <= rounding<S>);
 }
 
-TEST_CASE("spherical joints obey the laws", "[laws]") {
+TEST_CASE("spherical joints obey the laws") {
   check_laws<double>();
   check_laws<digits50>();
 }

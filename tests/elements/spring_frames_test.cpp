@@ -74,7 +74,7 @@ double energy(double distance, Numbers... numbers) {
   return energy_of(spring_3D("a", "b", numbers...))(frame_3D<>{}, frame_3D<>{.position = {0.0, distance, 0.0}});
 }
 
-TEST_CASE("springs between frames obey the laws", "[laws]") {
+TEST_CASE("springs between frames obey the laws") {
   check_laws<double>();
   check_laws<digits50>();
 }

@@ -43,7 +43,7 @@ double pull(const Element& e, double q) {
   return x.template at<0>().f;
 }
 
-TEST_CASE("springs obey the laws", "[laws]") {
+TEST_CASE("springs obey the laws") {
   check_laws<double>();
   check_laws<digits50>();
 }

@@ -43,7 +43,7 @@ double pull(const Spring& spring, double x) {
   return e.template at<0>().f;
 }
 
-TEST_CASE("springs by laws and tables obey the laws", "[laws]") { check_laws<double>(), check_laws<digits50>(); }
+TEST_CASE("springs by laws and tables obey the laws") { check_laws<double>(), check_laws<digits50>(); }
 
 TEST_CASE("a table goes through its points, monotone and smooth, and straight beyond them") {
   const monotone_cubic curve(lengths, pulls);

@@ -23,7 +23,7 @@ void check_laws() {
   CHECK(planar_difference<S>(flat, solid, draw) <= rounding<S>);
 }
 
-TEST_CASE("torsion dampers obey the laws", "[laws]") {
+TEST_CASE("torsion dampers obey the laws") {
   check_laws<double>();
   check_laws<digits50>();
 }

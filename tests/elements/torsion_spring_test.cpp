@@ -75,7 +75,7 @@ void check_all_angles() {
       CHECK(near(torque_of_turn<S>(matrix(angle * axis), 1), angle * axis, rounding<S>));
 }
 
-TEST_CASE("torsion springs obey the laws", "[laws]") {
+TEST_CASE("torsion springs obey the laws") {
   check_laws<double>();
   check_laws<digits50>();
 }

@@ -33,7 +33,7 @@ runtime_chain with_arm(runtime_chain c) {
   return c;
 }
 
-TEST_CASE("universal joints are the same by keys, by texts, and as joints and a link", "[laws]") {
+TEST_CASE("universal joints are the same by keys, by texts, and as joints and a link") {
   runtime_chain texts, old;
   texts << hooke_joint_3D("q1", "q2", "ground", "shaft", axis::x, oblique, offset);
   old << revolute_joint_3D("q1", "ground", "cross", axis::x) << rigid_link_3D("cross", "second", offset)

@@ -51,7 +51,7 @@ runtime_chain following_arm(const vec3<>& n, double pitch, double change) {
   return c;
 }
 
-TEST_CASE("screw joints of variable pitch obey the laws", "[laws]") {
+TEST_CASE("screw joints of variable pitch obey the laws") {
   check_laws<double>();
   check_laws<digits50>();
 }

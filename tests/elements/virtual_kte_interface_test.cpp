@@ -68,7 +68,7 @@ S off_in_random_motion(unsigned seed) {
                        joint_vector<S, 2>(a.template head<2>())));
 }
 
-TEST_CASE("a virtual model moves with the real one and loads it backwards", "[laws]") {
+TEST_CASE("a virtual model moves with the real one and loads it backwards") {
   for (unsigned seed = 1; seed < 6; ++seed) {
     CHECK(off_in_random_motion<double>(seed) < rounding<double>);
     CHECK(off_in_random_motion<big>(seed) < rounding<big>);

@@ -45,7 +45,7 @@ std::array<double, 2> to_lift(double r, double rate, double friction_radius, dou
   return {inverse_dynamics(plane, s, q, v, a)[0], inverse_dynamics(space, t, q, v, a)[0]};
 }
 
-TEST_CASE("what a controller joint asks for moves the joint in earnest as it should", "[laws]") {
+TEST_CASE("what a controller joint asks for moves the joint in earnest as it should") {
   random_numbers random(3);
   const auto c = [] {
     runtime_chain r;

@@ -113,7 +113,7 @@ void check_axes() {
     CHECK(std::abs(needed[static_cast<std::size_t>(axis(k))] - force(static_cast<int>(k))) <= 4 * rounding);
 }
 
-TEST_CASE("axes are eliminated alike by type and by number", "[both]") {
+TEST_CASE("axes are eliminated alike by type and by number") {
   check_axes<3, 4, 5>();
   check_axes<0, 1, 5>();
   check_axes<0, 1, 2, 3, 4, 5>();

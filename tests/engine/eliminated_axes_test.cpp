@@ -118,7 +118,7 @@ constexpr bool takes(const std::array<int, std::size_t{detail::joint_dofs<Core>}
 template <class Core, class C>
 constexpr bool is_general = takes<Core, C>({-1});
 
-TEST_CASE("joints along unit axes take these exactly", "[laws]") {
+TEST_CASE("joints along unit axes take these exactly") {
   STATIC_REQUIRE(takes<revolute<solid, decltype(axis::z)>, one_number>({5}));
   STATIC_REQUIRE(takes<revolute<solid, decltype(axis::x)>, one_number>({3}));
   STATIC_REQUIRE(takes<revolute<solid, decltype(axis::minus_y)>, one_number>({4}));

@@ -49,7 +49,7 @@ struct toy_bodies {
 using numbers = vec3<double>;
 numbers plus(const numbers& a, double x) { return {a.x + x, a.y + 1.0, x}; }
 
-TEST_CASE("values go outward from parents to children", "[both]") {
+TEST_CASE("values go outward from parents to children") {
   const toy_bodies bodies;
   std::vector<numbers> kept(7);
   kept[0] = {100.0, 0.0, 0.0}, kept[1] = {200.0, 0.0, 0.0};

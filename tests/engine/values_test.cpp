@@ -9,7 +9,7 @@ namespace values_test {
 using namespace kte;
 using namespace kte::engine;
 
-TEST_CASE("arrays hold numbers instead of typed constants", "[both]") {
+TEST_CASE("arrays hold numbers instead of typed constants") {
   using typed = wrench<vec3<double, zero_t, one_t>, zero3>;
   STATIC_REQUIRE(std::is_same_v<dense<double, typed>, wrench<vec3<double>, vec3<double>>>);
   STATIC_REQUIRE(std::is_same_v<dense<float, zero_t>, float>);

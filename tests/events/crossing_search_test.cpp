@@ -14,7 +14,7 @@ namespace crossing_search_test {
 
 using namespace kte::detail;
 
-TEST_CASE("the misfit of a quartic is what any value in between is off by", "[both]") {
+TEST_CASE("the misfit of a quartic is what any value in between is off by") {
   std::array<double, 9> y{};
   for (int i = 0; i < 9; ++i) {
     const double t = i - 4.0;

@@ -15,7 +15,7 @@ constexpr double pi = 3.14159265358979323846;
 /// Place and speed.
 using place = Eigen::Vector2d;
 
-TEST_CASE("a ball between two walls", "[both]") {
+TEST_CASE("a ball between two walls") {
   const auto straight = [](double, const place& x) { return place(x[1], 0); };
   const auto turn = [](double, place& x) { x[1] = -x[1]; };
   const auto left = event([](double, const place& x) { return x[0] + 1; }).reset(turn);  // both directions, no set-back

@@ -88,7 +88,7 @@ matrix6<wide> sizes_of_way(const R& rotation, const P& p) {
   return x;
 }
 
-TEST_CASE("an articulated inertia without joints is that of a body", "[laws]") {
+TEST_CASE("an articulated inertia without joints is that of a body") {
   draw random(41);
   for (int i = 0; i < 100; ++i) {
     const rigid_body<> body{1 + random.number(), random.vector(), random.symmetric()};

@@ -28,7 +28,7 @@ void check_composition_by_differences(unsigned seed) {
   }
 }
 
-TEST_CASE("composition of motions is the derivative of the composition of poses", "[both]") {
+TEST_CASE("composition of motions is the derivative of the composition of poses") {
   check_composition_by_differences<mat3<vec3<digits50>>>(1);
   check_composition_by_differences<unit_quaternion<digits50>>(2);
   check_composition_by_differences<rotation_2D<digits50>>(3);

@@ -56,7 +56,7 @@ void check_formula() {
   }
 }
 
-TEST_CASE("Adams-Bashforth-Moulton: predictor, corrector and interpolant have their order", "[laws]") {
+TEST_CASE("Adams-Bashforth-Moulton: predictor, corrector and interpolant have their order") {
   SECTION("order 3") { check_formula<adams_BM3_formula>(); }
   SECTION("order 5") { check_formula<adams_BM5_formula>(); }
 }

@@ -38,7 +38,7 @@ auto differences_of(const P& p, const rational& t, const rational& h, int k) {
   return d;
 }
 
-TEST_CASE("the formulas of order k are exact for polynomials up to degree k, then wrong by their constant", "[laws]") {
+TEST_CASE("the formulas of order k are exact for polynomials up to degree k, then wrong by their constant") {
   const rational t(7, 5), h(2, 3);
   for (const bdf_formula formula : {ndf, plain}) {
     const bdf_coefficients<rational> c(formula);

@@ -46,7 +46,7 @@ void check(double small, const bdf_settings& settings = {}) {
   }
 }
 
-TEST_CASE("BDF: stiff problems of the test sets, to the tolerance", "[laws]") {
+TEST_CASE("BDF: stiff problems of the test sets, to the tolerance") {
   for (const bdf_formula formula : {bdf_formula::numerical_differentiation, bdf_formula::backward_differentiation}) {
     check<problems::vdpol<>>(1e-3, {.formula = formula});
     check<problems::hires<>>(1e-4, {.formula = formula});

@@ -97,7 +97,7 @@ void check_esdirk() {
   }
 }
 
-TEST_CASE("Rosenbrock methods have their orders, at the ends of steps and between them, and are L-stable", "[laws]") {
+TEST_CASE("Rosenbrock methods have their orders, at the ends of steps and between them, and are L-stable") {
   SECTION("Shampine and Reichelt 2(3)") { check_rosenbrock<rosenbrock23_coefficients>(); }
   SECTION("RODAS 4(3)") { check_rosenbrock<rodas_coefficients>(); }
 }

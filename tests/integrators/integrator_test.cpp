@@ -20,7 +20,7 @@ using scalar_state = Eigen::Matrix<double, 1, 1>;
 constexpr auto oscillator = [](double, const Eigen::Vector2d& x) { return Eigen::Vector2d(x[1], -x[0]); };
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-TEST_CASE("integrators land exactly on the end, with no tiny last step", "[both]") {
+TEST_CASE("integrators land exactly on the end, with no tiny last step") {
   dormand_prince45 solver(oscillator, 0.0, Eigen::Vector2d(1, 0));
   for (int i = 1; i <= 500; ++i) {
     std::vector<double> times;

@@ -56,7 +56,7 @@ void check_steps(int order_of_error) {
   CHECK(std::log(run(1e-12L) / run(1e-9L)) / std::log(1000) == within(1.0 / order_of_error, 0.02));
 }
 
-TEST_CASE("orders of methods with fixed steps, as slopes", "[laws]") {
+TEST_CASE("orders of methods with fixed steps, as slopes") {
   SECTION("Euler") { check<euler>(1, 1); }
   SECTION("midpoint") { check<midpoint>(2, 2); }
   SECTION("Kutta, order 4") { check<runge_kutta4>(4, 3); }

@@ -13,7 +13,7 @@ namespace prince_dormand87_test {
 using namespace kte;
 using namespace kte::test;
 
-TEST_CASE("Prince-Dormand: the global error is of order 8", "[laws]") {
+TEST_CASE("Prince-Dormand: the global error is of order 8") {
   const auto error = [](int n) {  // of the energy, which has no zeros
     auto solver = one_step_solver<prince_dormand87>(pendulum, horizontal<real50>());
     const auto before = solver.statistics().steps;

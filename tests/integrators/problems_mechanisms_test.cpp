@@ -14,7 +14,7 @@ using namespace kte;
 using namespace kte::problems;
 using namespace kte::test;
 
-TEST_CASE("the pendulum reaches its references", "[laws]") {
+TEST_CASE("the pendulum reaches its references") {
   check_references<problems::pendulum>(1e-9,
                                        {1e-11, 2e-9, 5e-8});  // [218, 2200, 11000; 9, 1e2, 5e2; 2e-12, 4e-10, 9e-9]
 }

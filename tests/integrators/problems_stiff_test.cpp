@@ -81,7 +81,7 @@ typename Problem::state integrate(const Problem& f, long double t_end, long doub
   return x;
 }
 
-TEST_CASE("Jacobians of the stiff problems are those of their right-hand sides", "[laws]") {
+TEST_CASE("Jacobians of the stiff problems are those of their right-hand sides") {
   check_jacobian(hires<long double>{});
   check_jacobian(vdpol<long double>{});
   check_jacobian(orego<long double>{});

@@ -43,7 +43,7 @@ double error_of(double drift = 0) {
   return most;
 }
 
-TEST_CASE("plain problems reach their references with the order 5 that the library has", "[long][laws]") {
+TEST_CASE("plain problems reach their references with the order 5 that the library has", "[long]") {
   CHECK(error_of<pleiades<>>(1e-8) < 1e-9);           // [2400, 3e3, 1.6e-10]
   CHECK(error_of<kapitza<>>() < 2e-10);               // [8e4, 2e1, 3.5e-11]
   CHECK(error_of<elastic_pendulum<>>(2e-9) < 3e-10);  // [5700, 2e2, 5.6e-11]

@@ -59,7 +59,7 @@ void check_differences() {
   CHECK(differences.statistics().evaluations > exact.statistics().evaluations);
 }
 
-TEST_CASE("one-step methods for stiff systems: van der Pol's oscillator, mu = 1000, and HIRES", "[laws]") {
+TEST_CASE("one-step methods for stiff systems: van der Pol's oscillator, mu = 1000, and HIRES") {
   SECTION("rosenbrock23") {
     check_all<rosenbrock23>({{1e-6, 3.59, 5471}, {1e-8, 5.3, 31600}}, {{1e-6, 2.82, 667}, {1e-9, 5.36, 7844}});
   }

@@ -166,8 +166,7 @@ void check_group(int order, long double tolerance) {
   CHECK(stiff.statistics().steps < 1000);
 }
 
-TEST_CASE("one-step methods for stiff systems have their orders, as slopes, at the ends of steps and between them",
-          "[laws]") {
+TEST_CASE("one-step methods for stiff systems have their orders, as slopes, at the ends of steps and between them") {
   SECTION("rosenbrock23") { check_order<rosenbrock23>(2, 3, 1e-7L); }
   SECTION("RODAS") { check_order<rodas>(4, 4, 1e-9L); }
   SECTION("TR-BDF2") { check_order<tr_bdf2>(2, 3, 1e-7L); }

@@ -156,7 +156,7 @@ void check_dynamic() {
   CHECK((solver.state().array() - std::exp(-1.0)).abs().maxCoeff() < 1e-4);
 }
 
-TEST_CASE("one-step methods for stiff systems: forward, backward, again, and between steps", "[laws]") {
+TEST_CASE("one-step methods for stiff systems: forward, backward, again, and between steps") {
   SECTION("rosenbrock23") { check_use<rosenbrock23>(); }
   SECTION("RODAS") { check_use<rodas>(); }
   SECTION("TR-BDF2") { check_use<tr_bdf2>(); }

@@ -110,7 +110,7 @@ void check_rounded_order(const Conditions& conditions, const typename Conditions
   CHECK(conditions.defect(b, order + 1, theta) > 1e-7);
 }
 
-TEST_CASE("rooted trees", "[laws]") {
+TEST_CASE("rooted trees") {
   const test::order_conditions<rational, euler_tableau> conditions(8);
   const std::size_t known[]{1, 1, 2, 4, 9, 20, 48, 115};
   for (int r = 1; r <= 8; ++r) CHECK(conditions.count(r) == known[r - 1]);

@@ -36,7 +36,7 @@ struct bytes {
 };
 std::string text_of(const std::string& t) { return "\3" + std::string(1, static_cast<char>(t.size())) + t; }
 
-TEST_CASE("archives by hand: roots in any order, what may be left out", "[both]") {
+TEST_CASE("archives by hand: roots in any order, what may be left out") {
   const auto a = read(json_roots(R"({"mass_matrix_calc":{"chain":"arm"},"name":"m"},)"
                                  R"({"name":"arm","chain":{"elements":[],"limits":[{"upper":[1.5],"coordinate":"q"}],)"
                                  R"("gravity":[0,0,-9.81],"tools":["hand"],"inputs":[{"name":"u","value":2}]}},)"

@@ -19,7 +19,7 @@ std::string message(const fs::path& path) {
 }
 std::string text_of(const fs::path& path) { return kte::detail::read_file(path); }
 
-TEST_CASE("a file is replaced as a whole, and keeps its permissions", "[both]") {
+TEST_CASE("a file is replaced as a whole, and keeps its permissions") {
   const scratch_folder folder;
   const auto path = folder.path / "model.json";
   replace_file(path, "old");

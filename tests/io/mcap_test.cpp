@@ -72,7 +72,7 @@ struct mcap_file {
 const std::string magic = "\x89MCAP0\r\n";
 using name_list = std::vector<std::string>;
 
-TEST_CASE("a file of MCAP has the records of its specification", "[both]") {
+TEST_CASE("a file of MCAP has the records of its specification") {
   scratch file(".mcap");
   table_writer out(file.path, {"t", "q", "tip/position/x"});
   out.row(0.0, 1, -1e-17);

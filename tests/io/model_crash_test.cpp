@@ -24,7 +24,7 @@ std::array<kte::model_record, 2> two_models() {
   return models;
 }
 
-TEST_CASE("whenever a program is killed that saves a model, there is the old file or the new one", "[long][both]") {
+TEST_CASE("whenever a program is killed that saves a model, there is the old file or the new one", "[long]") {
   const auto models = two_models();
   std::mt19937 engine(1);
   for (const char* extension : {".json", ".xml", ".kte"}) {

@@ -16,7 +16,7 @@ kte::model_record spring(const std::string& anchor = "b") {
   return m;
 }
 
-TEST_CASE("hard numbers and names survive", "[both]") {
+TEST_CASE("hard numbers and names survive") {
   kte::model_record m = spring("a <b> & \"c\" 'd' \\ / \u00e9 ]]> --> \U0001F600");
   m.gravity = {0.1, 1.0 / 3.0, -5e-324};
   m.elements[0].connections[0].name = " with blanks ";

@@ -31,7 +31,7 @@ std::string npy(const std::string& dictionary, const std::string& data = "") {
   return "\x93NUMPY" + std::string("\x01\x00", 2) + little(dictionary.size(), 2) + dictionary + data;
 }
 
-TEST_CASE("a file of NumPy is a padded dictionary and the bytes of the numbers", "[both]") {
+TEST_CASE("a file of NumPy is a padded dictionary and the bytes of the numbers") {
   scratch file(".npy");
   table_writer out(file.path, {"t", "tip/position/x"});
   out.row(0.5, -1.25);

@@ -34,7 +34,7 @@ struct record {
 };
 using hand_progress = progress<record, hand_clock>;
 
-TEST_CASE("progress is told once an interval and at the end", "[both]") {
+TEST_CASE("progress is told once an interval and at the end") {
   std::vector<call> calls;
   hand_progress report(2.0, 12.0, record{&calls}, std::chrono::milliseconds(500));
   const auto step = [&](double seconds, double t) {

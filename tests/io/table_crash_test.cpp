@@ -29,7 +29,7 @@ void in_child(const F& f) {
   CHECK((WIFEXITED(status) && WEXITSTATUS(status) == 7));
 }
 
-TEST_CASE("in every format, what was flushed outlives a program that ends without closing", "[both]") {
+TEST_CASE("in every format, what was flushed outlives a program that ends without closing") {
   for (const auto& extension : test::table_extensions) {
     CAPTURE(extension);
     scratch file(extension);

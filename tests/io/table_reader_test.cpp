@@ -16,7 +16,7 @@ std::string message(const std::string& content, const char* extension = ".txt") 
   return test::message_about<bad_file>(file, [&] { (void)read_table(file.path); });
 }
 
-TEST_CASE("a bad text is reported by line and column", "[both]") {
+TEST_CASE("a bad text is reported by line and column") {
   CHECK(message("a b\n").empty());
   CHECK(message("a\tb\r\n 1   2 \r\n").empty());
   CHECK(message("") == "line 1: no column names");

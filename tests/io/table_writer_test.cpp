@@ -15,7 +15,7 @@ using namespace kte;
 using kte::test::contains_text;
 using kte::test::scratch;
 
-TEST_CASE("a text is a line of names and lines of numbers", "[both]") {
+TEST_CASE("a text is a line of names and lines of numbers") {
   const auto text = [](const char* extension) {
     scratch file(extension);
     table_writer out(file.path, {"t", "q", "tip/x", "n", "f"});

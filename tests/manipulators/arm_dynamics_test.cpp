@@ -108,7 +108,7 @@ void check_static(const char* name, const Arm& arm) {
   CHECK((a.driven - b.driven).norm() <= 1e-13 * a.driven.norm());
 }
 
-TEST_CASE("every arm as models of it", "[laws]") {
+TEST_CASE("every arm as models of it") {
   check("3R", runtime(three_r_chain()));
   check("3R3R", three_r_three_r_chain(), three_r_three_r_limits());
   check("P3R3R", p3r3r_chain(), p3r3r_limits());

@@ -11,7 +11,7 @@ using test::says;
 
 // Which closed form an arm has: fewer axes or more, none, families that agree, and branches.
 
-TEST_CASE("planar arms and SCARA", "[laws]") {
+TEST_CASE("planar arms and SCARA") {
   const manipulator planar(planar_3R(), "tool"), four(scara(), "tool");
   CHECK(planar.family() == arm_family::planar_3R);
   CHECK(four.family() == arm_family::scara);

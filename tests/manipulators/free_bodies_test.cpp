@@ -39,7 +39,7 @@ void check_in_space(const Arm& arm) {
   }
 }
 
-TEST_CASE("a free body with its tool anywhere on it, static and runtime", "[laws]") {
+TEST_CASE("a free body with its tool anywhere on it, static and runtime") {
   const auto turned = to_quaternion(vec3<>{0.3, -0.5, 1.1});
   const auto chain = free_floater_chain(vec3{0.2, -0.1, 0.4}, turned);
   check_in_space(manipulator(chain, tool));

@@ -67,7 +67,7 @@ void check_singular(const model& arm, double tolerance) {
   CHECK(found > 5);
 }
 
-TEST_CASE("wherever the determinant is zero answers are exact to rounding", "[laws]") {
+TEST_CASE("wherever the determinant is zero answers are exact to rounding") {
   for (const auto& c : {plain_3R3R(), irb2400(), ur5(), arms::era()}) check_singular(model(c, "tool"), 1e-14);
 }
 

@@ -11,7 +11,7 @@ using test::says;
 
 // Six axes: answers at random, next to singular postures, out of reach, within limits.
 
-TEST_CASE("random poses: all answers to rounding, and the posture among them", "[laws]") {
+TEST_CASE("random poses: all answers to rounding, and the posture among them") {
   for (const auto& a : six_axes()) {
     INFO(a.name);
     CHECK(a.arm.family() == a.family);

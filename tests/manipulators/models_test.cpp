@@ -90,7 +90,7 @@ void check_between(const Limits& limits, std::size_t i, double lower, double upp
   CHECK(limits.upper[i] == within(upper, 1e-15));
 }
 
-TEST_CASE("iiwa14: its table, the maker's description, its limits", "[laws]") {
+TEST_CASE("iiwa14: its table, the maker's description, its limits") {
   check(iiwa14_chain(), [](const auto& q) {
     return classic(0, -quarter, 0.36, q[0]) * classic(0, quarter, 0, q[1]) * classic(0, quarter, 0.42, q[2]) *
            classic(0, -quarter, 0, q[3]) * classic(0, -quarter, 0.4, q[4]) * classic(0, quarter, 0, q[5]) *

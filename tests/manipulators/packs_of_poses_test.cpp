@@ -71,8 +71,7 @@ void compare(const char* name, const Arm& arm, std::size_t stops, const Request&
   CHECK(far <= 1e-12);
 }
 
-TEST_CASE("packs of poses: the answers of each lane are those of its pose alone, also if singular or out of reach",
-          "[laws]") {
+TEST_CASE("packs of poses: the answers of each lane are those of its pose alone, also if singular or out of reach") {
   compare("3R3R", three_r_three_r(), 4);
   compare("UR5", ur(), 4);
   compare("iiwa14", iiwa14(), 5, arm_angle(0.3));

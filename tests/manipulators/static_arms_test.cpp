@@ -48,7 +48,7 @@ double difference(const char* name, const Arm& arm, const Request&... request) {
   return most;
 }
 
-TEST_CASE("static = runtime, to rounding: an arm for each of the formulas", "[laws]") {
+TEST_CASE("static = runtime, to rounding: an arm for each of the formulas") {
   static_assert(ur().with_axes_within(1e-4).family() == arm_family::three_parallel);
   CHECK(difference("3R in the plane", three_r_2D()) <= 1e-12);
   CHECK(difference("3R3R", three_r_three_r()) <= 1e-12);

@@ -48,7 +48,7 @@ double largest_error(const std::vector<typename P::value_type>& angles) {
   return worst;
 }
 
-TEST_CASE("packs: sines and cosines", "[both]") {
+TEST_CASE("packs: sines and cosines") {
   for_all_packs([]<class P>() {
     using T = typename P::value_type;
     CAPTURE(P::lanes, sizeof(T));

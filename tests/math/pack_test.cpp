@@ -49,7 +49,7 @@ std::vector<P> operands(unsigned seed) {
   return r;
 }
 
-TEST_CASE("packs: memory, lanes, broadcast", "[both]") {
+TEST_CASE("packs: memory, lanes, broadcast") {
   for_all_packs([]<class P>() {
     using T = typename P::value_type;
     constexpr auto n = static_cast<std::size_t>(P::lanes);

@@ -13,7 +13,7 @@ namespace pack_vectors_test {
 using namespace kte;
 using namespace kte::test;
 
-TEST_CASE("packs: typed constants and vectors with them", "[both]") {
+TEST_CASE("packs: typed constants and vectors with them") {
   for_all_packs([]<class P>() {
     using T = typename P::value_type;
     random_numbers random(65);

@@ -22,7 +22,7 @@ double largest(const sym3<>& a, const sym3<>& b) { return largest(full(a), full(
 /// Entries are below 1, their products with cosines and sines below 2: four roundings on the way through w.
 constexpr double by_rounding = 4 * 2 * std::numeric_limits<double>::epsilon();
 
-TEST_CASE("which rotations are known to be in a plane", "[both]") {
+TEST_CASE("which rotations are known to be in a plane") {
   const auto in_a_plane = []<class R>(const R&) { return detail::turns_in_a_plane<R>; };
   const auto turn = rotation_about(axis::x, 0.3);
   CHECK_FALSE(in_a_plane(as<double>(turn)));

@@ -9,7 +9,7 @@ namespace principal_moments_test {
 using namespace kte;
 using kte::test::within;
 
-TEST_CASE("principal moments", "[both]") {
+TEST_CASE("principal moments") {
   STATIC_REQUIRE(principal_moments({1, 0, 0, 3, 0, 2}) == std::array{3.0, 2.0, 1.0});
   STATIC_REQUIRE(principal_moments({}) == std::array{0.0, 0.0, 0.0});
   STATIC_REQUIRE(principal_moments({1, 1e-310, 0, 3, 0, 2}) == std::array{3.0, 2.0, 1.0});

@@ -62,7 +62,7 @@ void check_same(const composite<M, H, I>& a, const moments& b, double tolerance)
 // 3e4 kg m^2, and the bound with them.
 constexpr double near_by = 2e4 * eps, far_off = 3e6 * eps;
 
-TEST_CASE("a cloud of point masses adds up to its composite", "[both]") {
+TEST_CASE("a cloud of point masses adds up to its composite") {
   for (const std::uint64_t seed : {11u, 12u, 13u}) {
     const auto particles = cloud(seed);
     composite<double, vec3<>, sym3<>> sum{};

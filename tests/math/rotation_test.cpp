@@ -15,7 +15,7 @@ using test::gap;
 constexpr double eps = std::numeric_limits<double>::epsilon();
 constexpr double pi = std::numbers::pi;
 
-TEST_CASE("no rotation", "[both]") {
+TEST_CASE("no rotation") {
   const mat3<> identity = as<double>(matrix(no_rotation{}));
   CHECK(unit_quaternion<>{} == unit_quaternion{1.0, 0.0, 0.0, 0.0});
   CHECK(matrix(unit_quaternion<>{}) == identity);

@@ -43,7 +43,7 @@ using pendulum_model = manipulator_dynamics_model<std::remove_const_t<decltype(p
 static_assert(state_rate_function<const pendulum_model, Eigen::Vector2d>);
 static_assert(state_rate_function_with_io<pendulum_model, Eigen::Vector2d, Eigen::Matrix<double, 1, 1>>);
 
-TEST_CASE("a model gives the rates of a pendulum, and takes inputs", "[both]") {
+TEST_CASE("a model gives the rates of a pendulum, and takes inputs") {
   manipulator_dynamics_model model(pendulum);
   const auto x = model.make_x(std::array{0.0}, std::array{2.0});
   CHECK(x == Eigen::Vector2d(0, 2));

@@ -7,7 +7,7 @@ using namespace kte::test::held_block;
 
 // Modes that are not what happens when an integration begins, and what is no mode.
 
-TEST_CASE("what is held lets go where an input changes between two calls of integrate", "[laws]") {
+TEST_CASE("what is held lets go where an input changes between two calls of integrate") {
   runtime_chain r;
   r << prismatic_joint_2D("x", "ground", "block", axis::x) << inertia_2D("block", point_mass(1.0))
     << joint_stiction_gen("x", "mode", {0.5, 0.5}) << brake_gen("x", "mode 2", "grip")

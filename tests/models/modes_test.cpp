@@ -7,7 +7,7 @@ using namespace kte::test::held_block;
 
 // Elements that hold a coordinate, in models of static and runtime chains.
 
-TEST_CASE("a block rests on a slope of 30 degrees", "[laws]") {
+TEST_CASE("a block rests on a slope of 30 degrees") {
   const auto c = on_slope(5.0, 5.5);  // its weight along the slope is 4.905 N
   manipulator_dynamics_model model(c);
   const auto start = settled(model, 0.0, model.make_x(std::array{0.3}, std::array{0.0}));

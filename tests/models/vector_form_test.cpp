@@ -14,7 +14,7 @@ using namespace kte;
 using namespace kte::test;
 using namespace kte::test::small_chains;
 
-TEST_CASE("the vector form of a model is the same motion, also for methods with a history", "[laws]") {
+TEST_CASE("the vector form of a model is the same motion, also for methods with a history") {
   const manipulator_dynamics_model model(floating_with_springs);
   manipulator_dynamics_model runtime(models::element_by_element(floating_with_springs));
   random_numbers random(1);

@@ -58,7 +58,7 @@ void check(const Chain& c, const Coordinate& by, int first, const Frame& frame, 
   }
 }
 
-TEST_CASE("motion Jacobians of chains, and in other frames", "[laws]") {
+TEST_CASE("motion Jacobians of chains, and in other frames") {
   check(floating, trunk, 0, body, tip, 1);   // 3D_3D
   check(floating, ball, 6, hand, tip, 2);    // of a rotation
   check(floating, q2, 10, aside, aside, 3);  // gen_3D

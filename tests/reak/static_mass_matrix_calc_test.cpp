@@ -39,7 +39,7 @@ void check(const Chain& c, unsigned seed) {
   CHECK(gap(x.rate, y.rate) < rounding);
 }
 
-TEST_CASE("mass matrix by Jacobians of static chains: as of runtime chains", "[laws]") {
+TEST_CASE("mass matrix by Jacobians of static chains: as of runtime chains") {
   check(planar, 1);
   check(geared, 2);
 }

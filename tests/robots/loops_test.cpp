@@ -19,7 +19,7 @@ using namespace kte;
 using kte::test::robot_file, kte::test::within, kte::test::says;
 using closing = robot_closure::kind;
 
-TEST_CASE("a four-bar is the same mechanism in URDF, MJCF and SDF", "[both]") {
+TEST_CASE("a four-bar is the same mechanism in URDF, MJCF and SDF") {
   const Eigen::Vector3d q = Eigen::Vector3d::Zero(), guess(2, 0, 0), tau(0.3, 0, 0);
   Eigen::VectorXd expected;
   for (const char* file : {"four_bar.urdf", "four_bar.xml", "four_bar.sdf"}) {

@@ -49,7 +49,7 @@ double seconds(const F& f) {
   return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
 }
 
-TEST_CASE("a chain that is moved from is empty and usable", "[both]") {
+TEST_CASE("a chain that is moved from is empty and usable") {
   auto a = pendulum();
   a.gravity(along_y(-9.81));
   auto b = std::move(a);

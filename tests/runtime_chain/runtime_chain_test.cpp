@@ -8,7 +8,7 @@ namespace runtime_chain_test {
 
 using namespace models;
 
-TEST_CASE("a chain read from its record gives the same values", "[both]") {
+TEST_CASE("a chain read from its record gives the same values") {
   const auto built = by_own_elements(tree), loaded = registered(kte::record_of(built));
   auto a = built.make_state(), b = loaded.make_state();
   random_numbers random(7);

@@ -32,7 +32,7 @@ struct other_state : state {
 
 using keeper = kte::detail::kept_states<true>;
 
-TEST_CASE("a state is made once, and lent again", "[both]") {
+TEST_CASE("a state is made once, and lent again") {
   counts all;
   {
     const keeper k;

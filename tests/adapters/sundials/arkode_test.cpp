@@ -15,7 +15,7 @@ const scalar_state start(1.0);
 constexpr auto bell = [](double t, const scalar_state& x) { return scalar_state(-t * x[0]); };
 const tolerances<double> tight{.absolute = 1e-10, .relative = 1e-10};
 
-TEST_CASE("ARKODE: the table is that of the argument, explicit or implicit", "[both]") {
+TEST_CASE("ARKODE: the table is that of the argument, explicit or implicit") {
   kte::sundials::explicit_runge_kutta verner(bell, 0.0, start, tight, ARKODE_VERNER_8_5_6);
   kte::sundials::implicit_runge_kutta trbdf2(bell, 0.0, start, {}, ARKODE_TRBDF2_3_3_2);
   verner.integrate(1), trbdf2.integrate(1);

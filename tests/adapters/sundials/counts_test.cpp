@@ -8,7 +8,7 @@ using namespace kte;
 using kte::sundials::detail::accountant;
 using kte::sundials::detail::counts;
 
-TEST_CASE("SUNDIALS: what is counted from zero at each start adds up", "[both]") {
+TEST_CASE("SUNDIALS: what is counted from zero at each start adds up") {
   accountant a;
   step_statistics all;
   all.rejected = 100, all.jacobians = 200, all.factorizations = 300;

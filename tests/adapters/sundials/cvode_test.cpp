@@ -21,7 +21,7 @@ int highest_order(Solver& solver) {
   return most;
 }
 
-TEST_CASE("CVODE: orders up to 5 and up to 12, or what is asked of its memory", "[both]") {
+TEST_CASE("CVODE: orders up to 5 and up to 12, or what is asked of its memory") {
   kte::sundials::bdf bdf(oscillator, 0.0, start, tight), bdf_of_2(oscillator, 0.0, start, tight);
   kte::sundials::adams adams(oscillator, 0.0, start, tight);
   CHECK(highest_order(bdf) == 5);

@@ -13,7 +13,7 @@ void count_one_at(void** p) {
   *p = nullptr;
 }
 
-TEST_CASE("SUNDIALS: owners free once what they have, by the function of its kind, and nothing else", "[both]") {
+TEST_CASE("SUNDIALS: owners free once what they have, by the function of its kind, and nothing else") {
   int three = 3;
   freed = 0;
   {

@@ -8,7 +8,7 @@ namespace relay_test {
 
 using kte::sundials::detail::relay;
 
-TEST_CASE("SUNDIALS: an exception is kept, the flag says stop, and it is thrown once", "[both]") {
+TEST_CASE("SUNDIALS: an exception is kept, the flag says stop, and it is thrown once") {
   relay r;
   CHECK(r.guard([] { return 0; }) == 0);
   CHECK(r.guard([] { return 1; }) == 1);  // to be cured by a shorter step
