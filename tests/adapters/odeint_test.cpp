@@ -11,10 +11,10 @@
 
 #include "catch.hpp"
 
+namespace odeint_test {
+
 using namespace kte;
 namespace od = boost::numeric::odeint;
-
-namespace {
 
 /// 0.5 m, 9.81 m/s^2
 struct pendulum {
@@ -110,4 +110,4 @@ TEST_CASE("odeint: what has a name is referred to, what has none is kept") {
   CHECK(f.calls == 7);
 }
 
-}  // namespace
+}  // namespace odeint_test

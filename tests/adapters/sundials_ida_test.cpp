@@ -2,10 +2,10 @@
 
 #include "catch.hpp"
 
+namespace sundials_ida_test {
+
 using namespace kte;
 using kte::test::contains_text;
-
-namespace {
 
 using scalar_state = Eigen::Matrix<double, 1, 1>;
 using vector5 = Eigen::Matrix<double, 5, 1>;
@@ -157,4 +157,4 @@ TEST_CASE("IDA: failures") {
   CHECK_THROWS_AS(bad.restart(0, scalar_state(0.0), scalar_state(std::nan(""))), bad_argument);
 }
 
-}  // namespace
+}  // namespace sundials_ida_test

@@ -5,10 +5,10 @@
 
 #include "catch.hpp"
 
+namespace sundials_test {
+
 using namespace kte;
 using kte::test::contains_text;
-
-namespace {
 
 using scalar_state = Eigen::Matrix<double, 1, 1>;
 constexpr auto oscillator = [](double, const Eigen::Vector2d& x) { return Eigen::Vector2d(x[1], -x[0]); };
@@ -234,4 +234,4 @@ TEST_CASE("SUNDIALS: Runge-Kutta tables have their orders") {
   CHECK(of_implicit(ARKODE_KVAERNO_5_3_4, 1.0 / 32) == within(4, 0.3));
 }
 
-}  // namespace
+}  // namespace sundials_test

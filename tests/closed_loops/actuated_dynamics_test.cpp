@@ -7,12 +7,12 @@
 #include "closed_loops/mechanisms.hpp"
 #include "random.hpp"
 
+namespace actuated_dynamics_test {
+
 using namespace kte;
 using namespace kte::test;
 using namespace kte::test::loops;
 using Catch::Matchers::Message;
-
-namespace {
 
 double largest_difference(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
   return (a - b).cwiseAbs().maxCoeff() / (1 + b.cwiseAbs().maxCoeff());
@@ -37,8 +37,6 @@ runtime_chain five_bar() {
 }
 const auto driven = actuated("r1", "l1");
 const std::array<int, 2> rows{2, 0};
-
-}  // namespace
 
 TEST_CASE("equations of motion in actuated coordinates are those of the mechanism") {
   const auto c = five_bar();
@@ -152,3 +150,5 @@ TEST_CASE("a tree is driven by all its coordinates; what cannot be driven is ref
       mass_matrix(c, t, on, actuated("l1")), bad_argument,
       Message("kte: this chain has mobility 2 here, so it is driven by as many coordinates, not by 1"));
 }
+
+}  // namespace actuated_dynamics_test

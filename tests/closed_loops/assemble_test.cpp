@@ -1,11 +1,11 @@
 #include "catch.hpp"
 #include "closed_loops/mechanisms.hpp"
 
+namespace assemble_test {
+
 using namespace kte;
 using namespace kte::test;
 using namespace kte::test::loops;
-
-namespace {
 
 /// A four-bar on pivots (0, 0) and (d, 0).
 runtime_chain four_bar(double crank, double coupler, double rocker, double d) {
@@ -17,9 +17,7 @@ runtime_chain four_bar(double crank, double coupler, double rocker, double d) {
   return c;
 }
 
-}  // namespace
-
-TEST_CASE("a four-bar is assembled on both branches, with its crank held", "[both]") {
+TEST_CASE("a four-bar is assembled on both branches, with its crank held") {
   const auto c = four_bar(0.4, 1.1, 0.8, 1.0);
   auto s = c.make_state();
   const double q1 = 1.1;
@@ -107,3 +105,5 @@ TEST_CASE("a hinge that closes with its axes against each other is refused") {
   }
   CHECK_THROWS_AS(assemble(c, s, numbers({0.5}), held("nothing")), unknown_name);
 }
+
+}  // namespace assemble_test

@@ -1,11 +1,12 @@
 #include "catch.hpp"
 #include "closed_loops/linkages.hpp"
 
+namespace assemblies_test {
+
 using namespace kte;
 using namespace kte::test;
 using namespace kte::test::loops;
 
-namespace {
 /// Whether all are assemblies, in order and without duplicates.
 bool good(const runtime_chain& c, const std::vector<vector>& all) {
   auto s = c.make_state();
@@ -51,7 +52,6 @@ struct planar_platform {
     return x * x + y * y - l1 * l1 * det * det;
   }
 };
-}  // namespace
 
 TEST_CASE("all assemblies of a four-bar, and of two") {
   const auto c = parallelogram(1.0);
@@ -129,3 +129,5 @@ TEST_CASE("the six assemblies of a planar platform are the roots of its polynomi
   REQUIRE(found.size() == 6);
   for (std::size_t i = 0; i < 6; ++i) CHECK(found[i] == within(angles[i], 1e-9));
 }
+
+}  // namespace assemblies_test

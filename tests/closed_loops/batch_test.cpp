@@ -4,11 +4,11 @@
 #include "closed_loops/tangle.hpp"
 #include "random.hpp"
 
+namespace batch_test {
+
 using namespace kte;
 using namespace kte::test::loops;
 using Catch::Matchers::Message;
-
-namespace {
 
 /// The largest difference of a batch from single calls, relative to the largest acceleration.
 template <int W>
@@ -43,8 +43,6 @@ struct states {
     }
   }
 };
-
-}  // namespace
 
 TEST_CASE("batches of chains with closures equal single calls") {
   const vec3<> u{0.6, 0, 0.8}, t{0, 1, 0};
@@ -103,3 +101,5 @@ TEST_CASE("a batch with closures has NaN for a state without a result, and names
   const runtime_vector<pack<double, 4>> none = runtime_vector<pack<double, 4>>::Zero(3);
   CHECK_THROWS_AS(forward_dynamics(c, packs, none, none, none), bad_argument);
 }
+
+}  // namespace batch_test

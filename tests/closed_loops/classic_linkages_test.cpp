@@ -3,11 +3,11 @@
 #include "catch.hpp"
 #include "closed_loops/mechanisms.hpp"
 
+namespace classic_linkages_test {
+
 using namespace kte;
 using namespace kte::test;
 using namespace kte::test::loops;
-
-namespace {
 
 using model = manipulator_dynamics_model<runtime_chain>;
 
@@ -156,8 +156,6 @@ struct six_bar {
   }
 };
 
-}  // namespace
-
 TEST_CASE("Stephenson's six-bars of three kinds") {
   double first = 0;  // the ratio of the first
   for (const int type : {1, 2, 3}) {
@@ -261,3 +259,5 @@ TEST_CASE("Jansen's leg by pins, and by four-bars and a dyad") {
     CHECK(off_one_matrix(pins, jansen(closed::no), q, v) < 1e-9);
   }
 }
+
+}  // namespace classic_linkages_test

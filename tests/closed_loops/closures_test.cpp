@@ -6,11 +6,11 @@
 #include "catch.hpp"
 #include "elements/laws.hpp"
 
+namespace closures_test {
+
 using namespace kte;
 using namespace kte::test;
 using Catch::Matchers::Message;
-
-namespace {
 
 /// The closure of a user: the second origin on a sphere about the first, as three functions.
 struct on_sphere : closure<on_sphere> {
@@ -57,9 +57,7 @@ void check_laws_in_both(const Element& e) {
 
 const vec3<> tilted{0.6, 0, 0.8}, other{0, 0.8, -0.6};
 
-}  // namespace
-
-TEST_CASE("rows of closures have the derivatives of their residuals, and loads that do no work", "[laws]") {
+TEST_CASE("rows of closures have the derivatives of their residuals, and loads that do no work") {
   check_laws_in_both(coincident_points_2D("l", "a", "b"));
   check_laws_in_both(coincident_points_3D("l", "a", "b"));
   check_laws_in_both(coincident_frames_2D("l", "a", "b"));
@@ -144,3 +142,5 @@ TEST_CASE("misspelt coordinates of closures are refused, with a similar name") {
                        Message("kte: coupled_by (coordinate1 'crank', coordinate2 'other', loop 'cam'): nothing moves "
                                "by 'other': is it misspelt?"));
 }
+
+}  // namespace closures_test

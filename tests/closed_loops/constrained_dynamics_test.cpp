@@ -2,12 +2,12 @@
 #include "closed_loops/tangle.hpp"
 #include "random.hpp"
 
+namespace constrained_dynamics_test {
+
 using namespace kte;
 using namespace kte::test;
 using namespace kte::test::loops;
 using Catch::Matchers::Message;
-
-namespace {
 
 double largest_difference(const vector& a, const vector& b) { return (a - b).cwiseAbs().maxCoeff(); }
 
@@ -39,8 +39,6 @@ void check_against_one_matrix(const tangle& x, int rows, random_numbers& draw) {
     CHECK(largest_difference(forces, expected.tail(rows)) < 1e-7 * (1 + expected.tail(rows).cwiseAbs().maxCoeff()));
   }
 }
-
-}  // namespace
 
 TEST_CASE("accelerations and forces of closures solve the equations in one matrix") {
   random_numbers draw(3);
@@ -316,3 +314,5 @@ TEST_CASE("closures on a base that turns act as on a heavy hub that turns as fas
   CHECK(std::abs(s.loop("plane").force.x - t.loop("plane").force.x) < 1e-10);
   CHECK(std::abs(s.coordinate("q2").q_ddot) > 1e-3);
 }
+
+}  // namespace constrained_dynamics_test

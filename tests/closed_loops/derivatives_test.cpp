@@ -6,12 +6,12 @@
 #include "dynamics/small_chains.hpp"
 #include "random.hpp"
 
+namespace derivatives_test {
+
 using namespace kte;
 using namespace kte::test;
 using namespace kte::test::loops;
 using Catch::Matchers::Message;
-
-namespace {
 
 double largest_difference(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
   return a.size() == 0 ? 0 : (a - b).cwiseAbs().maxCoeff() / (1 + b.cwiseAbs().maxCoeff());
@@ -119,8 +119,6 @@ runtime_chain held_bars(double length, double constant, double factor, double di
                             << point_on_line_2D("slot", "t1", "t3", vec2<>{0.6, 0.8});
   return c;
 }
-
-}  // namespace
 
 TEST_CASE("derivatives of constrained dynamics equal those of the equations of motion in 50 digits") {
   using namespace small_chains;
@@ -285,3 +283,5 @@ TEST_CASE("derivatives by parameters of closures equal differences of mechanisms
       closure_derivatives(twice, t, q2, v2, none, {{"pin0", "frame2.x"}}, actuated("q0")), no_solution,
       Message("kte: 'frame2.x' of 'pin0' cannot change: redundant closures would contradict each other"));
 }
+
+}  // namespace derivatives_test

@@ -10,6 +10,8 @@
 #include "catch.hpp"
 #include "io/scratch.hpp"
 
+namespace files_test {
+
 using namespace kte;
 
 TEST_CASE("closures go through records, model files and archives, with their parameters") {
@@ -54,7 +56,6 @@ TEST_CASE("closures go through records, model files and archives, with their par
   CHECK_THROWS_AS(record_of(code), bad_argument);
 }
 
-namespace {
 inline constexpr struct q1_ final : coord_key<"q1"> {
 } q1;
 inline constexpr struct q2_ final : coord_key<"q2"> {
@@ -63,7 +64,8 @@ inline constexpr struct base_ final : frame_2D_key<"base"> {
 } base;
 inline constexpr struct a_ final : frame_2D_key<"a"> {
 } a;
-inline constexpr struct b_ final : frame_2D_key<"b"> { } b; }  // namespace
+inline constexpr struct b_ final : frame_2D_key<"b"> {
+} b;
 
 TEST_CASE("a static chain with closures is a runtime chain") {
   constexpr auto tree = chain(revolute_joint_2D(q1, base, a), inertia_2D(a, planar_body(1.0, 0.1)),
@@ -97,3 +99,5 @@ TEST_CASE("headers of static chains refuse closures") {
   c << revolute_joint_2D("q", "base", "link") << coincident_points_2D("pin", "base", "link");
   CHECK_THROWS_WITH(to_header(c, "loop"), test::contains_text("coincident_points_2D: headers do not support closures"));
 }
+
+}  // namespace files_test

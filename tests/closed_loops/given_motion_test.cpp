@@ -11,12 +11,12 @@
 
 // Loops through joints and bases that signals move.
 
+namespace given_motion_test {
+
 using namespace kte;
 using namespace kte::test;
 using namespace kte::test::loops;
 using model = manipulator_dynamics_model<runtime_chain>;
-
-namespace {
 
 double largest(const vector& x) { return x.cwiseAbs().maxCoeff(); }
 
@@ -79,8 +79,6 @@ double rod_open_by(double t, const vector& x) {
   const double along_x = x[0] - 0.3 * std::sin(2 * t), rate = x[2] - 0.6 * std::cos(2 * t);
   return (std::max)(std::abs(std::hypot(along_x, x[1]) - 1), std::abs(along_x * rate + x[1] * x[3]));
 }
-
-}  // namespace
 
 TEST_CASE("closures on a joint or base that signals move have the accelerations and forces of the closed form") {
   const bool by_joint = GENERATE(true, false);
@@ -209,3 +207,5 @@ TEST_CASE("a pendulum on a pivot of constant velocity is one at rest") {
   CHECK(solver.state()[0] - 1.4 == within(resting.state()[0], 1e-7));
   CHECK(solver.state()[3] == within(resting.state()[3], 1e-7));
 }
+
+}  // namespace given_motion_test

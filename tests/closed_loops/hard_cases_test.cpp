@@ -7,12 +7,13 @@
 #include "closed_loops/linkages.hpp"
 #include "io/scratch.hpp"
 
+namespace hard_cases_test {
+
 using namespace kte;
 using namespace kte::test;
 using namespace kte::test::loops;
 using model = manipulator_dynamics_model<runtime_chain>;
 
-namespace {
 struct end_of_run {
   vector q, v;
   double open = 0;
@@ -29,7 +30,6 @@ end_of_run run(const runtime_chain& c, const vector& q, const vector& v, double 
   return {at, m.velocities_of(x), kte::loops(c, s, at).gap, solver.statistics().evaluations};
 }
 const tolerances<double> fine{.absolute = 1e-12, .relative = 1e-12};
-}  // namespace
 
 TEST_CASE("Andrews' squeezer with three pins") {
   const auto c = andrews();
@@ -136,3 +136,5 @@ TEST_CASE("recorders have the forces and residuals of closures") {
   CHECK((t == 0 && x == within(r.loop("pin0").force.x, 1e-12) && y == within(r.loop("pin0").force.y, 1e-12)));
   CHECK(text.find("pin0/residual") < text.find('\n'));
 }
+
+}  // namespace hard_cases_test

@@ -2,11 +2,11 @@
 
 #include <kte/integrators/runge_kutta4.hpp>
 
+namespace known_motions_test {
+
 using namespace kte;
 using namespace kte::test;
 using namespace kte::test::loops;
-
-namespace {
 
 auto bar_of(double length) { return planar_body(1.0, length * length / 12, along_x(length / 2)); }
 runtime_chain falling() { return std::move(runtime_chain().gravity(along_y(-9.81))); }
@@ -177,8 +177,6 @@ void check_report(const known_motion& k, double y, const expected_report& expect
   CHECK(r.gap < 1e-14);
 }
 
-}  // namespace
-
 TEST_CASE("a quick return, also at its change point") {
   const auto whitworth = quick_return(0.3, 0.2), change = quick_return(0.3, 0.3);
   check_report(whitworth, 0.3, {1, 0});
@@ -243,3 +241,5 @@ TEST_CASE("a loop of prismatic joints") {
   check_dynamics(k, "wedge", -0.2, 0.1, 1e-13);
   check_motion(k, -0.2, 0.1, 1, 1e-9, 1e-9);
 }
+
+}  // namespace known_motions_test

@@ -3,11 +3,11 @@
 
 // Loops whose coordinates are large numbers, so that residuals have their rounding errors, and loops of any size.
 
+namespace large_numbers_test {
+
 using namespace kte;
 using namespace kte::test;
 using namespace kte::test::loops;
-
-namespace {
 
 /// The state after a time, and the largest gap, m or rad.
 struct run {
@@ -26,8 +26,6 @@ run simulated(const runtime_chain& c, const vector& q, const vector& v, double t
   r.x = solver.state();
   return r;
 }
-
-}  // namespace
 
 TEST_CASE("a slider-crank after many turns") {
   runtime_chain c;
@@ -96,3 +94,5 @@ TEST_CASE("a pendulum of any length") {
     CHECK(r.gap < 1e-15 * length);
   }
 }
+
+}  // namespace large_numbers_test

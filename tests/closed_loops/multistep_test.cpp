@@ -12,11 +12,11 @@
 
 // Methods with a history on closed loops: kte::vector_form projects the ends of steps, and states between.
 
+namespace multistep_test {
+
 using namespace kte;
 using namespace kte::test;
 using namespace kte::test::loops;
-
-namespace {
 
 using model = manipulator_dynamics_model<runtime_chain>;
 
@@ -49,8 +49,6 @@ void with_both(const runtime_chain& c, const vector& q, const vector& v, double 
   }
 }
 double pendulum_off(const vector& x) { return std::hypot(x[0] - 0.986291751131875, x[1] + 0.165010853125541); }
-
-}  // namespace
 
 TEST_CASE("adams and bdf: a pendulum in Cartesian coordinates (A01)") {
   with_both(pendulum(), numbers({-1, 0}), numbers({0, 0}), 10, {1e-6, 1e-9, 1e-12}, [](const run& r, double tolerance) {
@@ -196,3 +194,5 @@ TEST_CASE("multistep methods refuse states off the loops, with the closure") {
   bdf other(vector_form(std::cref(m)), 0.0, x);
   CHECK_THROWS_WITH(other.integrate(1), contains_text("the state is off the loops: 'pin0' is open by"));
 }
+
+}  // namespace multistep_test

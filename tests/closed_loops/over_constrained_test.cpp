@@ -3,11 +3,11 @@
 
 // Linkages that move although their rows are more than their coordinates less one, from the literature.
 
+namespace over_constrained_test {
+
 using namespace kte;
 using namespace kte::test;
 using namespace kte::test::loops;
-
-namespace {
 
 const rigid_body<> body{1.0, vec3<>{0.3, 0.1, 0.05}, sym3<>{0.02, 0, 0, 0.1, 0, 0.11}};
 
@@ -77,8 +77,6 @@ void check_there_and_back(const runtime_chain& c, const vector& q, const vector&
   CHECK((solver.state() - x0).cwiseAbs().maxCoeff() < 1e-6);
 }
 
-}  // namespace
-
 TEST_CASE("linkages of five and six hinges have mobility 1 at all angles") {
   struct linkage {
     runtime_chain c;
@@ -114,3 +112,5 @@ TEST_CASE("a spherical platform on three legs has ten rows of rank four") {
   const vector v = loop_motion(c, s, q, actuated("a1", "a2", "a3")) * Eigen::Vector3d(1, -0.7, 0.4);
   check_there_and_back(c, q, v, 0.5);
 }
+
+}  // namespace over_constrained_test

@@ -7,11 +7,11 @@
 #include "catch.hpp"
 #include "random.hpp"
 
+namespace pivoted_qr_test {
+
 using namespace kte;
 using namespace kte::test;
 using detail::pivoted_qr;
-
-namespace {
 
 using matrix = Eigen::MatrixXd;
 
@@ -65,8 +65,6 @@ void check(const matrix& b, Eigen::Index rank) {
   }
 }
 
-}  // namespace
-
 TEST_CASE("pivoted QR of full matrices, and of loops in a row") {
   random_numbers draw(5);
   check(matrix::NullaryExpr(5, 3, [&] { return draw(); }), 3);
@@ -108,3 +106,5 @@ TEST_CASE("a given order of columns, and columns that are dependent") {
     CHECK(!qr.take({0, 1}, 1e-10));
   }
 }
+
+}  // namespace pivoted_qr_test

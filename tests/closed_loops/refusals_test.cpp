@@ -7,12 +7,12 @@
 
 // Bad input to algorithms on loops: one sentence with the names, and a state that is as before.
 
+namespace refusals_test {
+
 using namespace kte;
 using namespace kte::test;
 using namespace kte::test::loops;
 using Catch::Matchers::Message;
-
-namespace {
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
@@ -27,8 +27,6 @@ struct five_bar {
     c << coincident_points_2D("tip", "ld", "rd");
   }
 };
-
-}  // namespace
 
 TEST_CASE("an actuated coordinate is named once") {
   const five_bar five;
@@ -136,3 +134,5 @@ TEST_CASE("a closure whose function has no value or no derivative is named") {
   each(below, "its residual");
   each(at_zero, "a derivative of its residual");
 }
+
+}  // namespace refusals_test

@@ -17,12 +17,12 @@
 #include "catch.hpp"
 #include "closed_loops/mechanisms.hpp"
 
+namespace simulation_test {
+
 using namespace kte;
 using namespace kte::test;
 using namespace kte::test::loops;
 using Catch::Matchers::Message;
-
-namespace {
 
 using model = manipulator_dynamics_model<runtime_chain>;
 
@@ -55,8 +55,6 @@ double pendulum_off(Solver&& solver) {
   solver.integrate(1.0);
   return std::hypot(solver.state()[0] - 0.986291751131875, solver.state()[1] + 0.165010853125541);
 }
-
-}  // namespace
 
 TEST_CASE("a pendulum in Cartesian coordinates (A01)") {
   const auto c = pendulum();
@@ -306,3 +304,5 @@ TEST_CASE("a state of a model has the forces of closures, and the reactions by t
   CHECK(std::abs(s.loop("pin0").force.x) + std::abs(s.loop("pin0").force.y) > 0.1);
   CHECK(std::abs(s.loop("pin0").residual.x) < 1e-15);
 }
+
+}  // namespace simulation_test

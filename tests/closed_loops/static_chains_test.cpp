@@ -5,13 +5,13 @@
 #include "closed_loops/mechanisms.hpp"
 #include "closed_loops/static_four_bar.hpp"
 
+namespace static_chains_test {
+
 using namespace kte;
 using namespace kte::test;
 using namespace kte::test::loops;
 using namespace kte::test::loops::with_keys;
 using Catch::Matchers::Message;
-
-namespace {
 
 /// The four-bar as a runtime chain.
 runtime_chain four_bar_at_run_time() {
@@ -56,8 +56,6 @@ const auto tangle = chain(free_joint_3D(floats, world, hull), inertia_3D(hull, s
                           hinge_3D(hinge, world, hand, vec3<>{0, 0, 1}), distance_3D(rod, hull, hand, 0.9),
                           coupled_coordinates(belt, slide, wheel, 2.0, -1.0))
                         .gravity(along_z(-9.81));
-
-}  // namespace
 
 TEST_CASE("a static four-bar has the accelerations and forces of the same at run time") {
   const auto q = assemble(four_bar, guess, held(crank));
@@ -218,3 +216,5 @@ TEST_CASE("a second call on loops allocates nothing") {
         }) == 0);
   CHECK(largest(first - second) + largest(third - first) + largest(again->a - other) == 0);
 }
+
+}  // namespace static_chains_test

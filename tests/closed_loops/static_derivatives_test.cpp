@@ -7,13 +7,13 @@
 
 // Derivatives and statics of static chains with loops are those of the same chain at run time.
 
+namespace static_derivatives_test {
+
 using namespace kte;
 using namespace kte::test;
 using namespace kte::test::loops;
 using namespace kte::test::loops::with_keys;
 using Catch::Matchers::Message;
-
-namespace {
 
 struct both {
   runtime_chain c = runtime_chain() << four_bar;
@@ -24,8 +24,6 @@ struct both {
 double off(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
   return a.rows() == b.rows() && a.cols() == b.cols() ? (a - b).cwiseAbs().maxCoeff() : 1;
 }
-
-}  // namespace
 
 TEST_CASE("derivatives of constrained dynamics of a static chain") {
   both x;
@@ -100,3 +98,5 @@ TEST_CASE("equilibria, modes and assemblies of a static chain") {
   CHECK(modes.frequency[0] == within(std::sqrt(-by.by_q(0, 0)), 1e-10));
   CHECK(assemblies(four_bar, 50, x.q, held(crank)).size() == 2);
 }
+
+}  // namespace static_derivatives_test

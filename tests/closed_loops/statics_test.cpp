@@ -4,6 +4,8 @@
 #include "closed_loops/tangle.hpp"
 #include "random.hpp"
 
+namespace statics_test {
+
 using namespace kte;
 using namespace kte::test;
 using namespace kte::test::loops;
@@ -73,3 +75,5 @@ TEST_CASE("hybrid dynamics with closures solves for what is not known") {
   const auto both = hybrid_dynamics(c, t, on, rate, numbers({1, 1, 0}), {"q0", "q1"});  // all that it can do
   CHECK(both.a[2] == within(-1, 1e-12));
 }
+
+}  // namespace statics_test

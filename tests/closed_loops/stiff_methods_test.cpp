@@ -11,11 +11,11 @@
 
 // Methods for stiff systems on closed loops: stages and Jacobians are on the loops.
 
+namespace stiff_methods_test {
+
 using namespace kte;
 using namespace kte::test;
 using namespace kte::test::loops;
-
-namespace {
 
 using model = manipulator_dynamics_model<runtime_chain>;
 using on_model = std::reference_wrapper<const model>;
@@ -47,8 +47,6 @@ void with_all(const runtime_chain& c, const vector& q, const vector& v, double t
   check(simulated<tr_bdf2>(c, q, v, t_end, 1e-5), 1e-5);
   check(simulated<trapezoidal>(c, q, v, t_end, 1e-5), 1e-5);
 }
-
-}  // namespace
 
 TEST_CASE("stiff methods: a pendulum in Cartesian coordinates") {
   with_all(pendulum(), numbers({-1, 0}), numbers({0, 0}), 1, [](const run& r, double tolerance) {
@@ -102,3 +100,5 @@ TEST_CASE("a stiff governor with loops takes a tenth of the evaluations of an ex
   check(simulated<trapezoidal>(c, q, v, 0.1, 1e-6), by_explicit / 8);
   check(simulated<rodas>(c, q, v, 0.1, 1e-6), by_explicit / 2);
 }
+
+}  // namespace stiff_methods_test

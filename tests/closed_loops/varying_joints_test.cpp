@@ -10,11 +10,11 @@
 
 // Joints whose axes depend on their coordinates, in closed loops and in packs.
 
+namespace varying_joints_test {
+
 using namespace kte;
 using namespace kte::test;
 using namespace kte::test::loops;
-
-namespace {
 
 // clang-format off
 inline constexpr struct q_      final : coord_key<"q">         {} q;
@@ -51,8 +51,6 @@ double off(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
 vector drawn(random_numbers& draw) {
   return vector::NullaryExpr(4, [&] { return draw(); });
 }
-
-}  // namespace
 
 TEST_CASE("loops through joints of varying axes: accelerations and derivatives") {
   runtime_chain c;
@@ -149,3 +147,5 @@ TEST_CASE("joints of varying axes in packs, with and without loops") {
     }
   check_runtime(assembled, 1e-11);
 }
+
+}  // namespace varying_joints_test

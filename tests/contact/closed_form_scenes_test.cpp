@@ -7,12 +7,13 @@
 #include "catch.hpp"
 #include "closed_loops/mechanisms.hpp"
 
+namespace closed_form_scenes_test {
+
 using namespace kte;
 using namespace kte::test;
 using namespace kte::test::loops;
 
 /// Scenes of rigid contact whose motion is known in closed form, by events.
-namespace {
 
 constexpr double g = 9.81, ball_radius = 0.1, beta = 0.4;  // of a ball of 1 kg: I = beta m r^2
 using model_type = manipulator_dynamics_model<runtime_chain>;
@@ -98,8 +99,6 @@ inline constexpr struct rate_ final : vector_key<"rate"> {
 inline constexpr struct acceleration_ final : vector_key<"acceleration"> {
 } acceleration;
 inline constexpr struct touch_ final : contact_key<"touch"> { } touch; }  // namespace keys
-
-}  // namespace
 
 TEST_CASE("a ball rolls on a plane that shakes") {
   auto c = disc();
@@ -321,3 +320,5 @@ TEST_CASE("a pendulum on a rod hits a wall") {
   CHECK(end.report.events[0].after.segment(2, 2).norm() == within(0.6 * speed, 1e-9));
   CHECK(end.x.head(2).norm() == within(1.0, 1e-14));
 }
+
+}  // namespace closed_form_scenes_test

@@ -13,10 +13,10 @@
 #include "catch.hpp"
 #include "elements/laws.hpp"
 
+namespace compliant_contact_test {
+
 using namespace kte;
 using namespace kte::test;
-
-namespace {
 
 // clang-format off
 inline constexpr struct ground_ final : frame_3D_key<"ground"> {} ground;
@@ -77,9 +77,7 @@ void check_laws_in_both(const Element& e) {
   check_laws<digits50>(e);
 }
 
-}  // namespace
-
-TEST_CASE("forces of compliant contacts are opposite, and independent of their place", "[laws]") {
+TEST_CASE("forces of compliant contacts are opposite, and independent of their place") {
   check_laws_in_both(compliant_contact_3D("a", "b", half_space{}, 0.7, rubber));
   check_laws_in_both(compliant_contact_2D("a", "b", half_space{}, 0.7, rubber));
   check_laws_in_both(compliant_contact_3D("a", "b", ball_surface(0.7), 0.7, rubber, vec3{0.1, 0.2, 0.3}));
@@ -93,7 +91,7 @@ TEST_CASE("forces of compliant contacts are opposite, and independent of their p
   check_laws_in_both(bristle_contact_2D("a", "b", "z", half_space{}, 0.7, brush));
 }
 
-TEST_CASE("without dissipation and friction the force is the gradient of the energy", "[laws]") {
+TEST_CASE("without dissipation and friction the force is the gradient of the energy") {
   random_numbers draw(4);
   const auto check = [&draw](const auto& e) {
     CHECK(testing::force_is_gradient<digits50>(e, draw, energy_of(e)) < 20 * by_differences<digits50>);
@@ -105,7 +103,7 @@ TEST_CASE("without dissipation and friction the force is the gradient of the ene
   check(compliant_disc_contact_3D("a", "b", half_space{}, axis::y, 0.75, spring));
 }
 
-TEST_CASE("friction and dissipation take power", "[laws]") {
+TEST_CASE("friction and dissipation take power") {
   random_numbers draw(5);
   const auto check = [&draw](const auto& e) {
     CHECK(testing::detail::worst_of_many<double>(e.core, draw, [&e](auto& x) {
@@ -240,3 +238,5 @@ TEST_CASE("contacts take packs, where some states touch and others do not") {
   check(bristle_contact_3D(ground, body, hair_x, hair_y, hair_z, half_space{}, 0.7, brush));
   check(compliant_contact_3D(ground, body, height_field(flat), 0.7, rubber));
 }
+
+}  // namespace compliant_contact_test

@@ -13,10 +13,10 @@
 
 // Motions with compliant contacts, against closed forms.
 
+namespace compliant_motion_test {
+
 using namespace kte;
 using kte::test::within;
-
-namespace {
 
 // clang-format off
 inline constexpr struct x_      final : coord_key<"x">        {} x;
@@ -82,8 +82,6 @@ runtime_chain two_spheres() {
     << bristle_contact_3D("ball1", "ball2", "zx", "zy", "zz", ball_surface(r), r, brush);
   return c;
 }
-
-}  // namespace
 
 TEST_CASE("the restitution of Hunt and Crossley's law depends on the speed") {
   CHECK(restitution(1) == within(0.5, 1e-10));
@@ -153,3 +151,5 @@ TEST_CASE("two free spheres collide: momentum is kept, energy never grows") {
   CHECK(last < 0.95 * start);
   CHECK((momentum() - at_start).norm() < 1e-8);
 }
+
+}  // namespace compliant_motion_test

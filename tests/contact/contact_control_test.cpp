@@ -9,12 +9,12 @@
 #include "contact/legged.hpp"
 #include "random.hpp"
 
+namespace contact_control_test {
+
 using namespace kte;
 using namespace kte::test;
 using namespace kte::test::legged;
 using kte::test::loops::vector;
-
-namespace {
 
 vector some(random_numbers& draw, int n) {
   return vector::NullaryExpr(n, [&] { return draw(); });
@@ -45,8 +45,6 @@ runtime_chain table() {
 vector numbers_of(std::initializer_list<double> x) {
   return Eigen::Map<const vector>(std::data(x), static_cast<int>(x.size()));
 }
-
-}  // namespace
 
 TEST_CASE("Jacobians of contacts give their velocities, and rates the derivatives of these") {
   random_numbers draw(8);
@@ -216,3 +214,5 @@ TEST_CASE("contact dynamics allocates nothing after the first call") {
   contact_dynamics(flat, t, stands, none, none);
   CHECK(allocations::during([&] { contact_dynamics(flat, t, stands, none, none); }) == 0);
 }
+
+}  // namespace contact_control_test

@@ -11,12 +11,12 @@
 #include "digits50.hpp"
 #include "random.hpp"
 
+namespace contact_derivatives_test {
+
 using namespace kte;
 using namespace kte::test;
 using namespace kte::test::legged;
 using kte::test::loops::vector;
-
-namespace {
 
 using geometry = core::contact_geometry<kind::frame_3D, contact_surface>;
 
@@ -199,8 +199,6 @@ void check_derivatives(const std::array<law, 2>& modes, random_numbers& draw) {
   CHECK(fixed.contact("on hill").force_by_v == g.force_by_v);
 }
 
-}  // namespace
-
 TEST_CASE("derivatives of contact dynamics agree with differences of 50 digits in all modes", "[long]") {
   random_numbers draw(3);
   const std::array<law, 2> all[]{{law::sticks, law::sticks}, {law::slides, law::sticks}, {law::sticks, law::slides},
@@ -211,3 +209,5 @@ TEST_CASE("derivatives of contact dynamics agree with differences of 50 digits i
     check_derivatives(modes, draw);
   }
 }
+
+}  // namespace contact_derivatives_test

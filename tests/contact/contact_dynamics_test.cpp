@@ -10,11 +10,11 @@
 #include "closed_loops/tangle.hpp"
 #include "random.hpp"
 
+namespace contact_dynamics_test {
+
 using namespace kte;
 using namespace kte::test;
 using namespace kte::test::loops;
-
-namespace {
 
 constexpr double g = 9.81;
 /// Results of size 10 after some 50 roundings.
@@ -51,8 +51,6 @@ runtime_chain sphere(const Contact& contact, const vec3<>& gravity = {0, 0, -g})
                      << contact;
   return c;
 }
-
-}  // namespace
 
 TEST_CASE("a box on a slope slides, sticks, and begins to slide") {
   const double mu = 0.2;
@@ -224,8 +222,6 @@ TEST_CASE("in a bowl, on a ball and on a cylinder the curvature bends the path")
   CHECK(largest(on.a - numbers({0, 0, -1 / (R + r), 0, 0, 0})) <= rounded);
 }
 
-namespace {
-
 /// Velocities of a contact for v, in axes of its surface.
 vec3<> slip_at(const runtime_chain& c, runtime_state& s, const vector& q, const vector& v, const std::string& name) {
   return detail::take(c, s, q, v).call([&] {
@@ -341,8 +337,6 @@ void check_laws(double mu, bool closed, bool follows, int sliding, random_number
   }
 }
 
-}  // namespace
-
 TEST_CASE("contacts of trees, of loops and of coordinates that follow others satisfy equations of motion and laws") {
   random_numbers draw(5);
   for (const bool closed : {false, true})
@@ -368,8 +362,8 @@ TEST_CASE("without contacts that touch, accelerations are those of the chain") {
   CHECK(r.contact("foot1").gap > 10);
 }
 
-namespace {
-inline constexpr struct foot_ final : contact_key<"foot"> { } foot; }  // namespace
+inline constexpr struct foot_ final : contact_key<"foot"> {
+} foot;
 
 TEST_CASE("a static four-bar that touches a wall has the accelerations and forces of the same at run time") {
   using namespace kte::test::loops::with_keys;
@@ -446,3 +440,5 @@ TEST_CASE("errors of contacts name them") {
   // The state is as before
   CHECK(s.pose_2D("pose").velocity.y == 0);
 }
+
+}  // namespace contact_dynamics_test

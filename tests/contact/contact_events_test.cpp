@@ -7,11 +7,11 @@
 #include "closed_loops/mechanisms.hpp"
 #include "contact/box_on_slope.hpp"
 
+namespace contact_events_test {
+
 using namespace kte;
 using namespace kte::test;
 using namespace kte::test::loops;
-
-namespace {
 
 constexpr double g = 9.81;
 const kte::tolerances<double> tight{.absolute = 1e-12, .relative = 1e-12};
@@ -59,8 +59,6 @@ outcome run(const planar_model& model, const vector& q, const vector& v, double 
   auto report = solver.integrate(t, element_events(model));
   return {solver.state(), std::move(report), solver.statistics().evaluations};
 }
-
-}  // namespace
 
 TEST_CASE("a ball bounces to rest") {
   auto c = planar(0.01);
@@ -323,3 +321,5 @@ TEST_CASE("bodies at rest without friction have no events") {
   CHECK(end.report.count == 0);
   CHECK((end.x.head(6) - q).cwiseAbs().maxCoeff() < 1e-15);
 }
+
+}  // namespace contact_events_test

@@ -15,10 +15,10 @@
 #include "catch.hpp"
 #include "io/scratch.hpp"
 
+namespace contact_files_test {
+
 using namespace kte;
 using namespace kte::test;
-
-namespace {
 
 /// Bodies with all rigid contacts.
 runtime_chain touching() {
@@ -35,8 +35,6 @@ runtime_chain touching() {
     << point_contact_2D("7", "floor", "box", ball_surface(0.4), law);
   return c;
 }
-
-}  // namespace
 
 TEST_CASE("rigid contacts go through records, model files and archives") {
   const auto c = touching();
@@ -99,3 +97,5 @@ TEST_CASE("states print contacts, and recordings name their quantities") {
   const detail::recording of(detail::slots_of(*s.made_for()), {"7/force/y", "7/gap", "7/mode"});
   CHECK(of.columns == std::vector<std::string>{"t", "7/force/y", "7/gap", "7/mode"});
 }
+
+}  // namespace contact_files_test

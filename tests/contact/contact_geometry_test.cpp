@@ -11,10 +11,10 @@
 #include "catch.hpp"
 #include "elements/laws.hpp"
 
+namespace contact_geometry_test {
+
 using namespace kte;
 using namespace kte::test;
-
-namespace {
 
 template <kind Dim = kind::frame_3D, class Surface>
 auto touching(const Surface& s, double radius, const vec3<>& offset = {}) {
@@ -41,9 +41,7 @@ const auto waves = [](const auto& x, const auto& y) {
 const auto hill = [](const auto& x) { return 0.3 * x * x - 0.1 * x; };
 const auto ellipsoid = [](const auto& p) { return 0.25 * (p.x * p.x) + p.y * p.y + p.z * p.z - 1.0; };
 
-}  // namespace
-
-TEST_CASE("rates of gaps and slips are their derivatives", "[laws]") {
+TEST_CASE("rates of gaps and slips are their derivatives") {
   for (const double radius : {0.0, 0.2}) {
     CAPTURE(radius);
     check_laws_in_both(touching(half_space{}, radius), {0, 0, 0.5});
@@ -149,3 +147,5 @@ TEST_CASE("a height through a grid") {
   heights[5] = not_a_number;
   CHECK(complaint([&] { height_grid(place, heights); }) == "kte: a height_grid needs finite heights");
 }
+
+}  // namespace contact_geometry_test

@@ -8,10 +8,10 @@
 #include "catch.hpp"
 #include "random.hpp"
 
+namespace contacts_in_packs_test {
+
 using namespace kte;
 using namespace kte::test;
-
-namespace {
 
 using vector = Eigen::VectorXd;
 using P = pack<double, 8>;
@@ -137,8 +137,6 @@ std::array<int, 3> check_packs(const Chain& fixed, const runtime_chain& c, const
   }
   return modes;
 }
-
-}  // namespace
 
 static_assert(detail::unrolls_contacts<decltype(standing_body(0)), runtime_vector<P>, runtime_vector<P>>);
 
@@ -311,3 +309,5 @@ TEST_CASE("a lane without a result refuses the pack, by its number, and leaves t
   CHECK_THROWS_MATCHES(contact_dynamics(looped, of_loop, packs(on_loop.q), packs(on_loop.v), packs(on_loop.tau)),
                        bad_argument, says("kte: contact dynamics in packs: chains with closures of loops"));
 }
+
+}  // namespace contacts_in_packs_test

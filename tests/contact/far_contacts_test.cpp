@@ -6,6 +6,8 @@
 
 #include "catch.hpp"
 
+namespace far_contacts_test {
+
 using namespace kte;
 using namespace kte::test;
 
@@ -29,3 +31,5 @@ TEST_CASE("a block slides down a slope far from the base") {
     CHECK(slid == within(1 + 9.81 * (sine - friction * cosine) / 2, 1e-9 + 1e-15 * distance));
   }
 }
+
+}  // namespace far_contacts_test

@@ -4,11 +4,11 @@
 #include "catch.hpp"
 #include "contact/friction_scenes.hpp"
 
+namespace friction_in_lanes_test {
+
 using namespace kte;
 using test::friction_scene;
 using test::friction_scenes;
-
-namespace {
 
 using P = pack<double, 4>;
 
@@ -46,8 +46,6 @@ bool all_stick(const friction_solution<double>& x) {
   return std::all_of(x.modes.begin(), x.modes.end(), [](friction_mode m) { return m == friction_mode::sticks; });
 }
 
-}  // namespace
-
 TEST_CASE("Friction in lanes: the lanes that are solved are those whose contacts all stick") {
   friction_scenes random(3);
   friction_solver<> one;
@@ -83,3 +81,5 @@ TEST_CASE("Friction in lanes: contacts that are open in one lane leave the other
     CHECK(p.lambda[i][2] == within(i < 3 ? 0.0 : second[i - 3], 1e-10 * second.norm()));
   }
 }
+
+}  // namespace friction_in_lanes_test

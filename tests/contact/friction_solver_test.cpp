@@ -8,12 +8,12 @@
 #include "contact/friction_scenes.hpp"
 #include "digits50.hpp"
 
+namespace friction_solver_test {
+
 using namespace kte;
 using test::digits50;
 using test::friction_scene;
 using test::friction_scenes;
-
-namespace {
 
 using maker = std::function<friction_scene(friction_scenes&)>;
 
@@ -33,9 +33,7 @@ double worst_of(int count, const maker& make, unsigned seed = 7) {
   return worst;
 }
 
-}  // namespace
-
-TEST_CASE("Friction: all random problems of a few points are solved, by the laws themselves", "[both]") {
+TEST_CASE("Friction: all random problems of a few points are solved, by the laws themselves") {
   for (int n = 1; n <= 4; ++n) {
     CHECK(worst_of(250, [n](auto& r) { return r.plate(n); }) < 1e-10);
     CHECK(worst_of(250, [n](auto& r) { return r.points(n); }) < 1e-10);
@@ -162,3 +160,5 @@ TEST_CASE("Friction: from a start, and with storage used before") {
   CHECK(solver.solve(random.tower(2).problem()).solved());
   CHECK(solver.solve(s.problem()).lambda == lambda);
 }
+
+}  // namespace friction_solver_test

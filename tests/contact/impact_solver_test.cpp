@@ -3,10 +3,10 @@
 #include "catch.hpp"
 #include "contact/friction_scenes.hpp"
 
+namespace impact_solver_test {
+
 using namespace kte;
 using test::says;
-
-namespace {
 
 /// W of the lower tip of a rod of mass 1 and length 2 at an angle above the horizontal, rows (n, t).
 Eigen::MatrixXd rod(double angle) {
@@ -14,8 +14,6 @@ Eigen::MatrixXd rod(double angle) {
   return Eigen::Matrix2d{{1 + x * x / I, -x * y / I}, {-x * y / I, 1 + y * y / I}};
 }
 const std::vector<friction_contact<>> rough(double mu) { return {{.rows = 2, .friction = mu}}; }
-
-}  // namespace
 
 TEST_CASE("Impact: Painleve's rod: no solution, a tangential impact, and two solutions") {
   const Eigen::MatrixXd W = rod(1);
@@ -171,3 +169,5 @@ TEST_CASE("Impact: invalid arguments") {
   const Eigen::VectorXd b3 = Eigen::Vector3d(-1, 0, 0);
   CHECK_THROWS_MATCHES(friction.solutions({W3, b3, ball}), bad_argument, says("piecewise linear"));
 }
+
+}  // namespace impact_solver_test

@@ -6,11 +6,11 @@
 #include "closed_loops/mechanisms.hpp"
 #include "random.hpp"
 
+namespace impact_test {
+
 using namespace kte;
 using namespace kte::test;
 using namespace kte::test::loops;
-
-namespace {
 
 constexpr double g = 9.81;
 double largest(const vector& x) { return x.cwiseAbs().maxCoeff(); }
@@ -41,8 +41,6 @@ double energy(const runtime_chain& c, runtime_state& s, const vector& q, const v
   const Eigen::MatrixXd m = mass_matrix(c, s, q);
   return v.dot(m * v) / 2;
 }
-
-}  // namespace
 
 TEST_CASE("Painleve's rod: no forces, and the tangential impact") {
   rod x(1, {2, 0});
@@ -218,3 +216,5 @@ TEST_CASE("contacts apart take no impulse") {
   CHECK((r.energy == 0 && r.impulse("tip") == vec3<>{}));
   CHECK_THROWS_MATCHES(r.impulse("foot"), unknown_name, says("no contact 'foot'"));
 }
+
+}  // namespace impact_test

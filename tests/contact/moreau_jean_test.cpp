@@ -11,10 +11,10 @@
 #include "catch.hpp"
 #include "contact/box_on_slope.hpp"
 
+namespace moreau_jean_test {
+
 using namespace kte;
 using namespace kte::test;
-
-namespace {
 
 constexpr double g = 9.81;
 
@@ -30,8 +30,6 @@ runtime_chain rolling_ball(double mu, double restitution = 0) {
   c.gravity({0, 0, -g});
   return c;
 }
-
-}  // namespace
 
 TEST_CASE("a box slides up a slope, and back or to rest") {
   const auto c = box_on_slope(0.2);
@@ -146,7 +144,6 @@ TEST_CASE("chains with loops and contacts") {
   CHECK_NOTHROW(solver.integrate(0.01));
 }
 
-namespace {
 /// Two carts on a slope, above the ground.
 runtime_chain two_carts(bool contact = true) {
   runtime_chain c;
@@ -159,7 +156,6 @@ runtime_chain two_carts(bool contact = true) {
   c.gravity({2, -g, 0});
   return c;
 }
-}  // namespace
 
 TEST_CASE("dampers, springs and motors may be stiff") {
   const double h = 1e-2;
@@ -298,3 +294,5 @@ TEST_CASE("states for recorders have the accelerations and contact forces of the
   CHECK(of_static[left_foot].force.y == s.contact("left foot").force.y);
   CHECK(of_static[box].acceleration.x == s.frame_2D("box").acceleration.x);
 }
+
+}  // namespace moreau_jean_test

@@ -19,11 +19,11 @@
 #include "catch.hpp"
 #include "closed_loops/tangle.hpp"
 
+namespace refused_contacts_test {
+
 using namespace kte;
 using namespace kte::test;
 using kte::test::loops::vector;
-
-namespace {
 
 runtime_chain falling_point() {
   runtime_chain c;
@@ -32,8 +32,6 @@ runtime_chain falling_point() {
                             << point_contact_2D("touches", "world", "point", half_space{}, {0.3, 0});
   return c;
 }
-
-}  // namespace
 
 TEST_CASE("algorithms without contacts refuse chains with contacts in words, and leave the state") {
   const auto c = falling_point();
@@ -148,3 +146,5 @@ TEST_CASE("a flat disc is refused with the name of its compliant contact") {
   c.doMotion(s), c.clearForce(s);
   CHECK_THROWS_MATCHES(c.doForce(s), bad_argument, is_named);
 }
+
+}  // namespace refused_contacts_test

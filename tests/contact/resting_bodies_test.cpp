@@ -6,11 +6,11 @@
 #include "catch.hpp"
 #include "closed_loops/mechanisms.hpp"
 
+namespace resting_bodies_test {
+
 using namespace kte;
 using namespace kte::test;
 using namespace kte::test::loops;
-
-namespace {
 
 constexpr double g = 9.81;
 using model_type = manipulator_dynamics_model<runtime_chain>;
@@ -27,8 +27,6 @@ runtime_chain block() {
                               << driving_actuator_gen("x", "push") << driving_actuator_gen("y", "lift");
   return c;
 }
-
-}  // namespace
 
 TEST_CASE("inputs that change between two integrations move a block that rests") {
   model_type model(block());
@@ -62,3 +60,5 @@ TEST_CASE("methods with a fixed step bring a block to rest") {
   check(implicit_midpoint(std::cref(model), 0.0, start, 1e-3), 0.5 * g * 1e-6 / 8);  // dense output is linear
   check(runge_kutta4(std::cref(model), 0.0, start, 1e-3), 1e-13);
 }
+
+}  // namespace resting_bodies_test

@@ -8,10 +8,10 @@
 #include "catch.hpp"
 #include "elements/laws.hpp"
 
+namespace rigid_shapes_test {
+
 using namespace kte;
 using namespace kte::test;
-
-namespace {
 
 inline constexpr struct ground_ final : frame_3D_key<"ground"> {
 } ground;
@@ -41,8 +41,6 @@ runtime_chain runtime_crate(double mu) {
   c.gravity({0, 0, -g});
   return c;
 }
-
-}  // namespace
 
 TEST_CASE("a box that slides has four pressed corners, in static and runtime chains") {
   constexpr auto c = chain(base_3D(ground), free_joint_3D(pose_of_body, ground, body), inertia_3D(body, crate_body),
@@ -128,3 +126,5 @@ TEST_CASE("parts of contacts go through records and recordings by their names") 
   CHECK_THROWS_MATCHES(box_contact_3D("box", "ground", "body", half_space{}, half, {.friction = -1}), bad_parameter,
                        says("'box/corner "));
 }
+
+}  // namespace rigid_shapes_test

@@ -17,11 +17,11 @@
 #include "digits50.hpp"
 #include "random.hpp"
 
+namespace saltation_test {
+
 using namespace kte;
 using namespace kte::test;
 using namespace kte::test::legged;
-
-namespace {
 
 using geometry = core::contact_geometry<kind::frame_3D, contact_surface>;
 using big = Eigen::Matrix<digits50, Eigen::Dynamic, 1>;
@@ -99,8 +99,6 @@ struct impact_reference {
   }
 };
 
-}  // namespace
-
 TEST_CASE("derivatives of impacts agree with differences of 50 digits in all modes", "[long]") {
   random_numbers draw(7);
   std::array<std::array<int, 3>, 3> tried{};
@@ -150,8 +148,6 @@ TEST_CASE("derivatives of impacts agree with differences of 50 digits in all mod
   CHECK(different == 6);
 }
 
-namespace {
-
 /// A body of 1 kg in the plane that moves by x, y and an angle: frame "body".
 runtime_chain planar(double inertia, const vec3<>& gravity = {0, -g, 0}) {
   runtime_chain c;
@@ -175,8 +171,6 @@ big numbers_of(std::initializer_list<double> x) {
   std::copy(x.begin(), x.end(), v.begin());
   return v;
 }
-
-}  // namespace
 
 TEST_CASE("motions with impacts, stops and turns have the derivatives of their closed forms") {
   {  // A ball that spins bounces twice; the first impact slides, the second sticks
@@ -286,7 +280,6 @@ TEST_CASE("a ball that rolls and spins in space has the derivatives of differenc
   }
 }
 
-namespace {
 /// The moduli and angles of multipliers of a walker over one step: the legs change places.
 template <class Model>
 std::vector<std::complex<double>> multipliers(const Model& model, const walkers::start_of_step& start, double period) {
@@ -304,7 +297,6 @@ std::vector<std::complex<double>> multipliers(const Model& model, const walkers:
             [](const auto& a, const auto& b) { return std::pair(a.real(), a.imag()) < std::pair(b.real(), b.imag()); });
   return some;
 }
-}  // namespace
 
 TEST_CASE("the cycle of a compass walker has its known multipliers") {
   const auto c = walkers::chain_of(walkers::compass);
@@ -329,3 +321,5 @@ TEST_CASE("saltation matrices are refused where they are not defined") {
   CHECK_THROWS_WITH(saltation_matrix(model, report.events.front()),
                     Catch::Matchers::Contains("contacts 'left' and 'right' change at one time"));
 }
+
+}  // namespace saltation_test

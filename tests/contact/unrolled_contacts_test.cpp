@@ -11,10 +11,10 @@
 #include "catch.hpp"
 #include "random.hpp"
 
+namespace unrolled_contacts_test {
+
 using namespace kte;
 using namespace kte::test;
-
-namespace {
 
 using vector = Eigen::VectorXd;
 
@@ -150,8 +150,6 @@ std::array<int, 3> check_against_runtime(const char* first, const char* last, ve
   return modes;
 }
 
-}  // namespace
-
 TEST_CASE("unrolled dynamics of static chains with contacts is that of runtime chains") {
   random_numbers draw(3);
   for (const auto& modes : {check_against_runtime<leg>("on slope", "on hill", {0, 0, 1}, draw),
@@ -188,3 +186,5 @@ TEST_CASE("unrolled dynamics with contacts names what it refuses") {
   CHECK_THROWS_MATCHES(contact_dynamics(in_ball, none, none, none), bad_argument,
                        says("kte: contact 'corner': its surface has no normal here"));
 }
+
+}  // namespace unrolled_contacts_test

@@ -5,11 +5,11 @@
 
 #include "catch.hpp"
 
+namespace walkers_test {
+
 using namespace kte;
 using namespace kte::test;
 using namespace kte::test::walkers;
-
-namespace {
 
 const kte::tolerances<double> tight{.absolute = 1e-12, .relative = 1e-12};
 
@@ -46,8 +46,6 @@ void check_compass(const Model& model) {
   CHECK(report.events[0].what == "'second foot': passes");
   CHECK(report.events[1].what == "'first foot': lifts; 'second foot': impact, sticks");
 }
-
-}  // namespace
 
 TEST_CASE("a compass walker keeps its cycle for 20 strides") {
   const auto c = chain_of(compass);
@@ -180,3 +178,5 @@ TEST_CASE("gates of runtime chains name frames by text") {
   CHECK(from(0.0) == "'foot': impact, bounces");
   CHECK(from(-1.0) == "'foot': passes");
 }
+
+}  // namespace walkers_test

@@ -4,10 +4,10 @@
 
 #include "catch.hpp"
 
+namespace coordinate_closure_test {
+
 using namespace kte;
 using kte::test::within;
-
-namespace {
 
 /// r q1 sin q2 = 0, with its derivative by r.
 struct arm_rise : coordinate_closure<arm_rise> {
@@ -27,8 +27,6 @@ struct arm_rise : coordinate_closure<arm_rise> {
 };
 /// A closure without derivatives by its numbers.
 struct plain : coordinate_closure<plain> {};
-
-}  // namespace
 
 TEST_CASE("a closure of coordinates differentiates its function") {
   const arm_rise c;
@@ -70,3 +68,5 @@ TEST_CASE("derivatives of closures by their own numbers") {
   CHECK(gear.by_parameter(1, 0.5, 0.7) == 0.7);
   CHECK(gear.by_parameter(2, 0.5, 0.7) == -1);
 }
+
+}  // namespace coordinate_closure_test

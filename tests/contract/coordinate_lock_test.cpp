@@ -7,15 +7,13 @@
 
 // What all elements share that may hold a coordinate: friction, brakes, locks.
 
-using namespace kte;
+namespace coordinate_lock_test {
 
-namespace {
+using namespace kte;
 
 struct brake : coordinate_lock {
   using coordinate_lock::direction, coordinate_lock::unless_held;
 };
-
-}  // namespace
 
 TEST_CASE("a coordinate is held in one mode of four") {
   STATIC_REQUIRE(brake::locks_coordinate);
@@ -42,3 +40,5 @@ TEST_CASE("sliding is by the mode, and at the start by the rate") {
   STATIC_REQUIRE(brake::direction(double(mode::held), 0.0) == 1);
   CHECK(std::isnan(brake::direction(std::numeric_limits<double>::quiet_NaN(), 1.0)));
 }
+
+}  // namespace coordinate_lock_test

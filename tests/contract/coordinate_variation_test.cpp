@@ -5,6 +5,8 @@
 
 #include "catch.hpp"
 
+namespace coordinate_variation_test {
+
 using namespace kte;
 using namespace kte::detail;
 
@@ -34,3 +36,5 @@ TEST_CASE("a coordinate that is varied has unit derivatives by itself, its rate 
   CHECK(derivative(other.cos) == three{});
   CHECK(other.q_ddot.value == 3);
 }
+
+}  // namespace coordinate_variation_test

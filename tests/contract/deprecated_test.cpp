@@ -10,10 +10,11 @@
 
 #include "catch.hpp"
 
+namespace deprecated_test {
+
 // Former names are those of today (tests/compile_fail/former_names.cpp: with a warning that says which).
 #pragma GCC diagnostic ignored "-Wdeprecated-declarations"
 
-namespace {
 using namespace kte;
 
 // clang-format off
@@ -48,4 +49,4 @@ TEST_CASE("former names of types") {
   STATIC_REQUIRE(std::is_same_v<lean<double>, out_of_line<double>>);
 }
 
-}  // namespace
+}  // namespace deprecated_test

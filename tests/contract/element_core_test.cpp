@@ -6,9 +6,9 @@
 
 // The contract of an element is that of every element of the library, and of one written from its page.
 
-using namespace kte;
+namespace element_core_test {
 
-namespace {
+using namespace kte;
 
 template <class Core>
 constexpr int shapes = base_core<Core> + force_core<Core> +
@@ -79,8 +79,8 @@ static_assert(prescribed_motion_core<core::position_control_gen> &&
               !prescribed_motion_core<core::mimic<double, double>>);
 static_assert(prescribed_motion_core<core::position_control<kind::frame_3D>>);
 
-}  // namespace
-
 TEST_CASE("each core of the library has one shape of the contract") {
   []<class... Core>(detail::core_list<void, Core...>) { (check_core<Core>(), ...); }(detail::all_cores{});
 }
+
+}  // namespace element_core_test

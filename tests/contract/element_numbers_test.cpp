@@ -7,11 +7,12 @@
 
 // What elements are to the loops over body nodes, as numbers.
 
+namespace element_numbers_test {
+
 using namespace kte;
 using namespace kte::detail;
 using kte::test::within;
 
-namespace {
 template <class P = double, class Core, class... Keys>
 element_numbers<P> numbers_of_element(const element<Core, Keys...>& e) {
   return numbers_of<P>(e.core);
@@ -21,9 +22,8 @@ double gap(const vec3<A>& a, const vec3<B>& b) {
   const auto d = a - b;
   return std::sqrt(static_cast<double>(dot(d, d)));
 }
-}  // namespace
 
-TEST_CASE("a joint is where it stands at zero, where it is tried, and its axis", "[both]") {
+TEST_CASE("a joint is where it stands at zero, where it is tried, and its axis") {
   using namespace models;
   const auto n = numbers_of_element(revolute_joint_3D(hip, ground, trunk, vec3{0.6, 0.0, 0.8}));
   CHECK(n.is == part::rigid);
@@ -100,3 +100,5 @@ TEST_CASE("ports say what they write and declare") {
   CHECK((!kept.writes() && kept.declares()));
   CHECK((!angle.writes() && !angle.declares()));
 }
+
+}  // namespace element_numbers_test

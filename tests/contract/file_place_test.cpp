@@ -3,9 +3,11 @@
 
 #include "catch.hpp"
 
+namespace file_place_test {
+
 using namespace kte;
 
-TEST_CASE("a place in a file begins a message, one of a program does not", "[both]") {
+TEST_CASE("a place in a file begins a message, one of a program does not") {
   const auto file = std::make_shared<const std::string>("arms/arm.json");
   CHECK(to_string(file_place{file, 12, 5}) == "arms/arm.json:12:5: ");
   CHECK(to_string(file_place{file, 0, 120}) == "arms/arm.json, byte 120: ");
@@ -31,3 +33,5 @@ TEST_CASE("where it was read is no part of a value") {
   CHECK(made == element_record{"spring_gen", 1, {{"anchor1", "q", here}}, {read}, here});
   CHECK(made != element_record{"spring_gen", 1, {{"anchor1", "p", here}}, {read}, here});
 }
+
+}  // namespace file_place_test

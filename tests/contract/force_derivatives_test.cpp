@@ -10,10 +10,10 @@
 
 // Derivatives of forces on coordinates, by a state of three coordinates; the last is not a degree of freedom.
 
+namespace force_derivatives_test {
+
 using namespace kte;
 using namespace kte::detail;
-
-namespace {
 
 struct two_by_two {
   std::array<std::array<double, 2>, 2> rows{};
@@ -54,8 +54,6 @@ three_coordinates::results derived(const Core& core, std::initializer_list<int> 
   return s.work.of_forces;
 }
 
-}  // namespace
-
 TEST_CASE("derivatives of forces between two coordinates") {
   // f = k (q1 - q0 - l), on q0, and the opposite on q1; what must be applied is the opposite of both.
   const auto spring = derived(spring_gen("a", "b", 0.5, 3.0).core, {0, 1});
@@ -74,3 +72,5 @@ TEST_CASE("derivatives of forces on one coordinate") {
   CHECK(derived(spring_gen("a", "b", 0.5, 3.0).core, {0, 2}).by_q == of(3, 0, 0, 0));
   CHECK(derived(inertia_gen("a", 7.0).core, {2}).by_a == two_by_two{});
 }
+
+}  // namespace force_derivatives_test

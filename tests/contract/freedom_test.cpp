@@ -11,9 +11,9 @@
 
 // The degrees of freedom of a chain in a list: generalized coordinates that stand in a row are gone through as one.
 
-using namespace kte;
+namespace freedom_test {
 
-namespace {
+using namespace kte;
 
 /// Six coordinates and a pose: two in a row, a pose, one, one that follows, two in a row.
 runtime_chain with_gaps() {
@@ -23,8 +23,6 @@ runtime_chain with_gaps() {
     << revolute_joint_3D("f", "C", "F", axis::y) << revolute_joint_3D("d", "F", "D", axis::z);
   return c;
 }
-
-}  // namespace
 
 TEST_CASE("rows of generalized coordinates end where another thing stands between") {
   const auto c = with_gaps();
@@ -63,3 +61,5 @@ TEST_CASE("an input named as the time is the time") {
   STATIC_REQUIRE_FALSE(detail::is_time(kind::gen, chain_time_::name));
   STATIC_REQUIRE_FALSE(detail::is_time(kind::input, "torque"));
 }
+
+}  // namespace freedom_test

@@ -2,6 +2,8 @@
 
 #include "catch.hpp"
 
+namespace nearest_name_test {
+
 using namespace kte::detail;
 
 TEST_CASE("letters put in, left out, changed and exchanged are counted, over again for more") {
@@ -39,3 +41,5 @@ TEST_CASE("the first eight names are listed") {
   CHECK(list_of_names({"1", "2", "3", "4", "5", "6", "7", "8", "9", "10"}) ==
         "there are '1', '2', '3', '4', '5', '6', '7', '8' and 2 more");
 }
+
+}  // namespace nearest_name_test

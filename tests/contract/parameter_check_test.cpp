@@ -5,9 +5,9 @@
 
 #include "catch.hpp"
 
-using namespace kte;
+namespace parameter_check_test {
 
-namespace {
+using namespace kte;
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
 constexpr std::array<port, 2> ports{{{kind::gen, access::on, "anchor1"}, {kind::gen, access::on, "anchor2"}}};
@@ -23,9 +23,7 @@ std::string refused(const F& f) {
 }
 std::string text(const std::string& rest) { return "kte: strut_gen (anchor1 'hip', anchor2 'knee'): " + rest; }
 
-}  // namespace
-
-TEST_CASE("a parameter is refused with element, rule and value, the first of several", "[both]") {
+TEST_CASE("a parameter is refused with element, rule and value, the first of several") {
   CHECK(refused([](const auto& c) { c.require(true, "rule", 1.0); }).empty());
   CHECK(refused([](const auto& c) { c.require(false, "length must be odd", 0.1); }) ==
         text("length must be odd, got 0.10000000000000001"));
@@ -209,3 +207,5 @@ TEST_CASE("what the elements refuse, each rule once") {
   CHECK_THROWS_MATCHES(torsion_spring_2D("a", "b", 1.0, zero, inf), bad_parameter,
                        rule("rest angle must be finite, got inf"));
 }
+
+}  // namespace parameter_check_test

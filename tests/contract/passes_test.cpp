@@ -8,7 +8,7 @@
 #include "robots/iiwa14.hpp"
 #include "robots/ur5.hpp"
 
-namespace {
+namespace passes_test {
 
 using namespace kte;
 
@@ -84,12 +84,9 @@ void compare_bits(const Static& fixed, const runtime_chain& loose, unsigned seed
   }
 }
 
-}  // namespace
-
 // Both kinds execute equal arithmetic in equal order. Compilers that may fuse products into sums (-mfma, -march=native,
 // unless -ffp-contract=off) do so where they inline, which differs: then results agree to rounding.
-TEST_CASE("the passes of static and runtime chains agree bit for bit where products are not fused into sums",
-          "[laws]") {
+TEST_CASE("the passes of static and runtime chains agree bit for bit where products are not fused into sums") {
   SECTION("pendulum") { compare_bits(models::pendulum, models::by_own_elements(models::pendulum), 1); }
   SECTION("tree") { compare_bits(models::tree, models::by_own_elements(models::tree), 2); }
   SECTION("iiwa14") { compare_bits(robots::iiwa14, models::by_own_elements(robots::iiwa14), 3); }
@@ -164,8 +161,6 @@ TEST_CASE("motion leaves forces and what is given, clearing leaves motion, force
   CHECK(m.coordinate("wheel").f == 3.0);
 }
 
-namespace {
-
 struct keeper {
   static constexpr std::array<port, 3> ports{{{kind::gen, access::on, "coordinate"},
                                               {kind::input, access::in, "input"},
@@ -188,4 +183,4 @@ static_assert(detail::has_skip<skip> && detail::has_skip<vec3<double, skip, doub
 static_assert(detail::has_skip<wrench<vec3<>, vec3<double, double, skip>>>);
 static_assert(detail::has_skip<values<double, skip>> && !detail::has_skip<values<double>>);
 
-}  // namespace
+}  // namespace passes_test

@@ -7,10 +7,10 @@
 
 // Joints placed in their base by .at(position, rotation): a link and a joint in one.
 
+namespace placement_test {
+
 using namespace kte;
 using namespace kte::test;
-
-namespace {
 
 // clang-format off
 inline constexpr struct q_      final : coord_key<"q">         {} q;
@@ -52,9 +52,7 @@ void check_laws() {
   check(screw_joint_3D("q", "base", "end", axis::x, S(1) / 3).at(r, turn));
 }
 
-}  // namespace
-
-TEST_CASE("joints with a place obey the laws", "[laws]") {
+TEST_CASE("joints with a place obey the laws") {
   check_laws<double>();
   check_laws<digits50>();
 }
@@ -173,7 +171,6 @@ TEST_CASE("the place of a joint is finite, and a rotation") {
   CHECK(what(position, rotation) == "");
 }
 
-namespace {
 /// A sliding joint with friction that grows with what it carries across.
 struct frictional_joint : transmission<frictional_joint> {
   static constexpr type_name type{"frictional_joint", kind::frame_3D};
@@ -198,7 +195,6 @@ struct frictional_joint : transmission<frictional_joint> {
     visit("coefficient", self.coefficient);
   }
 };
-}  // namespace
 
 TEST_CASE("a custom joint has a place, and keeps its friction") {
   const auto placed =
@@ -212,3 +208,5 @@ TEST_CASE("a custom joint has a place, and keeps its friction") {
   CHECK(inverse_dynamics(placed, at, v, a)[0] == within_relative(tau, few_ulps));
   CHECK(tau > 100);  // most of it friction
 }
+
+}  // namespace placement_test

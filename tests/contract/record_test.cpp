@@ -5,6 +5,8 @@
 #include "chain/models.hpp"
 #include "robots/iiwa14.hpp"
 
+namespace record_test {
+
 using namespace models;
 using kte::test::contains_text, kte::test::says;
 
@@ -152,3 +154,5 @@ TEST_CASE("docs/elements.md has every element, every port and every parameter, i
   }
   CHECK(described == registry.types());
 }
+
+}  // namespace record_test

@@ -6,6 +6,8 @@
 
 // All things of a runtime chain.
 
+namespace thing_lists_test {
+
 using namespace kte;
 
 TEST_CASE("things of a chain are lists by kind, as long as is requested") {
@@ -20,3 +22,5 @@ TEST_CASE("things of a chain are lists by kind, as long as is requested") {
   // One behind the other, as rows of coordinates are gone through (contract/freedom.hpp)
   CHECK(&all.get<kind::gen>(0) + 2 == &all.get<kind::gen>(2));
 }
+
+}  // namespace thing_lists_test

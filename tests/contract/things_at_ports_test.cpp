@@ -5,9 +5,9 @@
 #include "catch.hpp"
 #include "dynamics/two_hinges.hpp"
 
-using namespace kte;
+namespace things_at_ports_test {
 
-namespace {
+using namespace kte;
 
 /// An element with parameters of several kinds, one of them optional.
 struct several {
@@ -28,8 +28,6 @@ struct several {
   }
 };
 struct none : no_parameters {};
-
-}  // namespace
 
 TEST_CASE("parameters of a core by their types") {
   const auto all = parameter_infos<several>();
@@ -65,3 +63,5 @@ TEST_CASE("what a core reads and writes at its ports") {
   STATIC_REQUIRE(std::is_same_v<sample<kind::input>::type, double>);
   STATIC_REQUIRE(load_count<decltype(make_loads(1.0, 2.0))> == 2);
 }
+
+}  // namespace things_at_ports_test

@@ -5,12 +5,12 @@
 #include "catch.hpp"
 #include "dynamics/two_hinges.hpp"
 
+namespace varying_joint_test {
+
 using namespace kte;
 using kte::test::within;
 
-namespace {
 double off(const vec3<>& a, const vec3<>& b) { return std::hypot(a.x - b.x, a.y - b.y, a.z - b.z); }
-}  // namespace
 
 TEST_CASE("a joint of varying axes: the number of axes and their derivatives") {
   STATIC_REQUIRE(detail::count_of_axes(1, false) == 2);
@@ -43,3 +43,5 @@ TEST_CASE("the axes of a joint of two coordinates in its end") {
   CHECK(off(axes[4].angular, {}) + off(axes[5].angular, {}) < 1e-15);
   CHECK(off(axes[2 + 4 + 3].angular, {-c, 0, -s}) < 1e-15);  // d2 s_1 / dq_2^2
 }
+
+}  // namespace varying_joint_test

@@ -8,10 +8,10 @@
 
 // Static and runtime chains connect elements by the same rules.
 
+namespace wiring_rules_test {
+
 using namespace kte;
 using namespace kte::detail;
-
-namespace {
 
 constexpr std::size_t elements = 3, ports = 6;
 
@@ -62,8 +62,6 @@ struct drawn_chain {
 
 bool has(const std::string& text, const char* part) { return text.find(part) != std::string::npos; }
 
-}  // namespace
-
 TEST_CASE("the rules of wiring") {
   const name_before nothing{}, read{true, true, false}, written{true, true, true}, other{true, false, true};
   wiring_rules rules;
@@ -105,3 +103,5 @@ TEST_CASE("static and runtime chains refuse the same") {
   }
   for (const int times : met) CHECK(times > 100);
 }
+
+}  // namespace wiring_rules_test

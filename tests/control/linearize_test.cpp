@@ -11,9 +11,9 @@
 
 // Linear systems of models: in closed form, against other ways to the same, with more digits.
 
-using namespace kte;
+namespace linearize_test {
 
-namespace {
+using namespace kte;
 
 // clang-format off
 constexpr struct x_         final : coord_key<"x">            {} x;
@@ -67,8 +67,6 @@ Eigen::MatrixXd by_differences(runtime_model model, const Eigen::VectorXd& at) {
         return r;
       });
 }
-
-}  // namespace
 
 TEST_CASE("a cart-pole is linearised in closed form, of both kinds of chain") {
   Eigen::Matrix4d A = Eigen::Matrix4d::Zero();
@@ -256,3 +254,5 @@ TEST_CASE("any function of x and u is linearised; what does not fit is refused")
   CHECK_THROWS_MATCHES(displacement(model, Eigen::Vector4d::Zero(), Eigen::VectorXd::Zero(5)), bad_argument,
                        test::says("x has 5 numbers"));
 }
+
+}  // namespace linearize_test

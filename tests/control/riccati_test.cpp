@@ -8,11 +8,11 @@
 
 // Riccati equations with solutions in closed form, residuals of others, and what has no solution.
 
+namespace riccati_test {
+
 using namespace kte;
 using Eigen::MatrixXd;
 using kte::test::says;
-
-namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
@@ -36,8 +36,6 @@ MatrixXd irregular(Eigen::Index rows, Eigen::Index cols, double seed) {
     return std::sin(seed + 7.3 * static_cast<double>((i + 1) * (j + 1) * (j + 3)));
   });
 }
-
-}  // namespace
 
 TEST_CASE("the double integrator, in closed form at all scales") {
   // A cost s^2 of the position squared: X = (s sqrt(2 s), s; s, sqrt(2 s))
@@ -165,3 +163,5 @@ TEST_CASE("systems become discrete exactly, at what is no equilibrium too") {
                        says("the result overflows"));
   CHECK_THROWS_AS(discretize({unit, push, unit, unit, unit, unit}, 1), bad_argument);
 }
+
+}  // namespace riccati_test

@@ -4,15 +4,13 @@
 
 #include "catch.hpp"
 
-using kte::detail::function_ref;
+namespace function_ref_test {
 
-namespace {
+using kte::detail::function_ref;
 
 void three_times(function_ref<int, std::string&> f, std::string& to) {
   for (int i = 0; i < 3; ++i) f(i, to);
 }
-
-}  // namespace
 
 TEST_CASE("what is no template calls what it is given, which is not copied") {
   std::string text;
@@ -36,3 +34,5 @@ TEST_CASE("what is no template calls what it is given, which is not copied") {
   three_times(here, text);
   CHECK(here.n == 3);
 }
+
+}  // namespace function_ref_test

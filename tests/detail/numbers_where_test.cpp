@@ -4,6 +4,8 @@
 
 #include "catch.hpp"
 
+namespace numbers_where_test {
+
 using kte::detail::numbers_where;
 
 TEST_CASE("numbers for which something holds, as a type") {
@@ -13,3 +15,5 @@ TEST_CASE("numbers for which something holds, as a type") {
   STATIC_REQUIRE(std::is_same_v<numbers_where<std::array{false, false}>::type, std::index_sequence<>>);
   STATIC_REQUIRE(std::is_same_v<numbers_where<std::array<bool, 0>{}>::type, std::index_sequence<>>);
 }
+
+}  // namespace numbers_where_test

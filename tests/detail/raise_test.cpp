@@ -5,18 +5,16 @@
 
 #include "catch.hpp"
 
+namespace raise_test {
+
 using kte::detail::raise;
 using kte::detail::require;
-
-namespace {
 
 constexpr int positive(int x) {
   require<std::invalid_argument>(
       x > 0, [] { return std::string("not positive"); }, "positive", x);
   return x;
 }
-
-}  // namespace
 
 TEST_CASE("errors are thrown with what they are made of") {
   CHECK_THROWS_WITH(raise<std::runtime_error>("why"), "why");
@@ -27,3 +25,5 @@ TEST_CASE("what is required says why it fails, and costs constant expressions no
   STATIC_REQUIRE(positive(3) == 3);
   CHECK_THROWS_WITH(positive(-1), "not positive");
 }
+
+}  // namespace raise_test

@@ -15,6 +15,8 @@
 
 // No pass and no algorithm may touch the heap.
 
+namespace allocation_test {
+
 using allocations::during;
 
 TEST_CASE("the counter counts") {
@@ -128,3 +130,5 @@ TEST_CASE("coordinates that follow one degree of freedom take no memory by their
   const double expected = inverse_dynamics(c, s, q, none, one)[0] - at_rest;
   CHECK(m == within_relative(expected, n * 1e-16));
 }
+
+}  // namespace allocation_test

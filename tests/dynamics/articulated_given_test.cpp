@@ -2,11 +2,13 @@
 
 // Forward dynamics by articulated bodies where the motion of a joint is given, and with masses on coordinates.
 
+namespace articulated_given_test {
+
 using namespace kte;
 using namespace kte::test::trees;
 using models::element_by_element;
 
-TEST_CASE("given motion", "[laws]") {
+TEST_CASE("given motion") {
   constexpr auto c = driven_3D(across);
   STATIC_REQUIRE(by_articulated_bodies<decltype(c)>);
   check(c, 2, usual, base, drive, motor, pull);
@@ -28,3 +30,5 @@ TEST_CASE("masses of coordinates") {
   CHECK(gap(forward_dynamics(model, s, none, none, one_of_them), exact) < 1e-15);
   CHECK(gap(forward_dynamics(model, s, none, none, one_of_them), exact) < 1e-15);  // whatever the state held before
 }
+
+}  // namespace articulated_given_test

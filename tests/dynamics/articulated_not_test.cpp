@@ -2,10 +2,12 @@
 
 // Chains that articulated bodies must leave to the mass matrix.
 
+namespace articulated_not_test {
+
 using namespace kte;
 using namespace kte::test::trees;
 
-TEST_CASE("chains that are no trees of joints", "[laws]") {
+TEST_CASE("chains that are no trees of joints") {
   constexpr auto shared =
       chain(revolute_joint_3D(q1, base, a, axis::y), inertia_3D(a, body), prismatic_joint_3D(q2, a, b, axis::x),
             inertia_3D(b, light), prismatic_joint_3D(q2, a, c, axis::minus_x), inertia_3D(c, body),
@@ -21,3 +23,5 @@ TEST_CASE("chains that are no trees of joints", "[laws]") {
   STATIC_REQUIRE(!by_articulated_bodies<decltype(follower)>);
   check(follower, 8, usual, base);
 }
+
+}  // namespace articulated_not_test

@@ -2,10 +2,10 @@
 
 // Forward dynamics by articulated bodies in the plane, in the plane and space at once, and through a joint of a user.
 
+namespace articulated_plane_test {
+
 using namespace kte;
 using namespace kte::test::trees;
-
-namespace {
 
 /// A nut on a screw of pitch h a radian about an axis n, in no library: p = h q n.
 template <class Axis>
@@ -42,9 +42,7 @@ constexpr auto screws =
           inertia_3D(c, body), screw_joint_3D(q3, c, d, 1.0, axis::x), inertia_3D(d, light))
         .gravity(fall);
 
-}  // namespace
-
-TEST_CASE("a tree in the plane", "[laws]") {
+TEST_CASE("a tree in the plane") {
   STATIC_REQUIRE(by_articulated_bodies<decltype(tree_2D)>);
   check(tree_2D, 3, usual, floor_2D, wall, motor);
 }
@@ -72,3 +70,5 @@ TEST_CASE("a joint made by a user") {
   CHECK(forward_dynamics(model, s, one_number, one_number, none)[0] == -8.0);
   CHECK(inverse_dynamics(model, s, one_number, one_number, none)[0] == 10.0);
 }
+
+}  // namespace articulated_plane_test

@@ -2,11 +2,12 @@
 
 // Chains whose mass matrix is singular, which articulated bodies must say.
 
+namespace articulated_singular_test {
+
 using namespace kte;
 using namespace kte::test::trees;
 using models::element_by_element;
 
-namespace {
 /// No state has an answer. Static chains take long to compile: some stand for all.
 template <bool AlsoStatic = false, class Chain>
 void check_singular(const Chain& chain, unsigned seed) {
@@ -22,9 +23,8 @@ void check_singular(const Chain& chain, unsigned seed) {
   }
 }
 constexpr auto without_size(double mass) { return rigid_body{mass, zero3{}, sym3<double>{}}; }
-}  // namespace
 
-TEST_CASE("coordinates that move no independent mass", "[laws]") {
+TEST_CASE("coordinates that move no independent mass") {
   constexpr auto first = revolute_joint_3D(q1, base, a);
   constexpr auto heavy = inertia_3D(a, body);
   constexpr auto link = rigid_link_3D(a, b, vec3{0.25, 0.5, -0.375}, quarter_turn_x);
@@ -109,3 +109,5 @@ TEST_CASE("coordinates that move no independent mass", "[laws]") {
     CHECK_NOTHROW(forward_dynamics(model, s, two, two, two));
   }
 }
+
+}  // namespace articulated_singular_test

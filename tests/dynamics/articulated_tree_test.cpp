@@ -3,11 +3,13 @@
 // Forward dynamics by articulated bodies in a tree with everything that it can do, and of arguments that are not
 // finite.
 
+namespace articulated_tree_test {
+
 using namespace kte;
 using namespace kte::test::trees;
 using models::element_by_element;
 
-TEST_CASE("a tree in space", "[laws]") {
+TEST_CASE("a tree in space") {
   STATIC_REQUIRE(by_articulated_bodies<decltype(tree_3D)>);
   check(tree_3D, 1, usual, base, cart, motor);
 }
@@ -68,3 +70,5 @@ TEST_CASE("articulated bodies with arguments that are not finite") {
   given([&](auto& t) { thing_of(t, cart).position.x = bad; });
   given([&](auto& t) { thing_of(t, motor) = bad; });
 }
+
+}  // namespace articulated_tree_test

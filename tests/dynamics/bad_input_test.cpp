@@ -19,8 +19,10 @@
 
 // A call without a result throws; it never returns NaN.
 
-namespace {
-inline constexpr struct ball_ final : kte::rotation_3D_key<"ball"> { } ball; }  // namespace
+namespace bad_input_test {
+
+inline constexpr struct ball_ final : kte::rotation_3D_key<"ball"> {
+} ball;
 
 using models::element_by_element, models::ground, models::hip, models::knee, models::left, models::thigh, models::trunk;
 
@@ -81,7 +83,6 @@ TEST_CASE("arguments that are not finite") {
     }
 }
 
-namespace {
 /// A slide along x with friction: its force on the coordinate is not that of virtual power alone.
 struct frictional_joint : kte::transmission<frictional_joint> {
   static constexpr kte::type_name type{"frictional_joint", kte::kind::frame_3D};
@@ -101,7 +102,6 @@ struct frictional_joint : kte::transmission<frictional_joint> {
   template <class Self, class Visit>
   static constexpr void parameters(Self&, Visit&&) {}
 };
-}  // namespace
 
 TEST_CASE("a joint with its own force") {
   using namespace kte;
@@ -270,10 +270,10 @@ TEST_CASE("a call that throws leaves the state unchanged") {
   CHECK(forward_dynamics(c, s, one, one, one)[0] == 1.0);  // and it goes on: 0.5 Nm on 0.5 kg m^2
 }
 
-namespace {
-inline constexpr struct place_ final : kte::vector_key<"place"> { } place; }  // namespace
-namespace {
-inline constexpr struct speed_ final : kte::vector_key<"speed"> { } speed; }  // namespace
+inline constexpr struct place_ final : kte::vector_key<"place"> {
+} place;
+inline constexpr struct speed_ final : kte::vector_key<"speed"> {
+} speed;
 
 TEST_CASE("signals that are not finite are named, and frames never stand nowhere") {
   using namespace kte;
@@ -319,3 +319,5 @@ TEST_CASE("large angles keep their digits") {
     CHECK((M - L.cast<double>()).cwiseAbs().maxCoeff() < 1e-14);
   }
 }
+
+}  // namespace bad_input_test

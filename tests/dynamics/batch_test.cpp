@@ -9,9 +9,9 @@
 #include "random.hpp"
 #include "robots/iiwa14.hpp"
 
-namespace batch = kte::batch;
+namespace batch_test {
 
-namespace {
+namespace batch = kte::batch;
 
 /// Small, so that tests with many widths compile quickly: joints about a typed and a general axis, and a sliding one.
 constexpr auto arm = [] {
@@ -96,9 +96,7 @@ struct backwards {
   }
 };
 
-}  // namespace
-
-TEST_CASE("a batch is its states", "[laws][both]") {
+TEST_CASE("a batch is its states") {
   for_all_widths([]<class T, int W>() {
     CAPTURE(W, sizeof(T));
     const states<T> all(100);
@@ -280,3 +278,5 @@ TEST_CASE("threads do all tasks, and rethrow the first exception") {
   }
   CHECK_NOTHROW(batch::threads(3)(0, [](std::size_t) { throw 1; }));
 }
+
+}  // namespace batch_test

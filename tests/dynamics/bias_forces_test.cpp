@@ -8,11 +8,11 @@
 
 // The parts of inverse dynamics: against 31 digits, against inverse dynamics, against energies.
 
+namespace bias_forces_test {
+
 using namespace kte;
 using namespace kte::test;
 using namespace kte::test::small_chains;
-
-namespace {
 
 /// Sums of a few products along at most 8 frames: less than 100 roundings of the largest number, or of 1.
 constexpr double rounding = 100 * std::numeric_limits<double>::epsilon();
@@ -95,9 +95,7 @@ void check_double(const Chain& c, unsigned seed) {
   }
 }
 
-}  // namespace
-
-TEST_CASE("bias against 31 digits", "[laws]") {
+TEST_CASE("bias against 31 digits") {
   // As inverse dynamics (reference_test.cpp, floating_base_test.cpp).
   for (const auto& x : reference::iiwa14) CHECK(off(nonlinear_effects(robots::iiwa14, x.q, x.v), x.bias, 7) < 1e-15L);
   for (const auto& x : reference::solo12) CHECK(off(nonlinear_effects(robots::solo12, x.q, x.v), x.bias, 18) < 1e-15L);
@@ -174,3 +172,5 @@ TEST_CASE("parts of inverse dynamics for bad arguments") {
     CHECK_THROWS_AS(coriolis_forces(model, s, good, bad), bad_argument);
   }
 }
+
+}  // namespace bias_forces_test

@@ -8,11 +8,11 @@
 
 // Centre of mass and momentum: from the bodies one by one, by differences, by the laws of free fall.
 
+namespace centroidal_test {
+
 using namespace kte;
 using namespace kte::test;
 using namespace kte::test::small_chains;
-
-namespace {
 
 /// Sums over at most 13 bodies along at most 8 frames: less than 100 roundings of the largest number, or of 1.
 constexpr double rounding = 100 * std::numeric_limits<double>::epsilon();
@@ -115,9 +115,7 @@ void check_free_fall(const Chain& c, int outside, unsigned seed) {
   }
 }
 
-}  // namespace
-
-TEST_CASE("centre of mass and momentum from the bodies, at 50 digits", "[laws]") {
+TEST_CASE("centre of mass and momentum from the bodies, at 50 digits") {
   // Its first two links lie along one fixed axis, so that poses add their lengths in double.
   check_exactly(robots::iiwa14, 1, 1e-15);
   check_exactly(floating, 2);
@@ -182,3 +180,5 @@ TEST_CASE("centre of mass and momentum of bad arguments") {
     CHECK_THROWS_AS(centre_of_mass_velocity(model, s, good, bad), bad_argument);
   }
 }
+
+}  // namespace centroidal_test

@@ -12,10 +12,10 @@
 #include "digits50.hpp"
 #include "random.hpp"
 
+namespace clusters_test {
+
 using namespace kte;
 using namespace kte::test;
-
-namespace {
 
 inline constexpr struct crank_ final : coord_key<"q"> {
 } crank;
@@ -101,8 +101,6 @@ runtime_chain walker() {
   return c;
 }
 
-}  // namespace
-
 TEST_CASE("forward dynamics with clusters inverts inverse dynamics, and is that of a factorised M") {
   const auto holds = [](const runtime_chain& c, std::size_t clusters, double from, double to, double rounding) {
     CHECK(c.make_state().tree().clusters.clusters.size() == clusters);
@@ -176,3 +174,5 @@ TEST_CASE("a cluster that moves no mass is refused by name") {
   CHECK_THROWS_AS(forward_dynamics(c, s, zero, zero, zero), singular_mass_matrix);
   CHECK_THROWS_MATCHES(forward_dynamics(c, s, zero, zero, zero), singular_mass_matrix, test::says("'a'"));
 }
+
+}  // namespace clusters_test

@@ -6,9 +6,10 @@
 
 // Which coordinates change the forces on each other, and products that leave out the others.
 
+namespace column_groups_test {
+
 using namespace kte;
 
-namespace {
 constexpr struct ground_ final : frame_3D_key<"ground"> {
 } ground;
 constexpr struct trunk_ final : frame_3D_key<"trunk"> {
@@ -59,9 +60,8 @@ void check_products(const Chain& c) {
     CHECK((r.by_v + r.by_tau * forces.by_v).norm() <= most(forces.by_v));
   }
 }
-}  // namespace
 
-TEST_CASE("columns of a leg and of an arm have their rows and those of the trunk", "[laws]") {
+TEST_CASE("columns of a leg and of an arm have their rows and those of the trunk") {
   constexpr auto c = figure();
   constexpr auto g = groups<std::remove_const_t<decltype(c)>>;
   STATIC_REQUIRE(g.count == 3);
@@ -85,3 +85,5 @@ TEST_CASE("a spring between frames may change everything") {
   STATIC_REQUIRE((g.count == 1 && g.group[0].count == 9 && g.group[0].end == 9));
   check_products(c);
 }
+
+}  // namespace column_groups_test

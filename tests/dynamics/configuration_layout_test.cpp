@@ -5,10 +5,10 @@
 
 // Where the numbers of a configuration stand, and how they go to a state and back.
 
+namespace configuration_layout_test {
+
 using namespace kte;
 using namespace kte::test::configurations;
-
-namespace {
 
 // The layout is known at compile time.
 constexpr auto table_of_model = layout(model);
@@ -20,8 +20,6 @@ static_assert(table_of_model[2] == layout_entry<>{"ball", kind::rotation_3D, 8, 
 static_assert(table_of_model[3] == layout_entry<>{"slide", kind::gen, 12, 1, 10, 1});
 static_assert(table_of_model[4] == layout_entry<>{"puck", kind::pose_2D, 13, 3, 11, 3});
 static_assert(layout(robots::solo12).size() == 13 && decltype(robots::solo12)::nq == 19);
-
-}  // namespace
 
 TEST_CASE("the layout says where coordinates stand, the same at run time") {
   const auto runtime = layout(models::element_by_element(model));
@@ -128,3 +126,5 @@ TEST_CASE("vectors of the wrong size say so") {
   CHECK_THROWS_WITH(integrate(models::pendulum, std::vector{0.0, 0.0}, std::array{0.0}, 1.0),
                     "kte: q has 2 numbers, the chain has 1 degrees of freedom");
 }
+
+}  // namespace configuration_layout_test

@@ -4,6 +4,8 @@
 
 // Velocities are the time derivatives of configurations, by differences at 50 digits.
 
+namespace configuration_rate_test {
+
 using namespace kte;
 using namespace kte::test::configurations;
 using big = kte::test::digits50;
@@ -71,3 +73,5 @@ TEST_CASE("frames move as the configuration does") {
     check(s[disc], [](const auto& p) { return forward_kinematics(model, p, disc).position; });
   }
 }
+
+}  // namespace configuration_rate_test

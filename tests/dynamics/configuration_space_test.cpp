@@ -4,17 +4,15 @@
 
 // Configurations with rotations and poses in them: how to get from one to another.
 
+namespace configuration_space_test {
+
 using namespace kte;
 using namespace kte::test::configurations;
-
-namespace {
 
 template <class V>
 auto part(const V& x, int first, int n) {
   return x.segment(first, n).eval();
 }
-
-}  // namespace
 
 TEST_CASE("static and runtime chains integrate to the same numbers") {
   const auto runtime = models::element_by_element(model);
@@ -146,3 +144,5 @@ TEST_CASE("quaternions of any length are taken, of length 0 and NaN refused") {
   check(model);
   check(runtime);
 }
+
+}  // namespace configuration_space_test

@@ -7,14 +7,14 @@
 
 // Interpolation, distance and random configurations: formulas and laws, static against runtime.
 
+namespace configurations_test {
+
 using namespace kte;
 using namespace kte::test;
 using namespace kte::test::small_chains;
 
-namespace {
 constexpr double eps = std::numeric_limits<double>::epsilon();
 constexpr double rounding = 20 * eps;  // of numbers below 10, and a logarithm of a rotation
-}  // namespace
 
 TEST_CASE("interpolation goes from one configuration to the other at constant rates") {
   const auto model = models::element_by_element(floating);
@@ -85,3 +85,5 @@ TEST_CASE("random configurations of bad limits") {
   CHECK_THROWS_AS(kte::random_configuration(model, engine, q0, std::array{1.0, 1.0, 1.0, HUGE_VAL}), bad_argument);
   CHECK_THROWS_AS(kte::random_configuration(model, engine, std::vector<double>(3), q1), bad_argument);
 }
+
+}  // namespace configurations_test

@@ -11,11 +11,11 @@
 
 // The Coriolis matrix: a formula, Christoffel's symbols, forces, the rate of the mass matrix; static against runtime.
 
+namespace coriolis_matrix_test {
+
 using namespace kte;
 using namespace kte::test;
 using namespace kte::test::small_chains;
-
-namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 /// Sums of products along at most 8 poses, twice.
@@ -65,9 +65,7 @@ void check(const Chain& c, unsigned seed) {
   check(c, models::element_by_element(c), seed);
 }
 
-}  // namespace
-
-TEST_CASE("Coriolis matrix of two links, by its formula", "[laws]") {
+TEST_CASE("Coriolis matrix of two links, by its formula") {
   // m_2 at l_2 on a link of l_1: h = -m_2 l_1 l_2 sin q_2 and C = (h v_2, h (v_1 + v_2); -h v_1, 0).
   constexpr auto c = chain(revolute_joint_2D(q1, table, cart), rigid_link_2D(cart, rail, along_x(0.75)),
                            revolute_joint_2D(q2, rail, disc), inertia_2D(disc, point_mass(0.8, vec3{0.5, 0.0, zero})));
@@ -155,3 +153,5 @@ TEST_CASE("Coriolis matrix of bad arguments") {
   CHECK_THROWS_AS(mass_matrix_rate(model, s, std::vector<double>(3), q), bad_argument);
   CHECK_THROWS_AS(mass_matrix_rate(planar, q, std::array{1e308, 1e308, 1e308, 1e308}), bad_argument);
 }
+
+}  // namespace coriolis_matrix_test

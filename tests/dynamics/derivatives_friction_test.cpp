@@ -12,11 +12,11 @@
 // Derivatives where joints have friction by what they carry, and so by accelerations: against differences at 50 digits,
 // and of static chains against those of runtime chains.
 
+namespace derivatives_friction_test {
+
 using namespace kte;
 using namespace kte::test;
 using namespace kte::test::small_chains;
-
-namespace {
 
 /// An arm on a floating body with two such joints, one on the other.
 constexpr auto arm =
@@ -27,9 +27,7 @@ constexpr auto arm =
         .gravity(weight);
 using motion_type = random_motion_of<big, std::remove_const_t<decltype(arm)>>;
 
-}  // namespace
-
-TEST_CASE("derivatives of inverse dynamics under friction by load", "[laws]") {
+TEST_CASE("derivatives of inverse dynamics under friction by load") {
   random_numbers random(1);
   const motion_type m(arm, random);
   const auto r = inverse_dynamics_derivatives(arm, m.q, m.v, m.a);
@@ -115,3 +113,5 @@ TEST_CASE("derivatives under friction by load where a coordinate is held") {
     CHECK(gap(Eigen::Vector3d(r.by_tau.col(j)), by([&](double t) { return at(q, v, tau + t * along); })) < 1e-6);
   }
 }
+
+}  // namespace derivatives_friction_test

@@ -18,10 +18,10 @@
 // scaled to a diagonal of ones, which is noted beside each state. (4 + k) eps is 1.2e-15 to 3.4e-14, measured 0.1 to
 // 0.5 times that.
 
+namespace derivatives_robots_test {
+
 using namespace kte;
 using kte::test::error_of;
-
-namespace {
 
 constexpr long double eps = std::numeric_limits<double>::epsilon();
 
@@ -54,9 +54,7 @@ void check(const char* name, const Chain& c, const reference::state<N>* states,
   }
 }
 
-}  // namespace
-
-TEST_CASE("derivatives of the iiwa14 against 21 digits", "[laws]") {
+TEST_CASE("derivatives of the iiwa14 against 21 digits") {
   check("iiwa14", robots::iiwa14, reference::iiwa14, reference::iiwa14_derivatives, 1e-15L, 25);  // 12 and 25
 }
 TEST_CASE("derivatives of the ur5 against 21 digits") {
@@ -70,3 +68,5 @@ TEST_CASE("derivatives of a chain of 8 bodies against 21 digits") {
   const auto c = reference::static_chain_of(reference::chain8_bodies);
   check("chain8", c, reference::chain8, reference::chain8_derivatives, 2e-15L, 148);
 }
+
+}  // namespace derivatives_robots_test

@@ -6,9 +6,10 @@
 
 // Derivatives of the dynamics in scalars other than double, dual numbers among them.
 
+namespace derivatives_scalars_test {
+
 using namespace kte;
 
-namespace {
 inline constexpr struct ball_ final : rotation_3D_key<"ball"> {
 } ball;
 /// A revolute and a ball joint.
@@ -53,9 +54,8 @@ double gap_between(const Chain& c) {
   compare(f.a, g.a), compare(f.by_q, g.by_q), compare(f.by_v, g.by_v), compare(f.by_tau, g.by_tau);
   return worst;
 }
-}  // namespace
 
-TEST_CASE("derivatives in other scalars", "[laws]") {
+TEST_CASE("derivatives in other scalars") {
   using big = kte::test::digits50;
   // Element by element, and by dual numbers: sums over two or three bodies, some eps of the worse of the two.
   CHECK(gap_between<float, double>(arm) < 20 * std::numeric_limits<float>::epsilon());
@@ -80,3 +80,5 @@ TEST_CASE("second derivatives by dual numbers") {
   CHECK(f.by_q(0, 0).value == within_relative(16 * std::sin(0.5), 1e-15));
   CHECK(f.by_q(0, 0).derivative[0] == within_relative(16 * std::cos(0.5), 1e-15));
 }
+
+}  // namespace derivatives_scalars_test

@@ -9,10 +9,10 @@
 // Derivatives of the dynamics of a robot that floats against 21 digits, a pendulum by hand, and errors. Arms are in
 // derivatives_robots_test.cpp, chains with everything in derivatives_tree_test.cpp.
 
+namespace derivatives_test {
+
 using namespace kte;
 using kte::test::error_of;
-
-namespace {
 
 constexpr long double eps = std::numeric_limits<double>::epsilon();
 
@@ -29,9 +29,7 @@ struct pair_of_springs {
   static constexpr void parameters(Self&, Visit&&) {}
 };
 
-}  // namespace
-
-TEST_CASE("an element with both ports on one coordinate is derived by it once, in a static chain", "[laws]") {
+TEST_CASE("an element with both ports on one coordinate is derived by it once, in a static chain") {
   constexpr auto c = chain(revolute_joint_2D(models::q, models::base, models::joint),
                            rigid_link_2D(models::joint, models::tip, along_x(1.0)),
                            inertia_2D(models::tip, point_mass(1.0)), connect(pair_of_springs{}, models::q, models::q));
@@ -135,3 +133,5 @@ TEST_CASE("what has no derivatives") {
   CHECK_THROWS_AS(forward_dynamics_derivatives(massless, x, x, x), singular_mass_matrix);
   CHECK_THROWS_AS(forward_dynamics_derivatives(massless, make_state(massless)), singular_mass_matrix);
 }
+
+}  // namespace derivatives_test

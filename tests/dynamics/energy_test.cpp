@@ -7,11 +7,11 @@
 
 // Energies: against 31 digits, the mass matrix, by hand, and by the work that is done along a motion.
 
+namespace energy_test {
+
 using namespace kte;
 using namespace kte::test;
 using namespace kte::test::small_chains;
-
-namespace {
 
 /// v . M v / 2 at 50 digits.
 template <class Chain>
@@ -61,9 +61,7 @@ void check_double(const Chain& c, unsigned seed) {
   }
 }
 
-}  // namespace
-
-TEST_CASE("energies of solo12 against 31 digits", "[laws]") {
+TEST_CASE("energies of solo12 against 31 digits") {
   const auto model = models::element_by_element(robots::solo12);
   auto s = model.make_state();
   constexpr long double bound = 1e-15L;  // as of its other numbers
@@ -145,3 +143,5 @@ TEST_CASE("energies of bad arguments") {
   fast[0] = 1e200;
   CHECK_THROWS_AS(kinetic_energy(c, good, fast), bad_argument);  // its square is infinite
 }
+
+}  // namespace energy_test

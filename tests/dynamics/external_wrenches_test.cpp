@@ -10,9 +10,10 @@
 // Loads from outside: what is refused is refused before the state is touched. (What they do:
 // elements/actuators_test.cpp.)
 
+namespace external_wrenches_test {
+
 using namespace kte;
 
-namespace {
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 runtime_chain arm(double length = 1) {
@@ -21,7 +22,6 @@ runtime_chain arm(double length = 1) {
     << inertia_3D("tip", point_mass(1.0));
   return c.gravity(along_z(-9.81));
 }
-}  // namespace
 
 TEST_CASE("a call with loads that throws leaves the state unchanged") {
   const auto c = arm();
@@ -71,3 +71,5 @@ TEST_CASE("loads whose moment is not finite") {
   CHECK_THROWS_AS(centroidal_momentum_matrix(long_arm, t, q), bad_argument);
   CHECK(centre_of_mass_jacobian(long_arm, t, q).cwiseAbs().maxCoeff() == 1e155);  // needs no moment
 }
+
+}  // namespace external_wrenches_test

@@ -2,11 +2,13 @@
 
 // Bodies that float on bases that move, share rotations, are parts of other chains, and are NaN.
 
+namespace floating_base_test {
+
 using namespace kte;
 using namespace kte::test::floating_bodies;
 using models::element_by_element;
 
-TEST_CASE("forward dynamics of a state is that of its numbers without tau, floating", "[laws]") {
+TEST_CASE("forward dynamics of a state is that of its numbers without tau, floating") {
   random_numbers random(9);
   const auto& c = pair_of_bodies;
   const auto q = random_configuration(c, random);
@@ -185,3 +187,5 @@ TEST_CASE("a body without inertia about an axis cannot be moved freely") {
   CHECK_THROWS_AS(forward_dynamics(runtime, r, q, v, v), singular_mass_matrix);
   CHECK_NOTHROW(inverse_dynamics(c, q, v, v));
 }
+
+}  // namespace floating_base_test

@@ -2,11 +2,13 @@
 
 // Bodies that float and ball joints, in closed form and by other joints.
 
+namespace floating_body_test {
+
 using namespace kte;
 using namespace kte::test::floating_bodies;
 using models::element_by_element;
 
-TEST_CASE("a free body: free fall, Euler's equations, forces in its axes", "[laws]") {
+TEST_CASE("a free body: free fall, Euler's equations, forces in its axes") {
   random_numbers random(1);
   const auto runtime = element_by_element(lone);
   auto r = runtime.make_state();
@@ -188,3 +190,5 @@ TEST_CASE("the momentum of what floats changes by its weight alone") {
     CHECK(torque.norm() <= 20 * eps * 100 * 3 * std::max(1.0, size));
   }
 }
+
+}  // namespace floating_body_test

@@ -2,11 +2,11 @@
 
 // Laws that the algorithms obey together where bodies float.
 
+namespace floating_laws_test {
+
 using namespace kte;
 using namespace kte::test::floating_bodies;
 using models::element_by_element;
-
-namespace {
 
 /// Columns of M by inverse dynamics, forward after inverse dynamics, static against runtime.
 template <class Chain>
@@ -39,9 +39,7 @@ void check_identities(const Chain& c, unsigned seed, int rounds) {
   }
 }
 
-}  // namespace
-
-TEST_CASE("mass matrix by columns, forward dynamics after inverse dynamics, floating", "[laws]") {
+TEST_CASE("mass matrix by columns, forward dynamics after inverse dynamics, floating") {
   check_identities(lone, 6, 50);
   check_identities(pair_of_bodies, 7, 50);
   check_identities(hanging, 8, 50);
@@ -61,3 +59,5 @@ TEST_CASE("two floating bodies in one chain are two bodies") {
   CHECK(M.block(0, 6, 3, 3).norm() > 0.1);
   check_identities(nested, 15, 20);
 }
+
+}  // namespace floating_laws_test

@@ -4,11 +4,11 @@
 
 // A robot that floats.
 
+namespace floating_robot_test {
+
 using namespace kte;
 using namespace kte::test::floating_bodies;
 using models::element_by_element;
-
-namespace {
 
 /// max |x - reference| / max |reference|
 template <class X>
@@ -32,9 +32,7 @@ long double error_of_matrix(const M& m, const long double* upper) {
   return off(u, upper, u.size());
 }
 
-}  // namespace
-
-TEST_CASE("solo12 against 31 digits", "[laws]") {
+TEST_CASE("solo12 against 31 digits") {
   // Bounds as for arms (reference_test.cpp): sums over four bodies in a row, a few eps of the largest number; measured
   // 2e-16. Forward dynamics may lose the condition of M, which is 2e4: 2.5 kg to move, 1e-4 kg m^2 of a lower leg to
   // turn. Articulated bodies divide by each inertia separately, and errors are relative to the largest accelerations,
@@ -126,3 +124,5 @@ TEST_CASE("the length of a quaternion does not matter to any algorithm") {
   };
   check(1.5), check(-1.0), check(1e-100), check(1e100);
 }
+
+}  // namespace floating_robot_test

@@ -8,11 +8,11 @@
 // Forward dynamics after inverse dynamics, of mechanisms with a formula, at 50 digits. More: reference_test.cpp,
 // serial_chains_test.cpp, articulated_*_test.cpp.
 
+namespace forward_dynamics_test {
+
 using namespace kte;
 using models::base, models::pendulum;
 using test::small_chains::random_vector;
-
-namespace {
 
 // clang-format off
 inline constexpr struct q1_    final : coord_key<"q1">       {} q1;
@@ -42,9 +42,7 @@ void check_after_inverse_dynamics(const Chain& c, unsigned seed) {
   }
 }
 
-}  // namespace
-
-TEST_CASE("forward dynamics after inverse dynamics", "[laws]") {
+TEST_CASE("forward dynamics after inverse dynamics") {
   check_after_inverse_dynamics(pendulum, 1);
   check_after_inverse_dynamics(models::tree, 2);
   check_after_inverse_dynamics(robots::iiwa14, 3);
@@ -123,3 +121,5 @@ TEST_CASE("forward dynamics in double precision against 50 digits") {
     CHECK(test::error_of_double(forward_dynamics(robots::iiwa14, q, v, x), exact) < 1e-13);  // any state
   }
 }
+
+}  // namespace forward_dynamics_test

@@ -6,11 +6,11 @@
 
 // Poses, velocities and accelerations of frames: against differences, Jacobians and single poses, static and runtime.
 
+namespace frame_motion_test {
+
 using namespace kte;
 using namespace kte::test;
 using namespace kte::test::small_chains;
-
-namespace {
 
 /// Sums of a few products along at most 8 frames, of numbers that are large beside the result where terms cancel: less
 /// than 100 roundings of the largest, which `gap` is relative to, or of 1.
@@ -86,9 +86,7 @@ void check_poses(const Chain& c, const Frame& frame, unsigned seed) {
   }
 }
 
-}  // namespace
-
-TEST_CASE("velocities and accelerations of frames by differences at 50 digits", "[laws]") {
+TEST_CASE("velocities and accelerations of frames by differences at 50 digits") {
   check_by_differences(robots::iiwa14, robots::iiwa14_names::tool, 1);
   check_by_differences(floating, body, 2);
   check_by_differences(floating, tip, 3);
@@ -172,3 +170,5 @@ TEST_CASE("motion of frames for bad arguments") {
   fast[0] = 1e200;
   CHECK_THROWS_AS(frame_acceleration(c, good, fast, good, tool), bad_argument);  // its square is infinite
 }
+
+}  // namespace frame_motion_test

@@ -12,17 +12,17 @@
 // errors of articulated bodies do not add up along a chain: every joint lets go of what it does not pass on. Bounds:
 // some three times the largest error measured at -O1 and -O3 -march=native, which is in brackets.
 
+namespace hard_chains_test {
+
 using namespace kte;
 using namespace kte::reference;
 
-namespace {
 long double error_in(const hard_chain& c) {
   auto s = c.chain.make_state();
   return error_of(forward_dynamics(c.chain, s, c.q, c.v, c.tau), c);
 }
-}  // namespace
 
-TEST_CASE("long rows of rods", "[laws][both]") {
+TEST_CASE("long rows of rods") {
   CHECK(error_in(uniform_rods(10)) < 1.5e-15L);  // [5e-16]
   CHECK(error_in(uniform_rods(100)) < 3e-15L);   // [9e-16]
   CHECK(error_in(uniform_rods(1000)) < 3e-15L);  // [8e-16]
@@ -64,3 +64,5 @@ TEST_CASE("the inverse of the mass matrix of long chains, also as a derivative o
   check(uniform_rods(128));
   check(spatial_chain(100));
 }
+
+}  // namespace hard_chains_test

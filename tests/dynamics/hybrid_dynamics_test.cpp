@@ -4,10 +4,10 @@
 
 // Hybrid dynamics against the equations of motion M a + bias = tau, solved for what is not known in long double.
 
+namespace hybrid_dynamics_test {
+
 using namespace kte;
 using namespace kte::test::trees;
-
-namespace {
 
 void mark(gen_coord<double>& x) { x.q_ddot = 1; }
 template <class X>
@@ -83,9 +83,7 @@ void check(const Chain& c, unsigned seed, const Keys&... keys) {
   CHECK(worst.tau < 5e-15);
 }
 
-}  // namespace
-
-TEST_CASE("hybrid dynamics of a tree in space", "[laws]") {
+TEST_CASE("hybrid dynamics of a tree in space") {
   SECTION("at its root") { check(tree_3D, 1, q1); }
   SECTION("in its middle, of six degrees of freedom") { check(tree_3D, 2, floating); }
   SECTION("in its middle, a ball joint, and at an end") { check(tree_3D, 3, ball, q3); }
@@ -101,3 +99,5 @@ TEST_CASE("hybrid dynamics of a tree in the plane") {
   SECTION("a free joint") { check(tree_2D, 7, sliding); }
   SECTION("a sliding joint in its middle") { check(tree_2D, 8, q2, q3); }
 }
+
+}  // namespace hybrid_dynamics_test

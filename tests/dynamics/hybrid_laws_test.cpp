@@ -8,10 +8,12 @@
 // Hybrid dynamics is between inverse and forward dynamics; of a robot against 31 digits; of what is singular or no
 // number.
 
+namespace hybrid_laws_test {
+
 using namespace kte;
 using namespace kte::test::trees;
 
-TEST_CASE("with nothing prescribed, hybrid dynamics is forward dynamics", "[laws]") {
+TEST_CASE("with nothing prescribed, hybrid dynamics is forward dynamics") {
   random_numbers random(9);
   for (int round = 0; round < 20; ++round) {
     const trial<decltype(rotors)> x(random);
@@ -147,3 +149,5 @@ TEST_CASE("hybrid dynamics of arguments that are not finite, and of other sizes"
   CHECK_THROWS_WITH(solve(seven, seven, six), "kte: v has 7 numbers, the chain has 6 degrees of freedom");
   CHECK_THROWS_WITH(solve(seven, six, seven), "kte: known has 7 numbers, the chain has 6 degrees of freedom");
 }
+
+}  // namespace hybrid_laws_test

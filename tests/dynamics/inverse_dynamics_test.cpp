@@ -7,11 +7,11 @@
 // Inverse dynamics by powers, on a base that moves, at 50 digits; forward kinematics beside it. More:
 // reference_test.cpp, serial_chains_test.cpp.
 
+namespace inverse_dynamics_test {
+
 using namespace kte;
 using models::base, models::hand;
 using test::small_chains::big, test::small_chains::random_vector;
-
-namespace {
 
 // clang-format off
 inline constexpr struct slide_ final : coord_key<"slide">  {} slide;
@@ -37,9 +37,7 @@ double power_gap(const Chain& c, random_numbers& random, const Damping& damping)
   return static_cast<double>(abs(v.dot(work) - damping(v) - change) / (1 + abs(change)));
 }
 
-}  // namespace
-
-TEST_CASE("inverse dynamics at 50 digits does work that changes the kinetic energy", "[laws]") {
+TEST_CASE("inverse dynamics at 50 digits does work that changes the kinetic energy") {
   random_numbers random(5);
   for (int round = 0; round < 5; ++round) {
     CHECK(power_gap(robots::iiwa14, random, [](const auto&) { return big(0); }) < 1e-21);
@@ -89,3 +87,5 @@ TEST_CASE("inverse dynamics in double precision against 50 digits") {
     CHECK(test::error_of_double(inverse_dynamics(robots::iiwa14, q, v, a), exact) < 1e-15);
   }
 }
+
+}  // namespace inverse_dynamics_test

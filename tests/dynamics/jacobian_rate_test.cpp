@@ -7,11 +7,11 @@
 
 // Rates of Jacobians: a formula, differences, identities with accelerations, static against runtime.
 
+namespace jacobian_rate_test {
+
 using namespace kte;
 using namespace kte::test;
 using namespace kte::test::small_chains;
-
-namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 /// Columns are sums of products along at most 8 poses, their rates of as many with rates below 10.
@@ -48,9 +48,7 @@ void check(const Chain& c, const Frame& frame, unsigned seed) {
   check_axes(c, model, frame, seed + 2, at_world_origin);
 }
 
-}  // namespace
-
-TEST_CASE("rate of the Jacobian of a point on a wheel, by its formula", "[laws]") {
+TEST_CASE("rate of the Jacobian of a point on a wheel, by its formula") {
   // p = (l cos q, l sin q): in own axes J = (0, l, 1) for ever; in the world (-l sin q, l cos q), and 0 at the origin.
   constexpr auto c = chain(revolute_joint_2D(q1, table, cart), rigid_link_2D(cart, rail, along_x(0.5)));
   const std::array q{0.3}, v{2.0};
@@ -120,3 +118,5 @@ TEST_CASE("rates of Jacobians of bad arguments") {
   }
   CHECK_THROWS_AS(jacobian_rate(planar, q, std::vector<double>(3), disc), bad_argument);
 }
+
+}  // namespace jacobian_rate_test

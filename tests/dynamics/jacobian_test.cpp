@@ -10,11 +10,11 @@
 
 // Jacobians: against 31 digits, against differences, static against runtime.
 
+namespace jacobian_test {
+
 using namespace kte;
 using namespace kte::test;
 using namespace kte::test::small_chains;
-
-namespace {
 
 /// By central differences of the pose at 50 digits: d p/dv and (dR/dv) R^T.
 template <class Chain, class Frame>
@@ -102,9 +102,7 @@ void check_kept(const Chain& c, std::initializer_list<const char*> frames) {
   }
 }
 
-}  // namespace
-
-TEST_CASE("Jacobian of a foot of solo12 against 31 digits", "[laws]") {
+TEST_CASE("Jacobian of a foot of solo12 against 31 digits") {
   // As for its other numbers (floating_base_test.cpp): a few eps of the largest.
   constexpr long double bound = 1e-15L;
   const auto& foot = robots::solo12_names::hr.foot;
@@ -192,3 +190,5 @@ TEST_CASE("Jacobians of bad arguments") {
     CHECK(positions(s) == before);
   }
 }
+
+}  // namespace jacobian_test

@@ -6,11 +6,11 @@
 
 // What joints carry: a formula, the forces of inverse dynamics, Newton's law for all, static against runtime.
 
+namespace joint_reactions_test {
+
 using namespace kte;
 using namespace kte::test;
 using namespace kte::test::small_chains;
-
-namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 /// Sums of loads of bodies below 3 kg along at most 8 poses.
@@ -37,9 +37,7 @@ void check_runtime(const Chain& c, const Frame& frame, unsigned seed) {
   CHECK(found);
 }
 
-}  // namespace
-
-TEST_CASE("reaction of a pendulum, by its formula", "[laws]") {
+TEST_CASE("reaction of a pendulum, by its formula") {
   // 2 kg at 0.5 m: along the rod m (g sin q - l v^2) inward, across it m (g cos q + l a).
   constexpr auto c = chain(revolute_joint_2D(q1, table, cart), inertia_2D(cart, point_mass(2.0, vec3{0.5, 0.0, zero})))
                          .gravity(along_y(-9.81));
@@ -87,3 +85,5 @@ TEST_CASE("reactions of bad arguments") {
   CHECK_THROWS_AS(joint_reaction(planar, q, q, nan, disc), bad_argument);
   CHECK_THROWS_AS(joint_reaction(planar, q, std::array{1e200, 1e200, 1e200, 1e200}, q, disc), bad_argument);
 }
+
+}  // namespace joint_reactions_test

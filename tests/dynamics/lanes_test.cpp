@@ -12,11 +12,11 @@
 
 // Runtime chains with other parameters in each lane, against a chain of each lane.
 
+namespace lanes_test {
+
 using kte::test::says;
 using namespace kte;
 using P = pack<double, 8>;
-
-namespace {
 
 P ramp(double first, double step) {
   P x;
@@ -144,8 +144,6 @@ double worst_lane(const Chain& c, const varied& parameters, const Make& make) {
   return worst;
 }
 
-}  // namespace
-
 TEST_CASE("random runtime chains in lanes: each lane is the chain of its parameters") {
   random_numbers random(39);
   for (int k = 0; k < 30; ++k) {
@@ -244,3 +242,5 @@ TEST_CASE("lanes of runtime chains that are not there, or not allowed, by name a
   c << brake_gen("q", "mode", "force");
   CHECK_THROWS_MATCHES(make_state<P>(c), bad_argument, says("may hold its coordinate"));
 }
+
+}  // namespace lanes_test

@@ -7,10 +7,10 @@
 
 // The inverse of the mass matrix of robots against 21 digits.
 
+namespace mass_matrix_inverse_robots_test {
+
 using namespace kte;
 using namespace kte::test::trees;
-
-namespace {
 
 template <class Chain, class States, int N, std::size_t Count>
 void check_robot(const Chain& c, const States& states, const reference::derivatives<N> (&derivatives)[Count]) {
@@ -23,10 +23,10 @@ void check_robot(const Chain& c, const States& states, const reference::derivati
   worst.check();
 }
 
-}  // namespace
-
-TEST_CASE("the inverse of the mass matrix of robots against 21 digits", "[laws]") {
+TEST_CASE("the inverse of the mass matrix of robots against 21 digits") {
   SECTION("iiwa14") { check_robot(robots::iiwa14, reference::iiwa14, reference::iiwa14_derivatives); }
   SECTION("ur5") { check_robot(robots::ur5, reference::ur5, reference::ur5_derivatives); }
   SECTION("solo12") { check_robot(robots::solo12, reference::solo12, reference::solo12_derivatives); }
 }
+
+}  // namespace mass_matrix_inverse_robots_test

@@ -4,19 +4,17 @@
 
 // The inverse of the mass matrix where coordinates follow others, at 50 digits, and if there is none.
 
+namespace mass_matrix_inverse_test {
+
 using namespace kte;
 using namespace kte::test::trees;
-
-namespace {
 
 constexpr auto shared =
     chain(revolute_joint_3D(q1, base, a, axis::y), inertia_3D(a, body), prismatic_joint_3D(q2, a, b, axis::x),
           inertia_3D(b, light), revolute_joint_3D(q1, b, d, oblique), inertia_3D(d, light))
         .gravity(fall);
 
-}  // namespace
-
-TEST_CASE("the inverse of the mass matrix where coordinates follow others", "[laws]") {
+TEST_CASE("the inverse of the mass matrix where coordinates follow others") {
   STATIC_REQUIRE(!by_articulated_bodies<decltype(models::tree)>);
   check_inverse(models::tree, 4, models::ground, models::wall, models::motor);
   STATIC_REQUIRE(!by_articulated_bodies<decltype(shared)>);
@@ -104,3 +102,5 @@ TEST_CASE("the inverse of the mass matrix of arguments that are not finite") {
   CHECK_THROWS_WITH(mass_matrix_inverse(c, std::vector{0.25, 0.5}),
                     "kte: q has 2 numbers, the chain has 6 numbers of a configuration");
 }
+
+}  // namespace mass_matrix_inverse_test

@@ -7,11 +7,11 @@
 
 // Mass matrices by their columns, by a formula, at 50 digits. More: reference_test.cpp, serial_chains_test.cpp.
 
+namespace mass_matrix_test {
+
 using namespace kte;
 using models::base, models::pendulum;
 using test::small_chains::random_vector, test::small_chains::big;
-
-namespace {
 
 // clang-format off
 inline constexpr struct q_      final : coord_key<"q">         {} q;
@@ -41,9 +41,7 @@ void check_columns(const Chain& c, unsigned seed) {
   }
 }
 
-}  // namespace
-
-TEST_CASE("columns of the mass matrix by inverse dynamics, of static chains", "[laws]") {
+TEST_CASE("columns of the mass matrix by inverse dynamics, of static chains") {
   check_columns(pendulum, 1);
   check_columns(models::tree, 2);
   check_columns(robots::iiwa14, 3);
@@ -79,3 +77,5 @@ TEST_CASE("mass matrix in double precision against 50 digits") {
           1e-15);
   }
 }
+
+}  // namespace mass_matrix_test

@@ -6,11 +6,11 @@
 
 // How the centre of mass and momentum change: a formula, differences at 50 digits, static against runtime.
 
+namespace momentum_rate_test {
+
 using namespace kte;
 using namespace kte::test;
 using namespace kte::test::small_chains;
-
-namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 constexpr double rounding = 200 * eps;  // sums of what some bodies have, along at most 8 poses
@@ -38,9 +38,7 @@ void check(const Chain& c, unsigned seed) {
   }
 }
 
-}  // namespace
-
-TEST_CASE("momentum rate of two masses on a turning rod, by its formula", "[laws]") {
+TEST_CASE("momentum rate of two masses on a turning rod, by its formula") {
   // 1 kg at 2 m and 3 kg at 0: c at 0.5 m, p' = m (-v^2, a) c, k_G' = (1 * 1.5^2 + 3 * 0.5^2) a.
   constexpr auto c = chain(revolute_joint_2D(q1, table, cart), inertia_2D(cart, point_mass(3.0)),
                            inertia_2D(cart, point_mass(1.0, vec3{2.0, 0.0, zero})))
@@ -126,3 +124,5 @@ TEST_CASE("bases that signals move have momentum, as coordinates that they move"
   same(centroidal_momentum(frames, s, q, v), centroidal_momentum(coordinates, t, q, v));
   same(centroidal_momentum_rate(frames, s, q, v, a), centroidal_momentum_rate(coordinates, t, q, v, a));
 }
+
+}  // namespace momentum_rate_test

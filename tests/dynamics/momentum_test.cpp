@@ -6,11 +6,11 @@
 
 // Generalized momenta: against the mass matrix, and their change along the velocities against differences.
 
+namespace momentum_test {
+
 using namespace kte;
 using namespace kte::test;
 using namespace kte::test::small_chains;
-
-namespace {
 
 template <class Chain>
 void check_momenta(const Chain& c, unsigned seed) {
@@ -35,9 +35,7 @@ void check_change(const Chain& c, unsigned seed) {
   CHECK(gap(change, differences) < by_differences);
 }
 
-}  // namespace
-
-TEST_CASE("generalized momenta are the mass matrix times velocities", "[laws]") {
+TEST_CASE("generalized momenta are the mass matrix times velocities") {
   check_momenta(robots::iiwa14, 1);
   check_momenta(floating_with_springs, 3);
   check_momenta(planar, 4);
@@ -49,3 +47,5 @@ TEST_CASE("their change along the velocities is a derivative") {
   check_change(planar, 13);
   check_change(geared, 14);
 }
+
+}  // namespace momentum_test

@@ -9,9 +9,9 @@
 // Measures, frames that follow others, and bases whose motion is given block no algorithm of bodies on static chains:
 // results are those of the chain without them.
 
-using namespace kte;
+namespace passed_over_test {
 
-namespace {
+using namespace kte;
 
 // clang-format off
 inline constexpr struct q1_     final : coord_key<"q1">       {} q1;
@@ -59,8 +59,6 @@ std::vector<double> of_bodies(const Chain& c) {
 constexpr auto nearest = line_point_mindist_3D(a, foot, axis::x, vec3{0.0, 1.0, 0.0});
 constexpr std::array here{0.25, -0.5};
 
-}  // namespace
-
 TEST_CASE("measures block no algorithm of static chains") {
   const auto plain = arm_with();
   const auto measured = arm_with(position_measure_3D(b, seen));
@@ -105,3 +103,5 @@ TEST_CASE("loads from outside are any vectors") {
   CHECK(external_forces(c, here, wrench_on(b, axis::x, {0, 2, 0})) == external_forces(c, here, wrench_on(b, f, t)));
   CHECK(external_forces(c, here, wrench_on(b, {1, 0, 0})) == external_forces(c, here, wrench_on(b, f)));
 }
+
+}  // namespace passed_over_test

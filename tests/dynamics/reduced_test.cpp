@@ -13,11 +13,11 @@
 
 // Chains with locked joints: their forces and masses are those of the whole chain that has these joints at rest.
 
+namespace reduced_test {
+
 using namespace kte;
 using namespace kte::test;
 using namespace kte::test::small_chains;
-
-namespace {
 
 constexpr double rounding = 500 * std::numeric_limits<double>::epsilon();  // M, its inverse, motions along 8 poses
 
@@ -77,9 +77,7 @@ void check(const runtime_chain& c, unsigned seed, const Names&... names) {
   CHECK(potential_energy(part, t, at) == within_relative(potential_energy(c, s, q), 10 * rounding));
 }
 
-}  // namespace
-
-TEST_CASE("chains with locked joints: forces, masses, accelerations", "[laws]") {
+TEST_CASE("chains with locked joints: forces, masses, accelerations") {
   const auto c = models::element_by_element(floating);
   check(c, 1, "q1");
   check(c, 2, "trunk", "q2");
@@ -142,3 +140,5 @@ TEST_CASE("locked joints of the name of a frame, with a brake, and on a mount") 
   CHECK(inverse_dynamics(part, s, std::array{0.1}, std::array{0.0}, std::array{2.0})[0] ==
         within(2 + 9.81 * std::sin(0.6), 1e-14));
 }
+
+}  // namespace reduced_test

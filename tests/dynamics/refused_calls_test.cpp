@@ -7,9 +7,9 @@
 
 // What a call that refuses leaves in the state of a runtime chain: every function that puts arguments into it.
 
-using namespace kte;
+namespace refused_calls_test {
 
-namespace {
+using namespace kte;
 
 using vector = Eigen::VectorXd;
 
@@ -86,8 +86,6 @@ std::vector<call> all_calls(const runtime_chain& c, const mass_matrix_calc<runti
 #undef KTE_REFUSING
 }
 
-}  // namespace
-
 TEST_CASE("a call that refuses because numbers overflow leaves the state unchanged, and names one") {
   const auto c = arm();
   const mass_matrix_calc masses(c);
@@ -132,3 +130,5 @@ TEST_CASE("a state that was moved is put back too") {
   CHECK_THROWS_AS(forward_dynamics(c, s, neutral_configuration(c), vector(1e200 * v), v), bad_argument);
   CHECK((positions(s) == q && velocities(s) == v));
 }
+
+}  // namespace refused_calls_test

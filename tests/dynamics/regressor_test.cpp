@@ -12,11 +12,11 @@
 
 // The regressor of inertial parameters: against a formula, against inverse dynamics, and by bodies of unit parameters.
 
+namespace regressor_test {
+
 using namespace kte;
 using namespace kte::test;
 using namespace kte::test::small_chains;
-
-namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
@@ -143,9 +143,7 @@ void check(const Chain& c, unsigned seed) {
   }
 }
 
-}  // namespace
-
-TEST_CASE("regressor of two links in the plane, by its formula", "[laws]") {
+TEST_CASE("regressor of two links in the plane, by its formula") {
   // Both frames in the joints, bodies with c anywhere. At 50 digits, then in double.
   const auto check_formula = [](const auto& arm, auto scalar, double tolerance) {
     using S = decltype(scalar);
@@ -299,3 +297,5 @@ TEST_CASE("regressor of bad arguments") {
   CHECK_THROWS_MATCHES(torque_regressor(model, s, x, large, x), bad_argument, says("v[2] of 'q3' is 1e+160"));
   CHECK_THROWS_MATCHES(torque_regressor(robots::iiwa14, x, large, x), bad_argument, says("v[2] of 'q3' is 1e+160"));
 }
+
+}  // namespace regressor_test

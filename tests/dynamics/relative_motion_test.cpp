@@ -7,11 +7,11 @@
 
 // Motion of one frame in another: against their motions in the world, against the Jacobian, static against runtime.
 
+namespace relative_motion_test {
+
 using namespace kte;
 using namespace kte::test;
 using namespace kte::test::small_chains;
-
-namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 constexpr double rounding = 200 * eps;  // as for rates of Jacobians: motions along at most 8 poses, twice
@@ -55,9 +55,7 @@ void check(const Chain& c, const B& b, const A& a, unsigned seed) {
   }
 }
 
-}  // namespace
-
-TEST_CASE("relative motion of frames by identities, differences and runtime chains", "[laws]") {
+TEST_CASE("relative motion of frames by identities, differences and runtime chains") {
   check(floating, tip, aside, 1);    // on two branches
   check(floating, hand, tip, 2);     // the one on the other
   check(floating, body, ground, 3);  // a frame in its base
@@ -128,3 +126,5 @@ TEST_CASE("relative motion of frames that follow others: Jacobians are refused")
       (jacobian(c, std::array{0.3 + 2 * h}, near) - jacobian(c, std::array{0.3 - 2 * h}, near)) / (2 * h);
   CHECK(gap(jacobian_rate(c, q, v, near), rate) < 1e-7);
 }
+
+}  // namespace relative_motion_test

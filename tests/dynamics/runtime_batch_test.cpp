@@ -13,9 +13,9 @@
 
 // Many states of a runtime chain at once, against each state alone.
 
-using namespace kte;
+namespace runtime_batch_test {
 
-namespace {
+using namespace kte;
 
 /// A slide, a hinge about a general axis with a rotor, a ball: six numbers a configuration, five degrees of freedom.
 runtime_chain arm() {
@@ -55,8 +55,6 @@ double gap(const std::vector<double>& all, std::size_t k, const X& x) {
 }
 /// Both are within half of it of the true result (tests/dynamics/runtime_scalars_test.cpp).
 constexpr double rounding = 64 * 0x1p-52;
-
-}  // namespace
 
 TEST_CASE("batches of states of a runtime chain") {
   const runtime_chain c = arm();
@@ -126,3 +124,5 @@ TEST_CASE("batches of chains of elements with their own laws") {
           16 * rounding);
   }
 }
+
+}  // namespace runtime_batch_test

@@ -16,12 +16,12 @@
 // static chains, which have their own tests. Both do the same sums; static chains leave out what is zero by its type,
 // so that results differ where the compiler contracts other products. Bound: the errors of both.
 
+namespace runtime_derivatives_test {
+
 using namespace kte;
 using namespace kte::test::trees;
 using kte::test::error_of;
 using models::element_by_element;
-
-namespace {
 
 constexpr double both_errors = 4e-15;
 
@@ -86,9 +86,7 @@ void check_hybrid(const Chain& model, unsigned seed, const Keys&... keys) {
   in_random_states(model, seed, compare);
 }
 
-}  // namespace
-
-TEST_CASE("derivatives of a runtime iiwa14 against 21 digits", "[laws]") {
+TEST_CASE("derivatives of a runtime iiwa14 against 21 digits") {
   const runtime_chain c = element_by_element(robots::iiwa14);
   auto s = c.make_state();
   for (std::size_t k = 0; k < std::size(reference::iiwa14_derivatives); ++k) {
@@ -226,3 +224,5 @@ TEST_CASE("the inverse of the mass matrix does not depend on an earlier call wit
   }
   CHECK(refused > 2);  // positions whose squares are NaN
 }
+
+}  // namespace runtime_derivatives_test

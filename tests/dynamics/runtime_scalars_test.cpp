@@ -23,11 +23,12 @@
 
 // Runtime chains in scalars other than double: loops over body nodes, each against 50 digits.
 
+namespace runtime_scalars_test {
+
 using namespace kte;
 using kte::test::digits50;
 using kte::test::within;
 
-namespace {
 inline constexpr struct trunk_pose_ final : pose_3D_key<"trunk pose"> {
 } trunk_pose;
 inline constexpr struct ball_ final : rotation_3D_key<"ball"> {
@@ -118,9 +119,8 @@ void check(const runtime_chain& c, const sample& x, const results<digits50>& exa
   const auto itself = [](const S& y) { return y; };
   CHECK(gap(results_in<S>(c, x), exact, itself) < roundings * static_cast<double>(std::numeric_limits<S>::epsilon()));
 }
-}  // namespace
 
-TEST_CASE("runtime chains in other scalars", "[laws]") {
+TEST_CASE("runtime chains in other scalars") {
   const runtime_chain c = creature();
   random_numbers random(11);
   for (int i = 0; i < 5; ++i) {
@@ -165,7 +165,6 @@ TEST_CASE("derivatives of a runtime chain by dual numbers") {
   }
 }
 
-namespace {
 /// Two hinges and a slide on each other, and what stands beside: a frame that follows, and a measure.
 runtime_chain tandem(const char* first, const char* second, const char* third) {
   runtime_chain c;
@@ -208,7 +207,6 @@ void check_shared() {
   CHECK(close(r.by_a * f.by_q, -r.by_q));
   CHECK(close(r.by_a * f.by_v, -r.by_v));
 }
-}  // namespace
 
 TEST_CASE("derivatives of runtime chains of joints that share coordinates") {
   check_shared<double>();
@@ -237,3 +235,5 @@ TEST_CASE("what other scalars cannot do is said") {
   CHECK_THROWS_MATCHES(relative_pose(following, s, q, "nearest", "a"), bad_argument, says);
   CHECK_NOTHROW(forward_kinematics(following, s, q, "c"));
 }
+
+}  // namespace runtime_scalars_test

@@ -15,11 +15,12 @@
 
 #include "catch.hpp"
 
+namespace shapes_test {
+
 using namespace kte;
 
 /// Chains of all shapes that an element may have, assembled at random: each algorithm that takes them against the
 /// others.
-namespace {
 
 /// Numbers in [-1, 1).
 struct draws {
@@ -163,8 +164,6 @@ double difference_of(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
   return (a - b).lpNorm<Eigen::Infinity>() / std::max(1.0, b.lpNorm<Eigen::Infinity>());
 }
 
-}  // namespace
-
 TEST_CASE("chains of all shapes: algorithms agree") {
   int conservative = 0, with_friction = 0;
   for (unsigned seed = 1; seed <= 150; ++seed) {
@@ -257,3 +256,5 @@ TEST_CASE("what algorithms cannot count they refuse by name") {
   CHECK_THROWS_MATCHES(mass_matrix(linked, w), bad_argument,
                        says("rigid_link_3D (base 'slide', end 'tip') stands on a frame that follows others"));
 }
+
+}  // namespace shapes_test

@@ -7,10 +7,10 @@
 #include "chain/cantilever.hpp"
 #include "chain/registered.hpp"
 
+namespace statics_test {
+
 using namespace kte;
 using namespace kte::test;
-
-namespace {
 
 using std::numbers::pi;
 
@@ -45,8 +45,6 @@ runtime_chain masses(int n, bool walls, double c_of_all) {
   }
   return c;
 }
-
-}  // namespace
 
 TEST_CASE("beams are bent by all of their load at once, however stiff along") {
   const planar_beam_section wire{.EA = 1e9, .EI = 1};
@@ -332,3 +330,5 @@ TEST_CASE("natural modes of a pendulum, hanging and upright") {
   CHECK(upright.root[0].real() == within_relative(std::sqrt(2 * 9.81), 1e-14));
   CHECK(upright.damping[0] == -1);
 }
+
+}  // namespace statics_test

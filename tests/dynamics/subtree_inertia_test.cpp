@@ -6,11 +6,11 @@
 
 // What a frame carries: a formula, the mass matrix, the centre of mass of all; static against runtime.
 
+namespace subtree_inertia_test {
+
 using namespace kte;
 using namespace kte::test;
 using namespace kte::test::small_chains;
-
-namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 constexpr double rounding = 50 * eps;  // sums of a few bodies along at most 8 poses
@@ -35,9 +35,7 @@ void check_runtime(const Chain& c, const Frame& frame, unsigned seed) {
   CHECK(gap(kte::test::small_chains::eigen(r.position), kte::test::small_chains::eigen(centre.position)) < rounding);
 }
 
-}  // namespace
-
-TEST_CASE("what a frame carries, by its formula", "[laws]") {
+TEST_CASE("what a frame carries, by its formula") {
   // 2 kg at 0.5 m on the cart, then 3 kg on a link of 1 m that is turned by a quarter.
   constexpr auto c = chain(revolute_joint_2D(q1, table, cart), inertia_2D(cart, point_mass(2.0, vec3{0.5, 0.0, zero})),
                            rigid_link_2D(cart, rail, along_x(1.0), quarter_turn),
@@ -86,3 +84,5 @@ TEST_CASE("what frames carry, of bad arguments") {
   CHECK(subtree_inertia(none, t, "end").mass == 0);
   CHECK_THROWS_AS(carried_mass_centre(none, t, "end"), bad_argument);
 }
+
+}  // namespace subtree_inertia_test

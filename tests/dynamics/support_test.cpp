@@ -5,11 +5,12 @@
 
 // What moves a frame, against the columns of its Jacobian; the frames that two stand on.
 
+namespace support_test {
+
 using namespace kte;
 using namespace kte::test;
 using namespace kte::test::small_chains;
 
-namespace {
 template <class Chain, class Frame>
 void check(const Chain& c, const Frame& frame, unsigned seed) {
   random_numbers random(seed);
@@ -23,9 +24,8 @@ void check(const Chain& c, const Frame& frame, unsigned seed) {
     CHECK(at_run_time[k] == moves[k]);
   }
 }
-}  // namespace
 
-TEST_CASE("what moves a frame are the columns of its Jacobian that are not zero", "[laws]") {
+TEST_CASE("what moves a frame are the columns of its Jacobian that are not zero") {
   check(floating, tip, 1);
   check(floating, aside, 2);
   check(floating, ground, 3);
@@ -57,3 +57,5 @@ TEST_CASE("what moves a frame that follows another") {
   CHECK(support(c, "near") == std::vector{true, false});
   CHECK(common_ancestor(c, "near", "disc") == "rail");
 }
+
+}  // namespace support_test

@@ -6,11 +6,11 @@
 
 #include "dynamics/trees.hpp"
 
+namespace unit_forces_test {
+
 using namespace kte;
 using namespace kte::test::trees;
 using kte::detail::joint_place;
-
-namespace {
 
 /// Every axis is in one group, and stands on the way of that to the base.
 template <std::size_t Width, std::size_t N>
@@ -36,8 +36,6 @@ template <class S>
 auto inverse_in(const joint_vector<double, nq>& q) {
   return mass_matrix_inverse(joints_3D, q.cast<S>().eval());
 }
-
-}  // namespace
 
 TEST_CASE("a trunk of six axes and four legs of three: groups of four") {
   // Elements: the trunk, a body, then of each leg three joints with a link between two of them.
@@ -88,3 +86,5 @@ TEST_CASE("the inverse of the mass matrix in scalars that fill a register by one
         for (const std::size_t lane : {0u, 3u}) CHECK(std::abs(packed(i, j)[lane] - x(i, j)) <= 2e-15 * size);
   }
 }
+
+}  // namespace unit_forces_test

@@ -2,11 +2,13 @@
 
 // The first variations of how motion and forces pass joints.
 
+namespace variation_joints_test {
+
 using namespace kte;
 using namespace kte::detail;
 using namespace kte::test::variations;
 
-TEST_CASE("gyration_through is gyration seen from the base of an element", "[laws]") {
+TEST_CASE("gyration_through is gyration seen from the base of an element") {
   // With any gyration at the end, not that of a body: the wrench at the base changes by what `transmit` makes of the
   // change at the end, whose motion is that of `compose`.
   worst_gap worst;
@@ -114,3 +116,5 @@ TEST_CASE("sensitivity_through is the transpose of how motion passes an element"
   worst.below(by_rate_bound);
   dense.below(by_rate_bound);
 }
+
+}  // namespace variation_joints_test

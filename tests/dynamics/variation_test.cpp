@@ -2,11 +2,13 @@
 
 // The first variations of what moves bodies.
 
+namespace variation_test {
+
 using namespace kte;
 using namespace kte::detail;
 using namespace kte::test::variations;
 
-TEST_CASE("centripetal_by_rate and gyration_of are derivatives by the angular velocity", "[laws]") {
+TEST_CASE("centripetal_by_rate and gyration_of are derivatives by the angular velocity") {
   random_numbers random(1);
   worst_gap worst;
   for (int round = 0; round < 10; ++round) {
@@ -67,3 +69,5 @@ TEST_CASE("gyration_through of a body is its gyration as part of the base") {
   }
   worst.below(1e-46);
 }
+
+}  // namespace variation_test

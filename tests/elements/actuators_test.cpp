@@ -4,10 +4,11 @@
 #include "catch.hpp"
 #include "elements/laws.hpp"
 
+namespace actuators_test {
+
 using namespace kte;
 using namespace kte::test;
 
-namespace {
 // clang-format off
 constexpr struct q_      final : coord_key<"q">         {} q;
 constexpr struct lift_   final : coord_key<"lift">      {} lift;
@@ -38,9 +39,8 @@ template <class A, class B>
 double difference_of(const A& a, const B& b) {
   return (a - b).template lpNorm<Eigen::Infinity>();
 }
-}  // namespace
 
-TEST_CASE("actuators of frames: loads by signals are those of the same numbers as parameters", "[laws]") {
+TEST_CASE("actuators of frames: loads by signals are those of the same numbers as parameters") {
   const vec3<> f{0.3, -0.7, 1.1}, t{-0.2, 0.4, 0.9};
   const auto loads = [&](const auto& by_signals, const auto& by_numbers, const auto& torque) {
     auto x = trial_of(by_signals, 7);
@@ -225,3 +225,5 @@ TEST_CASE("a motor of a joint follows its law within its ranges") {
   CHECK(what({.lower_command = 1, .upper_command = -1}) ==
         where + "lower_command must not be above upper_command, got 1");
 }
+
+}  // namespace actuators_test

@@ -3,9 +3,10 @@
 #include "catch.hpp"
 #include "elements/laws.hpp"
 
+namespace base_test {
+
 using namespace kte;
 
-namespace {
 // clang-format off
 inline constexpr struct x_    final : coord_key<"x">        {} x;
 inline constexpr struct y_    final : coord_key<"y">        {} y;
@@ -23,9 +24,8 @@ constexpr auto masses =
           prismatic_joint_2D(y, b, on_b, axis::y), inertia_2D(on_b, point_mass(3.0)), base_3D(c),
           rigid_link_3D(c, on_c, along_z(0.5)), spring_gen(wall, x, 1.0, 10.0))
         .gravity(vec3{-1.0, -9.5, 0.25});
-}  // namespace
 
-TEST_CASE("a coordinate given from outside is no degree of freedom", "[both]") {
+TEST_CASE("a coordinate given from outside is no degree of freedom") {
   STATIC_REQUIRE(decltype(masses)::dofs == 2);
   auto s = make_state(masses);
   s[wall].q = -2.0, s[x].q = 0.5;
@@ -61,3 +61,5 @@ TEST_CASE("a base without a declaration is an error in a runtime chain") {
   CHECK_THROWS_AS(chain << rigid_link_2D("elsewhere", "end", along_x(1.0)), bad_wiring);
   CHECK_THROWS_AS(chain << base_2D("tip"), bad_wiring);
 }
+
+}  // namespace base_test

@@ -6,10 +6,10 @@
 #include "digits100.hpp"
 #include "elements/laws.hpp"
 
+namespace bushing_test {
+
 using namespace kte;
 using namespace kte::test;
-
-namespace {
 
 /// Not negative: a unit matrix and a Gram matrix of three columns.
 constexpr bushing_matrix coupled_all{sym3{6.0, 1.0, 0.5, 5.0, -1.0, 7.0}, sym3{4.0, 0.5, 0.0, 3.0, 1.0, 5.0},
@@ -33,9 +33,7 @@ std::array<frame_3D<>, 2> loaded(const bushing_matrix& k, const bushing_matrix& 
   return {x.at<0>(), x.at<1>()};
 }
 
-}  // namespace
-
-TEST_CASE("bushings obey the laws", "[laws]") { check_laws<double>(), check_laws<digits50>(); }
+TEST_CASE("bushings obey the laws") { check_laws<double>(), check_laws<digits50>(); }
 
 TEST_CASE("functions of half a turn keep their digits where they change to series") {
   const auto errors = []<class S>(const S& t) {
@@ -123,3 +121,5 @@ TEST_CASE("bushings are saved and loaded, and reject matrices that give work awa
             .starts_with(where + "damping must have no negative eigenvalue"));
   CHECK(what(isotropic_bushing(not_a_number, 1)).starts_with(where + "stiffness must be finite"));
 }
+
+}  // namespace bushing_test

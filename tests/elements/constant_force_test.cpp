@@ -4,10 +4,10 @@
 #include "chain/registered.hpp"
 #include "elements/laws.hpp"
 
+namespace constant_force_test {
+
 using namespace kte;
 using namespace kte::test;
-
-namespace {
 
 template <class S>
 void check_laws() {
@@ -22,9 +22,7 @@ void check_laws() {
   CHECK(testing::force_is_gradient<S>(solid, draw, energy_of_one(solid)) <= 4 * f * by_differences<S>);
 }
 
-}  // namespace
-
-TEST_CASE("constant forces obey the laws", "[laws]") { check_laws<double>(), check_laws<digits50>(); }
+TEST_CASE("constant forces obey the laws") { check_laws<double>(), check_laws<digits50>(); }
 
 TEST_CASE("a constant force keeps its direction in the world, a follower in its frame") {
   auto dead = trial_of(constant_force_2D("a", vec2{3.0, 4.0}, 5), 1);
@@ -60,3 +58,5 @@ TEST_CASE("constant forces are saved and loaded, and reject what is not finite")
           (void)follower_force_3D("a", along_x(1.0), along_x(not_a_number));
         }).starts_with("kte: follower_force_3D (frame 'a'): torque must be finite"));
 }
+
+}  // namespace constant_force_test

@@ -1,5 +1,7 @@
 #include "elements/signal_chains.hpp"
 
+namespace controls_test {
+
 using namespace kte;
 using namespace kte::test;
 using namespace kte::test::signals;
@@ -120,3 +122,5 @@ TEST_CASE("gains that are invalid") {
           (void)pid_control_gen("q", "r", "z", "u", {.proportional = not_a_number});
         }).find("proportional must be finite") != std::string::npos);
 }
+
+}  // namespace controls_test

@@ -5,10 +5,10 @@
 #include "elements/laws.hpp"
 #include "elements/mechanism_results.hpp"
 
+namespace cylindrical_joint_test {
+
 using namespace kte;
 using namespace kte::test;
-
-namespace {
 
 // clang-format off
 inline constexpr struct turn_   final : coord_key<"turn">      {} turn;
@@ -34,9 +34,7 @@ runtime_chain with_arm(runtime_chain c) {
   return c;
 }
 
-}  // namespace
-
-TEST_CASE("a cylindrical joint is the same by keys, by texts, and slid before it turns", "[laws]") {
+TEST_CASE("a cylindrical joint is the same by keys, by texts, and slid before it turns") {
   runtime_chain texts, other;
   texts << cylindrical_joint_3D("turn", "slide", "ground", "sleeve", oblique);
   other << inertia_gen("turn", 0.0)  // first in the order of coordinates
@@ -110,3 +108,5 @@ TEST_CASE("a cylindrical joint wants an axis of length 1") {
         }) ==
         "kte: revolute_joint_3D (coordinate 'turn', base 'shaft', end 'sleeve.inner'): axis must have length 1, got 2");
 }
+
+}  // namespace cylindrical_joint_test

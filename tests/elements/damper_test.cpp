@@ -3,10 +3,10 @@
 #include "catch.hpp"
 #include "elements/laws.hpp"
 
+namespace damper_test {
+
 using namespace kte;
 using namespace kte::test;
-
-namespace {
 
 /// Moved by one more motion, positions and velocities are up to 5, with some 8 roundings each, in a product, which may
 /// be small when they are not: relative to the force, four times the usual.
@@ -40,9 +40,7 @@ auto push(double c, double v1, double v2) {
   return std::pair{x.at<0>().f, x.at<1>().f};
 }
 
-}  // namespace
-
-TEST_CASE("dampers obey the laws", "[laws]") {
+TEST_CASE("dampers obey the laws") {
   check_laws<double>();
   check_laws<digits50>();
 }
@@ -101,3 +99,5 @@ TEST_CASE("a damper whose ends coincide gives no force, and no NaN") {
   x.doForce();
   CHECK(std::isnan(x.at<1>().force.x));
 }
+
+}  // namespace damper_test

@@ -3,19 +3,19 @@
 #include "catch.hpp"
 #include "elements/laws.hpp"
 
+namespace driving_actuator_test {
+
 using namespace kte;
 using namespace kte::test;
 
-namespace {
 // clang-format off
 inline constexpr struct q_     final : coord_key<"q">         {} q;
 inline constexpr struct motor_ final : input_key<"motor">     {} motor;
 inline constexpr struct base_  final : frame_2D_key<"base">   {} base;
 inline constexpr struct cart_  final : frame_2D_key<"cart">   {} cart;
 // clang-format on
-}  // namespace
 
-TEST_CASE("a motor adds its input to a coordinate's force", "[laws][both]") {
+TEST_CASE("a motor adds its input to a coordinate's force") {
   auto x = trial_of(driving_actuator_gen("q", "motor"), 1);
   x.at<0>().f = 0.5;
   x.at<1>() = 2.25;
@@ -40,3 +40,5 @@ TEST_CASE("a motor accelerates a cart") {
   s[q].q_ddot = 1.0;
   CHECK(inverse_dynamics(c, s)[0] == -2.0);  // 4 N are needed, the motor gives 6
 }
+
+}  // namespace driving_actuator_test

@@ -9,10 +9,10 @@
 #include "chain/registered.hpp"
 #include "elements/laws.hpp"
 
+namespace dyad_test {
+
 using namespace kte;
 using namespace kte::test;
-
-namespace {
 
 constexpr dyad_lengths lengths{.pivot = {0.2, 0.03}, .crank1 = 0.15, .bar1 = 0.3, .bar2 = 0.28, .crank2 = 0.12};
 
@@ -32,9 +32,7 @@ runtime_chain five_bar() {
   return c;
 }
 
-}  // namespace
-
-TEST_CASE("a five-bar linkage stays closed, and its dynamics agree", "[laws]") {
+TEST_CASE("a five-bar linkage stays closed, and its dynamics agree") {
   const auto c = five_bar();
   auto s = c.make_state();
   random_numbers draw(1);
@@ -104,3 +102,5 @@ TEST_CASE("a dyad that cannot be closed, with invalid parameters, and in files")
   const auto c = five_bar();
   CHECK(record_of(models::registered(record_of(c))) == record_of(c));
 }
+
+}  // namespace dyad_test

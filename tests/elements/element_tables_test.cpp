@@ -8,7 +8,7 @@
 
 // The hand-written descriptions of elements, in docs and calls, agree with their ports and parameters.
 
-namespace {
+namespace element_tables_test {
 
 const std::filesystem::path root =
     std::filesystem::path(__FILE__).lexically_normal().parent_path().parent_path().parent_path();
@@ -25,8 +25,6 @@ std::string without_line(std::string text, const std::string& line) {
   REQUIRE(at != std::string::npos);
   return text.erase(at, line.size() + 1);
 }
-
-}  // namespace
 
 TEST_CASE("docs/elements.md has the tables of the elements (else: sh tools/elements_page.sh)") {
   CHECK(element_tables::with_tables(page) == page);
@@ -79,3 +77,5 @@ TEST_CASE("what a factory says to a wrong call begins with the roles of its port
   }
   CHECK(checked > 80);
 }
+
+}  // namespace element_tables_test

@@ -4,6 +4,8 @@
 #include "catch.hpp"
 #include "elements/laws.hpp"
 
+namespace fixed_joint_test {
+
 using namespace kte;
 using namespace kte::test;
 
@@ -33,3 +35,5 @@ TEST_CASE("a fixed joint wants a finite position") {
   CHECK(complaint([] { (void)fixed_joint_3D("a", "b", along_x(not_a_number)); }) ==
         "kte: rigid_link_3D (base 'a', end 'b'): position must be finite, got nan");
 }
+
+}  // namespace fixed_joint_test

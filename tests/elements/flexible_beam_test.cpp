@@ -12,10 +12,10 @@
 #include "chain/registered.hpp"
 #include "elements/laws.hpp"
 
+namespace flexible_beam_test {
+
 using namespace kte;
 using namespace kte::test;
-
-namespace {
 
 using std::numbers::pi;
 constexpr planar_beam_section flat{.EA = 7, .EI = 3, .GA = 20};
@@ -104,8 +104,6 @@ bool near_tip(const V& tip, const vec3<>& exact, double tolerance) {
   return near(vec3{tip[0], tip[1], tip[2]}, exact, tolerance);
 }
 
-}  // namespace
-
 TEST_CASE("flexible beams obey the laws") { check_laws<double>(), check_laws<digits50>(); }
 
 TEST_CASE("flexible beams in numbers of fewer and of more digits") {
@@ -171,7 +169,6 @@ TEST_CASE("a beam under a force at its end is the elastica") {
   }
 }
 
-namespace {
 /// The error of the tip of 4, 8 and 16 beams, and that it falls with the fourth power of their number.
 template <class Error>
 std::array<double, 3> errors_of_fourth_order(const Error& error) {
@@ -183,7 +180,6 @@ std::array<double, 3> errors_of_fourth_order(const Error& error) {
 double distance(const Eigen::VectorXd& q, const vec3<>& exact) {
   return (q.tail(7).head(3) - Eigen::Vector3d(exact.x, exact.y, exact.z)).norm();
 }
-}  // namespace
 
 TEST_CASE("the Princeton beam, in both planes with torsion") {
   // A blade of 508 mm with a weight of 13.345 N at 30 degrees: reference by shooting of the exact equations.
@@ -332,3 +328,5 @@ TEST_CASE("a flexible beam whose ends coincide is named") {
   e.at<0>() = {}, e.at<1>() = {};
   CHECK_THROWS_MATCHES(e.doForce(), bad_argument, says("flexible_beam_3D: its ends stand in one place"));
 }
+
+}  // namespace flexible_beam_test

@@ -8,10 +8,11 @@
 #include "chain/registered.hpp"
 #include "elements/laws.hpp"
 
+namespace fluid_drag_test {
+
 using namespace kte;
 using namespace kte::test;
 
-namespace {
 // clang-format off
 inline constexpr struct q_    final : coord_key<"q">       {} q;
 inline constexpr struct base_ final : frame_3D_key<"base"> {} base;
@@ -34,9 +35,8 @@ void check_laws() {
     CHECK(near(f.rotation * f.force, S(-(c * sqrt(dot(u, u)) + S(2))) * u, S(70 * rounding<S>)));
   }
 }
-}  // namespace
 
-TEST_CASE("drag obeys the laws", "[laws]") { check_laws<double>(), check_laws<digits50>(); }
+TEST_CASE("drag obeys the laws") { check_laws<double>(), check_laws<digits50>(); }
 
 TEST_CASE("drag by its formula") {
   const auto force = [](const vec2<>& v, auto... numbers) {
@@ -81,3 +81,5 @@ TEST_CASE("drag is saved and loaded, and rejects invalid input") {
         where + "linear drag must be finite and not negative, got -1");
   CHECK(complaint([] { (void)fluid_drag_3D("a", 1, 1, along_x(infinity)); }) == where + "flow must be finite, got inf");
 }
+
+}  // namespace fluid_drag_test

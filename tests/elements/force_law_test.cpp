@@ -5,19 +5,19 @@
 #include "chain/registered.hpp"
 #include "elements/laws.hpp"
 
+namespace force_law_test {
+
 using namespace kte;
 using namespace kte::test;
 
-namespace {
 const auto spring_law = [](const auto& c) { return -3.0 * c.q - 0.5 * c.q_dot * c.q_dot; };
 const auto keel = [](const auto& x) { return vec3{zero, -40.0 * x.velocity.y, zero}; };
 /// A spring to the origin, and a torque against turning.
 const auto tether = [](const auto& x) {
   return wrench{transpose(x.rotation) * (-2.0 * x.position), -5.0 * x.ang_velocity};
 };
-}  // namespace
 
-TEST_CASE("forces by functions are what these say", "[laws]") {
+TEST_CASE("forces by functions are what these say") {
   auto c = trial_of(force_law_gen("q", spring_law), 1);
   c.at<0>() = {.q = 2, .q_dot = 4};
   c.doForce();
@@ -60,3 +60,5 @@ TEST_CASE("forces by functions act in static and in runtime chains, with derivat
   CHECK_THROWS_MATCHES(record_of(runtime), bad_argument,
                        says("kte: force_law_gen (coordinate 'q') holds a function of its program"));
 }
+
+}  // namespace force_law_test

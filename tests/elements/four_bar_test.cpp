@@ -8,10 +8,10 @@
 #include "catch.hpp"
 #include "chain/registered.hpp"
 
+namespace four_bar_test {
+
 using namespace kte;
 using kte::test::says;
-
-namespace {
 
 /// Andrews' squeezer (Hairer and Wanner, Solving Ordinary Differential Equations II, section VII.7): three four-bars of
 /// seven bodies. All three meet in the point that K2 and K3 have in common.
@@ -67,8 +67,6 @@ double off_duals(const Core& core, double q, double v, double a) {
   return off;
 }
 
-}  // namespace
-
 TEST_CASE("closed forms of linkages are the derivatives of their positions") {
   for (const double side : {1.0, -1.0})
     for (const double q : {-2.9, -1.2, 0.4, 1.1, 2.6, 7.5}) {
@@ -81,7 +79,7 @@ TEST_CASE("closed forms of linkages are the derivatives of their positions") {
     }
 }
 
-TEST_CASE("Andrews' squeezer of four-bars", "[laws]") {
+TEST_CASE("Andrews' squeezer of four-bars") {
   const auto k = squeezer();
   manipulator_dynamics_model model(k);
   model.input("motor") = 0.033;
@@ -159,3 +157,5 @@ TEST_CASE("integrators stop at the dead point of a linkage, at any tolerance, an
   stops(slider, 1, "slider_crank_rod_2D (crank 'q', rod 'rod'): slider_crank_2D: dead point at crank angle 0.5235987");
   stops(bars, 5, "four_bar_coupler_2D (crank 'q', coupler 'coupler'): four_bar_2D: dead point at crank angle 2.21951");
 }
+
+}  // namespace four_bar_test

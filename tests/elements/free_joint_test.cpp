@@ -5,10 +5,10 @@
 #include "chain/registered.hpp"
 #include "elements/laws.hpp"
 
+namespace free_joint_test {
+
 using namespace kte;
 using namespace kte::test;
-
-namespace {
 
 // clang-format off
 inline constexpr struct trunk_  final : pose_3D_key<"trunk">   {} trunk;
@@ -45,9 +45,7 @@ frame_3D<> in_space(const frame_2D<>& x) {
   return y;
 }
 
-}  // namespace
-
-TEST_CASE("free joints obey the laws", "[laws]") {
+TEST_CASE("free joints obey the laws") {
   check_laws<double>();
   check_laws<digits50>();
 }
@@ -200,3 +198,5 @@ TEST_CASE("free joints go to records and back") {
   check(in_plane, "free_joint_2D");
   check(solid, "free_joint_3D");
 }
+
+}  // namespace free_joint_test

@@ -1,5 +1,7 @@
 #include "elements/signal_chains.hpp"
 
+namespace given_motion_test {
+
 using namespace kte;
 using namespace kte::test;
 using namespace kte::test::signals;
@@ -149,3 +151,5 @@ TEST_CASE("a top on a frame that turns: static and at run time, and half a turn 
   CHECK(at_end[4] == within(0, 1e-15));
   CHECK(at_end[5] == within(0.8 * std::sin(1.5), 1e-10));
 }
+
+}  // namespace given_motion_test

@@ -12,10 +12,10 @@
 #include "digits50.hpp"
 #include "elements/laws.hpp"
 
+namespace implicit_follower_test {
+
 using namespace kte;
 using namespace kte::test;
-
-namespace {
 
 constexpr four_bar_lengths bars{.pivot = {0.35, 0.05}, .crank = 0.12, .coupler = 0.33, .rocker = 0.24};
 /// The ends of coupler and rocker of a four-bar together.
@@ -94,8 +94,6 @@ std::string message_of(const F& f) {
   return {};
 }
 const std::array guess{core::four_bar_coupler(bars).value(0.9) + 0.02, core::four_bar_rocker(bars).value(0.9) - 0.02};
-
-}  // namespace
 
 TEST_CASE("implicit followers move a four-bar as those in closed form do") {
   const auto closed = static_four_bar(four_bar_2D(q_crank, q_coupler, q_rocker, bars));
@@ -217,3 +215,5 @@ TEST_CASE("an implicit follower cannot be saved, and its guess is checked") {
           (void)implicit_follower_gen(parallelogram, std::numeric_limits<double>::quiet_NaN(), "q", "r", "start");
         }).find("guess must be finite") != std::string::npos);
 }
+
+}  // namespace implicit_follower_test

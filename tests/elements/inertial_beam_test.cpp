@@ -14,9 +14,11 @@
 #include "chain/registered.hpp"
 #include "elements/laws.hpp"
 
+namespace inertial_beam_test {
+
 using namespace kte;
 
-TEST_CASE("a beam with a consistent mass moves as a rigid bar between stiff ends", "[laws]") {
+TEST_CASE("a beam with a consistent mass moves as a rigid bar between stiff ends") {
   // a bar of 3 kg and 0.8 m on a hinge: m L^2/3, half of its weight on the tip
   runtime_chain c;
   c << revolute_joint_3D("q", "ground", "root", axis::y) << rigid_link_3D("root", "tip", along_x(0.8))
@@ -34,7 +36,6 @@ TEST_CASE("a beam with a consistent mass moves as a rigid bar between stiff ends
   CHECK_THROWS_AS(centre_of_mass(c, s, q), bad_argument);
 }
 
-namespace {
 /// Two arms of joints from the ground, and a beam between their ends.
 runtime_chain two_arms() {
   runtime_chain c;
@@ -47,7 +48,6 @@ runtime_chain two_arms() {
   c.gravity(vec3{1.0, -2.0, -9.81});
   return c;
 }
-}  // namespace
 
 TEST_CASE("the loads of a beam's mass are those of its energy by Lagrange's equations") {
   const auto c = two_arms();
@@ -83,7 +83,6 @@ TEST_CASE("the mass of a beam in the plane and in space") {
   CHECK(test::planar_difference<test::digits50>(flat, solid, draw) < test::rounding<test::digits50>);
 }
 
-namespace {
 /// Angular frequencies at rest at q of a chain that is held by what its base stands on, lowest first.
 std::vector<double> frequencies(const runtime_chain& c, const Eigen::VectorXd& q) {
   auto s = c.make_state();
@@ -134,7 +133,6 @@ runtime_chain rod(int n, bool turns) {
 }
 /// The order at which errors fall, of two at numbers of elements that double.
 double order(double coarse, double fine) { return std::log2(std::abs(coarse / fine)); }
-}  // namespace
 
 TEST_CASE("frequencies of a cantilever are those of Euler and Bernoulli, to sixth order") {
   const std::array roots{1.8751040687119612, 4.694091132974174, 7.854757438237612};  // of cos x cosh x = -1
@@ -258,3 +256,5 @@ TEST_CASE("a beam that swings and bends keeps its energy", "[long]") {
   CHECK(after.potential - before.potential == within(before.kinetic - after.kinetic, 1e-7));
   CHECK(std::abs(after.potential - before.potential) > 0.1);
 }
+
+}  // namespace inertial_beam_test

@@ -13,10 +13,11 @@
 #include "chain/registered.hpp"
 #include "elements/laws.hpp"
 
+namespace joint_backlash_test {
+
 using namespace kte;
 using namespace kte::test;
 
-namespace {
 // clang-format off
 inline constexpr struct q_     final : coord_key<"q">       {} q;
 inline constexpr struct wall_  final : coord_key<"wall">    {} wall;
@@ -39,9 +40,8 @@ void check_laws() {
   CHECK(testing::loads_are_opposite<S>(element, draw) == 0);
   CHECK(testing::no_work_done<S>(joint_backlash_gen("a", "b", S(0), S(0), S(3)), draw) <= rounding<S>);
 }
-}  // namespace
 
-TEST_CASE("teeth with play push where they touch, and never pull", "[laws]") {
+TEST_CASE("teeth with play push where they touch, and never pull") {
   check_laws<double>(), check_laws<digits50>();
   CHECK(push(0.25, 5) == std::pair{0.0, 0.0});  // within
   CHECK(push(-0.125, -5) == std::pair{0.0, 0.0});
@@ -162,3 +162,5 @@ TEST_CASE("teeth that lag are pressed again; without play the others touch at on
   CHECK(core.switching(still, at(0.5, -1.5), 2.0) == 0.25);
   CHECK(core.switching(still, at(0.5, -0.5), 1.0) == 1.0);
 }
+
+}  // namespace joint_backlash_test

@@ -8,10 +8,11 @@
 #include "chain/registered.hpp"
 #include "elements/laws.hpp"
 
+namespace joint_elasto_plastic_test {
+
 using namespace kte;
 using namespace kte::test;
 
-namespace {
 // clang-format off
 inline constexpr struct q_     final : coord_key<"q">           {} q;
 inline constexpr struct push_  final : input_key<"push">        {} push;
@@ -71,9 +72,7 @@ Eigen::Vector3d pushed_to_and_fro(const Friction& friction) {
   return solver.state();
 }
 
-}  // namespace
-
-TEST_CASE("elasto-plastic friction is as in the paper", "[laws]") {
+TEST_CASE("elasto-plastic friction is as in the paper") {
   random_numbers draw(1);
   for (int i = 0; i < 40; ++i) {
     const double v = draw(0.003), z = draw(1.5e-5);
@@ -137,3 +136,5 @@ TEST_CASE("elasto-plastic friction is saved and loaded, and rejects invalid inpu
   CHECK(what(&p::breakaway, 0) == where + "breakaway must be finite and positive, got 0");
   CHECK(what(&p::breakaway, 1) == where + "breakaway must not be above coulomb / sigma0, got 1");
 }
+
+}  // namespace joint_elasto_plastic_test

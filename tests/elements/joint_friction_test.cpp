@@ -9,10 +9,11 @@
 #include "chain/registered.hpp"
 #include "elements/laws.hpp"
 
+namespace joint_friction_test {
+
 using namespace kte;
 using namespace kte::test;
 
-namespace {
 // clang-format off
 inline constexpr struct q_ final : coord_key<"q"> {} q;
 // clang-format on
@@ -34,9 +35,7 @@ S by_formula(const friction_parameters& p, const S& v) {
   return -(g * tanh(S(v / S(p.smoothing_velocity))) + p.viscous * v);
 }
 
-}  // namespace
-
-TEST_CASE("smooth friction is as its formula says", "[laws]") {
+TEST_CASE("smooth friction is as its formula says") {
   random_numbers draw(1);
   CHECK(testing::no_work_done<double>(joint_friction_gen("q", dry), draw) == 0);
   for (int i = 0; i < 20; ++i) {
@@ -125,3 +124,5 @@ TEST_CASE("smooth friction is saved and loaded, and rejects invalid input") {
   CHECK(complaint([] { (void)joint_stiffness_gen("q", 1.0, infinity); }) ==
         "kte: joint_stiffness_gen (coordinate 'q'): rest must be finite, got inf");
 }
+
+}  // namespace joint_friction_test

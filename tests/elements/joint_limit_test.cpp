@@ -10,10 +10,11 @@
 #include "chain/registered.hpp"
 #include "elements/laws.hpp"
 
+namespace joint_limit_test {
+
 using namespace kte;
 using namespace kte::test;
 
-namespace {
 // clang-format off
 inline constexpr struct q_    final : coord_key<"q">       {} q;
 inline constexpr struct base_ final : frame_2D_key<"base"> {} base;
@@ -37,9 +38,8 @@ void check_laws() {
   p = {.lower = -0.5, .upper = 0.5, .stiffness = 0, .damping = 3};
   CHECK(testing::no_work_done<S>(joint_limit_gen("q", p), draw) == 0);
 }
-}  // namespace
 
-TEST_CASE("stops push back where they touch, and never pull", "[laws]") {
+TEST_CASE("stops push back where they touch, and never pull") {
   check_laws<double>(), check_laws<digits50>();
   CHECK(force(both, 0.25, 5) == 0);  // within
   CHECK(force(both, -0.75, -5) == 0);
@@ -116,3 +116,5 @@ TEST_CASE("limits are saved and loaded, and reject invalid input") {
   CHECK(what({.lower = 0, .stiffness = -1}) == where + "stiffness must be finite and not negative, got -1");
   CHECK(what({.lower = 0, .stiffness = 1, .damping = -1}) == where + "damping must be finite and not negative, got -1");
 }
+
+}  // namespace joint_limit_test

@@ -10,10 +10,11 @@
 #include "chain/registered.hpp"
 #include "elements/laws.hpp"
 
+namespace joint_lugre_test {
+
 using namespace kte;
 using namespace kte::test;
 
-namespace {
 // clang-format off
 inline constexpr struct q_     final : coord_key<"q">           {} q;
 inline constexpr struct push_  final : input_key<"push">        {} push;
@@ -80,9 +81,7 @@ Eigen::Vector3d pushed_in_fixed_steps(double force) {
   return x;
 }
 
-}  // namespace
-
-TEST_CASE("LuGre friction is as in the paper", "[laws]") {
+TEST_CASE("LuGre friction is as in the paper") {
   random_numbers draw(1);
   for (int i = 0; i < 20; ++i) {
     const double v = draw(0.003), z = draw(1.5e-5);
@@ -177,3 +176,5 @@ TEST_CASE("the Jacobian of a model with LuGre friction knows its bristles") {
     CHECK((j.col(i) - differences).norm() <= 1e-9 * differences.norm());
   }
 }
+
+}  // namespace joint_lugre_test

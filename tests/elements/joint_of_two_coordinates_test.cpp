@@ -3,10 +3,10 @@
 #include "elements/laws.hpp"
 #include "elements/mechanism_results.hpp"
 
+namespace joint_of_two_coordinates_test {
+
 using namespace kte;
 using namespace kte::test;
-
-namespace {
 
 /// An own joint of two coordinates: R = Rot(z, q1) Rot(y, q2), p = Rot(z, q1) r.
 struct wrist : transmission<wrist> {
@@ -73,9 +73,7 @@ runtime_chain runtime_arm(const Joint& joint) {
 auto own() { return runtime_arm(connect(wrist(offset), "yaw", "pitch", "flange", "palm")); }
 auto in_series() { return runtime_arm(hooke_joint_3D("yaw", "pitch", "flange", "palm", axis::z, axis::y, offset)); }
 
-}  // namespace
-
-TEST_CASE("an own joint of two coordinates obeys the laws", "[laws]") {
+TEST_CASE("an own joint of two coordinates obeys the laws") {
   random_numbers draw(1);
   const auto joint = connect(wrist(offset), "yaw", "pitch", "base", "end");
   CHECK(testing::motion_is_derivative<double>(joint, draw) <= by_differences<double>);
@@ -149,3 +147,5 @@ TEST_CASE("either all coordinates of a joint are free or none") {
           (void)forward_dynamics(c, s, std::array{0.1}, std::array{0.2}, std::array{0.3});
         }).find("has several coordinates, and not all of them are degrees of freedom") != std::string::npos);
 }
+
+}  // namespace joint_of_two_coordinates_test

@@ -7,10 +7,11 @@
 #include "catch.hpp"
 #include "random.hpp"
 
+namespace laws_test {
+
 using namespace kte;
 
 /// Laws of testing/element_laws.hpp that no element's own test has.
-namespace {
 
 /// A motor with a rotor: it has a mass and a force.
 struct motor_with_rotor {
@@ -31,8 +32,6 @@ struct motor_with_rotor {
   template <class Self, class Visit>
   static constexpr void parameters(Self&, Visit&&) {}
 };
-
-}  // namespace
 
 TEST_CASE("a motor with a mass and an input resists by its mass") {
   random_numbers draw(1);
@@ -66,3 +65,5 @@ TEST_CASE("typed constants are the numbers that they say") {
   CHECK(testing::typed_is_plain<double>(revolute_joint_3D("q", "a", "b", axis::x),
                                         revolute_joint_3D("q", "a", "b", as<double>(axis::y)), draw) > 1e-3);
 }
+
+}  // namespace laws_test

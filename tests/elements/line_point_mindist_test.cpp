@@ -10,10 +10,10 @@
 
 // Frames at the nearest point of a line, and of a plane.
 
+namespace line_point_mindist_test {
+
 using namespace kte;
 using namespace kte::test;
-
-namespace {
 
 template <class S>
 void check_laws() {
@@ -46,9 +46,7 @@ runtime_chain tied(const Nearest& nearest) {
   return c;
 }
 
-}  // namespace
-
-TEST_CASE("nearest points move as they should and hand loads back", "[laws]") {
+TEST_CASE("nearest points move as they should and hand loads back") {
   check_laws<double>(), check_laws<digits50>();
   random_numbers draw(2);
   auto x = trial_of(plane_point_mindist_3D("a", "b", vec3<>{2.0 / 7, -3.0 / 7, 6.0 / 7}, vec3<>{0.25, -0.5, 1}), 3);
@@ -140,3 +138,5 @@ TEST_CASE("a mass on a nearest point bars what is about masses, not what is abou
   for (const char* frame : {"mass", "nearest"}) CHECK(jacobian(weighted, t, q, frame) == jacobian(plain, s, q, frame));
   CHECK_THROWS_MATCHES(mass_matrix(weighted, t, q), bad_argument, says("has a mass on a frame that follows others"));
 }
+
+}  // namespace line_point_mindist_test

@@ -1,5 +1,7 @@
 #include "elements/signal_chains.hpp"
 
+namespace measures_test {
+
 using namespace kte;
 using namespace kte::test;
 using namespace kte::test::signals;
@@ -66,3 +68,5 @@ TEST_CASE("no force may depend on an accelerometer") {
   CHECK(inverse_dynamics(c, s)[0] == within(-s[q].f, 1e-14));
   CHECK(inverse_dynamics(x, t)[0] == within(-s[q].f, 1e-14));
 }
+
+}  // namespace measures_test

@@ -17,10 +17,10 @@
 // Elements that follow coordinates and signals: mimic, differential, law_follower, law_signal, position_control and
 // _measure.
 
+namespace mimic_test {
+
 using namespace kte;
 using namespace kte::test;
-
-namespace {
 
 template <class S>
 void check_laws() {
@@ -96,9 +96,7 @@ struct followers {
   }
 };
 
-}  // namespace
-
-TEST_CASE("masses of coordinates that follow others are those of all coordinates, folded", "[laws]") {
+TEST_CASE("masses of coordinates that follow others are those of all coordinates, folded") {
   followers x;
   const vec3 axis{0.6, 0.0, 0.8};
   x.free("a"), x.body(revolute_joint_3D("a", "ground", "A", axis), "A", "A'");
@@ -257,3 +255,5 @@ TEST_CASE("a coordinate that moves no mass is named, whatever follows it") {
            << law_follower_gen([](const auto& q) { return q * q; }, "q1", "cam");
   CHECK(singular(massless) == "");
 }
+
+}  // namespace mimic_test

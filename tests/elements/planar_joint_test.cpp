@@ -5,10 +5,10 @@
 #include "elements/laws.hpp"
 #include "elements/mechanism_results.hpp"
 
+namespace planar_joint_test {
+
 using namespace kte;
 using namespace kte::test;
-
-namespace {
 
 // clang-format off
 inline constexpr struct puck_   final : pose_2D_key<"puck">    {} puck;
@@ -38,9 +38,7 @@ void check_laws() {
   CHECK(testing::power_is_kept<S>(joint, draw) <= rounding<S>);
 }
 
-}  // namespace
-
-TEST_CASE("planar joints obey the laws", "[laws]") {
+TEST_CASE("planar joints obey the laws") {
   check_laws<double>();
   check_laws<digits50>();
 }
@@ -133,3 +131,5 @@ TEST_CASE("a planar joint wants a pose in the plane, and frames in space") {
   CHECK(c.dofs() == 9);
   CHECK(c.nq() == 10);
 }
+
+}  // namespace planar_joint_test

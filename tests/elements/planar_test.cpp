@@ -3,10 +3,11 @@
 #include "catch.hpp"
 #include "elements/laws.hpp"
 
+namespace planar_test {
+
 using namespace kte;
 using namespace kte::test;
 
-namespace {
 // clang-format off
 inline constexpr struct slide_ final : coord_key<"slide"> {} slide;
 inline constexpr struct turn_  final : coord_key<"turn">  {} turn;
@@ -52,9 +53,7 @@ bool same(const frame_2D<>& x, const frame_3D<>& y) {
          near(load_of(x).force, y.force, tolerance) && near(load_of(x).torque, y.torque, tolerance);
 }
 
-}  // namespace
-
-TEST_CASE("a chain in the plane is the chain in space about z", "[laws]") {
+TEST_CASE("a chain in the plane is the chain in space about z") {
   random_numbers draw(1);
   auto s = make_state(in_plane);
   auto t = make_state(in_space);
@@ -96,3 +95,5 @@ TEST_CASE("a joint in the plane is exactly the joint in space about the typed z"
     CHECK(same(x.output(), y.output()));
   }
 }
+
+}  // namespace planar_test

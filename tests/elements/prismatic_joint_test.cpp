@@ -3,10 +3,10 @@
 #include "catch.hpp"
 #include "elements/laws.hpp"
 
+namespace prismatic_joint_test {
+
 using namespace kte;
 using namespace kte::test;
-
-namespace {
 
 template <class S>
 void check_laws() {
@@ -25,9 +25,7 @@ void check_laws() {
   check(prismatic_joint_3D("q", "base", "end", vec3{S(3) / 5, zero, S(4) / 5}));
 }
 
-}  // namespace
-
-TEST_CASE("prismatic joints obey the laws", "[laws]") {
+TEST_CASE("prismatic joints obey the laws") {
   check_laws<double>();
   check_laws<digits50>();
 }
@@ -92,3 +90,5 @@ TEST_CASE("a prismatic joint wants an axis of length 1") {
           (void)prismatic_joint_3D("x", "rail", "cart", vec3{1.0, 1.0, 0.0});
         }).find("got 1.414") != std::string::npos);
 }
+
+}  // namespace prismatic_joint_test

@@ -5,10 +5,10 @@
 
 // Cores that a program adds are read by their ports and parameters.
 
+namespace registry_test {
+
 using namespace kte;
 using test::contains_text;
-
-namespace {
 
 /// A joint that slides along x, m, with a stop that is a parameter.
 template <kind Dim, class Axis>
@@ -38,8 +38,6 @@ template <class Core>
 bool is(const std::unique_ptr<kte_map>& e) {
   return dynamic_cast<const kte_map_adapter<Core>*>(e.get());
 }
-
-}  // namespace
 
 TEST_CASE("a core is read by its roles and parameters, and a joint with its placement") {
   auto r = models::registry();
@@ -88,3 +86,5 @@ TEST_CASE("a type is added once") {
   CHECK_THROWS_WITH(r.add<slides_any>(), "kte: the registry has a 'slide_3D' already");
   CHECK_THROWS_AS(r.add<core::base<kind::gen>>(), bad_argument);
 }
+
+}  // namespace registry_test

@@ -3,10 +3,10 @@
 #include "catch.hpp"
 #include "elements/laws.hpp"
 
+namespace revolute_joint_test {
+
 using namespace kte;
 using namespace kte::test;
-
-namespace {
 
 /// The direction (2, 3, 6)/7 to all digits of S.
 template <class S>
@@ -32,9 +32,7 @@ void check_laws() {
   check(revolute_joint_3D("q", "base", "end", vec3{S(3) / 5, zero, S(4) / 5}));
 }
 
-}  // namespace
-
-TEST_CASE("revolute joints obey the laws", "[laws]") {
+TEST_CASE("revolute joints obey the laws") {
   check_laws<double>();
   check_laws<digits50>();
 }
@@ -99,3 +97,5 @@ TEST_CASE("a revolute joint wants an axis of length 1") {
   CHECK(what({0.6, 0, 0.8}) == "");
   CHECK(what({0.57735026919, 0.57735026919, 0.57735026919}) == "");  // rounded to the digits of a data sheet
 }
+
+}  // namespace revolute_joint_test

@@ -3,10 +3,10 @@
 #include "catch.hpp"
 #include "elements/laws.hpp"
 
+namespace rigid_link_test {
+
 using namespace kte;
 using namespace kte::test;
-
-namespace {
 
 template <class S>
 void check_laws() {
@@ -28,9 +28,7 @@ void check_laws() {
   check(rigid_link_gen("a", "b", S(1) / 3));
 }
 
-}  // namespace
-
-TEST_CASE("rigid links obey the laws", "[laws]") {
+TEST_CASE("rigid links obey the laws") {
   check_laws<double>();
   check_laws<digits50>();
 }
@@ -104,3 +102,5 @@ TEST_CASE("a rigid link wants a finite position and a rotation") {
   CHECK(complaint([] { (void)rigid_link_gen("a", "b", not_a_number); }) ==
         "kte: rigid_link_gen (base 'a', end 'b'): offset must be finite, got nan");
 }
+
+}  // namespace rigid_link_test

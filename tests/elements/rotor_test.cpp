@@ -11,10 +11,10 @@
 
 // Rotors on moving housings, and bearings with friction by their load.
 
+namespace rotor_test {
+
 using namespace kte;
 using namespace kte::test;
-
-namespace {
 
 // clang-format off
 inline constexpr struct q_      final : coord_key<"q">         {} q;
@@ -59,9 +59,7 @@ void check_pendulum(const Chain& c, double R) {
   }
 }
 
-}  // namespace
-
-TEST_CASE("a rotor has its reflected inertia, and turns its housing back", "[laws]") {
+TEST_CASE("a rotor has its reflected inertia, and turns its housing back") {
   runtime_chain c;
   c << revolute_joint_3D("p", "ground", "table", axis::z)
     << inertia_3D("table", rigid_body{1.0, zero3{}, sym3{0.2, 0.0, 0.0, 0.2, 0.0, 0.3}}) << inertia_gen("q", 0.5)
@@ -161,3 +159,5 @@ TEST_CASE("a bearing jams where it is larger than its arm") {
           (void)dry_revolute_joint_3D("q", "a", "b", axis::z, 0.1, 0.0);
         }).find("smoothing must be finite and positive, got 0") != std::string::npos);
 }
+
+}  // namespace rotor_test

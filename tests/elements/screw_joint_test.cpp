@@ -6,10 +6,10 @@
 #include "elements/laws.hpp"
 #include "elements/mechanism_results.hpp"
 
+namespace screw_joint_test {
+
 using namespace kte;
 using namespace kte::test;
-
-namespace {
 
 // clang-format off
 inline constexpr struct q_      final : coord_key<"q">         {} q;
@@ -51,9 +51,7 @@ runtime_chain geared_arm(const vec3<>& n, double pitch) {
   return c;
 }
 
-}  // namespace
-
-TEST_CASE("screw joints obey the laws", "[laws]") {
+TEST_CASE("screw joints obey the laws") {
   check_laws<double>();
   check_laws<digits50>();
 }
@@ -154,3 +152,5 @@ TEST_CASE("a screw joint wants an axis of length 1 and a finite pitch") {
   CHECK(what({0, 0, 1}, not_a_number) == where + "pitch must be finite, got nan");
   CHECK(what({0, 0, 1}, -0.1) == "");
 }
+
+}  // namespace screw_joint_test

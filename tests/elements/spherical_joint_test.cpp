@@ -5,10 +5,10 @@
 #include "chain/registered.hpp"
 #include "elements/laws.hpp"
 
+namespace spherical_joint_test {
+
 using namespace kte;
 using namespace kte::test;
-
-namespace {
 
 // clang-format off
 inline constexpr struct turn_   final : rotation_3D_key<"turn"> {} turn;
@@ -24,9 +24,7 @@ void check_laws() {
   CHECK(testing::power_is_kept<S>(joint, draw) <= rounding<S>);
 }
 
-}  // namespace
-
-TEST_CASE("spherical joints obey the laws", "[laws]") {
+TEST_CASE("spherical joints obey the laws") {
   check_laws<double>();
   check_laws<digits50>();
 }
@@ -132,3 +130,5 @@ TEST_CASE("spherical joints go to records and back") {
   CHECK(models::registered(r).dofs() == 3);
   CHECK(models::registered(r).nq() == 4);
 }
+
+}  // namespace spherical_joint_test

@@ -7,10 +7,10 @@
 
 // Springs between frames.
 
+namespace spring_frames_test {
+
 using namespace kte;
 using namespace kte::test;
-
-namespace {
 
 /// Moved by one more motion, positions are up to 5, with some 8 roundings each, and forces up to 3 k: relative to the
 /// force twice the usual.
@@ -74,9 +74,7 @@ double energy(double distance, Numbers... numbers) {
   return energy_of(spring_3D("a", "b", numbers...))(frame_3D<>{}, frame_3D<>{.position = {0.0, distance, 0.0}});
 }
 
-}  // namespace
-
-TEST_CASE("springs between frames obey the laws", "[laws]") {
+TEST_CASE("springs between frames obey the laws") {
   check_laws<double>();
   check_laws<digits50>();
 }
@@ -234,7 +232,6 @@ TEST_CASE("a spring between frames wants finite numbers, and none negative") {
         "kte: spring_2D (anchor1 'wall', anchor2 'hand'): rest length must be finite and not negative, got -1");
 }
 
-namespace {
 // clang-format off
 inline constexpr struct q1_     final : coord_key<"q1">        {} q1;
 inline constexpr struct q2_     final : coord_key<"q2">        {} q2;
@@ -284,7 +281,6 @@ void check_gradient(const E1& e1, const E2& e2) {
     CHECK(abs(s[q2].f + tau[1]) < 1e-46);
   }
 }
-}  // namespace
 
 TEST_CASE("an arm is held against springs by the gradient of their energy") {
   check_gradient(spring_3D(hook, hand, 0.25, 8.0), spring_3D(hand, upper, 0.375, 4.0));
@@ -313,3 +309,5 @@ TEST_CASE("elements between frames in files") {
   const auto arm = arm_with(spring_3D(hook, hand, zero, 8.0), torsion_spring_3D(hand, upper, 0.25));
   CHECK(record_of(from_record(arm, record_of(arm))) == record_of(arm));
 }
+
+}  // namespace spring_frames_test

@@ -3,10 +3,10 @@
 #include "catch.hpp"
 #include "elements/laws.hpp"
 
+namespace spring_test {
+
 using namespace kte;
 using namespace kte::test;
-
-namespace {
 
 template <class S>
 void check_laws() {
@@ -43,9 +43,7 @@ double pull(const Element& e, double q) {
   return x.template at<0>().f;
 }
 
-}  // namespace
-
-TEST_CASE("springs obey the laws", "[laws]") {
+TEST_CASE("springs obey the laws") {
   check_laws<double>();
   check_laws<digits50>();
 }
@@ -114,3 +112,5 @@ TEST_CASE("a spring wants finite numbers, and none negative") {
   CHECK(what(-0.1, 0.0, 0.0) == "");
   CHECK(what(zero, 1) == "");
 }
+
+}  // namespace spring_test

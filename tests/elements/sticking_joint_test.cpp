@@ -12,10 +12,10 @@
 
 // Joints with dry friction by what they carry, which hold: forces and accelerations in each mode.
 
+namespace sticking_joint_test {
+
 using namespace kte;
 using namespace kte::test;
-
-namespace {
 
 // clang-format off
 inline constexpr struct q_      final : coord_key<"q">         {} q;
@@ -54,8 +54,6 @@ double acceleration(const Model& model, double angle, double rate, double mode) 
   x[2] = mode;
   return model.computeStateRate(0.0, x)[1];
 }
-
-}  // namespace
 
 TEST_CASE("laws of sticking joints") {
   random_numbers draw(1);
@@ -229,3 +227,5 @@ TEST_CASE("parameters of sticking joints") {
                        says("sticking_revolute_joint_2D (coordinate 'y', mode 'm', base 'a', end 'b') holds a "
                             "coordinate that is not a degree of freedom"));
 }
+
+}  // namespace sticking_joint_test

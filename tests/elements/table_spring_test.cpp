@@ -10,10 +10,10 @@
 #include "chain/registered.hpp"
 #include "elements/laws.hpp"
 
+namespace table_spring_test {
+
 using namespace kte;
 using namespace kte::test;
-
-namespace {
 
 constexpr std::array lengths{-3.0, -1.0, 0.5, 1.0, 4.0}, pulls{-9.0, -4.0, 1.0, 1.0, 25.0};
 const auto cubed = [](const auto& x) { return x * x * x; };
@@ -43,9 +43,7 @@ double pull(const Spring& spring, double x) {
   return e.template at<0>().f;
 }
 
-}  // namespace
-
-TEST_CASE("springs by laws and tables obey the laws", "[laws]") { check_laws<double>(), check_laws<digits50>(); }
+TEST_CASE("springs by laws and tables obey the laws") { check_laws<double>(), check_laws<digits50>(); }
 
 TEST_CASE("a table goes through its points, monotone and smooth, and straight beyond them") {
   const monotone_cubic curve(lengths, pulls);
@@ -138,3 +136,5 @@ TEST_CASE("tables reject invalid input") {
   CHECK(what({0, infinity}, {0, 1}) == where + "lengths must be finite, got inf");
   CHECK(what({0, 1}, {0, not_a_number}).starts_with(where + "forces must be finite"));
 }
+
+}  // namespace table_spring_test

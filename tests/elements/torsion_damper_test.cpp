@@ -3,10 +3,10 @@
 #include "catch.hpp"
 #include "elements/laws.hpp"
 
+namespace torsion_damper_test {
+
 using namespace kte;
 using namespace kte::test;
-
-namespace {
 
 template <class S>
 void check_laws() {
@@ -23,9 +23,7 @@ void check_laws() {
   CHECK(planar_difference<S>(flat, solid, draw) <= rounding<S>);
 }
 
-}  // namespace
-
-TEST_CASE("torsion dampers obey the laws", "[laws]") {
+TEST_CASE("torsion dampers obey the laws") {
   check_laws<double>();
   check_laws<digits50>();
 }
@@ -60,3 +58,5 @@ TEST_CASE("a torsion damper wants a damping that is not negative") {
   CHECK(complaint([] { (void)torsion_damper_3D("hip", "knee", infinity); }) == "kte: torsion_damper_3D" + rest + "inf");
   CHECK(complaint([] { (void)torsion_damper_3D("hip", "knee", 0); }) == "");
 }
+
+}  // namespace torsion_damper_test

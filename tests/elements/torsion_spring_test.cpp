@@ -5,10 +5,10 @@
 #include "chain/registered.hpp"
 #include "elements/laws.hpp"
 
+namespace torsion_spring_test {
+
 using namespace kte;
 using namespace kte::test;
-
-namespace {
 
 template <class S>
 void check_laws() {
@@ -75,9 +75,7 @@ void check_all_angles() {
       CHECK(near(torque_of_turn<S>(matrix(angle * axis), 1), angle * axis, rounding<S>));
 }
 
-}  // namespace
-
-TEST_CASE("torsion springs obey the laws", "[laws]") {
+TEST_CASE("torsion springs obey the laws") {
   check_laws<double>();
   check_laws<digits50>();
 }
@@ -219,3 +217,5 @@ TEST_CASE("a torsion spring wants finite numbers") {
   CHECK(complaint([] { (void)torsion_spring_3D("hip", "knee", -1); }) ==
         "kte: torsion_spring_3D (anchor1 'hip', anchor2 'knee'): stiffness must be finite and not negative, got -1");
 }
+
+}  // namespace torsion_spring_test

@@ -5,10 +5,10 @@
 #include "elements/laws.hpp"
 #include "elements/mechanism_results.hpp"
 
+namespace universal_joint_test {
+
 using namespace kte;
 using namespace kte::test;
-
-namespace {
 
 // clang-format off
 inline constexpr struct q1_     final : coord_key<"q1">        {} q1;
@@ -33,9 +33,7 @@ runtime_chain with_arm(runtime_chain c) {
   return c;
 }
 
-}  // namespace
-
-TEST_CASE("universal joints are the same by keys, by texts, and as joints and a link", "[laws]") {
+TEST_CASE("universal joints are the same by keys, by texts, and as joints and a link") {
   runtime_chain texts, old;
   texts << hooke_joint_3D("q1", "q2", "ground", "shaft", axis::x, oblique, offset);
   old << revolute_joint_3D("q1", "ground", "cross", axis::x) << rigid_link_3D("cross", "second", offset)
@@ -138,3 +136,5 @@ TEST_CASE("a universal joint wants axes of length 1 that are not parallel") {
         "kte: revolute_joint_3D (coordinate 'b', base 'shaft.inner', end 'shaft'): position must be finite, got inf");
   CHECK(what({0, 0, 1}, {0, 0.6, 0.8}) == "");
 }
+
+}  // namespace universal_joint_test

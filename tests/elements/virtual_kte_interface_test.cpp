@@ -14,11 +14,11 @@
 
 // Virtual models on real mechanisms: against the same models attached in earnest.
 
+namespace virtual_kte_interface_test {
+
 using namespace kte;
 using namespace kte::test;
 using namespace kte::test::small_chains;
-
-namespace {
 
 /// A two-link arm with a walker attached to its hand by `attach(hand, palm)`: a mass, a slide with a mass, a spring and
 /// a damper to the ground.
@@ -68,9 +68,7 @@ S off_in_random_motion(unsigned seed) {
                        joint_vector<S, 2>(a.template head<2>())));
 }
 
-}  // namespace
-
-TEST_CASE("a virtual model moves with the real one and loads it backwards", "[laws]") {
+TEST_CASE("a virtual model moves with the real one and loads it backwards") {
   for (unsigned seed = 1; seed < 6; ++seed) {
     CHECK(off_in_random_motion<double>(seed) < rounding<double>);
     CHECK(off_in_random_motion<big>(seed) < rounding<big>);
@@ -123,3 +121,5 @@ TEST_CASE("what needs loads to be those of motions refuses virtual models") {
   CHECK_THROWS_MATCHES(forward_dynamics(wheel, t, y, y, y), bad_argument, says("virtual_kte_interface_gen"));
   CHECK_THROWS_MATCHES(mass_matrix(wheel, t, y), bad_argument, says("virtual_kte_interface_gen"));
 }
+
+}  // namespace virtual_kte_interface_test

@@ -8,11 +8,11 @@
 
 // Joints as controllers see them: that their torque overcomes the friction of the joint in earnest.
 
+namespace vmc_revolute_joint_test {
+
 using namespace kte;
 using namespace kte::test;
 using namespace kte::test::small_chains;
-
-namespace {
 
 /// An arm with two such joints, or with dry joints; `joint` makes one from axis and radii.
 template <class Joint>
@@ -45,9 +45,7 @@ std::array<double, 2> to_lift(double r, double rate, double friction_radius, dou
   return {inverse_dynamics(plane, s, q, v, a)[0], inverse_dynamics(space, t, q, v, a)[0]};
 }
 
-}  // namespace
-
-TEST_CASE("what a controller joint asks for moves the joint in earnest as it should", "[laws]") {
+TEST_CASE("what a controller joint asks for moves the joint in earnest as it should") {
   random_numbers random(3);
   const auto c = [] {
     runtime_chain r;
@@ -86,3 +84,5 @@ TEST_CASE("a controller joint is for passes and inverse dynamics") {
   CHECK_THROWS_MATCHES(vmc_revolute_joint_3D("q", "a", "b", axis::z, 0.02, 0.01), bad_parameter,
                        says("not below friction_radius"));
 }
+
+}  // namespace vmc_revolute_joint_test

@@ -7,10 +7,10 @@
 // What joints leave of the articulated inertia of their body. Along unit axes it is exactly nothing, told by types;
 // along other axes it is a difference that rounding makes almost nothing.
 
+namespace eliminated_axes_test {
+
 using namespace kte;
 using test::draw;
-
-namespace {
 
 /// A nut on a screw along a typed axis: p = h e q.
 template <class Pitch, class Axis>
@@ -118,9 +118,7 @@ constexpr bool takes(const std::array<int, std::size_t{detail::joint_dofs<Core>}
 template <class Core, class C>
 constexpr bool is_general = takes<Core, C>({-1});
 
-}  // namespace
-
-TEST_CASE("joints along unit axes take these exactly", "[laws]") {
+TEST_CASE("joints along unit axes take these exactly") {
   STATIC_REQUIRE(takes<revolute<solid, decltype(axis::z)>, one_number>({5}));
   STATIC_REQUIRE(takes<revolute<solid, decltype(axis::x)>, one_number>({3}));
   STATIC_REQUIRE(takes<revolute<solid, decltype(axis::minus_y)>, one_number>({4}));
@@ -158,8 +156,6 @@ TEST_CASE("axes of joints made by users") {
 }
 
 // ---- one joint by (2) and (3) of recursions/articulated_body.hpp with dense matrices of six
-
-namespace {
 
 using wide = long double;
 using table = Eigen::Matrix<wide, Eigen::Dynamic, Eigen::Dynamic>;
@@ -253,9 +249,6 @@ wide error_of_joint(const Core& core, const C& at, const M& m, draw& random) {
   return test::worse(e, gap(stacked(a.linear, a.angular), column(before + s * exact_q)));
 }
 
-}  // namespace
-
-namespace {
 one_number draw_angle(draw& random) {
   const double q = 3 * random.number();
   return {q, {}, {}, std::cos(q), std::sin(q)};
@@ -264,7 +257,6 @@ constexpr vec3<skip> unknown{};
 // D is 1 at least, I up to 20, so that a gain is up to 20 and I' a difference of products up to 400; six of these make
 // a sum, accelerations and loads have numbers up to 2. That is 6 2 400 eps/2 times the some 10 roundings of each.
 constexpr double by_rounding = 2.4e4 * eps;
-}  // namespace
 
 TEST_CASE("one joint against dense matrices") {
   draw random(51);
@@ -335,3 +327,5 @@ TEST_CASE("an axis that moves next to nothing") {
   CHECK_FALSE(is_good(-1e-16, 0.0));
   CHECK_FALSE(is_good(std::numeric_limits<double>::quiet_NaN(), 0.0));
 }
+
+}  // namespace eliminated_axes_test

@@ -7,10 +7,11 @@
 
 // The driver that loops over arrays of bodies, with bodies that are numbers and nothing else.
 
+namespace looped_test {
+
 using namespace kte;
 using namespace kte::engine;
 
-namespace {
 /// Body `number`; of a usual kind or not, to which it adds a hundredth.
 template <bool Usual>
 struct toy_body {
@@ -47,9 +48,8 @@ struct toy_bodies {
 };
 using numbers = vec3<double>;
 numbers plus(const numbers& a, double x) { return {a.x + x, a.y + 1.0, x}; }
-}  // namespace
 
-TEST_CASE("values go outward from parents to children", "[both]") {
+TEST_CASE("values go outward from parents to children") {
   const toy_bodies bodies;
   std::vector<numbers> kept(7);
   kept[0] = {100.0, 0.0, 0.0}, kept[1] = {200.0, 0.0, 0.0};
@@ -100,3 +100,5 @@ TEST_CASE("what bodies carry goes inward, and branches add up") {
   CHECK(sums[0] == numbers{15.5, 6.01, 4.0});
   CHECK(sums[1] == numbers{16.25, 4.01, 1.0});
 }
+
+}  // namespace looped_test

@@ -4,10 +4,12 @@
 
 // Values that recursions hand on, and axes that are unit vectors by type.
 
+namespace values_test {
+
 using namespace kte;
 using namespace kte::engine;
 
-TEST_CASE("arrays hold numbers instead of typed constants", "[both]") {
+TEST_CASE("arrays hold numbers instead of typed constants") {
   using typed = wrench<vec3<double, zero_t, one_t>, zero3>;
   STATIC_REQUIRE(std::is_same_v<dense<double, typed>, wrench<vec3<double>, vec3<double>>>);
   STATIC_REQUIRE(std::is_same_v<dense<float, zero_t>, float>);
@@ -65,3 +67,5 @@ TEST_CASE("what belongs to a unit axis is left out") {
   CHECK(x.linear == a);
   CHECK(x.angular == a);
 }
+
+}  // namespace values_test

@@ -12,11 +12,11 @@
 
 // Impacts, peaks and flights against the closed form.
 
+namespace bouncing_ball_test {
+
 using namespace kte;
 using namespace kte::test;
 using namespace kte::test::bouncing;
-
-namespace {
 
 template <class Solver>
 void check_bounces(Solver solver) {
@@ -39,8 +39,6 @@ void check_bounces(Solver solver) {
   CHECK(impact(e, impacts) > 15);
   CHECK(solver.state()[0] == within(height_at(e, 15), 2e-12));
 }
-
-}  // namespace
 
 TEST_CASE("a bouncing ball: times, speeds and peaks") {
   SECTION("Kutta") { check_bounces(runge_kutta4(fall, 0.0, dropped, 0.1)); }
@@ -109,3 +107,5 @@ TEST_CASE("an impact early in a long step is as exact as in a short one, and so 
   for (std::size_t n = 0; n < 40; ++n)
     CHECK(report.events[n].time == within_relative(impact(0.5, static_cast<int>(n)), 1e-13));
 }
+
+}  // namespace bouncing_ball_test

@@ -10,9 +10,11 @@
 
 // What the search for zeros is made of.
 
+namespace crossing_search_test {
+
 using namespace kte::detail;
 
-TEST_CASE("the misfit of a quartic is what any value in between is off by", "[both]") {
+TEST_CASE("the misfit of a quartic is what any value in between is off by") {
   std::array<double, 9> y{};
   for (int i = 0; i < 9; ++i) {
     const double t = i - 4.0;
@@ -104,3 +106,5 @@ TEST_CASE("a short flight is seen: what leaves zero and comes back after a time 
   }
   CHECK(depart([](double) { return 0.0; }, 0.0, 1.0, 0.0).side == 0);
 }
+
+}  // namespace crossing_search_test

@@ -6,10 +6,10 @@
 
 // Events of states and times of every kind.
 
+namespace event_states_test {
+
 using namespace kte;
 using kte::test::within_relative;
-
-namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
@@ -25,8 +25,6 @@ struct disc {
   void pull_back(const rate&, rate&) const {}
   void magnitudes(const Eigen::Vector3d& x, rate& m) const { m = {1, x[2]}; }
 };
-
-}  // namespace
 
 TEST_CASE("events of states with rotations: a disc that strikes turns back") {
   const auto upright = event([](double, const Eigen::Vector3d& x) {
@@ -75,3 +73,5 @@ TEST_CASE("late times are resolved to their ulp") {
   const auto report = integrate(solver, 1e9 + 1, events(event([](double, const Eigen::Vector2d& x) { return x[0]; })));
   CHECK(report.events.at(0).time == within_relative(1e9 + 0.7, 4e-16));
 }
+
+}  // namespace event_states_test

@@ -1,5 +1,7 @@
 #include "events/oscillator.hpp"
 
+namespace events_test {
+
 using namespace kte;
 using namespace kte::test::oscillating;
 using kte::test::contains_text;
@@ -247,3 +249,5 @@ TEST_CASE("a step without events takes eight values of g along it, and one at it
   integrate(solver, 100.0, events(count));
   CHECK(values == 1 + 100 * 9 + 1);  // and the start, and whether it ends at zero
 }
+
+}  // namespace events_test

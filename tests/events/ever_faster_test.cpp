@@ -5,6 +5,8 @@
 
 // Infinitely many events before a time, and what comes after it.
 
+namespace ever_faster_test {
+
 using namespace kte;
 using namespace kte::test;
 using namespace kte::test::bouncing;
@@ -79,3 +81,5 @@ TEST_CASE("an impact that does not lift off is rest, where events are one-sided,
     }
   }
 }
+
+}  // namespace ever_faster_test

@@ -17,10 +17,10 @@
 // Properties of every solver that chooses its steps: after a failure it works again, and events start and end well.
 // One right-hand side and one list of events for all, so that each solver is compiled once.
 
+namespace every_solver_test {
+
 using namespace kte;
 using namespace kte::test;
-
-namespace {
 
 auto turns_of(block& b) {
   return events(event([&b](double t, const state& x) {
@@ -179,8 +179,6 @@ void check_limits() {
   }
 }
 
-}  // namespace
-
 TEST_CASE("zero at the start is no event, for every solver and tolerance") {
   SECTION("bogacki_shampine23") { check_starts<bogacki_shampine23>(1e-6, true); }
   SECTION("fehlberg45") { check_starts<fehlberg45>(1e-9, true); }
@@ -250,3 +248,5 @@ TEST_CASE("a solution is the dense output of every solver, from its start to its
   SECTION("trapezoidal") { check_solution<trapezoidal>(); }
   SECTION("kennedy_carpenter34") { check_solution<kennedy_carpenter34>(); }
 }
+
+}  // namespace every_solver_test

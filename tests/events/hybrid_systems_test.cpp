@@ -5,19 +5,17 @@
 
 // Mechanisms that change at events, whose solutions have a closed form.
 
+namespace hybrid_systems_test {
+
 using namespace kte;
 using kte::test::within;
 using kte::test::within_relative;
-
-namespace {
 
 constexpr double pi = 3.14159265358979323846;
 /// Place and speed.
 using place = Eigen::Vector2d;
 
-}  // namespace
-
-TEST_CASE("a ball between two walls", "[both]") {
+TEST_CASE("a ball between two walls") {
   const auto straight = [](double, const place& x) { return place(x[1], 0); };
   const auto turn = [](double, place& x) { x[1] = -x[1]; };
   const auto left = event([](double, const place& x) { return x[0] + 1; }).reset(turn);  // both directions, no set-back
@@ -111,3 +109,5 @@ TEST_CASE("backlash: a block between two springs with a gap") {
     t += i % 2 == 0 ? pi / 10 : 0.1;
   }
 }
+
+}  // namespace hybrid_systems_test

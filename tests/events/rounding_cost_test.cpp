@@ -11,10 +11,10 @@
 
 // What rounding costs, of states and of late times: long tests, as tolerances are tight.
 
+namespace rounding_cost_test {
+
 using namespace kte;
 using namespace kte::test;
-
-namespace {
 
 /// What tolerances of 1e-14 and 1e-15 may cost, times what 1e-12 does.
 struct growth {
@@ -60,8 +60,6 @@ void check_late() {
   }
 }
 
-}  // namespace
-
 TEST_CASE("tolerances near rounding cost no more than their order asks", "[long]") {
   constexpr growth order_5{2.6, 4.1};  // 10^(2/5), 10^(3/5)
   SECTION("fehlberg45") { check_rounding<fehlberg45>({0, 1000, 4000}, order_5); }
@@ -91,3 +89,5 @@ TEST_CASE("differences by time never ask for what was before a start", "[long]")
   solver.integrate(1000.04);
   CHECK(first == 1000.02);
 }
+
+}  // namespace rounding_cost_test

@@ -1,5 +1,7 @@
 #include "events/oscillator.hpp"
 
+namespace stopping_test {
+
 using namespace kte;
 using namespace kte::test::oscillating;
 using kte::test::contains_text;
@@ -94,3 +96,5 @@ TEST_CASE("an observer stops an integration with events after the event that it 
   report = solver.integrate(2, bounce);
   CHECK(report.find("wall")->time == test::within(std::acos(0.0), 1e-5));
 }
+
+}  // namespace stopping_test

@@ -8,11 +8,11 @@
 
 // Articulated inertias against dense matrices of six, [linear; angular].
 
+namespace articulated_test {
+
 using namespace kte;
 using test::draw;
 using big = kte::test::digits50;
-
-namespace {
 
 template <class S>
 using matrix6 = Eigen::Matrix<S, 6, 6>;
@@ -88,9 +88,7 @@ matrix6<wide> sizes_of_way(const R& rotation, const P& p) {
   return x;
 }
 
-}  // namespace
-
-TEST_CASE("an articulated inertia without joints is that of a body", "[laws]") {
+TEST_CASE("an articulated inertia without joints is that of a body") {
   draw random(41);
   for (int i = 0; i < 100; ++i) {
     const rigid_body<> body{1 + random.number(), random.vector(), random.symmetric()};
@@ -161,7 +159,6 @@ TEST_CASE("transported articulated inertias of bodies are those of transported b
   }
 }
 
-namespace {
 constexpr auto in_plane = to_articulated(to_composite(planar_body(2.0, 0.5, vec3{0.25, 0.5, zero})));
 constexpr auto along = to_articulated(to_composite(point_mass(2.0, along_x(0.5))));
 constexpr rotation_2D turned{0.6, 0.8};
@@ -174,7 +171,6 @@ constexpr bool stays_in_plane = [] {
   return std::is_same_v<decltype(w::force.z), zero_t> && std::is_same_v<decltype(w::torque.x), zero_t> &&
          std::is_same_v<decltype(w::torque.y), zero_t>;
 }();
-}  // namespace
 
 TEST_CASE("typed zeros of articulated inertias") {
   // what is free
@@ -234,3 +230,5 @@ TEST_CASE("an articulated inertia less a dyad") {
     CHECK((difference.cwiseAbs().array() <= 2 * eps * terms.array()).all());
   }
 }
+
+}  // namespace articulated_test

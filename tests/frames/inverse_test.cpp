@@ -1,10 +1,10 @@
 #include "catch.hpp"
 #include "frames/random_motion.hpp"
 
+namespace inverse_test {
+
 using namespace kte;
 using namespace kte::test;
-
-namespace {
 
 const digits50 eps50 = std::numeric_limits<digits50>::epsilon();
 const digits50 by_differences = 1000 * pow(eps50, digits50(2) / 3);  // as for compose
@@ -27,8 +27,6 @@ void check_inverse(unsigned seed) {
     CHECK(apart<S>(inverse(compose(a, b)), compose(inverse(b), inverse(a))) <= 2 * rounding<S>);
   }
 }
-
-}  // namespace
 
 TEST_CASE("a motion and its inverse are a frame at rest") {
   check_inverse<double, mat3<vec3<>>>(1);
@@ -91,3 +89,5 @@ TEST_CASE("poses carry points") {
   static_assert(std::is_same_v<decltype(inverse(pose{no_rotation{}, zero3{}})), pose<no_rotation, zero3>>);
   CHECK(as<double>(to_parent(pose{quarter_turn_z, along_x(1.0)}, vec3{2.0, 0.5, 3.0})) == vec3{0.5, 2.0, 3.0});
 }
+
+}  // namespace inverse_test

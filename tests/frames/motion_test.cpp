@@ -5,10 +5,10 @@
 #include "frames/random_motion.hpp"
 #include "math/draw.hpp"
 
+namespace motion_test {
+
 using namespace kte;
 using namespace kte::test;
-
-namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 const digits50 eps50 = std::numeric_limits<digits50>::epsilon();
@@ -28,9 +28,7 @@ void check_composition_by_differences(unsigned seed) {
   }
 }
 
-}  // namespace
-
-TEST_CASE("composition of motions is the derivative of the composition of poses", "[both]") {
+TEST_CASE("composition of motions is the derivative of the composition of poses") {
   check_composition_by_differences<mat3<vec3<digits50>>>(1);
   check_composition_by_differences<unit_quaternion<digits50>>(2);
   check_composition_by_differences<rotation_2D<digits50>>(3);
@@ -82,14 +80,12 @@ TEST_CASE("a wrench is transmitted so that its power is kept") {
   }
 }
 
-namespace {
 /// The motion without typed constants.
 template <class... M>
 auto dense(const motion<M...>& m) {
   return motion{as<double>(m.position),     as<double>(matrix(m.rotation)), as<double>(m.velocity),
                 as<double>(m.ang_velocity), as<double>(m.acceleration),     as<double>(m.ang_acceleration)};
 }
-}  // namespace
 
 TEST_CASE("typed motions are exactly the dense ones") {
   draw d(7);
@@ -174,3 +170,5 @@ TEST_CASE("a frame in the plane moves as one in space about z") {
     CHECK(loaded.torque == 0.0);
   }
 }
+
+}  // namespace motion_test

@@ -8,10 +8,10 @@
 
 #include "catch.hpp"
 
+namespace adams_BM_test {
+
 using namespace kte;
 using kte::test::contains_text;
-
-namespace {
 
 using rational = boost::multiprecision::cpp_rational;
 template <class S>
@@ -56,7 +56,7 @@ void check_formula() {
   }
 }
 
-TEST_CASE("Adams-Bashforth-Moulton: predictor, corrector and interpolant have their order", "[laws]") {
+TEST_CASE("Adams-Bashforth-Moulton: predictor, corrector and interpolant have their order") {
   SECTION("order 3") { check_formula<adams_BM3_formula>(); }
   SECTION("order 5") { check_formula<adams_BM5_formula>(); }
 }
@@ -184,4 +184,4 @@ TEST_CASE("Adams-Bashforth-Moulton: failures stop with the last good state") {
     CHECK_THROWS_WITH(adams_BM5(f, 0.0, scalar_state<double>(0.0), bad), contains_text("step"));
 }
 
-}  // namespace
+}  // namespace adams_BM_test

@@ -6,6 +6,8 @@
 #include "catch.hpp"
 #include "integrators/two_oscillators.hpp"
 
+namespace adams_rounding_test {
+
 using namespace kte;
 using namespace kte::test;
 
@@ -65,3 +67,5 @@ TEST_CASE("tolerances below the rounding of a law of control cost no steps") {
   CHECK(at_12 < 4000);
   CHECK(evaluations(1e-14) < 5 * at_12);
 }
+
+}  // namespace adams_rounding_test

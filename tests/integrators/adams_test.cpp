@@ -8,10 +8,10 @@
 #include "catch.hpp"
 #include "integrators/two_oscillators.hpp"
 
+namespace adams_test {
+
 using namespace kte;
 using namespace kte::test;
-
-namespace {
 
 template <class S>
 using scalar_state = Eigen::Matrix<S, 1, 1>;
@@ -42,8 +42,7 @@ struct monomial_history {
   const real50& time(int i) const { return times[static_cast<std::size_t>(i)]; }
 };
 
-TEST_CASE("Adams: with any spacing, the formulas are exact for the polynomials of their order, and for no others",
-          "[laws]") {
+TEST_CASE("Adams: with any spacing, the formulas are exact for the polynomials of their order, and for no others") {
   scalar_state<real50> mean(0);
   const real50 rounding = 1e-35;  // of 50 digits, after products of 13 times
   for (int k = 1; k <= 12; ++k)
@@ -333,4 +332,4 @@ TEST_CASE("an interval of subnormal length is passed through, or refused after a
   }
 }
 
-}  // namespace
+}  // namespace adams_test

@@ -14,6 +14,8 @@
 #include "allocations.hpp"
 #include "catch.hpp"
 
+namespace allocation_test {
+
 using namespace kte;
 
 TEST_CASE("integration of a fixed size and the rows of a table do not allocate") {
@@ -43,3 +45,5 @@ TEST_CASE("integration of a fixed size and the rows of a table do not allocate")
         }) == 0);
   CHECK(rows > 15000);
 }
+
+}  // namespace allocation_test

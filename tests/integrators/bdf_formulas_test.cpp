@@ -12,12 +12,12 @@
 
 #include "catch.hpp"
 
+namespace bdf_formulas_test {
+
 using namespace kte;
 using detail::backward_differences;
 using detail::bdf_coefficients;
 using detail::newton;
-
-namespace {
 
 using rational = boost::multiprecision::cpp_rational;
 using vector1 = Eigen::Matrix<rational, 1, 1>;
@@ -38,7 +38,7 @@ auto differences_of(const P& p, const rational& t, const rational& h, int k) {
   return d;
 }
 
-TEST_CASE("the formulas of order k are exact for polynomials up to degree k, then wrong by their constant", "[laws]") {
+TEST_CASE("the formulas of order k are exact for polynomials up to degree k, then wrong by their constant") {
   const rational t(7, 5), h(2, 3);
   for (const bdf_formula formula : {ndf, plain}) {
     const bdf_coefficients<rational> c(formula);
@@ -150,4 +150,4 @@ TEST_CASE("Newton iterations end when little enough is left, or when that is hop
   CHECK(progress.judge(std::nan("")) == newton::hopeless);
 }
 
-}  // namespace
+}  // namespace bdf_formulas_test

@@ -8,10 +8,10 @@
 #include "data/problems/rober.hpp"
 #include "data/problems/vdpol.hpp"
 
+namespace bdf_problems_test {
+
 using namespace kte;
 using kte::test::contains_text;
-
-namespace {
 
 using scalar_state = Eigen::Matrix<double, 1, 1>;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
@@ -46,7 +46,7 @@ void check(double small, const bdf_settings& settings = {}) {
   }
 }
 
-TEST_CASE("BDF: stiff problems of the test sets, to the tolerance", "[laws]") {
+TEST_CASE("BDF: stiff problems of the test sets, to the tolerance") {
   for (const bdf_formula formula : {bdf_formula::numerical_differentiation, bdf_formula::backward_differentiation}) {
     check<problems::vdpol<>>(1e-3, {.formula = formula});
     check<problems::hires<>>(1e-4, {.formula = formula});
@@ -180,4 +180,4 @@ TEST_CASE("BDF: too many steps, and bad settings") {
   CHECK_THROWS_AS(solver.integrate(inf), bad_argument);
 }
 
-}  // namespace
+}  // namespace bdf_problems_test

@@ -6,10 +6,10 @@
 #include "catch.hpp"
 #include "digits50.hpp"
 
+namespace bdf_test {
+
 using namespace kte;
 using kte::test::contains_text;
-
-namespace {
 
 using real50 = kte::test::digits50;
 template <class S>
@@ -33,7 +33,7 @@ double slope(const std::vector<double>& x, const std::vector<double>& y) {
   return ((a - a.mean()) * (b - b.mean())).sum() / (a - a.mean()).square().sum();
 }
 
-TEST_CASE("BDF: with order k, errors are as steps^-k, steps as tolerance^(-1/(k + 1))", "[laws]") {
+TEST_CASE("BDF: with order k, errors are as steps^-k, steps as tolerance^(-1/(k + 1))") {
   const auto g = [](long double t) { return std::exp(-t / 2); };  // all derivatives alike, so steps are, too
   const auto f = [&](long double t, const one<long double>& x) {
     return one<long double>(-g(t) / 2 - (x[0] - g(t)) * (1 + x[0] / g(t)));
@@ -258,4 +258,4 @@ TEST_CASE("BDF: dynamic states, and a custom Jacobian") {
   CHECK(std::abs(a.statistics().evaluations - b.statistics().evaluations - 20 * a.statistics().jacobians) <= 10);
 }
 
-}  // namespace
+}  // namespace bdf_test

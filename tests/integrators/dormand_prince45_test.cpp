@@ -3,10 +3,10 @@
 #include "catch.hpp"
 #include "integrators/two_oscillators.hpp"
 
+namespace dormand_prince45_test {
+
 using namespace kte;
 using namespace kte::test;
-
-namespace {
 
 template <class F>
 real50 error_at_1(const F& f, const state<real50>& x0, const real50& exact, int n) {
@@ -100,4 +100,4 @@ TEST_CASE("Dormand-Prince: tolerances hold for each component by its own size") 
   CHECK(4 * loose.statistics().steps < solver.statistics().steps);
 }
 
-}  // namespace
+}  // namespace dormand_prince45_test

@@ -8,7 +8,8 @@
 #include "catch.hpp"
 
 // Explicit methods keep right-hand sides of states of dynamic size behind virtual functions.
-namespace {
+
+namespace erased_system_test {
 
 using vector = Eigen::VectorXd;
 
@@ -79,4 +80,4 @@ TEST_CASE("a runtime chain with rotations moves on the group behind virtual func
   CHECK(std::abs(erased.state().head<4>().norm() - 1) < 4e-16);
 }
 
-}  // namespace
+}  // namespace erased_system_test

@@ -10,10 +10,10 @@
 // Methods that keep the energy of conservative systems, on a pendulum q'' = -sin q, and on q'' = -q + sin t - q_dot,
 // whose solution from (0, 0) is known.
 
+namespace geometric_test {
+
 using namespace kte;
 using kte::test::contains_text;
-
-namespace {
 
 using pair = Eigen::Matrix<long double, 2, 1>;
 const auto damped = [](long double t, const pair& x) { return pair(x[1], -x[0] + std::sin(t) - x[1]); };
@@ -53,8 +53,6 @@ std::pair<double, double> wandering(Solver solver) {
   });
   return {halves[0], halves[1]};
 }
-
-}  // namespace
 
 TEST_CASE("geometric methods have their orders, also between steps") {
   SECTION("semi-implicit Euler") { check_order<semi_implicit_euler>(1); }
@@ -146,3 +144,5 @@ TEST_CASE("an iteration whose right-hand side is NaN does not reject the step") 
   implicit_midpoint diverges(squares, 0.0, Eigen::Vector2d(2, 0), 1.0);
   CHECK_THROWS_WITH(diverges.integrate(1), contains_text("a step of 1 does not converge: it is too long"));
 }
+
+}  // namespace geometric_test

@@ -7,10 +7,10 @@
 #include "catch.hpp"
 #include "integrators/implicit_conditions.hpp"
 
+namespace implicit_coefficients_test {
+
 using namespace kte;
 using kte::test::real50;
-
-namespace {
 
 /// How far the largest entries, about 35 and known to 19 digits, may miss a condition: the sums are shorter than 10
 /// times that. Exact coefficients miss it by far less.
@@ -97,9 +97,7 @@ void check_esdirk() {
   }
 }
 
-}  // namespace
-
-TEST_CASE("Rosenbrock methods have their orders, at the ends of steps and between them, and are L-stable", "[laws]") {
+TEST_CASE("Rosenbrock methods have their orders, at the ends of steps and between them, and are L-stable") {
   SECTION("Shampine and Reichelt 2(3)") { check_rosenbrock<rosenbrock23_coefficients>(); }
   SECTION("RODAS 4(3)") { check_rosenbrock<rodas_coefficients>(); }
 }
@@ -122,3 +120,5 @@ TEST_CASE("diagonally implicit methods have their orders, at the ends of steps a
   SECTION("trapezoidal rule") { check_esdirk<trapezoidal_tableau>(); }
   SECTION("Kennedy and Carpenter 4(3)") { check_esdirk<kennedy_carpenter34_tableau>(); }
 }
+
+}  // namespace implicit_coefficients_test

@@ -4,11 +4,11 @@
 
 #include "catch.hpp"
 
+namespace integration_failure_test {
+
 using namespace kte;
 using kte::test::contains_text;
 using kte::test::within;
-
-namespace {
 
 using scalar_state = Eigen::Matrix<double, 1, 1>;
 constexpr auto oscillator = [](double, const Eigen::Vector2d& x) { return Eigen::Vector2d(x[1], -x[0]); };
@@ -164,4 +164,4 @@ TEST_CASE("bad settings are rejected with their value") {
   CHECK_THROWS_WITH(early.integrate(1.5e308), contains_text("the way to the end time must be finite"));
 }
 
-}  // namespace
+}  // namespace integration_failure_test

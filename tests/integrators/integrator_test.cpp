@@ -11,16 +11,16 @@
 
 #include "catch.hpp"
 
+namespace integrator_test {
+
 using namespace kte;
 using kte::test::contains_text, kte::test::worse;
-
-namespace {
 
 using scalar_state = Eigen::Matrix<double, 1, 1>;
 constexpr auto oscillator = [](double, const Eigen::Vector2d& x) { return Eigen::Vector2d(x[1], -x[0]); };
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-TEST_CASE("integrators land exactly on the end, with no tiny last step", "[both]") {
+TEST_CASE("integrators land exactly on the end, with no tiny last step") {
   dormand_prince45 solver(oscillator, 0.0, Eigen::Vector2d(1, 0));
   for (int i = 1; i <= 500; ++i) {
     std::vector<double> times;
@@ -230,8 +230,6 @@ TEST_CASE("dynamic states, and sizes that do not fit") {
   CHECK_THROWS_WITH(euler(f, 0.0, Eigen::VectorXd(), 0.1), contains_text("empty"));
 }
 
-}  // namespace
-
 TEST_CASE("states of dual numbers carry derivatives through steps, and messages have their values") {
   using number = dual<double, 1>;
   using state = Eigen::Matrix<number, 1, 1>;
@@ -245,3 +243,5 @@ TEST_CASE("states of dual numbers carry derivatives through steps, and messages 
   CHECK_THROWS_WITH(solver.integrate(std::nan("")), contains_text("end time must be finite, got nan"));
   CHECK_THROWS_WITH(solver.interpolate(7.0), contains_text("cannot interpolate at t = 7"));
 }
+
+}  // namespace integrator_test

@@ -12,9 +12,9 @@
 // Orders as slopes of error over step or over tolerance, on a nonlinear problem that depends on time:
 // x' = -2 t x^2, x(0) = 1, x(t) = 1 / (1 + t^2).
 
-using namespace kte;
+namespace order_test {
 
-namespace {
+using namespace kte;
 
 using scalar = Eigen::Matrix<long double, 1, 1>;
 const auto right_hand_side = [](long double t, const scalar& x) { return scalar(-2 * t * x[0] * x[0]); };
@@ -56,9 +56,7 @@ void check_steps(int order_of_error) {
   CHECK(std::log(run(1e-12L) / run(1e-9L)) / std::log(1000) == within(1.0 / order_of_error, 0.02));
 }
 
-}  // namespace
-
-TEST_CASE("orders of methods with fixed steps, as slopes", "[laws]") {
+TEST_CASE("orders of methods with fixed steps, as slopes") {
   SECTION("Euler") { check<euler>(1, 1); }
   SECTION("midpoint") { check<midpoint>(2, 2); }
   SECTION("Kutta, order 4") { check<runge_kutta4>(4, 3); }
@@ -69,3 +67,5 @@ TEST_CASE("methods that choose their steps keep tolerances, with as many steps a
   SECTION("Bogacki and Shampine 3(2)") { check_steps<bogacki_shampine23>(3); }
   SECTION("Fehlberg 4(5)") { check_steps<fehlberg45>(5); }
 }
+
+}  // namespace order_test

@@ -8,9 +8,9 @@
 
 #include "catch.hpp"
 
-using kte::test::says;
+namespace packs_test {
 
-namespace {
+using kte::test::says;
 
 using P = kte::pack<double, 8>;
 template <class S>
@@ -35,8 +35,6 @@ pair<double> lane(const pair<P>& x, std::size_t i) { return {x[0][i], x[1][i]}; 
 
 /// In a lane that no other one shares: all of them are equal.
 duffing<P> alone(std::size_t i) { return {P(stiffness(i))}; }
-
-}  // namespace
 
 TEMPLATE_TEST_CASE("fixed steps on packs: a lane is a state integrated alone", "", (kte::euler<duffing<P>, pair<P>>),
                    (kte::runge_kutta4<duffing<P>, pair<P>>)) {
@@ -94,3 +92,5 @@ TEST_CASE("a lane without a number stops a pack, whichever it is") {
   kte::runge_kutta4 solver(duffing<P>{k}, 0.0, start, 0.1);
   CHECK_THROWS_MATCHES(solver.integrate(100.0), kte::integration_failure, says("not a finite number"));
 }
+
+}  // namespace packs_test

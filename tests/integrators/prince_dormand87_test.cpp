@@ -8,12 +8,12 @@
 #include "catch.hpp"
 #include "integrators/two_oscillators.hpp"
 
+namespace prince_dormand87_test {
+
 using namespace kte;
 using namespace kte::test;
 
-namespace {
-
-TEST_CASE("Prince-Dormand: the global error is of order 8", "[laws]") {
+TEST_CASE("Prince-Dormand: the global error is of order 8") {
   const auto error = [](int n) {  // of the energy, which has no zeros
     auto solver = one_step_solver<prince_dormand87>(pendulum, horizontal<real50>());
     const auto before = solver.statistics().steps;
@@ -146,4 +146,4 @@ TEST_CASE("Prince-Dormand: states on groups, at the ends of steps and between th
   CHECK(solver.statistics().steps < 60);  // so that most samples are between the ends
 }
 
-}  // namespace
+}  // namespace prince_dormand87_test

@@ -8,11 +8,13 @@
 // The mechanisms of data/problems in the plane against their references, by the library's forward dynamics. How bounds
 // were found is said in mechanism_error.hpp.
 
+namespace problems_mechanisms_test {
+
 using namespace kte;
 using namespace kte::problems;
 using namespace kte::test;
 
-TEST_CASE("the pendulum reaches its references", "[laws]") {
+TEST_CASE("the pendulum reaches its references") {
   check_references<problems::pendulum>(1e-9,
                                        {1e-11, 2e-9, 5e-8});  // [218, 2200, 11000; 9, 1e2, 5e2; 2e-12, 4e-10, 9e-9]
 }
@@ -37,3 +39,5 @@ TEST_CASE("mechanisms in long double: a thousandth of the error") {
   solver.integrate(1);
   CHECK(largest_error(problem::output(solver.state()), double_pendulum_from_horizontal::references[0].values) < 1e-14L);
 }
+
+}  // namespace problems_mechanisms_test

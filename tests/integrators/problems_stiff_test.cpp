@@ -14,9 +14,9 @@
 // The stiff problems of data/problems: their Jacobians by differences, and their references by a simple implicit method
 // of high order.
 
-using namespace kte::problems;
+namespace problems_stiff_test {
 
-namespace {
+using namespace kte::problems;
 
 /// No right-hand side has more than the square of one of its variables, so central differences are exact but for
 /// rounding, eps |f| / h: with states below 3, |f| below 3e8, eps = 1.1e-19 and h = 1/64 that is 2e-9.
@@ -81,9 +81,7 @@ typename Problem::state integrate(const Problem& f, long double t_end, long doub
   return x;
 }
 
-}  // namespace
-
-TEST_CASE("Jacobians of the stiff problems are those of their right-hand sides", "[laws]") {
+TEST_CASE("Jacobians of the stiff problems are those of their right-hand sides") {
   check_jacobian(hires<long double>{});
   check_jacobian(vdpol<long double>{});
   check_jacobian(orego<long double>{});
@@ -100,3 +98,5 @@ TEMPLATE_TEST_CASE("references of the stiff problems agree with an implicit meth
     CHECK(scd(integrate(TestType{}, r.time, 1e-18L, 1e-14L), r.values) > 11);
   }
 }
+
+}  // namespace problems_stiff_test

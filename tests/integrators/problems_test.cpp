@@ -15,10 +15,10 @@
 // in part, and grow little where most steps are. Bounds are three to six times the measured error and below that limit;
 // in brackets n, G and the error. Rounding is 1e-16 a step, a part of 1e-4 of all that.
 
+namespace problems_test {
+
 using namespace kte;
 using namespace kte::problems;
-
-namespace {
 
 template <class Problem>
 auto output(const typename Problem::state& x) {
@@ -43,9 +43,7 @@ double error_of(double drift = 0) {
   return most;
 }
 
-}  // namespace
-
-TEST_CASE("plain problems reach their references with the order 5 that the library has", "[long][laws]") {
+TEST_CASE("plain problems reach their references with the order 5 that the library has", "[long]") {
   CHECK(error_of<pleiades<>>(1e-8) < 1e-9);           // [2400, 3e3, 1.6e-10]
   CHECK(error_of<kapitza<>>() < 2e-10);               // [8e4, 2e1, 3.5e-11]
   CHECK(error_of<elastic_pendulum<>>(2e-9) < 3e-10);  // [5700, 2e2, 5.6e-11]
@@ -84,3 +82,5 @@ TEST_CASE("errors and digits of a solution") {
   CHECK(largest_error(nan, r) == HUGE_VALL);
   CHECK(scd(nan, r) == -HUGE_VAL);
 }
+
+}  // namespace problems_test

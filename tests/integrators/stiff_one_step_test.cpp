@@ -9,9 +9,9 @@
 #include "integrators/implicit_conditions.hpp"
 #include "integrators/rotating_body.hpp"
 
-using namespace kte;
+namespace stiff_one_step_test {
 
-namespace {
+using namespace kte;
 
 template <class S>
 using scalar = Eigen::Matrix<S, 1, 1>;
@@ -166,10 +166,7 @@ void check_group(int order, long double tolerance) {
   CHECK(stiff.statistics().steps < 1000);
 }
 
-}  // namespace
-
-TEST_CASE("one-step methods for stiff systems have their orders, as slopes, at the ends of steps and between them",
-          "[laws]") {
+TEST_CASE("one-step methods for stiff systems have their orders, as slopes, at the ends of steps and between them") {
   SECTION("rosenbrock23") { check_order<rosenbrock23>(2, 3, 1e-7L); }
   SECTION("RODAS") { check_order<rodas>(4, 4, 1e-9L); }
   SECTION("TR-BDF2") { check_order<tr_bdf2>(2, 3, 1e-7L); }
@@ -211,3 +208,5 @@ TEST_CASE("one-step methods for stiff systems keep rotations on their group, wit
   SECTION("trapezoidal rule") { check_group<trapezoidal>(2, 1e-6L); }
   SECTION("Kennedy and Carpenter") { check_group<kennedy_carpenter34>(4, 1e-8L); }
 }
+
+}  // namespace stiff_one_step_test

@@ -13,12 +13,12 @@
 
 // How one-step methods for stiff systems are used, and how they fail.
 
+namespace stiff_one_step_use_test {
+
 using namespace kte;
 using kte::test::contains_text;
 using kte::test::within;
 using kte::test::within_relative;
-
-namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 using number = Eigen::Matrix<double, 1, 1>;
@@ -156,9 +156,7 @@ void check_dynamic() {
   CHECK((solver.state().array() - std::exp(-1.0)).abs().maxCoeff() < 1e-4);
 }
 
-}  // namespace
-
-TEST_CASE("one-step methods for stiff systems: forward, backward, again, and between steps", "[laws]") {
+TEST_CASE("one-step methods for stiff systems: forward, backward, again, and between steps") {
   SECTION("rosenbrock23") { check_use<rosenbrock23>(); }
   SECTION("RODAS") { check_use<rodas>(); }
   SECTION("TR-BDF2") { check_use<tr_bdf2>(); }
@@ -216,3 +214,5 @@ TEST_CASE("intervals of subnormal length, or of one rounding, are passed through
     CHECK(passes<rosenbrock23>(from, to));
   }
 }
+
+}  // namespace stiff_one_step_use_test

@@ -15,9 +15,9 @@
 #include "digits50.hpp"
 #include "integrators/order_conditions.hpp"
 
-using namespace kte;
+namespace tableau_test {
 
-namespace {
+using namespace kte;
 
 using rational = boost::multiprecision::cpp_rational;
 
@@ -110,9 +110,7 @@ void check_rounded_order(const Conditions& conditions, const typename Conditions
   CHECK(conditions.defect(b, order + 1, theta) > 1e-7);
 }
 
-}  // namespace
-
-TEST_CASE("rooted trees", "[laws]") {
+TEST_CASE("rooted trees") {
   const test::order_conditions<rational, euler_tableau> conditions(8);
   const std::size_t known[]{1, 1, 2, 4, 9, 20, 48, 115};
   for (int r = 1; r <= 8; ++r) CHECK(conditions.count(r) == known[r - 1]);
@@ -156,3 +154,5 @@ TEST_CASE("Prince and Dormand 8(7) has its orders, between the ends too, as exac
     check_rounded_order(conditions, w, tableau::dense_order, u);
   }
 }
+
+}  // namespace tableau_test

@@ -13,10 +13,10 @@
 #include "io/all_formats.hpp"
 #include "robots/iiwa14.hpp"
 
+namespace archive_file_test {
+
 using namespace models;
 using kte::test::contains_text, kte::test::in_all_formats, kte::test::scratch, kte::test::within;
-
-namespace {
 
 const std::filesystem::path data =
     std::filesystem::path(__FILE__).lexically_normal().parent_path().parent_path() / "data";
@@ -40,8 +40,6 @@ kte::archive tutorial(const kte::runtime_chain& c, const kte::runtime_state& s) 
   a.add("joint_coord", "q", s.coordinate("q")).add("pendulum", c).add("end_frame", "tip", s.frame_2D("tip"));
   return a.add("mass_mat1", kte::mass_matrix_calc(c) << kte::all_inertias << kte::all_coordinates);
 }
-
-}  // namespace
 
 TEST_CASE("a coordinate, a chain, a frame and a calculator in one file share what they have in common") {
   kte::runtime_chain c;
@@ -310,3 +308,5 @@ TEST_CASE("of a coordinate with several limits some may be none") {
     CHECK(b.model("arm").limits.size() == 1);
   });
 }
+
+}  // namespace archive_file_test

@@ -4,9 +4,9 @@
 #include "catch.hpp"
 #include "scratch.hpp"
 
-using kte::archive_record, kte::model_format, kte::read_options;
+namespace archive_reader_test {
 
-namespace {
+using kte::archive_record, kte::model_format, kte::read_options;
 
 archive_record read(const std::string& text, model_format format = model_format::json, const read_options& o = {}) {
   return kte::detail::read_archive(text, "m", format, o);
@@ -36,9 +36,7 @@ struct bytes {
 };
 std::string text_of(const std::string& t) { return "\3" + std::string(1, static_cast<char>(t.size())) + t; }
 
-}  // namespace
-
-TEST_CASE("archives by hand: roots in any order, what may be left out", "[both]") {
+TEST_CASE("archives by hand: roots in any order, what may be left out") {
   const auto a = read(json_roots(R"({"mass_matrix_calc":{"chain":"arm"},"name":"m"},)"
                                  R"({"name":"arm","chain":{"elements":[],"limits":[{"upper":[1.5],"coordinate":"q"}],)"
                                  R"("gravity":[0,0,-9.81],"tools":["hand"],"inputs":[{"name":"u","value":2}]}},)"
@@ -180,3 +178,5 @@ TEST_CASE("deep, long and cut off: refused or read in the time and memory of the
   CHECK(
       fault(all, model_format::binary, {.max_items = 403}).ends_with("more than 403 things (read_options::max_items)"));
 }
+
+}  // namespace archive_reader_test

@@ -6,14 +6,14 @@
 
 #include "catch.hpp"
 
-namespace {
+namespace dot_test {
+
 // clang-format off
 inline constexpr struct same_  final : kte::coord_key<"same">    {} same;
 inline constexpr struct base_  final : kte::frame_2D_key<"base"> {} base;
 inline constexpr struct frame_ final : kte::frame_2D_key<"same"> {} frame;
 inline constexpr struct motor_ final : kte::input_key<"motor">   {} motor;
 // clang-format on
-}  // namespace
 
 TEST_CASE("graphs have a box for each element and one node for each name of a kind, whichever chain it is") {
   constexpr auto c = kte::chain(kte::revolute_joint_2D(same, base, frame), kte::driving_actuator_gen(same, motor));
@@ -44,3 +44,5 @@ TEST_CASE("names in graphs are escaped") {
   CHECK_THAT(graph, kte::test::contains_text(R"(label="a\"b\\n<&amp;lt;\nc"])"));
   CHECK_THAT(graph, kte::test::contains_text(R"(n1 -> e1 [label="mode", dir=both])"));
 }
+
+}  // namespace dot_test

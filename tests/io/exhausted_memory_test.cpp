@@ -9,10 +9,10 @@
 // Whichever allocation fails (those of table_allocation_test.cpp, of the same program), and if all do that follow:
 // files are as before, or as they were to be.
 
+namespace exhausted_memory_test {
+
 using namespace kte;
 using kte::test::scratch;
-
-namespace {
 
 /// A file in its own folder.
 struct kept_file : test::scratch_folder {
@@ -84,4 +84,4 @@ TEST_CASE("a file that cannot be read for want of memory gives nothing, and is r
                          [&](runtime_chain& d, bool threw) { REQUIRE(d.dofs() == (threw ? 0 : 1)); });
 }
 
-}  // namespace
+}  // namespace exhausted_memory_test

@@ -8,20 +8,18 @@
 #include "catch.hpp"
 #include "scratch.hpp"
 
+namespace file_test {
+
 namespace fs = std::filesystem;
 using kte::detail::replace_file;
 using kte::test::scratch_folder;
-
-namespace {
 
 std::string message(const fs::path& path) {
   return kte::test::message_of<kte::bad_file>([&] { replace_file(path, "new"); });
 }
 std::string text_of(const fs::path& path) { return kte::detail::read_file(path); }
 
-}  // namespace
-
-TEST_CASE("a file is replaced as a whole, and keeps its permissions", "[both]") {
+TEST_CASE("a file is replaced as a whole, and keeps its permissions") {
   const scratch_folder folder;
   const auto path = folder.path / "model.json";
   replace_file(path, "old");
@@ -139,3 +137,5 @@ TEST_CASE("of a file with more bytes than are allowed there are more than these,
     if (size > 1 << 14) CHECK(kte::detail::read_file(path, 1 << 14).size() > 1 << 14);
   }
 }
+
+}  // namespace file_test

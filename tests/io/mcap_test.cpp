@@ -8,10 +8,10 @@
 #include "catch.hpp"
 #include "scratch.hpp"
 
+namespace mcap_test {
+
 using namespace kte;
 using kte::test::scratch;
-
-namespace {
 
 /// A file of MCAP taken apart after its specification, mcap.dev/spec, by itself: nothing of the library is used.
 struct mcap_file {
@@ -72,7 +72,7 @@ struct mcap_file {
 const std::string magic = "\x89MCAP0\r\n";
 using name_list = std::vector<std::string>;
 
-TEST_CASE("a file of MCAP has the records of its specification", "[both]") {
+TEST_CASE("a file of MCAP has the records of its specification") {
   scratch file(".mcap");
   table_writer out(file.path, {"t", "q", "tip/position/x"});
   out.row(0.0, 1, -1e-17);
@@ -212,4 +212,4 @@ TEST_CASE("a forged or cut file is reported by offset and column, and needs no m
   }
 }
 
-}  // namespace
+}  // namespace mcap_test

@@ -10,10 +10,10 @@
 #include "digits50.hpp"
 #include "scratch.hpp"
 
+namespace memory_table_test {
+
 using namespace kte;
 using kte::test::scratch;
-
-namespace {
 
 template <class Table>
 void fill(Table& out) {
@@ -60,4 +60,4 @@ TEST_CASE("a table in memory rejects what files reject") {
   CHECK(out.contents().rows() == 0);
 }
 
-}  // namespace
+}  // namespace memory_table_test

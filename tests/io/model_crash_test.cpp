@@ -12,7 +12,7 @@
 #  include <sys/wait.h>
 #  include <unistd.h>
 
-namespace {
+namespace model_crash_test {
 
 /// Two models of different lengths.
 std::array<kte::model_record, 2> two_models() {
@@ -24,9 +24,7 @@ std::array<kte::model_record, 2> two_models() {
   return models;
 }
 
-}  // namespace
-
-TEST_CASE("whenever a program is killed that saves a model, there is the old file or the new one", "[long][both]") {
+TEST_CASE("whenever a program is killed that saves a model, there is the old file or the new one", "[long]") {
   const auto models = two_models();
   std::mt19937 engine(1);
   for (const char* extension : {".json", ".xml", ".kte"}) {
@@ -89,4 +87,6 @@ TEST_CASE("whatever saves a model at the same time, the file is whole", "[long]"
     CHECK(folder.entries() == 1);
   }
 }
+
+}  // namespace model_crash_test
 #endif

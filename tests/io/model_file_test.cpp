@@ -9,10 +9,10 @@
 #include "robots/iiwa14.hpp"
 #include "robots/ur5.hpp"
 
+namespace model_file_test {
+
 using namespace models;
 using kte::test::contains_text;
-
-namespace {
 
 /// The pendulum of the tutorial, as its golden files hold it.
 constexpr auto golden = pendulum.gravity(kte::along_y(-9.81));
@@ -29,8 +29,6 @@ struct comma : std::numpunct<char> {
   char do_thousands_sep() const override { return '.'; }
   std::string do_grouping() const override { return "\3"; }
 };
-
-}  // namespace
 
 TEST_CASE("models survive XML and JSON, bit for bit") {
   const auto check = [](const auto& chain) {
@@ -81,7 +79,6 @@ TEST_CASE("files") {
   CHECK_THROWS_WITH(kte::save_model("model.txt", golden), contains_text(".xml, .json or .kte"));
 }
 
-namespace {
 /// What no file can hold.
 struct own_map : kte::kte_map {
   void doMotion(kte::runtime_state&) const override {}
@@ -91,7 +88,6 @@ struct own_map : kte::kte_map {
   void for_each_element(const std::function<void(const kte::kte_element&)>&) const override {}
   void connect(kte::topology&) override {}
 };
-}  // namespace
 
 TEST_CASE("a chain with a part that is neither an element nor a chain is not saved") {
   kte::runtime_chain inner, outer;
@@ -174,3 +170,5 @@ TEST_CASE("a bad file says where, and gives nothing") {
     CHECK_THROWS_WITH(load(replaced(json, "\"elements\"", "\"element\"")), contains_text("elements"));
   }
 }
+
+}  // namespace model_file_test

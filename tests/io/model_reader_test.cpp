@@ -3,11 +3,11 @@
 #include "catch.hpp"
 #include "scratch.hpp"
 
+namespace model_reader_test {
+
 using kte::from_json;
 using kte::from_xml;
 using kte::test::scratch;
-
-namespace {
 
 /// A bad text for `from_json`, `from_xml`: the start of the message behind the file, "line:column: ...".
 std::string json(const std::string& text) {
@@ -61,8 +61,6 @@ std::string repeated(const std::string& text, int n) {
 }
 
 using list = std::vector<double>;
-
-}  // namespace
 
 TEST_CASE("deep nesting is refused where it begins, not by a stack that overflows") {
   for (const char* tag : {"<a>", "<1>", "<é>", "<:>", "<a>/>", "<a b='/>'>", "<a><!--</-->", "<a><![CDATA[</]]>",
@@ -337,3 +335,5 @@ TEST_CASE("model files by their name") {
   std::filesystem::create_directory(directory.path);
   CHECK(load(directory.path) == "kte: cannot read '" + directory.path.string() + "': Is a directory");
 }
+
+}  // namespace model_reader_test

@@ -6,9 +6,9 @@
 
 #include "catch.hpp"
 
-using kte::test::contains_text;
+namespace model_writer_test {
 
-namespace {
+using kte::test::contains_text;
 
 kte::model_record spring(const std::string& anchor = "b") {
   kte::model_record m;
@@ -16,9 +16,7 @@ kte::model_record spring(const std::string& anchor = "b") {
   return m;
 }
 
-}  // namespace
-
-TEST_CASE("hard numbers and names survive", "[both]") {
+TEST_CASE("hard numbers and names survive") {
   kte::model_record m = spring("a <b> & \"c\" 'd' \\ / \u00e9 ]]> --> \U0001F600");
   m.gravity = {0.1, 1.0 / 3.0, -5e-324};
   m.elements[0].connections[0].name = " with blanks ";
@@ -56,3 +54,5 @@ TEST_CASE("what could not be read again is not written") {
   CHECK(kte::from_json(kte::to_json(m)) == m);
   CHECK_THROWS_WITH(kte::to_xml(m), contains_text("'the first' is a port, but not a name for an XML tag"));
 }
+
+}  // namespace model_writer_test

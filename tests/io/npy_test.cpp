@@ -7,11 +7,12 @@
 #include "catch.hpp"
 #include "scratch.hpp"
 
+namespace npy_test {
+
 using namespace kte;
 using kte::test::scratch;
 
 /// The format as numpy.lib.format in NumPy's documentation says it.
-namespace {
 
 using names = std::vector<std::string>;
 
@@ -30,7 +31,7 @@ std::string npy(const std::string& dictionary, const std::string& data = "") {
   return "\x93NUMPY" + std::string("\x01\x00", 2) + little(dictionary.size(), 2) + dictionary + data;
 }
 
-TEST_CASE("a file of NumPy is a padded dictionary and the bytes of the numbers", "[both]") {
+TEST_CASE("a file of NumPy is a padded dictionary and the bytes of the numbers") {
   scratch file(".npy");
   table_writer out(file.path, {"t", "tip/position/x"});
   out.row(0.5, -1.25);
@@ -156,4 +157,4 @@ TEST_CASE("a forged or cut file is reported by offset, and needs no memory that 
   }
 }
 
-}  // namespace
+}  // namespace npy_test

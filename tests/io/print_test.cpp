@@ -9,7 +9,7 @@
 
 #include "catch.hpp"
 
-namespace {
+namespace print_test {
 
 template <class T>
 std::string printed(const T& x) {
@@ -28,8 +28,6 @@ constexpr auto pendulum =
     kte::chain(kte::revolute_joint_2D(q, base, joint), kte::rigid_link_2D(joint, tip, kte::along_x(0.5)),
                kte::inertia_2D(tip, kte::planar_body(1.0, 1.0 / 3).as_published()))
         .gravity(kte::along_y(-9.81));
-
-}  // namespace
 
 TEST_CASE("a static chain is printed with its typed constants as literals") {
   CHECK(printed(pendulum) ==
@@ -96,3 +94,5 @@ TEST_CASE("numbers have the digits of the stream") {
         "position (0, 0, 0), rotation ((1, 0, 0), (0, 1, 0), (0, 0, 1)), velocity (0, 0, 0), ang_velocity (0, 0, 0), "
         "acceleration (0, 0, 0), ang_acceleration (0, 0, 0), force (0, 0, 0), torque (0, 0, 0)");
 }
+
+}  // namespace print_test

@@ -7,10 +7,10 @@
 
 #include "catch.hpp"
 
+namespace progress_test {
+
 using namespace kte;
 using kte::test::contains_text;
-
-namespace {
 
 /// A clock that stands until it is set.
 struct hand_clock {
@@ -34,7 +34,7 @@ struct record {
 };
 using hand_progress = progress<record, hand_clock>;
 
-TEST_CASE("progress is told once an interval and at the end", "[both]") {
+TEST_CASE("progress is told once an interval and at the end") {
   std::vector<call> calls;
   hand_progress report(2.0, 12.0, record{&calls}, std::chrono::milliseconds(500));
   const auto step = [&](double seconds, double t) {
@@ -139,4 +139,4 @@ TEST_CASE("a bar is silent where there is no terminal") {
   CHECK(drawn(progress_bar::draw::on_terminals, {{0.5, 1, 1}, {1, 2, 0}}).empty());
 }
 
-}  // namespace
+}  // namespace progress_test

@@ -6,12 +6,12 @@
 #include "random.hpp"
 #include "scratch.hpp"
 
+namespace recorder_test {
+
 using namespace kte;
 using kte::test::contains_text;
 using kte::test::scratch;
 using name_list = std::vector<std::string>;
-
-namespace {
 
 // clang-format off
 inline constexpr struct trunk_ final : pose_3D_key<"trunk">    {} trunk;
@@ -257,4 +257,4 @@ TEST_CASE("a state of another runtime chain is rejected") {
   CHECK(rec.contents()["t"] == std::vector<double>{0, 1});
 }
 
-}  // namespace
+}  // namespace recorder_test

@@ -9,12 +9,12 @@
 
 // Manipulators and their models in archives.
 
+namespace saved_manipulator_test {
+
 using namespace models;
 using kte::test::contains_text, kte::test::in_all_formats, kte::test::scratch;
 
-namespace {
 constexpr auto golden = pendulum.gravity(kte::along_y(-9.81));
-}  // namespace
 
 TEST_CASE("manipulators come back from files with their tools and limits") {
   constexpr auto arm = kte::three_r_three_r();
@@ -110,3 +110,5 @@ TEST_CASE("limits find their coordinates, of one number or of several") {
   m.limits = {records[1], records[0]};
   CHECK(kte::limits_of(c, m) == limits);
 }
+
+}  // namespace saved_manipulator_test

@@ -7,12 +7,12 @@
 #include "chain/models.hpp"
 #include "scratch.hpp"
 
+namespace table_allocation_test {
+
 using namespace kte;
 using kte::test::scratch;
 
-namespace {
-
-TEST_CASE("rows of tables and of recorders do not allocate, nor do their flushes", "[both]") {
+TEST_CASE("rows of tables and of recorders do not allocate, nor do their flushes") {
   const std::vector<double> x(40, 1.0 / 3);
   std::vector<std::string> names{"t"};
   for (std::size_t i = 0; i < x.size(); ++i) names.push_back("x/" + std::to_string(i));
@@ -69,4 +69,4 @@ TEST_CASE("a row for which there is no memory is not there, also not half of it"
       });
 }
 
-}  // namespace
+}  // namespace table_allocation_test

@@ -6,17 +6,17 @@
 #include "catch.hpp"
 #include "scratch.hpp"
 
+namespace table_reader_test {
+
 using namespace kte;
 using kte::test::scratch;
-
-namespace {
 
 std::string message(const std::string& content, const char* extension = ".txt") {
   scratch file(extension, content);
   return test::message_about<bad_file>(file, [&] { (void)read_table(file.path); });
 }
 
-TEST_CASE("a bad text is reported by line and column", "[both]") {
+TEST_CASE("a bad text is reported by line and column") {
   CHECK(message("a b\n").empty());
   CHECK(message("a\tb\r\n 1   2 \r\n").empty());
   CHECK(message("") == "line 1: no column names");
@@ -78,4 +78,4 @@ TEST_CASE("cells may be in quotes, and a byte order mark may come first") {
   CHECK(message("a b\n1 \"2 3\"\n") == "line 2, column 2: '2 3' is not a number");
 }
 
-}  // namespace
+}  // namespace table_reader_test

@@ -9,13 +9,13 @@
 #include "catch.hpp"
 #include "scratch.hpp"
 
+namespace table_writer_test {
+
 using namespace kte;
 using kte::test::contains_text;
 using kte::test::scratch;
 
-namespace {
-
-TEST_CASE("a text is a line of names and lines of numbers", "[both]") {
+TEST_CASE("a text is a line of names and lines of numbers") {
   const auto text = [](const char* extension) {
     scratch file(extension);
     table_writer out(file.path, {"t", "q", "tip/x", "n", "f"});
@@ -210,4 +210,4 @@ TEST_CASE("in every format a full disk is an error") {
   }
 }
 
-}  // namespace
+}  // namespace table_writer_test

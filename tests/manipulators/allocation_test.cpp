@@ -6,6 +6,8 @@
 #include "allocations.hpp"
 #include "catch.hpp"
 
+namespace allocation_test {
+
 using namespace kte;
 
 TEST_CASE("rates and poses of static arms take no memory from the heap") {
@@ -41,3 +43,5 @@ TEST_CASE("closed forms of static arms take no memory from the heap") {
   CHECK(answers == 8);
   CHECK(off == within(0, 1e-13));
 }
+
+}  // namespace allocation_test

@@ -23,9 +23,10 @@
 // Every ready arm as the models of it: kinematics, dynamics and inverse dynamics agree, and it has its limits. All as
 // lists of elements, which is what files hold; of static chains some, of each kind of joint and of the plane.
 
+namespace arm_dynamics_test {
+
 using namespace kte;
 
-namespace {
 struct motion_of {
   Eigen::VectorXd q, v, tau;
 };
@@ -106,9 +107,8 @@ void check_static(const char* name, const Arm& arm) {
   CHECK((a.a - b.a).norm() <= 1e-13 * a.a.norm());
   CHECK((a.driven - b.driven).norm() <= 1e-13 * a.driven.norm());
 }
-}  // namespace
 
-TEST_CASE("every arm as models of it", "[laws]") {
+TEST_CASE("every arm as models of it") {
   check("3R", runtime(three_r_chain()));
   check("3R3R", three_r_three_r_chain(), three_r_three_r_limits());
   check("P3R3R", p3r3r_chain(), p3r3r_limits());
@@ -124,3 +124,5 @@ TEST_CASE("every arm as models of it", "[laws]") {
   check_static("SCARA", scara());
   check_static("UAV", uav());
 }
+
+}  // namespace arm_dynamics_test

@@ -3,13 +3,15 @@
 
 #include "manipulators/six_axes.hpp"
 
+namespace arm_families_test {
+
 using namespace kte;
 using namespace arms;
 using test::says;
 
 // Which closed form an arm has: fewer axes or more, none, families that agree, and branches.
 
-TEST_CASE("planar arms and SCARA", "[laws]") {
+TEST_CASE("planar arms and SCARA") {
   const manipulator planar(planar_3R(), "tool"), four(scara(), "tool");
   CHECK(planar.family() == arm_family::planar_3R);
   CHECK(four.family() == arm_family::scara);
@@ -169,3 +171,5 @@ TEST_CASE(
     CHECK(compared > 3000);
   }
 }
+
+}  // namespace arm_families_test

@@ -8,9 +8,10 @@
 // Quadratic functions in boxes: against the best of all 3^n choices of what is held where, and against the conditions
 // of an optimum.
 
+namespace box_quadratic_program_test {
+
 using namespace kte;
 
-namespace {
 using vector = Eigen::VectorXd;
 using matrix = Eigen::MatrixXd;
 
@@ -66,7 +67,6 @@ double by_enumeration(const problem& p) {
   }
   return least;
 }
-}  // namespace
 
 TEST_CASE("the minimum in a box is the least of all choices of bounds") {
   random_numbers random(1);
@@ -124,3 +124,5 @@ TEST_CASE("boxes of a point, without bounds, and functions without curvature") {
   CHECK_THROWS_AS(minimise_in_box(h, two(3, std::nan("")), two(0, 0), two(1, 1)), bad_argument);
   CHECK_THROWS_AS(minimise_in_box(h, two(3, 0), two(0, 0), two(std::nan(""), 1)), bad_argument);
 }
+
+}  // namespace box_quadratic_program_test

@@ -8,12 +8,13 @@
 
 // Bodies that move freely: the pose of the tool is the coordinate, but for where the tool is on the body.
 
+namespace free_bodies_test {
+
 using namespace kte;
 using arm_names::tool;
 using test::says;
 using test::within;
 
-namespace {
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
 unit_quaternion<double> random_rotation(random_numbers& random) {
@@ -37,9 +38,8 @@ void check_in_space(const Arm& arm) {
     CHECK(all[0].position <= 40 * eps);
   }
 }
-}  // namespace
 
-TEST_CASE("a free body with its tool anywhere on it, static and runtime", "[laws]") {
+TEST_CASE("a free body with its tool anywhere on it, static and runtime") {
   const auto turned = to_quaternion(vec3<>{0.3, -0.5, 1.1});
   const auto chain = free_floater_chain(vec3{0.2, -0.1, 0.4}, turned);
   check_in_space(manipulator(chain, tool));
@@ -176,3 +176,5 @@ TEST_CASE("a body that moves freely and a joint on it have no closed form") {
   CHECK_THROWS_MATCHES(inverse_kinematics(arm, pose{mat3<vec3<>>{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, vec3<>{1, 2, 0}}),
                        no_closed_form, says("has a joint of several degrees of freedom"));
 }
+
+}  // namespace free_bodies_test

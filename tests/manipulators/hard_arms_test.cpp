@@ -10,11 +10,12 @@
 // Closed forms where they are hard: postures at which any arm is singular, found by its Jacobian; what is nearer than
 // an arm can reach; limits that go around; arms that are singular everywhere; derivatives of every family.
 
+namespace hard_arms_test {
+
 using namespace kte;
 using namespace arms;
 using test::says;
 
-namespace {
 using model = manipulator<runtime_chain>;
 
 /// The six joints that the formulas solve, of seven without the locked joint.
@@ -65,9 +66,8 @@ void check_singular(const model& arm, double tolerance) {
     }
   CHECK(found > 5);
 }
-}  // namespace
 
-TEST_CASE("wherever the determinant is zero answers are exact to rounding", "[laws]") {
+TEST_CASE("wherever the determinant is zero answers are exact to rounding") {
   for (const auto& c : {plain_3R3R(), irb2400(), ur5(), arms::era()}) check_singular(model(c, "tool"), 1e-14);
 }
 
@@ -337,3 +337,5 @@ TEST_CASE("answers in float and in long double") {
   ask(float{}, 5e-6, 1e-2);
   ask(0.0L, 5e-18, 1e-9);
 }
+
+}  // namespace hard_arms_test

@@ -3,13 +3,15 @@
 
 #include "manipulators/six_axes.hpp"
 
+namespace inverse_kinematics_test {
+
 using namespace kte;
 using namespace arms;
 using test::says;
 
 // Six axes: answers at random, next to singular postures, out of reach, within limits.
 
-TEST_CASE("random poses: all answers to rounding, and the posture among them", "[laws]") {
+TEST_CASE("random poses: all answers to rounding, and the posture among them") {
   for (const auto& a : six_axes()) {
     INFO(a.name);
     CHECK(a.arm.family() == a.family);
@@ -184,3 +186,5 @@ TEST_CASE("limits: on one is within, whole turns are added") {
   limits.lower[5] += 0.01, limits.upper[5] += 0.01;
   CHECK(count(limits) == 0);
 }
+
+}  // namespace inverse_kinematics_test

@@ -7,10 +7,11 @@
 
 // Motions from rest to rest, against their limits, their integrals and their ends.
 
+namespace joint_motion_test {
+
 using namespace kte;
 using test::says;
 
-namespace {
 constexpr manipulator arm(three_r_chain(), arm_names::tool, [] {
   auto limits = unlimited(three_r_chain());
   limits.lower = {-2, -2, -2}, limits.upper = {2, 2, 2};
@@ -41,7 +42,6 @@ auto largest(const Motion& m, double jumps) {
   }
   return most;
 }
-}  // namespace
 
 TEST_CASE("a trapezoidal motion is as fast as its limits let it, and ends at its end") {
   const three from(0, 0.5, -1), to(1.5, -0.5, -0.8);
@@ -147,3 +147,5 @@ TEST_CASE("lines between poses that are not finite are refused") {
   CHECK_THROWS_AS(straight_line<float>(at(1e300, 1), at(1e300, 2)), bad_argument);
   CHECK_NOTHROW(straight_line(at(0, 1), at(1, 1))(-3.0));
 }
+
+}  // namespace joint_motion_test

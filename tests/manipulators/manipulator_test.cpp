@@ -4,10 +4,11 @@
 
 #include "catch.hpp"
 
+namespace manipulator_test {
+
 using namespace kte;
 using test::says;
 
-namespace {
 constexpr struct q1_ final : coord_key<"q1"> {
 } q1;
 constexpr struct q2_ final : coord_key<"q2"> {
@@ -33,7 +34,6 @@ constexpr auto narrow = [] {
   limits.lower = {-1, -2}, limits.upper = {1, 2}, limits.rate = {3, 3};
   return limits;
 }();
-}  // namespace
 
 TEST_CASE("a manipulator is its chain, with tools and limits") {
   constexpr manipulator free_arm(two, hand);
@@ -65,3 +65,5 @@ TEST_CASE("tools and limits that is invalid are refused") {
   wrong.lower[0] = 2;
   CHECK_THROWS_MATCHES((manipulator(two, hand, wrong)), bad_parameter, says("coordinate 'q1'"));
 }
+
+}  // namespace manipulator_test

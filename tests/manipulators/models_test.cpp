@@ -26,10 +26,11 @@
 
 // The models of arms: where their tools are, written out from their tables a second time; their masses and limits.
 
+namespace models_test {
+
 using namespace kte;
 using arm_names::tool;
 
-namespace {
 using place = Eigen::Isometry3d;
 place turn(const Eigen::Vector3d& axis, double angle) { return place(Eigen::AngleAxisd(angle, axis)); }
 place x(double a) { return turn(Eigen::Vector3d::UnitX(), a); }
@@ -88,9 +89,8 @@ void check_between(const Limits& limits, std::size_t i, double lower, double upp
   CHECK(limits.lower[i] == within(lower, 1e-15));
   CHECK(limits.upper[i] == within(upper, 1e-15));
 }
-}  // namespace
 
-TEST_CASE("iiwa14: its table, the maker's description, its limits", "[laws]") {
+TEST_CASE("iiwa14: its table, the maker's description, its limits") {
   check(iiwa14_chain(), [](const auto& q) {
     return classic(0, -quarter, 0.36, q[0]) * classic(0, quarter, 0, q[1]) * classic(0, quarter, 0.42, q[2]) *
            classic(0, -quarter, 0, q[3]) * classic(0, -quarter, 0.4, q[4]) * classic(0, quarter, 0, q[5]) *
@@ -193,3 +193,5 @@ TEST_CASE("bodies that move freely, with tools") {
   CHECK(record_of(free_floater_2D_chain(along_x(0.3), 2.0, 0.1)).elements.size() == 3);
   CHECK(free_floater().tools().size() == 1);
 }
+
+}  // namespace models_test

@@ -2,11 +2,12 @@
 
 #include "arms.hpp"
 
+namespace nearest_test {
+
 using namespace kte;
 using namespace arms;
 using test::says;
 
-namespace {
 constexpr double deg = M_PI / 180;
 joint_limits<> iiwa_limits(const runtime_chain& c, double part = 1) {
   auto l = unlimited(c);
@@ -26,7 +27,6 @@ bool inside(const numbers& q, const joint_limits<>& l) {
     if (!(l.lower[i] <= q[static_cast<Eigen::Index>(i)] && q[static_cast<Eigen::Index>(i)] <= l.upper[i])) return false;
   return true;
 }
-}  // namespace
 
 TEST_CASE("seven axes by arm angle: eight answers, and the posture at its own angle") {
   const manipulator arm(iiwa14(), "tool");
@@ -309,3 +309,5 @@ TEST_CASE("an arm on a track, or with a slide at its tool") {
       inverse_kinematics(arm_of(e_x, true), arm_of(e_x, true).getDependentPoses(numbers::Zero(7))[0], locked("q7", 0)),
       no_closed_form, says("with 'q7' locked"));
 }
+
+}  // namespace nearest_test

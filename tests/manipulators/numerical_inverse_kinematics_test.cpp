@@ -10,11 +10,12 @@
 
 // Numerical inverse kinematics: goals attained, limits kept, what cannot be attained.
 
+namespace numerical_inverse_kinematics_test {
+
 using namespace kte;
 using arm_names::tool;
 using test::says;
 
-namespace {
 constexpr auto kuka = iiwa14();
 using seven = joint_vector<double, 7>;
 
@@ -41,7 +42,6 @@ manipulator<runtime_chain> runtime_three() {
   c << three_r_2D_chain();
   return manipulator(c, "tool");
 }
-}  // namespace
 
 TEST_CASE("numerical inverse kinematics attains random poses within limits") {
   random_numbers random(1);
@@ -272,3 +272,5 @@ TEST_CASE("an arm as calibrated, whose axes almost meet: from the answers of the
     CHECK(nearest < 1e-8);
   }
 }
+
+}  // namespace numerical_inverse_kinematics_test

@@ -11,10 +11,11 @@
 
 // Several poses at once, in the lanes of packs, have the solutions of single poses.
 
+namespace packs_of_poses_test {
+
 using namespace kte;
 using four = pack<double, 4>;
 
-namespace {
 using pose_of_one = detail::plain_pose_of<double>;
 using pose_of_four = detail::plain_pose_of<four>;
 
@@ -69,10 +70,8 @@ void compare(const char* name, const Arm& arm, std::size_t stops, const Request&
   CHECK(exact > 100);
   CHECK(far <= 1e-12);
 }
-}  // namespace
 
-TEST_CASE("packs of poses: the answers of each lane are those of its pose alone, also if singular or out of reach",
-          "[laws]") {
+TEST_CASE("packs of poses: the answers of each lane are those of its pose alone, also if singular or out of reach") {
   compare("3R3R", three_r_three_r(), 4);
   compare("UR5", ur(), 4);
   compare("iiwa14", iiwa14(), 5, arm_angle(0.3));
@@ -94,3 +93,5 @@ TEST_CASE("packs of poses: what is no pose in one lane, and arms of equations of
     CHECK(std::string(e.what()).find("take the poses of this one by one") != std::string::npos);
   }
 }
+
+}  // namespace packs_of_poses_test

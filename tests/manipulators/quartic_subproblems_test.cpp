@@ -4,15 +4,15 @@
 #include "digits50.hpp"
 #include "random.hpp"
 
+namespace quartic_subproblems_test {
+
 using namespace kte;
 
-namespace {
 template <class S>
 S gap(const solved_angle<S>& a, const solved_angle<S>& b) {
   using std::abs;
   return abs(S(a.cos - b.cos)) + abs(S(a.sin - b.sin));
 }
-}  // namespace
 
 TEST_CASE("an equation of two harmonics has all its zeros, also close together") {
   random_numbers random(1);
@@ -108,3 +108,5 @@ TEST_CASE("subproblem 5 next to axis 2: both answers, to rounding") {
       CHECK(open < 1e-14);
     }
 }
+
+}  // namespace quartic_subproblems_test

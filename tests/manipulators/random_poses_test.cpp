@@ -14,10 +14,11 @@
 // Ten thousand random postures of each model that has a closed form: all answers right to rounding, and the posture
 // among them.
 
+namespace random_poses_test {
+
 using namespace kte;
 using namespace arms;
 
-namespace {
 manipulator<runtime_chain> runtime(const model_record& record) { return {models::registered(record), "tool"}; }
 /// (Operator + causes a warning of g++ 12.)
 std::string name_of(int joint) { return std::string("q").append(std::to_string(joint + 1)); }
@@ -27,7 +28,6 @@ struct model {
   double answers;  ///< that are exact, the mean
   double found;    ///< how near the posture must be to an answer: next to double zeros the root of rounding
 };
-}  // namespace
 
 TEST_CASE("ten thousand random postures of each model", "[long]") {
   const model all[]{{"3R in the plane", runtime(record_of(three_r_2D_chain(1, 0.8, 0.3))), 2, 1e-9},
@@ -88,3 +88,5 @@ TEST_CASE("seven axes at a thousand arm angles, or values of the joint that is h
     }
   }
 }
+
+}  // namespace random_poses_test

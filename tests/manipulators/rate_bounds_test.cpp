@@ -5,9 +5,10 @@
 
 // Bounds of the rates of a joint, against steps of the motion itself.
 
+namespace rate_bounds_test {
+
 using namespace kte;
 
-namespace {
 constexpr double none = std::numeric_limits<double>::infinity();
 
 /// How far steps of deceleration a get from rate v, v > 0: the last ends at rest.
@@ -16,7 +17,6 @@ double way(double v, double a, double dt) {
   for (; v > 0; v -= a * dt) d += v * dt;
   return d;
 }
-}  // namespace
 
 TEST_CASE("the stopping rate is the largest that stops in time, exactly in discrete time") {
   random_numbers random(1);
@@ -118,3 +118,5 @@ TEST_CASE("bounds of rates of numbers that are none are refused") {
   CHECK_THROWS_AS(stopping_rate(1.0, 1.0, 0.0), bad_argument);
   CHECK(rate_bounds(2.0, 1.0, 2.0, 2.0, none, none, 0.1).lower == 0);
 }
+
+}  // namespace rate_bounds_test

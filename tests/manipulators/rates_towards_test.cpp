@@ -9,10 +9,11 @@
 
 // Rates that keep limits, of a small static arm and of runtime chains.
 
+namespace rates_towards_test {
+
 using namespace kte;
 using test::says;
 
-namespace {
 constexpr struct q1_ final : coord_key<"q1"> {
 } q1;
 constexpr struct q2_ final : coord_key<"q2"> {
@@ -47,7 +48,6 @@ twist random_twist(Random& random, double size) {
   for (double& x : t) x = random(size);
   return t;
 }
-}  // namespace
 
 TEST_CASE("without limits in the way, rates give the desired twist as well as least squares") {
   const three_rates q(0.3, 0.4, 0.7), none = three_rates::Zero(), v(0.1, -0.2, 0.15);
@@ -225,3 +225,5 @@ TEST_CASE("arguments that are none are refused") {
   CHECK_THROWS_MATCHES(accelerations_towards(arm, q, v, Eigen::VectorXd::Zero(3), 0.1), bad_argument,
                        says("desired has 3"));
 }
+
+}  // namespace rates_towards_test

@@ -11,9 +11,10 @@
 
 // Static arms have the answers of the runtime chains of the same elements.
 
+namespace static_arms_test {
+
 using namespace kte;
 
-namespace {
 joint_limits<> listed(const auto& limits) {
   const auto list = [](const auto& x) { return std::vector<double>(x.begin(), x.end()); };
   return {list(limits.lower),        list(limits.upper), list(limits.rate),
@@ -46,9 +47,8 @@ double difference(const char* name, const Arm& arm, const Request&... request) {
   }
   return most;
 }
-}  // namespace
 
-TEST_CASE("static = runtime, to rounding: an arm for each of the formulas", "[laws]") {
+TEST_CASE("static = runtime, to rounding: an arm for each of the formulas") {
   static_assert(ur().with_axes_within(1e-4).family() == arm_family::three_parallel);
   CHECK(difference("3R in the plane", three_r_2D()) <= 1e-12);
   CHECK(difference("3R3R", three_r_three_r()) <= 1e-12);
@@ -57,3 +57,5 @@ TEST_CASE("static = runtime, to rounding: an arm for each of the formulas", "[la
   CHECK(difference("Panda", panda(), locked("q7", 0.3)) <= 1e-12);
   CHECK(difference("SSRMS", ssrms(), locked("q7", 0.3)) <= 1e-12);
 }
+
+}  // namespace static_arms_test

@@ -4,9 +4,10 @@
 #include "digits50.hpp"
 #include "random.hpp"
 
+namespace subproblems_test {
+
 using namespace kte;
 
-namespace {
 template <class S>
 vec3<S> draw(random_numbers& random) {
   return {S(random()), S(random()), S(random())};
@@ -65,7 +66,6 @@ void ask_all(double margin) {
     near(turned(k, both.t2.minus, vec3<S>(l1 + turned(k, both.t3.minus, l2))), a);
   }
 }
-}  // namespace
 
 TEST_CASE("subproblems 1 to 4 and the triangle solve the inverse question") {
   ask_all<double>(1e-14);
@@ -137,3 +137,5 @@ TEST_CASE("equal links folded to a point leave the first angle free") {
   CHECK(t.t2.plus.value() == within(1, 2e-16));
   CHECK(std::abs(t.t3.plus.value()) == within(M_PI, 1e-15));
 }
+
+}  // namespace subproblems_test

@@ -3,10 +3,10 @@
 #include "catch.hpp"
 #include "math/draw.hpp"
 
+namespace matrix_test {
+
 using namespace kte;
 using test::eigen;
-
-namespace {
 
 template <class... T>
 struct types {};
@@ -30,8 +30,6 @@ using vectors = types<vec3<>, zero3, vec3<z, z, n>, vec3<n, m, z>>;
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
 double gap(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) { return (a - b).cwiseAbs().maxCoeff(); }
-
-}  // namespace
 
 TEST_CASE("dense matrices agree with Eigen") {
   // Entries below 1: a dot product of three has an error of at most 8/2 eps on either side, and one of three such dot
@@ -119,3 +117,5 @@ TEST_CASE("plane rotations agree with their matrices") {
   CHECK(angle(rotation_by(-2)) == -2.0);
   static_assert(no_rotation{} * no_rotation{} == no_rotation{} && transpose(no_rotation{}) == no_rotation{});
 }
+
+}  // namespace matrix_test

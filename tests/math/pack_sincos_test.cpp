@@ -11,10 +11,10 @@
 
 // Sines and cosines of packs against those of more digits.
 
+namespace pack_sincos_test {
+
 using namespace kte;
 using namespace kte::test;
-
-namespace {
 
 template <class T>
 double off(T value, const digits50& truth) {
@@ -48,9 +48,7 @@ double largest_error(const std::vector<typename P::value_type>& angles) {
   return worst;
 }
 
-}  // namespace
-
-TEST_CASE("packs: sines and cosines", "[both]") {
+TEST_CASE("packs: sines and cosines") {
   for_all_packs([]<class P>() {
     using T = typename P::value_type;
     CAPTURE(P::lanes, sizeof(T));
@@ -141,3 +139,5 @@ TEST_CASE("angles of directions and arc sines of packs are those of their lanes"
     }
   }
 }
+
+}  // namespace pack_sincos_test

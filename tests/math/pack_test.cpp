@@ -10,10 +10,10 @@
 
 // Everything lane by lane against the same with plain numbers.
 
+namespace pack_test {
+
 using namespace kte;
 using namespace kte::test;
-
-namespace {
 
 static_assert(variable<pack<double, 8>> && entry<pack<float, 4>> && !geometric<pack<double, 2>>);
 static_assert(std::is_convertible_v<double, pack<float, 8>> && std::is_convertible_v<int, pack<double, 4>>);
@@ -49,9 +49,7 @@ std::vector<P> operands(unsigned seed) {
   return r;
 }
 
-}  // namespace
-
-TEST_CASE("packs: memory, lanes, broadcast", "[both]") {
+TEST_CASE("packs: memory, lanes, broadcast") {
   for_all_packs([]<class P>() {
     using T = typename P::value_type;
     constexpr auto n = static_cast<std::size_t>(P::lanes);
@@ -156,3 +154,5 @@ TEST_CASE("packs: limits") {
     CHECK(!any(limits::quiet_NaN() == limits::quiet_NaN()));
   });
 }
+
+}  // namespace pack_test

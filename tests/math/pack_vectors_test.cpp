@@ -8,10 +8,12 @@
 
 // Packs as numbers of vectors and matrices, kte's and Eigen's.
 
+namespace pack_vectors_test {
+
 using namespace kte;
 using namespace kte::test;
 
-TEST_CASE("packs: typed constants and vectors with them", "[both]") {
+TEST_CASE("packs: typed constants and vectors with them") {
   for_all_packs([]<class P>() {
     using T = typename P::value_type;
     random_numbers random(65);
@@ -54,3 +56,5 @@ TEST_CASE("packs in Eigen") {
         }
   });
 }
+
+}  // namespace pack_vectors_test

@@ -7,10 +7,10 @@
 #include "catch.hpp"
 #include "random.hpp"
 
+namespace plane_rotation_test {
+
 using namespace kte;
 using kte::test::worse;
-
-namespace {
 
 double gap(double a, double b) { return std::fabs(a - b); }
 double largest(const vec3<>& a, const vec3<>& b) { return worse(worse(gap(a.x, b.x), gap(a.y, b.y)), gap(a.z, b.z)); }
@@ -22,9 +22,7 @@ double largest(const sym3<>& a, const sym3<>& b) { return largest(full(a), full(
 /// Entries are below 1, their products with cosines and sines below 2: four roundings on the way through w.
 constexpr double by_rounding = 4 * 2 * std::numeric_limits<double>::epsilon();
 
-}  // namespace
-
-TEST_CASE("which rotations are known to be in a plane", "[both]") {
+TEST_CASE("which rotations are known to be in a plane") {
   const auto in_a_plane = []<class R>(const R&) { return detail::turns_in_a_plane<R>; };
   const auto turn = rotation_about(axis::x, 0.3);
   CHECK_FALSE(in_a_plane(as<double>(turn)));
@@ -56,3 +54,5 @@ TEST_CASE("a matrix turned in a plane is that of the matrix") {
     check(axis::minus_x), check(axis::minus_y), check(axis::minus_z);
   }
 }
+
+}  // namespace plane_rotation_test

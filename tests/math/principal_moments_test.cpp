@@ -4,10 +4,12 @@
 
 #include "catch.hpp"
 
+namespace principal_moments_test {
+
 using namespace kte;
 using kte::test::within;
 
-TEST_CASE("principal moments", "[both]") {
+TEST_CASE("principal moments") {
   STATIC_REQUIRE(principal_moments({1, 0, 0, 3, 0, 2}) == std::array{3.0, 2.0, 1.0});
   STATIC_REQUIRE(principal_moments({}) == std::array{0.0, 0.0, 0.0});
   STATIC_REQUIRE(principal_moments({1, 1e-310, 0, 3, 0, 2}) == std::array{3.0, 2.0, 1.0});
@@ -31,3 +33,5 @@ TEST_CASE("principal moments", "[both]") {
   check({1e-300, 2e-300, 0, 1e-300, 0, 1e-300}, {3e-300, 1e-300, -1e-300}, 3e-300);
   check({1, 1e-200, 0, 1e10, 1e-12, 1e-10}, {1e10, 1, 1e-10}, 1e10);
 }
+
+}  // namespace principal_moments_test

@@ -5,10 +5,10 @@
 #include "catch.hpp"
 #include "math/draw.hpp"
 
+namespace rigid_body_test {
+
 using namespace kte;
 using test::eigen;
-
-namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
@@ -62,9 +62,7 @@ void check_same(const composite<M, H, I>& a, const moments& b, double tolerance)
 // 3e4 kg m^2, and the bound with them.
 constexpr double near_by = 2e4 * eps, far_off = 3e6 * eps;
 
-}  // namespace
-
-TEST_CASE("a cloud of point masses adds up to its composite", "[both]") {
+TEST_CASE("a cloud of point masses adds up to its composite") {
   for (const std::uint64_t seed : {11u, 12u, 13u}) {
     const auto particles = cloud(seed);
     composite<double, vec3<>, sym3<>> sum{};
@@ -115,8 +113,6 @@ TEST_CASE("the force on a rotating composite is that on its particles") {
   CHECK((eigen(c.inertia * al + cross(c.moment, a)) - torque).cwiseAbs().maxCoeff() <= near_by);
 }
 
-namespace {
-
 template <class A, class B>
 void check_equal(const A& a, const B& b) {
   CHECK(as<double>(a.mass) == as<double>(b.mass));
@@ -131,8 +127,6 @@ template <class M, class H, class I>
 composite<double, vec3<>, sym3<>> dense(const composite<M, H, I>& c) {
   return {as<double>(c.mass), as<double>(c.moment), as<double>(c.inertia)};
 }
-
-}  // namespace
 
 TEST_CASE("typed bodies and transports are exactly the dense ones") {
   test::draw draw(18);
@@ -167,3 +161,5 @@ TEST_CASE("typed bodies fold") {
   static_assert(to_composite(point_mass(2, along_x(3))).inertia.zz == 18.0);
   SUCCEED();
 }
+
+}  // namespace rigid_body_test

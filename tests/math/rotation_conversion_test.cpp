@@ -11,11 +11,11 @@
 #include "math/draw.hpp"
 #include "math/gap.hpp"
 
+namespace rotation_conversion_test {
+
 using namespace kte;
 using test::eigen;
 using test::gap;
-
-namespace {
 
 /// Largest errors of the round trips, by what is compared.
 template <class S>
@@ -83,8 +83,6 @@ double apart(const unit_quaternion<>& a, const unit_quaternion<>& b) {
   const auto d = as<long double>(conjugate(as<long double>(a)) * as<long double>(b));
   return static_cast<double>(std::sqrt(d.x * d.x + d.y * d.y + d.z * d.z));
 }
-
-}  // namespace
 
 TEST_CASE("conversions of random rotations are mutually inverse") {
   check_round_trips<double>(100000, std::numeric_limits<double>::epsilon());
@@ -183,3 +181,5 @@ TEST_CASE("rotations beyond half a turn come back within it") {
   CHECK(gap(to_axis_angle(a.angle * a.axis), same) <= 8 * eps);
   CHECK(gap(to_rotation_vector(axis_angle<>{-0.5, axis_angle<>{}.axis}), {-0.5, 0.0, 0.0}) <= eps);
 }
+
+}  // namespace rotation_conversion_test

@@ -7,17 +7,15 @@
 #include "math/draw.hpp"
 #include "math/gap.hpp"
 
+namespace rotation_test {
+
 using namespace kte;
 using test::gap;
-
-namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 constexpr double pi = std::numbers::pi;
 
-}  // namespace
-
-TEST_CASE("no rotation", "[both]") {
+TEST_CASE("no rotation") {
   const mat3<> identity = as<double>(matrix(no_rotation{}));
   CHECK(unit_quaternion<>{} == unit_quaternion{1.0, 0.0, 0.0, 0.0});
   CHECK(matrix(unit_quaternion<>{}) == identity);
@@ -146,3 +144,5 @@ TEST_CASE("matrices that are not rotations are rejected") {
   CHECK(std::isnan(to_axis_angle(unit_quaternion<>{nan, 0.0, 0.0, 0.0}).angle));
   CHECK(std::isnan(to_rotation_vector(unit_quaternion<>{1.0, 0.0, nan, 0.0}).y));
 }
+
+}  // namespace rotation_test

@@ -1,10 +1,10 @@
 #include "catch.hpp"
 #include "math/draw.hpp"
 
+namespace vec_test {
+
 using namespace kte;
 using test::eigen;
-
-namespace {
 
 template <class... T>
 struct types {};
@@ -20,8 +20,6 @@ using vectors = types<vec3<>, zero3, vec3<one_t, zero_t, zero_t>, vec3<zero_t, c
                       vec3<double, one_t, double>, vec3<two_t, double, constant<-1>>, vec3<one_t, two_t, zero_t>>;
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
-
-}  // namespace
 
 TEST_CASE("dense vectors agree with Eigen") {
   // Numbers below 1. Sum, difference: one rounding each. A product of cross: two products and a difference, each
@@ -80,3 +78,5 @@ TEST_CASE("typed vectors fold") {
   static_assert(detail::planar(vec2{1, 2.5}) == vec3{1.0, 2.5, zero});
   SUCCEED();
 }
+
+}  // namespace vec_test

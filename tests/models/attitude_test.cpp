@@ -4,6 +4,8 @@
 #include "catch.hpp"
 #include "models/free_motion.hpp"
 
+namespace attitude_test {
+
 using namespace kte;
 using namespace kte::test::free_motion;
 using kte::problems::dzhanibekov;
@@ -22,3 +24,5 @@ TEST_CASE("the attitude of a free body after 100 s, by Kutta's method on the gro
   finer.integrate(100);
   CHECK((momenta(dzhanibekov::model, finer.state()) - before).norm() < 1e-15 * before.norm());
 }
+
+}  // namespace attitude_test

@@ -11,9 +11,9 @@
 
 // A wheel on a ball joint, turned by a motor that brakes it: of both kinds of chain.
 
-using namespace kte;
+namespace controlled_test {
 
-namespace {
+using namespace kte;
 
 // clang-format off
 constexpr struct turn_  final : rotation_3D_key<"turn"> {} turn;
@@ -34,8 +34,6 @@ constexpr std::array v0{0.0, 0.0, 0.0, 2.0};
 /// The motor and its reaction on the hub brake the wheel against the hub: d/dt q_dot = -c q_dot (1/I + 1/I).
 constexpr double c = 0.25, rate = c * (1 / 0.5 + 1 / 0.5);
 const auto brake = [](double, const auto& x) { return std::array{-c * x[8]}; };
-
-}  // namespace
 
 TEST_CASE("a controlled model is driven by its law at every evaluation, on the group") {
   const manipulator_dynamics_model model(gyroscope);
@@ -80,7 +78,6 @@ TEST_CASE("a controlled model is a copy, or shares its model by std::ref; its in
   CHECK(copied.velocities_of(x) == model.velocities_of(x));
 }
 
-namespace {
 /// An integral of the wheel's speed that brakes it, beside a damper: with w = q_dot, c' = w,
 ///   w' = -r (d w + i c),   r = 1/I + 1/I
 constexpr double r = 1 / 0.5 + 1 / 0.5, d = 0.1, i = 0.5;
@@ -92,7 +89,6 @@ std::array<double, 2> integral_and_speed(double t, double c0, double w0) {
   const double b = (w0 + decay * c0) / w, e = std::exp(-decay * t), cs = std::cos(w * t), sn = std::sin(w * t);
   return {e * (c0 * cs + b * sn), e * ((-decay * c0 + w * b) * cs + (-decay * b - w * c0) * sn)};
 }
-}  // namespace
 
 TEST_CASE("a law may have its own states, which integrate with those of the model, on the group") {
   const auto check = [](auto& pid, double epsilon) {
@@ -183,3 +179,5 @@ TEST_CASE("inputs that are not finite are named") {
   manipulator_dynamics_model runtime(models::registered(record_of(gyroscope)));
   refused(runtime, [&]() -> double& { return runtime.input("motor"); });
 }
+
+}  // namespace controlled_test

@@ -7,6 +7,8 @@
 #include "digits50.hpp"
 #include "random.hpp"
 
+namespace displacement_test {
+
 using namespace kte;
 using test::digits50;
 
@@ -57,3 +59,5 @@ TEST_CASE("the size of a pose is that of its position and 1 for its rotation") {
   detail::magnitudes_of<double>(f, q, m);
   CHECK(m == std::array<double, 6>{5, 5, 5, 1, 1, 1});
 }
+
+}  // namespace displacement_test

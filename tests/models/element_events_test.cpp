@@ -11,9 +11,9 @@
 
 // A mass on a spring that saturates: free fall beyond, harmonic within. All times are known.
 
-using namespace kte;
+namespace element_events_test {
 
-namespace {
+using namespace kte;
 
 // clang-format off
 constexpr struct q_      final : coord_key<"q">            {} q;
@@ -36,8 +36,6 @@ runtime_chain sprung_at_run_time() {
 constexpr double start = 0.5, limit = most / k;
 const double first = std::sqrt(2 * (start - limit) / most), speed = most * first, w = std::sqrt(k / mass);
 const double second = first + 2 / w * std::atan(limit * w / speed);
-
-}  // namespace
 
 TEST_CASE("springs that saturate are events of their model, found where they do") {
   const manipulator_dynamics_model model(sprung);
@@ -93,3 +91,5 @@ TEST_CASE("elements of a runtime chain have their own events, also where laws ch
   CHECK(report.events[3].event == 1);
   CHECK(report.events[3].name == "spring_gen (anchor1 'anchor', anchor2 'q')");
 }
+
+}  // namespace element_events_test

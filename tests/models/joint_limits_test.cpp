@@ -6,10 +6,11 @@
 
 #include "catch.hpp"
 
+namespace joint_limits_test {
+
 using namespace kte;
 using test::says;
 
-namespace {
 constexpr struct q1_ final : coord_key<"q1"> {
 } q1;
 constexpr struct q2_ final : coord_key<"q2"> {
@@ -29,7 +30,6 @@ runtime_chain floating() {
   c << free_joint_3D("trunk", "world", "body") << revolute_joint_3D("neck", "body", "head");
   return c;
 }
-}  // namespace
 
 TEST_CASE("limits are infinite unless they are given") {
   constexpr auto all = unlimited(two);
@@ -86,3 +86,5 @@ TEST_CASE("limits that is invalid are refused, with the coordinate") {
                        says("jerk must have 7 numbers, one for each of v, got 6"));
   CHECK_THROWS_MATCHES(check_limits(c, joint_limits<>{}), bad_parameter, says("lower must have 7 numbers"));
 }
+
+}  // namespace joint_limits_test

@@ -6,10 +6,10 @@
 
 #include "catch.hpp"
 
+namespace manipulator_dynamics_model_test {
+
 using namespace kte;
 using kte::test::contains_text;
-
-namespace {
 
 // clang-format off
 constexpr struct q_     final : coord_key<"q">          {} q;
@@ -39,13 +39,11 @@ constexpr auto frictional_twice =
 const auto free_body =
     chain(free_joint_3D(body, world, trunk), inertia_3D(trunk, rigid_body<>{1.0, {}, {1.0, 0.0, 0.0, 2.0, 0.0, 3.0}}));
 
-}  // namespace
-
 using pendulum_model = manipulator_dynamics_model<std::remove_const_t<decltype(pendulum)>>;
 static_assert(state_rate_function<const pendulum_model, Eigen::Vector2d>);
 static_assert(state_rate_function_with_io<pendulum_model, Eigen::Vector2d, Eigen::Matrix<double, 1, 1>>);
 
-TEST_CASE("a model gives the rates of a pendulum, and takes inputs", "[both]") {
+TEST_CASE("a model gives the rates of a pendulum, and takes inputs") {
   manipulator_dynamics_model model(pendulum);
   const auto x = model.make_x(std::array{0.0}, std::array{2.0});
   CHECK(x == Eigen::Vector2d(0, 2));
@@ -154,3 +152,5 @@ TEST_CASE("a motion that blows up is a failure of the integration, with its time
   CHECK_THROWS_AS(model.computeStateRate(0.0, Eigen::Vector2d(nan, 0)), bad_argument);
   CHECK_THROWS_AS(model(0.0, Eigen::Vector2d(nan, 0)), bad_argument);
 }
+
+}  // namespace manipulator_dynamics_model_test

@@ -6,11 +6,11 @@
 // Models are chains with the functions that controllers ask for: against the algorithms that they call, and rates of
 // change against differences.
 
+namespace models_test {
+
 using namespace kte;
 using namespace kte::test;
 using namespace kte::test::small_chains;
-
-namespace {
 
 constexpr struct far_ final : frame_2D_key<"far"> {
 } far;
@@ -25,8 +25,6 @@ double change_error(const Chain& c, const random_motion_of<big, Chain>& m, const
     }
   return worst;
 }
-
-}  // namespace
 
 TEST_CASE("an inverse dynamics model gives forces, mass matrix and its change") {
   const inverse_dynamics_model model(floating_with_springs);
@@ -88,3 +86,5 @@ TEST_CASE("a model is an element of larger chains") {
   c << slide << base_3D("ground") << inverse_dynamics_model(models::element_by_element(geared));
   CHECK(c.dofs() == planar.dofs + geared.dofs - 1);  // they share q1
 }
+
+}  // namespace models_test

@@ -1,11 +1,13 @@
 #include "models/held_block.hpp"
 
+namespace modes_at_start_test {
+
 using namespace kte;
 using namespace kte::test::held_block;
 
 // Modes that are not what happens when an integration begins, and what is no mode.
 
-TEST_CASE("what is held lets go where an input changes between two calls of integrate", "[laws]") {
+TEST_CASE("what is held lets go where an input changes between two calls of integrate") {
   runtime_chain r;
   r << prismatic_joint_2D("x", "ground", "block", axis::x) << inertia_2D("block", point_mass(1.0))
     << joint_stiction_gen("x", "mode", {0.5, 0.5}) << brake_gen("x", "mode 2", "grip")
@@ -117,3 +119,5 @@ TEST_CASE("parameters of friction that holds") {
   CHECK(says({1.0, 2.0, -1.0}).find("stribeck_velocity must be finite and not negative, got -1") != std::string::npos);
   CHECK(says({1.0, 2.0, 1.0, -1.0}).find("viscous must be finite and not negative, got -1") != std::string::npos);
 }
+
+}  // namespace modes_at_start_test

@@ -1,11 +1,13 @@
 #include "models/held_block.hpp"
 
+namespace modes_test {
+
 using namespace kte;
 using namespace kte::test::held_block;
 
 // Elements that hold a coordinate, in models of static and runtime chains.
 
-TEST_CASE("a block rests on a slope of 30 degrees", "[laws]") {
+TEST_CASE("a block rests on a slope of 30 degrees") {
   const auto c = on_slope(5.0, 5.5);  // its weight along the slope is 4.905 N
   manipulator_dynamics_model model(c);
   const auto start = settled(model, 0.0, model.make_x(std::array{0.3}, std::array{0.0}));
@@ -105,8 +107,6 @@ TEST_CASE("derivatives of a model in which a coordinate is held") {
   CHECK(r.by_q(0, 1) == within(0, 0));
 }
 
-namespace {
-
 /// A runtime model with what settles it and its events, to 1e-13.
 template <class Model>
 auto run(Model& model, double t_end, const typename Model::state& start) {
@@ -115,8 +115,6 @@ auto run(Model& model, double t_end, const typename Model::state& start) {
   return std::pair{std::move(report), typename Model::state(solver.state())};
 }
 constexpr double pi = std::numbers::pi;
-
-}  // namespace
 
 TEST_CASE("an oscillator with dry friction comes to rest after a number of half swings") {
   // x'' = -100 x - 2 sign(x'): half swings of pi/10 s about -+0.02 m, each 0.04 m shorter, until |x| <= 0.02. From 1 m
@@ -289,3 +287,5 @@ TEST_CASE("a brake that is not pressed lets go of what begins to be pulled") {
   CHECK(report.count == 1);
   CHECK(solver.state()[0] == within(8.0 / 6, 1e-11));
 }
+
+}  // namespace modes_test

@@ -14,10 +14,10 @@
 #include "catch.hpp"
 #include "random.hpp"
 
+namespace runtime_dynamics_model_test {
+
 using namespace kte;
 using kte::test::contains_text;
-
-namespace {
 
 // clang-format off
 constexpr struct trunk_pose_ final : pose_3D_key<"pose">     {} trunk_pose;
@@ -53,8 +53,6 @@ auto start(const Model& m) {
   return m.make_x(std::array{1.0, 2.0, 3.0, 0.5, -0.5, 0.5, 0.5, 0.4}, std::array{0.1, -0.2, 0.3, 0.4, 2.0, -0.6, 0.7},
                   std::array{0.01});
 }
-
-}  // namespace
 
 TEST_CASE("a model of a runtime chain is the same system as that of a static chain") {
   manipulator_dynamics_model still(fixed);
@@ -158,3 +156,5 @@ TEST_CASE("rates of a model allocate nothing") {
   CHECK(allocations::during(
             [&] { solver.integrate(1, every(0.01), [&](double t, const auto& y) { sum += t + y[0]; }); }) == 0);
 }
+
+}  // namespace runtime_dynamics_model_test

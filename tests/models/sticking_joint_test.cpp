@@ -13,9 +13,9 @@
 // Joints whose friction by what they carry brings them to rest, against closed forms. Static chains, and the same at
 // run time.
 
-using namespace kte;
+namespace sticking_joint_test {
 
-namespace {
+using namespace kte;
 
 // clang-format off
 inline constexpr struct q_       final : coord_key<"q">         {} q;
@@ -98,8 +98,6 @@ TEST_CASE("friction of several joints that is settled to rounding is no jam") {
       CHECK_NOTHROW(solver.integrate(1.0, element_events(model)));
     }
 }
-
-}  // namespace
 
 TEST_CASE("a flywheel runs down on dry bearings and rests") {
   constexpr double m = 3.0, I = 0.2, mu = 0.2, radius = 0.01, start = 50.0;
@@ -323,3 +321,5 @@ TEST_CASE("stiff methods and fixed steps go by modes too") {
             check(runge_kutta4(std::cref(model), 0.0, start, 0.01));
           });
 }
+
+}  // namespace sticking_joint_test

@@ -14,14 +14,14 @@
 
 // Variational integrators, and the order of Kutta's method on the group.
 
+namespace variational_test {
+
 using namespace kte;
 using namespace kte::test;
 using namespace kte::test::free_motion;
 using namespace kte::test::small_chains;
 using kte::problems::double_pendulum_from_horizontal;
 using kte::problems::dzhanibekov;
-
-namespace {
 
 template <template <class, class> class Method, class Problem>
 double error_with(double h) {
@@ -41,8 +41,6 @@ double energy_of(const Chain& c, const X& x) {
   const auto e = energy(c, q, v);
   return e.kinetic + e.potential;
 }
-
-}  // namespace
 
 TEST_CASE("variational integrators have their orders, on numbers and on rotations") {
   check_order<variational2, double_pendulum_from_horizontal>(2, 1 / 128.0);
@@ -172,3 +170,5 @@ TEST_CASE("variational integrators name the coordinate that moves no mass, and w
               inertia_3D(hand, brick)),
         "q1");
 }
+
+}  // namespace variational_test

@@ -8,11 +8,13 @@
 
 // Models as equations of vectors have the motion of models on the group.
 
+namespace vector_form_test {
+
 using namespace kte;
 using namespace kte::test;
 using namespace kte::test::small_chains;
 
-TEST_CASE("the vector form of a model is the same motion, also for methods with a history", "[laws]") {
+TEST_CASE("the vector form of a model is the same motion, also for methods with a history") {
   const manipulator_dynamics_model model(floating_with_springs);
   manipulator_dynamics_model runtime(models::element_by_element(floating_with_springs));
   random_numbers random(1);
@@ -29,7 +31,6 @@ TEST_CASE("the vector form of a model is the same motion, also for methods with 
   CHECK(std::abs(in_space.state().segment<4>(3).norm() - 1) < 1e-8);
 }
 
-namespace {
 /// J against central differences of the rates of displacements.
 template <class Model, class X>
 void check_jacobian(Model& model, const X& x) {
@@ -48,7 +49,6 @@ void check_jacobian(Model& model, const X& x) {
   for (Eigen::Index i = 0; i < d.size(); ++i)
     CHECK((j.col(i) - (rate_at(i, h) - rate_at(i, -h)) / (2 * h)).cwiseAbs().maxCoeff() < margin);
 }
-}  // namespace
 
 TEST_CASE("models know their Jacobian, also where there are rotations; stiff methods save its differences") {
   random_numbers random(2);
@@ -81,3 +81,5 @@ TEST_CASE("models know their Jacobian, also where there are rotations; stiff met
   const auto& s = solver.statistics();
   CHECK(s.evaluations <= 7 * (s.steps + s.rejected) + 2);  // six stages, df/dt; the first step
 }
+
+}  // namespace vector_form_test

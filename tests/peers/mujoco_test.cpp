@@ -15,10 +15,11 @@
 #include "catch.hpp"
 #include "robots/files.hpp"
 
+namespace mujoco_test {
+
 using namespace kte;
 using test::robot_file;
 
-namespace {
 using model = std::unique_ptr<mjModel, decltype(&mj_deleteModel)>;
 using data = std::unique_ptr<mjData, decltype(&mj_deleteData)>;
 
@@ -75,7 +76,6 @@ states state_of(const robot& r, const mjModel& m, mjData& d, int trial) {
   for (int i = 0; i < n; ++i) d.qvel[i] = rates[i];
   return s;
 }
-}  // namespace
 
 TEST_CASE("MuJoCo reads robots written as MJCF as the same robots") {
   const auto name = GENERATE("iiwa14.urdf", "everything.sdf", "several.xml", "parts.urdf");
@@ -136,3 +136,5 @@ TEST_CASE("MuJoCo reads what is written as near as may be") {
   CHECK(m->nv == r.chain.dofs() + 1);  // the follower has a coordinate
   CHECK(m->neq == 1);
 }
+
+}  // namespace mujoco_test

@@ -6,10 +6,11 @@
 #include "catch.hpp"
 #include "robots/files.hpp"
 
+namespace urdfdom_test {
+
 using namespace kte;
 using test::robot_file;
 
-namespace {
 /// urdfdom has quaternions.
 void same(const urdf::Pose& there, const robot_pose& here) {
   CHECK((there.position.x == here.position.x && there.position.y == here.position.y));
@@ -20,7 +21,6 @@ void same(const urdf::Pose& there, const robot_pose& here) {
   CHECK((q.w == within(sign * r.w, 1e-15) && q.x == within(sign * r.x, 1e-15)));
   CHECK((q.y == within(sign * r.y, 1e-15) && q.z == within(sign * r.z, 1e-15)));
 }
-}  // namespace
 
 TEST_CASE("urdfdom reads robots written as URDF as the same numbers") {
   const auto name = GENERATE("iiwa14.urdf", "everything.urdf", "parts.urdf");
@@ -61,3 +61,5 @@ TEST_CASE("urdfdom reads robots written as URDF as the same numbers") {
       CHECK((there.dynamics->damping == j.dynamics.damping && there.dynamics->friction == j.dynamics.friction));
   }
 }
+
+}  // namespace urdfdom_test

@@ -8,11 +8,11 @@
 
 // The mass matrix by Jacobians of bodies: against that by composite inertias, its rate against the Coriolis matrix.
 
+namespace mass_matrix_calc_test {
+
 using namespace kte;
 using namespace kte::test;
 using namespace kte::test::small_chains;
-
-namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 constexpr double rounding = 200 * eps;  // as of rates of Jacobians
@@ -47,8 +47,6 @@ void check(const Chain& c, unsigned seed) {
     CHECK(gap((at(h).value - at(-h).value) / (2 * h), shaping.rate) < 1e-7);
   }
 }
-
-}  // namespace
 
 TEST_CASE("mass matrix by Jacobians: all of a chain") {
   check(floating, 1);
@@ -120,3 +118,5 @@ TEST_CASE("mass matrix by Jacobians: a frame and a coordinate of one name, and m
   CHECK((part.inertias().empty() && part.coordinates().size() == 1 && part.columns().size() == 1));
   CHECK(part.mass_matrix(t)(0, 0) == 0);
 }
+
+}  // namespace mass_matrix_calc_test

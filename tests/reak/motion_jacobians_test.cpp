@@ -7,11 +7,11 @@
 
 // Motion Jacobians: of chains against `jacobian` and its rate, in other frames against those of these frames.
 
+namespace motion_jacobians_test {
+
 using namespace kte;
 using namespace kte::test;
 using namespace kte::test::small_chains;
-
-namespace {
 
 constexpr double rounding = 200 * std::numeric_limits<double>::epsilon();  // as of rates of Jacobians
 
@@ -58,9 +58,7 @@ void check(const Chain& c, const Coordinate& by, int first, const Frame& frame, 
   }
 }
 
-}  // namespace
-
-TEST_CASE("motion Jacobians of chains, and in other frames", "[laws]") {
+TEST_CASE("motion Jacobians of chains, and in other frames") {
   check(floating, trunk, 0, body, tip, 1);   // 3D_3D
   check(floating, ball, 6, hand, tip, 2);    // of a rotation
   check(floating, q2, 10, aside, aside, 3);  // gen_3D
@@ -116,3 +114,5 @@ TEST_CASE("motion Jacobians of names of another kind") {
   CHECK_THROWS_MATCHES(motion_jacobian_of<jacobian_gen_3D<>>(model, s, q, v, "f1", "tip"), bad_argument,
                        says("'f1' is not a degree of freedom"));
 }
+
+}  // namespace motion_jacobians_test

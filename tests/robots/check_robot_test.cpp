@@ -4,16 +4,16 @@
 #include "catch.hpp"
 #include "robots/files.hpp"
 
+namespace check_robot_test {
+
 using namespace kte;
 using test::heavy, test::joint_text, test::robot_file, test::urdf;
 
-namespace {
 bool found(const std::vector<robot_note>& all, int line, const std::string& text) {
   for (const auto& n : all)
     if (n.line == line && n.text.find(text) != std::string::npos) return true;
   return false;
 }
-}  // namespace
 
 TEST_CASE("a good robot has no findings") {
   CHECK(check_robot(load_urdf(robot_file("iiwa14.urdf"))).empty());
@@ -45,3 +45,5 @@ TEST_CASE("what is odd about a robot is found") {
   CHECK(found(check_robot(from_urdf(urdf(heavy("a") + heavy("b")))), 0, "link 'b' is a root beside link 'a'"));
   CHECK(found(check_robot(from_urdf(urdf(heavy("a")))), 0, "no degrees of freedom"));
 }
+
+}  // namespace check_robot_test

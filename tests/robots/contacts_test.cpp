@@ -13,10 +13,10 @@
 
 // Contacts of collision shapes with the ground, from files.
 
+namespace contacts_test {
+
 using namespace kte;
 using namespace kte::test;
-
-namespace {
 
 robot_options on(const std::string& ground = "world") {
   robot_options o;
@@ -96,8 +96,6 @@ double weight(const robot& r) {
       if (p.name == "mass") mass += p.values[0];
   return 9.81 * mass;
 }
-
-}  // namespace
 
 TEST_CASE("a quadruped stands on its feet, from each format") {
   const auto urdf_robot = read(quadruped_urdf(), floating()), sdf_robot = read(quadruped_sdf(), floating());
@@ -389,3 +387,5 @@ TEST_CASE("bad options of contacts are refused by name") {
   CHECK(why(o) ==
         "kte: robot_options::contacts: compliant contacts have no coefficient of restitution: they have a dissipation");
 }
+
+}  // namespace contacts_test

@@ -11,6 +11,8 @@
 #include "data/iiwa14.hpp"
 #include "robots/files.hpp"
 
+namespace load_robot_test {
+
 using namespace kte;
 using test::robot_file, test::says;
 
@@ -62,3 +64,5 @@ TEST_CASE("files that are no robots") {
   for (int i = 0; i < 2000; ++i) deep += "<link>";
   refused("<robot>" + deep, "this is not valid XML: element depth exceeded");
 }
+
+}  // namespace load_robot_test

@@ -13,11 +13,13 @@
 
 // Closed loops of robots from files.
 
+namespace loops_test {
+
 using namespace kte;
 using kte::test::robot_file, kte::test::within, kte::test::says;
 using closing = robot_closure::kind;
 
-TEST_CASE("a four-bar is the same mechanism in URDF, MJCF and SDF", "[both]") {
+TEST_CASE("a four-bar is the same mechanism in URDF, MJCF and SDF") {
   const Eigen::Vector3d q = Eigen::Vector3d::Zero(), guess(2, 0, 0), tau(0.3, 0, 0);
   Eigen::VectorXd expected;
   for (const char* file : {"four_bar.urdf", "four_bar.xml", "four_bar.sdf"}) {
@@ -38,7 +40,6 @@ TEST_CASE("a four-bar is the same mechanism in URDF, MJCF and SDF", "[both]") {
   }
 }
 
-namespace {
 using namespace kte::test::mjcf_texts;
 
 /// Two links on turns about y at (0, 0, 0) and (1, 0, 0), and a loop between them.
@@ -64,7 +65,6 @@ std::string arms(const std::string& equality, const std::string& rest = "", cons
                   "<body name='c' pos='2 0 0'><joint name='qc' type='slide' axis='0 0 1'/>" + heavy + "</body>",
               "<equality>" + equality + "</equality>" + rest);
 }
-}  // namespace
 
 TEST_CASE("<kte:loop> in a URDF closes loops by every closure") {
   const auto is = [](const std::string& type, const std::string& more, const std::string& element) {
@@ -257,3 +257,5 @@ TEST_CASE("descriptions hold closures, and MJCF those that it can say") {
   CHECK((loop_jacobian(weld.chain, s, q) - loop_jacobian(again.chain, t, q)).cwiseAbs().maxCoeff() < 1e-15);
   CHECK(loops(weld.chain, s, q).gap == within(loops(again.chain, t, q).gap, 1e-15));
 }
+
+}  // namespace loops_test

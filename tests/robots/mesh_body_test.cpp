@@ -7,11 +7,11 @@
 
 #include "catch.hpp"
 
+namespace mesh_body_test {
+
 using namespace kte;
 using namespace kte::detail;
 using test::says;
-
-namespace {
 
 using faces = std::vector<std::array<std::uint32_t, 3>>;
 
@@ -91,8 +91,6 @@ void check_measured(const rigid_body<>& b, double mass, const vec3<>& com, const
       (b.com.x == within(com.x, relative) && b.com.y == within(com.y, relative) && b.com.z == within(com.z, relative)));
   for (std::size_t k = 0; k < 3; ++k) CHECK(m[k] == within_relative(moments[k], relative));
 }
-
-}  // namespace
 
 TEST_CASE("mass properties of meshes with closed forms") {
   // m/3 (b^2 + c^2) of a box, for all that is convex, near the origin and far from it
@@ -234,3 +232,5 @@ TEST_CASE("meshes are placed as MuJoCo places assets") {
   CHECK(mesh_body(placed_mesh(l_profile(), {}, none.rotation, {-1, 1, 1}), mesh_inertia::exact, 1000).mass ==
         within_relative(29.999999459832885, 1e-7));
 }
+
+}  // namespace mesh_body_test

@@ -6,10 +6,10 @@
 #include "catch.hpp"
 #include "io/scratch.hpp"
 
+namespace mesh_file_test {
+
 using namespace kte;
 using detail::parse_mesh, test::says;
-
-namespace {
 
 void append(std::string& out, std::initializer_list<float> numbers) {
   for (const float x : numbers) detail::append_bytes(out, std::bit_cast<std::uint32_t>(x));
@@ -37,8 +37,6 @@ const std::string facet =
 
 detail::triangle_mesh obj(const std::string& text) { return parse_mesh("a.obj", text); }
 detail::triangle_mesh stl(const std::string& text) { return parse_mesh("a.STL", text); }
-
-}  // namespace
 
 TEST_CASE("MSH files") {
   const auto m = parse_mesh("a.msh", msh());
@@ -112,3 +110,5 @@ TEST_CASE("meshes from files") {
   CHECK_THROWS_MATCHES(detail::read_mesh(file.path.string() + ".stl"), bad_file, says("cannot open"));
   CHECK_THROWS_MATCHES(parse_mesh("a.dae", ""), bad_file, says("'a.dae': a mesh must be an .stl, .obj or .msh file"));
 }
+
+}  // namespace mesh_file_test

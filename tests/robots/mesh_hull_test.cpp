@@ -6,6 +6,8 @@
 
 #include "catch.hpp"
 
+namespace mesh_hull_test {
+
 using namespace kte;
 using namespace kte::detail;
 
@@ -46,3 +48,5 @@ TEST_CASE("convex hulls of points that stand in lines, planes and on one another
   CHECK(orientation({0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {0.3, 0.3, 1 + e}) > 0);
   CHECK(orientation({0.1, 0.1, 0.1}, {0.3, 0.3, 0.3}, {0.7, 0.2, 0.9}, {0.2, 0.2, 0.2}) == 0);
 }
+
+}  // namespace mesh_hull_test

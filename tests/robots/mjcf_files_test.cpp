@@ -5,10 +5,11 @@
 #include "robots/files.hpp"
 #include "robots/folder.hpp"
 
+namespace mjcf_files_test {
+
 using namespace kte;
 using test::folder, test::says;
 
-namespace {
 /// A body of MJCF with one hinge.
 std::string hinged(const std::string& name, const std::string& inside = "") {
   return "<body name='" + name + "'><joint name='" + name + "'/><inertial pos='0 0 1' mass='2' diaginertia='1 1 1'/>" +
@@ -19,7 +20,6 @@ std::string mjcf(const std::string& inside) { return "<mujoco>" + inside + "</mu
 const std::string cube =
     "v 0 0 0\nv 2000 0 0\nv 2000 2000 0\nv 0 2000 0\nv 0 0 2000\nv 2000 0 2000\nv 2000 2000 2000\nv 0 2000 2000\n"
     "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 3 4 8 7\nf 2 3 7 6\nf 4 1 5 8\n";
-}  // namespace
 
 TEST_CASE("files of MJCF that are included stand where they are included") {
   const folder f;
@@ -153,3 +153,5 @@ TEST_CASE("a body of a mesh is read where its mass matters, and only there") {
   CHECK(read("<geom type='mesh' mesh='cube'/>", "", own).links[1].visuals[0].mesh ==
         (f.path / "meshes" / "cube.obj").generic_string());
 }
+
+}  // namespace mjcf_files_test

@@ -2,9 +2,10 @@
 
 #include "catch.hpp"
 
+namespace mjcf_look_test {
+
 using namespace kte;
 
-namespace {
 robot_description look_of(const std::string& body, const std::string& assets = "") {
   return describe_robot("<mujoco><default><material rgba='0 1 0 1'/></default><asset>" + assets +
                             "</asset><worldbody><body name='b'><joint/><inertial pos='0 0 0' mass='1' "
@@ -12,7 +13,6 @@ robot_description look_of(const std::string& body, const std::string& assets = "
                             body + "</body></worldbody></mujoco>",
                         "look.xml");
 }
-}  // namespace
 
 TEST_CASE("geoms of MJCF that collide in groups above 2 are not to be seen") {
   const auto d = look_of(
@@ -39,3 +39,5 @@ TEST_CASE("geoms of MJCF have the colours of their materials") {
   CHECK(v[2].rgba == std::vector<double>{0, 1, 0, 1});
   CHECK((v[3].rgba.empty() && v[4].rgba.empty()));
 }
+
+}  // namespace mjcf_look_test

@@ -10,6 +10,8 @@
 
 // What of MJCF becomes bodies, forces and settings of a chain.
 
+namespace mjcf_model_test {
+
 using namespace kte;
 using namespace kte::test::mjcf_texts;
 using test::says;
@@ -145,3 +147,5 @@ TEST_CASE("balls and free bodies are damped, balls have springs, and weight is b
         "joint 'ball': the range of a ball is not modelled\njoint 'ball': left out, as it has "
         "several degrees of freedom: friction armature\n");
 }
+
+}  // namespace mjcf_model_test

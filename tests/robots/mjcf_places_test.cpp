@@ -10,6 +10,8 @@
 
 // Where bodies, joints and frames of MJCF stand: frames, replicates, sites, keyframes, axes of the world.
 
+namespace mjcf_places_test {
+
 using namespace kte;
 using namespace kte::test::mjcf_texts;
 using test::says;
@@ -101,3 +103,5 @@ TEST_CASE("sites are frames and keyframes configurations") {
   CHECK(texts(zero.warnings) ==
         "<key>: the quaternion of joint 'body1_joint' has length 0: it is taken as no rotation\n");
 }
+
+}  // namespace mjcf_places_test

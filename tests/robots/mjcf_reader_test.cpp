@@ -8,10 +8,11 @@
 #include "catch.hpp"
 #include "robots/files.hpp"
 
+namespace mjcf_reader_test {
+
 using namespace kte;
 using test::robot_file, test::says;
 
-namespace {
 constexpr double pi = 3.141592653589793;
 
 std::string mjcf(const std::string& inside) { return "<mujoco>\n<worldbody>\n" + inside + "</worldbody></mujoco>"; }
@@ -20,7 +21,6 @@ std::string listed(const std::vector<robot_note>& notes) {
   for (const auto& n : notes) all += std::to_string(n.line) + (n.changes_motion ? "! " : " ") + n.text + "\n";
   return all;
 }
-}  // namespace
 
 TEST_CASE("what a file in MJCF says") {
   const auto d = load_mjcf(robot_file("everything.xml"));
@@ -203,3 +203,5 @@ TEST_CASE("an element of MJCF has one orientation and no more numbers than it ma
       says("kte: a.xml:3: <geom>: has both quat and zaxis"));
   CHECK_NOTHROW(from_mjcf(mjcf("<body quat='' euler='0 0 90'/>")));
 }
+
+}  // namespace mjcf_reader_test

@@ -6,6 +6,8 @@
 
 // What of MJCF is not modelled, and what is rare in it: done, warned of or refused.
 
+namespace mjcf_warnings_test {
+
 using namespace kte;
 using namespace kte::test::mjcf_texts;
 using test::says;
@@ -101,3 +103,5 @@ TEST_CASE("what MuJoCo does with rare combinations is done, or said") {
   refused("<geom size='1e200'/>", "", "its mass is not finite");
   refused("<replicate count='1000000'/>", "", "more than 300000 elements");
 }
+
+}  // namespace mjcf_warnings_test

@@ -18,12 +18,12 @@
 #include "catch.hpp"
 #include "robots/files.hpp"
 
+namespace mjcf_writer_test {
+
 using namespace kte;
 using test::heavy, test::holding, test::joint_text, test::robot_file, test::says, test::urdf;
 
-namespace {
 robot made(const std::string& inside) { return to_robot(from_urdf(urdf(inside), "r.urdf")); }
-}  // namespace
 
 TEST_CASE("robots written as MJCF move as they did") {
   const auto name = GENERATE("iiwa14.urdf", "everything.sdf", "several.xml", "parts.urdf");
@@ -191,3 +191,5 @@ TEST_CASE("springs and dampers of balls, damping of free bodies and forces again
   drag << base_3D("g") << free_joint_3D("q", "g", "a") << fluid_drag_3D("a", 1.0, 2.0);
   CHECK_THROWS_MATCHES(describe(drag), bad_argument, says("fluid_drag_3D (frame 'a'): it is not a link"));
 }
+
+}  // namespace mjcf_writer_test

@@ -8,10 +8,11 @@
 #include "catch.hpp"
 #include "robots/files.hpp"
 
+namespace mjcf_written_bodies_test {
+
 using namespace kte;
 using test::heavy, test::holding, test::joint_text, test::robot_file, test::says, test::urdf;
 
-namespace {
 robot made(const std::string& inside) { return to_robot(from_urdf(urdf(inside), "r.urdf")); }
 std::string body(const std::string& link, double mass, const std::string& moments) {
   return "<link name='" + link + "'><inertial><mass value='" + std::to_string(mass) + "'/><inertia " + moments +
@@ -22,7 +23,6 @@ std::vector<std::string> texts(const std::vector<robot_note>& notes) {
   for (const auto& n : notes) all.push_back(n.text);
   return all;
 }
-}  // namespace
 
 TEST_CASE("bodies that MuJoCo would not take") {
   const auto hanging = [](const std::string& links, const std::string& joints) {
@@ -160,3 +160,5 @@ TEST_CASE("what MJCF cannot say is refused by name, or listed") {
   empty.chain = f;
   CHECK_THROWS_MATCHES(to_mjcf(empty), bad_parameter, says("kte: limits: lower must have 1 numbers"));
 }
+
+}  // namespace mjcf_written_bodies_test

@@ -4,16 +4,16 @@
 #include "catch.hpp"
 #include "robots/files.hpp"
 
+namespace mjcf_written_shapes_test {
+
 using namespace kte;
 using test::holding, test::robot_file;
 
-namespace {
 std::vector<std::string> texts(const std::vector<robot_note>& notes) {
   std::vector<std::string> all;
   for (const auto& n : notes) all.push_back(n.text);
   return all;
 }
-}  // namespace
 
 TEST_CASE("shapes are geoms without mass in MJCF") {
   const auto text = to_mjcf(load_robot(robot_file("several.xml")));
@@ -102,3 +102,5 @@ TEST_CASE("shapes are geoms without mass in MJCF") {
   CHECK(to_mjcf(d) == (holding("<worldbody>\n    <geom type=\"plane\"") &&
                        holding("it is a plane, which MuJoCo accepts only on static bodies")));
 }
+
+}  // namespace mjcf_written_shapes_test

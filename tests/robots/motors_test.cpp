@@ -9,11 +9,12 @@
 
 // Motors of robot files: actuators of MJCF, transmissions of URDF.
 
+namespace motors_test {
+
 using namespace kte;
 using namespace kte::test::mjcf_texts;
 using test::says;
 
-namespace {
 /// The laws of the motors of a chain, with their connections.
 std::vector<element_record> motors_of(const runtime_chain& c) {
   auto all = record_of(c).elements;
@@ -34,7 +35,6 @@ element_record motor(const std::string& joint, const std::string& input, const m
            {"lower_command", {p.lower_command}},
            {"upper_command", {p.upper_command}}}};
 }
-}  // namespace
 
 TEST_CASE("motors of MJCF: gears, gains, ranges") {
   const auto text = mjcf("<body name='b'><joint name='j' range='-1 1' actuatorfrcrange='-50 50' armature='0.5'/>" +
@@ -134,3 +134,5 @@ TEST_CASE("motors of URDF: transmissions, else all joints that move by themselve
                             "</mechanicalReduction></actuator></transmission>"),
                        bad_file, says("a gear ratio must not be 0"));
 }
+
+}  // namespace motors_test

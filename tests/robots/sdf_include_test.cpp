@@ -4,11 +4,11 @@
 
 #include "catch.hpp"
 
+namespace sdf_include_test {
+
 using namespace kte;
 using test::says;
 namespace fs = std::filesystem;
-
-namespace {
 
 /// A folder of files, removed in the end.
 struct folder {
@@ -46,8 +46,6 @@ const std::string arm =
     "<model name='arm'><pose>9 0 0 0 0 0</pose><link name='a'/><link name='b'><pose>0 0 1 0 0 0</pose>"
     "</link><joint name='j' type='revolute'><parent>a</parent><child>b</child><axis><xyz>0 1 0</xyz></axis>"
     "</joint></model>";
-
-}  // namespace
 
 TEST_CASE("included models stand where the include says") {
   const folder f;
@@ -166,3 +164,5 @@ TEST_CASE("includes that cannot be had are refused by name") {
   }
   refused(twice, "more than 1000 files are included");
 }
+
+}  // namespace sdf_include_test

@@ -6,6 +6,8 @@
 #include "catch.hpp"
 #include "robots/sdf_texts.hpp"
 
+namespace sdf_model_test {
+
 using namespace kte;
 using test::sdf, test::model, test::link_text, test::joint, test::has, test::x90, test::turned, test::says;
 
@@ -205,3 +207,5 @@ TEST_CASE("joints of SDF that other formats do not have") {
            "<axis><xyz>0 0 1</xyz><limit><stiffness>1</stiffness><dissipation>1</dissipation></limit></axis>");
   CHECK((has(d.not_read, "<stiffness>: not read") && has(d.not_read, "<dissipation>: not read")));
 }
+
+}  // namespace sdf_model_test

@@ -8,6 +8,8 @@
 #include "robots/files.hpp"
 #include "robots/sdf_texts.hpp"
 
+namespace sdf_reader_test {
+
 using namespace kte;
 using test::sdf, test::model, test::link_text, test::joint, test::has, test::turned, test::robot_file, test::says;
 
@@ -160,3 +162,5 @@ TEST_CASE("empty texts of SDF are defaults, and what is not modelled is said onc
                    link_text("a", "<enable_wind>1</enable_wind>") + "</model></world>"));
   CHECK(has(d.warnings, "<enable_wind>: the wind is not modelled", true));
 }
+
+}  // namespace sdf_reader_test

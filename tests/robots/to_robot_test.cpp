@@ -11,10 +11,11 @@
 #include "catch.hpp"
 #include "robots/files.hpp"
 
+namespace to_robot_test {
+
 using namespace kte;
 using test::heavy, test::joint_text, test::robot_file, test::says, test::urdf;
 
-namespace {
 /// Random numbers, the same every time; of configurations also the quaternions are good, whatever their length.
 Eigen::VectorXd numbers(int n, double factor) {
   Eigen::VectorXd x(n);
@@ -30,7 +31,6 @@ void same(const pose<mat3<vec3<>>, vec3<>>& a, const pose<mat3<vec3<>>, vec3<>>&
 robot made(const std::string& inside, const robot_options& o = {}) {
   return to_robot(from_urdf(urdf(inside), "r.urdf", o), o);
 }
-}  // namespace
 
 TEST_CASE("a joint of every type becomes an element") {
   const auto r = load_robot(robot_file("everything.urdf"), {.quarter_turn_tolerance = 1e-6});
@@ -236,3 +236,5 @@ TEST_CASE("a link and a joint may have one name, and massless links are links") 
   CHECK(r.chain.dofs() == 2);
   CHECK_NOTHROW(r.chain.make_state().frame_3D("y"));
 }
+
+}  // namespace to_robot_test

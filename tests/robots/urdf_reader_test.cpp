@@ -4,6 +4,8 @@
 #include "catch.hpp"
 #include "robots/files.hpp"
 
+namespace urdf_reader_test {
+
 using namespace kte;
 using test::heavy, test::joint_text, test::robot_file, test::says, test::urdf;
 
@@ -113,13 +115,11 @@ TEST_CASE("errors in a URDF name file, line and element") {
   joint_refused("continuous", "<mimic/>", "<mimic>: has no joint");
 }
 
-namespace {
 bool has(const std::vector<robot_note>& notes, const std::string& text, bool moves = false) {
   for (const auto& n : notes)
     if (n.text.find(text) != std::string::npos && n.changes_motion == moves) return true;
   return false;
 }
-}  // namespace
 
 TEST_CASE("omissions and duplicates in URDFs are read as intended, and reported") {
   const auto d = from_urdf(urdf(R"(<material name='red'><color rgba='1 0 0 1'/></material>
@@ -227,3 +227,5 @@ TEST_CASE("extensions of URDF are read where a robot can say them") {
   CHECK(has(d.warnings, "transmission 't2': there is no joint 'z'", true));
   CHECK(std::count_if(d.warnings.begin(), d.warnings.end(), [](const auto& n) { return n.changes_motion; }) == 4);
 }
+
+}  // namespace urdf_reader_test

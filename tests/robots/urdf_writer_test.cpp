@@ -12,6 +12,8 @@
 #include "catch.hpp"
 #include "robots/files.hpp"
 
+namespace urdf_writer_test {
+
 using namespace kte;
 using test::heavy, test::holding, test::joint_text, test::robot_file, test::says, test::urdf;
 
@@ -170,3 +172,5 @@ TEST_CASE("what URDF cannot say is refused by name") {
   CHECK(notes[1].text == "joint 'q': it has a rotor inertia, which URDF cannot say: that is left out");
   CHECK(notes[2].text == "gravity 0 0 0 is left out");
 }
+
+}  // namespace urdf_writer_test

@@ -10,10 +10,10 @@
 
 #include "catch.hpp"
 
+namespace chain_test {
+
 using namespace kte;
 using kte::test::contains_text;
-
-namespace {
 
 runtime_chain pendulum() {
   runtime_chain c;
@@ -49,9 +49,7 @@ double seconds(const F& f) {
   return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
 }
 
-}  // namespace
-
-TEST_CASE("a chain that is moved from is empty and usable", "[both]") {
+TEST_CASE("a chain that is moved from is empty and usable") {
   auto a = pendulum();
   a.gravity(along_y(-9.81));
   auto b = std::move(a);
@@ -212,3 +210,5 @@ TEST_CASE("chains nest 30000 deep, in linear time and memory") {  // the square 
   CHECK(copied.wiring().names == (runtime_chain() << copied).wiring().names);
   CHECK(copied.wiring().elements.size() == 200);
 }
+
+}  // namespace chain_test

@@ -9,9 +9,9 @@
 
 // Whichever allocation fails, and if all do that follow: chains and states are as before, or as they were to be.
 
-using namespace kte;
+namespace exhausted_memory_test {
 
-namespace {
+using namespace kte;
 
 inline constexpr struct tip_ final : frame_2D_key<"tip"> {
 } tip;
@@ -154,4 +154,4 @@ TEST_CASE("a state that cannot be made, copied or assigned for want of memory le
   }
 }
 
-}  // namespace
+}  // namespace exhausted_memory_test

@@ -5,10 +5,10 @@
 #include "catch.hpp"
 #include "chain/models.hpp"
 
+namespace handle_test {
+
 using namespace kte;
 using kte::test::says;
-
-namespace {
 
 /// Things of all kinds.
 runtime_chain all_kinds() {
@@ -25,8 +25,6 @@ runtime_chain all_kinds() {
 static_assert(!std::is_default_constructible_v<handle> && std::is_nothrow_move_constructible_v<handle>);
 static_assert(std::is_copy_constructible_v<handle> && std::is_copy_assignable_v<handle>);
 static_assert(names_something<handle> && names_something<const char*> && !names_something<int>);
-
-}  // namespace
 
 TEST_CASE("each kind of thing has a handle, which finds it and no other") {
   const auto c = all_kinds();
@@ -196,3 +194,5 @@ TEST_CASE("handles stand for names") {
   CHECK_THROWS_AS(forward_kinematics(c, longer, x, tool), bad_argument);
   CHECK_THROWS_AS(longer.frame_3D(tool), bad_argument);
 }
+
+}  // namespace handle_test

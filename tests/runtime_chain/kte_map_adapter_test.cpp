@@ -7,9 +7,9 @@
 
 // One element of a runtime chain, as chains and algorithms see it.
 
-using namespace kte;
+namespace kte_map_adapter_test {
 
-namespace {
+using namespace kte;
 
 /// An element, connected to its own chain.
 template <class Core>
@@ -43,8 +43,6 @@ struct pair_of_springs {
   template <class Self, class Visit>
   static constexpr void parameters(Self&, Visit&&) {}
 };
-
-}  // namespace
 
 TEST_CASE("an element says what it is, to whom it is connected and with which numbers") {
   const alone link(rigid_link_3D("a", "b", along_y(0.5)));
@@ -159,3 +157,5 @@ TEST_CASE("loads on frames are not derived by single elements") {
   body_alone.element.derive_forces(s);
   CHECK(s.work.of_forces.by_q.size() == 0);
 }
+
+}  // namespace kte_map_adapter_test

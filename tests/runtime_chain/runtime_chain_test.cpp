@@ -4,9 +4,11 @@
 #include "robots/iiwa14.hpp"
 #include "robots/ur5.hpp"
 
+namespace runtime_chain_test {
+
 using namespace models;
 
-TEST_CASE("a chain read from its record gives the same values", "[both]") {
+TEST_CASE("a chain read from its record gives the same values") {
   const auto built = by_own_elements(tree), loaded = registered(kte::record_of(built));
   auto a = built.make_state(), b = loaded.make_state();
   random_numbers random(7);
@@ -172,3 +174,5 @@ TEST_CASE("mistakes in a runtime chain are named, and change nothing") {
   CHECK_NOTHROW(c << inertia_3D("tip", point_mass(1.0)));  // and it goes on
   CHECK_NOTHROW(c << base_3D("another") << inertia_3D("another", point_mass(1.0)));
 }
+
+}  // namespace runtime_chain_test

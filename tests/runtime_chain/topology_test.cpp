@@ -11,10 +11,10 @@
 
 // Names of coordinates and signals, and names of frames, live apart: robots have joints and links of one name.
 
+namespace topology_test {
+
 using namespace kte;
 using kte::test::says;
-
-namespace {
 
 // clang-format off
 inline constexpr struct elbow_  final : coord_key<"elbow">       {} elbow;
@@ -47,8 +47,6 @@ runtime_chain runtime(const std::string& q, const std::string& a, const std::str
 const runtime_chain of_texts = runtime("elbow", "elbow", "body", "body", "tool", "tool");
 const std::array q{0.1, -0.2, 0.3, 0.5, 0.5, -0.5, 0.5, 0.7};
 const std::array v{0.1, 0.2, -0.3, 0.4, 0.5, -0.6, 0.7}, a{1.0, 2.0, -3.0, 4.0, 5.0, -6.0, 7.0};
-
-}  // namespace
 
 TEST_CASE("a joint and a link of one name are two things") {
   const auto apart = runtime("q", "arm", "X", "trunk", "tip", "u");
@@ -236,3 +234,5 @@ TEST_CASE("misspelt coordinates of followers are found") {
             "moves, did you mean 'crank'?",
             "mimic_gen (base 'crank', end 'cuopler') writes 'cuopler', which nothing reads, did you mean 'coupler'?"});
 }
+
+}  // namespace topology_test

@@ -7,7 +7,7 @@
 
 // What large static chains keep between calculations: made once, lent to one calculation at a time.
 
-namespace {
+namespace kept_states_test {
 
 struct counts {
   std::atomic<int> made{0}, copied{0}, gone{0};
@@ -32,9 +32,7 @@ struct other_state : state {
 
 using keeper = kte::detail::kept_states<true>;
 
-}  // namespace
-
-TEST_CASE("a state is made once, and lent again", "[both]") {
+TEST_CASE("a state is made once, and lent again") {
   counts all;
   {
     const keeper k;
@@ -122,3 +120,5 @@ TEST_CASE("what constants kept, which are never destroyed, goes when the next st
   for (int i = 0; i < 100; ++i) CHECK(use(i) == i);
   CHECK(all.made + all.copied - all.gone <= 2 * 2);  // of one place, or two if the compiler takes two
 }
+
+}  // namespace kept_states_test

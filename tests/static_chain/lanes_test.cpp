@@ -9,12 +9,12 @@
 #include "digits50.hpp"
 #include "robots/iiwa14.hpp"
 
+namespace lanes_test {
+
 using kte::test::digits50, kte::test::says;
 
 using namespace models;
 using P = kte::pack<double, 8>;
-
-namespace {
 
 /// A pendulum with a body of numbers, a damper and a spring; `S`: the scalar of its parameters.
 template <class S>
@@ -34,8 +34,6 @@ template <class Chain, class S>
 auto acceleration(const Chain& c, const S& at) {
   return kte::forward_dynamics(c, std::array{at}, std::array{S(0.5) * at}, std::array{S(0)})[0];
 }
-
-}  // namespace
 
 TEST_CASE("lanes with different parameters have the results of chains of these parameters") {
   const auto arms = kte::lanes(arm(1.0, 1.0, 1.0, -9.81), kte::parameter{"tip/mass", masses},
@@ -106,3 +104,5 @@ TEST_CASE("a chain in another scalar: all its numbers, not its typed constants")
   const auto exact = kte::in<digits50>(one);
   CHECK(exact.gravity().y == digits50(-9.81));
 }
+
+}  // namespace lanes_test

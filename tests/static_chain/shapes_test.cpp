@@ -11,11 +11,12 @@
 
 #include "catch.hpp"
 
+namespace shapes_test {
+
 using namespace kte;
 
 /// A static chain of all shapes that an element may have, against the same chain at run time, which
 /// dynamics/shapes_test.cpp tests.
-namespace {
 
 // clang-format off
 constexpr struct shoulder_ final : coord_key<"shoulder">       {} shoulder;
@@ -92,8 +93,6 @@ double difference_of(const A& a, const B& b) {
   return (a - b).template lpNorm<Eigen::Infinity>() / std::max(1.0, b.template lpNorm<Eigen::Infinity>());
 }
 
-}  // namespace
-
 TEST_CASE("a static chain of all shapes is what it is at run time") {
   const bool dry = GENERATE(false, true);
   const auto c = static_one(dry);
@@ -164,3 +163,5 @@ TEST_CASE("a static chain of all shapes is what it is at run time") {
             end_of(rodas(std::cref(runtime_model), 0.7, Eigen::VectorXd(x), {.absolute = 1e-9, .relative = 1e-9})),
             y1) < 1e-7);
 }
+
+}  // namespace shapes_test

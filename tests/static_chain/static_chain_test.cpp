@@ -5,9 +5,11 @@
 #include "chain/models.hpp"
 #include "robots/iiwa14.hpp"
 
+namespace static_chain_test {
+
 using namespace models;
 
-TEST_CASE("the README's pendulum", "[both]") {
+TEST_CASE("the README's pendulum") {
   constexpr auto c = pendulum.gravity(kte::along_y(-9.81));
   auto s = kte::make_state(c);
   for (const double angle : {0.0, 0.3, -2.0, 3.1}) {
@@ -161,3 +163,5 @@ TEST_CASE("arguments of the wrong size are named") {
                     "kte: v has 6 numbers, the chain has 7 degrees of freedom");
   CHECK_THROWS_AS(kte::mass_matrix(robots::iiwa14, six), kte::bad_argument);
 }
+
+}  // namespace static_chain_test

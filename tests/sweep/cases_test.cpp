@@ -5,6 +5,8 @@
 
 #include "catch.hpp"
 
+namespace cases_test {
+
 using kte::test::says;
 
 TEST_CASE("a grid: the last column changes fastest") {
@@ -90,3 +92,5 @@ TEST_CASE("Sobol points") {
   columns.push_back(kte::uniform("more", 0, 1));
   CHECK_THROWS_MATCHES(kte::sobol_cases(8, columns), kte::bad_argument, says("at most 21 columns"));
 }
+
+}  // namespace cases_test

@@ -8,7 +8,7 @@
 #include "catch.hpp"
 #include "sweep/folder.hpp"
 
-namespace {
+namespace killed_test {
 
 std::size_t shards_in(const std::filesystem::path& parts) {
   std::size_t n = 0;
@@ -16,8 +16,6 @@ std::size_t shards_in(const std::filesystem::path& parts) {
   for (const auto& entry : std::filesystem::directory_iterator(parts, none)) n += entry.path().extension() == ".shard";
   return n;
 }
-
-}  // namespace
 
 TEST_CASE("a sweep that is killed continues where it was, and gives the same bytes") {
   const folder at;
@@ -56,3 +54,5 @@ TEST_CASE("a sweep that is killed continues where it was, and gives the same byt
   CHECK(bytes_of(at / "killed.npy.failures.csv") == bytes_of(at / "whole.npy.failures.csv"));
   CHECK_FALSE(std::filesystem::exists(at / "killed.npy.parts"));
 }
+
+}  // namespace killed_test

@@ -16,13 +16,13 @@
 
 // Simulations in lanes with their own times and steps.
 
+namespace lanes_test {
+
 using kte::test::contains_text;
 using namespace kte;
 using P = pack<double, 8>;
 template <class S>
 using pair = Eigen::Matrix<S, 2, 1>;
-
-namespace {
 
 /// A spring that stiffens, with a force that depends on time.
 template <class S>
@@ -57,8 +57,6 @@ void check_lanes(const sweep_cases& cases, const std::vector<std::string>& names
     }
   CHECK(together.failures.empty());
 }
-
-}  // namespace
 
 TEST_CASE("lanes with their own ends and steps do not depend on their companions") {
   const tolerances<double> fine{.absolute = 1e-8, .relative = 1e-8};
@@ -172,7 +170,6 @@ TEST_CASE("lanes that fail leave the others alone, and say why") {
   CHECK_THAT(short_of.failures.at(0).reason, contains_text("gave 2 numbers for 1 columns"));
 }
 
-namespace {
 /// A runtime chain of an arm with friction, in the scalar S.
 template <class S>
 struct moving_arm {
@@ -188,7 +185,6 @@ struct moving_arm {
     return {x[2], x[3], a[0], a[1]};
   }
 };
-}  // namespace
 
 TEST_CASE("runtime chains in lanes with their own steps") {
   runtime_chain arm;
@@ -247,3 +243,5 @@ TEST_CASE("events of elements in lanes: stops that are hit at other times in eac
               }),
               2 * steps.table().summary.statistics[0].most * tolerance * w);
 }
+
+}  // namespace lanes_test

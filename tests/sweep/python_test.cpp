@@ -3,6 +3,8 @@
 #include "catch.hpp"
 #include "sweep/folder.hpp"
 
+namespace python_test {
+
 TEST_CASE("a file has the bytes of the same sweep in Python") {  // python/tests/test_sweep.py
   const folder at;
   const auto cases = kte::random_cases(8, 7, {kte::uniform("u", -1, 3)}) *
@@ -13,3 +15,5 @@ TEST_CASE("a file has the bytes of the same sweep in Python") {  // python/tests
   CHECK(bytes_of(at / "x.csv") ==
         bytes_of(std::filesystem::path(__FILE__).parent_path().parent_path() / "data/sweep_cases.csv"));
 }
+
+}  // namespace python_test

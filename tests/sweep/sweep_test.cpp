@@ -8,9 +8,9 @@
 #include "catch.hpp"
 #include "sweep/folder.hpp"
 
-using kte::test::says;
+namespace sweep_test {
 
-namespace {
+using kte::test::says;
 
 const auto cases = kte::random_cases(1000, 1, {kte::uniform("x", 0, 1)}) * kte::one_of("y", {1, 2});
 /// Fails in some cases, and gives no number in one.
@@ -21,8 +21,6 @@ const auto f = [](const auto& c) {
 };
 const std::vector<std::string> kept{"product", "difference"};
 constexpr std::size_t failing[]{7, 50, 407, 807, 1207, 1607};
-
-}  // namespace
 
 TEST_CASE("a sweep in memory: every case has its row, in order") {
   const auto result = kte::sweep(cases, kept, f, {.shard_size = 64}).table();
@@ -141,3 +139,5 @@ TEST_CASE("what a sweep refuses") {
   const auto wrong = kte::sweep(x, kept, [](const auto& c) { return std::array{c["x"]}; }).table();
   CHECK(wrong.failures[0].reason == "kte: the function of the sweep gave 1 numbers for 2 columns");
 }
+
+}  // namespace sweep_test

@@ -4,9 +4,9 @@
 
 #include "catch.hpp"
 
-using kte::test::says;
+namespace varied_chain_test {
 
-namespace {
+using kte::test::says;
 
 kte::runtime_chain arm(double length, double mass, double com_z, double damping, double gravity) {
   kte::runtime_chain c;
@@ -17,8 +17,6 @@ kte::runtime_chain arm(double length, double mass, double com_z, double damping,
                        kte::rigid_body{mass, kte::vec3<>{0.1, 0.0, com_z}, kte::sym3<>{0.2, 0, 0, 0.2, 0, 0.2}});
   return std::move(c.gravity(kte::vec3<>{0.0, 0.0, gravity}));
 }
-
-}  // namespace
 
 TEST_CASE("parameters of a runtime chain by their paths") {
   const auto c = arm(0.4, 1, 0.2, 0.1, -9.81);
@@ -43,3 +41,5 @@ TEST_CASE("paths that a chain does not have, or several times, and bad values") 
   CHECK_THROWS_MATCHES(varied.with(std::array{-1.0}), kte::bad_parameter, says("inertia_3D (frame 'tool'): mass must"));
   CHECK_THROWS_MATCHES(varied.with(std::array{1.0, 2.0}), kte::bad_argument, says("2 values for 1 parameters"));
 }
+
+}  // namespace varied_chain_test

@@ -5,9 +5,9 @@
 #include "chain/registered.hpp"
 #include "random.hpp"
 
-using namespace kte;
+namespace file_round_trip_test {
 
-namespace {
+using namespace kte;
 
 /// The record with other numbers, all different, if the element accepts them.
 element_record with_odd_numbers(const element_registry& registry, const element_record& plain) {
@@ -41,8 +41,6 @@ struct forgetful_spring {
   }
 };
 auto forgetful(double stiffness, double force) { return connect(forgetful_spring{stiffness, force}, "q"); }
-
-}  // namespace
 
 TEST_CASE("all elements of the library come back from files unchanged") {
   random_numbers draw(1);
@@ -80,3 +78,5 @@ TEST_CASE("an element that leaves a number out of its record, or that is read as
   other.add("forgetful_spring_gen", [](const record_reader& r) { return forgetful(2 * r.number("stiffness"), 0); });
   CHECK(testing::file_round_trip(forgetful(2, 0), other, draw) == 1);
 }
+
+}  // namespace file_round_trip_test

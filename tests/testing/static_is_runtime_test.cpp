@@ -6,9 +6,9 @@
 #include "catch.hpp"
 #include "random.hpp"
 
-using namespace kte;
+namespace static_is_runtime_test {
 
-namespace {
+using namespace kte;
 
 /// A damper that is another every other time that one of its kind is asked.
 struct fickle_damper {
@@ -24,8 +24,6 @@ struct fickle_damper {
   static constexpr void parameters(Self&, Visit&&) {}
 };
 
-}  // namespace
-
 TEST_CASE("elements do in static chains what they do in runtime chains") {
   random_numbers draw(1);
   // Some hundred products along two bodies, and as much again in forward dynamics by masses of one size.
@@ -38,3 +36,5 @@ TEST_CASE("an element that is another every other time") {
   random_numbers draw(2);
   CHECK(testing::static_is_runtime(connect(fickle_damper{}, "q"), draw) > 0.1);
 }
+
+}  // namespace static_is_runtime_test

@@ -14,7 +14,7 @@
 #include "eval/static_main.hpp"
 #include "io/scratch.hpp"
 
-namespace {
+namespace eval_test {
 
 struct state_file : kte::test::scratch {
   explicit state_file(const std::string& text) : scratch(".csv", text) {}
@@ -53,8 +53,6 @@ std::vector<double> numbers_of(const std::string& line) {
   for (std::string cell; std::getline(cells, cell, ',');) x.push_back(std::stod(cell));
   return x;
 }
-
-}  // namespace
 
 TEST_CASE("a row has what the closed forms of a pendulum say") {
   evaluate::options o;
@@ -220,3 +218,5 @@ TEST_CASE("bad tables are refused with file, line and column, or the names of co
   says("q_0,\xC3\xA9,v_0\n1\xC2\xB0,2,3\n", ":2:1: '1\xC2\xB0' is not a number");
   says("q_0,v_0,t\n1,2\n", ":2:4: 2 numbers for 3 columns");
 }
+
+}  // namespace eval_test

@@ -6,12 +6,12 @@
 
 #include "catch.hpp"
 
+namespace motor_command_test {
+
 using namespace kte_tool;
 
-namespace {
 constexpr double none = kte::motor_law::none;
 constexpr motor_command::joint turning{true, -2, 3, 5}, free_slide{false, -none, none, none};
-}  // namespace
 
 TEST_CASE("a command of a motor is a force by its gain, between the ends of its range") {
   const motor_command geared({.gain = 40, .lower_command = -1, .upper_command = 1}, turning);
@@ -88,3 +88,5 @@ TEST_CASE("the motor of an input is found in the chain") {
   CHECK(motor->law == kte::motor_law{.gain = 3, .upper = 4});
   CHECK(!motor_of_input(arm, "q"));
 }
+
+}  // namespace motor_command_test

@@ -4,6 +4,8 @@
 
 #include "catch.hpp"
 
+namespace option_names_test {
+
 using kte_tool::with_option_names;
 
 TEST_CASE("messages of the library name options of the program") {
@@ -17,3 +19,5 @@ TEST_CASE("messages of the library name options of the program") {
   CHECK(with_option_names("'robot_options::model' robot_options::model") == "'--model' --model");
   CHECK(with_option_names("nothing of this") == "nothing of this");
 }
+
+}  // namespace option_names_test

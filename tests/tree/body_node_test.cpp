@@ -16,10 +16,10 @@
 // Joints and bodies of users' own, as runtime chains take them: by numbers alone (tree/build.hpp). Against static
 // chains, which compute with their types.
 
+namespace body_node_test {
+
 using namespace kte;
 using kte::test::contains_text, kte::test::within;
-
-namespace {
 
 using three = std::array<port, 3>;
 constexpr three on_number{{{kind::gen, access::angle, "coordinate"},
@@ -139,8 +139,6 @@ constexpr double rounding = 1.1e-15;
 /// Of regressors and derivatives, sums of terms that are larger than the largest entry: 15 u and 27 u in those states.
 constexpr double rounding_of_regressor = 2.2e-15, rounding_of_derivatives = 4e-15;
 
-}  // namespace
-
 TEST_CASE("joints of users' own move along and about z of their nodes") {
   const runtime_chain run = models::by_own_elements(own_joints);
   auto s = run.make_state();
@@ -256,3 +254,5 @@ TEST_CASE("a result of a state may be an argument of the next call with it") {
   CHECK(result[0] == within(a[0], 1e-15));
   CHECK(result[1] == within(a[1], 1e-15));
 }
+
+}  // namespace body_node_test

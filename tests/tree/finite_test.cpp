@@ -12,7 +12,7 @@
 // Registers hold four numbers, or two, or eight: rows of every length up to some of them, with each number not finite
 // once.
 
-namespace {
+namespace finite_test {
 
 using kte::tree::all_finite_in_row, kte::tree::stands_in_row;
 
@@ -33,8 +33,6 @@ void try_rows() {
     CHECK(found);
   }
 }
-
-}  // namespace
 
 TEST_CASE("a number that is not finite is found wherever it stands in a row") {
   try_rows<double>();
@@ -62,3 +60,5 @@ TEST_CASE("rows are known where numbers stand one behind the other") {
   const Eigen::VectorXd x = Eigen::VectorXd::Ones(3);
   STATIC_REQUIRE_FALSE(stands_in_row<std::remove_cvref_t<decltype(x + x)>, double>);
 }
+
+}  // namespace finite_test

@@ -4,8 +4,9 @@
 #include "catch.hpp"
 #include "random.hpp"
 
+namespace solve_limbs_test {
+
 // Matrices over axes that know which bodies stand on each other.
-namespace {
 using kte::tree::body_tree;
 
 /// A body of `axes` axes on body `parent` (-1: the base), the next one in order.
@@ -60,7 +61,6 @@ void check_solved(const body_tree<double>& f, bool coupled) {
   CHECK((x + inverse * b).cwiseAbs().maxCoeff() <= 2.3e-16 * n * n);
   CHECK((y + inverse * c).cwiseAbs().maxCoeff() <= 2.3e-16 * n * n);
 }
-}  // namespace
 
 TEST_CASE("products with the inverse of a mass matrix leave out bodies that have nothing in common") {
   for (const int joints : {1, 2, 3, 4, 5, 7, 9}) check_solved(arm(joints), false), check_solved(arm(joints), true);
@@ -98,3 +98,5 @@ TEST_CASE("symmetric matrices from rows over axes") {
   kte::tree::fill_symmetric(f, 1, rows, true, m);
   CHECK(m(0, 0) == within(of_all.sum(), 1e-14));
 }
+
+}  // namespace solve_limbs_test

@@ -1,5 +1,7 @@
 #include "view/live_pages.hpp"
 
+namespace live_access_test {
+
 using namespace kte;
 using namespace kte::test;
 
@@ -89,3 +91,5 @@ TEST_CASE("long requests are cut off") {
   at.ask(at.text("POST", "pause", "Content-Length: 1048576\r\n") + a_lot);  // the body is not read
   CHECK(status_of(at.get("")) == "200");
 }
+
+}  // namespace live_access_test

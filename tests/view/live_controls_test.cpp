@@ -2,10 +2,11 @@
 
 #include "view/live_pages.hpp"
 
+namespace live_controls_test {
+
 using namespace kte;
 using namespace kte::test;
 
-namespace {
 /// A program that counts its steps.
 struct stepping_program {
   explicit stepping_program(live_server& p) : page(p), thread([this] { run(); }) {}
@@ -23,7 +24,6 @@ struct stepping_program {
   std::atomic<int> steps{0}, resets{0};
   std::thread thread;
 };
-}  // namespace
 
 TEST_CASE("sliders") {
   live_page page(pendulum);
@@ -122,3 +122,5 @@ TEST_CASE("sentences for the page") {
   at.post("reset");
   CHECK_THAT(client.event("controls"), contains_text(R"("message":"")"));
 }
+
+}  // namespace live_controls_test

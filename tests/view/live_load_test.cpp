@@ -2,10 +2,11 @@
 
 #include "view/live_pages.hpp"
 
+namespace live_load_test {
+
 using namespace kte;
 using namespace kte::test;
 
-namespace {
 scene scene_of_tracks(int n) {
   scene s = scene_of(pendulum);
   s.tracks = n;
@@ -26,7 +27,6 @@ struct page_of_tracks : live_server {
   void show(double t) { publish(t, row); }
   scene_row row;
 };
-}  // namespace
 
 TEST_CASE("of states that come faster than pages take them, the newest is sent") {
   page_of_tracks page(1);
@@ -79,3 +79,5 @@ TEST_CASE("connections that say nothing keep nobody out") {
   for (int i = 0; i < 40; ++i) silent.emplace_back(at.port);
   CHECK(status_of(at.post("pause")) == "204");
 }
+
+}  // namespace live_load_test

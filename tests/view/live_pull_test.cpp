@@ -2,10 +2,11 @@
 
 #include "view/live_pages.hpp"
 
+namespace live_pull_test {
+
 using namespace kte;
 using namespace kte::test;
 
-namespace {
 /// Two pendulums in the plane that can be pulled.
 struct pulled_pendulums {
   page_pull hand;
@@ -23,7 +24,6 @@ struct pulled_pendulums {
 std::string request(const std::string& frame, const std::string& x, const std::string& to_y) {
   return "pull?frame=" + frame + "&x=" + x + "&y=0&z=0&to_x=0.5&to_y=" + to_y + "&to_z=0";
 }
-}  // namespace
 
 TEST_CASE("the scene of a chain that pages may pull") {
   const pulled_pendulums p;
@@ -113,3 +113,5 @@ TEST_CASE("pulls out of limits are refused") {
   live_page without(pendulum);  // no element takes a pull
   CHECK(status_of(http_address(without.url()).post(request("1", "0", "0"))) == "400");
 }
+
+}  // namespace live_pull_test

@@ -2,6 +2,8 @@
 
 #include "view/live_pages.hpp"
 
+namespace live_test {
+
 using namespace kte;
 using namespace kte::test;
 
@@ -84,3 +86,5 @@ TEST_CASE("states of another chain are refused") {
   page.show(0, s);
   CHECK_THROWS_MATCHES(page.show(0, b.make_state()), bad_argument, says("another chain"));
 }
+
+}  // namespace live_test

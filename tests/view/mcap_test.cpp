@@ -5,12 +5,12 @@
 #include "chain/models.hpp"
 #include "io/scratch.hpp"
 
+namespace mcap_test {
+
 using namespace kte;
 using kte::test::contains_text, kte::test::says, kte::test::scratch;
 
-namespace {
 constexpr auto pendulum = models::pendulum.gravity(along_y(-9.81));
-}  // namespace
 
 TEST_CASE("recordings as MCAP: a table that moves the chain again, and messages of Foxglove") {
   scene_recording rec(pendulum, {.columns = {"q", "tip/position"}});
@@ -68,3 +68,5 @@ TEST_CASE("what MCAP cannot hold is refused") {
   CHECK_THROWS_MATCHES(write_mcap(file.path, s), bad_argument, says("the column name 'a b' has a blank"));
   CHECK(file.text() == "before");
 }
+
+}  // namespace mcap_test

@@ -8,10 +8,11 @@
 #include "catch.hpp"
 #include "robots/folder.hpp"
 
+namespace mesh_test {
+
 using namespace kte;
 using kte::test::contains_text, kte::test::folder;
 
-namespace {
 const std::string tetra = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
 
 /// A ball of radius 1 of n by 2 n triangles twice.
@@ -47,7 +48,6 @@ robot_shape mesh_of(const std::string& name) {
   x.is = robot_shape::form::mesh, x.mesh = name;
   return x;
 }
-}  // namespace
 
 TEST_CASE("vertices that are equal are one, and triangles without area are left out") {
   detail::triangle_mesh m;
@@ -199,3 +199,5 @@ TEST_CASE("where nothing to see can be drawn, shapes of collision are") {
   CHECK(!s.shapes[0].collision);
   CHECK_THAT(s.notes.at(1), contains_text("'link' is drawn by its collision shapes"));
 }
+
+}  // namespace mesh_test

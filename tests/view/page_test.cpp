@@ -5,10 +5,11 @@
 #include "chain/models.hpp"
 #include "io/scratch.hpp"
 
+namespace page_test {
+
 using namespace kte;
 using kte::test::contains_text, kte::test::says, kte::test::scratch, kte::test::scratch_folder;
 
-namespace {
 constexpr auto pendulum = models::pendulum.gravity(along_y(-9.81));
 
 std::string page_around(const std::string& scene) {
@@ -23,7 +24,6 @@ std::string count(const std::string& text, const std::string& part) {
   for (auto at = text.find(part); at != text.npos; at = text.find(part, at + 1)) ++n;
   return std::to_string(n);
 }
-}  // namespace
 
 TEST_CASE("a page is the resource with the scene in its place") {
   const scratch file(".html");
@@ -147,3 +147,5 @@ TEST_CASE("scenes whose parts do not fit are refused by name") {
     s.recordings[0].columns.push_back({"c", "", {}});
   });
 }
+
+}  // namespace page_test

@@ -5,10 +5,11 @@
 #include "catch.hpp"
 #include "chain/models.hpp"
 
+namespace recording_test {
+
 using namespace kte;
 using kte::test::says;
 
-namespace {
 constexpr auto pendulum = models::pendulum.gravity(along_y(-9.81));
 
 template <class Chain>
@@ -16,7 +17,6 @@ void turn(const Chain& c, double q, auto& s) {
   set_positions(s, std::array{q});
   c.doMotion(s);
 }
-}  // namespace
 
 TEST_CASE("a recording has poses, coordinates and columns of each row") {
   scene_recording rec(pendulum, {.name = "by hand", .columns = {"tip/position", "q/v"}});
@@ -174,3 +174,5 @@ TEST_CASE("a recording has inputs, vectors and internal states, by which a page 
   CHECK(of_table.signals[0] == 3);
   for (std::size_t i = 1; i < 8; ++i) CHECK(std::isnan(of_table.signals[i]));
 }
+
+}  // namespace recording_test

@@ -4,10 +4,11 @@
 #include "catch.hpp"
 #include "robots/folder.hpp"
 
+namespace robots_test {
+
 using namespace kte;
 using kte::test::contains_text, kte::test::folder;
 
-namespace {
 const std::string tetra = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
 const std::string urdf = R"(<robot name="crane">
   <link name="base"/>
@@ -23,7 +24,6 @@ const std::string urdf = R"(<robot name="crane">
     <limit lower="0" upper="2" effort="1" velocity="1"/><mimic joint="jib" multiplier="2"/></joint>
   <link name="hook"/>
 </robot>)";
-}  // namespace
 
 TEST_CASE("a robot is drawn with its shapes, meshes and ranges, within which it stands") {
   const folder in;
@@ -69,3 +69,5 @@ TEST_CASE("a robot stands in the first configuration of its file") {
   robot.configurations = {{"up", {0.75}}, {"down", {0.5}}};
   CHECK(scene_of(robot).q == std::vector{0.75});
 }
+
+}  // namespace robots_test

@@ -13,16 +13,16 @@
 #include "chain/gear.hpp"
 #include "chain/models.hpp"
 
+namespace scene_test {
+
 using namespace kte;
 
-namespace {
 template <class List>
 std::string names(const List& all) {
   std::string text;
   for (const auto& x : all) text += (text.empty() ? "" : " ") + x.name;
   return text;
 }
-}  // namespace
 
 TEST_CASE("the scene of a chain in the plane") {
   const auto s = scene_of(models::pendulum.gravity(along_y(-9.81)));
@@ -160,3 +160,5 @@ TEST_CASE("all elements of the library are known") {
   }
   CHECK(view::kind_of_element("gear_gen").as == view::drawn::unknown);
 }
+
+}  // namespace scene_test

@@ -7,7 +7,7 @@
 #include "io/scratch.hpp"
 #include "view/svg_document.hpp"
 
-namespace {
+namespace svg_example_test {
 
 const std::filesystem::path kept = std::filesystem::path(__FILE__).parent_path() / "../../docs/pictures";
 
@@ -31,8 +31,6 @@ struct skeleton {
     }
   }
 };
-
-}  // namespace
 
 TEST_CASE("the pictures of the documentation are those that the example makes") {
   const kte::test::scratch_folder folder;
@@ -64,3 +62,5 @@ TEST_CASE("the picture of README moves without scripts, and is small") {
   CHECK(text.find("<script") == std::string::npos);
   CHECK(kte::test::read_svg(text).all("animate").size() > 5);
 }
+
+}  // namespace svg_example_test

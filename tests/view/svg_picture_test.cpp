@@ -6,12 +6,12 @@
 #include "view/svg_document.hpp"
 #include "view/svg_scenes.hpp"
 
+namespace svg_picture_test {
+
 using namespace kte;
 using test::message_of;
 using test::read_svg;
 using test::svg_element;
-
-namespace {
 
 /// The numbers of a text in their order, whatever stands between them.
 std::vector<double> numbers_in(const std::string& text) {
@@ -52,8 +52,6 @@ double scale_of(const svg_element& root) {
   REQUIRE(bar.size() == 8);
   return bar[4] / metres;
 }
-
-}  // namespace
 
 TEST_CASE("a mechanism at several times has a group for each, the last one darkest, at the poses of that time") {
   const auto s = test::double_pendulum();
@@ -272,3 +270,5 @@ TEST_CASE("pictures are written into files") {
   write_moving_picture(file.path, s);
   CHECK(file.text() == moving_picture(s));
 }
+
+}  // namespace svg_picture_test

@@ -4,11 +4,11 @@
 #include "io/scratch.hpp"
 #include "view/svg_document.hpp"
 
+namespace svg_plot_test {
+
 using namespace kte;
 using test::message_of;
 using test::read_svg;
-
-namespace {
 
 constexpr double gap = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
 
@@ -33,8 +33,6 @@ bool has(const std::vector<std::string>& all, const std::string& x) {
 /// The curves: groups with the name of a column as title.
 std::vector<const test::svg_element*> curves(const test::svg_element& root) { return root.all("g"); }
 std::vector<std::string> texts(const std::string& svg) { return read_svg(svg).texts("text"); }
-
-}  // namespace
 
 TEST_CASE("each quantity has a panel, with its name or that of the column, and its unit") {
   const auto svg = plot(run(), {"elbow", "elbow/v", "tool/position", "tool/torque/z", "motor"},
@@ -270,3 +268,5 @@ TEST_CASE("a plot is written into a file, of the size of a column of a journal")
   CHECK(read_svg(file.text())["width"] == "85mm");
   CHECK(message_of<bad_file>([&] { write_plot(file.path / "x.svg", t); }) != "");
 }
+
+}  // namespace svg_plot_test

@@ -3,6 +3,8 @@
 #include "catch.hpp"
 #include "view/svg_document.hpp"
 
+namespace svg_text_test {
+
 using namespace kte::detail::svg;
 
 TEST_CASE("texts of any bytes are text of XML, and what cannot be shown is U+FFFD") {
@@ -59,3 +61,5 @@ TEST_CASE("exponents are raised and what follows is not") {
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<text>energy (10<tspan font-size=\"1.4\" dy=\"-.7\">−9</tspan>"
         "<tspan dy=\".7\"> J)</tspan></text>\n");
 }
+
+}  // namespace svg_text_test

@@ -3,9 +3,9 @@
 
 #include "catch.hpp"
 
-using namespace kte::detail::svg;
+namespace svg_ticks_test {
 
-namespace {
+using namespace kte::detail::svg;
 
 std::string labels(const tick_list& list) {
   std::string s;
@@ -27,8 +27,6 @@ number_range range_of(const std::vector<double>& numbers) {
 plot_axis axis_of(number_range r, bool logarithmic = false) { return {r, logarithmic, 0, 100}; }
 
 constexpr double most = std::numeric_limits<double>::max(), least = std::numeric_limits<double>::denorm_min();
-
-}  // namespace
 
 TEST_CASE("ticks are 1, 2 or 5 times a power of ten, and labels their digits") {
   CHECK(labels(linear_ticks(0, 10, 6)) == "0 2 4 6 8 10");
@@ -152,3 +150,5 @@ TEST_CASE("labels of a horizontal axis have room") {
   }
   CHECK(fitting_ticks(plot_axis({0, 1}, false, 0, 150), 3).ticks.size() == 6);
 }
+
+}  // namespace svg_ticks_test

@@ -8,10 +8,10 @@
 #include "view/svg_document.hpp"
 #include "view/svg_scenes.hpp"
 
+namespace svg_topology_test {
+
 using namespace kte;
 using test::read_svg;
-
-namespace {
 
 /// A random tree with this number of joints, with a motor each, a spring from the first to the last body, and a loop.
 scene random_tree(int joints, unsigned seed) {
@@ -44,8 +44,6 @@ std::vector<rectangle> boxes(const test::svg_element& root) {
           {e->number("x"), e->number("x") + e->number("width"), e->number("y"), e->number("y") + e->number("height")});
   return all;
 }
-
-}  // namespace
 
 TEST_CASE("trees are tidy: parents over the middle of their children, nothing over anything") {
   using detail::svg::tidy_tree;
@@ -132,3 +130,5 @@ TEST_CASE("a topology is made to fit a width, of any names, of nothing at all") 
   write_topology(file.path, test::double_pendulum());
   CHECK(file.text() == topology_picture(test::double_pendulum()));
 }
+
+}  // namespace svg_topology_test

@@ -4,10 +4,10 @@
 
 #include "catch.hpp"
 
+namespace arkode_test {
+
 using namespace kte;
 using kte::test::contains_text;
-
-namespace {
 
 using scalar_state = Eigen::Matrix<double, 1, 1>;
 const scalar_state start(1.0);
@@ -15,9 +15,7 @@ const scalar_state start(1.0);
 constexpr auto bell = [](double t, const scalar_state& x) { return scalar_state(-t * x[0]); };
 const tolerances<double> tight{.absolute = 1e-10, .relative = 1e-10};
 
-}  // namespace
-
-TEST_CASE("ARKODE: the table is that of the argument, explicit or implicit", "[both]") {
+TEST_CASE("ARKODE: the table is that of the argument, explicit or implicit") {
   kte::sundials::explicit_runge_kutta verner(bell, 0.0, start, tight, ARKODE_VERNER_8_5_6);
   kte::sundials::implicit_runge_kutta trbdf2(bell, 0.0, start, {}, ARKODE_TRBDF2_3_3_2);
   verner.integrate(1), trbdf2.integrate(1);
@@ -71,3 +69,5 @@ TEST_CASE("ARKODE: backward, f is called at the times that are, and the statisti
   CHECK(dormand_prince.statistics().rejected == before + by_error + by_newton);
   CHECK(by_error > 0);
 }
+
+}  // namespace arkode_test

@@ -2,11 +2,13 @@
 
 #include "catch.hpp"
 
+namespace counts_test {
+
 using namespace kte;
 using kte::sundials::detail::accountant;
 using kte::sundials::detail::counts;
 
-TEST_CASE("SUNDIALS: what is counted from zero at each start adds up", "[both]") {
+TEST_CASE("SUNDIALS: what is counted from zero at each start adds up") {
   accountant a;
   step_statistics all;
   all.rejected = 100, all.jacobians = 200, all.factorizations = 300;
@@ -27,3 +29,5 @@ TEST_CASE("SUNDIALS: what is counted from zero at each start adds up", "[both]")
   CHECK(all.steps == 0);
   CHECK(all.evaluations == 0);
 }
+
+}  // namespace counts_test

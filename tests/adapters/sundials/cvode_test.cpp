@@ -2,9 +2,9 @@
 
 #include "catch.hpp"
 
-using namespace kte;
+namespace cvode_test {
 
-namespace {
+using namespace kte;
 
 constexpr auto oscillator = [](double, const Eigen::Vector2d& x) { return Eigen::Vector2d(x[1], -x[0]); };
 const Eigen::Vector2d start(1, 0);
@@ -21,9 +21,7 @@ int highest_order(Solver& solver) {
   return most;
 }
 
-}  // namespace
-
-TEST_CASE("CVODE: orders up to 5 and up to 12, or what is asked of its memory", "[both]") {
+TEST_CASE("CVODE: orders up to 5 and up to 12, or what is asked of its memory") {
   kte::sundials::bdf bdf(oscillator, 0.0, start, tight), bdf_of_2(oscillator, 0.0, start, tight);
   kte::sundials::adams adams(oscillator, 0.0, start, tight);
   CHECK(highest_order(bdf) == 5);
@@ -61,3 +59,5 @@ TEST_CASE("CVODE: its counts are the statistics, of all starts together") {
   check(bdf, true);
   check(adams, false);  // functional iteration: no Jacobian
 }
+
+}  // namespace cvode_test

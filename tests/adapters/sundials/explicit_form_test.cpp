@@ -7,9 +7,9 @@
 
 // How CVODE and ARKODE call f and its Jacobian.
 
-using namespace kte;
+namespace explicit_form_test {
 
-namespace {
+using namespace kte;
 
 /// x' = A x with A far from symmetric: eigenvalues -1, -10, -1000.
 const Eigen::Matrix3d slopes{{-1.0, 5.0, -20.0}, {0.0, -10.0, 300.0}, {0.0, 0.0, -1000.0}};
@@ -66,11 +66,11 @@ void check() {
   CHECK(solve<Solver, Eigen::Vector3d>(returns).evaluations == differences.evaluations);
 }
 
-}  // namespace
-
 TEST_CASE("SUNDIALS: Jacobians are (1), called where f has one, of sizes that are fixed or not") {
   check<kte::sundials::bdf, Eigen::Vector3d>();
   check<kte::sundials::bdf, Eigen::VectorXd>();
   check<kte::sundials::implicit_runge_kutta, Eigen::Vector3d>();
   check<kte::sundials::implicit_runge_kutta, Eigen::VectorXd>();
 }
+
+}  // namespace explicit_form_test

@@ -2,9 +2,9 @@
 
 #include "catch.hpp"
 
-using namespace kte::sundials::detail;
+namespace handles_test {
 
-namespace {
+using namespace kte::sundials::detail;
 
 int freed = 0;
 void count_one(int* p) { freed += *p; }
@@ -13,9 +13,7 @@ void count_one_at(void** p) {
   *p = nullptr;
 }
 
-}  // namespace
-
-TEST_CASE("SUNDIALS: owners free once what they have, by the function of its kind, and nothing else", "[both]") {
+TEST_CASE("SUNDIALS: owners free once what they have, by the function of its kind, and nothing else") {
   int three = 3;
   freed = 0;
   {
@@ -64,3 +62,5 @@ TEST_CASE("SUNDIALS: a dense system is of the size of its vector, and solved") {
   REQUIRE(SUNLinSolSolve(solver.solver.get(), solver.matrix.get(), x.get(), b.get(), 0) == 0);
   CHECK(numbers<Eigen::Vector3d>(x.get()) == Eigen::Vector3d(1, -2, 3));  // small integers: exact
 }
+
+}  // namespace handles_test

@@ -4,9 +4,11 @@
 
 #include "catch.hpp"
 
+namespace relay_test {
+
 using kte::sundials::detail::relay;
 
-TEST_CASE("SUNDIALS: an exception is kept, the flag says stop, and it is thrown once", "[both]") {
+TEST_CASE("SUNDIALS: an exception is kept, the flag says stop, and it is thrown once") {
   relay r;
   CHECK(r.guard([] { return 0; }) == 0);
   CHECK(r.guard([] { return 1; }) == 1);  // to be cured by a shorter step
@@ -44,3 +46,5 @@ TEST_CASE("SUNDIALS: the last message is kept, in a copy, until the next step") 
   CHECK(r.message().empty());
   CHECK(!r.has_exception());
 }
+
+}  // namespace relay_test
