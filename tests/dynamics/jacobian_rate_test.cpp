@@ -4,10 +4,11 @@
 
 #include "dynamics/small_chains.hpp"
 #include "dynamics/square.hpp"
-
-// Rates of Jacobians: a formula, differences, identities with accelerations, static against runtime.
+#include "static_models/static_model.hpp"
 
 namespace jacobian_rate_test {
+
+// Rates of Jacobians: a formula, differences, identities with accelerations, static against runtime.
 
 using namespace kte;
 using namespace kte::test;
@@ -17,38 +18,51 @@ constexpr double eps = std::numeric_limits<double>::epsilon();
 /// Columns are sums of products along at most 8 poses, their rates of as many with rates below 10.
 constexpr double rounding = 200 * eps;
 
-template <class Chain, class Frame, class Axes>
-void check_axes(const Chain& c, const runtime_chain& model, const Frame& frame, unsigned seed, Axes axes) {
-  auto s = model.make_state();
+/// The functions under test of a frame of a static chain.
+struct functions {
+  using vector = Eigen::VectorXd;
+  Eigen::MatrixXd (*jacobian)(const vector& q);
+  Eigen::MatrixXd (*rate)(const vector& q, const vector& v);
+  vector (*bias)(const vector& q, const vector& v);
+};
+template <const auto& Chain, const auto& Frame, class Axes>
+constexpr functions functions_of{
+    [](const auto& q) -> Eigen::MatrixXd { return jacobian(Chain, q, Frame, Axes()); },
+    [](const auto& q, const auto& v) -> Eigen::MatrixXd { return jacobian_rate(Chain, q, v, Frame, Axes()); },
+    [](const auto& q, const auto& v) -> Eigen::VectorXd {
+      return eigen(bias_acceleration(Chain, q, v, Frame, Axes()));
+    }};
+
+template <class Axes>
+void check_axes(const functions& f, const runtime_chain& c, std::string_view frame, unsigned seed, Axes axes) {
+  auto s = c.make_state();
   random_numbers random(seed);
   for (int round = 0; round < 3; ++round) {
-    const random_motion_of<double, Chain> m(c, random);
-    const auto j = jacobian(c, m.q, frame, axes);
-    const auto rate = jacobian_rate(c, m.q, m.v, frame, axes);
-    const Eigen::MatrixXd r = jacobian_rate(model, s, m.q, m.v, frame.name, axes);
+    const random_motion<double> m(c, random);
+    const auto j = f.jacobian(m.q), rate = f.rate(m.q, m.v);
+    const Eigen::MatrixXd r = jacobian_rate(c, s, m.q, m.v, frame, axes);
     CHECK(gap(r, rate) < rounding);
-    CHECK(gap(jacobian_rate(model, s, frame.name, axes), r) == 0);
-    if constexpr (!std::is_same_v<Axes, in_own_axes_t>)
-      CHECK(gap(jacobian(model, s, m.q, frame.name, axes), j) < rounding);
+    CHECK(gap(jacobian_rate(c, s, frame, axes), r) == 0);
+    if constexpr (!std::is_same_v<Axes, in_own_axes_t>) CHECK(gap(jacobian(c, s, m.q, frame, axes), j) < rounding);
     // dJ/dt v, of passes.
-    const auto bias = eigen(bias_acceleration(c, m.q, m.v, frame, axes));
+    const auto bias = f.bias(m.q, m.v);
     CHECK(gap(rate * m.v, bias) < rounding);
-    CHECK(gap(eigen(bias_acceleration(model, s, m.q, m.v, frame.name, axes)), bias) < rounding);
+    CHECK(gap(eigen(bias_acceleration(c, s, m.q, m.v, frame, axes)), bias) < rounding);
     // Central differences: h^2 f'''/6 of numbers below 1e3, and eps/h.
     const double h = 1e-5;
-    const auto at = [&](double t) { return jacobian(c, integrate(c, m.q, m.v, t), frame, axes); };
+    const auto at = [&](double t) { return f.jacobian(integrate(c, m.q, m.v, t)); };
     CHECK(gap((at(h) - at(-h)) / (2 * h), rate) < 1e-7);
   }
 }
-template <class Chain, class Frame>
-void check(const Chain& c, const Frame& frame, unsigned seed) {
-  const auto model = models::element_by_element(c);
-  check_axes(c, model, frame, seed, in_own_axes);
-  check_axes(c, model, frame, seed + 1, in_world_axes);
-  check_axes(c, model, frame, seed + 2, at_world_origin);
+template <const auto& Chain, const auto& Frame>
+void check(unsigned seed) {
+  const auto c = models::element_by_element(Chain);
+  check_axes(functions_of<Chain, Frame, in_own_axes_t>, c, Frame.name, seed, in_own_axes);
+  check_axes(functions_of<Chain, Frame, in_world_axes_t>, c, Frame.name, seed + 1, in_world_axes);
+  check_axes(functions_of<Chain, Frame, at_world_origin_t>, c, Frame.name, seed + 2, at_world_origin);
 }
 
-TEST_CASE("rate of the Jacobian of a point on a wheel, by its formula") {
+TEST_CASE("rate of the Jacobian of a point on a wheel, by its formula", "[laws]") {
   // p = (l cos q, l sin q): in own axes J = (0, l, 1) for ever; in the world (-l sin q, l cos q), and 0 at the origin.
   constexpr auto c = chain(revolute_joint_2D(q1, table, cart), rigid_link_2D(cart, rail, along_x(0.5)));
   const std::array q{0.3}, v{2.0};
@@ -64,19 +78,19 @@ TEST_CASE("rate of the Jacobian of a point on a wheel, by its formula") {
 }
 
 TEST_CASE("rates of Jacobians by differences and accelerations, static and runtime") {
-  check(floating, tip, 1);
-  check(floating, aside, 2);
-  check(planar, disc, 3);
-  check(geared, palm, 4);
+  check<floating, tip>(1);
+  check<floating, aside>(2);
+  check<planar, disc>(3);
+  check<geared, palm>(4);
 }
 
 TEST_CASE("rate of a Jacobian whose coordinate follows another by a ratio that changes") {
-  constexpr auto c = chain(revolute_joint_3D(q1, ground, body, axis::x), connect(square{}, q1, f1),
-                           prismatic_joint_3D(f1, body, hand, axis::y));
+  static constexpr auto c = chain(revolute_joint_3D(q1, ground, body, axis::x), connect(square{}, q1, f1),
+                                  prismatic_joint_3D(f1, body, hand, axis::y));
   runtime_chain model;
   model << c;
-  check_axes(c, model, hand, 5, in_own_axes);
-  check_axes(c, model, hand, 6, at_world_origin);
+  check_axes(functions_of<c, hand, in_own_axes_t>, model, "hand", 5, in_own_axes);
+  check_axes(functions_of<c, hand, at_world_origin_t>, model, "hand", 6, at_world_origin);
 }
 
 TEST_CASE("rates of Jacobians where the base moves") {

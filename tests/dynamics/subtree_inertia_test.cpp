@@ -3,10 +3,11 @@
 #include <limits>
 
 #include "dynamics/small_chains.hpp"
-
-// What a frame carries: a formula, the mass matrix, the centre of mass of all; static against runtime.
+#include "static_models/static_model.hpp"
 
 namespace subtree_inertia_test {
+
+// What a frame carries: a formula, the mass matrix, the centre of mass of all; static against runtime.
 
 using namespace kte;
 using namespace kte::test;
@@ -21,21 +22,28 @@ Eigen::Matrix<double, 10, 1> eigen(const dense_composite_inertia<double>& b) {
   x << m, h.x, h.y, h.z, i.xx, i.xy, i.xz, i.yy, i.yz, i.zz;
   return x;
 }
-template <class Chain, class Frame>
-void check_runtime(const Chain& c, const Frame& frame, unsigned seed) {
-  const auto model = models::element_by_element(c);
-  auto s = model.make_state();
+/// The functions of a frame of a static chain, against those of a runtime chain.
+void check_runtime(dense_composite_inertia<double> (*inertia)(const Eigen::VectorXd& q),
+                   mass_centre<> (*mass_centre_of)(const Eigen::VectorXd& q), const runtime_chain& c,
+                   std::string_view frame, unsigned seed) {
+  auto s = c.make_state();
   random_numbers random(seed);
   const auto q = random_configuration<double>(c, random);
-  const auto b = eigen(subtree_inertia(c, q, frame));
-  CHECK(gap(eigen(subtree_inertia(model, s, q, frame.name)), b) < rounding);
-  CHECK(gap(eigen(subtree_inertia(model, s, frame.name)), b) < rounding);
-  const auto centre = carried_mass_centre(c, q, frame), r = carried_mass_centre(model, s, q, frame.name);
+  const auto b = eigen(inertia(q));
+  CHECK(gap(eigen(subtree_inertia(c, s, q, frame)), b) < rounding);
+  CHECK(gap(eigen(subtree_inertia(c, s, frame)), b) < rounding);
+  const auto centre = mass_centre_of(q), r = carried_mass_centre(c, s, q, frame);
   CHECK(r.mass == within_relative(centre.mass, rounding));
-  CHECK(gap(kte::test::small_chains::eigen(r.position), kte::test::small_chains::eigen(centre.position)) < rounding);
+  CHECK(gap(small_chains::eigen(r.position), small_chains::eigen(centre.position)) < rounding);
+}
+template <const auto& Chain, const auto& Frame>
+void check_runtime(unsigned seed) {
+  check_runtime([](const auto& q) { return subtree_inertia(Chain, q, Frame); },
+                [](const auto& q) { return carried_mass_centre(Chain, q, Frame); }, models::element_by_element(Chain),
+                Frame.name, seed);
 }
 
-TEST_CASE("what a frame carries, by its formula") {
+TEST_CASE("what a frame carries, by its formula", "[laws]") {
   // 2 kg at 0.5 m on the cart, then 3 kg on a link of 1 m that is turned by a quarter.
   constexpr auto c = chain(revolute_joint_2D(q1, table, cart), inertia_2D(cart, point_mass(2.0, vec3{0.5, 0.0, zero})),
                            rigid_link_2D(cart, rail, along_x(1.0), quarter_turn),
@@ -60,15 +68,15 @@ TEST_CASE("what a joint carries is the block of the mass matrix, and what the ba
   CHECK(subtree_inertia(floating, q, body).mass == within(m(0, 0), 4 * eps));
   const auto all = carried_mass_centre(floating, q, ground), centre = centre_of_mass(floating, q);
   CHECK(all.mass == within(centre.mass, 4 * eps));
-  CHECK(gap(kte::test::small_chains::eigen(all.position), kte::test::small_chains::eigen(centre.position)) < rounding);
+  CHECK(gap(small_chains::eigen(all.position), small_chains::eigen(centre.position)) < rounding);
 }
 
 TEST_CASE("what frames of runtime chains carry") {
-  check_runtime(floating, socket, 2);
-  check_runtime(floating, ground, 3);
-  check_runtime(planar, rail, 4);
-  check_runtime(geared, socket, 5);
-  check_runtime(models::tree, models::trunk, 6);
+  check_runtime<floating, socket>(2);
+  check_runtime<floating, ground>(3);
+  check_runtime<planar, rail>(4);
+  check_runtime<geared, socket>(5);
+  check_runtime<::models::tree, ::models::trunk>(6);
 }
 
 TEST_CASE("what frames carry, of bad arguments") {

@@ -1,0 +1,102 @@
+#pragma once
+
+#include <kte/dynamics/configuration_space.hpp>
+#include <kte/dynamics/energy.hpp>
+#include <kte/frames/motion.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
+
+#include <Eigen/Core>
+
+#include <utility>
+#include <vector>
+
+#include "digits50.hpp"
+#include "random.hpp"
+
+namespace kte::test {
+
+/// A static chain behind virtual functions. Its algorithms are instantiated once for all tests, and a law is a function
+/// that is compiled once for all chains. Members are the functions of the same name in kte; frames have names here.
+template <class S>
+class static_model {
+ public:
+  using vector = Eigen::Matrix<S, Eigen::Dynamic, 1>;
+  using matrix = Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>;
+  using vector3 = Eigen::Matrix<S, 3, 1>;
+  using vector6 = Eigen::Matrix<S, 6, 1>;
+  using placed = pose<Eigen::Matrix<S, 3, 3>, vector3>;
+  using body = rigid_body<S, vec3<S>, sym3<S>>;
+
+  virtual ~static_model() = default;
+  virtual int dofs() const = 0;
+  virtual vec3<> gravity() const = 0;
+  virtual vector integrate(const vector& q, const vector& v, const S& t) const = 0;
+
+  virtual vector inverse_dynamics(const vector& q, const vector& v, const vector& a) const = 0;
+  virtual matrix mass_matrix(const vector& q) const = 0;
+  virtual vector static_forces(const vector& q) const = 0;
+  virtual vector gravity_forces(const vector& q) const = 0;
+  virtual vector nonlinear_effects(const vector& q, const vector& v) const = 0;
+  virtual vector coriolis_forces(const vector& q, const vector& v) const = 0;
+
+  virtual S potential_energy(const vector& q) const = 0;
+  virtual S kinetic_energy(const vector& q, const vector& v) const = 0;
+  virtual energies<S> energy(const vector& q, const vector& v) const = 0;
+  virtual vector generalized_momenta(const vector& q, const vector& v) const = 0;
+
+  virtual mass_centre<S> centre_of_mass(const vector& q) const = 0;
+  virtual vector3 centre_of_mass_velocity(const vector& q, const vector& v) const = 0;
+  virtual vector6 centroidal_momentum(const vector& q, const vector& v) const = 0;
+  virtual matrix centroidal_momentum_matrix(const vector& q) const = 0;
+  /// All bodies, with the motion of their frames by `doMotion`.
+  virtual std::vector<std::pair<body, frame_3D<S>>> bodies(const vector& q, const vector& v) const = 0;
+
+  virtual placed forward_kinematics(const vector& q, const char* frame) const = 0;
+  virtual vector6 frame_velocity(const vector& q, const vector& v, const char* frame) const = 0;
+  virtual vector6 frame_acceleration(const vector& q, const vector& v, const vector& a, const char* frame) const = 0;
+  virtual matrix jacobian(const vector& q, const char* frame) const = 0;
+  virtual matrix jacobian(const vector& q, const char* frame, in_world_axes_t) const = 0;
+};
+
+/// One chain in all forms.
+struct model {
+  const static_model<double>& in_double;
+  const static_model<digits50>& exact;
+  const static_model<digits50>& weightless;  ///< without gravity
+  runtime_chain runtime;                     ///< its elements one by one
+};
+/// The chains of `small_chains`, iiwa14 and `models::tree`. Frames: `tool`; `body`, `tip`, `aside`; `disc`; `palm`,
+/// `tip`; `shank`, `hand`. Chains with springs and dampers have none.
+namespace static_models {
+const model& iiwa14();
+const model& floating();
+const model& floating_with_springs();
+const model& floating_with_dampers();
+const model& planar();
+const model& geared();
+const model& tree();
+}  // namespace static_models
+
+/// n numbers up to this size.
+Eigen::VectorXd random_vector(int n, double size, random_numbers& random);
+/// The neutral configuration, moved at random.
+template <class S>
+typename static_model<S>::vector random_configuration(const runtime_chain& c, random_numbers& random) {
+  return integrate(c, neutral_configuration(c), random_vector(c.dofs(), 2, random), 1.0).template cast<S>();
+}
+/// A configuration, velocities and accelerations: the same numbers in all scalars.
+template <class S>
+struct random_motion {
+  using vector = typename static_model<S>::vector;
+  vector q, v, a;
+
+  random_motion(const runtime_chain& c, random_numbers& random)
+      : q(random_configuration<S>(c, random)),
+        v(random_vector(c.dofs(), 2, random).template cast<S>()),
+        a(random_vector(c.dofs(), 5, random).template cast<S>()) {}
+  /// Where this motion is at time t, and its velocity then: both to second order in t.
+  vector position_at(const static_model<S>& c, const S& t) const { return c.integrate(q, v + a * (t / 2), t); }
+  vector velocity_at(const S& t) const { return v + a * t; }
+};
+
+}  // namespace kte::test
