@@ -88,7 +88,7 @@ void check_double(const model& x, unsigned seed) {
   }
 }
 
-TEST_CASE("bias against 31 digits", "[laws]") {
+TEST_CASE("bias against 31 digits") {
   // As inverse dynamics (reference_test.cpp, floating_base_test.cpp).
   for (const auto& x : reference::iiwa14) CHECK(off(nonlinear_effects(robots::iiwa14, x.q, x.v), x.bias, 7) < 1e-15L);
   for (const auto& x : reference::solo12) CHECK(off(nonlinear_effects(robots::solo12, x.q, x.v), x.bias, 18) < 1e-15L);

@@ -103,7 +103,7 @@ void check_free_fall(const model& x, const Chain& chain, int outside, unsigned s
   }
 }
 
-TEST_CASE("centre of mass and momentum from the bodies, at 50 digits", "[laws]") {
+TEST_CASE("centre of mass and momentum from the bodies, at 50 digits") {
   // Its first two links lie along one fixed axis, so that poses add their lengths in double.
   check_exactly(static_models::iiwa14(), 1, 1e-15);
   check_exactly(static_models::floating(), 2);

@@ -85,7 +85,7 @@ void check(const model& x, unsigned seed) {
   check(x, coriolis<Chain>, mass_rate<Chain>, rate_of_momenta<Chain>, numbers, seed);
 }
 
-TEST_CASE("Coriolis matrix of two links, by its formula", "[laws]") {
+TEST_CASE("Coriolis matrix of two links, by its formula") {
   // m_2 at l_2 on a link of l_1: h = -m_2 l_1 l_2 sin q_2 and C = (h v_2, h (v_1 + v_2); -h v_1, 0).
   constexpr auto c = chain(revolute_joint_2D(q1, table, cart), rigid_link_2D(cart, rail, along_x(0.75)),
                            revolute_joint_2D(q2, rail, disc), inertia_2D(disc, point_mass(0.8, vec3{0.5, 0.0, zero})));

@@ -61,7 +61,7 @@ void check_double(const model& x, unsigned seed) {
   }
 }
 
-TEST_CASE("energies of solo12 against 31 digits", "[laws]") {
+TEST_CASE("energies of solo12 against 31 digits") {
   const auto model = models::element_by_element(robots::solo12);
   auto s = model.make_state();
   constexpr long double bound = 1e-15L;  // as of its other numbers

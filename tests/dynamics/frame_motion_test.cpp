@@ -85,7 +85,7 @@ void check_poses(const Chain& c, const Frame& frame, unsigned seed) {
   }
 }
 
-TEST_CASE("velocities and accelerations of frames by differences at 50 digits", "[laws]") {
+TEST_CASE("velocities and accelerations of frames by differences at 50 digits") {
   check_by_differences(static_models::iiwa14(), "tool", 1);
   check_by_differences(static_models::floating(), "body", 2);
   check_by_differences(static_models::floating(), "tip", 3);

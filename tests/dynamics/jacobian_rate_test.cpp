@@ -62,7 +62,7 @@ void check(unsigned seed) {
   check_axes(functions_of<Chain, Frame, at_world_origin_t>, c, Frame.name, seed + 2, at_world_origin);
 }
 
-TEST_CASE("rate of the Jacobian of a point on a wheel, by its formula", "[laws]") {
+TEST_CASE("rate of the Jacobian of a point on a wheel, by its formula") {
   // p = (l cos q, l sin q): in own axes J = (0, l, 1) for ever; in the world (-l sin q, l cos q), and 0 at the origin.
   constexpr auto c = chain(revolute_joint_2D(q1, table, cart), rigid_link_2D(cart, rail, along_x(0.5)));
   const std::array q{0.3}, v{2.0};

@@ -96,7 +96,7 @@ void check_kept(const model& x, std::initializer_list<const char*> frames) {
   }
 }
 
-TEST_CASE("Jacobian of a foot of solo12 against 31 digits", "[laws]") {
+TEST_CASE("Jacobian of a foot of solo12 against 31 digits") {
   // As for its other numbers (floating_base_test.cpp): a few eps of the largest.
   constexpr long double bound = 1e-15L;
   const auto& foot = robots::solo12_names::hr.foot;

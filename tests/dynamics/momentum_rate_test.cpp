@@ -53,7 +53,7 @@ void check(const model& x, const functions& f, unsigned seed) {
   }
 }
 
-TEST_CASE("momentum rate of two masses on a turning rod, by its formula", "[laws]") {
+TEST_CASE("momentum rate of two masses on a turning rod, by its formula") {
   // 1 kg at 2 m and 3 kg at 0: c at 0.5 m, p' = m (-v^2, a) c, k_G' = (1 * 1.5^2 + 3 * 0.5^2) a.
   constexpr auto c = chain(revolute_joint_2D(q1, table, cart), inertia_2D(cart, point_mass(3.0)),
                            inertia_2D(cart, point_mass(1.0, vec3{2.0, 0.0, zero})))

@@ -34,7 +34,7 @@ void check_change(const model& x, unsigned seed) {
   CHECK(gap(change, differences) < by_differences);
 }
 
-TEST_CASE("generalized momenta are the mass matrix times velocities", "[laws]") {
+TEST_CASE("generalized momenta are the mass matrix times velocities") {
   check_momenta(static_models::iiwa14(), 1);
   check_momenta(static_models::floating_with_springs(), 3);
   check_momenta(static_models::planar(), 4);

@@ -139,7 +139,7 @@ void check(const model& x, unsigned seed) {
   check(x, inertial_parameters(Chain), regressor, record_of(Chain), seed);
 }
 
-TEST_CASE("regressor of two links in the plane, by its formula", "[laws]") {
+TEST_CASE("regressor of two links in the plane, by its formula") {
   // Both frames in the joints, bodies with c anywhere. At 50 digits, then in double.
   const auto check_formula = [](const auto& arm, auto scalar, double tolerance) {
     using S = decltype(scalar);

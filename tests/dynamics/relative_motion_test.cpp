@@ -76,7 +76,7 @@ void check(unsigned seed) {
   check(functions_of<Chain, B, A>, functions_of<Chain, A, B>, models::element_by_element(Chain), B.name, A.name, seed);
 }
 
-TEST_CASE("relative motion of frames by identities, differences and runtime chains", "[laws]") {
+TEST_CASE("relative motion of frames by identities, differences and runtime chains") {
   check<floating, tip, aside>(1);    // on two branches
   check<floating, hand, tip>(2);     // the one on the other
   check<floating, body, ground>(3);  // a frame in its base

@@ -43,7 +43,7 @@ void check_runtime(unsigned seed) {
                 Frame.name, seed);
 }
 
-TEST_CASE("what a frame carries, by its formula", "[laws]") {
+TEST_CASE("what a frame carries, by its formula") {
   // 2 kg at 0.5 m on the cart, then 3 kg on a link of 1 m that is turned by a quarter.
   constexpr auto c = chain(revolute_joint_2D(q1, table, cart), inertia_2D(cart, point_mass(2.0, vec3{0.5, 0.0, zero})),
                            rigid_link_2D(cart, rail, along_x(1.0), quarter_turn),

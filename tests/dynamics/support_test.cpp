@@ -30,7 +30,7 @@ void check(unsigned seed) {
         c, Frame.name);
 }
 
-TEST_CASE("what moves a frame are the columns of its Jacobian that are not zero", "[laws]") {
+TEST_CASE("what moves a frame are the columns of its Jacobian that are not zero") {
   check<floating, tip>(1);
   check<floating, aside>(2);
   check<floating, ground>(3);
