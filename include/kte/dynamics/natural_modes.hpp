@@ -4,6 +4,8 @@
 #include <kte/runtime_chain.hpp>
 
 #ifdef KTE_FUNCTION
+#  include <kte/kernels/eigen_decomposition.hpp>
+
 #  include <Eigen/Cholesky>
 #  include <Eigen/Eigenvalues>
 
@@ -106,12 +108,12 @@ inline void solve_damped(const undamped_modes& modes, const Eigen::MatrixXd& k, 
       rates(n + i, n + j) = -by_rate(from, to);
     }
   }
-  const Eigen::EigenSolver<Eigen::MatrixXd> all(rates);
+  const eigen_decomposition all = eigen_decomposition_of(rates, true);
   for (Eigen::Index i = 0; i < 2 * n; ++i) {
-    const std::complex<double> root = all.eigenvalues()[i];
+    const std::complex<double> root = all.values[i];
     if (root.imag() < 0) continue;
     roots.push_back(root);
-    shapes.push_back(basis * all.eigenvectors().col(i).head(n));
+    shapes.push_back(basis * all.vectors.col(i).head(n));
   }
 }
 

@@ -47,15 +47,17 @@ class connected_element : public kte_element {
   std::span<const std::string> names() const final { return names_; }
   bool holds_code() const final { return facts_.holds_code; }
   void for_each_element(const std::function<void(const kte_element&)>& visit) const final { visit(*this); }
-  void connect(topology& t) final;
-  void check_parameters() const final;
+  void connect(topology& t) final { connect_to(t); }
+  void check_parameters() const final { refuse_bad_parameters(); }
 
  protected:
   connected_element(const core_facts& facts, std::span<std::string> names);
   connected_element(const connected_element&);
-  ~connected_element() override;
 
  private:
+  // Not virtual: units compile the virtual functions of a class if one of them is not defined in it.
+  void connect_to(topology& t);
+  void refuse_bad_parameters() const;
   /// Checks the parameters of the core.
   virtual void check_core(const parameter_check& where) const = 0;
 
@@ -68,9 +70,7 @@ class connected_element : public kte_element {
     : facts_(facts), names_(std::make_move_iterator(names.begin()), std::make_move_iterator(names.end())) {}
 [[gnu::cold]] KTE_FUNCTION connected_element::connected_element(const connected_element& o)
     : kte_element(o), facts_(o.facts_), names_(o.names_) {}
-[[gnu::cold]] KTE_FUNCTION connected_element::~connected_element() = default;
-
-[[gnu::cold]] KTE_FUNCTION void connected_element::connect(topology& t) {
+[[gnu::cold]] KTE_FUNCTION void connected_element::connect_to(topology& t) {
   t.connect(this, facts_.type, facts_.ports, names_);
   auto& c = t.elements.back();
   connect_as(c.index);
@@ -79,7 +79,7 @@ class connected_element : public kte_element {
   c.starts_in_place = facts_.starts_in_place, c.parameters = facts_.parameters;
   t.has_derivatives &= facts_.has_derivatives;
 }
-[[gnu::cold]] KTE_FUNCTION void connected_element::check_parameters() const {
+[[gnu::cold]] KTE_FUNCTION void connected_element::refuse_bad_parameters() const {
   const std::vector<std::string_view> texts(names_.begin(), names_.end());
   parameter_check::breach broken;
   const parameter_check where{facts_.type, facts_.ports, texts, broken};

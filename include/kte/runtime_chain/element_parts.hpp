@@ -160,11 +160,9 @@ class with_closed_frames : public Base {
   using core = typename Base::core_type;
 
  public:
+  using Base::close_frames;
   closure_rows rows() const final { return core::rows; }
   void close_frames(const closing_motion<double>& m, closing what, double* rows) const final {
-    close_frames_by(this->core_, m, what, rows);
-  }
-  void close_frames(const closing_motion<derivative_number>& m, closing what, derivative_number* rows) const final {
     close_frames_by(this->core_, m, what, rows);
   }
   void close_frames(std::span<const closing_motion<double>> motions, double* rows) const final {
@@ -173,6 +171,19 @@ class with_closed_frames : public Base {
         close_frames_by(this->core_, m, what, rows);
         rows += (what == closing::wrenches ? 6 : 1) * closing_stride;
       }
+  }
+
+ protected:
+  using Base::Base;
+};
+
+/// For closures of frames; of contacts `touch_at` is derived.
+template <class Base>
+class with_derived_frames : public Base {
+ public:
+  using Base::close_frames;
+  void close_frames(const closing_motion<derivative_number>& m, closing what, derivative_number* rows) const final {
+    close_frames_by(this->core_, m, what, rows);
   }
   bool is_upright(const closing_motion<double>& m) const final { return is_upright_by(this->core_, m); }
 
@@ -245,7 +256,8 @@ class parts_of_element {
   using keeping = add<(kept_count<Core> > 0), with_internal_states, massive>;
   using touching = add<is_contact<Core>, with_touch, keeping>;
   using closing_frames = add<is_contact<Core> || (is_closure<Core> && on_frames), with_closed_frames, touching>;
-  using closing_coordinates = add<is_closure<Core> && !on_frames, with_closed_coordinates, closing_frames>;
+  using derived_frames = add<is_closure<Core> && on_frames, with_derived_frames, closing_frames>;
+  using closing_coordinates = add<is_closure<Core> && !on_frames, with_closed_coordinates, derived_frames>;
 
  public:
   using type = add<derived_by_parameters<Core>, with_closure_parameters, closing_coordinates>;

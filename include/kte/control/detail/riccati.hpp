@@ -1,9 +1,9 @@
 #pragma once
 
 #include <kte/errors.hpp>
+#include <kte/kernels/eigen_decomposition.hpp>
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
 #include <cmath>
@@ -33,9 +33,7 @@ inline double smallest_pivot(const Eigen::MatrixXd& re, const Eigen::MatrixXd& i
   both << re, -im, im, re;
   return Eigen::FullPivLU<Eigen::MatrixXd>(both).matrixLU().diagonal().cwiseAbs().minCoeff();
 }
-inline Eigen::VectorXcd eigenvalues_of(const Eigen::MatrixXd& m) {
-  return Eigen::EigenSolver<Eigen::MatrixXd>(m, false).eigenvalues();
-}
+inline Eigen::VectorXcd eigenvalues_of(const Eigen::MatrixXd& m) { return eigen_decomposition_of(m, false).values; }
 
 /// A balanced problem without N. With R = L L',
 ///
