@@ -4,64 +4,62 @@
 #include "dynamics/small_chains.hpp"
 #include "robots/iiwa14.hpp"
 #include "robots/solo12.hpp"
+#include "static_models/static_model.hpp"
+
+namespace energy_test {
 
 // Energies: against 31 digits, the mass matrix, by hand, and by the work that is done along a motion.
 
 using namespace kte;
 using namespace kte::test;
-using namespace kte::test::small_chains;
-
-namespace {
+using small_chains::big, small_chains::by_differences, small_chains::derivative;
 
 /// v . M v / 2 at 50 digits.
-template <class Chain>
-void check_by_mass_matrix(const Chain& c, unsigned seed, double tolerance = 1e-45) {
+void check_by_mass_matrix(const model& x, unsigned seed, double tolerance = 1e-45) {
+  const auto& c = x.exact;
   random_numbers random(seed);
   for (int round = 0; round < 3; ++round) {
-    const random_motion_of<big, Chain> m(c, random);
-    const big expected = m.v.dot(mass_matrix(c, m.q) * m.v) / 2;
-    CHECK(abs(big(kinetic_energy(c, m.q, m.v) / expected - 1)) < tolerance);
-    const auto both = energy(c, m.q, m.v);
-    CHECK(both.kinetic == kinetic_energy(c, m.q, m.v));
-    CHECK(both.potential == potential_energy(c, m.q));
+    const random_motion<big> m(x.runtime, random);
+    const big expected = m.v.dot(c.mass_matrix(m.q) * m.v) / 2;
+    CHECK(abs(big(c.kinetic_energy(m.q, m.v) / expected - 1)) < tolerance);
+    const auto both = c.energy(m.q, m.v);
+    CHECK(both.kinetic == c.kinetic_energy(m.q, m.v));
+    CHECK(both.potential == c.potential_energy(m.q));
   }
 }
 /// d/dt energy = tau . v + power of what is no spring, along a motion, at 50 digits.
-template <class Chain>
-void check_work(const Chain& c, unsigned seed, double tolerance = by_differences) {
+void check_work(const model& x, unsigned seed, double tolerance = by_differences) {
+  const auto& c = x.exact;
   random_numbers random(seed);
   for (int round = 0; round < 3; ++round) {
-    const random_motion_of<big, Chain> m(c, random);
+    const random_motion<big> m(x.runtime, random);
     const big change = derivative([&](const big& t) {
-      const auto e = energy(c, position_at(c, m, t), velocity_at(m, t));
+      const auto e = c.energy(m.position_at(c, t), m.velocity_at(t));
       return big(e.kinetic + e.potential);
     });
-    const big power = m.v.dot(inverse_dynamics(c, m.q, m.v, m.a));
+    const big power = m.v.dot(c.inverse_dynamics(m.q, m.v, m.a));
     CHECK(static_cast<double>(abs(big(change - power)) / (1 + abs(power))) < tolerance);
   }
 }
 /// Static and runtime in double against 50 digits. That is a sum of what is not negative,
 /// of squares of sums along at most 8 frames; a potential energy may cancel.
-template <class Chain>
-void check_double(const Chain& c, unsigned seed) {
+void check_double(const model& x, unsigned seed) {
   constexpr double rounding = 100 * std::numeric_limits<double>::epsilon();
   random_numbers random(seed);
-  const auto model = models::element_by_element(c);
-  auto s = model.make_state();
+  auto s = x.runtime.make_state();
   for (int round = 0; round < 20; ++round) {
-    const random_motion_of<double, Chain> m(c, random);
-    const auto e = energy(c, m.q, m.v);
-    const auto x = energy(c, m.q.template cast<big>().eval(), m.v.template cast<big>().eval());
-    CHECK(abs(big(e.kinetic / x.kinetic - 1)) < rounding);
-    CHECK(abs(big(e.potential - x.potential)) < rounding * (100 + abs(x.potential)));  // up to 60 N over a few m
-    const auto r = energy(model, s, m.q, m.v);
+    const random_motion<double> m(x.runtime, random);
+    const auto e = x.in_double.energy(m.q, m.v);
+    const auto exact = x.exact.energy(m.q.cast<big>(), m.v.cast<big>());
+    CHECK(abs(big(e.kinetic / exact.kinetic - 1)) < rounding);
+    CHECK(abs(big(e.potential - exact.potential)) <
+          rounding * (100 + abs(exact.potential)));  // up to 60 N over a few m
+    const auto r = energy(x.runtime, s, m.q, m.v);
     CHECK(std::fabs(r.kinetic / e.kinetic - 1) < rounding);
-    CHECK(abs(big(r.potential - x.potential)) < rounding * (100 + abs(x.potential)));
-    CHECK(potential_energy(model, s, m.q) == r.potential);
+    CHECK(abs(big(r.potential - exact.potential)) < rounding * (100 + abs(exact.potential)));
+    CHECK(potential_energy(x.runtime, s, m.q) == r.potential);
   }
 }
-
-}  // namespace
 
 TEST_CASE("energies of solo12 against 31 digits", "[laws]") {
   const auto model = models::element_by_element(robots::solo12);
@@ -79,27 +77,27 @@ TEST_CASE("energies of solo12 against 31 digits", "[laws]") {
 }
 
 TEST_CASE("kinetic energy by the mass matrix") {
-  check_by_mass_matrix(robots::iiwa14, 1);
-  check_by_mass_matrix(floating, 2);
-  check_by_mass_matrix(planar, 3);
-  check_by_mass_matrix(geared, 4);
-  check_by_mass_matrix(models::tree, 5, 1e-15);  // an axis that is a unit vector to half an eps
+  check_by_mass_matrix(static_models::iiwa14(), 1);
+  check_by_mass_matrix(static_models::floating(), 2);
+  check_by_mass_matrix(static_models::planar(), 3);
+  check_by_mass_matrix(static_models::geared(), 4);
+  check_by_mass_matrix(static_models::tree(), 5, 1e-15);  // an axis that is a unit vector to half an eps
 }
 
 TEST_CASE("work along a motion changes the energy") {
-  check_work(robots::iiwa14, 11);
-  check_work(floating, 12);
-  check_work(floating_with_springs, 13);
-  check_work(planar, 14);
-  check_work(geared, 15);
+  check_work(static_models::iiwa14(), 11);
+  check_work(static_models::floating(), 12);
+  check_work(static_models::floating_with_springs(), 13);
+  check_work(static_models::planar(), 14);
+  check_work(static_models::geared(), 15);
 }
 
 TEST_CASE("energies in double, and of runtime chains") {
-  check_double(robots::iiwa14, 21);
-  check_double(floating_with_springs, 22);
-  check_double(planar, 23);
-  check_double(geared, 24);
-  check_double(models::tree, 25);
+  check_double(static_models::iiwa14(), 21);
+  check_double(static_models::floating_with_springs(), 22);
+  check_double(static_models::planar(), 23);
+  check_double(static_models::geared(), 24);
+  check_double(static_models::tree(), 25);
 }
 
 TEST_CASE("energies by hand") {
@@ -145,3 +143,5 @@ TEST_CASE("energies of bad arguments") {
   fast[0] = 1e200;
   CHECK_THROWS_AS(kinetic_energy(c, good, fast), bad_argument);  // its square is infinite
 }
+
+}  // namespace energy_test
