@@ -4,138 +4,124 @@
 
 #include "dynamics/small_chains.hpp"
 #include "robots/iiwa14.hpp"
-#include "robots/solo12.hpp"
+#include "static_models/static_model.hpp"
+
+namespace centroidal_test {
 
 // Centre of mass and momentum: from the bodies one by one, by differences, by the laws of free fall.
 
 using namespace kte;
 using namespace kte::test;
 using namespace kte::test::small_chains;
-
-namespace {
+using vector3 = static_model<big>::vector3;
+using vector6 = static_model<big>::vector6;
 
 /// Sums over at most 13 bodies along at most 8 frames: less than 100 roundings of the largest number, or of 1.
 constexpr double rounding = 100 * std::numeric_limits<double>::epsilon();
 
-/// Mass, centre of mass, and momentum about the centre of mass, as sums over the bodies with poses and velocities of
-/// their frames.
+/// Mass, centre of mass, and momentum about the centre of mass, as sums over the bodies.
 template <class S>
 struct sums {
+  using vector = typename static_model<S>::vector3;
   S mass{};
-  Eigen::Matrix<S, 3, 1> first = zero_vector(), linear = zero_vector(), angular = zero_vector();
-  static Eigen::Matrix<S, 3, 1> zero_vector() { return {S(0), S(0), S(0)}; }
+  vector first = vector::Zero(), linear = vector::Zero(), angular = vector::Zero();
 
-  Eigen::Matrix<S, 3, 1> centre() const { return first / mass; }
-  Eigen::Matrix<S, 6, 1> momentum() const {
-    Eigen::Matrix<S, 6, 1> r;
+  sums(const static_model<S>& c, const typename static_model<S>::vector& q, const typename static_model<S>::vector& v) {
+    for (const auto& [body, x] : c.bodies(q, v)) {
+      const Eigen::Matrix<S, 3, 3> rotation = to_eigen<S>(x.rotation);
+      const vector com = eigen(body.com), w = eigen(x.ang_velocity);
+      const vector at = eigen(x.position) + rotation * com;
+      const vector p = body.mass * (rotation * (eigen(x.velocity) + w.cross(com)));
+      mass += body.mass, first += body.mass * at, linear += p;
+      angular += rotation * (to_eigen<S>(body.inertia) * w) + at.cross(p);
+    }
+  }
+  vector centre() const { return first / mass; }
+  typename static_model<S>::vector6 momentum() const {
+    typename static_model<S>::vector6 r;
     r << linear, angular - centre().cross(linear);
     return r;
   }
-  template <class Chain, class Q, class V, class Core, class Frame>
-  void add(const Chain& c, const Q& q, const V& v, const element<Core, Frame>& e) {
-    if constexpr (requires { e.core.body; }) {
-      using vector = Eigen::Matrix<S, 3, 1>;
-      const auto x = in_space(forward_kinematics(c, q, Frame{}));
-      const auto rates = frame_velocity(c, q, v, Frame{});
-      const vector com = to_eigen<S>(e.core.body.com), w = eigen(rates.angular);
-      const S m = as<S>(e.core.body.mass);
-      const vector at = x.position + x.rotation * com;
-      const vector p = m * (x.rotation * (eigen(rates.linear) + w.cross(com)));
-      mass += m, first += m * at, linear += p;
-      angular += x.rotation * (to_eigen<S>(e.core.body.inertia) * w) + at.cross(p);
-    }
-  }
-  template <class Chain, class Q, class V, class Core, class... Keys>
-  void add(const Chain&, const Q&, const V&, const element<Core, Keys...>&) {}
-
-  template <class Chain, class Q, class V>
-  sums(const Chain& c, const Q& q, const V& v) {
-    boost::hana::for_each(c.elements(), [&](const auto& e) { add(c, q, v, e); });
-  }
 };
 
-template <class Chain>
-void check_exactly(const Chain& c, unsigned seed, double exact = 1e-45) {
+void check_exactly(const model& x, unsigned seed, double exact = 1e-45) {
+  const auto& c = x.exact;
   random_numbers random(seed);
   for (int round = 0; round < 3; ++round) {
-    const random_motion_of<big, Chain> m(c, random);
+    const random_motion<big> m(x.runtime, random);
     const sums<big> expected(c, m.q, m.v);
-    const auto com = centre_of_mass(c, m.q);
+    const auto com = c.centre_of_mass(m.q);
     CHECK(abs(big(com.mass - expected.mass)) < exact);
     CHECK(gap(eigen(com.position), expected.centre()) < exact);
-    CHECK(gap(eigen(centre_of_mass_velocity(c, m.q, m.v)), (expected.linear / expected.mass).eval()) < exact);
-    CHECK(gap(eigen(centroidal_momentum(c, m.q, m.v)), expected.momentum()) < exact);
-    CHECK(gap((centroidal_momentum_matrix(c, m.q) * m.v).eval(), expected.momentum()) < exact);
-    const Eigen::Matrix<big, 3, 1> moved = derivative([&](const big& t) {
-      return Eigen::Matrix<big, 3, 1>(eigen(centre_of_mass(c, integrate(c, m.q, m.v, t)).position));
-    });
-    CHECK(gap(eigen(centre_of_mass_velocity(c, m.q, m.v)), moved) < by_differences);
+    CHECK(gap(c.centre_of_mass_velocity(m.q, m.v), vector3(expected.linear / expected.mass)) < exact);
+    CHECK(gap(c.centroidal_momentum(m.q, m.v), expected.momentum()) < exact);
+    CHECK(gap(vector6(c.centroidal_momentum_matrix(m.q) * m.v), expected.momentum()) < exact);
+    const vector3 moved =
+        derivative([&](const big& t) { return vector3(eigen(c.centre_of_mass(c.integrate(m.q, m.v, t)).position)); });
+    CHECK(gap(c.centre_of_mass_velocity(m.q, m.v), moved) < by_differences);
   }
 }
-template <class Chain>
-void check_double(const Chain& c, unsigned seed) {
+void check_double(const model& x, unsigned seed) {
+  const auto& c = x.in_double;
   random_numbers random(seed);
-  const auto model = models::element_by_element(c);
-  auto s = model.make_state();
+  auto s = x.runtime.make_state();
   for (int round = 0; round < 20; ++round) {
-    const random_motion_of<double, Chain> m(c, random);
+    const random_motion<double> m(x.runtime, random);
     const sums<double> expected(c, m.q, m.v);
-    const auto com = centre_of_mass(c, m.q), by_runtime = centre_of_mass(model, s, m.q);
+    const auto com = c.centre_of_mass(m.q), by_runtime = centre_of_mass(x.runtime, s, m.q);
     CHECK(std::fabs(com.mass - expected.mass) < rounding * expected.mass);
     CHECK(std::fabs(by_runtime.mass - expected.mass) < rounding * expected.mass);
     CHECK(gap(eigen(com.position), expected.centre()) < rounding);
     CHECK(gap(eigen(by_runtime.position), expected.centre()) < rounding);
-    const auto velocity = (expected.linear / expected.mass).eval();
-    CHECK(gap(eigen(centre_of_mass_velocity(c, m.q, m.v)), velocity) < rounding);
-    CHECK(gap(eigen(centre_of_mass_velocity(model, s, m.q, m.v)), velocity) < rounding);
-    CHECK(gap(eigen(centroidal_momentum(c, m.q, m.v)), expected.momentum()) < rounding);
-    CHECK(gap(eigen(centroidal_momentum(model, s, m.q, m.v)), expected.momentum()) < rounding);
-    const auto map = centroidal_momentum_matrix(c, m.q);
-    CHECK(gap((map * m.v).eval(), expected.momentum()) < rounding);
-    CHECK(gap(centroidal_momentum_matrix(model, s, m.q), map) < rounding);
+    const Eigen::Vector3d velocity = expected.linear / expected.mass;
+    CHECK(gap(c.centre_of_mass_velocity(m.q, m.v), velocity) < rounding);
+    CHECK(gap(eigen(centre_of_mass_velocity(x.runtime, s, m.q, m.v)), velocity) < rounding);
+    CHECK(gap(c.centroidal_momentum(m.q, m.v), expected.momentum()) < rounding);
+    CHECK(gap(eigen(centroidal_momentum(x.runtime, s, m.q, m.v)), expected.momentum()) < rounding);
+    const Eigen::MatrixXd map = c.centroidal_momentum_matrix(m.q);
+    CHECK(gap(Eigen::VectorXd(map * m.v), expected.momentum()) < rounding);
+    CHECK(gap(centroidal_momentum_matrix(x.runtime, s, m.q), map) < rounding);
   }
 }
 /// Whatever motors do inside, momentum changes by weight alone, and angular momentum about the centre of mass stays.
 /// tau acts on all but the first `outside` degrees of freedom.
 template <class Chain>
-void check_free_fall(const Chain& c, int outside, unsigned seed) {
+void check_free_fall(const model& x, const Chain& chain, int outside, unsigned seed) {
+  const auto& c = x.exact;
   random_numbers random(seed);
   for (int round = 0; round < 3; ++round) {
-    random_motion_of<big, Chain> m(c, random);
-    joint_vector<big, Chain::dofs> tau = random_vector<big, Chain::dofs>(random, 20);
+    random_motion<big> m(x.runtime, random);
+    auto tau = small_chains::random_vector<big, Chain::dofs>(random, 20);
     tau.head(outside).setZero();
-    m.a = forward_dynamics(c, m.q, m.v, tau);
-    const Eigen::Matrix<big, 6, 1> change = derivative([&](const big& t) {
-      return Eigen::Matrix<big, 6, 1>(eigen(centroidal_momentum(c, position_at(c, m, t), velocity_at(m, t))));
-    });
-    Eigen::Matrix<big, 6, 1> expected = Eigen::Matrix<big, 6, 1>::Zero();
-    expected.head<3>() = centre_of_mass(c, m.q).mass * to_eigen<big>(c.gravity());
+    m.a = forward_dynamics(chain, m.q, m.v, tau);
+    const vector6 change =
+        derivative([&](const big& t) { return c.centroidal_momentum(m.position_at(c, t), m.velocity_at(t)); });
+    vector6 expected = vector6::Zero();
+    expected.head<3>() = c.centre_of_mass(m.q).mass * to_eigen<big>(c.gravity);
     // Accelerations reach 1e3, third derivatives of momentum 1e9.
     CHECK(gap(change, expected) < 1e6 * by_differences);
   }
 }
 
-}  // namespace
-
 TEST_CASE("centre of mass and momentum from the bodies, at 50 digits", "[laws]") {
   // Its first two links lie along one fixed axis, so that poses add their lengths in double.
-  check_exactly(robots::iiwa14, 1, 1e-15);
-  check_exactly(floating, 2);
-  check_exactly(planar, 3);
-  check_exactly(geared, 4);
+  check_exactly(static_models::iiwa14(), 1, 1e-15);
+  check_exactly(static_models::floating(), 2);
+  check_exactly(static_models::planar(), 3);
+  check_exactly(static_models::geared(), 4);
 }
 
 TEST_CASE("centre of mass and momentum in double, and of runtime chains") {
-  check_double(robots::iiwa14, 11);
-  check_double(floating_with_dampers, 13);
-  check_double(planar, 14);
-  check_double(geared, 15);
-  check_double(models::tree, 16);
+  check_double(static_models::iiwa14(), 11);
+  check_double(static_models::floating_with_dampers(), 13);
+  check_double(static_models::planar(), 14);
+  check_double(static_models::geared(), 15);
+  check_double(static_models::tree(), 16);
 }
 
 TEST_CASE("momentum in free fall") {
-  check_free_fall(floating, 6, 21);
-  check_free_fall(floating_with_springs, 6, 22);
+  check_free_fall(static_models::floating(), floating, 6, 21);
+  check_free_fall(static_models::floating_with_springs(), floating_with_springs, 6, 22);
 }
 
 TEST_CASE("centre of mass of point masses") {
@@ -182,3 +168,5 @@ TEST_CASE("centre of mass and momentum of bad arguments") {
     CHECK_THROWS_AS(centre_of_mass_velocity(model, s, good, bad), bad_argument);
   }
 }
+
+}  // namespace centroidal_test

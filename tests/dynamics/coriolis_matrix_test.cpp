@@ -8,14 +8,15 @@
 
 #include "dynamics/small_chains.hpp"
 #include "dynamics/square.hpp"
+#include "static_models/static_model.hpp"
+
+namespace coriolis_matrix_test {
 
 // The Coriolis matrix: a formula, Christoffel's symbols, forces, the rate of the mass matrix; static against runtime.
 
 using namespace kte;
 using namespace kte::test;
 using namespace kte::test::small_chains;
-
-namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 /// Sums of products along at most 8 poses, twice.
@@ -36,36 +37,53 @@ struct twice_led : coordinate_follower<twice_led> {
   static constexpr void parameters(Self&, Visit&&) {}
 };
 
-template <class Chain>
-void check(const Chain& c, const runtime_chain& model, unsigned seed) {
-  auto s = model.make_state();
-  random_numbers random(seed);
-  for (int round = 0; round < 5; ++round) {
-    const random_motion_of<double, Chain> m(c, random);
-    const auto matrix = coriolis_matrix(c, m.q, m.v), rate = mass_matrix_rate(c, m.q, m.v);
-    CHECK(gap(matrix * m.v, coriolis_forces(c, m.q, m.v)) < rounding);
-    CHECK(gap(rate, matrix + matrix.transpose()) == 0);
-    // dM/dt v by dual numbers, and dM/dt by central differences.
-    CHECK(gap(rate * m.v, generalized_momenta_along(c, m.q, m.v).second) < rounding);
-    const double h = 1e-5;
-    const auto mass_at = [&](double t) { return mass_matrix(c, integrate(c, m.q, m.v, t)); };
-    CHECK(gap((mass_at(h) - mass_at(-h)) / (2 * h), rate) < 1e-7);  // h^2 f'''/6 of numbers below 1e3, and eps/h
-    // C is bilinear: C(q, v) w = C(q, w) v, which Christoffel's symbols alone have, where v are rates of numbers.
-    if constexpr (Chain::nq == Chain::dofs && Chain::wiring::count(kind::pose_2D) == 0) {
-      const auto w = random_vector<double, Chain::dofs>(random, 2);
-      CHECK(gap(matrix * w, coriolis_matrix(c, m.q, w) * m.v) < rounding);
-    }
-    CHECK(gap(coriolis_matrix(model, s, m.q, m.v), matrix) < rounding);
-    CHECK(gap(mass_matrix_rate(model, s, m.q, m.v), rate) < rounding);
-    CHECK(gap(mass_matrix_rate(model, s), rate) < rounding);
-  }
+/// The functions under test of a static chain.
+using function = Eigen::MatrixXd (*)(const Eigen::VectorXd& q, const Eigen::VectorXd& v);
+template <const auto& Chain>
+Eigen::MatrixXd coriolis(const Eigen::VectorXd& q, const Eigen::VectorXd& v) {
+  return coriolis_matrix(Chain, q, v);
 }
-template <class Chain>
-void check(const Chain& c, unsigned seed) {
-  check(c, models::element_by_element(c), seed);
+template <const auto& Chain>
+Eigen::MatrixXd rate_of_momenta(const Eigen::VectorXd& q, const Eigen::VectorXd& v) {
+  return generalized_momenta_along(Chain, q, v).second;
+}
+template <const auto& Chain>
+Eigen::MatrixXd mass_rate(const Eigen::VectorXd& q, const Eigen::VectorXd& v) {
+  return mass_matrix_rate(Chain, q, v);
 }
 
-}  // namespace
+/// `numbers`: whether v are the rates of q.
+void check(const model& x, function coriolis, function mass_rate, function rate_of_momenta, bool numbers,
+           unsigned seed) {
+  const auto& c = x.in_double;
+  auto s = x.runtime.make_state();
+  random_numbers random(seed);
+  for (int round = 0; round < 5; ++round) {
+    const random_motion<double> m(x.runtime, random);
+    const auto matrix = coriolis(m.q, m.v), rate = mass_rate(m.q, m.v);
+    CHECK(gap(matrix * m.v, c.coriolis_forces(m.q, m.v)) < rounding);
+    CHECK(gap(rate, matrix + matrix.transpose()) == 0);
+    // dM/dt v by dual numbers, and dM/dt by central differences.
+    CHECK(gap(rate * m.v, rate_of_momenta(m.q, m.v)) < rounding);
+    const double h = 1e-5;
+    const auto mass_at = [&](double t) { return c.mass_matrix(c.integrate(m.q, m.v, t)); };
+    CHECK(gap((mass_at(h) - mass_at(-h)) / (2 * h), rate) < 1e-7);  // h^2 f'''/6 of numbers below 1e3, and eps/h
+    // C is bilinear: C(q, v) w = C(q, w) v, which Christoffel's symbols alone have, where v are rates of numbers.
+    if (numbers) {
+      const auto w = random_vector(c.dofs, 2, random);
+      CHECK(gap(matrix * w, coriolis(m.q, w) * m.v) < rounding);
+    }
+    CHECK(gap(coriolis_matrix(x.runtime, s, m.q, m.v), matrix) < rounding);
+    CHECK(gap(mass_matrix_rate(x.runtime, s, m.q, m.v), rate) < rounding);
+    CHECK(gap(mass_matrix_rate(x.runtime, s), rate) < rounding);
+  }
+}
+template <const auto& Chain>
+void check(const model& x, unsigned seed) {
+  using chain = std::remove_cvref_t<decltype(Chain)>;
+  constexpr bool numbers = chain::nq == chain::dofs && chain::wiring::count(kind::pose_2D) == 0;
+  check(x, coriolis<Chain>, mass_rate<Chain>, rate_of_momenta<Chain>, numbers, seed);
+}
 
 TEST_CASE("Coriolis matrix of two links, by its formula", "[laws]") {
   // m_2 at l_2 on a link of l_1: h = -m_2 l_1 l_2 sin q_2 and C = (h v_2, h (v_1 + v_2); -h v_1, 0).
@@ -79,10 +97,10 @@ TEST_CASE("Coriolis matrix of two links, by its formula", "[laws]") {
 }
 
 TEST_CASE("Coriolis matrix by forces and the rate of the mass matrix, static and runtime") {
-  check(floating_with_dampers, 1);
-  check(planar, 2);
-  check(geared, 3);
-  check(models::tree, 4);
+  check<floating_with_dampers>(static_models::floating_with_dampers(), 1);
+  check<planar>(static_models::planar(), 2);
+  check<geared>(static_models::geared(), 3);
+  check<::models::tree>(static_models::tree(), 4);
 }
 
 TEST_CASE("Coriolis matrix where a ratio of coordinates changes") {
@@ -155,3 +173,5 @@ TEST_CASE("Coriolis matrix of bad arguments") {
   CHECK_THROWS_AS(mass_matrix_rate(model, s, std::vector<double>(3), q), bad_argument);
   CHECK_THROWS_AS(mass_matrix_rate(planar, q, std::array{1e308, 1e308, 1e308, 1e308}), bad_argument);
 }
+
+}  // namespace coriolis_matrix_test

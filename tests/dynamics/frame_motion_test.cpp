@@ -3,6 +3,9 @@
 #include "data/iiwa14.hpp"
 #include "dynamics/small_chains.hpp"
 #include "robots/iiwa14.hpp"
+#include "static_models/static_model.hpp"
+
+namespace frame_motion_test {
 
 // Poses, velocities and accelerations of frames: against differences, Jacobians and single poses, static and runtime.
 
@@ -10,55 +13,51 @@ using namespace kte;
 using namespace kte::test;
 using namespace kte::test::small_chains;
 
-namespace {
-
 /// Sums of a few products along at most 8 frames, of numbers that are large beside the result where terms cancel: less
 /// than 100 roundings of the largest, which `gap` is relative to, or of 1.
 constexpr double rounding = 100 * std::numeric_limits<double>::epsilon();
 
 /// Pose at 50 digits along a motion of given v and a: R^T p', vec(R' R^T) and the second derivatives; the skew part of
 /// R'' R^T is the angular acceleration.
-template <class Chain, class Frame>
-void check_by_differences(const Chain& c, const Frame& frame, unsigned seed, double tolerance = by_differences) {
-  using vector = Eigen::Matrix<big, 3, 1>;
+void check_by_differences(const model& x, const char* frame, unsigned seed, double tolerance = by_differences) {
+  using vector = static_model<big>::vector3;
   using matrix = Eigen::Matrix<big, 3, 3>;
+  const auto& c = x.exact;
   random_numbers random(seed);
   for (int round = 0; round < 5; ++round) {
-    const random_motion_of<big, Chain> m(c, random);
-    const auto at = [&](const big& t) { return in_space(forward_kinematics(c, position_at(c, m, t), frame)); };
+    const random_motion<big> m(x.runtime, random);
+    const auto at = [&](const big& t) { return c.forward_kinematics(m.position_at(c, t), frame); };
     const auto here = at(0), before = at(-step), after = at(step);
     const matrix back = here.rotation.transpose();
     const auto first = [](const auto& a, const auto& b) { return ((b - a) / (2 * step)).eval(); };
-    const auto second = [](const auto& a, const auto& x, const auto& b) {
-      return ((a - 2 * x + b) / (step * step)).eval();
+    const auto second = [](const auto& a, const auto& y, const auto& b) {
+      return ((a - 2 * y + b) / (step * step)).eval();
     };
-    Eigen::Matrix<big, 6, 1> velocity, acceleration;
+    static_model<big>::vector6 velocity, acceleration;
     velocity << vector(back * first(before.position, after.position)),
         vector(back * vector_of_skew(matrix(first(before.rotation, after.rotation) * back)));
     acceleration << vector(back * second(before.position, here.position, after.position)),
         vector(back * vector_of_skew(matrix(second(before.rotation, here.rotation, after.rotation) * back)));
-    CHECK(gap(eigen(frame_velocity(c, m.q, m.v, frame)), velocity) < tolerance);
-    CHECK(gap(eigen(frame_acceleration(c, m.q, m.v, m.a, frame)), acceleration) < tolerance);
-    CHECK(gap((jacobian(c, m.q, frame) * m.v).eval(), velocity) < tolerance);
+    CHECK(gap(c.frame_velocity(m.q, m.v, frame), velocity) < tolerance);
+    CHECK(gap(c.frame_acceleration(m.q, m.v, m.a, frame), acceleration) < tolerance);
+    CHECK(gap(static_model<big>::vector(c.jacobian(m.q, frame) * m.v), velocity) < tolerance);
   }
 }
 
-template <class Chain, class Frame>
-void check_double(const Chain& c, const Frame& frame, unsigned seed) {
+void check_double(const model& x, const char* frame, unsigned seed) {
   random_numbers random(seed);
-  const auto model = models::element_by_element(c);
-  auto s = model.make_state();
+  auto s = x.runtime.make_state();
   for (int round = 0; round < 20; ++round) {
-    const random_motion_of<double, Chain> m(c, random);
-    const auto up = [](const auto& x) { return x.template cast<big>().eval(); };
-    const auto v = eigen(frame_velocity(c, m.q, m.v, frame));
-    const auto a = eigen(frame_acceleration(c, m.q, m.v, m.a, frame));
-    CHECK(gap(v, eigen(frame_velocity(c, up(m.q), up(m.v), frame))) < rounding);
-    CHECK(gap(a, eigen(frame_acceleration(c, up(m.q), up(m.v), up(m.a), frame))) < rounding);
-    CHECK(gap(eigen(frame_velocity(model, s, m.q, m.v, frame.name)), v) < rounding);
-    CHECK(gap(eigen(frame_acceleration(model, s, m.q, m.v, m.a, frame.name)), a) < rounding);
-    CHECK(gap(eigen(frame_velocity(model, s, frame.name)), v) < rounding);
-    CHECK(gap(eigen(frame_acceleration(model, s, frame.name)), a) < rounding);
+    const random_motion<double> m(x.runtime, random);
+    const auto up = [](const auto& y) { return y.template cast<big>(); };
+    const auto v = x.in_double.frame_velocity(m.q, m.v, frame);
+    const auto a = x.in_double.frame_acceleration(m.q, m.v, m.a, frame);
+    CHECK(gap(v, x.exact.frame_velocity(up(m.q), up(m.v), frame)) < rounding);
+    CHECK(gap(a, x.exact.frame_acceleration(up(m.q), up(m.v), up(m.a), frame)) < rounding);
+    CHECK(gap(eigen(frame_velocity(x.runtime, s, m.q, m.v, frame)), v) < rounding);
+    CHECK(gap(eigen(frame_acceleration(x.runtime, s, m.q, m.v, m.a, frame)), a) < rounding);
+    CHECK(gap(eigen(frame_velocity(x.runtime, s, frame)), v) < rounding);
+    CHECK(gap(eigen(frame_acceleration(x.runtime, s, frame)), a) < rounding);
   }
 }
 
@@ -86,23 +85,21 @@ void check_poses(const Chain& c, const Frame& frame, unsigned seed) {
   }
 }
 
-}  // namespace
-
 TEST_CASE("velocities and accelerations of frames by differences at 50 digits", "[laws]") {
-  check_by_differences(robots::iiwa14, robots::iiwa14_names::tool, 1);
-  check_by_differences(floating, body, 2);
-  check_by_differences(floating, tip, 3);
-  check_by_differences(planar, disc, 4);
-  check_by_differences(geared, palm, 5);
-  check_by_differences(models::tree, models::shank, 6, 1e-14);  // an axis that is a unit vector to half an eps
+  check_by_differences(static_models::iiwa14(), "tool", 1);
+  check_by_differences(static_models::floating(), "body", 2);
+  check_by_differences(static_models::floating(), "tip", 3);
+  check_by_differences(static_models::planar(), "disc", 4);
+  check_by_differences(static_models::geared(), "palm", 5);
+  check_by_differences(static_models::tree(), "shank", 6, 1e-14);  // an axis that is a unit vector to half an eps
 }
 
 TEST_CASE("velocities and accelerations of frames in double, and of runtime chains") {
-  check_double(robots::iiwa14, robots::iiwa14_names::tool, 11);
-  check_double(floating, tip, 12);
-  check_double(planar, disc, 13);
-  check_double(geared, palm, 14);
-  check_double(models::tree, models::shank, 15);
+  check_double(static_models::iiwa14(), "tool", 11);
+  check_double(static_models::floating(), "tip", 12);
+  check_double(static_models::planar(), "disc", 13);
+  check_double(static_models::geared(), "palm", 14);
+  check_double(static_models::tree(), "shank", 15);
 }
 
 TEST_CASE("poses of all frames that are too far away for numbers") {
@@ -172,3 +169,5 @@ TEST_CASE("motion of frames for bad arguments") {
   fast[0] = 1e200;
   CHECK_THROWS_AS(frame_acceleration(c, good, fast, good, tool), bad_argument);  // its square is infinite
 }
+
+}  // namespace frame_motion_test

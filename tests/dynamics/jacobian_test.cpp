@@ -7,6 +7,9 @@
 #include "dynamics/small_chains.hpp"
 #include "robots/iiwa14.hpp"
 #include "robots/solo12.hpp"
+#include "static_models/static_model.hpp"
+
+namespace jacobian_test {
 
 // Jacobians: against 31 digits, against differences, static against runtime.
 
@@ -14,31 +17,26 @@ using namespace kte;
 using namespace kte::test;
 using namespace kte::test::small_chains;
 
-namespace {
-
 /// By central differences of the pose at 50 digits: d p/dv and (dR/dv) R^T.
-template <class Chain, class Frame>
-void check_by_differences(const Chain& c, const Frame& frame, unsigned seed, double tolerance = by_differences) {
-  constexpr int n = Chain::dofs;
+void check_by_differences(const model& x, const char* frame, unsigned seed, double tolerance = by_differences) {
+  using vector = static_model<big>::vector3;
+  using matrix = Eigen::Matrix<big, 3, 3>;
+  const auto& c = x.exact;
   random_numbers random(seed);
   for (int round = 0; round < 3; ++round) {
-    const auto q = random_configuration<big>(c, random);
-    six_by_dofs<big, n> expected;
-    const auto here = in_space(forward_kinematics(c, q, frame));
-    for (int j = 0; j < n; ++j) {
-      const joint_vector<big, n> e = joint_vector<big, n>::Unit(j);
-      const auto at = [&](const big& t) { return in_space(forward_kinematics(c, integrate(c, q, e, t), frame)); };
-      using vector = Eigen::Matrix<big, 3, 1>;
-      using matrix = Eigen::Matrix<big, 3, 3>;
+    const auto q = random_configuration<big>(x.runtime, random);
+    six_by_dofs<big, Eigen::Dynamic> expected(6, c.dofs), own(6, c.dofs);
+    const auto here = c.forward_kinematics(q, frame);
+    for (int j = 0; j < c.dofs; ++j) {
+      const static_model<big>::vector e = static_model<big>::vector::Unit(c.dofs, j);
+      const auto at = [&](const big& t) { return c.forward_kinematics(c.integrate(q, e, t), frame); };
       const vector v = derivative([&](const big& t) { return vector(at(t).position); });
       const matrix r = derivative([&](const big& t) { return matrix(at(t).rotation); });
       expected.col(j) << v, vector_of_skew(matrix(r * here.rotation.transpose()));
     }
-    CHECK(gap(jacobian(c, q, frame, in_world_axes), expected) < tolerance);
-    six_by_dofs<big, n> own;
-    own << here.rotation.transpose() * expected.template topRows<3>(),
-        here.rotation.transpose() * expected.template bottomRows<3>();
-    CHECK(gap(jacobian(c, q, frame), own) < tolerance);
+    CHECK(gap(c.jacobian_in_world_axes(q, frame), expected) < tolerance);
+    own << here.rotation.transpose() * expected.topRows<3>(), here.rotation.transpose() * expected.bottomRows<3>();
+    CHECK(gap(c.jacobian(q, frame), own) < tolerance);
   }
 }
 
@@ -46,21 +44,18 @@ void check_by_differences(const Chain& c, const Frame& frame, unsigned seed, dou
 /// with arms below 2 m: less than 50 roundings.
 constexpr double rounding = 50 * std::numeric_limits<double>::epsilon();
 
-template <class Chain, class Frame>
-void check_double(const Chain& c, const Frame& frame, unsigned seed) {
+void check_double(const model& x, const char* frame, unsigned seed) {
   random_numbers random(seed);
-  const auto model = models::element_by_element(c);
-  auto s = model.make_state();
+  auto s = x.runtime.make_state();
   for (int round = 0; round < 20; ++round) {
-    const auto q = random_configuration<double>(c, random);
-    const auto exact = joint_vector<big, Chain::nq>(q.template cast<big>());
-    const auto j = jacobian(c, q, frame), w = jacobian(c, q, frame, in_world_axes);
-    CHECK(gap(j, jacobian(c, exact, frame)) < rounding);
-    CHECK(gap(w, jacobian(c, exact, frame, in_world_axes)) < rounding);
-    CHECK(gap(jacobian(model, s, q, frame.name), j) < rounding);
-    CHECK(gap(jacobian(model, s, q, frame.name, in_world_axes), w) < rounding);
-    CHECK(gap(jacobian(model, s, frame.name), j) < rounding);
-    CHECK(gap(jacobian(model, s, frame.name, in_world_axes), w) < rounding);
+    const auto q = random_configuration<double>(x.runtime, random);
+    const auto j = x.in_double.jacobian(q, frame), w = x.in_double.jacobian_in_world_axes(q, frame);
+    CHECK(gap(j, x.exact.jacobian(q.cast<big>(), frame)) < rounding);
+    CHECK(gap(w, x.exact.jacobian_in_world_axes(q.cast<big>(), frame)) < rounding);
+    CHECK(gap(jacobian(x.runtime, s, q, frame), j) < rounding);
+    CHECK(gap(jacobian(x.runtime, s, q, frame, in_world_axes), w) < rounding);
+    CHECK(gap(jacobian(x.runtime, s, frame), j) < rounding);
+    CHECK(gap(jacobian(x.runtime, s, frame, in_world_axes), w) < rounding);
   }
 }
 
@@ -82,27 +77,24 @@ void check_parts(const runtime_chain& c, runtime_state& s, const Eigen::VectorXd
   CHECK(map == expected);
 }
 /// What a matrix held before, of whatever size, leaves no trace.
-template <class Chain>
-void check_kept(const Chain& c, std::initializer_list<const char*> frames) {
+void check_kept(const model& x, std::initializer_list<const char*> frames) {
   random_numbers random(21);
-  const auto model = models::element_by_element(c);
-  auto s = model.make_state();
+  const auto& c = x.runtime;
+  auto s = c.make_state();
   runtime_jacobian kept = runtime_jacobian::Constant(6, 2, std::numeric_limits<double>::quiet_NaN());
   for (const char* frame : frames) {
-    const auto q = random_configuration<double>(c, random);
-    jacobian(model, s, q, frame, kept);
-    CHECK(kept == jacobian(model, s, q, frame));
-    jacobian(model, s, q, frame, in_world_axes, kept);
-    CHECK(kept == jacobian(model, s, q, frame, in_world_axes));
-    jacobian(model, s, frame, kept);
-    CHECK(kept == jacobian(model, s, frame));
-    jacobian(model, s, frame, in_world_axes, kept);
-    CHECK(kept == jacobian(model, s, frame, in_world_axes));
-    check_parts(model, s, q, frame), check_parts(model, s, q, frame, in_world_axes);
+    const auto q = random_configuration<double>(x.runtime, random);
+    jacobian(c, s, q, frame, kept);
+    CHECK(kept == jacobian(c, s, q, frame));
+    jacobian(c, s, q, frame, in_world_axes, kept);
+    CHECK(kept == jacobian(c, s, q, frame, in_world_axes));
+    jacobian(c, s, frame, kept);
+    CHECK(kept == jacobian(c, s, frame));
+    jacobian(c, s, frame, in_world_axes, kept);
+    CHECK(kept == jacobian(c, s, frame, in_world_axes));
+    check_parts(c, s, q, frame), check_parts(c, s, q, frame, in_world_axes);
   }
 }
-
-}  // namespace
 
 TEST_CASE("Jacobian of a foot of solo12 against 31 digits", "[laws]") {
   // As for its other numbers (floating_base_test.cpp): a few eps of the largest.
@@ -120,29 +112,29 @@ TEST_CASE("Jacobian of a foot of solo12 against 31 digits", "[laws]") {
 }
 
 TEST_CASE("Jacobians by differences at 50 digits") {
-  check_by_differences(robots::iiwa14, robots::iiwa14_names::tool, 1);
-  check_by_differences(floating, body, 2);
-  check_by_differences(floating, tip, 3);
-  check_by_differences(floating, aside, 4);
-  check_by_differences(planar, disc, 5);
-  check_by_differences(geared, palm, 6);
-  check_by_differences(geared, tip, 7);
+  check_by_differences(static_models::iiwa14(), "tool", 1);
+  check_by_differences(static_models::floating(), "body", 2);
+  check_by_differences(static_models::floating(), "tip", 3);
+  check_by_differences(static_models::floating(), "aside", 4);
+  check_by_differences(static_models::planar(), "disc", 5);
+  check_by_differences(static_models::geared(), "palm", 6);
+  check_by_differences(static_models::geared(), "tip", 7);
   // The axis (0.6, 0, 0.8) of the tree is a unit vector to half an eps only.
-  check_by_differences(models::tree, models::shank, 8, 1e-15);
-  check_by_differences(models::tree, models::hand, 9);
+  check_by_differences(static_models::tree(), "shank", 8, 1e-15);
+  check_by_differences(static_models::tree(), "hand", 9);
 }
 
 TEST_CASE("Jacobians in double, and of runtime chains") {
-  check_double(robots::iiwa14, robots::iiwa14_names::tool, 11);
-  check_double(floating, tip, 12);
-  check_double(planar, disc, 13);
-  check_double(geared, palm, 14);
-  check_double(models::tree, models::shank, 15);
+  check_double(static_models::iiwa14(), "tool", 11);
+  check_double(static_models::floating(), "tip", 12);
+  check_double(static_models::planar(), "disc", 13);
+  check_double(static_models::geared(), "palm", 14);
+  check_double(static_models::tree(), "shank", 15);
 }
 
 TEST_CASE("Jacobians into a matrix that is kept") {
-  check_kept(floating, {"body", "aside", "ground", "tip"});
-  check_kept(geared, {"palm", "tip"});
+  check_kept(static_models::floating(), {"body", "aside", "ground", "tip"});
+  check_kept(static_models::geared(), {"palm", "tip"});
   // A frame that follows another: the point of a line nearest to it.
   runtime_chain c;
   c << revolute_joint_3D("q1", "ground", "a", axis::z) << prismatic_joint_3D("q2", "a", "b", axis::x)
@@ -192,3 +184,5 @@ TEST_CASE("Jacobians of bad arguments") {
     CHECK(positions(s) == before);
   }
 }
+
+}  // namespace jacobian_test

@@ -3,6 +3,9 @@
 #include <limits>
 
 #include "dynamics/small_chains.hpp"
+#include "static_models/static_model.hpp"
+
+namespace momentum_rate_test {
 
 // How the centre of mass and momentum change: a formula, differences at 50 digits, static against runtime.
 
@@ -10,35 +13,45 @@ using namespace kte;
 using namespace kte::test;
 using namespace kte::test::small_chains;
 
-namespace {
-
 constexpr double eps = std::numeric_limits<double>::epsilon();
 constexpr double rounding = 200 * eps;  // sums of what some bodies have, along at most 8 poses
 
-template <class Chain>
-void check(const Chain& c, unsigned seed) {
-  const auto model = models::element_by_element(c);
-  auto s = model.make_state();
+/// The functions under test of a static chain.
+struct functions {
+  using vector = Eigen::VectorXd;
+  Eigen::MatrixXd (*jacobian)(const vector& q);
+  vector (*momentum_rate)(const vector& q, const vector& v, const vector& a);
+  vector (*acceleration)(const vector& q, const vector& v, const vector& a);
+};
+template <const auto& Chain>
+constexpr functions functions_of{[](const auto& q) -> Eigen::MatrixXd { return centre_of_mass_jacobian(Chain, q); },
+                                 [](const auto& q, const auto& v, const auto& a) -> Eigen::VectorXd {
+                                   return eigen(centroidal_momentum_rate(Chain, q, v, a));
+                                 },
+                                 [](const auto& q, const auto& v, const auto& a) -> Eigen::VectorXd {
+                                   return eigen(centre_of_mass_acceleration(Chain, q, v, a));
+                                 }};
+
+void check(const model& x, const functions& f, unsigned seed) {
+  const auto& c = x.in_double;
+  auto s = x.runtime.make_state();
   random_numbers random(seed);
   for (int round = 0; round < 3; ++round) {
-    const random_motion_of<double, Chain> m(c, random);
-    const auto rate = eigen(centroidal_momentum_rate(c, m.q, m.v, m.a));
-    const auto j = centre_of_mass_jacobian(c, m.q);
-    const auto acceleration = eigen(centre_of_mass_acceleration(c, m.q, m.v, m.a));
-    CHECK(gap(j * m.v, eigen(centre_of_mass_velocity(c, m.q, m.v))) < rounding);
-    CHECK(gap(acceleration * centre_of_mass(c, m.q).mass, rate.template head<3>()) < rounding);
+    const random_motion<double> m(x.runtime, random);
+    const auto rate = f.momentum_rate(m.q, m.v, m.a), acceleration = f.acceleration(m.q, m.v, m.a);
+    const auto j = f.jacobian(m.q);
+    CHECK(gap(j * m.v, c.centre_of_mass_velocity(m.q, m.v)) < rounding);
+    CHECK(gap(acceleration * c.centre_of_mass(m.q).mass, rate.head<3>()) < rounding);
     // Central differences: h^2 f'''/6 of numbers below 1e3, and eps/h.
     const double h = 1e-5;
-    const auto at = [&](double t) { return eigen(centroidal_momentum(c, position_at(c, m, t), velocity_at(m, t))); };
+    const auto at = [&](double t) { return c.centroidal_momentum(m.position_at(c, t), m.velocity_at(t)); };
     CHECK(gap((at(h) - at(-h)) / (2 * h), rate) < 1e-7);
-    CHECK(gap(centre_of_mass_jacobian(model, s, m.q), j) < rounding);
-    CHECK(gap(eigen(centroidal_momentum_rate(model, s, m.q, m.v, m.a)), rate) < rounding);
-    CHECK(gap(eigen(centroidal_momentum_rate(model, s)), rate) < rounding);
-    CHECK(gap(eigen(centre_of_mass_acceleration(model, s, m.q, m.v, m.a)), acceleration) < rounding);
+    CHECK(gap(centre_of_mass_jacobian(x.runtime, s, m.q), j) < rounding);
+    CHECK(gap(eigen(centroidal_momentum_rate(x.runtime, s, m.q, m.v, m.a)), rate) < rounding);
+    CHECK(gap(eigen(centroidal_momentum_rate(x.runtime, s)), rate) < rounding);
+    CHECK(gap(eigen(centre_of_mass_acceleration(x.runtime, s, m.q, m.v, m.a)), acceleration) < rounding);
   }
 }
-
-}  // namespace
 
 TEST_CASE("momentum rate of two masses on a turning rod, by its formula", "[laws]") {
   // 1 kg at 2 m and 3 kg at 0: c at 0.5 m, p' = m (-v^2, a) c, k_G' = (1 * 1.5^2 + 3 * 0.5^2) a.
@@ -53,10 +66,10 @@ TEST_CASE("momentum rate of two masses on a turning rod, by its formula", "[laws
 }
 
 TEST_CASE("momentum rates by differences, static and runtime") {
-  check(floating_with_springs, 1);
-  check(planar, 2);
-  check(geared, 3);
-  check(models::tree, 4);
+  check(static_models::floating_with_springs(), functions_of<floating_with_springs>, 1);
+  check(static_models::planar(), functions_of<planar>, 2);
+  check(static_models::geared(), functions_of<geared>, 3);
+  check(static_models::tree(), functions_of<::models::tree>, 4);
 }
 
 TEST_CASE("what falls freely keeps its momentum about its centre, and falls by g") {
@@ -126,3 +139,5 @@ TEST_CASE("bases that signals move have momentum, as coordinates that they move"
   same(centroidal_momentum(frames, s, q, v), centroidal_momentum(coordinates, t, q, v));
   same(centroidal_momentum_rate(frames, s, q, v, a), centroidal_momentum_rate(coordinates, t, q, v, a));
 }
+
+}  // namespace momentum_rate_test

@@ -9,14 +9,15 @@
 
 #include "dynamics/small_chains.hpp"
 #include "robots/iiwa14.hpp"
+#include "static_models/static_model.hpp"
+
+namespace regressor_test {
 
 // The regressor of inertial parameters: against a formula, against inverse dynamics, and by bodies of unit parameters.
 
 using namespace kte;
 using namespace kte::test;
 using namespace kte::test::small_chains;
-
-namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
@@ -41,18 +42,6 @@ model_record without_forces(model_record r) {
     return e.type.find("spring") != std::string::npos || e.type.find("damper") != std::string::npos;
   });
   return r;
-}
-
-struct numbers {
-  Eigen::VectorXd q, v, a;
-};
-numbers random_numbers_of(const runtime_chain& c, random_numbers& random) {
-  const auto vector = [&](double size) {
-    Eigen::VectorXd x(c.dofs());
-    for (auto& number : x) number = random(size);
-    return x;
-  };
-  return {integrate(c, neutral_configuration(c), vector(2), 1.0), vector(2), vector(5)};
 }
 
 /// Gives the body of element `e` these parameters: unit vectors of (1), or sums of two.
@@ -86,7 +75,7 @@ void check_columns(const model_record& all, unsigned seed) {
   const auto c = models::registered(record);
   auto s = c.make_state();
   random_numbers random(seed);
-  const numbers x = random_numbers_of(c, random);
+  const random_motion<double> x(c, random);
   const Eigen::MatrixXd y = torque_regressor(c, s, x.q, x.v, x.a);
   model_record nothing = record;
   for (auto& e : nothing.elements)
@@ -119,18 +108,18 @@ void check_columns(const model_record& all, unsigned seed) {
   CHECK(column == y.cols());
 }
 
-/// Static against runtime, and both against inverse dynamics.
-template <class Chain>
-void check(const Chain& c, unsigned seed) {
-  const auto record = record_of(c);
-  const auto with_forces = models::registered(record), alone = models::registered(without_forces(record));
+/// Static against runtime, and both against inverse dynamics: `parameters` and `regressor` of the static chain.
+void check(const model& x, const Eigen::VectorXd& pi,
+           Eigen::MatrixXd (*regressor)(const Eigen::VectorXd& q, const Eigen::VectorXd& v, const Eigen::VectorXd& a),
+           const model_record& record, unsigned seed) {
+  const auto& c = x.in_double;
+  const auto &with_forces = x.runtime, alone = models::registered(without_forces(record));
   auto s = with_forces.make_state(), t = alone.make_state();
-  const auto pi = inertial_parameters(c);
   CHECK((inertial_parameters(with_forces) - pi).cwiseAbs().maxCoeff() <= rounding * pi.cwiseAbs().maxCoeff());
   random_numbers random(seed);
   for (int round = 0; round < 20; ++round) {
-    const random_motion_of<double, Chain> m(c, random);
-    const auto y = torque_regressor(c, m.q, m.v, m.a);
+    const random_motion<double> m(with_forces, random);
+    const auto y = regressor(m.q, m.v, m.a);
     const Eigen::MatrixXd r = torque_regressor(with_forces, s, m.q, m.v, m.a);
     CHECK(torque_regressor(with_forces, s) == r);  // of the state, which has taken them
     CHECK(gap(y, r) < rounding);
@@ -138,12 +127,17 @@ void check(const Chain& c, unsigned seed) {
     const Eigen::VectorXd of_bodies = inverse_dynamics(alone, t, m.q, m.v, m.a);
     CHECK(gap_of_forces(y, pi, of_bodies) < rounding);
     CHECK(gap_of_forces(r, pi, of_bodies) < rounding);
-    const Eigen::VectorXd parts = mass_matrix(c, m.q) * m.a + coriolis_forces(c, m.q, m.v) + gravity_forces(c, m.q);
+    const Eigen::VectorXd parts = c.mass_matrix(m.q) * m.a + c.coriolis_forces(m.q, m.v) + c.gravity_forces(m.q);
     CHECK(gap_of_forces(y, pi, parts) < rounding);
   }
 }
-
-}  // namespace
+template <const auto& Chain>
+void check(const model& x, unsigned seed) {
+  const auto regressor = [](const auto& q, const auto& v, const auto& a) -> Eigen::MatrixXd {
+    return torque_regressor(Chain, q, v, a);
+  };
+  check(x, inertial_parameters(Chain), regressor, record_of(Chain), seed);
+}
 
 TEST_CASE("regressor of two links in the plane, by its formula", "[laws]") {
   // Both frames in the joints, bodies with c anywhere. At 50 digits, then in double.
@@ -197,9 +191,9 @@ TEST_CASE("derivative of a regressor by dual numbers") {
 }
 
 TEST_CASE("regressor times parameters is inverse dynamics of bodies") {
-  check(robots::iiwa14, 1);
-  check(planar, 2);  // with a mass on a coordinate, and a spring
-  check(geared, 3);  // coordinates that follow others, or are shared by two joints
+  check<robots::iiwa14>(static_models::iiwa14(), 1);
+  check<planar>(static_models::planar(), 2);  // with a mass on a coordinate, and a spring
+  check<geared>(static_models::geared(), 3);  // coordinates that follow others, or are shared by two joints
 }
 
 TEST_CASE("regressor of trees of runtime chains") {
@@ -209,7 +203,7 @@ TEST_CASE("regressor of trees of runtime chains") {
     const auto pi = inertial_parameters(c);
     random_numbers random(4);
     for (int round = 0; round < 20; ++round) {
-      const auto [q, v, a] = random_numbers_of(c, random);
+      const auto [q, v, a] = random_motion<double>(c, random);
       const Eigen::MatrixXd y = torque_regressor(c, s, q, v, a);
       CHECK(gap_of_forces(y, pi, inverse_dynamics(alone, t, q, v, a)) < rounding);
     }
@@ -238,7 +232,7 @@ TEST_CASE("a change of parameters changes inverse dynamics by their columns") {
     p[2].values[1] += random(0.1);
     const auto other = models::registered(changed);
     auto t = other.make_state();
-    const auto [q, v, a] = random_numbers_of(c, random);
+    const auto [q, v, a] = random_motion<double>(c, random);
     const Eigen::MatrixXd y = torque_regressor(c, s, q, v, a);
     CHECK(torque_regressor(other, t, q, v, a) == y);  // which knows no parameters
     const Eigen::VectorXd difference = inertial_parameters(other) - inertial_parameters(c);
@@ -299,3 +293,5 @@ TEST_CASE("regressor of bad arguments") {
   CHECK_THROWS_MATCHES(torque_regressor(model, s, x, large, x), bad_argument, says("v[2] of 'q3' is 1e+160"));
   CHECK_THROWS_MATCHES(torque_regressor(robots::iiwa14, x, large, x), bad_argument, says("v[2] of 'q3' is 1e+160"));
 }
+
+}  // namespace regressor_test
