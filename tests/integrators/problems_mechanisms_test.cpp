@@ -5,6 +5,8 @@
 #include "data/problems/ten_rods.hpp"
 #include "integrators/mechanism_error.hpp"
 
+namespace problems_mechanisms_test {
+
 // The mechanisms of data/problems in the plane against their references, by the library's forward dynamics. How bounds
 // were found is said in mechanism_error.hpp.
 
@@ -37,3 +39,5 @@ TEST_CASE("mechanisms in long double: a thousandth of the error") {
   solver.integrate(1);
   CHECK(largest_error(problem::output(solver.state()), double_pendulum_from_horizontal::references[0].values) < 1e-14L);
 }
+
+}  // namespace problems_mechanisms_test

@@ -6,6 +6,8 @@
 #include "data/problems/spherical_double_pendulum.hpp"
 #include "integrators/mechanism_error.hpp"
 
+namespace problems_space_test {
+
 // The mechanisms of data/problems in space against their references, by the library's forward dynamics. How bounds were
 // found is said in mechanism_error.hpp.
 
@@ -13,18 +15,14 @@ using namespace kte;
 using namespace kte::problems;
 using namespace kte::test;
 
-namespace {
-
 /// At the end, with the tolerance 1e-12.
 template <class Mechanism>
 auto state_after(double t) {
   using problem = equation_of_motion<Mechanism>;
-  dormand_prince45 solver(problem{}, 0.0, problem::start(), {.absolute = 1e-12, .relative = 1e-12});
+  auto solver = solver_of<problem>();
   solver.integrate(t);
-  return solver.state();
+  return typename problem::state(solver.state());
 }
-
-}  // namespace
 
 TEST_CASE("the spherical double pendulum reaches its references, without turns about its rods", "[long]") {
   using problem = equation_of_motion<spherical_double_pendulum>;
@@ -67,3 +65,5 @@ TEST_CASE("the governor reaches its references by explicit steps, both rods alik
   const auto x = state_after<flyball_governor>(0.5);
   CHECK(problem::q(x)[2] == within_relative(problem::q(x)[3], 1e-13));
 }
+
+}  // namespace problems_space_test
