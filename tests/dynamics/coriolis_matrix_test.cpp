@@ -70,7 +70,7 @@ void check(const model& x, function coriolis, function mass_rate, function rate_
     CHECK(gap((mass_at(h) - mass_at(-h)) / (2 * h), rate) < 1e-7);  // h^2 f'''/6 of numbers below 1e3, and eps/h
     // C is bilinear: C(q, v) w = C(q, w) v, which Christoffel's symbols alone have, where v are rates of numbers.
     if (numbers) {
-      const auto w = random_vector(c.dofs(), 2, random);
+      const auto w = random_vector(c.dofs, 2, random);
       CHECK(gap(matrix * w, coriolis(m.q, w) * m.v) < rounding);
     }
     CHECK(gap(coriolis_matrix(x.runtime, s, m.q, m.v), matrix) < rounding);

@@ -28,8 +28,8 @@ void check_change(const model& x, unsigned seed) {
   const random_motion<big> m(x.runtime, random);
   const auto [p, change] = generalized_momenta_along(Chain, m.q, m.v);
   CHECK(gap(p, c.generalized_momenta(m.q, m.v)) < 1e-45);
-  static_model<big>::vector differences(c.dofs());
-  for (int i = 0; i < c.dofs(); ++i)
+  static_model<big>::vector differences(c.dofs);
+  for (int i = 0; i < c.dofs; ++i)
     differences[i] = derivative([&](const big& t) { return c.generalized_momenta(c.integrate(m.q, m.v, t), m.v)[i]; });
   CHECK(gap(change, differences) < by_differences);
 }

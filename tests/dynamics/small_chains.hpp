@@ -102,15 +102,11 @@ struct random_motion_of {
         v(random_vector<S, Chain::dofs>(random, 2)),
         a(random_vector<S, Chain::dofs>(random, 5)) {}
 };
-/// Where a motion with these v and a at time 0 is at time t, and its velocity then: both to second order in t.
+/// Where a motion with these v and a at time 0 is at time t, to second order in t.
 template <class Chain, class Motion, class S>
 auto position_at(const Chain& c, const Motion& m, const S& t) {
   using vector = std::remove_const_t<decltype(m.v)>;
   return integrate(c, m.q, vector(m.v + m.a * (t / 2)), t);
-}
-template <class Motion, class S>
-auto velocity_at(const Motion& m, const S& t) {
-  return std::remove_const_t<decltype(m.v)>(m.v + m.a * t);
 }
 /// Central differences with h = 1e-12 at 50 digits: for values and derivatives below 1e3 they err by h^2 f'''/6 < 1e-21
 /// at most, and lose 1e3 1e-50/h = 1e-35; second differences lose 1e3 1e-50/h^2 = 1e-23.

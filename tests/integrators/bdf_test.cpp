@@ -5,25 +5,29 @@
 
 #include "catch.hpp"
 #include "digits50.hpp"
+#include "integrators/any_system.hpp"
 
 namespace bdf_test {
 
 using namespace kte;
-using kte::test::contains_text;
-
+using kte::test::any_system, kte::test::numbers;
 using real50 = kte::test::digits50;
+using state = Eigen::VectorXd;
+using solver_type = bdf<any_system<>, state>;
 template <class S>
-using one = Eigen::Matrix<S, 1, 1>;
+using scalar_system = any_system<S, 1>;
+template <class S>
+using scalar_solver = bdf<scalar_system<S>, typename scalar_system<S>::state>;
 constexpr bdf_formula ndf = bdf_formula::numerical_differentiation, plain = bdf_formula::backward_differentiation;
 
 /// Prothero and Robinson: x = cos t whatever lambda is, if it starts there.
-template <class S>
-auto towards_cosine(S lambda) {
-  return [lambda](const S& t, const one<S>& x) {
+template <class System = any_system<>, class S>
+System towards_cosine(const S& lambda) {
+  return {[lambda](const S& t, const auto& x) {
     using std::cos;
     using std::sin;
-    return one<S>(S(-lambda * (x[0] - cos(t)) - sin(t)));
-  };
+    return numbers<S>(-lambda * (x[0] - cos(t)) - sin(t));
+  }};
 }
 
 /// The slope of y over x by least squares.
@@ -35,16 +39,17 @@ double slope(const std::vector<double>& x, const std::vector<double>& y) {
 
 TEST_CASE("BDF: with order k, errors are as steps^-k, steps as tolerance^(-1/(k + 1))") {
   const auto g = [](long double t) { return std::exp(-t / 2); };  // all derivatives alike, so steps are, too
-  const auto f = [&](long double t, const one<long double>& x) {
-    return one<long double>(-g(t) / 2 - (x[0] - g(t)) * (1 + x[0] / g(t)));
-  };
+  const scalar_system<long double> f([&](long double t, const auto& x) {
+    return numbers<long double>(-g(t) / 2 - (x[0] - g(t)) * (1 + x[0] / g(t)));
+  });
   const double loosest[]{3, 4, 6, 8, 10};  // powers of 1/10; four powers
   for (const bdf_formula formula : {ndf, plain}) {
     for (int k = 1; k <= 5; ++k) {
       std::vector<double> tolerance, steps, errors, between;
       for (int i = 0; i <= 12; i += 2) {
         const long double tol = std::pow(10.0L, -loosest[k - 1] - i / 3.0L);
-        bdf solver(f, 0.0L, one<long double>(1.0L), {.absolute = 1e-6L * tol, .relative = tol}, {k, formula});
+        scalar_solver<long double> solver(f, 0.0L, numbers<long double>(1), {.absolute = 1e-6L * tol, .relative = tol},
+                                          {k, formula});
         solver.integrate(6);
         const auto before = solver.statistics().steps;
         auto sampled = solver;
@@ -69,7 +74,7 @@ TEST_CASE("BDF: with order k, errors are as steps^-k, steps as tolerance^(-1/(k 
 
 TEST_CASE("BDF: the NDF need fewer steps at orders 1 to 3, as their error constants say") {
   const auto steps = [](int order, bdf_formula formula) {
-    bdf solver(towards_cosine(1.0), 0.0, one<double>(1.0), {.absolute = 1e-7, .relative = 1e-7}, {order, formula});
+    solver_type solver(towards_cosine(1.0), 0.0, numbers(1), {.absolute = 1e-7, .relative = 1e-7}, {order, formula});
     solver.integrate(10);
     return static_cast<double>(solver.statistics().steps);
   };
@@ -78,7 +83,7 @@ TEST_CASE("BDF: the NDF need fewer steps at orders 1 to 3, as their error consta
 
 TEST_CASE("BDF: stiffness is free") {
   const auto solve = [](double lambda) {
-    bdf solver(towards_cosine(lambda), 0.0, one<double>(1.5), {.absolute = 1e-8, .relative = 1e-8});
+    solver_type solver(towards_cosine(lambda), 0.0, numbers(1.5), {.absolute = 1e-8, .relative = 1e-8});
     solver.integrate(10);
     CHECK(solver.state()[0] == within(std::cos(10.0), 1e-8));
     CHECK(solver.statistics().jacobians == 1);  // linear
@@ -93,11 +98,11 @@ TEST_CASE("BDF: fast oscillations that decay slowly are followed or damped, not 
   int lowered = 0;
   for (double w : {10.0, 100.0, 1000.0, 1e4}) {
     for (double damping : {0.0, 0.01, 0.1, 0.5}) {  // outside of the stability of order 5, until 0.5
-      const auto f = [=](double t, const Eigen::Vector2d& x) {
-        const Eigen::Vector2d e(x[0] - std::cos(t), x[1] - std::cos(t));
-        return Eigen::Vector2d(-std::sin(t) + w * (e[1] - damping * e[0]), -std::sin(t) - w * (e[0] + damping * e[1]));
-      };
-      bdf solver(f, 0.0, Eigen::Vector2d(1, 1));
+      const any_system<> f([=](double t, const state& x) {
+        const double a = x[0] - std::cos(t), b = x[1] - std::cos(t);
+        return numbers(-std::sin(t) + w * (b - damping * a), -std::sin(t) - w * (a + damping * b));
+      });
+      solver_type solver(f, 0.0, numbers(1, 1));
       int order = 1;
       solver.integrate(20, [&](double, const auto&) {
         if (solver.order() < order) ++lowered;
@@ -112,7 +117,7 @@ TEST_CASE("BDF: fast oscillations that decay slowly are followed or damped, not 
 }
 
 TEST_CASE("BDF: the dense output interpolates step ends, with their accuracy") {
-  bdf solver(towards_cosine(50.0), 0.0, one<double>(1.0), {.absolute = 1e-9, .relative = 1e-9});
+  solver_type solver(towards_cosine(50.0), 0.0, numbers(1), {.absolute = 1e-9, .relative = 1e-9});
   double before = 0, x_before = 1;
   solver.integrate(10, [&](double t, const auto& x) {
     if (t == before) return;
@@ -130,11 +135,11 @@ TEST_CASE("BDF: the dense output interpolates step ends, with their accuracy") {
 
 TEST_CASE("BDF: no tiny last step, and the step before goes on") {
   const auto f = towards_cosine(1e4);
-  bdf solver(f, 0.0, one<double>(1.0));
+  solver_type solver(f, 0.0, numbers(1));
   for (int i = 1; i <= 100; ++i) {
     std::vector<double> times;
     const double start = i / 90.0, end = 3 + i * 0.137;
-    solver.restart(start, one<double>(std::cos(start)));
+    solver.restart(start, numbers(std::cos(start)));
     solver.integrate(end, [&](double t, const auto&) { times.push_back(t); });
     CHECK(solver.time() == end);
     const std::size_t n = times.size();
@@ -147,7 +152,7 @@ TEST_CASE("BDF: no tiny last step, and the step before goes on") {
   CHECK(solver.time() - end - 1e-3 == within(2e-3, 1e-14));  // times near 17 round by 1.8e-15
   solver.integrate(end + 1);
   CHECK(solver.state()[0] == within(std::cos(end + 1), 1e-7));
-  bdf at_once(f, 0.0, one<double>(1.0)), in_pieces = at_once, in_small_pieces = at_once;
+  solver_type at_once(f, 0.0, numbers(1)), in_pieces = at_once, in_small_pieces = at_once;
   at_once.integrate(10);
   for (int i = 1; i <= 10; ++i) in_pieces.integrate(i);
   CHECK(in_pieces.statistics().steps < at_once.statistics().steps + 3 * 10);
@@ -159,8 +164,7 @@ TEST_CASE("BDF: no tiny last step, and the step before goes on") {
 
 TEST_CASE("BDF: the history goes on where nothing has changed, else it starts again") {
   double input = 1;
-  const auto f = [&](double, const one<double>& x) { return one<double>(-x[0] + input); };
-  bdf solver(f, 0.0, one<double>(3.0));
+  solver_type solver({[&](double, const state& x) { return numbers(-x[0] + input); }}, 0.0, numbers(3));
   const auto order_of_next_step = [&](double t_end) {
     solver.begin(t_end);
     solver.step(t_end);
@@ -173,7 +177,7 @@ TEST_CASE("BDF: the history goes on where nothing has changed, else it starts ag
   CHECK(order > 3);
   CHECK(order_of_next_step(1.1) >= order - 1);
   const double x = solver.state()[0];
-  solver.restart(1.1, one<double>(x));  // equal state
+  solver.restart(1.1, numbers(x));  // equal state
   CHECK(order_of_next_step(2) > 2);
   input = 2;
   solver.begin(3);
@@ -181,7 +185,7 @@ TEST_CASE("BDF: the history goes on where nothing has changed, else it starts ag
   CHECK(solver.interpolate(2) == solver.state());
   CHECK(order_of_next_step(3) == 1);
   CHECK(solver.state()[0] == within(2 + (1 + 2 * std::exp(-2) - 2) * std::exp(-1), 1e-6));
-  solver.restart(3, one<double>(5.0));
+  solver.restart(3, numbers(5));
   CHECK(order_of_next_step(4) == 1);
   solver.restart(5, solver.state());
   CHECK(order_of_next_step(6) == 1);
@@ -190,11 +194,11 @@ TEST_CASE("BDF: the history goes on where nothing has changed, else it starts ag
 
 TEST_CASE("BDF: discontinuities of the right-hand side") {
   long long calls = 0;
-  const auto f = [&](double t, const one<double>& x) {
+  const any_system<> f([&](double t, const state& x) {
     ++calls;
-    return one<double>(-x[0] + (t < 1 ? 1 : t < 2 ? -1 : 3));
-  };
-  bdf solver(f, 0.0, one<double>(0.5), {.absolute = 1e-8, .relative = 1e-8});
+    return numbers(-x[0] + (t < 1 ? 1 : t < 2 ? -1 : 3));
+  });
+  solver_type solver(f, 0.0, numbers(0.5), {.absolute = 1e-8, .relative = 1e-8});
   const double x1 = 1 + (0.5 - 1) * std::exp(-1), x2 = -1 + (x1 + 1) * std::exp(-1), x3 = 3 + (x2 - 3) * std::exp(-1);
   solver.integrate(1.5);
   CHECK(solver.state()[0] == within(-1 + (x1 + 1) * std::exp(-0.5), 2e-8));
@@ -205,7 +209,7 @@ TEST_CASE("BDF: discontinuities of the right-hand side") {
 }
 
 TEST_CASE("BDF: backward in time") {
-  bdf solver(towards_cosine(-1e5), 2.0, one<double>(0.0), {.absolute = 1e-9, .relative = 1e-9});
+  solver_type solver(towards_cosine(-1e5), 2.0, numbers(0), {.absolute = 1e-9, .relative = 1e-9});
   double last = 3;
   solver.integrate(-8, every(0.25), [&](double t, const auto& x) {
     CHECK(t < last);
@@ -217,9 +221,12 @@ TEST_CASE("BDF: backward in time") {
 }
 
 TEST_CASE("BDF: in every scalar") {
-  bdf f(towards_cosine(1e3f), 0.0f, one<float>(1.0f), {.absolute = 1e-5f, .relative = 1e-5f});
-  bdf l(towards_cosine(1e3L), 0.0L, one<long double>(1.0L), {.absolute = 1e-16L, .relative = 1e-16L});
-  bdf m(towards_cosine(real50(1000)), real50(0), one<real50>(real50(1)), {.absolute = 1e-16, .relative = 1e-16});
+  scalar_solver<float> f(towards_cosine<scalar_system<float>>(1e3f), 0.0f, numbers<float>(1),
+                         {.absolute = 1e-5f, .relative = 1e-5f});
+  scalar_solver<long double> l(towards_cosine<scalar_system<long double>>(1e3L), 0.0L, numbers<long double>(1),
+                               {.absolute = 1e-16L, .relative = 1e-16L});
+  scalar_solver<real50> m(towards_cosine<scalar_system<real50>>(real50(1000)), real50(0), numbers<real50>(1),
+                          {.absolute = 1e-16, .relative = 1e-16});
   f.integrate(1), l.integrate(1), m.integrate(1);
   CHECK(f.state()[0] == within(std::cos(1.0f), 1e-5));
   CHECK(std::fabs(l.state()[0] - std::cos(1.0L)) < 1e-16L);
@@ -228,30 +235,25 @@ TEST_CASE("BDF: in every scalar") {
 }
 
 TEST_CASE("BDF: dynamic states, and a custom Jacobian") {
-  struct chain {  // heat along a rod
-    Eigen::VectorXd operator()(double, const Eigen::VectorXd& x) const {
-      Eigen::VectorXd f = -2 * x;
-      f.head(x.size() - 1) += x.tail(x.size() - 1);
-      f.tail(x.size() - 1) += x.head(x.size() - 1);
-      return 1000 * f;
-    }
+  const auto rod = [](double, const state& x) {  // heat along a rod
+    state f = -2 * x;
+    f.head(x.size() - 1) += x.tail(x.size() - 1);
+    f.tail(x.size() - 1) += x.head(x.size() - 1);
+    return state(1000 * f);
   };
-  struct with_jacobian : chain {
-    void jacobian(double, const Eigen::VectorXd& x, Eigen::MatrixXd& J) const {
-      J.setZero();
-      J.diagonal().setConstant(-2000);
-      J.diagonal(1).setConstant(1000);
-      J.diagonal(-1).setConstant(1000);
-      CHECK(J.rows() == x.size());
-    }
+  const auto jacobian = [](double, const state& x, Eigen::MatrixXd& J) {
+    J.setZero();
+    J.diagonal().setConstant(-2000);
+    J.diagonal(1).setConstant(1000);
+    J.diagonal(-1).setConstant(1000);
+    CHECK(J.rows() == x.size());
   };
-  Eigen::VectorXd x0(20);
+  state x0(20);
   const double pi = std::acos(-1.0);
   for (int i = 0; i < 20; ++i) x0[i] = std::sin(3 * pi * (i + 1) / 21);  // an eigenvector
   const double rate = 2000 * (std::cos(3 * pi / 21) - 1);
   const tolerances<double> tol{.absolute = 1e-10, .relative = 1e-8};
-  bdf a(chain(), 0.0, x0, tol);
-  bdf b(with_jacobian(), 0.0, x0, tol);
+  solver_type a({rod}, 0.0, x0, tol), b({rod, jacobian}, 0.0, x0, tol);
   a.integrate(0.01), b.integrate(0.01);
   CHECK((a.state() - std::exp(0.01 * rate) * x0).norm() < 1e-8);
   CHECK((b.state() - std::exp(0.01 * rate) * x0).norm() < 1e-8);

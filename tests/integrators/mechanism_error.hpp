@@ -6,8 +6,16 @@
 
 #include "catch.hpp"
 #include "data/problems/mechanism.hpp"
+#include "integrators/any_system.hpp"
 
 namespace kte::test {
+
+/// Dormand and Prince with the tolerance 1e-12, for states of dynamic size: of one type for all problems.
+template <class Problem>
+auto solver_of() {
+  return dormand_prince45(system_of<Problem>(), 0.0, Eigen::VectorXd(Problem::start()),
+                          {.absolute = 1e-12, .relative = 1e-12});
+}
 
 /// Integrates a mechanism by Dormand and Prince in double with the tolerance 1e-12, and checks the errors at its
 /// references and the change of its energy.
@@ -19,15 +27,16 @@ namespace kte::test {
 template <class Mechanism>
 void check_references(double drift, const std::vector<double>& bounds) {
   using problem = problems::equation_of_motion<Mechanism>;
-  dormand_prince45 solver(problem{}, 0.0, problem::start(), {.absolute = 1e-12, .relative = 1e-12});
+  auto solver = solver_of<problem>();
   const double energy = problem::energy(problem::start());
   REQUIRE(bounds.size() == std::size(Mechanism::references));
   for (std::size_t i = 0; i < bounds.size(); ++i) {
     const auto& r = Mechanism::references[i];
     solver.integrate(static_cast<double>(r.time));
+    const typename problem::state x = solver.state();
     UNSCOPED_INFO(Mechanism::name << " at " << solver.time());
-    CHECK(static_cast<double>(problems::largest_error(problem::output(solver.state()), r.values)) < bounds[i]);
-    CHECK(problem::energy(solver.state()) == within(energy, drift));
+    CHECK(static_cast<double>(problems::largest_error(problem::output(x), r.values)) < bounds[i]);
+    CHECK(problem::energy(x) == within(energy, drift));
   }
 }
 

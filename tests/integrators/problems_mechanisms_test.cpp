@@ -5,10 +5,10 @@
 #include "data/problems/ten_rods.hpp"
 #include "integrators/mechanism_error.hpp"
 
+namespace problems_mechanisms_test {
+
 // The mechanisms of data/problems in the plane against their references, by the library's forward dynamics. How bounds
 // were found is said in mechanism_error.hpp.
-
-namespace problems_mechanisms_test {
 
 using namespace kte;
 using namespace kte::problems;

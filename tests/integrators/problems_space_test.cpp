@@ -6,10 +6,10 @@
 #include "data/problems/spherical_double_pendulum.hpp"
 #include "integrators/mechanism_error.hpp"
 
+namespace problems_space_test {
+
 // The mechanisms of data/problems in space against their references, by the library's forward dynamics. How bounds were
 // found is said in mechanism_error.hpp.
-
-namespace problems_space_test {
 
 using namespace kte;
 using namespace kte::problems;
@@ -19,9 +19,9 @@ using namespace kte::test;
 template <class Mechanism>
 auto state_after(double t) {
   using problem = equation_of_motion<Mechanism>;
-  dormand_prince45 solver(problem{}, 0.0, problem::start(), {.absolute = 1e-12, .relative = 1e-12});
+  auto solver = solver_of<problem>();
   solver.integrate(t);
-  return solver.state();
+  return typename problem::state(solver.state());
 }
 
 TEST_CASE("the spherical double pendulum reaches its references, without turns about its rods", "[long]") {

@@ -7,26 +7,34 @@
 #include "catch.hpp"
 #include "data/problems/hires.hpp"
 #include "data/problems/vdpol.hpp"
+#include "integrators/any_system.hpp"
+
+namespace stiff_one_step_problems_test {
 
 // Accuracy and price for stiff problems of the test sets. The error of a step is kept at the tolerance, so errors in
 // the end are as many tolerances as there are steps, and as the problem magnifies: that is not known beforehand. Bounds
 // are what was measured, half a digit and a quarter of the evaluations off.
 
-namespace stiff_one_step_problems_test {
-
 using namespace kte;
+using test::any_system, test::system_of, test::system_with_jacobian_of;
 
-/// A problem without its Jacobian.
-template <class Problem>
-struct by_differences {
-  using state = typename Problem::state;
-  state operator()(double t, const state& x) const { return Problem()(t, x); }
+struct problem {
+  any_system<> f, by_differences;
+  Eigen::VectorXd start;
+  double t_end;
+  double (*digits)(const Eigen::VectorXd& x);  ///< how many are right at the end
 };
+template <class P>
+problem made() {
+  return {system_with_jacobian_of<P>(), system_of<P>(), P::start(), static_cast<double>(P::t_end),
+          [](const Eigen::VectorXd& x) { return problems::scd(x, P::reference); }};
+}
+const problem vdpol = made<problems::vdpol<>>(), hires = made<problems::hires<>>();
 
-template <class Problem, template <class, class> class Method, class F = Problem>
-auto solved(double tolerance, double t_end = static_cast<double>(Problem::t_end)) {
-  Method<F, typename Problem::state> solver(F{}, 0.0, Problem::start(), {.absolute = tolerance, .relative = tolerance});
-  solver.integrate(t_end);
+template <template <class, class> class Method>
+auto solved(const problem& p, const any_system<>& f, double tolerance) {
+  Method<any_system<>, Eigen::VectorXd> solver(f, 0.0, p.start, {.absolute = tolerance, .relative = tolerance});
+  solver.integrate(p.t_end);
   return solver;
 }
 
@@ -34,25 +42,24 @@ struct bounds {
   double tolerance, digits;
   long long evaluations;
 };
-template <class Problem, template <class, class> class Method>
-void check(const bounds& b) {
-  const auto solver = solved<Problem, Method>(b.tolerance);
+template <template <class, class> class Method>
+void check(const problem& p, const bounds& b) {
+  const auto solver = solved<Method>(p, p.f, b.tolerance);
   const auto& costs = solver.statistics();
   CAPTURE(b.tolerance, costs.steps, costs.rejected);
-  CHECK(problems::scd(solver.state(), Problem::reference) > b.digits - 0.5);
+  CHECK(p.digits(solver.state()) > b.digits - 0.5);
   CHECK(static_cast<double>(costs.evaluations) < 1.25 * static_cast<double>(b.evaluations));
 }
 template <template <class, class> class Method>
-void check_all(const bounds (&vdpol)[2], const bounds (&hires)[2]) {
-  for (const auto& b : vdpol) check<problems::vdpol<double>, Method>(b);
-  for (const auto& b : hires) check<problems::hires<double>, Method>(b);
+void check_all(const bounds (&of_vdpol)[2], const bounds (&of_hires)[2]) {
+  for (const auto& b : of_vdpol) check<Method>(vdpol, b);
+  for (const auto& b : of_hires) check<Method>(hires, b);
 }
 
 template <template <class, class> class Method>
 void check_differences() {
-  using problem = problems::vdpol<double>;
-  const auto exact = solved<problem, Method>(1e-7);
-  const auto differences = solved<problem, Method, by_differences<problem>>(1e-7);
+  const auto exact = solved<Method>(vdpol, vdpol.f, 1e-7);
+  const auto differences = solved<Method>(vdpol, vdpol.by_differences, 1e-7);
   CHECK((exact.state() - differences.state()).norm() < 1e-4);  // both are as far from the reference
   CHECK(static_cast<double>(differences.statistics().steps) ==
         within_relative(static_cast<double>(exact.statistics().steps), 0.02));
@@ -86,24 +93,22 @@ TEST_CASE("one-step methods for stiff systems: the Jacobian by differences does 
 }
 
 TEST_CASE("Rosenbrock methods: one Jacobian a step, one factorization a try, as many evaluations as stages") {
-  using problem = problems::vdpol<double>;
-  const auto two = solved<problem, rosenbrock23>(1e-5).statistics();
+  const auto two = solved<rosenbrock23>(vdpol, vdpol.f, 1e-5).statistics();
   CHECK(two.rejected > 0);
   CHECK(two.jacobians == two.steps);
   CHECK(two.factorizations == two.steps + two.rejected);
   CHECK(two.evaluations == 2 + two.steps + 2 * (two.steps + two.rejected));  // start, first step size; df/dt; stages
-  const auto differences = solved<problem, rosenbrock23, by_differences<problem>>(1e-5).statistics();
+  const auto differences = solved<rosenbrock23>(vdpol, vdpol.by_differences, 1e-5).statistics();
   CHECK(differences.evaluations == 2 + 3 * differences.steps + 2 * (differences.steps + differences.rejected));
-  const auto six = solved<problem, rodas>(1e-5).statistics();
+  const auto six = solved<rodas>(vdpol, vdpol.f, 1e-5).statistics();
   CHECK(six.evaluations == 1 + 2 * six.steps + 5 * (six.steps + six.rejected));
   CHECK(six.jacobians == six.steps);
 }
 
 TEST_CASE("diagonally implicit methods keep the Jacobian over steps, and its factors") {
-  using problem = problems::hires<double>;
   for (const auto& costs :
-       {solved<problem, tr_bdf2>(1e-7).statistics(), solved<problem, trapezoidal>(1e-7).statistics(),
-        solved<problem, kennedy_carpenter34>(1e-9).statistics()}) {
+       {solved<tr_bdf2>(hires, hires.f, 1e-7).statistics(), solved<trapezoidal>(hires, hires.f, 1e-7).statistics(),
+        solved<kennedy_carpenter34>(hires, hires.f, 1e-9).statistics()}) {
     CHECK(5 * costs.jacobians < costs.steps);
     CHECK(4 * costs.factorizations < 3 * costs.steps);
     CHECK(costs.factorizations >= costs.jacobians);

@@ -6,15 +6,15 @@
 #include <kte/integrators/trapezoidal.hpp>
 
 #include "catch.hpp"
+#include "integrators/any_system.hpp"
 #include "integrators/implicit_conditions.hpp"
 #include "integrators/rotating_body.hpp"
 
 namespace stiff_one_step_test {
 
 using namespace kte;
+using test::any_system, test::numbers;
 
-template <class S>
-using scalar = Eigen::Matrix<S, 1, 1>;
 /// Nonlinear, and it depends on time; no method's estimate of the error has a zero, as both numbers turn:
 ///
 ///   x' = (1 + t) (-x_2, x_1) - t |x|^2 x,   x(0) = (1, 0)
@@ -74,10 +74,10 @@ void check_order(int order, int order_of_error, long double tolerance) {
 /// What one step of length 1 makes of 1, in x' = z x.
 template <template <class, class> class Method>
 double growth(double z) {
-  const auto f = [&](double, const scalar<double>& x) { return scalar<double>(z * x[0]); };
-  Method<decltype(f), scalar<double>> solver(f, 0.0, scalar<double>(1.0), {.absolute = 1e30, .relative = 1e30});
+  Method<any_system<>, Eigen::VectorXd> solver({[z](double, const auto& x) { return numbers(z * x[0]); }}, 0.0,
+                                               numbers(1), {.absolute = 1e30, .relative = 1e30});
   solver.integrate(1e3);
-  solver.restart(0, scalar<double>(1.0), keep_step);
+  solver.restart(0, numbers(1), keep_step);
   const auto before = solver.statistics().steps;
   solver.integrate(1);
   REQUIRE(solver.statistics().steps == before + 1);
@@ -104,13 +104,15 @@ void check_growth_rosenbrock() {
   check_growth<Method>(B, decltype(test::vector_of(k.m))(Gamma.transpose() * test::vector_of(k.m)));
 }
 
-/// x' = -1e6 (x - cos t) - sin t from x = 2: x falls to cos t within 1e-6 s, then follows it.
+/// x' = -1e6 (x - cos t) - sin t: x falls to cos t within 1e-6 s, then follows it.
+template <template <class, class> class Method>
+Method<any_system<>, Eigen::VectorXd> stiff_solver(double start) {
+  const auto f = [](double t, const auto& x) { return numbers(-1e6 * (x[0] - std::cos(t)) - std::sin(t)); };
+  return {any_system<>(f), 0.0, numbers(start), {.absolute = 1e-6, .relative = 1e-6}};
+}
 template <template <class, class> class Method>
 void check_stiff(long long most_steps) {
-  const auto f = [](double t, const scalar<double>& x) {
-    return scalar<double>(-1e6 * (x[0] - std::cos(t)) - std::sin(t));
-  };
-  Method<decltype(f), scalar<double>> solver(f, 0.0, scalar<double>(2.0), {.absolute = 1e-6, .relative = 1e-6});
+  auto solver = stiff_solver<Method>(2);
   solver.integrate(10);
   CHECK(solver.state()[0] == within(std::cos(10.0), 1e-5));
   CHECK(solver.statistics().steps < most_steps);  // explicit methods need 1e6 at least
@@ -125,10 +127,7 @@ void check_stiff(long long most_steps) {
 /// Steps that differ by less than what makes new factors worth while: the old ones do, with a correction more.
 template <template <class, class> class Method>
 void check_old_factors() {
-  const auto f = [](double t, const scalar<double>& x) {
-    return scalar<double>(-1e6 * (x[0] - std::cos(t)) - std::sin(t));
-  };
-  Method<decltype(f), scalar<double>> solver(f, 0.0, scalar<double>(1.0), {.absolute = 1e-6, .relative = 1e-6});
+  auto solver = stiff_solver<Method>(1);
   solver.integrate(20);
   const long long before = solver.statistics().factorizations;
   for (int i = 0; i < 100; ++i) {
@@ -166,7 +165,8 @@ void check_group(int order, long double tolerance) {
   CHECK(stiff.statistics().steps < 1000);
 }
 
-TEST_CASE("one-step methods for stiff systems have their orders, as slopes, at the ends of steps and between them") {
+TEST_CASE("one-step methods for stiff systems have their orders, as slopes, at the ends of steps and between them",
+          "") {
   SECTION("rosenbrock23") { check_order<rosenbrock23>(2, 3, 1e-7L); }
   SECTION("RODAS") { check_order<rodas>(4, 4, 1e-9L); }
   SECTION("TR-BDF2") { check_order<tr_bdf2>(2, 3, 1e-7L); }

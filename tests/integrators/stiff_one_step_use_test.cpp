@@ -10,31 +10,31 @@
 
 #include "catch.hpp"
 #include "digits50.hpp"
-
-// How one-step methods for stiff systems are used, and how they fail.
+#include "integrators/any_system.hpp"
 
 namespace stiff_one_step_use_test {
 
+// How one-step methods for stiff systems are used, and how they fail.
+
 using namespace kte;
-using kte::test::contains_text;
-using kte::test::within;
-using kte::test::within_relative;
+using test::any_system, test::contains_text, test::numbers;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-using number = Eigen::Matrix<double, 1, 1>;
-constexpr auto oscillator = [](double, const Eigen::Vector2d& x) { return Eigen::Vector2d(x[1], -x[0]); };
+using state = Eigen::VectorXd;
+constexpr auto oscillator = [](double, const auto& x) { return Eigen::Vector2d(x[1], -x[0]); };
 
-template <template <class, class> class Method, class F, class X>
-auto make(const F& f, double t0, const X& x0, double tolerance = 1e-6, long long max_steps = 100000) {
-  return Method<F, X>(f, t0, x0, {.absolute = tolerance, .relative = tolerance, .max_steps = max_steps});
+template <template <class, class> class Method>
+Method<any_system<>, state> make(const any_system<>& f, double t0, const state& x0, double tolerance = 1e-6,
+                                 long long max_steps = 100000) {
+  return {f, t0, x0, {.absolute = tolerance, .relative = tolerance, .max_steps = max_steps}};
 }
 
 /// Whether a method gets from one time to another, forward and back, with few tries.
 template <template <class, class> class Method>
 bool passes(double from, double to) {
-  const auto f = [](double t, const Eigen::Vector2d& x) { return Eigen::Vector2d(x[1] + std::sin(t), -x[0]); };
-  auto there = make<Method>(f, from, Eigen::Vector2d(1, 0.5), 1e-6, 1000);
-  auto back = make<Method>(f, to, Eigen::Vector2d(1, 0.5), 1e-6, 1000);
+  const any_system<> f([](double t, const state& x) { return numbers(x[1] + std::sin(t), -x[0]); });
+  auto there = make<Method>(f, from, numbers(1, 0.5), 1e-6, 1000);
+  auto back = make<Method>(f, to, numbers(1, 0.5), 1e-6, 1000);
   there.integrate(to), back.integrate(from);
   return there.time() == to && back.time() == from && there.state().allFinite() && back.state().allFinite();
 }
@@ -48,10 +48,10 @@ double missed(const Solver& solver, double size) {
 
 template <template <class, class> class Method>
 void check_use() {
-  auto solver = make<Method>(oscillator, 1.0, Eigen::Vector2d(1, 0));
+  auto solver = make<Method>({oscillator}, 1.0, numbers(1, 0));
   double before = 1;
-  Eigen::Vector2d x_before(1, 0);
-  solver.integrate(5, [&](double t, const Eigen::Vector2d& x) {
+  state x_before = numbers(1, 0);
+  solver.integrate(5, [&](double t, const state& x) {
     if (t > before) {
       CHECK(solver.interpolate(before) == x_before);
       CHECK(solver.interpolate(t) == x);
@@ -65,8 +65,8 @@ void check_use() {
   CHECK((solver.interpolate(solver.time() - 1e-3) - solver.state()).norm() < 2e-3);  // still the last step
   solver.integrate(1);                                                               // backward, to the start
   CHECK((solver.state() - Eigen::Vector2d(1, 0)).norm() < missed(solver, 1));
-  solver.restart(3, Eigen::Vector2d(0, 2));
-  solver.integrate(3 + std::acos(-1.0), every(0.25), [&](double t, const Eigen::Vector2d& x) {
+  solver.restart(3, numbers(0, 2));
+  solver.integrate(3 + std::acos(-1.0), every(0.25), [&](double t, const state& x) {
     CHECK((x - 2 * Eigen::Vector2d(std::sin(t - 3), std::cos(t - 3))).norm() < missed(solver, 2));
   });
   CHECK(solver.time() == 3 + std::acos(-1.0));
@@ -76,7 +76,7 @@ void check_use() {
 template <template <class, class> class Method>
 void check_changes() {
   double rate = -1e3, input = 1;
-  auto solver = make<Method>([&](double, const number& x) { return number(rate * (x[0] - input)); }, 0.0, number(0.0));
+  auto solver = make<Method>({[&](double, const state& x) { return numbers(rate * (x[0] - input)); }}, 0.0, numbers(0));
   solver.integrate(1);
   CHECK(solver.state()[0] == within(1.0, 1e-5));
   input = 2;
@@ -89,35 +89,34 @@ void check_changes() {
 
 template <template <class, class> class Method>
 void check_failures() {
-  auto blown = make<Method>([](double, const number& x) { return number(x[0] * x[0]); }, 0.0, number(1.0));
+  auto blown = make<Method>({[](double, const state& x) { return numbers(x[0] * x[0]); }}, 0.0, numbers(1));
   CHECK_THROWS_WITH(blown.integrate(2), contains_text("stopped at t = "));
   CHECK(blown.time() == within(1.0, 0.01));
   CHECK(std::isfinite(blown.state()[0]));
   CHECK(blown.interpolate(blown.time()) == blown.state());
 
-  auto broken = make<Method>([](double t, const number&) { return number(t < 0.5 ? 1.0 : nan); }, 0.0, number(0.0));
+  auto broken = make<Method>({[](double t, const state&) { return numbers(t < 0.5 ? 1.0 : nan); }}, 0.0, numbers(0));
   CHECK_THROWS_WITH(broken.integrate(1), contains_text("t = 0.49999") && contains_text("not a finite number"));
   CHECK(broken.state()[0] == within(broken.time(), missed(broken, 0.5)));
-  auto at_once = make<Method>([](double, const number&) { return number(nan); }, 0.7, number(3.0));
+  auto at_once = make<Method>({[](double, const state&) { return numbers(nan); }}, 0.7, numbers(3));
   CHECK_THROWS_WITH(at_once.integrate(1), contains_text("t = 0.69999") && contains_text("not a finite number"));
   CHECK(at_once.state()[0] == 3.0);
 
-  auto few = make<Method>(oscillator, 0.0, Eigen::Vector2d(1, 0), 1e-6, 10);
+  auto few = make<Method>({oscillator}, 0.0, numbers(1, 0), 1e-6, 10);
   CHECK_THROWS_WITH(few.integrate(100), contains_text("max_steps = 10"));
   CHECK(few.statistics().steps + few.statistics().rejected == 10);
-  CHECK_THROWS_WITH(make<Method>(oscillator, 0.0, Eigen::Vector2d(1, 0), -0.25), contains_text("got -0.25"));
-  CHECK_THROWS_AS(make<Method>(oscillator, nan, Eigen::Vector2d(1, 0)), bad_argument);
+  CHECK_THROWS_WITH(make<Method>({oscillator}, 0.0, numbers(1, 0), -0.25), contains_text("got -0.25"));
+  CHECK_THROWS_AS(make<Method>({oscillator}, nan, numbers(1, 0)), bad_argument);
 }
 
-/// x' = c x with a Jacobian that is told.
-struct told {
-  double c, jacobian_value;
-  number operator()(double, const number& x) const { return c * x; }
-  void jacobian(double, const number&, number& J) const { J[0] = jacobian_value; }
-};
+/// x' = x with a Jacobian that is told.
+any_system<> told(double value) {
+  return {[](double, const state& x) { return x; },
+          [value](double, const state&, Eigen::MatrixXd& J) { J(0, 0) = value; }};
+}
 template <template <class, class> class Method>
 void check_bad_jacobian() {
-  auto solver = make<Method>(told{1, nan}, 0.0, number(1.0));
+  auto solver = make<Method>(told(nan), 0.0, numbers(1));
   CHECK_THROWS_WITH(solver.integrate(1), contains_text("the Jacobian has a number that is not finite"));
   CHECK(solver.state()[0] == 1.0);
 }
@@ -125,7 +124,7 @@ void check_bad_jacobian() {
 template <template <class, class> class Method>
 void check_singular(double gamma) {
   const double end = 1.0 / 1048576;
-  auto solver = make<Method>(told{1, 1 / (gamma * end)}, 0.0, number(1.0), 1e30);
+  auto solver = make<Method>(told(1 / (gamma * end)), 0.0, numbers(1), 1e30);
   solver.integrate(end);
   CHECK(solver.statistics().rejected > 0);
   CHECK(solver.state()[0] == within(1.0, 1e-4));
@@ -150,8 +149,7 @@ void check_scalars() {
 
 template <template <class, class> class Method>
 void check_dynamic() {
-  const auto f = [](double, const Eigen::VectorXd& x) -> Eigen::VectorXd { return -1e4 * x; };
-  auto solver = make<Method>(f, 0.0, Eigen::VectorXd(Eigen::VectorXd::Ones(3)));
+  auto solver = make<Method>({[](double, const state& x) -> state { return -1e4 * x; }}, 0.0, state::Ones(3));
   solver.integrate(1e-4);
   CHECK((solver.state().array() - std::exp(-1.0)).abs().maxCoeff() < 1e-4);
 }

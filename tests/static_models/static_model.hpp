@@ -15,55 +15,46 @@
 
 namespace kte::test {
 
-/// A static chain behind virtual functions. Its algorithms are instantiated once for all tests, and a law is a function
-/// that is compiled once for all chains. Members are the functions of the same name in kte; frames have names here.
+/// The algorithms of a static chain as pointers to functions. They are instantiated once for all tests, and a law is a
+/// function that is compiled once for all chains. Members are the functions of the same name in kte; frames have names.
 template <class S>
-class static_model {
- public:
+struct static_model {
   using vector = Eigen::Matrix<S, Eigen::Dynamic, 1>;
   using matrix = Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>;
   using vector3 = Eigen::Matrix<S, 3, 1>;
   using vector6 = Eigen::Matrix<S, 6, 1>;
   using placed = pose<Eigen::Matrix<S, 3, 3>, vector3>;
   using body = rigid_body<S, vec3<S>, sym3<S>>;
+  template <class Result>
+  using of_q = Result (*)(const vector& q);
+  template <class Result>
+  using of_q_v = Result (*)(const vector& q, const vector& v);
 
-  virtual ~static_model() = default;
-  virtual int dofs() const = 0;
-  virtual vec3<> gravity() const = 0;
-  virtual vector integrate(const vector& q, const vector& v, const S& t) const = 0;
-
-  virtual vector inverse_dynamics(const vector& q, const vector& v, const vector& a) const = 0;
-  virtual matrix mass_matrix(const vector& q) const = 0;
-  virtual vector static_forces(const vector& q) const = 0;
-  virtual vector gravity_forces(const vector& q) const = 0;
-  virtual vector nonlinear_effects(const vector& q, const vector& v) const = 0;
-  virtual vector coriolis_forces(const vector& q, const vector& v) const = 0;
-
-  virtual S potential_energy(const vector& q) const = 0;
-  virtual S kinetic_energy(const vector& q, const vector& v) const = 0;
-  virtual energies<S> energy(const vector& q, const vector& v) const = 0;
-  virtual vector generalized_momenta(const vector& q, const vector& v) const = 0;
-
-  virtual mass_centre<S> centre_of_mass(const vector& q) const = 0;
-  virtual vector3 centre_of_mass_velocity(const vector& q, const vector& v) const = 0;
-  virtual vector6 centroidal_momentum(const vector& q, const vector& v) const = 0;
-  virtual matrix centroidal_momentum_matrix(const vector& q) const = 0;
-  /// All bodies, with the motion of their frames by `doMotion`.
-  virtual std::vector<std::pair<body, frame_3D<S>>> bodies(const vector& q, const vector& v) const = 0;
-
-  virtual placed forward_kinematics(const vector& q, const char* frame) const = 0;
-  virtual vector6 frame_velocity(const vector& q, const vector& v, const char* frame) const = 0;
-  virtual vector6 frame_acceleration(const vector& q, const vector& v, const vector& a, const char* frame) const = 0;
-  virtual matrix jacobian(const vector& q, const char* frame) const = 0;
-  virtual matrix jacobian(const vector& q, const char* frame, in_world_axes_t) const = 0;
+  int dofs;
+  vec3<> gravity;
+  vector (*integrate)(const vector& q, const vector& v, const S& t);
+  vector (*inverse_dynamics)(const vector& q, const vector& v, const vector& a);
+  of_q<matrix> mass_matrix, centroidal_momentum_matrix;
+  of_q<vector> static_forces, gravity_forces, gravity_forces_without_gravity;
+  of_q_v<vector> nonlinear_effects, coriolis_forces, coriolis_forces_without_gravity, generalized_momenta;
+  of_q<S> potential_energy;
+  of_q_v<S> kinetic_energy;
+  of_q_v<energies<S>> energy;
+  of_q<mass_centre<S>> centre_of_mass;
+  of_q_v<vector> centre_of_mass_velocity, centroidal_momentum;
+  of_q_v<std::vector<std::pair<body, frame_3D<S>>>> bodies;  ///< with the motion of their frames by `doMotion`
+  placed (*forward_kinematics)(const vector& q, const char* frame);
+  matrix (*jacobian)(const vector& q, const char* frame);
+  matrix (*jacobian_in_world_axes)(const vector& q, const char* frame);
+  vector (*frame_velocity)(const vector& q, const vector& v, const char* frame);
+  vector (*frame_acceleration)(const vector& q, const vector& v, const vector& a, const char* frame);
 };
 
-/// One chain in all forms.
+/// One chain in all forms; `runtime` has its elements one by one.
 struct model {
-  const static_model<double>& in_double;
-  const static_model<digits50>& exact;
-  const static_model<digits50>& weightless;  ///< without gravity
-  runtime_chain runtime;                     ///< its elements one by one
+  static_model<double> in_double;
+  static_model<digits50> exact;
+  runtime_chain runtime;
 };
 /// The chains of `small_chains`, iiwa14 and `models::tree`. Frames: `tool`; `body`, `tip`, `aside`; `disc`; `palm`,
 /// `tip`; `shank`, `hand`. Chains with springs and dampers have none.
