@@ -24,7 +24,7 @@ class element_of : public connected_element {
  protected:
   using inputs = std::make_index_sequence<input_count<Core>>;
 
-  explicit element_of(named_element<Core>& e) : connected_element(facts_of<Core>, e.names), core_(e.core) {}
+  explicit element_of(named_element<Core>& e) : connected_element(facts_of<Core>, e.names.data()), core_(e.core) {}
 
   template <class State>
   auto on(State& s) const {
