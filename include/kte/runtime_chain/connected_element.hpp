@@ -44,14 +44,15 @@ class connected_element : public kte_element {
  public:
   std::string_view type() const final { return facts_.type; }
   std::span<const port> ports() const final { return facts_.ports; }
-  std::span<const std::string> names() const final { return names_; }
+  std::span<const std::string> names() const final { return {names_.data(), names_.size()}; }
   bool holds_code() const final { return facts_.holds_code; }
   void for_each_element(const std::function<void(const kte_element&)>& visit) const final { visit(*this); }
   void connect(topology& t) final { connect_to(t); }
   void check_parameters() const final { refuse_bad_parameters(); }
 
  protected:
-  connected_element(const core_facts& facts, std::span<std::string> names);
+  /// Takes the names. (A span of them, or of a list, would instantiate 900 classes of std in each unit.)
+  connected_element(const core_facts& facts, std::string* names);
   connected_element(const connected_element&);
 
  private:
@@ -66,14 +67,17 @@ class connected_element : public kte_element {
 };
 
 #ifdef KTE_FUNCTION
-[[gnu::cold]] KTE_FUNCTION connected_element::connected_element(const core_facts& facts, std::span<std::string> names)
-    : facts_(facts), names_(std::make_move_iterator(names.begin()), std::make_move_iterator(names.end())) {}
+[[gnu::cold]] KTE_FUNCTION connected_element::connected_element(const core_facts& facts, std::string* names)
+    : facts_(facts) {
+  names_.reserve(facts.ports.size());
+  for (std::size_t p = 0; p < facts.ports.size(); ++p) names_.push_back(std::move(names[p]));
+}
 [[gnu::cold]] KTE_FUNCTION connected_element::connected_element(const connected_element& o)
     : kte_element(o), facts_(o.facts_), names_(o.names_) {}
 [[gnu::cold]] KTE_FUNCTION void connected_element::connect_to(topology& t) {
-  t.connect(this, facts_.type, facts_.ports, names_);
+  t.connect(this, facts_.type, facts_.ports, names());
   auto& c = t.elements.back();
-  connect_as(c.index);
+  connect_as({c.index.data(), c.index.size()});
   c.rigid = facts_.rigid, c.distributed_mass = facts_.distributed_mass, c.load = facts_.load;
   c.closes = facts_.closes, c.touches = facts_.touches;
   c.starts_in_place = facts_.starts_in_place, c.parameters = facts_.parameters;
@@ -82,7 +86,7 @@ class connected_element : public kte_element {
 [[gnu::cold]] KTE_FUNCTION void connected_element::refuse_bad_parameters() const {
   const std::vector<std::string_view> texts(names_.begin(), names_.end());
   parameter_check::breach broken;
-  const parameter_check where{facts_.type, facts_.ports, texts, broken};
+  const parameter_check where{facts_.type, facts_.ports, {texts.data(), texts.size()}, broken};
   check_core(where);
   if (broken.rule) raise<bad_parameter>(where());
 }

@@ -24,7 +24,7 @@ class element_of : public connected_element {
  protected:
   using inputs = std::make_index_sequence<input_count<Core>>;
 
-  explicit element_of(named_element<Core>& e) : connected_element(facts_of<Core>, e.names), core_(e.core) {}
+  explicit element_of(named_element<Core>& e) : connected_element(facts_of<Core>, e.names.data()), core_(e.core) {}
 
   template <class State>
   auto on(State& s) const {
@@ -251,8 +251,8 @@ class parts_of_element {
   using derived = add<is_on_coordinates<Core>, with_force_derivatives, element_of<Core>>;
   using moving = add<acts<Core>, with_action, derived>;
   using jointed = add<is_transmission<Core> && varying_axes<Core>, with_varying_axes, moving>;
-  using rubbing = add<load_dependent_friction<Core>, with_friction, jointed>;
-  using massive = add<distributed_mass<Core>, with_distributed_mass, rubbing>;
+  using loaded = add<load_dependent_friction<Core>, with_friction, jointed>;
+  using massive = add<distributed_mass<Core>, with_distributed_mass, loaded>;
   using keeping = add<(kept_count<Core> > 0), with_internal_states, massive>;
   using touching = add<is_contact<Core>, with_touch, keeping>;
   using closing_frames = add<is_contact<Core> || (is_closure<Core> && on_frames), with_closed_frames, touching>;
