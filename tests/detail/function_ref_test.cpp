@@ -8,7 +8,7 @@ namespace function_ref_test {
 
 using kte::detail::function_ref;
 
-void three_times(function_ref<int, std::string&> f, std::string& to) {
+void three_times(function_ref<void(int, std::string&)> f, std::string& to) {
   for (int i = 0; i < 3; ++i) f(i, to);
 }
 
