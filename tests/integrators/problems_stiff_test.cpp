@@ -18,13 +18,13 @@ namespace problems_stiff_test {
 // of high order.
 
 using namespace kte::problems;
-using stiff_system = kte::test::any_system<long double>;
-using state = stiff_system::state;
-using matrix = stiff_system::matrix;
+using stiff_problem = kte::test::any_system<long double>;
+using state = stiff_problem::state;
+using matrix = stiff_problem::matrix;
 
 /// No right-hand side has more than the square of one of its variables, so central differences are exact but for
 /// rounding, eps |f| / h: with states below 3, |f| below 3e8, eps = 1.1e-19 and h = 1/64 that is 2e-9.
-void check_jacobian(const stiff_system& f, int size) {
+void check_jacobian(const stiff_problem& f, int size) {
   random_numbers random(1);
   state x(size);
   for (auto& e : x) e = 2 + random();
@@ -45,7 +45,7 @@ void check_jacobian(const stiff_system& f, int size) {
 ///
 /// Hairer and Wanner, Solving Ordinary Differential Equations II, 1996, IV.9. Puts the step's end into x, and returns
 /// what the last extrapolation changed, in units of |x| + smallest.
-long double implicit_step(const stiff_system& f, long double h, long double smallest, state& x) {
+long double implicit_step(const stiff_problem& f, long double h, long double smallest, state& x) {
   constexpr int columns = 10;
   matrix J;
   f.jacobian(0.0L, x, J);
@@ -67,7 +67,7 @@ long double implicit_step(const stiff_system& f, long double h, long double smal
   return error;
 }
 /// To the end with steps that keep that change below the tolerance.
-state integrate(const stiff_system& f, state x, long double t_end, long double smallest, long double tolerance) {
+state integrate(const stiff_problem& f, state x, long double t_end, long double smallest, long double tolerance) {
   long double t = 0, h = 1e-6L;
   while (t < t_end) {
     h = std::min(h, t_end - t);
@@ -79,7 +79,7 @@ state integrate(const stiff_system& f, state x, long double t_end, long double s
   return x;
 }
 template <class Problem>
-stiff_system system_of() {
+stiff_problem system_of() {
   return kte::test::system_with_jacobian_of<Problem, long double>();
 }
 

@@ -75,7 +75,7 @@ template <class S>
 typename static_model<S>::vector random_configuration(const runtime_chain& c, random_numbers& random) {
   return integrate(c, neutral_configuration(c), random_vector(c.dofs(), 2, random), 1.0).template cast<S>();
 }
-/// A configuration, velocities and accelerations: the same numbers in all scalars.
+/// A configuration, velocities and accelerations: their numbers are equal in all scalars.
 template <class S>
 struct random_motion {
   using vector = typename static_model<S>::vector;

@@ -2,8 +2,8 @@
 
 namespace kte::tree {
 
-/// Forces tau(i) on coordinates besides those of elements: numbers by row, which must stay where they are, or none. One
-/// type for all callers, so that forward dynamics is compiled once.
+/// Forces tau(i) on coordinates, in addition to those of elements: numbers by row, which must stay where they are, or
+/// none. One type for all callers, so that forward dynamics is compiled once.
 template <class S>
 class given_forces {
  public:
