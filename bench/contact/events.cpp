@@ -17,7 +17,7 @@ std::vector<row> event_rows(const scene& s, bool quick) {
     long long work = 0;
     const double seconds = fastest(quick ? 1 : 3, [&] {
       kte::dormand_prince45 solver(std::cref(model), 0.0, x0, {.absolute = tolerance, .relative = tolerance});
-      solver.integrate(s.end, kte::element_events(model));
+      solver.integrate(s.end, kte::element_events(model)).require_end();
       q = model.positions_of(solver.state()), work = solver.statistics().evaluations;
     });
     rows.push_back({s.name, "events", "tolerance " + text_of(tolerance), s.error(q), work, seconds});

@@ -53,14 +53,15 @@ struct bad_file : error {
 };
 /// Why an integration failed.
 enum class failure_reason {
-  not_finite,       ///< f, a state, a Jacobian or the state after a reset is not finite or cannot be computed
-  step_too_short,   ///< the tolerances need steps below the smallest step, or below the rounding of the time
-  too_many_steps,   ///< more steps than `max_steps`
-  no_convergence,   ///< an iteration does not converge
-  singular_matrix,  ///< the matrix of Newton's iteration, or of a Rosenbrock method, is singular
-  out_of_reach,     ///< the tolerances are below the rounding errors
-  event_function,   ///< the function of an event is not finite
-  other             ///< an error of another library; the text names it
+  not_finite,          ///< f, a state, a Jacobian or the state after a reset is not finite or cannot be computed
+  step_too_short,      ///< the tolerances need steps below the smallest step, or below the rounding of the time
+  too_many_steps,      ///< more steps than `max_steps`
+  no_convergence,      ///< an iteration does not converge
+  singular_matrix,     ///< the matrix of Newton's iteration, or of a Rosenbrock method, is singular
+  out_of_reach,        ///< the tolerances are below the rounding errors
+  event_function,      ///< the function of an event is not finite
+  accumulated_events,  ///< events accumulate before the end time
+  other                ///< an error of another library; the text names it
 };
 /// An integration failed. The members hold the data of the text.
 struct integration_failure : error {

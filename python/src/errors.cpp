@@ -29,6 +29,8 @@ const char* text_of(kte::failure_reason r) {
       return "out_of_reach";
     case kte::failure_reason::event_function:
       return "event_function";
+    case kte::failure_reason::accumulated_events:
+      return "accumulated_events";
     case kte::failure_reason::other:
       return "other";
   }

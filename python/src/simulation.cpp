@@ -91,13 +91,13 @@ simulation::simulation(py::object drawn, kte::runtime_chain c, py::object contro
   for (std::size_t i = 0; i < events_.size(); ++i) {
     auto& e = events_[i];
     if (e.name.empty()) e.name = "event " + std::to_string(i);
-    if (e.reset.is_none()) {
-      lists_.plain.emplace_back(event_value{this, i}, e.direction, e.terminal, e.one_sided, kte::detail::no_handler{},
-                                kte::detail::no_handler{}, e.name);
-    } else {
-      lists_.acting.emplace_back(event_value{this, i}, e.direction, e.terminal, e.one_sided, event_reset{this, i},
-                                 kte::detail::no_handler{}, e.name);
-    }
+    const kte::event_options options{
+        .direction = e.direction, .is_terminal = e.terminal, .is_one_sided = e.one_sided, .name = e.name};
+    constexpr kte::detail::no_handler none;
+    if (e.reset.is_none())
+      lists_.plain.emplace_back(event_value{this, i}, options, none, none);
+    else
+      lists_.acting.emplace_back(event_value{this, i}, options, event_reset{this, i}, none);
   }
 }
 
@@ -250,11 +250,10 @@ py::object simulation::advance(double end, py::handle every, py::handle at) {
     ended = solver_->advance(end, lists_, when, observe);
   }
   for (const auto& e : ended.events) r.events.push_back({e.name, e.time, e.before, e.after, e.what});
-  r.reason = ended.reason == kte::stop_reason::terminal ? "terminal"
-             : ended.reason == kte::stop_reason::zeno   ? "zeno"
-                                                        : "end_time";
+  r.reason = ended.reason == kte::stop_reason::terminal ? "terminal" : "end_time";
   r.stopped_by = ended.stopped_by_name;
   r.statistics = solver_->statistics();
+  kte::detail::require_no_zeno(ended.reason, solver_->time(), ended.stopped_by_name);
   return recording_;
 }
 

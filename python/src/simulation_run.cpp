@@ -113,8 +113,7 @@ class simulation_run final : public native_run {
     const auto ended = solver->advance(end, {}, {false, times}, [&](double t, const plant::state& state) {
       if (kept_.of_rows) add_row(p, t, state);
     });
-    if (ended.reason == kte::stop_reason::zeno)
-      throw kte::bad_argument("kte: infinitely many events before t = " + kte::detail::number(solver->time()));
+    kte::detail::require_no_zeno(ended.reason, solver->time(), ended.stopped_by_name);
     kte::detail::read_recorded(kept_.cells, p.state_at(solver->time(), solver->state()), row_.data());
     for (std::size_t i = 0; i < kept_.numbers.size(); ++i) {
       const auto& n = kept_.numbers[i];

@@ -115,7 +115,7 @@ TEST_CASE("slipping ends where rolling begins") {
     CHECK(end.report.events[0].time == within(w.stop, 1e-14));
     CHECK(end.report.events[0].what == "'rim': sticks");
     CHECK(end.x[0] == within(w.place, 2e-14));
-    CHECK(end.x[3] + 0.1 * end.x[5] == within(0.0, 3e-16));
+    CHECK(end.x[3] + 0.1 * end.x[5] == within(0.0, 6e-16));  // four ulp of 0.6
     CHECK(end.x[1] == within(0.1, 1e-16));
   }
   // Any spin: 2 |u_t|/(7 mu g); the direction of sliding turns in axes of the ball
@@ -124,7 +124,9 @@ TEST_CASE("slipping ends where rolling begins") {
   const double slip = std::hypot(1 - 0.2, 0.2 + 0.3);
   const auto end = run(model, q, v, 1.0, {.absolute = 1e-10, .relative = 1e-10});
   REQUIRE(end.report.count >= 1);
-  CHECK(end.report.events.back().time == within(2 * slip / (7 * 0.2 * g), 1e-8));
+  // Sliding stops at half the speed v below which it is slow, v/(2 k) too early, k = 7 mu g/2 (slow_sliding.hpp).
+  const double slow = 10 * std::sqrt((1e-10 + 0.1 * 1e-10) / 0.1) * 0.1;
+  CHECK(end.report.events.back().time == within(2 * slip / (7 * 0.2 * g), 1.01 * slow / (7 * 0.2 * g)));
   CHECK(end.report.events.back().what == "'floor': sticks");
 }
 
@@ -195,20 +197,11 @@ TEST_CASE("all events of contacts say what happens") {
     add_point(c, "right", {0.1, -0.05}, {.friction = 0.2});
     return c;
   }());
-  // both land at once: the event of the second finds what the first has resolved
+  // both land at once: one event handles both
   const auto end = run(model, numbers({0, 0.15, 0}), numbers({2, 0, 0}), 2.0, {.absolute = 1e-9, .relative = 1e-9});
-  REQUIRE(end.report.count >= 2);
+  REQUIRE(end.report.count == 2);
   CHECK(end.report.events[0].what == "'left': impact, slides; 'right': impact, slides");
-  const std::string whats[]{"'left': impact, slides; 'right': impact, slides",
-                            "'left': sticks; 'right': sticks",
-                            "'left': still slides",
-                            "'right': still slides",
-                            "'left': still sticks",
-                            "'right': still sticks"};
-  for (const auto& e : end.report.events) {
-    INFO(e.what);
-    CHECK(std::find(std::begin(whats), std::end(whats), e.what) != std::end(whats));
-  }
+  CHECK(end.report.events[1].what == "'left': sticks; 'right': sticks");
 }
 
 TEST_CASE("a million steps of rolling have no slip") {

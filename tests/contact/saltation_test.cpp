@@ -225,7 +225,7 @@ TEST_CASE("motions with impacts, stops and turns have the derivatives of their c
     const double up = g * (std::sin(0.3) + mu * std::cos(0.3)), down = g * (std::sin(0.3) - mu * std::cos(0.3));
     const double halt = 2 / up, rest = 2 - halt;
     const manipulator_dynamics_model model(c);
-    const auto phi = phi_of(model, Eigen::Vector3d(0, 0.05, 0), Eigen::Vector3d(2, 0, 0), 2.0, 2);
+    const auto phi = phi_of(model, Eigen::Vector3d(0, 0.05, 0), Eigen::Vector3d(2, 0, 0), 2.0, 1);
     CHECK(phi(0, 0) == within(1.0, 1e-12));
     CHECK(phi(0, 3) == within(halt + (mu < 0.3 ? down / up * rest : 0.0), 1e-11));
     CHECK(phi(3, 3) == within(mu < 0.3 ? down / up : 0.0, 1e-11));

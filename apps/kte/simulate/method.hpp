@@ -19,7 +19,7 @@ class plant_method : public plant_solver {
     const auto changes =
         kte::events(kte::detail::event_under_law(p_, std::get<0>(kte::element_events(p_.model()).list)))
             .report_to([this](const auto&) { ++events_; });
-    solver_.integrate(end, changes, kte::every(every), observe);
+    solver_.integrate(end, changes, kte::every(every), observe).require_end();
   }
   double time() const override { return solver_.time(); }
   const plant::state& state() const override { return solver_.state(); }

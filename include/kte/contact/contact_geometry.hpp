@@ -42,6 +42,8 @@ struct contact_geometry {
   double radius = 0;  ///< m
   vec3<> offset{};    ///< of the centre of the sphere from the origin of B, in axes of B, m
 
+  /// The distance of the farthest point of the sphere from the origin of B, m.
+  constexpr double size() const { return std::sqrt(dot(offset, offset)) + radius; }
   /// g, m.
   template <class M>
   KTE_INLINE constexpr auto gap(const M& m) const {

@@ -14,8 +14,9 @@ namespace kte::core {
 ///   u = p_dot - R w x e,   g_dot = n.u                                         (2)
 ///   e_dot = (k_dot - e (e.k_dot))/|k|,   u_dot = p_ddot - R (al x e + w x e_dot),   g_ddot = n.u_dot          (3)
 ///
-/// A disc that lies flat, a = n or -n, has no lowest point; where g <= R/1000, (1), except g, to (3) then raise
-/// `bad_argument`, and farther away e is 0.
+/// The lowest point of a disc that lies flat, |k| = 0, is not known, and beside it c moves around the rim at a rate of
+/// |w|/|k|: neither steps nor events resolve that. So where |k| <= 1/1000 and g <= R/1000, (1), except g, to (3) raise
+/// `bad_argument`. Farther away e is 0 if |k| = 0.
 struct disc_geometry {
   using surface_type = contact_surface;
   static constexpr char compliant_name[] = "compliant_disc_contact";  ///< the type of its compliant element in files
@@ -25,6 +26,8 @@ struct disc_geometry {
   vec3<> axis{};
   double radius = 0;  ///< m
 
+  /// The distance of the rim from the origin of B, m.
+  constexpr double size() const { return radius; }
   /// g, m.
   template <class M>
   KTE_INLINE constexpr auto gap(const M& m) const {
@@ -87,12 +90,14 @@ struct disc_geometry {
   KTE_INLINE constexpr auto lowest(const M& m, const A& a) const {
     auto below = detail::to_polar(downhill(a));
     using S = std::remove_cvref_t<decltype(below.length)>;
-    const auto steep = below.length > S(1e-12);
-    if (all(steep)) [[likely]]
+    if (all(below.length > S(1e-3))) [[likely]]
       return below;
     const S height = S(dot(surface.axis, m.position) - S(1e-3 * radius));
-    if (!all(select(steep, S(1), height) > S(0)))
-      detail::raise<bad_argument>("kte: a disc lies flat on its surface: it has no lowest point");
+    if (!all(select(below.length > S(1e-3), S(1), height) > S(0)))
+      detail::raise<bad_argument>(
+          "kte: a disc lies flat on its surface, within 0.001 rad: it has no lowest point; give the body points of the "
+          "rim as contacts");
+    const auto steep = below.length > S(1e-12);
     below.length = select(steep, below.length, S(1));
     below.direction = select(steep, S(1), S(0)) * below.direction;
     return below;

@@ -85,6 +85,13 @@ struct contact {
     const auto m = detail::as_closing_motion<S>(relative(spatial(a), spatial(b)));
     x.gap = as<S>(core().gap(m)), x.slip = as<S>(core().slip(m)), x.point = as<S>(core().point(m));
   }
+  /// The distance of the farthest point of the shape from the origin of its frame, m: the scale of tolerances.
+  constexpr double size() const {
+    if constexpr (requires { core().geometry.size(); })
+      return core().geometry.size();
+    else
+      return 0;
+  }
   /// The place of the contact for the motion m.
   template <class S>
   constexpr detail::basic_touch<S> touch_at(const detail::closing_motion<S>& m) const {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <kte/detail/raise.hpp>
+#include <kte/errors.hpp>
 #include <kte/events/event.hpp>
 #include <kte/integrators/observers.hpp>
 
@@ -10,6 +12,14 @@
 
 namespace kte {
 
+/// Where integrations are carried over a time by other means than steps, if events have such: `bridge` of
+/// models/detail/contact_bridge.hpp.
+enum class bridging {
+  never,          ///< the integration fails there
+  when_needed,    ///< where no modes of contacts are found, or steps pile up
+  at_every_event  ///< for tests
+};
+
 /// Settings of the search for events. `most_pieces` is the largest number of `pieces`.
 struct event_settings {
   static constexpr int most_pieces = 1000000;
@@ -17,18 +27,31 @@ struct event_settings {
   int depth = 20;       ///< largest number of bisections of a part where g may change its sign twice
   double shortest = 0;  ///< s: resets closer than this accumulate. Never less than 1e4 eps |t|
   long long most = 1000000;  ///< events of one integration; one more ends it with `stop_reason::zeno`
+  bridging bridge = bridging::when_needed;
 };
 
 /// An event that occurred. X: the state.
 template <class X>
 struct event_occurrence {
-  std::size_t event;        ///< its number in the order of `events(...)`, from 0
-  typename X::Scalar time;  ///< s, the first time found with g beyond zero
-  X before, after;          ///< states before and after the reset; equal without a reset
-  bool rest = false;        ///< `rest` was called, not `reset`
-  std::string name = {};    ///< the name of the event; for events of elements, of the element
-  std::string what = {};    ///< what has changed, for events of contacts: "'foot': impact, sticks"
+  std::size_t event;                ///< its number in the order of `events(...)`, from 0
+  typename X::Scalar time;          ///< s, the first time found with g beyond zero
+  X before, after;                  ///< states before and after the reset; equal without a reset
+  bool rest = false;                ///< `rest` was called, not `reset`
+  std::string name = {};            ///< the name of the event; for events of elements, of the element
+  std::string what = {};            ///< what has changed, for events of contacts: "'foot': impact, sticks"
+  typename X::Scalar until = time;  ///< s, of the state after; later than `time` only for bridges
 };
+
+namespace detail {
+/// Throws `integration_failure` if events accumulate.
+inline void require_no_zeno(stop_reason reason, double t, const std::string& name) {
+  if (reason != stop_reason::zeno) return;
+  const std::string of = name.empty() ? "" : " of '" + name + "'";
+  raise<integration_failure>("kte: integration stopped at t = " + number(t) + ": events" + of +
+                                 " do not end: they follow each other closer than time can resolve, or are too many",
+                             t, failure_reason::accumulated_events, name);
+}
+}  // namespace detail
 
 /// The result of `integrate` with events. `count`: the number of events; `reason`: why the integration ended;
 /// `stopped_by_name`: the name of the event that ended it.
@@ -39,6 +62,10 @@ struct event_report {
   stop_reason reason = stop_reason::end_time;
   std::size_t stopped_by = 0;  ///< the event that ended the integration, unless the reason is the end time
   std::string stopped_by_name = {};
+  typename X::Scalar time{};  ///< s, of the end
+
+  /// Throws `integration_failure`, with the time and the name of the event, if events accumulate.
+  void require_end() const { detail::require_no_zeno(reason, static_cast<double>(time), stopped_by_name); }
 
   /// The first kept occurrence of an event with this name, or null.
   [[nodiscard]] const event_occurrence<X>* find(std::string_view name) const {

@@ -59,6 +59,8 @@ class adams : public integrator<adams<F, X>, F, X> {
     slope_ = predicted_ = change_ = this->no_rate();
   }
 
+  /// The tolerances.
+  [[nodiscard]] const tolerances<S>& bounds() const { return weights_.of(); }
   /// The order k of the predictor of the next step.
   [[nodiscard]] int order() const { return order_; }
 

@@ -24,6 +24,9 @@ class implicit_integrator : public integrator<Method, F, X> {
   using typename base::rate;
   using typename base::S;
 
+  /// The tolerances.
+  [[nodiscard]] const tolerances<S>& bounds() const { return tolerances_; }
+
  protected:
   static constexpr int size = rate::RowsAtCompileTime;
   using matrix = Eigen::Matrix<S, size, size>;

@@ -113,6 +113,22 @@ struct switch_element {
 
 /// The number of functions of a contact that pass through zero at events.
 constexpr int parts_of_contact(const closure_rows& rows) { return rows.linear; }
+/// For bridges: steps that bring less than this, s, are not needed by smooth motions of a chain of this length.
+inline double patience_with_contacts(double length) { return 1e-3 * std::sqrt(length / 9.81); }
+/// Several elements may switch at one time, and each again because of the others.
+inline constexpr int repeats_of_elements = 100;
+/// Gaps round by many eps of coordinates: less than the least flight (models/detail/contact_steps.hpp).
+inline constexpr double rounding_of_gap = 3e-14;
+/// The event of a function of a contact.
+template <class Model, class Function>
+auto contact_event(const Model& m, const Function& f) {
+  return event(f, crossing::falling)
+      .reset(switch_element<Function>{f})
+      .reset_together(&m)
+      .may_repeat(repeats_of_elements)
+      .with_rounding(rounding_of_gap * m.contact_length())
+      .unilateral();
+}
 /// At the start of an integration: makes the modes of contacts consistent. Returns whether they were not.
 template <class Model, class T, class X>
 bool mend_contacts(const Model& model, const T& t, X& x) {
@@ -125,6 +141,15 @@ bool mend_contacts(const Model& model, const T& t, X& x) {
   wrong |= (model.velocities_of(after) - v).cwiseAbs().maxCoeff() > 1e-9 * (1 + v.cwiseAbs().maxCoeff());
   if (wrong) x = after;
   return wrong;
+}
+/// Tells a model with contacts the tolerances of an integrator.
+template <class Model, class Bounds>
+void let_contacts_tolerate(const Model& m, const Bounds& bounds) {
+  const double length = m.contact_length();
+  double most = 0;
+  for (Eigen::Index i = m.velocity_count(), n = 2 * i; i < n; ++i)
+    most = (std::max)(most, static_cast<double>(bounds.absolute[i]) + static_cast<double>(bounds.relative[i]) * length);
+  m.let_contacts_tolerate(most);
 }
 /// A function of a contact of a static chain, with its reset.
 template <class Model>
@@ -151,6 +176,19 @@ struct contact_switching {
     return was_wrong;
   }
   std::string name() const { return std::string(called); }
+  template <class Bounds>
+  void tolerate(const Bounds& bounds) const {
+    let_contacts_tolerate(*model, bounds);
+  }
+  /// For bridges (models/detail/contact_bridge.hpp): the time that many steps must bring, s; 0: none.
+  double patience() const { return patience_with_contacts(model->contact_length()); }
+  template <class T, class X>
+  T bridge(const T& t, X& x, const T& t_end, int before) const {
+    auto own = own_part(x);
+    const T after = model->bridge_contacts(t, own, t_end, before);
+    x.head(own.size()) = own;
+    return after;
+  }
   /// What the last event has changed.
   std::string_view what() const { return model->contact_change(); }
 
@@ -168,7 +206,7 @@ void add_contact_events(const element<Core, Keys...>*, const Model& m, Events& a
     constexpr int slot = Model::wiring::template find<key>();
     for (int part = 0; part < parts_of_contact(Core::rows); ++part) {
       const contact_switching<Model> f{&m, slot, part, names.back()};
-      all.push_back(event(f, crossing::falling).reset(switch_element<contact_switching<Model>>{f}));
+      all.push_back(contact_event(m, f));
     }
   }
 }
@@ -189,7 +227,7 @@ template <class Function, class Model>
 auto event_where(const Model& m) {
   if constexpr (Function::changes) {
     const Function f{{}, &m};
-    return std::make_tuple(event(f).reset(switch_element<Function>{f}));
+    return std::make_tuple(event(f).reset(switch_element<Function>{f}).may_repeat(repeats_of_elements));
   } else {
     return std::tuple<>{};
   }
@@ -220,35 +258,40 @@ template <class Gravity, class... E, class S, class Output>
 }
 
 namespace detail {
-/// An event of a model under a control law; it evaluates the law first.
+/// The function of an event of a model under a control law; it evaluates the law first.
 template <class Controlled, class Function>
-struct under_law {
+struct under_law : Function {
   Controlled* system;
-  Function function;
 
   template <class T, class X>
   auto operator()(const T& t, const X& x) const {
     system->set_inputs(t, x);
-    return function(t, x);
+    return Function::operator()(t, x);
   }
   template <class T, class X>
   void switch_over(const T& t, X& x) const {
     system->set_inputs(t, x);
-    function.switch_over(t, x);
+    Function::switch_over(t, x);
   }
   template <class T, class X>
   bool mend(const T& t, X& x) const {
     system->set_inputs(t, x);
-    return function.mend(t, x);
+    return Function::mend(t, x);
   }
-  std::string name() const { return function.name(); }
-  std::string_view what() const requires requires(const Function& f) { f.what(); }
-  { return function.what(); }
+  /// With constant inputs and states of the law.
+  template <class T, class X>
+  T bridge(const T& t, X& x, const T& t_end, int before) const requires requires(const Function& f) {
+    f.bridge(t, x, t_end, before);
+  }
+  {
+    system->set_inputs(t, x);
+    return Function::bridge(t, x, t_end, before);
+  }
 };
 template <class Controlled, class Function, class Reset>
 auto event_under_law(Controlled& c, const event<Function, Reset>& e) {
-  const under_law<Controlled, Function> f{&c, e.function};
-  return event(f, e.direction).reset(switch_element<under_law<Controlled, Function>>{f});
+  const under_law<Controlled, Function> f{e.function, &c};
+  return e.with_functions(f, switch_element<under_law<Controlled, Function>>{f});
 }
 template <class Controlled, class Function, class Reset>
 auto event_under_law(Controlled& c, const std::vector<event<Function, Reset>>& some) {

@@ -128,6 +128,18 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
   std::string_view resolve_contacts(const S& t, state& x, int event_of = -1) const requires(touches) {
     return constraints::resolve(*this, constraints_, t, x, event_of);
   }
+  /// The length of the chain to which tolerances of contacts are relative, m.
+  [[nodiscard]] double contact_length() const requires(touches) { return constraints::length(*this, constraints_); }
+  /// The absolute tolerance of an integrator for velocities, m/s: slow sliding in space is not resolved more finely
+  /// (dynamics/contacts/slow_sliding.hpp). 1e-7 of the length of the chain per second at first.
+  void let_contacts_tolerate(double of_velocity) const requires(touches) {
+    constraints::let_tolerate(*this, constraints_, of_velocity);
+  }
+  /// Moves x by a few velocity steps over a time where no modes are found; returns the time after. `before`: bridges
+  /// that this one follows.
+  double bridge_contacts(const S& t, state& x, const S& t_end, int before) const requires(touches) {
+    return constraints::bridge(*this, constraints_, t, x, t_end, before);
+  }
   /// What the last `resolve_contacts` has changed.
   [[nodiscard]] std::string_view contact_change() const requires(touches) {
     return constraints::change(*this, constraints_);

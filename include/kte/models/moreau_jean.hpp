@@ -96,7 +96,7 @@ class moreau_jean : public fixed_step<moreau_jean<F, X>, F, X> {
     const auto evaluate = [&](const auto& step) {
       ++this->statistics_.evaluations;
       after_ = v;
-      step(detail::state_of_model(f, x));
+      this->ask([&] { step(detail::state_of_model(f, x)); });
     };
     set_inputs(middle, x);
     const detail::force_slopes* law = nullptr;

@@ -124,6 +124,14 @@ class manipulator_dynamics_model<runtime_chain, double, void> : public state_spa
   /// Resolves impacts, finds the modes of all contacts, and puts x on the rows of closed ones. Returns what changed,
   /// valid until the next call. `event_of`: the contact whose event it is, at a state of an integrator; -1: a start.
   std::string_view resolve_contacts(double t, state& x, int event_of = -1) const;
+  /// The length of the chain to which tolerances of contacts are relative, m.
+  [[nodiscard]] double contact_length() const;
+  /// The absolute tolerance of an integrator for velocities, m/s: slow sliding in space is not resolved more finely
+  /// (dynamics/contacts/slow_sliding.hpp). 1e-7 of the length of the chain per second at first.
+  void let_contacts_tolerate(double of_velocity) const;
+  /// Moves x by a few velocity steps over a time where no modes are found; returns the time after. `before`: bridges
+  /// that this one follows.
+  double bridge_contacts(double t, state& x, double t_end, int before) const;
   /// What the last `resolve_contacts` has changed.
   [[nodiscard]] std::string_view contact_change() const;
 
@@ -208,6 +216,13 @@ struct runtime_switching {
   /// The size of the state without the states of a law.
   Eigen::Index own() const { return model->nq() + model->dofs() + model->internals(); }
   std::string name() const;
+  template <class Bounds>
+  void tolerate(const Bounds& bounds) const {
+    if (contact >= 0) let_contacts_tolerate(*model, bounds);
+  }
+  /// For bridges: the time that many steps must bring, s; 0: none.
+  double patience() const { return contact < 0 ? 0 : patience_with_contacts(model->contact_length()); }
+  double bridge(double t, Eigen::VectorXd& x, double t_end, int before) const;
   /// What the last event of a contact has changed.
   std::string_view what() const { return contact < 0 ? std::string_view() : model->contact_change(); }
 };
@@ -219,15 +234,14 @@ struct runtime_switching {
   std::vector<decltype(event(detail::runtime_switching{}).reset(reset{}))> all;
   const auto& elements = model.wiring().elements;
   for (std::size_t i = 0; i < elements.size(); ++i) {
-    const auto add = [&](crossing way, const detail::runtime_switching& f) {
-      all.push_back(event(f, way).reset(reset{f}));
-    };
     if (elements[i].touches) {
       const int contact = elements[i].index.back();
       for (int part = 0; part < detail::parts_of_contact(elements[i].element->rows()); ++part)
-        add(crossing::falling, {&model, i, contact, part});
+        all.push_back(detail::contact_event(model, detail::runtime_switching{&model, i, contact, part}));
     } else if (elements[i].element->switches()) {
-      add(crossing::both, {&model, i});
+      all.push_back(event(detail::runtime_switching{&model, i})
+                        .reset(reset{{&model, i}})
+                        .may_repeat(detail::repeats_of_elements));
     }
   }
   return events(std::move(all));

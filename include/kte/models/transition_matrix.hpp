@@ -58,6 +58,12 @@ class transition_matrix {
     before_.resize(0);
     return true;
   }
+  /// Refuses a bridge.
+  template <class S, class X>
+  bool skip(const S& t, const X&, const S&, const X&) {
+    detail::raise<bad_argument>("kte: derivatives across a bridge over contacts are not known, at t = " +
+                                detail::number(t));
+  }
   /// Integrations go on to their end.
   template <class Solver>
   bool settle(Solver&) {

@@ -142,6 +142,7 @@ class with_touch : public Base {
   basic_touch<derivative_number> touch_at(const closing_motion<derivative_number>& m) const final {
     return this->core_.touch_at(m);
   }
+  double contact_size() const final { return this->core_.size(); }
   bool has_gate() const final { return detail::has_gate<core>; }
   bool admits(double t, const runtime_state& s) const final {
     if constexpr (detail::has_gate<core>)

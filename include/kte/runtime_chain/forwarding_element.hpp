@@ -35,6 +35,7 @@ class forwarding_element : public kte_element {
   basic_touch<derivative_number> touch_at(const closing_motion<derivative_number>& m) const override {
     return inner().touch_at(m);
   }
+  double contact_size() const override { return inner().contact_size(); }
   bool has_gate() const override { return inner().has_gate(); }
   bool admits(double t, const runtime_state& s) const override { return inner().admits(t, s); }
   std::span<const std::string_view> closure_parameters() const override { return inner().closure_parameters(); }

@@ -140,6 +140,8 @@ class kte_element : public kte_map {
       const detail::closing_motion<detail::derivative_number>&) const {
     return {};
   }
+  /// The distance of the farthest point of a contact's shape from the origin of its frame, m.
+  virtual double contact_size() const { return 0; }
   /// Whether it is a contact with `only_if`.
   virtual bool has_gate() const { return false; }
   /// For a contact with `only_if`: whether it acts at the time t, after doMotion.

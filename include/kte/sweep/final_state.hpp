@@ -13,6 +13,7 @@ struct no_events {};
 struct keep_state {
   template <class End>
   const auto& operator()(const End& end) const {
+    require_no_zeno(end.reason, as_double(end.time), end.stopped_by);
     return end.state;
   }
 };

@@ -4,6 +4,32 @@
 
 namespace kte {
 
+namespace detail {
+/// The largest theta in [0, 1] with gain(theta) <= 0, for gain(1) > 0: 0 if gain(0) >= 0. By the secant method with the
+/// Illinois rule.
+template <class S, class Gain>
+S largest_without_gain(S at_high, const Gain& gain) {
+  S low(0), high(1), at_low = (std::min<S>)(gain(low), S(0));
+  int side = 0;
+  for (int step = 0; step < 200 && high - low > std::numeric_limits<S>::epsilon() && at_low < S(0); ++step) {
+    S middle = step % 8 == 7 ? S((low + high) / 2) : S(low - at_low * (high - low) / (at_high - at_low));
+    if (!(middle > low && middle < high)) middle = (low + high) / 2;
+    if (!(middle > low && middle < high)) break;
+    const S at = gain(middle);
+    if (at <= S(0)) {
+      low = middle, at_low = at;
+      if (side < 0) at_high /= 2;
+      side = -1;
+    } else {
+      high = middle, at_high = at;
+      if (side > 0) at_low /= 2;
+      side = 1;
+    }
+  }
+  return low;
+}
+}  // namespace detail
+
 /// Solves (1) with theta e for `part`, whose b is u^-. Returns (2) relative to the sum of |P| (|u^+| + |u^-|)/2;
 /// 1 if there is no solution: contacts may not be able to separate as fast as their e demand.
 template <class S>
@@ -36,28 +62,12 @@ void impact_solver<S>::resolve(const friction_problem<S>& part, std::span<const 
   using std::abs;
   const S rounding = S(16) * std::numeric_limits<S>::epsilon();
   start_.clear();
-  S low(0), high(1), at_high = gain(high, part, restitution);
+  const S at_high = gain(S(1), part, restitution);
   if (at_high > (std::max<S>)(rounding, last_->residual)) {
-    S at_low = (std::min<S>)(gain(low, part, restitution), S(0));
-    int side = 0;
-    // The secant method with the Illinois rule
-    for (int step = 0; step < 200 && high - low > std::numeric_limits<S>::epsilon() && at_low < S(0); ++step) {
-      S middle = step % 8 == 7 ? S((low + high) / 2) : S(low - at_low * (high - low) / (at_high - at_low));
-      if (!(middle > low && middle < high)) middle = (low + high) / 2;
-      if (!(middle > low && middle < high)) break;
-      const S at = gain(middle, part, restitution);
-      if (at <= S(0)) {
-        low = middle, at_low = at;
-        if (side < 0) at_high /= 2;
-        side = -1;
-      } else {
-        high = middle, at_high = at;
-        if (side > 0) at_low /= 2;
-        side = 1;
-      }
-    }
-    gain(low, part, restitution);
-    found_.restitution_factor = (std::min<S>)(found_.restitution_factor, low);
+    const S theta =
+        detail::largest_without_gain(at_high, [&](const S& middle) { return gain(middle, part, restitution); });
+    gain(theta, part, restitution);
+    found_.restitution_factor = (std::min<S>)(found_.restitution_factor, theta);
   }
   std::size_t row = 0;
   for (std::size_t k = 0; k < first; ++k) row += static_cast<std::size_t>(all_->contacts[k].rows);

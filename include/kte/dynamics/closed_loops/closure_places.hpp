@@ -63,7 +63,7 @@ class closure_places {
   std::vector<closure_place> closures;
   std::vector<loop_block> blocks;
   int rows = 0;
-  double length = 0;               ///< of the largest link or rod, m: a row in m is divided by it
+  double length = 0;               ///< of the largest link, rod or shape, m: a row in m is divided by it
   std::vector<int> row_of_place;   ///< by place: the row in v
   std::vector<int> axis_of_place;  ///< by place, for trees; -1: it moves no joint
   std::vector<int> place_of_axis;  ///< -1: not a degree of freedom
@@ -116,10 +116,12 @@ class closure_places {
     else
       return false;
   }
-  /// The length that a closure keeps, as `distance` does: twice its largest residual in m where its frames coincide.
+  /// The size of a contact; or the length that a closure keeps, as `distance` does: twice its largest residual in m
+  /// where its frames coincide.
   template <class Closures>
   static double own_length(const Closures& c, const closure_place& x) {
-    if (is_contact(c, x.element)) return 0;
+    if constexpr (requires { c.contact_size(0); })
+      if (is_contact(c, x.element)) return c.contact_size(x.element);
     const closing_motion<double> coincident{{}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {}, {}, {}, {}};
     double residual[6]{}, most = 0;
     c.close_frames(x.element, coincident, closing::residual, residual);

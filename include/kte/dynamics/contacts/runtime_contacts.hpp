@@ -14,6 +14,7 @@ struct runtime_contacts : runtime_closures {
   }
   bool touches(int e) const { return connection(e).touches; }
   touch touch_at(int e, const closing_motion<double>& m) const { return element(e).touch_at(m); }
+  double contact_size(int e) const { return element(e).contact_size(); }
   bool has_gate(int e) const { return element(e).has_gate(); }
   int written(int e) const { return runtime_elements::written(e) + (touches(e) ? loops() : 0); }
   std::string name_of(kind what, int slot) const {

@@ -29,6 +29,13 @@ struct static_contacts : static_closures<Chain, Given, closes_or_touches> {
     });
     return found;
   }
+  double contact_size(int e) const {
+    double size = 0;
+    this->at(e, [&]<class Core>(const Core& core) {
+      if constexpr (is_contact<Core>) size = core.size();
+    });
+    return size;
+  }
   bool has_gate(int e) const {
     bool has = false;
     this->at(e, [&has]<class Core>(const Core&) { has = detail::has_gate<Core>; });

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/contact/impact.hpp>
 #include <kte/detail/function_ref.hpp>
 #include <kte/dynamics/contacts/contact_forces.hpp>
 #include <kte/dynamics/contacts/implicit_forces.hpp>
@@ -13,9 +14,10 @@ namespace kte::detail {
 ///
 ///   v^+ = v + h a_0 + M~^-1 J^T P,   u^+ = W P + J (v + h a_0)                                 (1)
 ///   u_n' = u_n^+ + e min(u_n, 0),   u_t' = u_t^+, a friction problem of lambda = P             (2)
+///   if P.(u^+ + u)/2 > 0: e -> theta e, theta the largest in [0, 1] without this gain of energy (3)
 ///
-/// a_0: the accelerations without contacts, with M~ (implicit_forces.hpp). Closures are satisfied by v^+. Contacts of
-/// the state get the forces P/h.
+/// a_0: the accelerations without contacts, with M~ (implicit_forces.hpp). u = J v. Closures are satisfied by v^+.
+/// Contacts of the state get the forces P/h.
 class velocity_step {
  public:
   /// From the velocities v at the start, with forces at the state: positions of the middle, and velocities near those
@@ -32,6 +34,7 @@ class velocity_step {
     implicit_.find(c.elements(), s, h, law);
     if (implicit_.coupled()) place_by_mass(c, s, m);
     accelerate(c, s, m);
+    m.find(c, s);
     if (!implicit_.coupled()) {
       e.at_positions(c, s, true, tree);
       if (tree)
@@ -39,7 +42,6 @@ class velocity_step {
       else
         m.factor.factorize(c, s, e), e.at_rates(c, s);
     }
-    m.find(c, s);
     open_gates(m);
     touched_.swap(m.touching);
     m.choose([&m](const contact_at& x) { return m.touches(x); });
@@ -99,19 +101,24 @@ class velocity_step {
   void put_bias(contact_solver& m, double h, const Eigen::VectorXd& v) {
     auto& e = m.equations;
     if (!m.closures.empty()) by_forces_ = v + h * m.before, e.times(by_forces_, at_end_);
+    before_.resize(0), bounce_.resize(0);
     if (m.touching.empty()) return;
     by_forces_ = h * m.before - from_;
     e.times(by_forces_, changes_);
     bool bounces = false;
     for (const int i : m.touching) bounces |= m.contacts[static_cast<std::size_t>(i)].place.law.restitution > 0;
-    if (bounces) e.times(from_, at_start_);
+    if (bounces) {
+      e.times(from_, at_start_);
+      before_.setZero(m.bias.size()), bounce_.setZero(m.bias.size());
+    }
     for (std::size_t i = 0; i < m.touching.size(); ++i) {
       const auto& x = m.touched(i);
       m.put_rows(x, x.slip + m.unscaled(x, changes_), m.bias);
-      if (const double restitution = x.place.law.restitution; restitution > 0)
-        m.bias[x.first] +=
-            restitution * (std::min)(dot(x.place.normal, x.slip - m.unscaled(x, at_start_)), 0.0) / e.places.length;
+      if (!bounces) continue;
+      m.put_rows(x, x.slip - m.unscaled(x, at_start_), before_);
+      bounce_[x.first] = x.place.law.restitution * (std::min)(before_[x.first], 0.0);
     }
+    if (bounces) m.bias += bounce_;
   }
   /// The impulses of the last step, by rows of those that touch.
   void guess(const contact_solver& m) {
@@ -128,6 +135,7 @@ class velocity_step {
   template <class Contacts, class State>
   void finish(const Contacts& c, State& s, contact_solver& m, double h, Eigen::VectorXd& v) {
     (void)solve_friction(c, m, true, guess_);
+    if (bounce_.size() > 0) limit_restitution(c, m);
     v += h * m.before;
     m.accelerate(s, m.change_of_motion);
     v += m.change_of_motion;
@@ -140,11 +148,34 @@ class velocity_step {
     }
   }
 
+  /// (3).
+  template <class Contacts>
+  void limit_restitution(const Contacts& c, contact_solver& m) {
+    double now = 1;
+    const auto gain = [&] {
+      double work = 0, scale = 0;
+      at_end_.noalias() = m.w * m.forces;
+      at_end_ += m.bias - now * bounce_ + before_;  // u^+ + u
+      for (Eigen::Index r = 0; r < m.forces.size(); ++r) {
+        work += m.forces[r] * at_end_[r];
+        scale += std::abs(m.forces[r]) * (std::abs(at_end_[r] - before_[r]) + std::abs(before_[r]));
+      }
+      return scale > 0 ? work / scale : 0.0;
+    };
+    const auto solve_with = [&](double theta) {
+      m.bias += (theta - now) * bounce_, now = theta;
+      (void)solve_friction(c, m, true, guess_);
+      return gain();
+    };
+    if (const double first = gain(); first > largest_residual) solve_with(largest_without_gain(first, solve_with));
+  }
+
   implicit_forces implicit_;
   Eigen::VectorXd change_, from_;  ///< v_m - v, and that of `first`
   Eigen::VectorXd correction_;     ///< D (v_m - v)
   Eigen::VectorXd at_end_, by_forces_, changes_, at_start_;
-  std::vector<vec3<>> impulses_;  ///< of the last step, by contact, in axes of its surface, Ns
+  Eigen::VectorXd before_, bounce_;  ///< J v, and the part of e in the bias; empty if all e are 0
+  std::vector<vec3<>> impulses_;     ///< of the last step, by contact, in axes of its surface, Ns
   std::vector<double> guess_;
   std::vector<int> touched_;  ///< in the step before
 };

@@ -133,7 +133,7 @@ class crossing_search {
   int side_;
   S noise_;
   int depth_;
-  int intervals_ = 512;  ///< remaining bisections; bounds the work for a noisy g
+  int intervals_ = 64;  ///< remaining bisections; bounds the work for a noisy g
   S time_{}, next_noise_{}, scale_{0};
 };
 

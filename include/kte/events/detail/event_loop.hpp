@@ -28,6 +28,7 @@ class event_loop {
         goal_(t_end),
         last_action_(solver.time()),
         safe_time_(solver.time()),
+        milestone_(solver.time()),
         x_(solver.state()),
         safe_(x_) {}
 
@@ -35,15 +36,18 @@ class event_loop {
     start();
     while (goes_on()) {
       begin_step();
-      return_path back(solver_, safe_time_, safe_);
-      solver_.step(goal_);
-      end_step_or_act(back);
+      if (!steps_pile_up() || !bridge("steps pile up")) step_or_bridge();
     }
+    record_.report().time = solver_.time();
     return std::move(record_.report());
   }
   // ---- the parts of `run`, for lanes of packs: `begin_step`, a step of the solver towards its goal, `after_step`
   void start() {
     obey(observer_.start(solver_));
+    watch_.for_each([&](auto& e, status&, std::size_t) {
+      if constexpr (requires { e.function.tolerate(solver_.bounds()); }) e.function.tolerate(solver_.bounds());
+      if constexpr (can_bridge<decltype(e)>) patience_ = (std::max)(patience_, S(e.function.patience()));
+    });
     if (!goes_on() || !mend_start()) solver_.begin(goal_);
   }
   bool goes_on() const { return !record_.stopped() && solver_.time() != t_end_; }
@@ -59,6 +63,82 @@ class event_loop {
   const event_report<X>& report() { return record_.report(); }
 
  private:
+  template <class E>
+  static constexpr bool can_bridge = requires(E& e, const S& t, X& x) {
+    e.function.patience();
+    e.function.bridge(t, x, t, 0);
+  };
+  /// A step, or where it fails, a bridge.
+  void step_or_bridge() {
+    const auto step = [this] {
+      return_path back(solver_, safe_time_, safe_);
+      solver_.step(goal_);
+      end_step_or_act(back);
+    };
+#if defined(__cpp_exceptions)
+    if (patience_ > S(0)) {
+      try {
+        return step();
+      } catch (const error& why) {
+        if (is_in_handler_ || !bridge(why.what())) throw;
+        return;
+      }
+    }
+#endif
+    step();
+  }
+  /// Whether many steps have brought less than `patience`.
+  bool steps_pile_up() {
+    if (!(patience_ > S(0))) return false;
+    if (watch::distance(solver_.time(), milestone_) > patience_) milestone_ = solver_.time(), steps_since_ = 0;
+    return ++steps_since_ > most_steps;
+  }
+  /// Carries the state over a time by the first event that can. Returns whether one did.
+  bool bridge(std::string why) {
+    if (events_.settings.bridge == bridging::never) return false;
+    const S t = solver_.time();
+    bool done = false;
+    watch_.for_each([&](auto& e, status&, std::size_t k) {
+      if constexpr (can_bridge<decltype(e)>) {
+        if (done || !(S(e.function.patience()) > S(0)) || !(t < t_end_)) return;
+        X x = solver_.state();
+#if defined(__cpp_exceptions)
+        try {
+#endif
+          go_on_at_ = e.function.bridge(t, x, t_end_, bridges_);
+#if defined(__cpp_exceptions)
+        } catch (const error&) {
+          return;
+        }
+#endif
+        done = true;
+        record_.before(k, watch::name_of(e), t, solver_.state());
+        x_ = x;
+      }
+    });
+    if (!done) return false;
+    const X before = solver_.state();
+    obey(observer_.before(solver_, t, before));
+    if constexpr (requires { observer_.skip(t, before, go_on_at_, x_); })
+      obey(observer_.skip(t, before, go_on_at_, x_));
+    record_.after_bridge(
+        go_on_at_, x_,
+        "bridged " + number(static_cast<double>(t)) + " s to " + number(static_cast<double>(go_on_at_)) + " s: " + why);
+    bridges_ = watch::distance(t, milestone_) > S(100) * watch::distance(go_on_at_, t) ? 1 : bridges_ + 1;
+    milestone_ = go_on_at_, steps_since_ = 0;
+    keep(go_on_at_, x_);
+    restart(go_on_at_);
+    watch_.for_each([&](auto& e, status& s, std::size_t k) {
+      s = {};
+      s.renew(watch_.value(e, k, go_on_at_, x_));
+    });
+    obey(observer_.after(solver_, go_on_at_, x_));
+    last_action_ = go_on_at_;
+    if (goes_on()) go_for(t_end_);
+    return true;
+  }
+  /// Steps, each of a bridge's length or less, after which a bridge helps.
+  static constexpr int most_steps = 3000;
   using return_path = way_back<Solver, S, X>;
 
   /// Events at the start: modes of elements that are inconsistent because inputs or the state have been changed. A g
@@ -160,8 +240,11 @@ class event_loop {
     const bool goes_on = observer_.before(solver_, t, x_);
     if (!goes_on && observer_.settle(solver_)) return back.arrived(), obey(goes_on), true;
     bool reset = false;
+    const void* handled = nullptr;
     watch_.for_each([&](auto& e, status& s, std::size_t k) {
       if (!s.happens) return;
+      if (e.handled_by && e.handled_by == handled) return void(s.rested = false);
+      handled = e.handled_by;
       record_.before(k, watch::name_of(e), t, x_);
       if constexpr (std::remove_cvref_t<decltype(e)>::has_reset) {
         reset = true;
@@ -174,28 +257,41 @@ class event_loop {
     watch_.for_each([&](auto& e, status& s, std::size_t k) {
       if (record_.stopped()) return;
       const S y = watch_.value(e, k, t, x_);
+      s.allow_rounding(S(e.rounding), y);
       s.happens ? s.rested ? s.renew_at_rest(y) : s.renew_at_crossing(y) : s.renew_elsewhere(y);
     });
     back.arrived();
     obey(goes_on);
     if (reset) obey(observer_.after(solver_, t, x_));
     if (!record_.stopped()) go_on_after(t);
+    if (!record_.stopped() && (is_zeno_ || events_.settings.bridge == bridging::at_every_event))
+      (void)bridge(is_zeno_ ? "events do not end" : "an event");
     return true;
   }
   template <class E>
   void call_reset(E& e, status& s, std::size_t k, const S& t) {
     const S least = S(events_.settings.shortest), resolved = S(1e4) * watch_.resolution(t);
     const bool again = s.has_reset && watch::distance(t, s.last_reset) < (least < resolved ? resolved : least);
-    if (again && (s.rested || !E::has_rest)) record_.stop(stop_reason::zeno, k, watch::name_of(e));
+    s.repeats = again ? s.repeats + 1 : 0;
+    const bool may_repeat = s.repeats <= e.most_repeats;
+    is_zeno_ = false;
+    if (again && !may_repeat && (s.rested || !E::has_rest)) {
+      if (can_bridge<E> && patience_ > S(0) && events_.settings.bridge != bridging::never)
+        is_zeno_ = true;
+      else
+        record_.stop(stop_reason::zeno, k, watch::name_of(e));
+    }
     s.rested = again && E::has_rest && !record_.stopped();
     s.has_reset = true;
     s.last_reset = t;
     s.from = e.is_one_sided && !s.rested ? s.reached : 0;
-    if constexpr (E::has_rest) {
-      if (s.rested) return e.on_rest(t, x_), check_state(e, k, t, "rest");
-    }
-    e.on_reset(t, x_);
-    check_state(e, k, t, "reset");
+    is_in_handler_ = !can_bridge<E>;
+    if constexpr (E::has_rest)
+      s.rested ? e.on_rest(t, x_) : e.on_reset(t, x_);
+    else
+      e.on_reset(t, x_);
+    check_state(e, k, t, s.rested ? "rest" : "reset");
+    is_in_handler_ = false;
   }
   /// Checks the state after an event.
   template <class E>
@@ -257,6 +353,10 @@ class event_loop {
   watch watch_;
   event_record<X, List> record_;
   S t_end_, goal_, begin_{}, last_action_, pace_{0}, safe_time_;
+  S patience_{0}, milestone_, go_on_at_{};  ///< of bridges
+  int steps_since_ = 0, bridges_ = 0;
+  bool is_zeno_ = false;        ///< whether resets of contacts at one time do not end
+  bool is_in_handler_ = false;  ///< whether a handler runs whose errors bridges do not help
   X x_, safe_;
 };
 

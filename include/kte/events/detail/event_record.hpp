@@ -12,13 +12,13 @@ class event_record {
  public:
   using S = typename X::Scalar;
 
-  event_record(List& events, const X& x) : events_(events), latest_{0, S(0), x, x, false, {}, {}} {}
+  event_record(List& events, const X& x) : events_(events), latest_{0, S(0), x, x, false, {}, {}, S(0)} {}
 
   /// Begins an event, with the state before it.
   void before(std::size_t k, std::string_view name, const S& t, const X& x) {
     latest_.event = k;
     latest_.name = name;
-    latest_.time = t;
+    latest_.time = latest_.until = t;
     latest_.before = x;
   }
   /// Completes it, with the state after `reset` or `rest`, and what has changed.
@@ -34,6 +34,11 @@ class event_record {
     if (++report_.count > events_.settings.most) stop(stop_reason::zeno, latest_.event, latest_.name);
   }
 
+  /// As `after`, of a bridge to the time t.
+  void after_bridge(const S& t, const X& x, std::string_view what) {
+    latest_.until = t;
+    after(x, false, what);
+  }
   /// Stops the integration; the first reason is kept.
   void stop(stop_reason why, std::size_t k, std::string_view name) {
     if (stopped_) return;

@@ -13,6 +13,7 @@ struct event_status {
   int from = 0;  ///< after a reset of a one-sided event: the side to which it must return; 0: none
   S last_reset{};
   bool has_reset = false, rested = false;
+  int repeats = 0;  ///< resets in a row that time does not resolve
 
   int reached = 0;       ///< side at which the search has ended: at the end of the step, or before the crossing found
   S noise_there{0};      ///< `noise` at that time
@@ -34,6 +35,16 @@ struct event_status {
     noise_there = noise;
     if (noise == S(0)) reached = 0;  // the state may have jumped
     renew(y);
+  }
+  /// After an event at this time, which may be another one: |y| up to `rounding`, if it is known, may be a zero. A
+  /// reset may have replaced g by a function of another unit, so its noise before says nothing.
+  void allow_rounding(const S& rounding, const S& y) {
+    using std::abs;
+    if (!(rounding > S(0))) return;
+    if (happens)
+      next_noise = rounding;
+    else if (noise < rounding && abs(y) <= rounding)
+      noise = rounding;
   }
   /// At its crossing, which has ended the step; g is y.
   void renew_at_crossing(const S& y) {

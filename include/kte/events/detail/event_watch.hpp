@@ -88,6 +88,10 @@ class event_watch : public watched_events<Solver, List> {
     s.stuck = left.side != 0 && s.from == -left.side;
     if (left.side == 0 || s.stuck) return;
     if (s.side == -left.side && is_wanted(e, s)) return found(s, begin_);  // the previous step has ended at zero
+    if (e.is_unilateral && s.side == 0 && left.side < 0 && begin_ < end_) {
+      s.reached = 1;
+      return found(s, left.time);
+    }
     s.reached = left.side;
     search_from(e, s, k, left.time);
   }

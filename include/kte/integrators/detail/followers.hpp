@@ -12,6 +12,8 @@
 ///   before(solver, t, x)    the last step is valid to an event that ends it, with the state x
 ///   after(solver, t, x)     the state after a reset
 ///
+///   skip(t, x, t2, x2)      optional, between `before` and `after`: the motion from t to t2 is not known
+///
 ///   settle(solver)          after a call has returned false: moves the solver to the requested time, unless that is
 ///                          the end of the step or the event; returns whether it did
 namespace kte::detail {
@@ -109,6 +111,17 @@ class sample_observer {
   template <class Solver>
   bool after(const Solver&, const S& t, const X& x) {
     return tell(observer_, t, x);
+  }
+  /// Samples get the nearest state.
+  bool skip(const S& t, const X& x, const S& t2, const X& x2) {
+    while (next_ < samples_.count()) {
+      const S sample = samples_[next_];
+      if (forward_ ? sample >= t2 : sample <= t2) break;
+      ++next_;
+      if (!tell(observer_, sample, sample - t < t2 - sample ? x : x2)) return false;
+    }
+    while (is_next(t2)) ++next_;
+    return true;
   }
   template <class Solver>
   bool settle(Solver& solver) {

@@ -14,6 +14,12 @@ struct contact_change {
   bool turns = false;
   bool passes = false;    ///< begins to pass through its surface
   bool at_limit[2] = {};  ///< whether the normal force, or the reserve of friction, has fallen to zero
+  bool yields = false;    ///< opens, or slides, because it is at its limit
+  bool stops = false;     ///< has no velocity, because it would stop at once
+  bool holds = false;     ///< sticks, because it would not move
+  vec3<> slip{};          ///< the direction in which it slides, because sticking would exceed friction; 0: it may stick
+
+  bool slips() const { return dot(slip, slip) > 0; }
 };
 /// What all contacts do; if none has changed at the event of contact `event_of`, what this one still does.
 template <class Contacts>

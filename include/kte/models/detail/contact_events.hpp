@@ -1,24 +1,20 @@
 #pragma once
 
 #include <kte/models/detail/contact_changes.hpp>
+#include <kte/models/detail/contact_decision.hpp>
 #include <kte/models/detail/contact_gates.hpp>
 #include <kte/models/detail/wrong_modes.hpp>
 
 /// The changes of rigid contacts at events of a model (docs/contact.md).
 namespace kte::detail {
 
-/// Whether a contact slides, at an event.
-inline bool slides_at_event(const contact_solver& m, const contact_at& x) {
-  const vec3<> t = contact_workspace::tangential(x);
-  return std::sqrt(dot(t, t)) > (x.planar ? rest_velocity : 2 * stop_of_sliding) * m.equations.places.length;
-}
+/// models/detail/contact_bridge.hpp.
+template <class Access, class X>
+double bridge_contacts(const Access& a, double t, X& x, double t_end, int n);
 
-/// Whether a contact that touches leaves the surface, at an event: not if it would fall back from a height that events
-/// do not resolve.
-inline bool leaves_at_event(const contact_solver& m, const contact_at& x) {
-  const double speed = dot(x.place.normal, x.slip), height = unresolved_height * m.equations.places.length;
-  return normal_velocity(m, x) > 1 && speed * speed > 2 * height * std::abs(free_gap_ddot(m, x));
-}
+/// Within the accuracy of the solution, forces at their limits are beyond them: relative to the largest force.
+inline constexpr double least_reserve = 1e-9;
+
 /// Moves x so that the gaps of all contacts that touch are zero, also of those that open.
 template <class Access, class X>
 void close_gaps(const Access& a, double t, X& x) {
@@ -42,9 +38,15 @@ void close_gaps(const Access& a, double t, X& x) {
   }
 }
 
+/// The state of sliding of a contact before a decision.
+inline contact_before_decision slow_sliding_of(const contact_state<>& s, const contact_at& x,
+                                               const std::array<double, 4>& margins) {
+  const bool slides = mode_of(s) == contact_mode::slides && !x.planar && x.place.law.friction > 0;
+  return {2 * margins[3], slides && margins[3] > 0 && margins[1] <= 0, false};
+}
 /// Resolves impacts at the state x, finds the modes of all contacts, and puts x on the rows of closed ones:
 ///
-///   while contacts approach: impact; then Coulomb's law for accelerations; if that is jammed: tangential impact
+///   while contacts approach: impact; then the decision of contact_decision.hpp; if that is jammed: tangential impact
 ///
 /// A contact whose next bounce is lower than the touching gap comes to rest: bounces at intervals that shrink by e
 /// would end, with a constant acceleration -g_n of the gap, at
@@ -52,16 +54,17 @@ void close_gaps(const Access& a, double t, X& x) {
 ///   t + 2 e w/(g_n (1 - e)),   w: velocity of approach                                    (1)
 /// `event_of`: the number of the contact whose event it is, of a state of an integrator, which is first put on the rows
 /// of its modes; -1 at a start.
-/// Throws `bad_argument` for a state that is not finite.
+/// `wide`: the factor of times to look ahead. `changes`: of all contacts until now, empty at first.
 template <class Access, class X>
-void resolve_contacts(const Access& a, double t, X& x, int event_of) {
+void resolve_contacts_once(const Access& a, double t, X& x, int event_of, double wide,
+                           std::vector<contact_change>& changes) {
   for (Eigen::Index i = 0; i < x.size(); ++i)
     if (!std::isfinite(x[i])) [[unlikely]]
       raise<bad_argument>("kte: x[" + std::to_string(i) + "] of a state with contacts is not finite: " + number(x[i]));
   auto& step = a.memory();
   step.x0.resize(0), step.margin_x.resize(0), step.wrong.resize(0), step.time = t;
   if (is_stepped(a, x)) a.model.each_contact([&x](int, int first) { x[first] = 0; });
-  if (event_of >= 0) {
+  if (event_of >= 0 && changes.empty()) {
     const X x0 = x;
     auto d = a.no_displacement();
     settle_contacts(a, x0, d, x);
@@ -73,11 +76,20 @@ void resolve_contacts(const Access& a, double t, X& x, int event_of) {
   Eigen::VectorXd v = x.segment(at_v, n);
   const auto margins = contact_margins(a, t, x);
   const double zero = 1e-13 * step.largest_force;
-  std::vector<contact_change> changes;
+  std::vector<contact_before_decision> before;
+  contact_decision decision(wide, step.forces.slow_speed);
   bool done = false, ambiguous = false;
   int round = 0;
   do {
     a.at(t, x, [&](const auto& c, auto& s, contact_solver& m) {
+      if (before.empty())
+        for (std::size_t i = 0; i < m.contacts.size(); ++i)
+          before.push_back(
+              slow_sliding_of(s.template get<kind::contact>(m.contacts[i].slot), m.contacts[i], margins[i]));
+      for (std::size_t i = 0; i < changes.size(); ++i) {
+        before[i].opens = changes[i].yields && changes[i].at_limit[0];
+        before[i].stops |= changes[i].stops;
+      }
       if (changes.empty()) {
         changes.resize(m.contacts.size());
         for (std::size_t i = 0; i < changes.size(); ++i) {
@@ -114,27 +126,29 @@ void resolve_contacts(const Access& a, double t, X& x, int event_of) {
         note(word);
       };
       if (approaches) return hit("impact");
-      const auto status = find_contact_forces(
-          c, s, m, tree::given_forces<double>{}, [&m](const contact_at& y) { return leaves_at_event(m, y); },
-          [&m](const contact_at& y) { return slides_at_event(m, y); });
+      friction_status status;
+      if (!decision.decide(c, s, m, before, step.working, v, status)) return;
       if (status == friction_status::no_solution) return hit("tangential impact");
       if (!has_forces(status)) [[unlikely]]
         raise_no_forces(c, m, status);
       ambiguous = status == friction_status::several_solutions;
-      // Within the accuracy of the solution, forces at their limits are beyond them.
       const double most = (std::max)(step.largest_force, largest_force(m));
       for (std::size_t i = 0; i < m.touching.size(); ++i) {
         const auto& y = m.touched(i);
         const auto& own = changes[static_cast<std::size_t>(m.touching[i])];
         auto& to = s.template get<kind::contact>(y.slot);
         const auto [normal, reserve] = reserves(m, i);
-        if (own.at_limit[0] && normal <= 1e-9 * most) {
+        if (own.at_limit[0] && normal <= least_reserve * most) {
           to.mode = static_cast<double>(contact_mode::open);
-        } else if (mode_of(to) == contact_mode::sticks) {
+        } else if (mode_of(to) == contact_mode::slides && own.holds) {
+          to.mode = static_cast<double>(contact_mode::sticks);
+        } else if (mode_of(to) == contact_mode::sticks && !own.holds) {
           const vec3<> t_force = to.force - normal * y.place.normal;
           if (y.place.law.friction == 0)
             to.direction = y.basis[1];
-          else if (own.at_limit[1] && reserve <= 1e-9 * most)
+          else if (own.slips())
+            to.direction = own.slip;
+          else if (own.at_limit[1] && (own.yields || reserve <= least_reserve * most))
             to.direction = unit_of(-t_force);
           else
             continue;
@@ -169,6 +183,57 @@ void resolve_contacts(const Access& a, double t, X& x, int event_of) {
       if (const double gap = m.contacts[i].place.gap; std::abs(gap) <= touching_gap * m.equations.places.length)
         step.zero_gaps[i] = m.contacts[i].passes ? gap + unresolved_height * m.equations.places.length : gap;
   });
+}
+
+/// Whether the forces of the modes satisfy the laws at x; if not, what to decide next: contacts that were at their
+/// limit and still are yield; those that slide but stop at once lose their velocity, and if they still do, stick; those
+/// that stick beyond friction slip.
+enum class decision_check { right, wrong, decide_again };
+template <class Access, class X>
+decision_check check_decision(const Access& a, double t, const X& x, std::vector<contact_change>& changes) {
+  auto& step = a.memory();
+  auto found = decision_check::right;
+  a.at(t, x, [&](const auto& c, auto& s, contact_solver& m) {
+    accelerate_in_modes(c, s, m, step.forces);
+    const bool wrong = admit_forces(c, s, m, step.forces, least_reserve) >= 0;
+    if (wrong) found = decision_check::wrong;
+    const double most = largest_force(m, step.forces), least = least_reserve * most;
+    for (std::size_t i = 0; i < m.touching.size(); ++i) {
+      const auto& y = m.touched(i);
+      auto& own = changes[static_cast<std::size_t>(m.touching[i])];
+      const auto [normal, reserve] = reserves(m, i);
+      if (wrong && step.forces.redundant() && normal < -least) own.at_limit[0] = true;
+      const bool at_limit = (own.at_limit[0] && normal <= least) ||
+                            (own.at_limit[1] && m.modes[i] == contact_mode::sticks && reserve <= least && !own.holds);
+      if (at_limit && !own.yields) own.yields = true, found = decision_check::decide_again;
+      if (step.forces.look_aheads[i] > 0 && step.forces.speeds[i] <= 0 && !own.holds) {
+        (own.stops ? own.holds : own.stops) = true, own.slip = {};
+        found = decision_check::decide_again;
+      }
+      const double excess = own.holds ? 1e-7 * most : excess_at_onset * y.place.law.friction * normal;
+      if (!y.planar && m.modes[i] == contact_mode::sticks && normal > 0 && reserve < -excess) {
+        const vec3<> force = m.force_of(y);
+        own.slip = unit_of(dot(y.place.normal, force) * y.place.normal - force), own.holds = false;
+        found = decision_check::decide_again;
+      }
+    }
+  });
+  step.margin_x.resize(0);
+  return found;
+}
+/// `resolve_contacts_once`, until the forces of the modes satisfy the laws at the new state; where nothing else is to
+/// be decided, with longer times to look ahead. Throws `bad_argument` for a state that is not finite.
+template <class Access, class X>
+void resolve_contacts(const Access& a, double t, X& x, int event_of) {
+  std::vector<contact_change> changes;
+  double wide = 1;
+  for (int k = 0; k < 16 && wide < 2000; ++k) {
+    resolve_contacts_once(a, t, x, event_of, wide, changes);
+    if (is_stepped(a, x)) return;
+    const auto found = check_decision(a, t, x, changes);
+    if (found == decision_check::right) return;
+    if (found == decision_check::wrong) wide *= 4;
+  }
 }
 
 }  // namespace kte::detail

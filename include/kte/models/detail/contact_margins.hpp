@@ -5,10 +5,6 @@
 /// The functions of rigid contacts that pass through zero where they change their mode.
 namespace kte::detail {
 
-/// Sliding in space slower than this stops, m/s relative to the length of the chain: the direction of slow sliding
-/// turns fast, which is stiff.
-inline constexpr double stop_of_sliding = 1e-8;
-
 /// Forces that satisfy the laws and give the accelerations of the modes, if those of least norm do not, and there are
 /// such: contacts are redundant. Returns whether there are.
 template <class Contacts, class State>
@@ -35,18 +31,27 @@ inline std::array<double, 2> reserves(const contact_solver& m, std::size_t i) {
   const vec3<> t = force - normal * x.place.normal;
   return {normal, x.place.law.friction * normal - std::sqrt(dot(t, t))};
 }
+/// In space, sliding begins where the force of a contact that sticks is this much above its limit, relative to it, so
+/// that a contact that only stays at its limit, as where a body rolls, sticks.
+inline constexpr double excess_at_onset = 1e-9;
 /// The functions of contact i of those that touch: its normal force, N; of one that sticks, its reserve of friction; of
-/// one that slides, its velocity in the direction in which sliding began, less that of rest, and relative to zero.
-inline std::array<double, 3> margins_of_closed(const contact_solver& m, std::size_t i, const vec3<>& start,
-                                               double tiny) {
+/// one that slides, its speed, and whether it still slides in the direction in which sliding began: of
+/// slow_sliding.hpp.
+inline std::array<double, 4> margins_of_closed(const contact_solver& m, const forces_in_modes& k, std::size_t i,
+                                               const vec3<>& start, double tiny) {
   const auto& x = m.touched(i);
   const auto [normal, reserve] = reserves(m, i);
-  if (m.modes[i] == contact_mode::sticks) return {normal + tiny, reserve + tiny, 1};
-  if (x.place.law.friction == 0) return {normal + tiny, 1, 1};
-  const double along = dot(contact_workspace::tangential(x), start);
-  if (x.planar) return {normal + tiny, along, 1};
-  const double length = m.equations.places.length;
-  return {normal + tiny, along - stop_of_sliding * length, along + least_sliding * length};
+  if (m.modes[i] == contact_mode::sticks) {
+    const double excess = x.planar ? 0 : excess_at_onset * x.place.law.friction * std::abs(normal);
+    return {normal + tiny, reserve + (std::max)(tiny, excess), 1, 0};
+  }
+  if (x.place.law.friction == 0) return {normal + tiny, 1, 1, 0};
+  const vec3<> t = contact_workspace::tangential(x);
+  const double along = dot(t, start);
+  if (x.planar) return {normal + tiny, along, 1, 0};
+  const double v = k.slow_speed * m.equations.places.length, share = (std::max)(1 - std::sqrt(dot(t, t)) / v, 0.0);
+  const double turn = along + v * share * share + rest_velocity * m.equations.places.length;
+  return {normal + tiny, k.speeds[i], turn, k.look_aheads[i]};
 }
 /// The largest force of contacts that touch, N.
 inline double largest_force(const contact_solver& m) {
@@ -80,18 +85,19 @@ int admit_forces(const Contacts& c, State& s, contact_solver& m, forces_in_modes
   put_contacts(m, s);
   return -1;
 }
-/// The functions of all contacts at the time t and the state x, by number; of open ones their gap, m.
+/// The functions of all contacts at the time t and the state x, by number; of open ones their gap, m. Their fourth
+/// number is tau of slow_sliding.hpp, s.
 template <class Access, class X>
-const std::vector<std::array<double, 3>>& contact_margins(const Access& a, double t, const X& x) {
+const std::vector<std::array<double, 4>>& contact_margins(const Access& a, double t, const X& x) {
   auto& step = a.memory();
   if (step.margin_x.size() == x.size() && step.margin_x == x && step.margin_time == t) return step.margins;
   step.margin_x.resize(0);
   if (is_stepped(a, x)) {
-    step.margins.assign(static_cast<std::size_t>(a.contacts()), {1, 1, 1});
+    step.margins.assign(static_cast<std::size_t>(a.contacts()), {1, 1, 1, 0});
     return step.margins;
   }
   a.at(t, x, [&](const auto& c, auto& s, contact_solver& m) {
-    step.margins.assign(m.contacts.size(), {1, 1, 1});
+    step.margins.assign(m.contacts.size(), {1, 1, 1, 0});
     step.zero_gaps.resize(m.contacts.size());
     bool closed = false;
     for (const auto& y : m.contacts) closed |= mode_of(s.template get<kind::contact>(y.slot)) != contact_mode::open;
@@ -112,7 +118,7 @@ const std::vector<std::array<double, 3>>& contact_margins(const Access& a, doubl
     const double tiny = 1e-13 * step.largest_force;
     for (std::size_t i = 0; i < m.touching.size(); ++i) {
       const auto k = static_cast<std::size_t>(m.touching[i]);
-      auto& own = step.margins[k] = margins_of_closed(m, i, starts[k], tiny);
+      auto& own = step.margins[k] = margins_of_closed(m, step.forces, i, starts[k], tiny);
       if (!admitted) continue;
       own[0] = (std::max)(own[0], tiny);
       if (m.modes[i] == contact_mode::sticks) own[1] = (std::max)(own[1], tiny);

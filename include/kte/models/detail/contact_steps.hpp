@@ -45,9 +45,16 @@ struct contact_step {
   Eigen::VectorXd margin_x;
   double margin_time = 0;
   double largest_force = 0;  ///< of contacts since the last event, N; at an event it may itself be zero
-  std::vector<std::array<double, 3>> margins;
+  std::vector<std::array<double, 4>> margins;
   Eigen::VectorXd inputs;  ///< of the model, for `margins`
 
+  /// The speed below which sliding is slow, for a tolerance, m/s or m: places change by its square where sliding stops
+  /// and where it begins, and it must be above the noise of the integration.
+  void let_tolerate(double absolute) {
+    const double relative = absolute / at.equations.places.length;
+    forces.slow_speed = (std::min)((std::max)(10 * std::sqrt(relative), 150 * relative), 1e-2);
+    margin_x.resize(0);
+  }
   /// Forgets margins that were computed with other inputs of the model.
   template <class U>
   void take_inputs(const U& u) {

@@ -37,6 +37,16 @@ KTE_FUNCTION std::string_view manipulator_dynamics_model<runtime_chain>::resolve
   detail::resolve_contacts(contacts_of_model(), t, x, event_of);
   return contact_change();
 }
+KTE_FUNCTION double manipulator_dynamics_model<runtime_chain>::contact_length() const {
+  return contacts_of_model().memory().at.equations.places.length;
+}
+KTE_FUNCTION void manipulator_dynamics_model<runtime_chain>::let_contacts_tolerate(double of_velocity) const {
+  contacts_of_model().memory().let_tolerate(of_velocity);
+}
+KTE_FUNCTION double manipulator_dynamics_model<runtime_chain>::bridge_contacts(double t, state& x, double t_end,
+                                                                               int before) const {
+  return detail::bridge_contacts(contacts_of_model(), t, x, t_end, before);
+}
 KTE_FUNCTION std::string_view manipulator_dynamics_model<runtime_chain>::contact_change() const {
   return contacts_of_model().memory().change;
 }
@@ -252,6 +262,12 @@ KTE_FUNCTION bool runtime_switching::mend(double t, Eigen::VectorXd& x) const {
   x.head(own()) = part_of_model;
   return was_wrong;
 }
+KTE_FUNCTION double runtime_switching::bridge(double t, Eigen::VectorXd& x, double t_end, int before) const {
+  Eigen::VectorXd part_of_model = x.head(own());
+  const double after = model->bridge_contacts(t, part_of_model, t_end, before);
+  x.head(own()) = part_of_model;
+  return after;
+}
 KTE_FUNCTION std::string runtime_switching::name() const {
   const auto& w = model->wiring();
   if (contact >= 0) return w.names[static_cast<std::size_t>(kind::contact)][static_cast<std::size_t>(contact)];
@@ -260,4 +276,6 @@ KTE_FUNCTION std::string runtime_switching::name() const {
 }  // namespace detail
 
 }  // namespace kte
+
+#  include <kte/models/detail/contact_bridge.hpp>
 #endif

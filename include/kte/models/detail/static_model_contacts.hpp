@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kte/dynamics/contacts/static_chains.hpp>
-#include <kte/models/detail/contact_events.hpp>
+#include <kte/models/detail/contact_bridge.hpp>
 #include <kte/models/manipulator_dynamics_model.hpp>
 
 namespace kte::detail {
@@ -106,6 +106,18 @@ struct static_model_contacts<static_chain<Gravity, E...>> {
     const auto access = of(m, kept);
     kte::detail::resolve_contacts(access, t, x, event_of);
     return access.memory().change;
+  }
+  template <class Model, class X>
+  static double bridge(const Model& m, memory& kept, double t, X& x, double t_end, int before) {
+    return bridge_contacts(of(m, kept), t, x, t_end, before);
+  }
+  template <class Model>
+  static double length(const Model& m, memory& kept) {
+    return of(m, kept).memory().at.equations.places.length;
+  }
+  template <class Model>
+  static void let_tolerate(const Model& m, memory& kept, double of_velocity) {
+    of(m, kept).memory().let_tolerate(of_velocity);
   }
   template <class Model>
   static std::string_view change(const Model& m, memory& kept) {

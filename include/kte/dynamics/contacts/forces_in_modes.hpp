@@ -1,0 +1,131 @@
+#pragma once
+
+#include <kte/dynamics/contacts/mode_rows.hpp>
+
+namespace kte::detail {
+
+/// The forces of (1) of mode_dynamics.hpp, and their memory.
+class forces_in_modes {
+ public:
+  mode_rows rows;
+  std::vector<int> chosen;           ///< independent rows at the start of a step; empty: they are found at the state
+  std::vector<int> chosen_touching;  ///< the closed contacts of `chosen`; other ones find their rows
+  std::vector<contact_mode> chosen_modes;  ///< their modes
+  Eigen::VectorXd bias;                    ///< u' without forces of closures and contacts, by rows
+  int jammed = -1;                         ///< a contact, of those that touch, that slides with W_nn <= mu W_nt
+  double slow_speed = 3e-4;                ///< v of slow_sliding.hpp, relative to the length of the chain, 1/s
+  // ---- by contacts that touch
+  std::vector<std::array<double, 2>> directions;  ///< d of sliding along t_1 and t_2
+  std::vector<double> look_aheads;                ///< tau of slow_sliding.hpp, s; 0: none
+  std::vector<double> speeds;                     ///< of sliding along d after tau, m/s
+
+  /// Whether forces are not unique.
+  bool redundant() const { return forces_.rank() < unknowns_; }
+  /// Finds the forces, to m.forces and `half`; returns false if (1) is singular.
+  bool solve(contact_solver& m) {
+    const bool same = !chosen.empty() && chosen_touching == m.touching && chosen_modes == m.modes;
+    rows.factorize(same ? &chosen : nullptr);
+    directions.assign(m.touching.size(), {1, 0});
+    return solve_in_directions(m);
+  }
+  /// As `solve` for other `directions`.
+  bool solve_in_directions(contact_solver& m) {
+    put_effects(m);
+    const auto rank = rows.factor.rank();
+    auto transposed = forces_.matrix(unknowns_, rank);
+    for (Eigen::Index j = 0; j < unknowns_; ++j) transposed.row(j) = on_rows(effects_.col(j)).transpose();
+    order_.resize(static_cast<std::size_t>(rank));
+    for (std::size_t j = 0; j < order_.size(); ++j) order_[j] = static_cast<int>(j);
+    const bool regular = forces_.take(order_, 1e-14);
+    target_.setZero(rank + pivoted_qr::padding), lambda_.setZero(unknowns_ + pivoted_qr::padding);
+    for (std::size_t j = 0; j < order_.size(); ++j)
+      target_[static_cast<Eigen::Index>(j)] = -bias[rows.factor.chosen[j]];
+    rows.factor.solve_transposed(target_.data());
+    forces_.solve_transposed(target_.data());
+    forces_.times_q(target_.data(), lambda_.data());
+    half.setZero(rows.all.rows() + pivoted_qr::padding);
+    half.head(rows.all.rows()).noalias() = effects_ * lambda_.head(unknowns_);
+    put_forces(m);
+    return regular;
+  }
+  /// The derivative of `half` by number r of the direction of contact i of those that touch, which slides, at the last
+  /// solution. With T = Q^T E, lambda = T^+ c:
+  ///
+  ///   lambda' = -T^+ T' lambda + (1 - T^+ T) T'^T y,   y = (T T^T)^-1 c                   (1)
+  void derive_by_direction(const contact_solver& m, std::size_t i, int r, Eigen::VectorXd& to) {
+    Eigen::Index column = rows.of_closures;
+    for (std::size_t k = 0; k < i; ++k) column += unknowns_of(m, k);
+    const Eigen::VectorXd turned = -m.laws[i].friction * rows.all.col(rows.of_closures + m.touched(i).first + 1 + r);
+    const auto rank = rows.factor.rank();
+    Eigen::VectorXd part = Eigen::VectorXd::Zero(rank + pivoted_qr::padding), y = target_;
+    part.head(rank) = on_rows(turned);
+    forces_.solve(y.data());
+    const double of_null = part.head(rank).dot(y.head(rank));
+    part *= -lambda_[column];
+    forces_.solve_transposed(part.data());
+    Eigen::VectorXd unit = Eigen::VectorXd::Unit(unknowns_ + pivoted_qr::padding, column), change = 0 * unit,
+                    own = unit;
+    forces_.times_q_transposed(unit.data());
+    part.head(rank) -= of_null * unit.head(rank);
+    forces_.times_q(part.data(), change.data());
+    change += of_null * own;
+    to.noalias() = effects_ * change.head(unknowns_);
+    to += lambda_[column] * turned;
+  }
+  Eigen::VectorXd half;  ///< L^-T J^T of all forces, by places
+
+ private:
+  /// Q^T x, for the chosen rows.
+  Eigen::VectorXd on_rows(const Eigen::Ref<const Eigen::VectorXd>& x) {
+    part_.setZero(rows.all.rows() + pivoted_qr::padding), part_.head(rows.all.rows()) = x;
+    rows.factor.times_q_transposed(part_.data());
+    return part_.head(rows.factor.rank());
+  }
+  static int unknowns_of(const contact_solver& m, std::size_t i) {
+    return m.modes[i] == contact_mode::slides ? 1 : m.touched(i).rows();
+  }
+  /// L^-T of the load of each unknown force.
+  void put_effects(const contact_solver& m) {
+    unknowns_ = rows.of_closures;
+    for (std::size_t i = 0; i < m.touching.size(); ++i) unknowns_ += unknowns_of(m, i);
+    effects_.resize(rows.all.rows(), unknowns_);
+    effects_.leftCols(rows.of_closures) = rows.all.leftCols(rows.of_closures);
+    jammed = -1;
+    Eigen::Index to = rows.of_closures;
+    for (std::size_t i = 0; i < m.touching.size(); to += unknowns_of(m, i), ++i) {
+      const auto& x = m.touched(i);
+      const Eigen::Index from = rows.of_closures + x.first;
+      effects_.middleCols(to, unknowns_of(m, i)) = rows.all.middleCols(from, unknowns_of(m, i));
+      if (m.modes[i] != contact_mode::slides) continue;
+      for (int r = 0; r + 1 < x.rows(); ++r)
+        effects_.col(to) -=
+            m.laws[i].friction * directions[i][static_cast<std::size_t>(r)] * rows.all.col(from + 1 + r);
+      if (rows.of_closures == 0 && !(rows.all.col(from).dot(effects_.col(to)) > 0)) jammed = static_cast<int>(i);
+    }
+  }
+  void put_forces(contact_solver& m) const {
+    Eigen::Index from = rows.of_closures;
+    for (std::size_t i = 0; i < m.touching.size(); from += unknowns_of(m, i), ++i) {
+      const auto& x = m.touched(i);
+      m.forces.segment(x.first, unknowns_of(m, i)) = lambda_.segment(from, unknowns_of(m, i));
+      if (m.modes[i] != contact_mode::slides) continue;
+      for (int r = 0; r + 1 < x.rows(); ++r)
+        m.forces[x.first + 1 + r] = -m.laws[i].friction * directions[i][static_cast<std::size_t>(r)] * lambda_[from];
+    }
+    Eigen::VectorXd& of_closures = m.loop_forces;
+    of_closures.setZero(m.equations.places.rows);
+    int row = 0;
+    for (const int k : m.closures) {
+      const auto& x = m.equations.places.closures[static_cast<std::size_t>(k)];
+      for (int r = 0; r < x.rows.count(); ++r) of_closures[x.first + r] = lambda_[row++];
+    }
+  }
+
+  pivoted_qr forces_;
+  Eigen::Index unknowns_ = 0;
+  Eigen::MatrixXd effects_;
+  Eigen::VectorXd lambda_, target_, part_;
+  std::vector<int> order_;
+};
+
+}  // namespace kte::detail
