@@ -131,7 +131,7 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
   /// The length of the chain to which tolerances of contacts are relative, m.
   [[nodiscard]] double contact_length() const requires(touches) { return constraints::length(*this, constraints_); }
   /// The absolute tolerance of an integrator for velocities, m/s: slow sliding in space is not resolved more finely
-  /// (dynamics/contacts/slow_sliding.hpp). 1e-7 of the length of the chain per second at first.
+  /// (dynamics/contacts/slow_sliding.hpp). 1e-9 of the length of the chain per second at first.
   void let_contacts_tolerate(double of_velocity) const requires(touches) {
     constraints::let_tolerate(*this, constraints_, of_velocity);
   }

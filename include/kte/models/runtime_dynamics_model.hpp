@@ -127,7 +127,7 @@ class manipulator_dynamics_model<runtime_chain, double, void> : public state_spa
   /// The length of the chain to which tolerances of contacts are relative, m.
   [[nodiscard]] double contact_length() const;
   /// The absolute tolerance of an integrator for velocities, m/s: slow sliding in space is not resolved more finely
-  /// (dynamics/contacts/slow_sliding.hpp). 1e-7 of the length of the chain per second at first.
+  /// (dynamics/contacts/slow_sliding.hpp). 1e-9 of the length of the chain per second at first.
   void let_contacts_tolerate(double of_velocity) const;
   /// Moves x by a few velocity steps over a time where no modes are found; returns the time after. `before`: bridges
   /// that this one follows.

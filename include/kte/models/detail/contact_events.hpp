@@ -185,10 +185,10 @@ void resolve_contacts_once(const Access& a, double t, X& x, int event_of, double
   });
 }
 
+enum class decision_check { right, wrong, decide_again };
 /// Whether the forces of the modes satisfy the laws at x; if not, what to decide next: contacts that were at their
 /// limit and still are yield; those that slide but stop at once lose their velocity, and if they still do, stick; those
 /// that stick beyond friction slip.
-enum class decision_check { right, wrong, decide_again };
 template <class Access, class X>
 decision_check check_decision(const Access& a, double t, const X& x, std::vector<contact_change>& changes) {
   auto& step = a.memory();
