@@ -33,7 +33,7 @@ struct outcome {
   std::string bridge;   ///< what the last bridge was, or empty
   long long steps = 0, evaluations = 0, events = 0, bridges = 0;
   double penetration = 0;  ///< the largest, of the size
-  double gain = 0;         ///< the largest of the energy at an event, relative
+  double gain = 0;         ///< the largest of the energy at an event, relative, without that of `energy_of_gaps`
   double speed = 0;        ///< the largest velocity at the end, of size sqrt(g/size)
   Eigen::VectorXd q;       ///< at the end
 };
@@ -236,6 +236,15 @@ inline outcome simulate(const scene& s, double tolerance, bridging bridge = brid
     model.setJointStates(t, x, at), s.chain.doMotion(at);
     for (const auto& name : names) out.penetration = (std::max)(out.penetration, -at.contact(name).gap / s.size);
   };
+  // The state before an event is interpolated: contacts that touch are off their surface by gaps of the size of the
+  // tolerance. An event closes them: potential and kinetic energy change by up to gap/size and 2 gap/size of them.
+  const auto energy_of_gaps = [&](double t, const Eigen::VectorXd& x) {
+    model.setJointStates(t, x, at), s.chain.doMotion(at);
+    double most = 0;
+    for (const auto& name : names)
+      if (const double gap = std::abs(at.contact(name).gap) / s.size; gap < 1e-8) most = (std::max)(most, gap);
+    return 3 * most;
+  };
   try {
     const Eigen::VectorXd x0 = settled(model, 0.0, model.make_x(s.q, s.v));
     const double mass = centre_of_mass(s.chain, at, s.q).mass;
@@ -248,7 +257,7 @@ inline outcome simulate(const scene& s, double tolerance, bridging bridge = brid
         return;
       }
       const double before = energy_of(e.before), gain = energy_of(e.after) - before;
-      out.gain = (std::max)(out.gain, gain / (std::max)(scale, std::abs(before)));
+      out.gain = (std::max)(out.gain, gain / (std::max)(scale, std::abs(before)) - energy_of_gaps(e.time, e.before));
     };
     const auto report = solver.integrate(s.duration, element_events(model).with({.bridge = bridge}).report_to(note),
                                          every(s.duration / 400), see);

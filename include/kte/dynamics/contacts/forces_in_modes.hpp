@@ -55,28 +55,29 @@ class forces_in_modes {
   void derive_by_direction(const contact_solver& m, std::size_t i, int r, Eigen::VectorXd& to) {
     Eigen::Index column = rows.of_closures;
     for (std::size_t k = 0; k < i; ++k) column += unknowns_of(m, k);
-    const Eigen::VectorXd turned = -m.laws[i].friction * rows.all.col(rows.of_closures + m.touched(i).first + 1 + r);
+    const auto turned = -m.laws[i].friction * rows.all.col(rows.of_closures + m.touched(i).first + 1 + r);
     const auto rank = rows.factor.rank();
-    Eigen::VectorXd part = Eigen::VectorXd::Zero(rank + pivoted_qr::padding), y = target_;
-    part.head(rank) = on_rows(turned);
-    forces_.solve(y.data());
-    const double of_null = part.head(rank).dot(y.head(rank));
-    part *= -lambda_[column];
-    forces_.solve_transposed(part.data());
-    Eigen::VectorXd unit = Eigen::VectorXd::Unit(unknowns_ + pivoted_qr::padding, column), change = 0 * unit,
-                    own = unit;
-    forces_.times_q_transposed(unit.data());
-    part.head(rank) -= of_null * unit.head(rank);
-    forces_.times_q(part.data(), change.data());
-    change += of_null * own;
-    to.noalias() = effects_ * change.head(unknowns_);
+    change_.setZero(rank + pivoted_qr::padding), null_ = target_;
+    change_.head(rank) = on_rows(turned);
+    forces_.solve(null_.data());
+    const double of_null = change_.head(rank).dot(null_.head(rank));
+    change_ *= -lambda_[column];
+    forces_.solve_transposed(change_.data());
+    null_.setZero(unknowns_ + pivoted_qr::padding), null_[column] = 1;
+    forces_.times_q_transposed(null_.data());
+    change_.head(rank) -= of_null * null_.head(rank);
+    null_.setZero();
+    forces_.times_q(change_.data(), null_.data());
+    null_[column] += of_null;
+    to.noalias() = effects_ * null_.head(unknowns_);
     to += lambda_[column] * turned;
   }
   Eigen::VectorXd half;  ///< L^-T J^T of all forces, by places
 
  private:
-  /// Q^T x, for the chosen rows.
-  Eigen::VectorXd on_rows(const Eigen::Ref<const Eigen::VectorXd>& x) {
+  /// Q^T x, for the chosen rows; valid until the next call.
+  template <class X>
+  Eigen::VectorBlock<Eigen::VectorXd> on_rows(const X& x) {
     part_.setZero(rows.all.rows() + pivoted_qr::padding), part_.head(rows.all.rows()) = x;
     rows.factor.times_q_transposed(part_.data());
     return part_.head(rows.factor.rank());
@@ -124,7 +125,7 @@ class forces_in_modes {
   pivoted_qr forces_;
   Eigen::Index unknowns_ = 0;
   Eigen::MatrixXd effects_;
-  Eigen::VectorXd lambda_, target_, part_;
+  Eigen::VectorXd lambda_, target_, part_, change_, null_;
   std::vector<int> order_;
 };
 

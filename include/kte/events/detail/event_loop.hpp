@@ -1,7 +1,7 @@
 #pragma once
 
+#include <kte/events/detail/bridges.hpp>
 #include <kte/events/detail/event_record.hpp>
-#include <kte/events/detail/event_watch.hpp>
 #include <kte/events/detail/way_back.hpp>
 #include <kte/integrators/integrator.hpp>
 
@@ -23,12 +23,12 @@ class event_loop {
         events_(events),
         observer_(static_cast<Observer&&>(observer)),
         watch_(solver, events, t_end),
+        bridges_(watch_, events.settings, solver.time()),
         record_(events, solver.state()),
         t_end_(t_end),
         goal_(t_end),
         last_action_(solver.time()),
         safe_time_(solver.time()),
-        milestone_(solver.time()),
         x_(solver.state()),
         safe_(x_) {}
 
@@ -36,7 +36,7 @@ class event_loop {
     start();
     while (goes_on()) {
       begin_step();
-      if (!steps_pile_up() || !bridge("steps pile up")) step_or_bridge();
+      if (!bridges_.are_needed_at(begin_) || !bridge("steps pile up")) step_or_bridge();
     }
     record_.report().time = solver_.time();
     return std::move(record_.report());
@@ -46,8 +46,8 @@ class event_loop {
     obey(observer_.start(solver_));
     watch_.for_each([&](auto& e, status&, std::size_t) {
       if constexpr (requires { e.function.tolerate(solver_.bounds()); }) e.function.tolerate(solver_.bounds());
-      if constexpr (can_bridge<decltype(e)>) patience_ = (std::max)(patience_, S(e.function.patience()));
     });
+    bridges_.start();
     if (!goes_on() || !mend_start()) solver_.begin(goal_);
   }
   bool goes_on() const { return !record_.stopped() && solver_.time() != t_end_; }
@@ -63,11 +63,6 @@ class event_loop {
   const event_report<X>& report() { return record_.report(); }
 
  private:
-  template <class E>
-  static constexpr bool can_bridge = requires(E& e, const S& t, X& x) {
-    e.function.patience();
-    e.function.bridge(t, x, t, 0);
-  };
   /// A step, or where it fails, a bridge.
   void step_or_bridge() {
     const auto step = [this] {
@@ -76,7 +71,7 @@ class event_loop {
       end_step_or_act(back);
     };
 #if defined(__cpp_exceptions)
-    if (patience_ > S(0)) {
+    if (bridges_.are_possible()) {
       try {
         return step();
       } catch (const error& why) {
@@ -87,58 +82,32 @@ class event_loop {
 #endif
     step();
   }
-  /// Whether many steps have brought less than `patience`.
-  bool steps_pile_up() {
-    if (!(patience_ > S(0))) return false;
-    if (watch::distance(solver_.time(), milestone_) > patience_) milestone_ = solver_.time(), steps_since_ = 0;
-    return ++steps_since_ > most_steps;
-  }
-  /// Carries the state over a time by the first event that can. Returns whether one did.
-  bool bridge(std::string why) {
-    if (events_.settings.bridge == bridging::never) return false;
+  /// Carries the state over a time that steps do not pass. Returns whether an event could.
+  bool bridge(const std::string& why) {
     const S t = solver_.time();
-    bool done = false;
-    watch_.for_each([&](auto& e, status&, std::size_t k) {
-      if constexpr (can_bridge<decltype(e)>) {
-        if (done || !(S(e.function.patience()) > S(0)) || !(t < t_end_)) return;
-        X x = solver_.state();
-#if defined(__cpp_exceptions)
-        try {
-#endif
-          go_on_at_ = e.function.bridge(t, x, t_end_, bridges_);
-#if defined(__cpp_exceptions)
-        } catch (const error&) {
-          return;
-        }
-#endif
-        done = true;
-        record_.before(k, watch::name_of(e), t, solver_.state());
-        x_ = x;
-      }
-    });
-    if (!done) return false;
     const X before = solver_.state();
+    X after = before;
+    const auto over = bridges_.carry(t, after, t_end_);
+    if (!over) return false;
+    const S& until = over->until;
+    x_ = after;
+    record_.before(over->event, over->name, t, before);
     obey(observer_.before(solver_, t, before));
-    if constexpr (requires { observer_.skip(t, before, go_on_at_, x_); })
-      obey(observer_.skip(t, before, go_on_at_, x_));
+    if constexpr (requires { observer_.skip(t, before, until, x_); }) obey(observer_.skip(t, before, until, x_));
     record_.after_bridge(
-        go_on_at_, x_,
-        "bridged " + number(static_cast<double>(t)) + " s to " + number(static_cast<double>(go_on_at_)) + " s: " + why);
-    bridges_ = watch::distance(t, milestone_) > S(100) * watch::distance(go_on_at_, t) ? 1 : bridges_ + 1;
-    milestone_ = go_on_at_, steps_since_ = 0;
-    keep(go_on_at_, x_);
-    restart(go_on_at_);
+        until, x_,
+        "bridged " + number(static_cast<double>(t)) + " s to " + number(static_cast<double>(until)) + " s: " + why);
+    keep(until, x_);
+    restart(until);
     watch_.for_each([&](auto& e, status& s, std::size_t k) {
       s = {};
-      s.renew(watch_.value(e, k, go_on_at_, x_));
+      s.renew(watch_.value(e, k, until, x_));
     });
-    obey(observer_.after(solver_, go_on_at_, x_));
-    last_action_ = go_on_at_;
+    obey(observer_.after(solver_, until, x_));
+    last_action_ = until;
     if (goes_on()) go_for(t_end_);
     return true;
   }
-  /// Steps, each of a bridge's length or less, after which a bridge helps.
-  static constexpr int most_steps = 3000;
   using return_path = way_back<Solver, S, X>;
 
   /// Events at the start: modes of elements that are inconsistent because inputs or the state have been changed. A g
@@ -276,7 +245,7 @@ class event_loop {
     const bool may_repeat = s.repeats <= e.most_repeats;
     is_zeno_ = false;
     if (again && !may_repeat && (s.rested || !E::has_rest)) {
-      if (can_bridge<E> && patience_ > S(0) && events_.settings.bridge != bridging::never)
+      if (can_bridge<E, S, X> && bridges_.are_possible())
         is_zeno_ = true;
       else
         record_.stop(stop_reason::zeno, k, watch::name_of(e));
@@ -285,7 +254,7 @@ class event_loop {
     s.has_reset = true;
     s.last_reset = t;
     s.from = e.is_one_sided && !s.rested ? s.reached : 0;
-    is_in_handler_ = !can_bridge<E>;
+    is_in_handler_ = !can_bridge<E, S, X>;
     if constexpr (E::has_rest)
       s.rested ? e.on_rest(t, x_) : e.on_reset(t, x_);
     else
@@ -351,10 +320,9 @@ class event_loop {
   List& events_;
   Observer observer_;
   watch watch_;
+  bridges<Solver, List> bridges_;
   event_record<X, List> record_;
   S t_end_, goal_, begin_{}, last_action_, pace_{0}, safe_time_;
-  S patience_{0}, milestone_, go_on_at_{};  ///< of bridges
-  int steps_since_ = 0, bridges_ = 0;
   bool is_zeno_ = false;        ///< whether resets of contacts at one time do not end
   bool is_in_handler_ = false;  ///< whether a handler runs whose errors bridges do not help
   X x_, safe_;

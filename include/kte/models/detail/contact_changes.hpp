@@ -12,12 +12,13 @@ struct contact_change {
   contact_mode before{}, after{};
   vec3<> direction{};  ///< of sliding, before
   bool turns = false;
-  bool passes = false;    ///< begins to pass through its surface
-  bool at_limit[2] = {};  ///< whether the normal force, or the reserve of friction, has fallen to zero
-  bool yields = false;    ///< opens, or slides, because it is at its limit
-  bool stops = false;     ///< has no velocity, because it would stop at once
-  bool holds = false;     ///< sticks, because it would not move
-  vec3<> slip{};          ///< the direction in which it slides, because sticking would exceed friction; 0: it may stick
+  bool passes = false;       ///< begins to pass through its surface
+  bool has_no_load = false;  ///< whether the normal force has fallen to zero
+  bool has_no_grip = false;  ///< whether the reserve of friction has fallen to zero
+  bool yields = false;       ///< opens, or slides, because of these
+  bool stops = false;        ///< has no velocity, because it would stop at once
+  bool holds = false;        ///< sticks, because it would not move
+  vec3<> slip{};             ///< the direction in which it slides, because sticking would exceed friction; 0: it may stick
 
   bool slips() const { return dot(slip, slip) > 0; }
 };

@@ -14,6 +14,14 @@ double bridge_contacts(const Access& a, double t, X& x, double t_end, int n);
 
 /// Within the accuracy of the solution, forces at their limits are beyond them: relative to the largest force.
 inline constexpr double least_reserve = 1e-9;
+/// The force of a contact that was found not to move may be this much beyond friction, relative to the largest force:
+/// ten times the residuals of friction problems that count as solved (`largest_residual`).
+inline constexpr double excess_of_rest = 1e-7;
+/// Decisions at one event: of a contact, four in a row (stop, hold, slip, yield), for several contacts one after the
+/// other, and five with longer times to look ahead.
+inline constexpr int most_decisions = 16;
+/// The longest time to look ahead, relative to the first: flights of unresolved_height * widest^2 = 1e-7 of the length.
+inline constexpr double widest = 1024;
 
 /// Moves x so that the gaps of all contacts that touch are zero, also of those that open.
 template <class Access, class X>
@@ -40,9 +48,9 @@ void close_gaps(const Access& a, double t, X& x) {
 
 /// The state of sliding of a contact before a decision.
 inline contact_before_decision slow_sliding_of(const contact_state<>& s, const contact_at& x,
-                                               const std::array<double, 4>& margins) {
+                                               const contact_margin& margin) {
   const bool slides = mode_of(s) == contact_mode::slides && !x.planar && x.place.law.friction > 0;
-  return {2 * margins[3], slides && margins[3] > 0 && margins[1] <= 0, false};
+  return {2 * margin.look_ahead, slides && margin.look_ahead > 0 && margin.friction <= 0, false};
 }
 /// Resolves impacts at the state x, finds the modes of all contacts, and puts x on the rows of closed ones:
 ///
@@ -87,7 +95,7 @@ void resolve_contacts_once(const Access& a, double t, X& x, int event_of, double
           before.push_back(
               slow_sliding_of(s.template get<kind::contact>(m.contacts[i].slot), m.contacts[i], margins[i]));
       for (std::size_t i = 0; i < changes.size(); ++i) {
-        before[i].opens = changes[i].yields && changes[i].at_limit[0];
+        before[i].opens = changes[i].yields && changes[i].has_no_load;
         before[i].stops |= changes[i].stops;
       }
       if (changes.empty()) {
@@ -96,8 +104,8 @@ void resolve_contacts_once(const Access& a, double t, X& x, int event_of, double
           const auto& of = s.template get<kind::contact>(m.contacts[i].slot);
           auto& own = changes[i];
           own.before = mode_of(of), own.direction = of.direction, own.passes = passing[i] != 0;
-          own.at_limit[0] = own.before != contact_mode::open && margins[i][0] < zero;
-          own.at_limit[1] = own.before == contact_mode::sticks && margins[i][1] < zero;
+          own.has_no_load = own.before != contact_mode::open && margins[i].touch < zero;
+          own.has_no_grip = own.before == contact_mode::sticks && margins[i].friction < zero;
         }
       }
       if (round == 50) [[unlikely]]
@@ -138,7 +146,7 @@ void resolve_contacts_once(const Access& a, double t, X& x, int event_of, double
         const auto& own = changes[static_cast<std::size_t>(m.touching[i])];
         auto& to = s.template get<kind::contact>(y.slot);
         const auto [normal, reserve] = reserves(m, i);
-        if (own.at_limit[0] && normal <= least_reserve * most) {
+        if (own.has_no_load && normal <= least_reserve * most) {
           to.mode = static_cast<double>(contact_mode::open);
         } else if (mode_of(to) == contact_mode::slides && own.holds) {
           to.mode = static_cast<double>(contact_mode::sticks);
@@ -148,7 +156,7 @@ void resolve_contacts_once(const Access& a, double t, X& x, int event_of, double
             to.direction = y.basis[1];
           else if (own.slips())
             to.direction = own.slip;
-          else if (own.at_limit[1] && (own.yields || reserve <= least_reserve * most))
+          else if (own.has_no_grip && (own.yields || reserve <= least_reserve * most))
             to.direction = unit_of(-t_force);
           else
             continue;
@@ -202,15 +210,15 @@ decision_check check_decision(const Access& a, double t, const X& x, std::vector
       const auto& y = m.touched(i);
       auto& own = changes[static_cast<std::size_t>(m.touching[i])];
       const auto [normal, reserve] = reserves(m, i);
-      if (wrong && step.forces.redundant() && normal < -least) own.at_limit[0] = true;
-      const bool at_limit = (own.at_limit[0] && normal <= least) ||
-                            (own.at_limit[1] && m.modes[i] == contact_mode::sticks && reserve <= least && !own.holds);
+      if (wrong && step.forces.redundant() && normal < -least) own.has_no_load = true;
+      const bool at_limit = (own.has_no_load && normal <= least) ||
+                            (own.has_no_grip && m.modes[i] == contact_mode::sticks && reserve <= least && !own.holds);
       if (at_limit && !own.yields) own.yields = true, found = decision_check::decide_again;
       if (step.forces.look_aheads[i] > 0 && step.forces.speeds[i] <= 0 && !own.holds) {
         (own.stops ? own.holds : own.stops) = true, own.slip = {};
         found = decision_check::decide_again;
       }
-      const double excess = own.holds ? 1e-7 * most : excess_at_onset * y.place.law.friction * normal;
+      const double excess = own.holds ? excess_of_rest * most : excess_at_onset * y.place.law.friction * normal;
       if (!y.planar && m.modes[i] == contact_mode::sticks && normal > 0 && reserve < -excess) {
         const vec3<> force = m.force_of(y);
         own.slip = unit_of(dot(y.place.normal, force) * y.place.normal - force), own.holds = false;
@@ -227,7 +235,7 @@ template <class Access, class X>
 void resolve_contacts(const Access& a, double t, X& x, int event_of) {
   std::vector<contact_change> changes;
   double wide = 1;
-  for (int k = 0; k < 16 && wide < 2000; ++k) {
+  for (int k = 0; k < most_decisions && wide <= widest; ++k) {
     resolve_contacts_once(a, t, x, event_of, wide, changes);
     if (is_stepped(a, x)) return;
     const auto found = check_decision(a, t, x, changes);

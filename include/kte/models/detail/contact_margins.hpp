@@ -34,10 +34,8 @@ inline std::array<double, 2> reserves(const contact_solver& m, std::size_t i) {
 /// In space, sliding begins where the force of a contact that sticks is this much above its limit, relative to it, so
 /// that a contact that only stays at its limit, as where a body rolls, sticks.
 inline constexpr double excess_at_onset = 1e-9;
-/// The functions of contact i of those that touch: its normal force, N; of one that sticks, its reserve of friction; of
-/// one that slides, its speed, and whether it still slides in the direction in which sliding began: of
-/// slow_sliding.hpp.
-inline std::array<double, 4> margins_of_closed(const contact_solver& m, const forces_in_modes& k, std::size_t i,
+/// The functions of contact i of those that touch.
+inline contact_margin margins_of_closed(const contact_solver& m, const forces_in_modes& k, std::size_t i,
                                                const vec3<>& start, double tiny) {
   const auto& x = m.touched(i);
   const auto [normal, reserve] = reserves(m, i);
@@ -85,19 +83,18 @@ int admit_forces(const Contacts& c, State& s, contact_solver& m, forces_in_modes
   put_contacts(m, s);
   return -1;
 }
-/// The functions of all contacts at the time t and the state x, by number; of open ones their gap, m. Their fourth
-/// number is tau of slow_sliding.hpp, s.
+/// The functions of all contacts at the time t and the state x, by number.
 template <class Access, class X>
-const std::vector<std::array<double, 4>>& contact_margins(const Access& a, double t, const X& x) {
+const std::vector<contact_margin>& contact_margins(const Access& a, double t, const X& x) {
   auto& step = a.memory();
   if (step.margin_x.size() == x.size() && step.margin_x == x && step.margin_time == t) return step.margins;
   step.margin_x.resize(0);
   if (is_stepped(a, x)) {
-    step.margins.assign(static_cast<std::size_t>(a.contacts()), {1, 1, 1, 0});
+    step.margins.assign(static_cast<std::size_t>(a.contacts()), {});
     return step.margins;
   }
   a.at(t, x, [&](const auto& c, auto& s, contact_solver& m) {
-    step.margins.assign(m.contacts.size(), {1, 1, 1, 0});
+    step.margins.assign(m.contacts.size(), {});
     step.zero_gaps.resize(m.contacts.size());
     bool closed = false;
     for (const auto& y : m.contacts) closed |= mode_of(s.template get<kind::contact>(y.slot)) != contact_mode::open;
@@ -111,7 +108,7 @@ const std::vector<std::array<double, 4>>& contact_margins(const Access& a, doubl
       accelerate_in_modes(c, s, m, step.forces);
     }
     for (std::size_t k = 0; k < m.contacts.size(); ++k)
-      step.margins[k][0] = m.contacts[k].place.gap - step.zero_gaps[k];
+      step.margins[k].touch = m.contacts[k].place.gap - step.zero_gaps[k];
     if (!closed) return;
     const bool admitted = admit_forces(c, s, m, step.forces, 1e-13) < 0;
     step.largest_force = (std::max)(step.largest_force, largest_force(m, step.forces));
@@ -120,12 +117,12 @@ const std::vector<std::array<double, 4>>& contact_margins(const Access& a, doubl
       const auto k = static_cast<std::size_t>(m.touching[i]);
       auto& own = step.margins[k] = margins_of_closed(m, step.forces, i, starts[k], tiny);
       if (!admitted) continue;
-      own[0] = (std::max)(own[0], tiny);
-      if (m.modes[i] == contact_mode::sticks) own[1] = (std::max)(own[1], tiny);
+      own.touch = (std::max)(own.touch, tiny);
+      if (m.modes[i] == contact_mode::sticks) own.friction = (std::max)(own.friction, tiny);
     }
     if (step.forces.jammed >= 0) {
       auto& own = step.margins[static_cast<std::size_t>(m.touching[static_cast<std::size_t>(step.forces.jammed)])];
-      own[0] = -std::abs(own[0]) - tiny;
+      own.touch = -std::abs(own.touch) - tiny;
     }
   });
   step.margin_x = x, step.margin_time = t;

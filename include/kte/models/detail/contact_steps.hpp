@@ -21,6 +21,16 @@ namespace kte::detail {
 /// Heights that events do not resolve, relative to the length of the chain.
 inline constexpr double unresolved_height = 1e-13;
 
+/// The functions of a contact that pass through zero at its events, and the time that slow sliding looks ahead.
+struct contact_margin {
+  double touch = 1;       ///< the gap of an open contact, m; the normal force of a closed one, N
+  double friction = 1;    ///< of one that sticks its reserve of friction, N; of one that slides its speed, m/s
+  double turn = 1;        ///< whether it slides in the direction in which sliding began, m/s
+  double look_ahead = 0;  ///< tau of slow_sliding.hpp, s
+
+  /// The function of event `part` of the contact.
+  double at(int part) const { return part == 0 ? touch : part == 1 ? friction : turn; }
+};
 struct contact_step {
   template <class Contacts, class State>
   contact_step(const Contacts& c, const State& s) : at(c, s) {}
@@ -45,7 +55,7 @@ struct contact_step {
   Eigen::VectorXd margin_x;
   double margin_time = 0;
   double largest_force = 0;  ///< of contacts since the last event, N; at an event it may itself be zero
-  std::vector<std::array<double, 4>> margins;
+  std::vector<contact_margin> margins;
   Eigen::VectorXd inputs;  ///< of the model, for `margins`
 
   /// The speed below which sliding is slow, for a tolerance, m/s or m: places change by its square where sliding stops

@@ -29,8 +29,7 @@ inline auto manipulator_dynamics_model<runtime_chain>::contacts_of_model() const
 }
 KTE_FUNCTION double manipulator_dynamics_model<runtime_chain>::contact_margin(double t, const state& x, int contact,
                                                                               int part) const {
-  return detail::contact_margins(contacts_of_model(), t,
-                                 x)[static_cast<std::size_t>(contact)][static_cast<std::size_t>(part)];
+  return detail::contact_margins(contacts_of_model(), t, x)[static_cast<std::size_t>(contact)].at(part);
 }
 KTE_FUNCTION std::string_view manipulator_dynamics_model<runtime_chain>::resolve_contacts(double t, state& x,
                                                                                           int event_of) const {

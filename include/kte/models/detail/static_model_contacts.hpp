@@ -99,7 +99,7 @@ struct static_model_contacts<static_chain<Gravity, E...>> {
   }
   template <class Model, class X>
   static double margin(const Model& m, memory& kept, double t, const X& x, int contact, int part) {
-    return contact_margins(of(m, kept), t, x)[static_cast<std::size_t>(contact)][static_cast<std::size_t>(part)];
+    return contact_margins(of(m, kept), t, x)[static_cast<std::size_t>(contact)].at(part);
   }
   template <class Model, class X>
   static std::string_view resolve(const Model& m, memory& kept, double t, X& x, int event_of) {
