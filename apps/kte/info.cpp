@@ -30,27 +30,18 @@ limits_of_one limits(const mechanism& m, const structure::coordinate& c) {
   const auto& l = m.robot.limits;
   return {l.lower[v], l.upper[v], l.rate[v], l.effort[v]};
 }
-const structure::coordinate* free_number(const structure& s, const std::string& name) {
-  for (const auto& c : s.coordinates)
-    if (c.name == name && c.v >= 0 && c.nv == 1) return &c;
-  return nullptr;
-}
+bool is_free_number(const structure::coordinate& c) { return c.v >= 0 && c.nv == 1; }
 
 /// "q1 in [-2.9, 2.9] rad, at most 1.5 rad/s, 320 Nm", "q2, which follows others".
-std::string coordinate_text(const mechanism& m, const structure& s, const std::string& name) {
-  const auto* const c = free_number(s, name);
-  if (!c) {
-    const auto follows = std::any_of(s.coordinates.begin(), s.coordinates.end(),
-                                     [&](const auto& x) { return x.name == name && x.v < 0; });
-    return "'" + name + "'" + (follows ? ", which follows others" : "");
-  }
-  const auto l = limits(m, *c);
-  std::string text = "'" + name + "'";
+std::string coordinate_text(const mechanism& m, const structure::coordinate& c) {
+  std::string text = "'" + c.name + "'";
+  if (!is_free_number(c)) return text + (c.v < 0 ? ", which follows others" : "");
+  const auto l = limits(m, c);
   if (std::isfinite(l.lower) || std::isfinite(l.upper))
-    text += " in [" + short_number(l.lower) + ", " + short_number(l.upper) + "] " + c->unit;
+    text += " in [" + short_number(l.lower) + ", " + short_number(l.upper) + "] " + c.unit;
   std::string most;
-  if (std::isfinite(l.rate)) most = short_number(l.rate) + " " + c->unit + "/s";
-  if (std::isfinite(l.effort)) most += (most.empty() ? "" : ", ") + short_number(l.effort) + (c->turns ? " Nm" : " N");
+  if (std::isfinite(l.rate)) most = short_number(l.rate) + " " + c.unit + "/s";
+  if (std::isfinite(l.effort)) most += (most.empty() ? "" : ", ") + short_number(l.effort) + (c.turns ? " Nm" : " N");
   return text + (most.empty() ? "" : ", at most " + most);
 }
 
@@ -58,6 +49,8 @@ std::string coordinate_text(const mechanism& m, const structure& s, const std::s
 class tree_text {
  public:
   tree_text(const mechanism& m, const structure& s) : m_(m), s_(s), children_(s.frames.size()) {
+    for (const auto& c : s.coordinates) coordinates_.emplace(c.name, &c);
+    for (const auto& b : s.bodies) masses_[b.frame].push_back(b.mass);
     std::vector<std::size_t> roots;
     for (std::size_t i = 0; i < s.frames.size(); ++i)
       (s.frames[i].parent < 0 ? roots : children_[static_cast<std::size_t>(s.frames[i].parent)]).push_back(i);
@@ -95,7 +88,7 @@ class tree_text {
     const auto& f = s_.frames[i];
     std::string text = f.name + bodies_at(i) + ": " + short_type(f.by);
     if (f.has_axis) text += " " + axis_text(f.axis);
-    for (const auto& q : f.moved_by) text += " " + coordinate_text(m_, s_, q);
+    for (const auto& q : f.moved_by) text += " " + coordinate_text(m_, *coordinates_.at(q));
     return text;
   }
   static std::string axis_text(const kte::vec3<>& a) {
@@ -107,14 +100,16 @@ class tree_text {
   }
   std::string bodies_at(std::size_t i) const {
     std::string text;
-    for (const auto& b : s_.bodies)
-      if (b.frame == s_.frames[i].name) text += (text.empty() ? " [" : ", ") + short_number(b.mass) + " kg";
+    if (const auto at = masses_.find(s_.frames[i].name); at != masses_.end())
+      for (const double mass : at->second) text += (text.empty() ? " [" : ", ") + short_number(mass) + " kg";
     return text.empty() ? text : text + "]";
   }
 
   const mechanism& m_;
   const structure& s_;
   std::vector<std::vector<std::size_t>> children_;
+  std::map<std::string_view, const structure::coordinate*> coordinates_;
+  std::map<std::string_view, std::vector<double>> masses_;  ///< by frame
   std::string text_;
 };
 
@@ -133,7 +128,7 @@ std::string text_of(const mechanism& m, const structure& s) {
   for (const auto& b : s.bodies) t += "  " + b.frame + ": " + centred(b) + '\n';
   if (!s.coordinates.empty()) t += "\ncoordinates\n";
   for (const auto& c : s.coordinates) {
-    t += "  " + (c.v < 0 ? "'" + c.name + "', which follows others" : coordinate_text(m, s, c.name));
+    t += "  " + coordinate_text(m, c);
     if (c.v >= 0 && c.nv > 1) t += ", a " + c.kind;
     if (c.v >= 0)
       t += ": q[" + std::to_string(c.q) + (c.nq > 1 ? ".." + std::to_string(c.q + c.nq - 1) : "") + "], v[" +
@@ -172,7 +167,7 @@ std::string json_of(const mechanism& m, const structure& s) {
   for (const auto& c : s.coordinates) {
     j.object().member("name", c.name).member("kind", c.kind).member("unit", c.unit).member("follows", c.v < 0);
     if (c.v >= 0) j.member("q", c.q).member("nq", c.nq).member("v", c.v).member("nv", c.nv);
-    if (free_number(s, c.name)) {
+    if (is_free_number(c)) {
       const auto l = limits(m, c);
       j.member("lower", l.lower).member("upper", l.upper).member("rate", l.rate).member("effort", l.effort);
     }

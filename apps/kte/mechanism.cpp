@@ -114,10 +114,12 @@ mechanism read_and_warn(const reading& o, bool with_motors) {
 
 std::vector<std::string> coordinates_of(const mechanism& m, const kte::runtime_chain& chain) {
   std::set<std::string> free;
+  const std::set<std::string> joints(m.robot.joints.begin(), m.robot.joints.end());
   std::vector<std::string> all;
-  for (const auto& e : kte::layout(chain)) free.insert(e.name);
-  for (const auto& e : kte::layout(chain))  // the base is not a joint of the file
-    if (std::find(m.robot.joints.begin(), m.robot.joints.end(), e.name) == m.robot.joints.end()) all.push_back(e.name);
+  for (const auto& e : kte::layout(chain)) {
+    free.insert(e.name);
+    if (!joints.contains(e.name)) all.push_back(e.name);  // the base is not a joint of the file
+  }
   for (const auto& name : m.robot.joints)  // those that follow others have no columns
     if (free.contains(name)) all.push_back(name);
   return all;
@@ -143,10 +145,11 @@ kte::robot_note placed(kte::robot_note note, const std::string& file) {
 
 std::vector<std::string> texts_of(const std::vector<kte::robot_note>& notes, const std::string& source) {
   std::vector<std::string> all;
+  std::set<std::string> known;
   for (const auto& note : notes) {
     const auto text =
         kte::detail::place_text(note.file.empty() ? source : note.file, note.line) + with_option_names(note.text);
-    if (std::find(all.begin(), all.end(), text) == all.end()) all.push_back(text);
+    if (known.insert(text).second) all.push_back(text);
   }
   return all;
 }

@@ -35,6 +35,7 @@ class structure_reader {
       auto& c = coordinate(e.name, e.what);
       c.q = e.q, c.nq = e.nq, c.v = e.v, c.nv = e.nv;
     }
+    coordinates_.clear();
     std::stable_sort(out_.coordinates.begin(), out_.coordinates.end(), [](const auto& a, const auto& b) {
       return static_cast<unsigned>(a.v) < static_cast<unsigned>(b.v);  // followers last
     });
@@ -47,8 +48,8 @@ class structure_reader {
 
  private:
   structure::coordinate& coordinate(const std::string& name, kte::kind k) {
-    for (auto& c : out_.coordinates)
-      if (c.name == name) return c;
+    const auto [at, fresh] = coordinates_.emplace(name, out_.coordinates.size());
+    if (!fresh) return out_.coordinates[at->second];
     auto& c = out_.coordinates.emplace_back();
     c.name = name, c.kind = kte::to_string(k);
     return c;
@@ -115,16 +116,24 @@ class structure_reader {
   void place(const kte::runtime_chain& chain, const Eigen::VectorXd& q) {
     auto s = chain.make_state();
     kte::set_positions(s, q);
+    kte::forward_kinematics(chain, s);
     for (auto& f : out_.frames) {
-      const auto x = kte::forward_kinematics(chain, s, f.name);
-      f.position = x.position, f.rotation = x.rotation;
+      if (f.planar) {
+        const auto& x = s.frame_2D(f.name);
+        f.position = {x.position.x, x.position.y, 0};
+        f.rotation = {{x.rotation.cos, -x.rotation.sin, 0}, {x.rotation.sin, x.rotation.cos, 0}, {0, 0, 1}};
+      } else {
+        const auto& x = s.frame_3D(f.name);
+        f.position = x.position, f.rotation = x.rotation;
+      }
     }
   }
-  /// Whether a joint moves the frame in the world.
-  bool moves(int frame) const {
-    for (; frame >= 0; frame = out_.frames[static_cast<std::size_t>(frame)].parent)
-      if (!out_.frames[static_cast<std::size_t>(frame)].moved_by.empty()) return true;
-    return false;
+  /// Whether joints move the frames in the world. A frame follows its parent in the list.
+  std::vector<bool> moving_frames() const {
+    std::vector<bool> moves;
+    for (const auto& f : out_.frames)
+      moves.push_back(!f.moved_by.empty() || (f.parent >= 0 && moves[static_cast<std::size_t>(f.parent)]));
+    return moves;
   }
   void measure(const std::vector<kte::robot::shape>& shapes) {
     constexpr double far = std::numeric_limits<double>::infinity();
@@ -142,6 +151,8 @@ class structure_reader {
       const auto at = frames_.find(s.frame);
       return at == frames_.end() ? -1 : at->second;
     };
+    const auto moving = moving_frames();
+    const auto moves = [&moving](int frame) { return frame >= 0 && moving[static_cast<std::size_t>(frame)]; };
     const bool some_move = std::any_of(shapes.begin(), shapes.end(), [&](const auto& s) { return moves(frame_of(s)); });
     for (const auto& s : shapes) {
       const int at = frame_of(s);
@@ -159,6 +170,7 @@ class structure_reader {
 
   structure& out_;
   std::map<std::string, int, std::less<>> frames_;
+  std::map<std::string, std::size_t, std::less<>> coordinates_;
 };
 
 }  // namespace

@@ -8,13 +8,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <utility>
 #include <vector>
 
 namespace kte {
 
 /// A height z = h(x, y), m, through a grid of heights: a natural bicubic spline, twice continuously differentiable.
-/// Beyond the grid it continues along its slopes. For `height_field`:
+/// Beyond the grid it continues along its slopes. Copies share its numbers. For `height_field`:
 ///
 ///   height_field(height_grid({.x = -1, .y = -2, .step_x = 0.1, .step_y = 0.1, .columns = 21}, heights))
 ///
@@ -80,7 +81,7 @@ class height_grid {
         L sum(0);
         for (std::size_t p = 0; p < 4; ++p)
           for (std::size_t q = 0; q < 4; ++q)
-            sum += L(coefficients_[(i + p) * (at_.columns + 2) + j + q]) * L(basis[q][m] * basis[p][n]);
+            sum += L((*coefficients_)[(i + p) * (at_.columns + 2) + j + q]) * L(basis[q][m] * basis[p][n]);
         in.c[m][n] = L(sum / L(36));
       }
     return in;
@@ -106,13 +107,13 @@ class height_grid {
   }
   void prepare(const std::vector<double>& heights) {
     const std::size_t width = at_.columns + 2;
-    coefficients_.assign(width * (rows_ + 2), 0.0);
+    std::vector<double> c(width * (rows_ + 2), 0.0);
     for (std::size_t i = 0; i < rows_; ++i) {
-      for (std::size_t j = 0; j < at_.columns; ++j)
-        coefficients_[(i + 1) * width + j + 1] = heights[i * at_.columns + j];
-      solve(&coefficients_[(i + 1) * width], at_.columns, 1);
+      for (std::size_t j = 0; j < at_.columns; ++j) c[(i + 1) * width + j + 1] = heights[i * at_.columns + j];
+      solve(&c[(i + 1) * width], at_.columns, 1);
     }
-    for (std::size_t j = 0; j < width; ++j) solve(&coefficients_[j], rows_, width);
+    for (std::size_t j = 0; j < width; ++j) solve(&c[j], rows_, width);
+    coefficients_ = std::make_shared<const std::vector<double>>(std::move(c));
   }
   /// Replaces heights at places 1 to n by coefficients at 0 to n + 1, by (1).
   static void solve(double* line, std::size_t n, std::size_t stride) {
@@ -128,7 +129,7 @@ class height_grid {
 
   layout at_;
   std::size_t rows_;
-  std::vector<double> coefficients_;
+  std::shared_ptr<const std::vector<double>> coefficients_;
 };
 
 }  // namespace kte

@@ -36,7 +36,7 @@ inline std::array<double, 2> reserves(const contact_solver& m, std::size_t i) {
 inline constexpr double excess_at_onset = 1e-9;
 /// The functions of contact i of those that touch.
 inline contact_margin margins_of_closed(const contact_solver& m, const forces_in_modes& k, std::size_t i,
-                                               const vec3<>& start, double tiny) {
+                                        const vec3<>& start, double tiny) {
   const auto& x = m.touched(i);
   const auto [normal, reserve] = reserves(m, i);
   if (m.modes[i] == contact_mode::sticks) {

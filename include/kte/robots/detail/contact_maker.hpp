@@ -6,6 +6,8 @@
 #include <kte/robots/detail/robot_ground.hpp>
 #include <kte/robots/detail/touching_parts.hpp>
 
+#include <map>
+
 namespace kte::detail {
 
 /// Appends contacts of parts of shapes with surfaces of the ground to the chain of a robot.
@@ -39,10 +41,13 @@ class contact_maker {
   }
 
  private:
-  static height_field<height_grid> field_of(const robot_shape& s) {
+  /// The height field of a shape, made once.
+  const height_field<height_grid>& field_of(const robot_shape& s) {
+    if (const auto known = fields_.find(&s); known != fields_.end()) return known->second;
     const double columns = static_cast<double>(s.columns), rows = static_cast<double>(s.heights.size() / s.columns);
-    return height_field(height_grid(
-        {-s.size.x, -s.size.y, 2 * s.size.x / (columns - 1), 2 * s.size.y / (rows - 1), s.columns}, s.heights));
+    const height_grid::layout at{-s.size.x, -s.size.y, 2 * s.size.x / (columns - 1), 2 * s.size.y / (rows - 1),
+                                 s.columns};
+    return fields_.emplace(&s, height_field(height_grid(at, s.heights))).first->second;
   }
   template <class Surface>
   void on(const Surface& surface, const ground_surface& g, const std::string& name, const std::string& link,
@@ -63,6 +68,7 @@ class contact_maker {
 
   robot_elements& to_;
   const robot_contact_options& o_;
+  std::map<const robot_shape*, height_field<height_grid>> fields_;
 };
 
 }  // namespace kte::detail

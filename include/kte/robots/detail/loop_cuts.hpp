@@ -14,7 +14,10 @@ namespace kte::detail {
 /// their kind (screws) come first, so that they stay joints if a loop has others.
 class loop_cuts {
  public:
-  explicit loop_cuts(robot_description& d) : d_(d) {}
+  explicit loop_cuts(robot_description& d) : d_(d) {
+    for (std::size_t i = 0; i < d.joints.size(); ++i)
+      if (d.joints[i].mimic) followers_.emplace(d.joints[i].mimic->joint, i);
+  }
 
   void cut() {
     find_crosses();
@@ -37,14 +40,16 @@ class loop_cuts {
       }
     if (closing.empty()) return;
     std::set<std::size_t> gone;
+    std::set<std::string> links_gone;
     for (const auto i : closing) {
       d_.closures.push_back(closure(i));
       gone.insert(i);
       if (const auto c = crosses_.find(i); c != crosses_.end()) {
         gone.insert(c->second);
-        std::erase_if(d_.links, [&](const robot_link& l) { return l.name == d_.joints[i].child; });
+        links_gone.insert(d_.joints[i].child);
       }
     }
+    std::erase_if(d_.links, [&](const robot_link& l) { return links_gone.contains(l.name); });
     std::vector<robot_joint> left;
     for (std::size_t i = 0; i < d_.joints.size(); ++i)
       if (!gone.contains(i)) left.push_back(std::move(d_.joints[i]));
@@ -56,13 +61,14 @@ class loop_cuts {
 
   /// Universal joints, which are two about axes that meet at a right angle, with a link without a body in between.
   void find_crosses() {
+    std::map<std::string_view, int> joints_at;
+    for (const auto& j : d_.joints) ++joints_at[j.parent], joints_at[j.child] += j.parent != j.child;
     for (std::size_t i = 0; i + 1 < d_.joints.size(); ++i) {
       const auto &a = d_.joints[i], &b = d_.joints[i + 1];
       if (a.is != kind::revolute || b.is != kind::revolute || a.child != b.parent || b.name != a.name + "_2" ||
           !is_nothing(a.child_pose) || !is_nothing(b.origin) || std::abs(dot(a.axis, b.axis)) > 1e-12)
         continue;
-      const auto at = [&](const robot_joint& j) { return j.parent == a.child || j.child == a.child; };
-      if (std::count_if(d_.joints.begin(), d_.joints.end(), at) == 2) crosses_.emplace(i, i + 1), second_.insert(i + 1);
+      if (joints_at[a.child] == 2) crosses_.emplace(i, i + 1), second_.insert(i + 1);
     }
   }
   const robot_joint& last_of(std::size_t i) const {
@@ -71,9 +77,8 @@ class loop_cuts {
   }
   int rank_of(std::size_t i) const {
     const auto rank = [&](const robot_joint& j) {
-      const auto follows = [&](const robot_joint& k) { return k.mimic && k.mimic->joint == j.name; };
       if (j.is == kind::screw || j.is == kind::planar || j.is == kind::floating || j.mimic ||
-          std::any_of(d_.joints.begin(), d_.joints.end(), follows))
+          followers_.contains(j.name))
         return 0;
       return j.dynamics != robot_joint_dynamics{} || j.effort != robot_joint::none ? 1 : 2;
     };
@@ -100,9 +105,8 @@ class loop_cuts {
       fail(j, "it closes a loop, which a joint of its type cannot");
     for (const auto* k : {&j, &last}) {
       if (k->mimic) fail(*k, "it closes a loop, and cannot follow another joint");
-      for (const auto& other : d_.joints)
-        if (other.mimic && other.mimic->joint == k->name)
-          fail(other, "it follows '" + k->name + "', which closes a loop");
+      if (const auto f = followers_.find(k->name); f != followers_.end())
+        fail(d_.joints[f->second], "it follows '" + k->name + "', which closes a loop");
       if (k->dynamics != robot_joint_dynamics{})
         d_.warnings.push_back({k->line,
                                "joint '" + k->name + "': it closes a loop: its damping, friction, spring and " +
@@ -122,6 +126,7 @@ class loop_cuts {
   robot_description& d_;
   std::map<std::size_t, std::size_t> crosses_;  ///< the second joint of a universal one, by the first
   std::set<std::size_t> second_;
+  std::map<std::string, std::size_t, std::less<>> followers_;  ///< the first joint that follows one, by its name
 };
 
 }  // namespace kte::detail

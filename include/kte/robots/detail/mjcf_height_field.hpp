@@ -22,7 +22,12 @@ inline void read_mjcf_height_field(const xml_item& geom, mjcf_model& model, robo
   if (size.size() != 4 || !(size[0] > 0 && size[1] > 0 && size[2] > 0))
     asset->fail("size must have four positive numbers");
   std::vector<double> data;
-  double rows = asset->number_or("nrow", 0), columns = asset->number_or("ncol", 0);
+  double rows = 2, columns = 2;  // a field without data is level
+  const auto read_size = [&](const char* attribute, double& to) {
+    to = asset->number(attribute);
+    if (!(to >= 2) || to != std::floor(to))
+      asset->fail(std::string(attribute) + " must be a whole number from 2, got " + number(to));
+  };
   if (asset->has("file")) {
     const auto file = path_of_text(asset->text("file"));
     const auto path = model.folder / path_of_text(model.settings.mesh_folder()) /
@@ -37,14 +42,17 @@ inline void read_mjcf_height_field(const xml_item& geom, mjcf_model& model, robo
     while (data.size() < static_cast<std::size_t>(rows * columns))
       data.push_back(double{std::bit_cast<float>(in.number<std::uint32_t>("a height"))});
   } else if (asset->has("elevation")) {
+    read_size("nrow", rows), read_size("ncol", columns);
     const auto written = asset->list("elevation");  // the row of the largest y is the first
     if (static_cast<double>(written.size()) != rows * columns) asset->fail("elevation must have nrow ncol numbers");
     const auto n = static_cast<std::size_t>(columns);
     for (auto i = written.size(); i > 0; i -= n)
       data.insert(data.end(), written.begin() + static_cast<std::ptrdiff_t>(i - n),
                   written.begin() + static_cast<std::ptrdiff_t>(i));
-  } else if (rows >= 1 && columns >= 1 && rows * columns <= 1e8) {
-    data.assign(static_cast<std::size_t>(rows * columns), 0.0);
+  } else {
+    double unused = 0;
+    read_size("nrow", unused), read_size("ncol", unused);
+    data.assign(4, 0.0);
   }
   if (!(rows >= 2 && columns >= 2)) return none("it needs two rows and columns or more");
   for (const double h : data)

@@ -20,7 +20,7 @@ class mjcf_includes {
     seen_.insert(canonical(d.source));
   }
 
-  void resolve(xml_node& n) { resolve_in(folder_, n); }
+  void resolve(xml_node& n) { resolve_in(folder_, n, 0); }
 
  private:
   static std::filesystem::path canonical(const std::filesystem::path& path) {
@@ -28,20 +28,21 @@ class mjcf_includes {
     const auto known = std::filesystem::weakly_canonical(path, none);
     return none ? path : known;
   }
-  void resolve_in(const std::filesystem::path& folder, xml_node& n) {
+  void resolve_in(const std::filesystem::path& folder, xml_node& n, int depth) {
+    if (depth > deepest_element) xml_item(n, d_).fail("elements nest deeper than " + std::to_string(deepest_element));
     if (std::none_of(n.children.begin(), n.children.end(), [](const auto& c) { return c.name == "include"; })) {
-      for (auto& c : n.children) resolve_in(folder, c);
+      for (auto& c : n.children) resolve_in(folder, c, depth + 1);
       return;
     }
     std::vector<xml_node> all;
     for (auto& c : n.children) {
       if (c.name != "include") {
-        resolve_in(folder, c), all.push_back(std::move(c));
+        resolve_in(folder, c, depth + 1), all.push_back(std::move(c));
         continue;
       }
       const auto path = file_of({c, d_}, folder);
       auto file = parse_(path);
-      resolve_in(path.parent_path(), file);
+      resolve_in(path.parent_path(), file, depth);
       for (auto& x : file.children) all.push_back(std::move(x));
     }
     n.children = std::move(all);

@@ -33,7 +33,7 @@ class mjcf_meshes {
   /// The body of a mesh geom in the axes of the mesh.
   rigid_body<> body(const xml_item& geom, mjcf_model& model) {
     const auto kind = kind_of(geom, model);
-    const auto* const a = asset(model, geom.text("mesh"));
+    const auto* const a = needed_asset(geom, model);
     auto& known = bodies_[{a, kind}];
     if (!known) {
       const auto& mesh = read(geom, model);
@@ -73,14 +73,18 @@ class mjcf_meshes {
     const auto it = all.find(name);
     return it == all.end() ? nullptr : &it->second;
   }
+  const xml_item* needed_asset(const xml_item& geom, mjcf_model& model) {
+    const auto* const a = asset(model, geom.text("mesh"));
+    if (!a) geom.fail("there is no mesh '" + excerpt(geom.text("mesh")) + "' among the assets");
+    return a;
+  }
   static std::filesystem::path path_of(const xml_item& asset, const mjcf_model& model) {
     const auto file = path_of_text(asset.text("file"));
     return model.folder / path_of_text(model.settings.mesh_folder()) /
            (model.settings.strips_paths() ? file.filename() : file);
   }
   mesh_inertia kind_of(const xml_item& geom, mjcf_model& model) {
-    const auto* a = asset(model, geom.text("mesh"));
-    if (!a) geom.fail("there is no mesh '" + excerpt(geom.text("mesh")) + "' among the assets");
+    const auto* a = needed_asset(geom, model);
     if (geom.text_or("shellinertia", "false") == "true") return mesh_inertia::shell;
     if (model.settings.exact_meshes()) return mesh_inertia::exact;
     const auto kind = a->text_or("inertia", "legacy");
@@ -93,7 +97,7 @@ class mjcf_meshes {
     return it->second;
   }
   const triangle_mesh& read(const xml_item& geom, mjcf_model& model) {
-    const auto* a = asset(model, geom.text("mesh"));
+    const auto* a = needed_asset(geom, model);
     if (const auto known = meshes_.find(a); known != meshes_.end()) return known->second;
     triangle_mesh mesh;
     if (a->has("file")) {

@@ -2,9 +2,11 @@
 
 #include <kte/robots/detail/mjcf_includes.hpp>
 #include <kte/robots/detail/mjcf_settings.hpp>
+#include <kte/robots/detail/xml_limits.hpp>
 
 #include <deque>
 #include <memory>
+#include <unordered_map>
 
 namespace kte::detail {
 
@@ -16,6 +18,26 @@ struct mjcf_model {
   mjcf_settings settings;
   mjcf_model(xml_node r, robot_description& to, std::filesystem::path in, const robot_options& o)
       : root(std::move(r)), d(to), folder(std::move(in)), settings({root, to}, o) {}
+
+  /// The first body or frame of a name; null: there is none.
+  const xml_node* find(const std::string& kind, const std::string& name) {
+    if (named_.empty())
+      for (const auto& c : root.children)
+        if (c.name == "worldbody") list(c);
+    const auto it = named_.find(kind + ' ' + name);
+    return it == named_.end() ? nullptr : it->second;
+  }
+
+ private:
+  void list(const xml_node& around) {
+    for (const auto& c : around.children) {
+      if (c.name != "body" && c.name != "frame") continue;
+      for (const auto& [key, value] : c.attributes)
+        if (key == "name") named_.try_emplace(c.name + ' ' + value, &c);
+      list(c);
+    }
+  }
+  std::unordered_map<std::string, const xml_node*> named_;
 };
 
 /// The context of an element of MJCF within its body, from the enclosing <frame>, <replicate> and <attach>.
@@ -51,8 +73,6 @@ class mjcf_tree {
   const std::vector<mjcf_scope>& attached() const { return attached_; }
 
  private:
-  static constexpr std::size_t most_elements = 300000;
-
   mjcf_model& load(xml_node root, const std::filesystem::path& folder) {
     mjcf_includes(d_, folder, parse_).resolve(root);
     check_orientations({root, d_});
@@ -112,24 +132,15 @@ class mjcf_tree {
     const char* const kind = x.has("frame") ? "frame" : "body";
     const auto name = x.text_or(kind, "");
     bool found = false;
-    for (const auto& w : xml_item(in.model->root, d_).children("worldbody"))
-      if (name.empty())
-        expand(w, in, all), found = true;
-      else
-        found = find(w, kind, name, in, all) || found;
+    if (name.empty()) {
+      for (const auto& w : xml_item(in.model->root, d_).children("worldbody")) expand(w, in, all), found = true;
+    } else if (const auto* const n = in.model->find(kind, name)) {
+      found = true;
+      const xml_item named(*n, d_);
+      n->name == "frame" ? frame(named, in, all) : all.push_back({named, in});
+    }
     if (!found) x.fail("there is no " + std::string(kind) + " '" + excerpt(name) + "' to attach");
     --depth_;
-  }
-  bool find(const xml_item& around, std::string_view kind, const std::string& name, const mjcf_scope& in,
-            std::vector<mjcf_child>& all) {
-    for (const auto& c : around.children()) {
-      if (c.name() == kind && c.text_or("name", "") == name) {
-        kind == "frame" ? frame(c, in, all) : all.push_back({c, in});
-        return true;
-      }
-      if ((c.name() == "body" || c.name() == "frame") && find(c, kind, name, in, all)) return true;
-    }
-    return false;
   }
   /// The model of an <asset>, read once; without a name it has the name of its file.
   mjcf_model& model(const xml_item& x, mjcf_model& from) {

@@ -14,10 +14,13 @@ class sdf_includes {
 
   /// Resolves the includes of a model and of its nested models.
   void resolve(xml_node& model) {
+    if (++depth_ > deepest_element)
+      xml_item(model, d_).fail("models nest deeper than " + std::to_string(deepest_element));
     for (auto& c : model.children) {
       if (c.name == "include") c = included(c);
       if (c.name == "model") resolve(c);
     }
+    --depth_;
   }
   /// The replacement of an <include>: a model, an actor or a light, with the name, pose and other settings of the
   /// include.
@@ -32,11 +35,14 @@ class sdf_includes {
       x.fail("'" + excerpt(uri) + "' includes itself, directly or through other files");
     if (open_.size() > deepest) x.fail("files that include each other go deeper than " + std::to_string(deepest));
     if (++count_ > most) x.fail("more than " + std::to_string(most) + " files are included");
-    auto file = parse_(path);
+    auto file = parsed(path, whole);
     if (file.name != "sdf")
       x.fail("'" + excerpt(uri) + "' is not a file in SDF: it begins with <" + excerpt(file.name) + ">");
     sdf_upgrade(d_).apply(file);
     auto found = only_model(x, file);
+    elements_ += count_of(found);
+    if (elements_ > most_elements)
+      x.fail("included files have more than " + std::to_string(most_elements) + " elements together");
     if (found.name == "model") {
       override_model(x, found);
       open_.push_back(whole);
@@ -48,6 +54,17 @@ class sdf_includes {
 
  private:
   static constexpr std::size_t deepest = 32, most = 1000;
+
+  /// A file is parsed once.
+  xml_node parsed(const std::filesystem::path& path, const std::filesystem::path& whole) {
+    const auto known = files_.find(whole);
+    return known != files_.end() ? known->second : files_.emplace(whole, parse_(path)).first->second;
+  }
+  static std::size_t count_of(const xml_node& n) {
+    std::size_t all = 1;
+    for (const auto& c : n.children) all += count_of(c);
+    return all;
+  }
 
   static std::filesystem::path whole_path(const std::filesystem::path& path) {
     std::error_code none;
@@ -95,7 +112,9 @@ class sdf_includes {
   sdf_search search_;
   xml_parser parse_;
   std::vector<std::filesystem::path> open_;
-  std::size_t count_ = 0;
+  std::map<std::filesystem::path, xml_node> files_;
+  std::size_t count_ = 0, elements_ = 0;
+  int depth_ = 0;
 };
 
 }  // namespace kte::detail

@@ -22,7 +22,7 @@ class sdf_model {
     for (const auto& p : moving_) joints_.read(p.x, p.scope, p.name, p.frame);
     sdf_tree tree(d_, [&](const std::string& a, const std::string& b) { return frames_.relative(m, a, b); });
     tree.fix(still_);
-    turn_gravity(m, tree.join(frames_.canonical.empty() ? std::string() : frames_.link_of(m, frames_.canonical)));
+    turn_gravity(m, tree.join(frames_.canonical().empty() ? std::string() : frames_.link_of(m, frames_.canonical())));
     list_frames();
     leftovers_.warn();
   }
@@ -97,7 +97,7 @@ class sdf_model {
     else if (const auto models = m.children("model"); !models.empty())
       to = scope.full(models[0].text("name")) + (models[0].has("kte:merge") ? " (merged)" : "");
     if (scope.model == "__model__")
-      frames_.canonical = to;
+      frames_.set_canonical(to);
     else if (!to.empty())
       frames_.attach(scope.model, to);
   }

@@ -48,9 +48,11 @@ class sdf_tree {
     if (base == parts.end())
       base = std::find_if(parts.begin(), parts.end(), [&](const part& p) { return holds(p, first); });
     if (base == parts.end()) return {};
+    std::map<std::string_view, const robot_link*> links;
+    for (const auto& l : d_.links) links.emplace(l.name, &l);
     for (const auto& p : parts) {
       if (&p == &*base) continue;
-      const auto& l = *std::find_if(d_.links.begin(), d_.links.end(), [&](const auto& x) { return x.name == p.root; });
+      const auto& l = *links.at(p.root);
       d_.joints.push_back(between(kind::floating, base->root, l, ".free"));
       d_.warnings.push_back({l.line,
                              "link '" + l.name + "': no joint connects it with '" + base->root +

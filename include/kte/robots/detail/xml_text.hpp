@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kte/detail/compiled.hpp>
+#include <kte/robots/detail/xml_limits.hpp>
 #include <kte/robots/detail/xml_node.hpp>
 
 #include <algorithm>
@@ -29,7 +30,8 @@ inline bool is_file(const std::filesystem::path& path) {
 [[noreturn]] void fail_xml(const std::string& source, int line, const std::string& why);
 /// Throws `bad_file`; "XML_ERROR_MISMATCHED_ELEMENT" becomes "mismatched element".
 [[noreturn]] void fail_xml_syntax(const std::string& source, int line, const char* error);
-/// The text without its byte order mark; throws `bad_file` unless it is UTF-8 and of acceptable size.
+/// The text without its byte order mark; throws `bad_file` unless it is UTF-8 and of acceptable size, and for elements
+/// of too many attributes.
 std::string_view checked_text(std::string_view text, const std::string& source);
 std::string text_of_file(const std::filesystem::path& path);
 /// Sets the titles of all elements; throws `bad_file` for elements of xacro.
@@ -55,10 +57,37 @@ KTE_FUNCTION void fail_xml_syntax(const std::string& source, int line, const cha
   for (char& c : why) c = c == '_' ? ' ' : c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
   fail_xml(source, line, "this is not valid XML: " + why);
 }
+/// Refuses elements with too many attributes, for which XML libraries take a time that is quadratic in their number.
+inline void check_attributes(std::string_view text, const std::string& source) {
+  const auto skip = [&](std::size_t from, std::string_view end) {
+    const auto at = text.find(end, from);
+    return at == text.npos ? text.size() : at + end.size();
+  };
+  for (std::size_t i = text.find('<'); i < text.size(); i = text.find('<', i)) {
+    const auto rest = text.substr(i);
+    if (rest.starts_with("<!--") || rest.starts_with("<![CDATA[") || rest.starts_with("<?")) {
+      i = skip(i, rest[1] == '?' ? "?>" : rest[2] == '-' ? "-->" : "]]>");
+      continue;
+    }
+    std::size_t count = 0;
+    const auto start = i;
+    while (i < text.size() && text[i] != '>') {
+      const char c = text[i++];
+      count += c == '=';
+      if (c == '"' || c == '\'') i = skip(i, {&c, 1});
+    }
+    if (count > most_attributes)
+      fail_xml(source,
+               1 + static_cast<int>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(start), '\n')),
+               "an element has more than " + std::to_string(most_attributes) + " attributes");
+  }
+}
 KTE_FUNCTION std::string_view checked_text(std::string_view text, const std::string& source) {
   if (text.size() > largest_robot_file)
     fail_xml(source, 1, "the file has more than " + std::to_string(largest_robot_file) + " bytes");
-  return source_text(text, source).text();
+  text = source_text(text, source).text();
+  check_attributes(text, source);
+  return text;
 }
 KTE_FUNCTION std::string text_of_file(const std::filesystem::path& path) { return read_file(path, largest_robot_file); }
 

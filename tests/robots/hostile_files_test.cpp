@@ -1,0 +1,135 @@
+#include <kte/contacts.hpp>
+#include <kte/robots/load_robot.hpp>
+#include <kte/robots/mjcf_reader.hpp>
+#include <kte/robots/sdf_reader.hpp>
+#include <kte/robots/urdf_reader.hpp>
+
+#include "catch.hpp"
+#include "robots/files.hpp"
+#include "robots/folder.hpp"
+
+// Small files that would take much memory, stack or time, or make readers look where nothing is: each is refused by
+// name.
+
+namespace hostile_files_test {
+
+using namespace kte;
+using test::folder;
+using test::says;
+
+robot_options touching() {
+  robot_options o;
+  o.contacts.ground = "world";
+  return o;
+}
+void refuses(const std::string& text, const std::string& name, const std::string& why) {
+  CHECK_THROWS_MATCHES(to_robot(describe_robot(text, name, touching()), touching()), bad_file, says(why));
+}
+
+TEST_CASE("sizes of height fields are whole numbers from 2, and those of their data") {
+  const auto field = [](const std::string& rest) {
+    return "<mujoco><asset><hfield name='h' size='1 1 1 1' " + rest +
+           "/></asset><worldbody><geom type='hfield' hfield='h'/><body><geom size='1'/><freejoint/></body></worldbody>"
+           "</mujoco>";
+  };
+  const auto refuses_field = [&](const std::string& rest, const std::string& why) {
+    refuses(field(rest), "a.xml", why);
+  };
+  refuses_field("nrow='1.3333333333333333' ncol='3' elevation='0 0 0 1'",
+                "nrow must be a whole number from 2, got 1.33");
+  refuses_field("nrow='8' ncol='0.5' elevation='0 0 0 1'", "ncol must be a whole number from 2, got 0.5");
+  refuses_field("nrow='-2' ncol='-2' elevation='0 0 0 1'", "nrow must be a whole number from 2, got -2");
+  refuses_field("nrow='1e300' ncol='1e300' elevation='0 0 0 1'", "elevation must have nrow ncol numbers");
+  refuses_field("nrow='2' ncol='3' elevation='0 0 0 1'", "elevation must have nrow ncol numbers");
+  refuses_field("ncol='2' elevation='0 0 0 1'", "has no nrow");
+  refuses_field("nrow='1' ncol='2'", "nrow must be a whole number from 2, got 1");
+
+  // A field without data is level, whatever its size.
+  const auto level = to_robot(describe_robot(field("nrow='100000' ncol='100000'"), "a.xml", touching()), touching());
+  auto s = make_state(level.chain);
+  level.chain.doMotion(s);
+  CHECK(s.contact(level.contacts.at(0)).gap == -1);
+}
+
+TEST_CASE("contacts with one height field share its numbers") {
+  const std::size_t n = 100;
+  std::vector<double> heights(n * n, 0.0);
+  const height_grid grid({0, 0, 1, 1, n}, heights), copy = grid;
+  CHECK(copy(3.5, 4.5) == 0);
+  CHECK(sizeof(height_grid) < 100);
+}
+
+TEST_CASE("shapes fitted to a mesh that is not there are refused") {
+  for (const std::string type : {"sphere", "capsule", "ellipsoid", "cylinder", "box", "mesh"})
+    for (const std::string rest : {"", "mass='1'", "density='10'"})
+      refuses("<mujoco><worldbody><body><joint/><geom type='" + type + "' mesh='nope' " + rest +
+                  "/></body></worldbody></mujoco>",
+              "a.xml", "there is no mesh 'nope' among the assets");
+}
+
+TEST_CASE("included files of MJCF do not nest without end") {
+  const folder at;
+  std::string deep;
+  const auto nested = [](const std::string& inside) {
+    std::string text = inside;
+    for (int i = 0; i < 90; ++i) text = "<frame>" + text + "</frame>";
+    return text;
+  };
+  for (int i = 0; i < 12; ++i)
+    at.write("f" + std::to_string(i) + ".xml",
+             "<mujoco>" + nested("<include file='f" + std::to_string(i + 1) + ".xml'/>") + "</mujoco>");
+  at.write("f12.xml", "<mujoco/>");
+  const auto path = at.write("a.xml", "<mujoco><worldbody><body><include file='f0.xml'/></body></worldbody></mujoco>");
+  CHECK_THROWS_MATCHES(load_robot(path), bad_file, says("elements nest deeper than 500"));
+}
+
+TEST_CASE("included files of SDF do not multiply without end") {
+  const folder at;
+  const auto model = [](const std::string& inside) {
+    return "<sdf version='1.9'><model name='m'><link name='l'/>" + inside + "</model></sdf>";
+  };
+  std::string links;
+  for (int i = 0; i < 4000; ++i) links += "<link name='l" + std::to_string(i) + "'/>";
+  at.write("leaf.sdf", model(links));
+  std::string leaves;
+  for (int i = 0; i < 80; ++i)
+    leaves += "<include><name>c" + std::to_string(i) + "</name><uri>leaf.sdf</uri></include>";
+  CHECK_THROWS_MATCHES(load_sdf(at.write("r.sdf", model(leaves))), bad_file,
+                       says("included files have more than 300000 elements together"));
+
+  const auto nested = [](const std::string& inside) {
+    std::string text = inside;
+    for (int i = 0; i < 90; ++i) text = "<model name='n'>" + text + "</model>";
+    return text;
+  };
+  for (int i = 0; i < 12; ++i)
+    at.write("n" + std::to_string(i) + ".sdf",
+             model(nested("<include><uri>n" + std::to_string(i + 1) + ".sdf</uri></include>")));
+  at.write("n12.sdf", model(""));
+  CHECK_THROWS_MATCHES(load_sdf(at.write("s.sdf", model("<include><uri>n0.sdf</uri></include>"))), bad_file,
+                       says("models nest deeper than 500"));
+}
+
+TEST_CASE("elements with thousands of attributes are refused before they are parsed") {
+  std::string many;
+  for (int i = 0; i < 1001; ++i) many += " a" + std::to_string(i) + "='<>=='";
+  const std::string fine = "<robot name='r'><!-- " + many + " --><link name='b'";
+  refuses("<robot name='r'>\n<link name='b'" + many + "/></robot>", "r.urdf",
+          "r.urdf:2: an element has more than 1000 attributes");
+  refuses("<mujoco>\n\n<worldbody" + many + "/></mujoco>", "a.xml",
+          "a.xml:3: an element has more than 1000 attributes");
+  CHECK(describe_robot(fine + "/></robot>", "r.urdf").links.size() == 1);
+}
+
+TEST_CASE("bodies are attached by name in a time that does not grow with the file") {
+  std::string bodies;
+  for (int i = 0; i < 20000; ++i) bodies += "<body name='x" + std::to_string(i) + "'/>";
+  const folder at;
+  at.write("m.xml", "<mujoco model='m'><worldbody>" + bodies + "</worldbody></mujoco>");
+  const auto path = at.write("a.xml",
+                             "<mujoco><asset><model name='m' file='m.xml'/></asset><worldbody><replicate count='20000'>"
+                             "<attach model='m' body='x19999' prefix='p'/></replicate></worldbody></mujoco>");
+  CHECK(load_mjcf(path).links.size() == 20001);
+}
+
+}  // namespace hostile_files_test
