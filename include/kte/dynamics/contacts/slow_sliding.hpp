@@ -7,8 +7,11 @@
 /// the force that one implicit step of the length tau gives:
 ///
 ///   lambda_t = -mu lambda_n d,   d = P(w),   w = d + p/(k tau),   P(w) = w/max(1, |w|)               (1)
-///   p = u_t + tau u_t'(d),   tau = 2 (v/k) (1 - |u_t|/v)^2,   k = mu |lambda_n| W_tt                 (2)
+///   p = u_t + tau u_t'(d),   tau = 2 (v/k) (1 - |u_t|/v)^2,   k = mu a W_tt/W_nn                     (2)
 ///
+/// k is the deceleration by friction of a contact alone, a the largest |u_n'| of all contacts without contact forces. k
+/// must not depend on modes: with k = mu lambda_n W_tt, the force of a contact may be beyond friction if another one
+/// sticks, and stop it at once if it slides.
 /// tau and its derivative are 0 at |u_t| = v. Where |w| > 1, d is the direction of p, the velocity after tau; |w| <= 1
 /// means that friction stops the contact within tau, at |u_t| = v/2 if it is alone. (|w| - 1) k tau is the speed
 /// after tau, or negative: events find where it falls to zero, and there the contact sticks. (1) is a continuous map of
@@ -49,6 +52,9 @@ class slow_sliding {
     length_ = m_.equations.places.length;
     const double v = k_.slow_speed * length_;
     k_.look_aheads.assign(m_.touching.size(), 0), k_.speeds.assign(m_.touching.size(), 0);
+    double free = 0;  // a
+    for (std::size_t i = 0; i < m_.touching.size(); ++i)
+      free = (std::max)(free, length_ * std::abs(m_.bias[m_.touched(i).first]));
     for (std::size_t i = 0; i < m_.touching.size(); ++i) {
       const auto& x = m_.touched(i);
       if (m_.modes[i] != contact_mode::slides) continue;
@@ -56,9 +62,9 @@ class slow_sliding {
       const double share = 1 - std::sqrt(dot(t, t)) / v;
       k_.speeds[i] = dot(t, x.basis[1]);
       if (x.planar || !(share > 0)) continue;
-      const double stop =
-          m_.laws[i].friction * std::abs(m_.forces[x.first]) * k_.rows.all.col(row_of(i) + 1).squaredNorm() * length_;
-      if (!(stop > 0)) continue;
+      const double stop = m_.laws[i].friction * free * k_.rows.all.col(row_of(i) + 1).squaredNorm() /
+                          k_.rows.all.col(row_of(i)).squaredNorm();
+      if (!(stop > 0) || !std::isfinite(stop)) continue;
       k_.look_aheads[i] = 2 * v / stop * share * share;
       slow_.push_back(i), stops_.push_back(stop);
     }
