@@ -64,11 +64,13 @@ void impact_solver<S>::resolve(const friction_problem<S>& part, std::span<const 
   start_.clear();
   const S at_high = gain(S(1), part, restitution);
   if (at_high > (std::max<S>)(rounding, last_->residual)) {
-    // Two solutions of one problem differ by its tolerance, and (2) by some times of it: so (2) is below zero by this.
-    const S margin = S(4) * options_.tolerance;
-    const auto excess = [&](const S& middle) { return S(gain(middle, part, restitution) + margin); };
-    const S theta = detail::largest_without_gain(S(at_high + margin), excess);
-    gain(theta, part, restitution);
+    S theta(0);
+    // Two solutions of one problem may differ by its tolerance: if the last one gains, theta is that of a small loss.
+    for (const S loss : {S(0), S(4) * options_.tolerance}) {
+      const auto excess = [&](const S& middle) { return S(gain(middle, part, restitution) + loss); };
+      theta = detail::largest_without_gain(S(at_high + loss), excess);
+      if (gain(theta, part, restitution) <= rounding) break;
+    }
     found_.restitution_factor = (std::min<S>)(found_.restitution_factor, theta);
   }
   std::size_t row = 0;
