@@ -4,6 +4,11 @@
 #include <kte/robots/sdf_reader.hpp>
 #include <kte/robots/urdf_reader.hpp>
 
+#include <algorithm>
+#include <functional>
+
+#include "allocation_count.hpp"
+#include "allocations.hpp"
 #include "catch.hpp"
 #include "robots/files.hpp"
 #include "robots/folder.hpp"
@@ -52,11 +57,19 @@ TEST_CASE("sizes of height fields are whole numbers from 2, and those of their d
 }
 
 TEST_CASE("contacts with one height field share its numbers") {
-  const std::size_t n = 100;
-  std::vector<double> heights(n * n, 0.0);
-  const height_grid grid({0, 0, 1, 1, n}, heights), copy = grid;
-  CHECK(copy(3.5, 4.5) == 0);
-  CHECK(sizeof(height_grid) < 100);
+  constexpr std::size_t n = 200;
+  const height_grid grid({0, 0, 1, 1, n}, std::vector<double>(n * n, 0.0));
+  CHECK(allocations::during([&] { const height_grid copy = grid; }) == 0);
+
+  const auto bytes_of = [&](int balls) {
+    std::string text = "<mujoco><asset><hfield name='h' size='1 1 1 1' nrow='200' ncol='200' elevation='";
+    for (std::size_t i = 0; i < n * n; ++i) text += "0 ";
+    text += "'/></asset><worldbody><geom type='hfield' hfield='h'/><body><freejoint/>";
+    for (int i = 0; i < balls; ++i) text += "<geom size='1' pos='" + std::to_string(i) + " 0 0'/>";
+    text += "</body></worldbody></mujoco>";
+    return allocations::bytes_during([&] { (void)to_robot(describe_robot(text, "a.xml", touching()), touching()); });
+  };
+  CHECK(bytes_of(20) - bytes_of(1) < 19 * static_cast<long long>(8 * n * n) / 2);  // of 19 further grids
 }
 
 TEST_CASE("shapes fitted to a mesh that is not there are refused") {
@@ -121,15 +134,42 @@ TEST_CASE("elements with thousands of attributes are refused before they are par
   CHECK(describe_robot(fine + "/></robot>", "r.urdf").links.size() == 1);
 }
 
-TEST_CASE("bodies are attached by name in a time that does not grow with the file") {
-  std::string bodies;
-  for (int i = 0; i < 20000; ++i) bodies += "<body name='x" + std::to_string(i) + "'/>";
+// Twice the file takes twice the memory; where each element looks at all others, four times.
+void grows_linearly(const std::function<void(int)>& read) {
+  const auto bytes_of = [&](int n) { return static_cast<double>(allocations::bytes_during([&] { read(n); })); };
+  CHECK(bytes_of(2000) < 3 * bytes_of(1000));
+}
+
+TEST_CASE("bodies are attached by name, and frames of SDF are placed, in a time that is linear in the file") {
   const folder at;
-  at.write("m.xml", "<mujoco model='m'><worldbody>" + bodies + "</worldbody></mujoco>");
-  const auto path = at.write("a.xml",
-                             "<mujoco><asset><model name='m' file='m.xml'/></asset><worldbody><replicate count='20000'>"
-                             "<attach model='m' body='x19999' prefix='p'/></replicate></worldbody></mujoco>");
-  CHECK(load_mjcf(path).links.size() == 20001);
+  grows_linearly([&](int n) {
+    std::string bodies;
+    for (int i = 0; i < n; ++i) bodies += "<body name='x" + std::to_string(i) + "'/>";
+    at.write("m.xml", "<mujoco model='m'><worldbody>" + bodies + "</worldbody></mujoco>");
+    const auto path = at.write("a.xml",
+                               "<mujoco><asset><model name='m' file='m.xml'/></asset><worldbody><replicate "
+                               "count='" +
+                                   std::to_string(n) + "'><attach model='m' body='x" + std::to_string(n - 1) +
+                                   "' prefix='p'/></replicate></worldbody></mujoco>");
+    CHECK(load_mjcf(path).links.size() == static_cast<std::size_t>(n + 1));
+  });
+  for (const std::string refers : {"attached_to", "relative_to"})
+    grows_linearly([&](int n) {
+      std::string frames, before = "l";
+      for (int i = 0; i < n; ++i) {
+        const auto name = "f" + std::to_string(i), by = " " + refers + "='" + before + "'";
+        const bool in_pose = refers == "relative_to";
+        frames += "<frame name='" + name + "'" + (in_pose ? "" : by) + "><pose" + (in_pose ? by : "") +
+                  ">0 0 1 0 0 0</pose></frame>";
+        before = name;
+      }
+      const auto d = load_sdf(
+          at.write("f.sdf", "<sdf version='1.9'><model name='m'><link name='l'/>" + frames + "</model></sdf>"));
+      REQUIRE(d.frames.size() == static_cast<std::size_t>(n));
+      double highest = 0;
+      for (const auto& f : d.frames) highest = (std::max)(highest, f.origin.position.z);
+      CHECK(highest == n);
+    });
 }
 
 }  // namespace hostile_files_test
