@@ -27,6 +27,13 @@ robot_options touching() {
   o.contacts.ground = "world";
   return o;
 }
+/// 90 elements within each other.
+std::string nested(const std::string& element, const std::string& inside) {
+  std::string text = inside;
+  for (int i = 0; i < 90; ++i)
+    text = "<" + element + " name='n" + std::to_string(i) + "'>" + text + "</" + element + ">";
+  return text;
+}
 void refuses(const std::string& text, const std::string& name, const std::string& why) {
   CHECK_THROWS_MATCHES(to_robot(describe_robot(text, name, touching()), touching()), bad_file, says(why));
 }
@@ -83,14 +90,9 @@ TEST_CASE("shapes fitted to a mesh that is not there are refused") {
 TEST_CASE("included files of MJCF do not nest without end") {
   const folder at;
   std::string deep;
-  const auto nested = [](const std::string& inside) {
-    std::string text = inside;
-    for (int i = 0; i < 90; ++i) text = "<frame>" + text + "</frame>";
-    return text;
-  };
   for (int i = 0; i < 12; ++i)
     at.write("f" + std::to_string(i) + ".xml",
-             "<mujoco>" + nested("<include file='f" + std::to_string(i + 1) + ".xml'/>") + "</mujoco>");
+             "<mujoco>" + nested("frame", "<include file='f" + std::to_string(i + 1) + ".xml'/>") + "</mujoco>");
   at.write("f12.xml", "<mujoco/>");
   const auto path = at.write("a.xml", "<mujoco><worldbody><body><include file='f0.xml'/></body></worldbody></mujoco>");
   CHECK_THROWS_MATCHES(load_robot(path), bad_file, says("elements nest deeper than 500"));
@@ -110,14 +112,9 @@ TEST_CASE("included files of SDF do not multiply without end") {
   CHECK_THROWS_MATCHES(load_sdf(at.write("r.sdf", model(leaves))), bad_file,
                        says("included files have more than 300000 elements together"));
 
-  const auto nested = [](const std::string& inside) {
-    std::string text = inside;
-    for (int i = 0; i < 90; ++i) text = "<model name='n'>" + text + "</model>";
-    return text;
-  };
   for (int i = 0; i < 12; ++i)
     at.write("n" + std::to_string(i) + ".sdf",
-             model(nested("<include><uri>n" + std::to_string(i + 1) + ".sdf</uri></include>")));
+             model(nested("model", "<include><uri>n" + std::to_string(i + 1) + ".sdf</uri></include>")));
   at.write("n12.sdf", model(""));
   CHECK_THROWS_MATCHES(load_sdf(at.write("s.sdf", model("<include><uri>n0.sdf</uri></include>"))), bad_file,
                        says("models nest deeper than 500"));

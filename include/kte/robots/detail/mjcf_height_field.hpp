@@ -23,10 +23,11 @@ inline void read_mjcf_height_field(const xml_item& geom, mjcf_model& model, robo
     asset->fail("size must have four positive numbers");
   std::vector<double> data;
   double rows = 2, columns = 2;  // a field without data is level
-  const auto read_size = [&](const char* attribute, double& to) {
-    to = asset->number(attribute);
-    if (!(to >= 2) || to != std::floor(to))
-      asset->fail(std::string(attribute) + " must be a whole number from 2, got " + number(to));
+  const auto written_size = [&](const char* attribute) {
+    const double n = asset->number(attribute);
+    if (!(n >= 2) || n != std::floor(n))
+      asset->fail(std::string(attribute) + " must be a whole number from 2, got " + number(n));
+    return n;
   };
   if (asset->has("file")) {
     const auto file = path_of_text(asset->text("file"));
@@ -42,7 +43,7 @@ inline void read_mjcf_height_field(const xml_item& geom, mjcf_model& model, robo
     while (data.size() < static_cast<std::size_t>(rows * columns))
       data.push_back(double{std::bit_cast<float>(in.number<std::uint32_t>("a height"))});
   } else if (asset->has("elevation")) {
-    read_size("nrow", rows), read_size("ncol", columns);
+    rows = written_size("nrow"), columns = written_size("ncol");
     const auto written = asset->list("elevation");  // the row of the largest y is the first
     if (static_cast<double>(written.size()) != rows * columns) asset->fail("elevation must have nrow ncol numbers");
     const auto n = static_cast<std::size_t>(columns);
@@ -50,8 +51,7 @@ inline void read_mjcf_height_field(const xml_item& geom, mjcf_model& model, robo
       data.insert(data.end(), written.begin() + static_cast<std::ptrdiff_t>(i - n),
                   written.begin() + static_cast<std::ptrdiff_t>(i));
   } else {
-    double unused = 0;
-    read_size("nrow", unused), read_size("ncol", unused);
+    (void)written_size("nrow"), (void)written_size("ncol");
     data.assign(4, 0.0);
   }
   if (!(rows >= 2 && columns >= 2)) return none("it needs two rows and columns or more");
