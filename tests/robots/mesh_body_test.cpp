@@ -129,28 +129,34 @@ TEST_CASE("mass properties of meshes with closed forms") {
 }
 
 TEST_CASE("mass properties of meshes as MuJoCo has them") {
-  // Measured with MuJoCo 2.2.2, default and exactmeshinertia, from float vertices. It rounds the vertices to float once
-  // more when the centre of mass is known, so that only what is exact there agrees to the last digits.
-  check_measured(mesh_body(h_profile(), mesh_inertia::legacy, 1000), 267.28326413781764, {0, 0, 0},
-                 {29.54766422973869, 21.979122581845786, 15.203676556957967}, 1e-10);
+  // Measured with MuJoCo 4.0.0, from float vertices, whose rounding bounds the agreement for the L.
+  check_measured(mesh_body(h_profile(), mesh_inertia::legacy, 1000), 253.90625, {0, 0, 0},
+                 {28.06886037190755, 20.879109700520836, 14.442761739095053}, 1e-14);
   check_measured(mesh_body(h_profile(), mesh_inertia::exact, 1000), 136.71875, {0, 0, 0},
-                 {18.34710439046223, 13.09712727864583, 8.657773335774738}, 1e-10);
+                 {18.34710439046223, 13.097127278645829, 8.657773335774738}, 1e-14);
+  check_measured(mesh_body(h_profile(), mesh_inertia::convex, 1000), 312.5, {0, 0, 0},
+                 {36.214192708333336, 32.552083333333336, 16.682942708333332}, 1e-14);
   const auto l = l_profile();
-  check_measured(mesh_body(l, mesh_inertia::legacy, 1000), 45.90614674844369,
-                 {0.24099875533098605, 0.38952046374100496, -0.15000000387572915},
-                 {1.478710962125243, 1.4659664561507153, 0.640087760076184}, 2e-7);
-  check_measured(mesh_body(l, mesh_inertia::exact, 1000), 29.999999850988402,
-                 {0.22500000560826472, 0.39999999256003244, -0.15000000409781938},
-                 {1.0270977604854072, 1.0062498795272194, 0.4291521482480884}, 2e-7);
+  check_measured(mesh_body(l, mesh_inertia::legacy, 1000), 34.476023755169244,
+                 {0.24099875630634657, 0.3895204640955812, -0.1500000059604645},
+                 {1.1105282937911867, 1.1009570261049075, 0.48071299088598657}, 1e-12);
+  check_measured(mesh_body(l, mesh_inertia::exact, 1000), 30.000000968575474,
+                 {0.22500000540167092, 0.3999999936670068, -0.15000000596046448},
+                 {1.0270978602158165, 1.0062499932789526, 0.429152183354557}, 1e-12);
   // faces that point inwards are the same to legacy, and have no volume to exact
+  CHECK(points_inwards(turned_round(l)));
+  CHECK_FALSE(points_inwards(l));
   CHECK(mesh_body(turned_round(l), mesh_inertia::legacy, 1) == mesh_body(l, mesh_inertia::legacy, 1));
   CHECK_THROWS_MATCHES(moments_of(turned_round(l), mesh_inertia::exact), bad_argument, says("point inwards"));
   // a surface that is open, or with a face turned round
   auto open = l;
   open.faces.pop_back();
-  check_measured(mesh_body(open, mesh_inertia::exact, 1000), 26.55533605817656,
-                 {0.23778655839407495, 0.38590414449665128, -0.15534862761080892},
-                 {0.92676034043404709, 0.8997676599531258, 0.40035538671499121}, 2e-7);
+  check_measured(mesh_body(open, mesh_inertia::exact, 1000), 26.555337008856654,
+                 {0.23778655851008282, 0.3859041425693384, -0.15534862949255276},
+                 {0.9267603843038081, 0.8997676859684467, 0.4003554476192106}, 1e-12);
+  check_measured(mesh_body(open, mesh_inertia::legacy, 1000), 30.280010580414427,
+                 {0.2520757586950067, 0.3783168665574653, -0.15477942609416187},
+                 {0.9839439867598135, 0.9600347848610021, 0.4438335005317387}, 1e-12);
   CHECK_THAT(open_edge(open), test::contains_text("has no face on one of its sides"));
   auto turned = l;
   std::swap(turned.faces.back()[1], turned.faces.back()[2]);
@@ -159,9 +165,9 @@ TEST_CASE("mass properties of meshes as MuJoCo has them") {
   CHECK(open_edge(l).empty());
   // points without faces
   const triangle_mesh points{l.vertices, {}};
-  check_measured(mesh_body(points, mesh_inertia::legacy, 1000), 47.22993451752063,
-                 {0.26111111336907616, 0.4111111125902318, -0.1500000043668681},
-                 {1.3855571085879255, 1.3568438006431178, 0.7371623863989426}, 2e-7);
+  check_measured(mesh_body(points, mesh_inertia::legacy, 1000), 45.00000067055222,
+                 {0.2611111134566643, 0.4111111078273369, -0.15000000596046448},
+                 {1.32013885743778, 1.2927812363075237, 0.7023576848327219}, 1e-12);
   CHECK(mesh_body(points, mesh_inertia::exact, 1000) == mesh_body(l, mesh_inertia::convex, 1000));
 }
 
@@ -184,23 +190,30 @@ TEST_CASE("meshes that are no bodies are refused") {
 
 TEST_CASE("shapes fitted to meshes as MuJoCo fits them") {
   using form = robot_shape::form;
-  // measured with MuJoCo 2.2.2 for the L; positions with fitaabb it has elsewhere (mesh_fit.hpp)
+  // measured with MuJoCo 4.0.0 for the L
   struct fit {
     form is;
     bool aabb;
     vec3<> half;
+    vec3<> at;
   };
+  const vec3<> mass{0.24099875630634657, 0.3895204640955812, -0.1500000059604645},
+      box{0.21672288877120563, 0.4053617340244362, -0.15000000596046445};
   const auto l = l_profile();
-  for (const auto& [is, aabb, half] :
-       {fit{form::sphere, false, {0.18788040435337053, 0, 0}}, fit{form::sphere, true, {0.38068276194071193, 0, 0}},
-        fit{form::capsule, false, {0.1446133698412762, 0.20210778845692115, 0}},
-        fit{form::capsule, true, {0.24991606671019684, 0.2266913801431656, 0}},
-        fit{form::cylinder, false, {0.1446133698412762, 0.27441447337755925, 0}},
-        fit{form::cylinder, true, {0.24991606671019684, 0.31482812762260437, 0}},
-        fit{form::box, false, {0.14317356051745844, 0.146053179165094, 0.27441447337755925}},
-        fit{form::ellipsoid, true, {0.19989506900310516, 0.15000000596046448, 0.31482812762260437}}}) {
+  for (const auto& [is, aabb, half, at] :
+       {fit{form::sphere, false, {0.1878804053814973, 0, 0}, mass},
+        fit{form::sphere, true, {0.3148281267512846, 0, 0}, box},
+        fit{form::capsule, false, {0.14461337076034098, 0.20210778924363948, 0}, mass},
+        fit{form::capsule, true, {0.1998950668337161, 0.11493305991756847, 0}, box},
+        fit{form::cylinder, false, {0.14461337076034098, 0.27441447462380997, 0}, mass},
+        fit{form::cylinder, true, {0.1998950668337161, 0.3148281267512846, 0}, box},
+        fit{form::box, false, {0.1431735610254121, 0.14605318049526986, 0.27441447462380997}, mass},
+        fit{form::ellipsoid, true, {0.1998950668337161, 0.15000000596046467, 0.3148281267512846}, box}}) {
     const auto g = fit_mesh(l, mesh_inertia::legacy, is, aabb);
-    CHECK((g.half.x == within(half.x, 2e-8) && g.half.y == within(half.y, 2e-8) && g.half.z == within(half.z, 2e-8)));
+    CHECK(
+        (g.half.x == within(half.x, 1e-13) && g.half.y == within(half.y, 1e-13) && g.half.z == within(half.z, 1e-13)));
+    const auto off = g.pose.position - at;
+    CHECK(std::sqrt(dot(off, off)) == within(0, 1e-13));
     // R is a rotation, and takes the principal axes to those of the mesh
     const auto m = moments_of(l, mesh_inertia::legacy);
     const auto own = congruence(transpose(g.pose.rotation), m.inertia);
@@ -209,7 +222,6 @@ TEST_CASE("shapes fitted to meshes as MuJoCo fits them") {
     const auto unit = g.pose.rotation * transpose(g.pose.rotation);
     CHECK((unit.x.x == within(1, 1e-15) && unit.x.y == within(0, 1e-15) && unit.y.z == within(0, 1e-15)));
     CHECK(dot(cross(g.pose.rotation.x, g.pose.rotation.y), g.pose.rotation.z) == within(1, 1e-15));
-    if (!aabb) CHECK(g.pose.position == m.centre);
   }
   // a box is its own fit, and a cube keeps its axes
   const auto g = fit_mesh(box_mesh({0.5, 0.25, 0.125}, {1, 2, 3}), mesh_inertia::exact, form::box, true);

@@ -45,6 +45,23 @@ TEST_CASE("files of MJCF that are included stand where they are included") {
             .actuators.size() == 1);
 }
 
+TEST_CASE("meshes of an included file are found beside it") {
+  const folder f;
+  const auto mass = [&](const std::string& compiler, const std::string& file) {
+    f.write("parts/arm.xml", "<mujoco><asset><mesh name='m' file='" + file +
+                                 "'/></asset><worldbody><body><joint/><geom type='mesh' mesh='m' "
+                                 "density='1e-9'/></body></worldbody></mujoco>");
+    return load_mjcf(f.write("robot.xml", mjcf(compiler + "<include file='parts/arm.xml'/>"))).links[1].inertial->mass;
+  };
+  f.write("parts/beside.obj", cube), f.write("parts/meshes/below.obj", cube), f.write("meshes/parts/main.obj", cube);
+  CHECK(mass("", "beside.obj") == within(8, 1e-14));
+  CHECK(mass("", "parts/beside.obj") == within(8, 1e-14));
+  CHECK(mass("<compiler meshdir='parts/meshes'/>", "below.obj") == within(8, 1e-14));
+  CHECK(mass("<compiler meshdir='meshes'/>", "below.obj") == within(8, 1e-14));
+  CHECK(mass("<compiler meshdir='meshes'/>", "main.obj") == within(8, 1e-14));
+  CHECK_THROWS_MATCHES(mass("", "lost.obj"), bad_file, says("there is no file '"));
+}
+
 TEST_CASE("includes that cannot be read are refused by file and line") {
   const folder f;
   const auto refused = [&](const std::string& text, const std::string& why) {

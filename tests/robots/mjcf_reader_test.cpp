@@ -119,8 +119,8 @@ TEST_CASE("errors in MJCF name file, line and element") {
   joint("damping='-1'", "damping must not be negative");
   refused("<body name='b' childclass='x'/>", "3: body 'b': there is no default class 'x'");
   refused("<body name='b'><joint/><geom type='mesh'/></body>", "3: body 'b': <geom>: has no mesh");
-  refused("<body name='b'><geom shellinertia='true' size='1'/></body>",
-          "3: body 'b': <geom>: shellinertia is not read");
+  refused("<body name='b'><geom shellinertia='yes' size='1'/></body>",
+          "3: body 'b': <geom>: shellinertia 'yes' is none of false, true");
   refused("<body name='b'><geom type='box' size='1'/></body>", "3: body 'b': <geom>: its size must have 3 numbers");
   refused("<body name='b'><body name='c'><freejoint/></body></body>",
           "3: body 'c': <freejoint>: a free joint must be the only one of a body in the world");

@@ -125,6 +125,24 @@ TEST_CASE("worlds with included models") {
   CHECK(kte::models(f.write("a.urdf", "<robot name='u'><link name='a'/></robot>")) == std::vector<std::string>{"u"});
 }
 
+TEST_CASE("a world may include a URDF") {
+  const folder f;
+  f.write("arm/model.sdf",
+          "<robot name='arm'><link name='base'/><link name='tip'><inertial><mass value='2'/><inertia ixx='1' iyy='1' "
+          "izz='1' ixy='0' ixz='0' iyz='0'/></inertial></link><joint name='j' type='continuous'><parent link='base'/>"
+          "<child link='tip'/></joint></robot>");
+  const auto read = [&](const std::string& inside, const robot_options& o = {}) {
+    return load_robot(f.write("w.sdf", sdf("<world name='w'><gravity>0 0 -3</gravity>" + include("arm", inside) +
+                                           "<model name='floor'><static>1</static><link "
+                                           "name='l'/></model></world>")),
+                      o);
+  };
+  auto r = read("<name>mine</name>");
+  CHECK((r.name == "mine" && r.chain.dofs() == 1 && r.chain.gravity() == vec3<>{0, 0, -3}));
+  CHECK(read("", {.model = "arm"}).chain.dofs() == 1);
+  CHECK(has(read("<pose>1 0 0 0 0 0</pose>").warnings, "its pose in the world is not read, as it is a URDF", true));
+}
+
 TEST_CASE("includes that cannot be had are refused by name") {
   const folder f, elsewhere;
   elsewhere.write("hand/model.sdf", sdf("<model name='hand'><link name='h'/></model>"));
@@ -140,7 +158,9 @@ TEST_CASE("includes that cannot be had are refused by name") {
   f.write("empty/x.txt", "");
   refused(include("empty"), "'empty' is not found");
   f.write("urdf/model.sdf", "<robot/>");
-  refused(include("urdf"), "'urdf' is not a file in SDF: it begins with <robot>");
+  refused(include("urdf"), "'urdf' is a URDF: only a world or the file itself may include one");
+  f.write("html/model.sdf", "<html/>");
+  refused(include("html"), "'html' is not a file in SDF: it begins with <html>");
   f.write("two/model.sdf", sdf("<model name='a'/><model name='b'/>"));
   refused(include("two"), "has several models: a file to include has one");
   f.write("none/model.sdf", sdf("<world name='a'/>"));

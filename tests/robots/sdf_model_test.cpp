@@ -34,7 +34,10 @@ TEST_CASE("of several models one is chosen") {
   refused(arm + other, "", "has several models: choose one by robot_options::model, of 'arm', 'other'");
   refused(box + floor + box, "", "has several models");
   refused(arm, "leg", "has no model 'leg' (robot_options::model); its models are 'arm'");
-  refused(arm + arm, "arm", "has several models called 'arm'");
+  refused(arm + arm, "arm", "has several models called 'arm': choose by its number, of 'arm' ('#1'), 'arm' ('#2')");
+  CHECK(read(arm + arm, "#2").links.size() == 2);
+  CHECK(read(arm + floor + arm, "#2").name == "floor");
+  refused(arm, "#2", "has no model '#2'");
   const std::string weld = joint("weld", "fixed", "world", "arm::a", ""),
                     far = joint("far", "fixed", "box", "box2", "");
   d = read(arm + box + weld + far);
@@ -166,34 +169,38 @@ TEST_CASE("inertias from shapes") {
 
 TEST_CASE("joints of SDF that other formats do not have") {
   const auto read = [](const std::string& type, const std::string& rest) {
-    return from_sdf(model(link_text("a") + link_text("b") + link_text("c") + joint("i", "revolute", "a", "c") +
+    return from_sdf(model(link_text("a") + link_text("b") + link_text("c") +
+                          joint("i", "universal", "a", "c", "<axis/><axis2><xyz>0 1 0</xyz></axis2>") +
                           joint("j", type, "a", "b", rest)));
   };
   const std::string axis = "<axis><xyz>0 0 1</xyz></axis>";
   const double pi = 3.141592653589793;
-  CHECK(read("screw", axis + "<screw_thread_pitch>0.5</screw_thread_pitch>").joints[1].pitch ==
+  CHECK(read("screw", axis + "<screw_thread_pitch>0.5</screw_thread_pitch>").joints[2].pitch ==
         within(0.25 / pi, 1e-17));
-  CHECK(read("screw", axis + "<thread_pitch>20</thread_pitch>").joints[1].pitch == -0.05);
+  CHECK(read("screw", axis + "<thread_pitch>20</thread_pitch>").joints[2].pitch == -0.05);
   CHECK(read("screw", axis + "<screw_thread_pitch>0.5</screw_thread_pitch><thread_pitch>9</thread_pitch>")
-            .joints[1]
+            .joints[2]
             .pitch == within(0.25 / pi, 1e-17));
   CHECK(has(read("screw", axis).warnings, "joint 'j': has no <screw_thread_pitch>: it is 1 m per turn"));
   const auto screw = to_robot(read("screw", axis + "<thread_pitch>20</thread_pitch>"));
   auto s = screw.chain.make_state();
-  CHECK(forward_kinematics(screw.chain, s, std::vector{0.0, 2.0}, "b").position.z == -0.1);
+  CHECK(forward_kinematics(screw.chain, s, std::vector{0.0, 0.0, 2.0}, "b").position.z == -0.1);
 
   auto d = read("revolute2", axis + "<axis2><xyz>0 1 0</xyz></axis2>");
-  REQUIRE(d.joints.size() == 3);
-  CHECK((d.joints[2].name == "j_2" && d.joints[2].axis == vec3<>{0, 1, 0} && d.joints[1].axis == vec3<>{0, 0, 1}));
+  REQUIRE(d.joints.size() == 4);
+  CHECK((d.joints[3].name == "j_2" && d.joints[3].axis == vec3<>{0, 1, 0} && d.joints[2].axis == vec3<>{0, 0, 1}));
   d = read("revolute",
            "<axis><xyz>0 0 1</xyz><mimic joint='i' axis='axis'><multiplier>3</multiplier><offset>1</offset>"
            "<reference>0.5</reference></mimic></axis>");
-  REQUIRE(d.joints[1].mimic);
-  CHECK((d.joints[1].mimic->joint == "i" && d.joints[1].mimic->ratio == 3 && d.joints[1].mimic->offset == -0.5));
+  REQUIRE(d.joints[2].mimic);
+  CHECK((d.joints[2].mimic->joint == "i" && d.joints[2].mimic->ratio == 3 && d.joints[2].mimic->offset == -0.5));
   d = read("revolute", "<axis><xyz>0 0 1</xyz><mimic joint='i' axis='axis2'/></axis>");
-  CHECK((d.joints[1].mimic->joint == "i_2" && d.joints[1].mimic->ratio == 1));
+  CHECK((d.joints[2].mimic->joint == "i_2" && d.joints[2].mimic->ratio == 1));
+  d = read("revolute", "<axis><xyz>0 0 1</xyz><mimic joint='k'/></axis>");
+  CHECK_FALSE(d.joints[2].mimic);
+  CHECK(has(d.warnings, "joint 'j': it follows joint 'k', which is not in the file: it moves freely", true));
   CHECK(read("revolute", axis + "<drake:gear_ratio>10</drake:gear_ratio><drake:rotor_inertia>0.5</drake:rotor_inertia>")
-            .joints[1]
+            .joints[2]
             .dynamics.armature == 50);
   CHECK(has(read("revolute", "<axis/>").warnings, "<axis>: has no <xyz>: it is 0 0 1"));
   d = read("revolute",

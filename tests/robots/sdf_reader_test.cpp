@@ -74,7 +74,7 @@ TEST_CASE("errors in SDF name file, line and element") {
       "4: frame 'g': its pose is relative to itself");
   refused("<include/>", "4: model 'm': <include>: has no <uri>");
   joint("hinge", "", "type 'hinge' is none of revolute");
-  joint("gearbox", "", "type 'gearbox' is not read: it couples two other joints");
+  joint("gearbox", "", "has no <gearbox_reference_body>");
   joint("fixed", "<pose>1 2</pose>", "<pose>: must have six numbers, got 2");
   joint("fixed", "<pose relative_to='c'/>", "there is no frame 'c'");
   joint("screw", "<axis/><thread_pitch>0</thread_pitch>", "thread_pitch must not be 0");

@@ -221,13 +221,14 @@ TEST_CASE("links and joints that make no tree") {
   const auto mimic = [](const char* of) {
     return "<limit effort='1' velocity='1'/><mimic joint='" + std::string(of) + "'/>";
   };
-  refused(a + b + joint_text("j", "prismatic", "a", "b", mimic("k")),
-          "4: joint 'j': it mimics joint 'k', which does not exist");
   refused(a + b + c + joint_text("j", "prismatic", "a", "b", mimic("k")) +
               joint_text("k", "prismatic", "a", "c", mimic("j")),
           "5: joint 'j': it mimics joints that mimic each other");
   refused(a + b + c + joint_text("j", "prismatic", "a", "b", mimic("k")) + joint_text("k", "fixed", "a", "c", ""),
           "5: joint 'j': it mimics joint 'k', which has no single coordinate");
+  auto d = from_urdf(urdf(a + b + joint_text("j", "continuous", "a", "b", "<limit effort='1' velocity='1'/>")));
+  d.joints[0].mimic = {"k"};
+  CHECK_THROWS_MATCHES(to_robot(d), bad_file, says("joint 'j': it mimics joint 'k', which does not exist"));
 }
 
 TEST_CASE("a link and a joint may have one name, and massless links are links") {

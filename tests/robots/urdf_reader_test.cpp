@@ -3,6 +3,8 @@
 
 #include "catch.hpp"
 #include "robots/files.hpp"
+#include "robots/mjcf_texts.hpp"
+#include "robots/sdf_texts.hpp"
 
 namespace urdf_reader_test {
 
@@ -198,6 +200,37 @@ TEST_CASE("joints of URDFs that are not as the format has them") {
   CHECK(d.joints[0].dynamics.damping == 1);
   CHECK(has(d.warnings, "<dynamics>: its D is not read", true));
   CHECK(has(d.warnings, "<joint_properties>: not read", true));
+}
+
+TEST_CASE("a URDF that other readers accept is read, with a note on what is not") {
+  const auto notes = [](const std::string& text) {
+    const auto d = from_urdf(text, "a.urdf");
+    return test::mjcf_texts::texts(d.warnings) + test::mjcf_texts::texts(d.not_read);
+  };
+  CHECK(notes("<robot name='r'><link name='a'/></robot>\nend of file\n") ==
+        "robot 'r': its text after </robot> is not read\n");
+  CHECK(notes("<robot name='r'><link name='a'/></robot>" + std::string("\0\0", 2)).ends_with("is not read\n"));
+  CHECK(notes("<robot name='r'><link name='a'/></robot>\n<!-- end -->\n").empty());
+  CHECK_THROWS_MATCHES(from_urdf("<robot name='r'><link name='a'/></robot><robot/>"), bad_file,
+                       says("an element comes after the end of the first"));
+  const auto one = [&](const std::string& inside) {
+    return notes("<robot name='r'><link name='a'>" + inside + "</link></robot>");
+  };
+  const std::string inertia = "<inertia ixx='1' iyy='1' izz='1' ixy='0' ixz='0' iyz='0'/>";
+  CHECK(one("<inertial><mass value='1'/>" + inertia + inertia + "</inertial>") ==
+        "link 'a': <inertia>: occurs twice; the first is used\n");
+  CHECK(one("<visual><geometry><mesh filename='m.stl' scale='1 2 3 4'/></geometry></visual>") ==
+        "link 'a': <mesh>: scale has 4 numbers; the first three are used\n");
+  const auto d = from_urdf(urdf("<link name='a'/><link name='b'/>" +
+                                joint_text("j", "continuous", "a", "b", "<limit effort='1' velocity='1'/>") +
+                                "<transmission name='t'><joint name='j'/><actuator name='m'><mechanicalReduction>1:50"
+                                "</mechanicalReduction></actuator></transmission>"));
+  CHECK((d.actuators.size() == 1 && d.actuators[0].gear == 1));
+  CHECK(test::has(d.not_read, "'1:50' is not one number: the reduction is taken as 1"));
+  CHECK(test::has(from_urdf(urdf("<link name='a'/><link name='b'/>" +
+                                 joint_text("j", "planar", "a", "b", "<dynamics damping='1 2 3'/>")))
+                      .warnings,
+                  "its damping of three numbers is not read: planar joints have none", true));
 }
 
 TEST_CASE("extensions of URDF are read where a robot can say them") {

@@ -23,7 +23,7 @@ class chain_builder {
     append_base();
     append_body(tree_.root());
     for (const auto& s : tree_.steps()) append_joint(s);
-    forces_.append_spring_dampers(tree_);
+    forces_.append_spring_dampers();
     append_frames();
     append_closures();
     if (o_.contacts.requested()) robot_contacts(to_, out_, d_, o_, tree_).append();

@@ -7,8 +7,9 @@
 namespace kte::detail {
 
 /// The mass distribution of a mesh.
-///   legacy  the volume enclosed by the faces, as MuJoCo 2.2.2 computes it by default: too large for concave meshes
 ///   exact   the volume enclosed by the faces
+///   legacy  pyramids from the centroid of the faces, all counted as positive, as MuJoCo does by default: too large for
+///           most concave meshes, but defined for surfaces that are open
 ///   convex  the convex hull of the vertices
 ///   shell   the faces, with the same mass per area everywhere
 enum class mesh_inertia { legacy, exact, convex, shell };
@@ -32,14 +33,15 @@ struct mesh_moments {
 /// mass. A second pass with the apex there gives the volume by (1) and the inertia by (3): neither suffers from
 /// cancellation, however far the mesh is from its origin. For a closed surface the sums over all faces are exact for
 /// any p. For an open one they equal those of MuJoCo (`open_edge` of mesh_edges.hpp tells which it is).
-///   legacy  uses |V_i|; the volume is then that of the box of equal inertia, with half edges h along the principal
-///           axes, and S and I are scaled by the ratio of this volume to that of (1):
-///             h_x^2 = 3 S_xx/V,   volume = 8 h_x h_y h_z                     (4)
+///   legacy  uses |V_i|
 ///   shell   uses triangles of area A_i instead of pyramids: A_i s/3 in (1), A_i/12 instead of V_i/20 in (2)
 /// A mesh without faces stands for its convex hull. Throws `bad_argument` if the volume or area is zero or negative
 /// (faces that point inwards, except with legacy), if an index is out of range, or if a number is not finite or too
 /// large.
 mesh_moments moments_of(const triangle_mesh& mesh, mesh_inertia kind);
+
+/// Whether the faces of a closed surface point inwards: the volume (1) is negative.
+bool points_inwards(const triangle_mesh& mesh);
 
 /// The rigid body of a mesh with this density, kg/m^3, or kg/m^2 for a shell, in the axes of the mesh.
 rigid_body<> mesh_body(const triangle_mesh& mesh, mesh_inertia kind, double density);
@@ -47,7 +49,6 @@ rigid_body<> mesh_body(const triangle_mesh& mesh, mesh_inertia kind, double dens
 }  // namespace kte::detail
 
 #ifdef KTE_FUNCTION
-#  include <kte/math/principal_moments.hpp>
 #  include <kte/robots/detail/mesh_edges.hpp>
 #  include <kte/robots/detail/mesh_hull.hpp>
 
@@ -96,12 +97,6 @@ inline void check_volume(double volume, double least) {
     raise<bad_argument>("kte: the mesh has a volume of " + number(volume) + " m^3: its faces point inwards");
 }
 
-/// Half edges (4), the shortest first. For needles S has them with all digits, I has not.
-inline vec3<> equal_box(const sym3<>& second, double amount) {
-  const auto [x, y, z] = principal_moments(scaled(3 / amount, second));
-  return {std::sqrt((std::max)(0.0, z)), std::sqrt((std::max)(0.0, y)), std::sqrt((std::max)(0.0, x))};  // (4)
-}
-
 KTE_FUNCTION mesh_moments moments_of(const triangle_mesh& mesh, mesh_inertia kind) {
   check_mesh(mesh);
   const bool shell = kind == mesh_inertia::shell;
@@ -124,16 +119,14 @@ KTE_FUNCTION mesh_moments moments_of(const triangle_mesh& mesh, mesh_inertia kin
   const auto sums = sums_about(centre, mesh, kind);
   check_volume(sums.amount, least);
   const auto& s = sums.second;
-  mesh_moments m{sums.amount, centre, s, {s.yy + s.zz, -s.xy, -s.xz, s.zz + s.xx, -s.yz, s.xx + s.yy}};  // (3)
-  if (kind == mesh_inertia::legacy) {
-    const auto half = equal_box(m.second, m.amount);
-    const double volume = 8 * half.x * half.y * half.z;  // (4)
-    check_volume(volume, tiny);
-    const double ratio = volume / m.amount;
-    m.amount = volume, m.second = scaled(ratio, m.second), m.inertia = scaled(ratio, m.inertia);
-  }
+  const mesh_moments m{sums.amount, centre, s, {s.yy + s.zz, -s.xy, -s.xz, s.zz + s.xx, -s.yz, s.xx + s.yy}};  // (3)
   if (!std::isfinite(m.amount + dot(m.centre, m.centre) + trace(m.inertia))) fail_large_mesh();
   return m;
+}
+
+KTE_FUNCTION bool points_inwards(const triangle_mesh& mesh) {
+  check_mesh(mesh);
+  return !mesh.faces.empty() && sums_about(mesh.vertices[mesh.faces[0][0]], mesh, mesh_inertia::exact).amount < 0;
 }
 
 KTE_FUNCTION rigid_body<> mesh_body(const triangle_mesh& mesh, mesh_inertia kind, double density) {

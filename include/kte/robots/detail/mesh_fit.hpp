@@ -12,25 +12,27 @@ struct fitted_geom {
 };
 
 /// Fits a sphere, capsule, cylinder, ellipsoid or box to a mesh, as MuJoCo does. The axes are the principal axes of the
-/// mesh, first the axis of the largest moment of inertia, so that z is along the longest side. The shape follows from
-/// the box of equal inertia at the centre of mass, with half edges a, b, c (mesh_body.hpp (4)):
+/// mesh, first the axis of the largest moment of inertia, so that z is along the longest side. The shape is at the
+/// centre of mass and follows from the box of equal inertia, with half edges a <= b <= c:
+///
+///   a^2 = 3 S_xx/V, ...,   V and S as in mesh_body.hpp                       (1)
+///
 ///   box, ellipsoid  a, b, c
 ///   cylinder        radius (a + b)/2, half length c
 ///   capsule         radius r = (a + b)/2, half length c - r/2
 ///   sphere          radius (a + b + c)/3
-/// With `aabb` it follows from the bounding box in these axes, about the centre of the box, for all vertices (x, y, z
-/// from this centre):
-///   box, ellipsoid  half edges of the bounding box
-///   cylinder        radius max sqrt(x^2 + y^2), half length c
-///   capsule         radius r of the cylinder, half length max |z| - sqrt(r^2 - x^2 - y^2)
-///   sphere          radius max sqrt(x^2 + y^2 + z^2)
-/// (MuJoCo 2.2.2 computes these sizes but places the shapes wrongly: it omits the centre of mass and the principal
-/// axes.) Throws `bad_argument` for other shapes, and under the conditions of `moments_of`.
+/// With `aabb` it is at the centre of the bounding box in these axes, whose half edges are a, b, c:
+///   box, ellipsoid  a, b, c
+///   cylinder        radius max(a, b), half length c
+///   capsule         radius r = max(a, b), half length c - r, at least 0
+///   sphere          radius max(a, b, c)
+/// Throws `bad_argument` for other shapes, and under the conditions of `moments_of`.
 fitted_geom fit_mesh(const triangle_mesh& mesh, mesh_inertia kind, robot_shape::form form, bool aabb);
 
 }  // namespace kte::detail
 
 #ifdef KTE_FUNCTION
+#  include <kte/math/principal_moments.hpp>
 #  include <kte/robots/detail/angles.hpp>
 
 #  include <Eigen/Eigenvalues>
@@ -56,16 +58,23 @@ inline mat3<vec3<>> principal_axes(const sym3<>& second) {
   return without_minus_zero(transpose(mat3<vec3<>>{x, y, cross(x, y)}));
 }
 
-/// The sizes of a shape that contains all points; `box`: half edges of their bounding box.
-inline vec3<> bounding_size(robot_shape::form form, const std::vector<vec3<>>& points, const vec3<>& box) {
-  using shape = robot_shape::form;
-  if (form == shape::box || form == shape::ellipsoid) return box;
-  double radius = 0, half = form == shape::cylinder ? box.z : 0;
-  const auto across = [](const vec3<>& p) { return p.x * p.x + p.y * p.y; };
-  for (const auto& p : points) radius = (std::max)(radius, form == shape::sphere ? dot(p, p) : across(p));
-  for (const auto& p : points)
-    if (form == shape::capsule) half = (std::max)(half, std::abs(p.z) - std::sqrt((std::max)(0.0, radius - across(p))));
-  return {std::sqrt(radius), half, 0};
+/// Half edges (1), the shortest first. For needles S has them with all digits, I has not.
+inline vec3<> equal_box(const sym3<>& second, double amount) {
+  const auto [x, y, z] = principal_moments(second);
+  const auto half = [&](double moment) { return std::sqrt(3 * (std::max)(0.0, moment) / amount); };
+  return {half(z), half(y), half(x)};  // (1)
+}
+
+/// The half edges of the bounding box of a mesh in these axes, and its centre in the mesh.
+inline std::pair<vec3<>, vec3<>> bounding_box(const triangle_mesh& mesh, const mat3<vec3<>>& axes) {
+  const auto back = transpose(axes);
+  vec3<> low = back * mesh.vertices[0], high = low;
+  for (const auto& v : mesh.vertices) {
+    const vec3<> p = back * v;
+    low = {(std::min)(low.x, p.x), (std::min)(low.y, p.y), (std::min)(low.z, p.z)};
+    high = {(std::max)(high.x, p.x), (std::max)(high.y, p.y), (std::max)(high.z, p.z)};
+  }
+  return {0.5 * (high - low), axes * (0.5 * (low + high))};
 }
 
 KTE_FUNCTION fitted_geom fit_mesh(const triangle_mesh& mesh, mesh_inertia kind, robot_shape::form form, bool aabb) {
@@ -75,26 +84,14 @@ KTE_FUNCTION fitted_geom fit_mesh(const triangle_mesh& mesh, mesh_inertia kind, 
     raise<bad_argument>("kte: a mesh can be fitted with a box, ellipsoid, cylinder, capsule or sphere only");
   const auto m = moments_of(mesh, kind);
   const auto axes = principal_axes(m.second);
-  if (!aabb) {
-    const auto b = equal_box(m.second, m.amount);
-    const double r = (b.x + b.y) / 2;
-    const vec3<> half = form == shape::cylinder  ? vec3<>{r, b.z, 0}
-                        : form == shape::capsule ? vec3<>{r, b.z - r / 2, 0}
-                        : form == shape::sphere  ? vec3<>{(b.x + b.y + b.z) / 3, 0, 0}
-                                                 : b;
-    return {{m.centre, axes}, half};
-  }
-  std::vector<vec3<>> points;
-  points.reserve(mesh.vertices.size());
-  for (const auto& v : mesh.vertices) points.push_back(transpose(axes) * (v - m.centre));
-  vec3<> low = points[0], high = low;
-  for (const auto& p : points) {
-    low = {(std::min)(low.x, p.x), (std::min)(low.y, p.y), (std::min)(low.z, p.z)};
-    high = {(std::max)(high.x, p.x), (std::max)(high.y, p.y), (std::max)(high.z, p.z)};
-  }
-  const vec3<> middle = 0.5 * (low + high);
-  for (auto& p : points) p = p - middle;
-  return {{m.centre + axes * middle, axes}, bounding_size(form, points, 0.5 * (high - low))};
+  const auto [box, at] = aabb ? bounding_box(mesh, axes) : std::pair{equal_box(m.second, m.amount), m.centre};
+  const double across = aabb ? (std::max)(box.x, box.y) : (box.x + box.y) / 2;
+  const double ball = aabb ? (std::max)(across, box.z) : (box.x + box.y + box.z) / 3;
+  const vec3<> half = form == shape::cylinder  ? vec3<>{across, box.z, 0}
+                      : form == shape::capsule ? vec3<>{across, (std::max)(0.0, box.z - across / (aabb ? 1 : 2)), 0}
+                      : form == shape::sphere  ? vec3<>{ball, 0, 0}
+                                               : box;
+  return {{at, axes}, half};
 }
 
 }  // namespace kte::detail

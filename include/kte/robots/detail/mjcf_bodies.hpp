@@ -105,20 +105,23 @@ class mjcf_bodies {
     l.line = x.line(), l.file = x.file();
     l.gravity_compensation = x.number_or("gravcomp", 0);
     std::vector<mjcf_child> moving;
-    bool has_inertial = false;
+    const mjcf_child* inertial = nullptr;
     const auto all = tree_.children(x, in);
     for (const auto& y : all) {
       if (y.x.name() == "joint" || y.x.name() == "freejoint") moving.push_back(y);
-      has_inertial = has_inertial || y.x.name() == "inertial";
+      if (y.x.name() != "inertial") continue;
+      if (inertial != nullptr) y.x.fail("occurs twice");
+      inertial = &y;
     }
-    const here at{index, above.fixed && moving.empty(), settings.from_geoms(has_inertial)};
-    if (has_inertial && !at.weighs)
-      l.inertial = moved_body(in.place, read_mjcf_inertial(settings, x.needed_child("inertial")));
+    const here at{index, above.fixed && moving.empty(), settings.from_geoms(inertial != nullptr)};
+    const auto weigh = [&] {
+      d_.links[index].inertial = moved_body(inertial->in.place, read_mjcf_inertial(settings, inertial->x));
+    };
+    if (inertial != nullptr && !at.weighs) weigh();
     const auto own = l.name;
     joints(moving, x, c.in.place * place, d_.links[above.link].name, own);
     contents(all, at);
-    if (has_inertial && !d_.links[index].inertial)  // no geom counts
-      d_.links[index].inertial = moved_body(in.place, read_mjcf_inertial(settings, x.needed_child("inertial")));
+    if (inertial != nullptr && !d_.links[index].inertial) weigh();  // no geom counts
     --depth_;
   }
 

@@ -59,13 +59,14 @@ inline mjcf_geom read_geom(const xml_item& x, const mjcf_scope& in) {
   return g;
 }
 
-/// The rigid body of a geom in the axes of the link, from its mass or its density; none for planes and height fields.
+/// The rigid body of a geom in the axes of the link, from its mass or its density, of a shell in kg/m^2; none for
+/// planes and height fields.
 inline std::optional<rigid_body<>> body_of_geom(const xml_item& x, const mjcf_geom& g) {
   using form = robot_shape::form;
   if (g.shape.is == form::plane || g.shape.is == form::none) return {};
-  if (x.text_or("shellinertia", "false") == "true") x.fail("shellinertia is not read: its body needs an <inertial>");
-  const auto [volume, moments] = solid(g.shape.is, g.half);
-  const double mass = x.has("mass") ? x.not_negative("mass") : volume * x.not_negative_or("density", 1000);
+  const bool hollow = keyword(x, "shellinertia", {"false", "true"}) == "true";
+  const auto [amount, moments] = hollow ? shell(g.shape.is, g.half) : solid(g.shape.is, g.half);
+  const double mass = x.has("mass") ? x.not_negative("mass") : amount * x.not_negative_or("density", 1000);
   if (!std::isfinite(mass)) x.fail("its mass is not finite");
   if (!(mass > 0)) return {};
   return moved_body(g.shape.origin, {mass, {}, {mass * moments.x, 0, 0, mass * moments.y, 0, mass * moments.z}});

@@ -31,8 +31,7 @@ inline void read_mjcf_height_field(const xml_item& geom, mjcf_model& model, robo
   };
   if (asset->has("file")) {
     const auto file = path_of_text(asset->text("file"));
-    const auto path = model.folder / path_of_text(model.settings.mesh_folder()) /
-                      (model.settings.strips_paths() ? file.filename() : file);
+    const auto path = model.path_of(*asset);
     if (lower_extension(path) == ".png") return none("'" + excerpt(file.generic_string()) + "' is an image");
     if (!is_file(path)) return none("there is no file '" + excerpt(path.generic_string()) + "'");
     const auto bytes = read_file(path, std::size_t{1} << 30);

@@ -46,7 +46,8 @@ class mjcf_settings {
   bool in_world() const { return in_world_; }
   const std::string& mesh_folder() const { return mesh_folder_.empty() ? asset_folder_ : mesh_folder_; }
   bool strips_paths() const { return strip_path_; }
-  bool exact_meshes() const { return exact_meshes_; }
+  /// Whether the inertia of meshes is exact or legacy, if the file says so.
+  std::optional<bool> exact_meshes() const { return exact_meshes_; }
   bool fits_boxes() const { return fit_boxes_; }
   /// Whether geoms that do not collide are discarded.
   bool discards_visuals() const { return discard_; }
@@ -84,7 +85,8 @@ class mjcf_settings {
       c.warn("alignfree is not read: coordinates of free bodies are in the axes of the body");
     if (c.has("inertiafromgeom")) from_geoms_ = keyword(c, "inertiafromgeom", {"auto", "true", "false"});
     truth("autolimits", auto_limits_), truth("strippath", strip_path_), truth("balanceinertia", masses_.balance);
-    truth("exactmeshinertia", exact_meshes_), truth("fitaabb", fit_boxes_);
+    if (c.has("exactmeshinertia")) truth("exactmeshinertia", exact_meshes_.emplace());
+    truth("fitaabb", fit_boxes_);
     truth("fusestatic", masses_.fuse), truth("discardvisual", discard_);
     mesh_folder_ = c.text_or("meshdir", mesh_folder_.c_str());
     asset_folder_ = c.text_or("assetdir", asset_folder_.c_str());
@@ -124,8 +126,9 @@ class mjcf_settings {
 
   const robot_options& options_;
   mjcf_classes classes_;
-  bool degrees_ = true, auto_limits_ = true, strip_path_ = false, exact_meshes_ = false, fit_boxes_ = false;
+  bool degrees_ = true, auto_limits_ = true, strip_path_ = false, fit_boxes_ = false;
   bool in_world_ = false, discard_ = false;
+  std::optional<bool> exact_meshes_;
   std::string from_geoms_ = "auto", sequence_ = "xyz", mesh_folder_, asset_folder_;
   std::vector<double> groups_{-1e9, 1e9};
   mjcf_mass_rules masses_;

@@ -19,6 +19,19 @@ struct mjcf_model {
   mjcf_model(xml_node r, robot_description& to, std::filesystem::path in, const robot_options& o)
       : root(std::move(r)), d(to), folder(std::move(in)), settings({root, to}, o) {}
 
+  /// The path of the file of an asset: its name is relative to the folder of meshes, otherwise, in an included file,
+  /// to the folder of that file in the folder of meshes, or to the folder of meshes in that folder.
+  std::filesystem::path path_of(const xml_item& asset) const {
+    const auto file = path_of_text(asset.text("file")), meshes = path_of_text(settings.mesh_folder());
+    const auto name = settings.strips_paths() ? file.filename() : file;
+    const auto usual = folder / meshes / name;
+    if (is_file(usual) || asset.file().empty()) return usual;
+    const auto of_include = std::filesystem::path(asset.file()).parent_path();
+    for (const auto& other :
+         {folder / meshes / of_include.lexically_proximate(folder) / name, of_include / meshes / name})
+      if (is_file(other)) return other;
+    return usual;
+  }
   /// The first body or frame of a name; null: there is none.
   const xml_node* find(const std::string& kind, const std::string& name) {
     if (named_.empty())
@@ -148,7 +161,8 @@ class mjcf_tree {
     for (const auto& a : xml_item(from.root, d_).children("asset"))
       for (const auto& m : a.children("model")) {
         if (m.has("name") && m.text("name") != name) continue;
-        const auto path = from.folder / m.text("file");
+        auto path = from.folder / m.text("file");
+        if (!is_file(path) && !m.file().empty()) path = std::filesystem::path(m.file()).parent_path() / m.text("file");
         auto& known = by_path_[path.string()];
         if (known == nullptr) {
           if (!is_file(path)) m.fail("there is no file '" + excerpt(m.text("file")) + "'");

@@ -51,8 +51,8 @@ class mjcf_unread {
   void assets(const xml_item& x, const mjcf_classes& classes) {
     for (const auto& c : x.children()) {
       if (c.name() == "mesh")
-        classes.resolved(c, "").only(
-            {}, {"name", "class", "file", "scale", "refpos", "refquat", "vertex", "face", "inertia", "maxhullvert"});
+        classes.resolved(c, "").only({}, {"name", "class", "file", "scale", "refpos", "refquat", "vertex", "face",
+                                          "inertia", "maxhullvert", "builtin", "params"});
       else if (c.name() == "model")
         c.only({}, {"name", "file"});
       else if (c.name() == "hfield" && contacts_are_read_)

@@ -18,6 +18,7 @@ std::vector<std::string> sdf_models(const xml_node& root, const std::string& nam
 }  // namespace kte::detail
 
 #ifdef KTE_FUNCTION
+#  include <kte/robots/detail/read_urdf.hpp>
 #  include <kte/robots/detail/sdf_choice.hpp>
 #  include <kte/robots/detail/sdf_model.hpp>
 #  include <kte/robots/detail/sdf_world.hpp>
@@ -33,6 +34,16 @@ KTE_FUNCTION robot_description read_sdf(const xml_node& root, const std::string&
   const sdf_choice choice(d, options, parse, whole);
   const auto& chosen = choice.choose();
   const xml_item model(*chosen.model, d);
+  if (model.name() == "robot") {
+    auto robot = read_urdf(*chosen.model, name, options);
+    if (chosen.world != nullptr) read_sdf_world(d, {*chosen.world, d}, chosen.name);
+    if (!is_nothing(sdf_pose(model, options)))
+      model.moves_differently("its pose in the world is not read, as it is a URDF");
+    robot.gravity = d.gravity;
+    robot.warnings.insert(robot.warnings.end(), d.warnings.begin(), d.warnings.end());
+    robot.not_read.insert(robot.not_read.end(), d.not_read.begin(), d.not_read.end());
+    return robot;
+  }
   const bool windy = chosen.world != nullptr && read_sdf_world(d, {*chosen.world, d}, model.text_or("name", ""));
   sdf_model(d, options).read(model, windy);
   return d;

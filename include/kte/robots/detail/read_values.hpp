@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <unordered_set>
 
 /// Reads values that several formats write alike.
 namespace kte::detail {
@@ -40,6 +41,19 @@ template <class T>
 std::string free_name(const std::vector<T>& all, std::string name) {
   while (std::any_of(all.begin(), all.end(), [&](const T& x) { return x.name == name; })) name += '\'';
   return name;
+}
+/// Frees joints that follow a joint that is not in the file, with a warning.
+inline void free_followers(robot_description& d) {
+  std::unordered_set<std::string_view> names;
+  for (const auto& j : d.joints) names.insert(j.name);
+  for (auto& j : d.joints) {
+    if (!j.mimic || names.contains(j.mimic->joint)) continue;
+    d.warnings.push_back({j.line,
+                          "joint '" + excerpt(j.name) + "': it follows joint '" + excerpt(j.mimic->joint) +
+                              "', which is not in the file: it moves freely",
+                          j.file, true});
+    j.mimic.reset();
+  }
 }
 /// The unit vector along n.
 inline vec3<> unit_direction(const xml_item& x, const vec3<>& n) {

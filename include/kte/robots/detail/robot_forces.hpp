@@ -2,15 +2,12 @@
 
 #include <kte/dynamics/configuration_space.hpp>
 #include <kte/dynamics/looped/mass_matrix_inverse.hpp>
-#include <kte/dynamics/mass_matrix.hpp>
 #include <kte/robots/detail/robot_elements.hpp>
-#include <kte/robots/detail/robot_tree.hpp>
-#include <kte/robots/options.hpp>
+#include <kte/robots/to_robot.hpp>
 #include <kte/runtime_chain.hpp>
 
-#include <Eigen/Cholesky>
-
 #include <algorithm>
+#include <unordered_map>
 
 namespace kte::detail {
 
@@ -29,16 +26,16 @@ class robot_forces {
     if (x.time_constant == 0) append_spring(j, x);
     if (x.armature != 0) to_.append(inertia_gen(j.name, x.armature));
   }
-  /// Appends the dampers and springs of joints with a time constant T and a damping ratio z: d = 2 I/T and k = I/(T
-  /// z)^2, where 1/I is the diagonal entry of the joint in M^-1 at the configuration of the file. All bodies must be in
-  /// the chain.
-  void append_spring_dampers(const robot_tree& tree);
+  /// Appends the dampers and springs of joints, of followers too, with a time constant T and a damping ratio z: d = 2
+  /// I/T and k = I/(T z)^2, where 1/I is the diagonal entry of the joint in M^-1 at the configuration of the file, as
+  /// if no joint followed another and loops were open (as in MuJoCo).
+  void append_spring_dampers();
 
  private:
   void append_spring(const robot_joint& j, const robot_joint_dynamics& x);
   void append_of_ball(const robot_joint& j, const std::string& from, const std::string& end,
                       const robot_pose& placement);
-  std::vector<double> inverse_masses(const Eigen::VectorXd& q);
+  std::unordered_map<std::string, double> inverse_masses() const;
 
   robot_elements& to_;
   std::vector<robot_note>& warnings_;
@@ -56,44 +53,42 @@ inline void robot_forces::append_spring(const robot_joint& j, const robot_joint_
   if (x.stiffness != 0) to_.append(joint_stiffness_gen(j.name, x.stiffness, x.rest));
 }
 
-inline void robot_forces::append_spring_dampers(const robot_tree& tree) {
+inline void robot_forces::append_spring_dampers() {
   const auto has = [](const robot_joint& j) { return has_one_coordinate(j) && j.dynamics.time_constant > 0; };
   if (!o_.joint_dynamics || std::none_of(d_.joints.begin(), d_.joints.end(), has)) return;
-  auto q = neutral_configuration(to_.chain());
-  const auto places = layout(to_.chain());
-  for (const auto& e : places)
-    if (e.what == kind::gen) q[e.q] = d_.joints[tree.joint(e.name)].reference;
-  const auto inverse = inverse_masses(q);
-  for (const auto& e : places) {
-    if (e.what != kind::gen || !has(d_.joints[tree.joint(e.name)])) continue;
-    const auto& j = d_.joints[tree.joint(e.name)];
+  const auto inverse = inverse_masses();
+  for (const auto& j : d_.joints) {
+    if (!has(j)) continue;
     auto x = j.dynamics;
-    const double inertia = 1 / inverse[static_cast<std::size_t>(e.v)], t = x.time_constant, tz = t * x.damping_ratio;
+    const double inertia = 1 / inverse.at(j.name), t = x.time_constant, tz = t * x.damping_ratio;
     x.damping = 2 * inertia / t, x.stiffness = inertia / (tz * tz);
     append_spring(j, x);
   }
 }
-/// The diagonal of M^-1: for a tree from articulated inertias, with followers from M.
-inline std::vector<double> robot_forces::inverse_masses(const Eigen::VectorXd& q) {
-  const auto& c = to_.chain();
+/// The diagonal of M^-1 by joints, at the configuration of the file, of the tree without followers and closures.
+inline std::unordered_map<std::string, double> robot_forces::inverse_masses() const {
+  robot_description bare = d_;
+  bare.closures.clear(), bare.configurations.clear();
+  for (auto& j : bare.joints) j.mimic.reset(), j.dynamics.time_constant = 0;
+  auto options = o_;
+  options.contacts = {}, options.strict = false;
+  const auto c = to_robot(bare, options).chain;
+  auto q = neutral_configuration(c);
+  std::unordered_map<std::string, double> all;
+  for (const auto& j : d_.joints) all[j.name] = j.reference;
+  const auto places = layout(c);
+  for (const auto& e : places)
+    if (e.what == kind::gen) q[e.q] = all[e.name];
   auto s = c.make_state();
-  const auto refuse = [this] {
+  try {
+    const auto diagonal = take(c, s, q).call([&] { return inverse_mass_diagonal(runtime_elements{c}, s); });
+    for (const auto& e : places)
+      if (e.what == kind::gen) all[e.name] = diagonal[static_cast<std::size_t>(e.v)];
+  } catch (const singular_mass_matrix&) {
     raise<bad_file>("kte: " + place_text(d_.source, 0) + "the mass matrix of the robot '" + d_.name +
                     "' is singular, so that springdamper has no meaning");
-  };
-  if (s.tree().plan.tree) {
-    try {
-      return take(c, s, q).call([&] { return inverse_mass_diagonal(runtime_elements{c}, s); });
-    } catch (const singular_mass_matrix&) {
-      refuse();
-    }
   }
-  const Eigen::LLT<Eigen::MatrixXd> factor(mass_matrix(c, s, q));
-  if (factor.info() != Eigen::Success) refuse();
-  const Eigen::MatrixXd inverse = factor.matrixL().solve(Eigen::MatrixXd::Identity(c.dofs(), c.dofs()));
-  std::vector<double> diagonal(static_cast<std::size_t>(c.dofs()));
-  for (int i = 0; i < c.dofs(); ++i) diagonal[static_cast<std::size_t>(i)] = inverse.col(i).squaredNorm();
-  return diagonal;
+  return all;
 }
 
 /// Damping d and stiffness k of a spherical or floating joint give the torque -d w - k r, with the angular velocity w

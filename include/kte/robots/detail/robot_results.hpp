@@ -22,13 +22,35 @@ inline void list_shapes(robot& r, const robot_description& d) {
     for (const auto& c : l.collisions) r.shapes.push_back({c, l.name, true, l.file});
   }
 }
+/// Takes the ranges and rates of followers back to the joints that they follow: q = k q_leader + c is in [a, b] where
+/// q_leader is in [(a - c)/k, (b - c)/k], for negative k with the ends exchanged.
+inline std::vector<robot_joint> with_ranges_of_followers(const robot_description& d, const robot_tree& tree) {
+  auto all = d.joints;
+  for (const auto& j : d.joints) {
+    double k = 1, c = 0;
+    const auto* leader = &j;
+    for (; leader->mimic; leader = &d.joints[tree.joint(leader->mimic->joint)])
+      c += k * leader->mimic->offset, k *= leader->mimic->ratio;
+    if (leader == &j || k == 0) continue;
+    auto& to = all[tree.joint(leader->name)];
+    const auto narrow = [k, c](double a, double b, double& lower, double& upper) {
+      a = (limit_from_file(a) - c) / k, b = (limit_from_file(b) - c) / k;
+      lower = (std::max)(lower, (std::min)(a, b)), upper = (std::min)(upper, (std::max)(a, b));
+    };
+    narrow(j.lower, j.upper, to.lower, to.upper);
+    narrow(j.soft_lower, j.soft_upper, to.soft_lower, to.soft_upper);
+    to.rate = (std::min)(to.rate, limit_from_file(j.rate) / std::abs(k));
+  }
+  return all;
+}
 inline void read_limits(robot& r, const robot_description& d, const robot_tree& tree) {
   auto& hard = r.limits;
   hard = unlimited(r.chain);
   auto soft = hard;
+  const auto joints = with_ranges_of_followers(d, tree);
   for (const auto& e : layout(r.chain)) {
     if (e.what != kind::gen) continue;
-    const auto& j = d.joints[tree.joint(e.name)];
+    const auto& j = joints[tree.joint(e.name)];
     const auto i = static_cast<std::size_t>(e.v);
     hard.lower[i] = limit_from_file(j.lower), hard.upper[i] = limit_from_file(j.upper);
     hard.rate[i] = limit_from_file(j.rate), hard.effort[i] = limit_from_file(j.effort);

@@ -28,8 +28,8 @@ class sdf_choice {
     return all;
   }
 
-  /// The model named by the options; otherwise the only one, the only one that is not static, or the only one of these
-  /// with joints.
+  /// The model named by the options, or by "#2" the second of the file; otherwise the only one, the only one that is
+  /// not static, or the only one of these with joints.
   const candidate& choose() const {
     if (all_.empty()) root_.fail("has no <model>");
     const auto& chosen = options_.model.empty() ? likely() : named();
@@ -47,7 +47,7 @@ class sdf_choice {
         if (c.name == "include") {
           found.name = included_name(c);
           c = includes_.included(c);
-          if (c.name != "model") continue;
+          if (c.name != "model" && c.name != "robot") continue;
           found.name = xml_item(c, d_).text_or("name", "");
         } else {
           includes_.resolve(c);
@@ -72,17 +72,25 @@ class sdf_choice {
     return std::any_of(model.children.begin(), model.children.end(),
                        [](const xml_node& c) { return c.name == "joint" || (c.name == "model" && has_joints(c)); });
   }
+  /// The names of the models; those that occur several times with their numbers.
   std::string list() const {
     std::string text;
-    for (const auto& c : all_) text += (text.empty() ? "'" : ", '") + excerpt(c.name) + "'";
+    for (std::size_t i = 0; i < all_.size(); ++i) {
+      const auto same = [&](const candidate& c) { return c.name == all_[i].name; };
+      text += (text.empty() ? "'" : ", '") + excerpt(all_[i].name) + "'";
+      if (std::count_if(all_.begin(), all_.end(), same) > 1) text += " ('#" + std::to_string(i + 1) + "')";
+    }
     return text;
   }
 
   const candidate& named() const {
     const candidate* found = nullptr;
+    for (std::size_t i = 0; i < all_.size(); ++i)
+      if (options_.model == "#" + std::to_string(i + 1)) return all_[i];
     for (const auto& c : all_) {
       if (c.name != options_.model) continue;
-      if (found != nullptr) root_.fail("has several models called '" + excerpt(c.name) + "'");
+      if (found != nullptr)
+        root_.fail("has several models called '" + excerpt(c.name) + "': choose by its number, of " + list());
       found = &c;
     }
     if (found == nullptr)

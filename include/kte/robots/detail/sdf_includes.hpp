@@ -23,7 +23,7 @@ class sdf_includes {
     --depth_;
   }
   /// The replacement of an <include>: a model, an actor or a light, with the name, pose and other settings of the
-  /// include.
+  /// include; the <robot> of a URDF outside of models.
   xml_node included(const xml_node& n) {
     const xml_item x(n, d_);
     x.only({"uri", "name", "pose", "static", "placement_frame", "plugin"}, {"merge"});
@@ -36,6 +36,12 @@ class sdf_includes {
     if (open_.size() > deepest) x.fail("files that include each other go deeper than " + std::to_string(deepest));
     if (++count_ > most) x.fail("more than " + std::to_string(most) + " files are included");
     auto file = parsed(path, whole);
+    if (file.name == "robot") {
+      if (open_.size() > 1 || depth_ > 0)
+        x.fail("'" + excerpt(uri) + "' is a URDF: only a world or the file itself may include one");
+      override_model(x, file);
+      return file;
+    }
     if (file.name != "sdf")
       x.fail("'" + excerpt(uri) + "' is not a file in SDF: it begins with <" + excerpt(file.name) + ">");
     sdf_upgrade(d_).apply(file);

@@ -9,11 +9,13 @@ class sdf_joints {
  public:
   sdf_joints(robot_description& d, const sdf_frames& f) : d_(d), frames_(f) {}
 
-  /// Reads the joint of this full name, whose frame is `frame`.
+  /// Reads the joint of this full name, whose frame is `frame`. The joints that a gearbox couples may come later.
   void read(const xml_item& x, const sdf_scope& scope, const std::string& name, const std::string& frame) {
     x.only({"parent", "child", "pose", "axis", "axis2", "thread_pitch", "screw_thread_pitch", "physics", "plugin",
-            "drake:gear_ratio", "drake:rotor_inertia", "drake:mimic", "drake:controller_gains"},
+            "drake:gear_ratio", "drake:rotor_inertia", "drake:mimic", "drake:controller_gains", "gearbox_ratio",
+            "gearbox_reference_body"},
            {"name", "type"});
+    if (x.text("type") == "gearbox") return gearboxes_.push_back({x, scope, frame});
     robot_joint j;
     j.name = name, j.line = x.line(), j.file = x.file();
     j.parent = frames_.link_of(x, frames_.find(x, scope, child_text(x, "parent")));
@@ -30,8 +32,27 @@ class sdf_joints {
     d_.joints.push_back(std::move(j));
   }
 
+  /// Couples the joints of gearboxes: the angle of the child, from the reference body, is -gearbox_ratio times that of
+  /// the parent.
+  void couple_gearboxes() const {
+    for (const auto& g : gearboxes_) {
+      const auto reference =
+          frames_.link_of(g.x, frames_.find(g.x, g.scope, child_text(g.x, "gearbox_reference_body")));
+      const auto [leader, leads] = angle_of(g, reference, "parent", "axis");
+      const auto [follower, follows] = angle_of(g, reference, "child", "axis2");
+      if (leader == follower) g.x.fail("its parent and child are moved by the same joint");
+      if (follower->mimic) g.x.fail("joint '" + excerpt(follower->name) + "' follows another one already");
+      follower->mimic = {leader->name, -child_number(g.x, "gearbox_ratio", 1) * leads * follows, 0};
+    }
+  }
+
  private:
   using kind = robot_joint::kind;
+  struct gearbox {
+    xml_item x;
+    sdf_scope scope;
+    std::string frame;
+  };
   struct placement {
     const sdf_scope& scope;
     const std::string& frame;  ///< of the joint
@@ -44,10 +65,9 @@ class sdf_joints {
         {"universal", kind::revolute}, {"revolute2", kind::revolute}};
     const auto t = x.text("type");
     const auto known = types.find(t);
-    if (t == "gearbox") x.fail("type 'gearbox' is not read: it couples two other joints; SDF has <mimic> for that");
     if (known == types.end())
       x.fail("type '" + excerpt(t) +
-             "' is none of revolute, continuous, prismatic, fixed, ball, screw, universal, revolute2");
+             "' is none of revolute, continuous, prismatic, fixed, ball, screw, universal, revolute2, gearbox");
     j.is = known->second, j.continuous = t == "continuous";
   }
   static xml_item axis_of(const xml_item& x, const char* of) {
@@ -141,8 +161,30 @@ class sdf_joints {
     }
   }
 
+  /// The angle of the joint between the reference body of a gearbox and another link, about an axis of the gearbox: the
+  /// joint, and +1 or -1 by the direction of its own axis.
+  std::pair<robot_joint*, double> angle_of(const gearbox& g, const std::string& reference, const char* end,
+                                           const char* axis) const {
+    const auto link = frames_.link_of(g.x, frames_.find(g.x, g.scope, child_text(g.x, end)));
+    robot_joint about;
+    direction(axis_of(g.x, axis), {g.scope, g.frame}, about);
+    const vec3<> n = frames_.relative(g.x, reference, g.frame).rotation * about.axis;
+    for (auto& j : d_.joints) {
+      const bool onward = j.parent == reference && j.child == link, back = j.parent == link && j.child == reference;
+      if (j.is != kind::revolute || !(onward || back)) continue;
+      const double cosine =
+          dot(n, onward ? j.origin.rotation * j.axis : transpose(j.child_pose.rotation) * j.axis) * (onward ? 1 : -1);
+      if (std::abs(std::abs(cosine) - 1) > 1e-6)
+        g.x.fail("its " + std::string(axis) + " is not that of joint '" + excerpt(j.name) + "'");
+      return {&j, cosine > 0 ? 1 : -1};
+    }
+    g.x.fail("there is no revolute joint between its reference body '" + excerpt(reference) + "' and its " + end +
+             " '" + excerpt(link) + "'");
+  }
+
   robot_description& d_;
   const sdf_frames& frames_;
+  std::vector<gearbox> gearboxes_;
 };
 
 }  // namespace kte::detail

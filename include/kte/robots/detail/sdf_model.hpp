@@ -20,6 +20,8 @@ class sdf_model {
     for (const auto& p : parts_) d_.links.push_back(links_.read(p.x, p.scope, p.name, p.still, windy_));
     add_world(m);
     for (const auto& p : moving_) joints_.read(p.x, p.scope, p.name, p.frame);
+    joints_.couple_gearboxes();
+    free_followers(d_);
     sdf_tree tree(d_, [&](const std::string& a, const std::string& b) { return frames_.relative(m, a, b); });
     tree.fix(still_);
     turn_gravity(m, tree.join(frames_.canonical().empty() ? std::string() : frames_.link_of(m, frames_.canonical())));

@@ -111,6 +111,8 @@ class urdf_joints {
     for (const auto& [attribute, value] : y->node().attributes)
       if (attribute != "damping" && attribute != "friction")
         y->moves_differently("its " + excerpt(attribute) + " is not read");
+    if (j.is == kind::planar && y->has("damping") && y->list("damping").size() == 3)
+      return y->moves_differently("its damping of three numbers is not read: planar joints have none");
     j.dynamics.damping = y->not_negative_or("damping", 0);
     j.dynamics.friction = y->not_negative_or("friction", 0);
   }

@@ -85,7 +85,7 @@ class urdf_links {
     } else {
       x.warn("has no <mass>: it has 0 kg");
     }
-    if (const auto i = x.child("inertia")) {
+    if (const auto i = first_child(x, "inertia")) {
       i->only({}, {"ixx", "ixy", "ixz", "iyy", "iyz", "izz"});
       for (const auto* product : {"ixy", "ixz", "iyz"})
         if (!i->has(product)) i->warn(std::string("has no ") + product + ": it is 0");
@@ -132,7 +132,11 @@ class urdf_links {
   }
   static vec3<> scale(const xml_item& mesh) {
     if (!mesh.has("scale")) return {1, 1, 1};
-    const auto x = mesh.list("scale");
+    auto x = mesh.list("scale");
+    if (x.size() > 3) {
+      mesh.warn("scale has " + std::to_string(x.size()) + " numbers; the first three are used");
+      x.resize(3);
+    }
     if (x.size() != 1) return mesh.three(x, "scale");
     mesh.warn("scale is one number; it is used for all three directions");
     return {x[0], x[0], x[0]};

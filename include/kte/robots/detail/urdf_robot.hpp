@@ -24,6 +24,7 @@ class urdf_robot {
     for (const auto* of : {"joint", "drake:joint"})
       for (const auto& x : root.children(of)) joints_.read(x);
     for (const auto& x : root.children("kte:loop")) d_.closures.push_back(read_urdf_loop(x, links_));
+    free_followers(d_);
     add_world();
     for (const auto* of : {"frame", "drake:frame"})
       for (const auto& x : root.children(of)) frame(x);
@@ -93,13 +94,17 @@ class urdf_robot {
     }
   }
   static bool has_reduction(const xml_item& x) { return x.child("mechanicalReduction") || x.child("drake:gear_ratio"); }
-  /// The reduction; 1 if it is missing.
+  /// The reduction; 1 if it is missing or cannot be read.
   static double reduction(const xml_item& x) {
     double ratio = 1;
     if (const auto drake = x.child("drake:gear_ratio"))
       ratio = drake->number("value");
     else if (const auto own = x.child("mechanicalReduction"))
-      ratio = own->one(own->list_of(own->content(), "mechanicalReduction"), "mechanicalReduction");
+      try {
+        ratio = own->one(own->list_of(own->content(), "mechanicalReduction"), "mechanicalReduction");
+      } catch (const bad_file&) {
+        own->not_read("'" + excerpt(own->content()) + "' is not one number: the reduction is taken as 1");
+      }
     if (ratio == 0) x.fail("a gear ratio must not be 0");
     return ratio;
   }
