@@ -28,7 +28,7 @@ namespace core {
 ///
 ///   d = p_2 - p_1,  x = |d|,  e = d/x,   F_1 += f(x) e,  F_2 -= f(x) e          (2)
 ///
-/// Positive f pulls. Where the origins coincide, the line is undefined and the force is zero. V is the integral of f,
+/// Positive f pulls. Where the origins coincide, the force is zero, and smooth if f(0) = 0. V is the integral of f,
 /// if the law has one.
 template <kind Dim, class Law>
 struct law_spring {
@@ -45,8 +45,7 @@ struct law_spring {
       const auto s = law(detail::as_number(b.q - a.q));
       return make_loads(s, -s);  // (1)
     } else {
-      const auto [x, e] = detail::to_polar(b.position - a.position);
-      return detail::opposite_forces(a, b, law(x) * e);  // (2)
+      return detail::opposite_forces(a, b, detail::pull_along(b.position - a.position, law));  // (2)
     }
   }
   /// J

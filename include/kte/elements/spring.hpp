@@ -35,6 +35,26 @@ KTE_INLINE constexpr auto limited_pull(const K& k, const vec3<X, Y, Z>& d, const
   }
 }
 
+/// The force f(x) on the first of two points at the distance vector d, on the line through them:
+///
+///   x = |d|,   F = f(x) d/x                                                      (1)
+///
+/// Where the points coincide, F is zero. If f(0) is zero, F is smooth there with the derivative f'(0), which is found
+/// as f(h)/h at a tiny h; otherwise its direction jumps.
+template <class X, class Y, class Z, class Law>
+KTE_INLINE constexpr auto pull_along(const vec3<X, Y, Z>& d, const Law& law) {
+  const auto [x, e] = to_polar(d);
+  using S = std::remove_const_t<decltype(x)>;
+  const S f = law(x);
+  auto force = f * e;  // (1)
+  const auto coincide = x == S(0);
+  if (any(coincide)) [[unlikely]] {
+    const S tiny(1e-30);
+    force = force + select(both(coincide, f == S(0)), S(S(law(tiny)) / tiny), S(0)) * d;
+  }
+  return force;
+}
+
 /// The energy of a spring of stiffness k that is stretched by x, a number or a vector. With the limited force f:
 ///
 ///   V = k/2 x.x,  with saturation  V = f (|x| - f/(2k))          (1)
@@ -143,9 +163,9 @@ struct spring_gen : spring_parameters<Rest, Stiffness, Saturation> {
 ///   d = p_2 - p_1,  D = |d|,  e = d/D                   (1)
 ///   F_1 += k (D - L) e,  F_2 -= k (D - L) e             (2)
 ///
-/// limited to the saturation force, if any (zero: none); no torque. With a typed zero as rest length, F = k d, without
-/// a square root and smooth everywhere. Otherwise the direction is undefined if the origins coincide, and the force is
-/// then zero.
+/// limited to the saturation force, if any (zero: none); no torque. With rest length 0, F = k d is smooth everywhere;
+/// with a typed zero it also needs no square root. Otherwise the direction is undefined if the origins coincide, and
+/// the force is then zero.
 template <kind Dim, class Rest, class Stiffness, class Saturation>
 struct spring : spring_parameters<Rest, Stiffness, Saturation> {
   static constexpr type_name type{"spring", Dim};
@@ -158,9 +178,10 @@ struct spring : spring_parameters<Rest, Stiffness, Saturation> {
     if constexpr (std::is_same_v<Rest, zero_t>) {
       return detail::opposite_forces(a, b, detail::limited_pull(this->stiffness, d, this->saturation));
     } else {
-      const auto [D, e] = detail::to_polar(d);  // (1)
-      const auto s = detail::limited(this->stiffness * (D - this->rest_length), this->saturation);
-      return detail::opposite_forces(a, b, s * e);  // (2)
+      return detail::opposite_forces(a, b, detail::pull_along(d, [this](const auto& D) {  // (1)
+                                       return detail::limited(this->stiffness * (D - this->rest_length),
+                                                              this->saturation);
+                                     }));  // (2)
     }
   }
   /// J
