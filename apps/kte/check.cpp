@@ -85,14 +85,40 @@ std::string mobility_text(const structure& s) {
          short_number(s.mass) + " kg, " + counted(s.frames.size(), "frame") + ", " + size_text(s.size);
 }
 
+/// The texts of notes, of each kind at most three: kinds differ in more than names, numbers and lines.
+std::string grouped(const std::vector<kte::robot_note>& notes, const std::string& file, const std::string& indent) {
+  struct group {
+    std::vector<std::string> texts;
+    std::size_t more = 0;
+  };
+  std::vector<std::pair<std::string, group>> all;
+  std::map<std::string, std::size_t> known;
+  for (const auto& text : texts_of(notes, file)) {
+    std::string kind;
+    bool quoted = false;
+    for (const char c : text) {
+      if (c == '\'') quoted = !quoted;
+      if (!quoted && !std::isdigit(static_cast<unsigned char>(c)) && c != '.' && c != '-' && c != 'e') kind += c;
+    }
+    const auto [at, first] = known.emplace(kind, all.size());
+    if (first) all.emplace_back(kind, group{});
+    auto& g = all[at->second].second;
+    g.texts.size() < 3 ? g.texts.push_back(text) : void(++g.more);
+  }
+  std::string s;
+  for (const auto& [kind, g] : all) {
+    for (const auto& text : g.texts) s += indent + text + '\n';
+    if (g.more > 0) s += indent + "and " + std::to_string(g.more) + " more of this kind (all: --json)\n";
+  }
+  return s;
+}
+
 std::string text_of(const findings& f, const options& o) {
   const auto file = printable(o.in.file);
-  std::string s;
-  for (const auto& text : texts_of(f.odd, file)) s += text + '\n';
+  std::string s = grouped(f.odd, file, "");
   if (s.empty()) s = file + ": nothing odd is found\n";
   if (const auto ignored = texts_of(f.not_read, ""); !ignored.empty()) {
-    s += "not read (" + std::to_string(ignored.size()) + "):\n";
-    for (const auto& text : ignored) s += "  " + text + '\n';
+    s += "not read (" + std::to_string(ignored.size()) + "):\n" + grouped(f.not_read, "", "  ");
   }
   if (f.parts) s += file + " (" + f.format + "): " + mobility_text(*f.parts) + '\n';
   if (!f.loops.empty()) s += f.loops + '\n';

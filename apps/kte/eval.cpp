@@ -24,6 +24,15 @@ int eval(eval_options& o) {
     throw usage_error(std::string(e.what()).substr(5));
   }
   const evaluate::evaluated_robot r(read_and_warn(o.in));
+  if (kte::detail::has_loops(r.chain)) {
+    const auto ops = evaluate::operations::of(o.what.ops, o.what.derivatives);
+    if ((ops.asked && ops.id) || ops.g || ops.h || ops.did || ops.dfd)
+      throw kte::bad_argument(
+          "kte: the robot has closed loops: --ops fd, m, energy and com are evaluated with them; id, g, h, did and dfd "
+          "are not, as the forces of its coordinates are not unique");
+    if (!ops.asked) say("the robot has closed loops, so inverse dynamics is left out");
+    o.what.loops = true;
+  }
   if (o.by_type) return evaluate::run_static(r, o.what);
   if (o.what.digits == 50) {
     print_with_50_digits(r, o.what);

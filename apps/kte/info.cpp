@@ -113,6 +113,26 @@ class tree_text {
   std::string text_;
 };
 
+/// Where the coordinates stand in tables, in words, if any stands elsewhere than in q and v of the chain.
+std::map<std::string, std::string> columns_of(const mechanism& m) {
+  std::map<std::string, std::string> all;
+  std::map<std::string, kte::layout_entry<std::string>> places;
+  for (const auto& e : kte::layout(m.chain())) places.emplace(e.name, e);
+  bool differ = false;
+  int q = 0, v = 0;
+  const auto range = [](const char* of, int first, int count) {
+    return of + std::to_string(first) + (count > 1 ? ".." + std::to_string(first + count - 1) : "");
+  };
+  for (const auto& name : coordinates_of(m, m.chain())) {
+    const auto& e = places.at(name);
+    differ |= e.q != q || e.v != v;
+    all[name] = "; in tables " + range("q_", q, e.nq) + ", " + range("v_", v, e.nv);
+    q += e.nq, v += e.nv;
+  }
+  if (!differ) all.clear();
+  return all;
+}
+
 std::string text_of(const mechanism& m, const structure& s) {
   const auto& g = m.chain().gravity();
   std::string t = printable(m.file) + " (" + m.format + "): '" + m.robot.name + "'\n";
@@ -127,12 +147,14 @@ std::string text_of(const mechanism& m, const structure& s) {
   if (!s.bodies.empty()) t += "\nbodies, in axes of their frames\n";
   for (const auto& b : s.bodies) t += "  " + b.frame + ": " + centred(b) + '\n';
   if (!s.coordinates.empty()) t += "\ncoordinates\n";
+  const auto columns = columns_of(m);
   for (const auto& c : s.coordinates) {
     t += "  " + coordinate_text(m, c);
     if (c.v >= 0 && c.nv > 1) t += ", a " + c.kind;
     if (c.v >= 0)
       t += ": q[" + std::to_string(c.q) + (c.nq > 1 ? ".." + std::to_string(c.q + c.nq - 1) : "") + "], v[" +
            std::to_string(c.v) + (c.nv > 1 ? ".." + std::to_string(c.v + c.nv - 1) : "") + "]";
+    if (const auto at = columns.find(c.name); at != columns.end()) t += at->second;
     t += '\n';
   }
   if (!s.inputs.empty()) t += "\ninputs\n";

@@ -204,7 +204,13 @@ int simulate(simulate_options& o) {
         s.control += (before ? ", '" : ": '") + e.name + "' " + short_number(kp) + " and " + short_number(kd);
     }
     if (d.pd->joints().empty()) throw kte::bad_file("kte: " + o.pd + ":1: has no target of a coordinate of one number");
-    s.control += " (N/m or Nm/rad, and their rates)\n";
+    s.control += " (N/m or Nm/rad, and their rates)";
+    std::string free;
+    for (const auto& e : kte::layout(m.chain()))
+      if (e.nv == 1 &&
+          std::none_of(d.pd->joints().begin(), d.pd->joints().end(), [&](const auto& j) { return j.v == e.v; }))
+        free += (free.empty() ? "; no target for '" : "', '") + e.name;
+    s.control += (free.empty() ? "" : free + "'") + "\n";
   }
 
   const auto energy_at = [&](const Eigen::VectorXd& q, const Eigen::VectorXd& v) {

@@ -12,10 +12,18 @@ namespace kte_tool {
 /// the names that recordings have. What the table has not is as given: 0, or the neutral configuration.
 class state_input {
  public:
-  /// Throws `bad_file` where there is neither, or not all of the numbers.
-  state_input(const evaluate::state_table& table, const mechanism& m, const kte::runtime_chain& chain) : table_(table) {
+  /// Throws `bad_file` where there is neither, or not all of the numbers unless some may be missing.
+  state_input(const evaluate::state_table& table, const mechanism& m, const kte::runtime_chain& chain,
+              bool may_miss = false)
+      : table_(table) {
     const evaluate::column_order order(kte::layout(chain), coordinates_of(m, chain));
     const auto by_numbers = [&](const std::string& prefix, const std::vector<int>& places, auto& to) {
+      if (may_miss) {
+        for (std::size_t i = 0; i < places.size(); ++i)
+          if (const auto c = table.names().find(prefix + std::to_string(i)); c != table.names().end())
+            to.push_back({places[i], c->second});
+        return;
+      }
       const auto columns = table.columns(prefix, places.size(), false);
       for (std::size_t i = 0; i < columns.size(); ++i) to.push_back({places[i], columns[i]});
     };
@@ -34,10 +42,9 @@ class state_input {
 
   std::size_t rows() const { return table_.rows(); }
   bool has_v() const { return !v_.empty(); }
-  /// Whether there is a column for number i of q.
-  bool has_q(int i) const {
-    return std::any_of(q_.begin(), q_.end(), [i](const auto& x) { return x.place == i; });
-  }
+  /// Whether there is a column for number i of q, or of v.
+  bool has_q(int i) const { return has(q_, i); }
+  bool has_v(int i) const { return has(v_, i); }
   void read_q(std::size_t row, Eigen::VectorXd& q) const {
     for (const auto& x : q_) q[x.place] = table_.at(row, x.column);
   }
@@ -50,6 +57,9 @@ class state_input {
     int place;
     std::size_t column;
   };
+  static bool has(const std::vector<entry>& all, int i) {
+    return std::any_of(all.begin(), all.end(), [i](const auto& x) { return x.place == i; });
+  }
   const evaluate::state_table& table_;
   std::vector<entry> q_, v_;
 };

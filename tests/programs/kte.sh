@@ -65,6 +65,34 @@ sed 's/0 0 -0.5/0 0 -500/' arm.urdf >millimetres.urdf
 gives 0 '' "$kte" check millimetres.urdf
 prints 'it is 500 m large: are lengths in mm?'
 
+# Findings of one kind are grouped, and numbers of coordinates are those of tables.
+{
+  echo '<robot name="many"><link name="base"/>'
+  for i in 1 2 3 4 5 6 7; do
+    echo "<link name=\"l$i\"><inertial><mass value=\"1\"/><inertia ixx=\"1\" iyy=\"1\" izz=\"3.$i\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/></inertial></link>"
+    echo "<joint name=\"j$i\" type=\"continuous\"><parent link=\"base\"/><child link=\"l$i\"/></joint>"
+  done
+  echo '</robot>'
+} >many.urdf
+gives 0 '' "$kte" check many.urdf
+prints "link 'l3': the inertia is not physically realizable"
+prints 'and 4 more of this kind (all: --json)'
+if grep -q "'l4'" out; then wrong 'findings of one kind are not grouped'; fi
+gives 0 '' "$kte" check many.urdf --json
+prints "link 'l7': the inertia is not physically realizable"
+mass='<inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial>'
+cat >order.urdf <<END
+<robot name="order"><link name="a"/>
+  <joint name="second" type="continuous"><parent link="b"/><child link="c"/></joint>
+  <joint name="first" type="continuous"><parent link="a"/><child link="b"/></joint>
+  <link name="b">$mass</link><link name="c">$mass</link></robot>
+END
+gives 0 '' "$kte" info order.urdf
+prints 'q[0], v[0]; in tables q_1, v_1'
+prints 'q[1], v[1]; in tables q_0, v_0'
+gives 0 '' "$kte" info pendulum.json
+if grep -q 'in tables' out; then wrong 'info shows columns that are those of q'; fi
+
 # Closed loops in every format.
 for file in four_bar.urdf four_bar.xml four_bar.sdf; do
   gives 0 '' "$kte" check "$data/robots/$file"
@@ -78,6 +106,9 @@ gives 0 "open.urdf: the start is assembled: the closure 'pin' was open by 0.1" "
 sed 's/0 0 0.8/0 0 8/' "$data/robots/four_bar.urdf" >short.urdf
 gives 1 "kte: the loops do not close: 'pin' stays open by " "$kte" simulate short.urdf
 gives 0 '' "$kte" simulate "$data/robots/four_bar.urdf" --time 0.1 --solver bdf
+printf 'q_0\n0.1\n' >one.csv  # joints without a target move freely
+gives 0 '' "$kte" simulate "$data/robots/four_bar.urdf" --time 0.1 --pd one.csv
+prints "; no target for '"
 gives 0 '' "$kte" simulate "$data/robots/four_bar.urdf" --time 0.1 --solver adams
 gives 0 '' "$kte" convert "$data/robots/four_bar.sdf" four_bar.kte
 gives 0 '' "$kte" check four_bar.kte

@@ -19,6 +19,15 @@ done
 gives 2 "--gravity: 'nan' is not finite" "$kte" eval arm.urdf states.csv --gravity nan 0 0
 gives 2 "--gravity: '1e999' is not a number" "$kte" eval arm.urdf states.csv --gravity 1e999 0 0
 
+# Closed loops.
+loop="$data/robots/four_bar.urdf"
+printf 'q_0,q_1,q_2,v_0,v_1,v_2,a_0,a_1,a_2\n' >loop.csv
+gives 0 'the robot has closed loops, so inverse dynamics is left out' "$kte" eval "$loop" loop.csv
+gives 0 '' "$kte" eval "$loop" loop.csv --ops m,energy
+for op in id g h did dfd; do
+  gives 1 'the robot has closed loops: --ops fd, m, energy and com are evaluated with them' "$kte" eval "$loop" loop.csv --ops $op
+done
+
 # Model files are known by what is in them.
 gives 0 '' "$kte" eval pendulum.json states.csv
 cp out expected

@@ -26,6 +26,12 @@ TEST_CASE("what is odd about a robot is found") {
   CHECK(found(all, 33, "the inertia is not physically realizable"));
   CHECK(found(all, 16, "is 1 quarter turns but for"));
   CHECK(found(all, 16, "the axis has length 2"));
+  // rounding errors of angles and axes are no findings
+  const auto noise = from_urdf(
+      urdf("<link name='a'/><link name='b'><inertial><mass value='1'/><inertia ixx='1' iyy='1' izz='1' ixy='0' ixz='0' "
+           "iyz='0'/></inertial></link><joint name='j' type='continuous'><parent link='a'/><child link='b'/><origin "
+           "rpy='-3.78e-14 1.5707963267948 2e-7'/><axis xyz='0.5774 0.5774 0.5774'/></joint>"));
+  CHECK(noise.warnings.empty());
 
   const auto limits = [](const char* attributes) { return "<limit " + std::string(attributes) + "/>"; };
   const auto d =

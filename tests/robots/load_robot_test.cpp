@@ -54,7 +54,10 @@ TEST_CASE("files that are no robots") {
     CHECK_THROWS_MATCHES(describe_robot(text, "a.urdf"), bad_file, says(why));
   };
   refused("", "kte: a.urdf:1:1: the file is empty");
-  refused("no robot", "kte: a.urdf:1: this is not valid XML: parsing text");
+  refused("no robot", "kte: a.urdf:1: this is not valid XML: a text stands outside of the elements");
+  refused("<robot/><?xml version='1.0'?>",
+          "a.urdf:1: this is not valid XML: a declaration <?xml ...?> is not ended by ?>, or stands after an element");
+  refused("<robot>\n<link name=a/></robot>", "a.urdf:2: this is not valid XML: an attribute has no value in quotes");
   refused("<robot>\n<link>\n</robot>", "kte: a.urdf:2: this is not valid XML: mismatched element");
   refused("<model/>", "kte: a.urdf:1: <model> is not the root of a supported robot format");
   refused("<robot/>\n<robot/>", "kte: a.urdf:2: an element comes after the end of the first");

@@ -49,6 +49,7 @@ struct options {
   std::vector<std::string> frames;
   std::string ops;  ///< names of operations; empty: the usual ones
   bool derivatives = false;
+  bool loops = false;  ///< whether the robot has closed loops: then inverse dynamics is not among the usual operations
   int digits = 17;
 };
 

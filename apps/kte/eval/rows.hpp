@@ -63,7 +63,9 @@ class row_writer {
         order_(model.layout(), coordinates),
         ops_(operations::of(o.ops, o.derivatives)),
         columns_(table, order_, ops_.asked && (ops_.id || ops_.did), ops_.asked && (ops_.fd || ops_.dfd)),
-        out_(o.digits) {}
+        out_(o.digits) {
+    if (o.loops) ops_.id = false;
+  }
 
   /// All rows, or nothing: throws with the line of the state at fault.
   std::string text() {

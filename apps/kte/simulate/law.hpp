@@ -58,7 +58,7 @@ class pd_control {
   };
 
   pd_control(const evaluate::state_table& table, const mechanism& m, const kte::runtime_chain& c, bool compensates)
-      : input_(table, m, c),
+      : input_(table, m, c, true),
         chain_(c),
         state_(c.make_state()),
         compensates_(compensates),
@@ -85,7 +85,7 @@ class pd_control {
     if (input_.has_v()) v_.at(t, rates_, none_);
     if (compensates_) weight_ = kte::gravity_forces(chain_, state_, x.head(nq).eval());
     for (const auto& j : joints_) {
-      const double v = input_.has_v() ? rates_[j.v] : slope_[j.q];
+      const double v = input_.has_v(j.v) ? rates_[j.v] : slope_[j.q];
       const double weight = compensates_ ? weight_[j.v] : 0;
       const double tau = j.kp * (target_[j.q] - x[j.q]) + j.kd * (v - x[nq + j.v]) + weight;  // (1)
       u[j.u] += std::clamp(tau, -j.effort, j.effort);

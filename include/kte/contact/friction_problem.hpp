@@ -45,6 +45,16 @@ enum class friction_status {
   not_converged       ///< lambda has the smallest residual of all iterates
 };
 
+/// Forces and impulses with a larger residual are not taken: those of redundant contacts, as the corners of a face, may
+/// end at some 1e-11.
+inline constexpr double largest_residual = 1e-8;
+/// Whether the solution of a friction problem is taken: solved, or within `largest_residual`.
+template <class S>
+constexpr bool is_taken(friction_status status, const S& residual) {
+  return status == friction_status::solved || status == friction_status::several_solutions ||
+         (status == friction_status::not_converged && residual <= S(largest_residual));
+}
+
 /// Settings of the solution of a friction problem.
 template <class S = double>
 struct friction_options {

@@ -45,7 +45,7 @@ S impact_solver<S>::gain(S theta, const friction_problem<S>& part, std::span<con
   friction_problem<S> shifted(part);
   new (&shifted.b) Eigen::Map<const typename friction_problem<S>::vector>(b_.data(), part.b.size());
   last_ = &solver_.solve(shifted, options_, start_);
-  if (!last_->solved()) return S(1);
+  if (!is_taken(last_->status, last_->residual)) return S(1);
   start_ = last_->lambda;
   S energy(0), scale(0);
   for (std::size_t r = 0; r < m; ++r) {

@@ -51,8 +51,6 @@ void put_modes(Solver& m, const std::vector<friction_mode>& found, const Numbers
     m.modes.push_back(apart ? contact_mode::open : as_contact_mode(found[i]));
   }
 }
-/// Forces with a larger residual are not taken: redundant contacts, as the corners of a face, may end at some 1e-11.
-inline constexpr double largest_residual = 1e-8;
 /// Finds the forces of the contacts that touch, those of least norm if there are several with the same motion, unless
 /// `any`. `start`: forces to start from, or none.
 template <class Solver>
@@ -63,8 +61,7 @@ friction_status find_friction(Solver& m, bool any = false, std::span<const doubl
   friction_options<> options;
   options.least_norm = !any, options.polish = m.polish;
   const auto& r = m.solver.solve(p, options, start);
-  const bool is_near = r.status == friction_status::not_converged && r.residual <= largest_residual;
-  if (!r.solved() && !is_near) [[unlikely]] {
+  if (!is_taken(r.status, r.residual)) [[unlikely]] {
     if (m.bias.allFinite()) return m.residual = r.residual, r.status;
     m.forces.setConstant(std::numeric_limits<double>::quiet_NaN());  // checks of results name the argument at fault
     m.modes.assign(m.touching.size(), contact_mode::sticks);
@@ -72,7 +69,7 @@ friction_status find_friction(Solver& m, bool any = false, std::span<const doubl
   }
   for (Eigen::Index k = 0; k < m.forces.size(); ++k) m.forces[k] = r.lambda[static_cast<std::size_t>(k)];
   put_modes(m, r.modes, r.lambda, r.u);
-  return is_near ? friction_status::solved : r.status;
+  return r.solved() ? r.status : friction_status::solved;
 }
 constexpr bool has_forces(friction_status status) {
   return status == friction_status::solved || status == friction_status::several_solutions;

@@ -49,7 +49,7 @@ void strike(const Contacts& c, State& s, contact_solver& m, impact_memory& memor
   }
   if (!m.touching.empty()) {
     const auto& found = memory.solver.solve({m.w, m.bias, m.laws}, memory.restitution, law);
-    if (!found.solved()) [[unlikely]]
+    if (!is_taken(found.status, found.residual)) [[unlikely]]
       raise<no_solution>("kte: no impulses satisfy the laws of impact at contacts " + names_of_touching(c, m) +
                          "; residual " + number(found.residual));
     for (Eigen::Index k = 0; k < m.forces.size(); ++k) m.forces[k] = found.impulse[static_cast<std::size_t>(k)];

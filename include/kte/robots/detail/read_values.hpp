@@ -64,10 +64,10 @@ inline vec3<> unit_direction(const xml_item& x, const vec3<>& n) {
   const double root = std::sqrt(dot(m, m));
   return {m.x / root + 0.0, m.y / root + 0.0, m.z / root + 0.0};
 }
-/// The unit vector along n, with a warning if the length of n is not 1.
+/// The unit vector along n, with a warning if the length of n is not 1 to four digits, as rounded numbers have it.
 inline vec3<> unit_axis(const xml_item& x, const vec3<>& n) {
   const double whole = std::hypot(n.x, n.y, n.z);
-  if (std::abs(whole - 1) > 1e-6 && whole > 0)
+  if (std::abs(whole - 1) > 1e-3 && whole > 0)
     x.warn("the axis has length " + short_number(whole) + "; it is taken as 1");
   return unit_direction(x, n);
 }
@@ -89,10 +89,11 @@ inline void check_range(const xml_item& x, double lower, double upper, const cha
   if (!(lower <= upper)) x.fail(std::string(low) + " " + number(lower) + " is above " + up + " " + number(upper));
 }
 
-/// Warns about an angle that is nearly a quarter turn, but outside of the tolerance.
+/// Warns about an angle that is nearly a quarter turn, but outside of the tolerance: one with few digits, not one that
+/// is off by rounding errors.
 inline void note_near_quarter(const xml_item& x, double angle, const robot_options& o) {
   const auto [count, off] = nearest_quarter(angle);
-  if (off > 1e-14 && off < (count == 0 ? 1e-6 : 1e-4) && off > o.quarter_turn_tolerance)
+  if (off > 1e-10 && off < 1e-4 && count != 0 && off > o.quarter_turn_tolerance)
     x.warn("the angle " + number(angle) + " is " + short_number(count) + " quarter turns but for " + short_number(off) +
            " rad, and used unchanged: a larger robot_options::quarter_turn_tolerance makes it exact");
 }

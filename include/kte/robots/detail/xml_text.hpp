@@ -53,6 +53,18 @@ KTE_FUNCTION void fail_xml(const std::string& source, int line, const std::strin
 }
 KTE_FUNCTION void fail_xml_syntax(const std::string& source, int line, const char* error) {
   std::string why = error;
+  constexpr std::pair<std::string_view, const char*> known[]{
+      {"XML_ERROR_PARSING_ELEMENT", "a tag is not ended by >"},
+      {"XML_ERROR_PARSING_ATTRIBUTE", "an attribute has no value in quotes, or occurs twice"},
+      {"XML_ERROR_PARSING_TEXT", "a text stands outside of the elements, or is not ended by a tag"},
+      {"XML_ERROR_PARSING_CDATA", "<![CDATA[ is not ended by ]]>"},
+      {"XML_ERROR_PARSING_COMMENT", "a comment is not ended by -->"},
+      {"XML_ERROR_PARSING_DECLARATION", "a declaration <?xml ...?> is not ended by ?>, or stands after an element"},
+      {"XML_ERROR_PARSING_UNKNOWN", "<! is not ended by >"},
+      {"XML_ERROR_MISMATCHED_ELEMENT", "mismatched element: its end tag is missing or has another name"},
+      {"XML_ERROR_ELEMENT_DEPTH_EXCEEDED", "element depth exceeded"}};
+  for (const auto& [name, text] : known)
+    if (name == why) fail_xml(source, line, std::string("this is not valid XML: ") + text);
   why.erase(0, why.starts_with("XML_ERROR_") ? 10 : 4);
   for (char& c : why) c = c == '_' ? ' ' : c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
   fail_xml(source, line, "this is not valid XML: " + why);
