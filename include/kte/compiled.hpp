@@ -1,5 +1,7 @@
 #pragma once
 
+#include <kte/detail/macros_aside.hpp>
+
 /// Compiles the runtime chains that are `extern` with KTE_COMPILED (kte/detail/compiled.hpp). Include it in one source
 /// file, first, unless the program links the CMake target kte::compiled. CMake makes a unit of each line.
 #if defined(KTE_EXTERN) || defined(KTE_FUNCTION)
@@ -16,3 +18,5 @@
 #include <kte/compiled/control.hpp>
 #include <kte/compiled/statics.hpp>
 #include <kte/compiled/robots.hpp>
+
+#include <kte/detail/macros_back.hpp>

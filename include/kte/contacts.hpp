@@ -1,5 +1,7 @@
 #pragma once
 
+#include <kte/detail/macros_aside.hpp>
+
 /// Contacts with friction (docs/contact.md): elements, surfaces, accelerations with contact forces, impacts.
 #include <kte/contact/height_field.hpp>
 #include <kte/contact/height_grid.hpp>
@@ -17,3 +19,5 @@
 #include <kte/models/detail/static_model_contacts.hpp>
 #include <kte/models/element_events.hpp>
 #include <kte/models/moreau_jean.hpp>
+
+#include <kte/detail/macros_back.hpp>

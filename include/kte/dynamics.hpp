@@ -1,5 +1,7 @@
 #pragma once
 
+#include <kte/detail/macros_aside.hpp>
+
 /// All algorithms on static and runtime chains: those of kte.hpp, derivatives of inverse and forward dynamics, the
 /// inverse of the mass matrix, hybrid dynamics, generalized momenta, the regressor of inertial parameters, time
 /// derivatives of Jacobians, relative motion, the Coriolis matrix, joint reactions, rates of momenta, inertias of
@@ -22,3 +24,5 @@
 #include <kte/dynamics/support.hpp>
 #include <kte/kte.hpp>
 #include <kte/reak/mass_matrix_calc.hpp>
+
+#include <kte/detail/macros_back.hpp>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <kte/detail/macros_aside.hpp>
+
 #include <kte/detail/raise.hpp>
 
 #include <stdexcept>
@@ -85,3 +87,5 @@ inline std::string number(double x) {
 
 }  // namespace detail
 }  // namespace kte
+
+#include <kte/detail/macros_back.hpp>

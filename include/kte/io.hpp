@@ -1,5 +1,7 @@
 #pragma once
 
+#include <kte/detail/macros_aside.hpp>
+
 /// Files: models and archives in XML, JSON and a binary format (needs cereal), tables of results and recorders,
 /// progress.
 #include <kte/io/archive_file.hpp>
@@ -9,3 +11,5 @@
 #include <kte/io/recorder.hpp>
 #include <kte/io/table_reader.hpp>
 #include <kte/io/table_writer.hpp>
+
+#include <kte/detail/macros_back.hpp>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <kte/detail/macros_aside.hpp>
+
 /// Most programs need this header only: static and runtime chains, all elements except linkages and custom functions,
 /// and
 ///
@@ -45,3 +47,5 @@
 #ifdef KTE_COMPILED
 #  include <kte/elements/compiled_elements.hpp>
 #endif
+
+#include <kte/detail/macros_back.hpp>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <kte/detail/macros_aside.hpp>
+
 /// Closed kinematic loops (docs/loops.md): elements that close them, assembly, accelerations with the forces of
 /// closures, velocities on the loops, the equations of motion in actuated coordinates, derivatives.
 #include <kte/dynamics/closed_loops/actuated_derivatives.hpp>
@@ -16,3 +18,5 @@
 #include <kte/dynamics/closed_loops/static_hybrid.hpp>
 #include <kte/elements/closures.hpp>
 #include <kte/models/detail/static_model_loops.hpp>
+
+#include <kte/detail/macros_back.hpp>

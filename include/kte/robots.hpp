@@ -1,5 +1,7 @@
 #pragma once
 
+#include <kte/detail/macros_aside.hpp>
+
 /// Robots from URDF, MJCF and SDF, to URDF and MJCF, and checks of them (needs tinyxml2; docs/robots.md), with the most
 /// common algorithms.
 #include <kte/dynamics/forward_dynamics.hpp>
@@ -11,3 +13,5 @@
 #include <kte/robots/mjcf_writer.hpp>
 #include <kte/robots/motors.hpp>
 #include <kte/robots/urdf_writer.hpp>
+
+#include <kte/detail/macros_back.hpp>

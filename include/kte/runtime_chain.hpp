@@ -1,5 +1,11 @@
 #pragma once
 
+#include <kte/detail/macros_aside.hpp>
+#if !defined(__cpp_exceptions) || !defined(__cpp_rtti)
+#  error "kte: runtime chains need exceptions and RTTI; the headers of kte/static.hpp need neither"
+#  include <kte needs exceptions and RTTI>  // stops the compiler
+#endif
+
 /// Runtime chains, with the runtime parts of all headers of dynamics, whether included before or after this one.
 /// Headers that were included before are included again here; later ones have these parts immediately. Programs with
 /// static chains alone therefore compile nothing for runtime chains (docs/decisions/13-folders.md).
@@ -60,3 +66,5 @@
 #ifndef KTE_EXTERN
 #  include <kte/dynamics/runtime/general_dynamics.hpp>  // for the elements that bring it
 #endif
+
+#include <kte/detail/macros_back.hpp>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <kte/detail/macros_aside.hpp>
+
 /// Simulation: chains as systems, integrators, events. Each header can be included alone, which compiles faster.
 #include <kte/events/events.hpp>
 #include <kte/integrators/adams.hpp>
@@ -31,3 +33,5 @@
 #include <kte/models/runtime_models.hpp>
 #include <kte/models/variational.hpp>
 #include <kte/models/vector_form.hpp>
+
+#include <kte/detail/macros_back.hpp>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <kte/detail/macros_aside.hpp>
+
 /// Static chains and the algorithms on them: no virtual calls and no heap, except for memory kept by chains of more
 /// than KTE_UNROLLED_ELEMENTS elements. It compiles without exceptions and RTTI.
 #include <kte/contract/checks.hpp>
@@ -27,3 +29,5 @@
 #include <kte/math/quaternion.hpp>
 #include <kte/static_chain/layout.hpp>
 #include <kte/static_chain/static_chain.hpp>
+
+#include <kte/detail/macros_back.hpp>

@@ -1,0 +1,70 @@
+// Included at the start of the headers that users include, without a guard: sets macros aside that other libraries define
+// with ordinary words, until macros_back.hpp at their end. They are those of Qt, X11, Arduino, Windows, macOS, termios.
+#if __cplusplus < 202002L
+#  error "kte needs C++20: compile with -std=c++20"
+#  include <kte needs C++20>  // stops the compiler
+#endif
+#pragma push_macro("signals")
+#undef signals
+#pragma push_macro("slots")
+#undef slots
+#pragma push_macro("emit")
+#undef emit
+#pragma push_macro("foreach")
+#undef foreach
+#pragma push_macro("None")
+#undef None
+#pragma push_macro("Status")
+#undef Status
+#pragma push_macro("Bool")
+#undef Bool
+#pragma push_macro("True")
+#undef True
+#pragma push_macro("False")
+#undef False
+#pragma push_macro("Success")
+#undef Success
+#pragma push_macro("Always")
+#undef Always
+#pragma push_macro("Complex")
+#undef Complex
+#pragma push_macro("Unsorted")
+#undef Unsorted
+#pragma push_macro("Above")
+#undef Above
+#pragma push_macro("Below")
+#undef Below
+#pragma push_macro("check")
+#undef check
+#pragma push_macro("verify")
+#undef verify
+#pragma push_macro("require")
+#undef require
+#pragma push_macro("abs")
+#undef abs
+#pragma push_macro("min")
+#undef min
+#pragma push_macro("max")
+#undef max
+#pragma push_macro("round")
+#undef round
+#pragma push_macro("near")
+#undef near
+#pragma push_macro("far")
+#undef far
+#pragma push_macro("small")
+#undef small
+#pragma push_macro("interface")
+#undef interface
+#pragma push_macro("B0")
+#undef B0
+#pragma push_macro("DEPRECATED")
+#undef DEPRECATED
+#pragma push_macro("ERROR")
+#undef ERROR
+#pragma push_macro("PI")
+#undef PI
+#pragma push_macro("bit")
+#undef bit
+#pragma push_macro("F")
+#undef F
