@@ -28,7 +28,7 @@ class chain_object {
   chain_object(const chain_object& o) : chain_(o.chain_), compiled_(o.compiled_) {}
 
   const kte::runtime_chain& chain() const { return chain_; }
-  /// Becomes equal to another one, compiled as it is. Throws as `edit`.
+  /// Becomes equal to another one, with its compiled functions. Throws as `edit`.
   void become(const chain_object& o) { edit() = o.chain_, compiled_ = o.compiled_; }
   /// The chain, to change it. Throws `bad_argument` while another thread computes with it.
   kte::runtime_chain& edit();

@@ -24,7 +24,7 @@ constexpr std::array<void* (*)(std::size_t), sizeof...(i)> refusals(std::index_s
 }
 
 /// What pybind11 leaves to crash. For objects whose `__init__` was not called it asks `operator_new` for memory, and
-/// passes it on as if it were an object; protocols of pickle below 2 make objects of its own base class.
+/// passes it on as if it were an object; protocols of pickle below 2 make objects of its base class.
 void make_safe(const py::module_& m) {
   constexpr auto functions = refusals(std::make_index_sequence<most_classes>());
   const py::object reduce = py::module_::import("builtins").attr("object").attr("__reduce_ex__");
