@@ -194,6 +194,7 @@ class Simulation:
         inputs: Optional[Mapping[str, Union[ArrayLike, Law]]] = ...,
         events: Union[None, Event, Iterable[Event]] = ...,
         only_if: Optional[Mapping[str, Gate]] = ...,
+        implicit_control: bool = ...,
     ) -> None: ...
     def advance(self, end: float, *, every: Optional[float] = ..., at: Optional[ArrayLike] = ...) -> Recording: ...
     @property

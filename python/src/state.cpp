@@ -127,7 +127,8 @@ a pass computes raises BadArgument before that pass, and again after q, v, a or 
            "do_force()\n\nThe forces on all frames and coordinates, after `do_motion`.")
       .def("frame", &frame_of,
            "frame(name)\n\nA frame, after `do_motion`: `.position`, `.rotation`, `.velocity`, `.ang_velocity`, "
-           "`.acceleration`, `.ang_acceleration`, and after `do_force` `.force`, `.torque`, which are NaN before it; "
+           "`.acceleration` (proper, as an accelerometer measures: g upward at rest), `.ang_acceleration`, and after "
+           "`do_force` `.force`, `.torque`, which are NaN before it; "
            "rates "
            "and forces in its own axes.",
            "name"_a)
