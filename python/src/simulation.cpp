@@ -103,7 +103,7 @@ void simulation::start(const Eigen::VectorXd& q, const Eigen::VectorXd& v, doubl
 
 void simulation::set_control(py::object control) {
   if (control.is_none()) return;
-  now_.reset(), last_.reset();
+  forget_calls();
   if (!has_forces_)
     throw kte::bad_argument("kte: a simulation that was made without control cannot have one later: give it zeros");
   if (py::hasattr(control, "__call__")) {
@@ -115,6 +115,7 @@ void simulation::set_control(py::object control) {
 }
 
 void simulation::set_inputs(const py::dict& inputs) {
+  forget_calls();
   for (const auto& [key, value] : inputs) {
     const auto name = key.cast<std::string>();
     Eigen::Index place = -1;
@@ -166,10 +167,11 @@ bool simulation::admits(const std::string& contact, double t, const kte::runtime
 /// Without the GIL.
 void simulation::law(double t, const plant::state& x, Eigen::VectorXd& u) {
   watch_();
-  if (!laws_.empty()) {
+  if (!laws_.empty() && !(inputs_at_ && inputs_at_->is_of(t, moving_part(x)))) {
     const py::gil_scoped_acquire with;
     const auto [q, v] = q_and_v(x);
     for (const auto& l : laws_) u_.segment(l.u, l.count) = vector_from(l.name.c_str(), l.function(t, q, v), l.count);
+    inputs_at_ = sample{t, moving_part(x), {}};
   }
   u = u_;
   if (has_forces_) forces_.put(forces_at(t, x), x, u);
@@ -181,13 +183,12 @@ Eigen::VectorXd simulation::control_at(double t, const plant::state& x) const {
 }
 const Eigen::VectorXd& simulation::forces_at(double t, const plant::state& x) {
   if (control_.is_none()) return tau_;
-  if (!holds_control_) return tau_ = control_at(t, x);
-  const double begin = solver_ ? solver_->time() : t;
-  const plant::state& at_begin = solver_ ? solver_->state() : x;
-  const auto moving = at_begin.head(plant_.model().nq() + plant_.model().dofs());
-  if (!now_ || now_->t != begin || now_->moving != moving)
-    last_ = std::exchange(now_, sample{begin, moving, control_at(begin, at_begin)});
-  return t < begin && last_ ? last_->tau : now_->tau;
+  const bool held = holds_control_ && solver_;
+  const double when = held ? solver_->time() : t;
+  const plant::state& where = held ? solver_->state() : x;
+  if (!now_ || !now_->is_of(when, moving_part(where)))
+    last_ = std::exchange(now_, sample{when, moving_part(where), control_at(when, where)});
+  return t < when && last_ ? last_->tau : now_->tau;
 }
 double simulation::value(std::size_t event, double t, const plant::state& x) {
   const py::gil_scoped_acquire with;
@@ -222,6 +223,7 @@ std::vector<double> simulation::times_from(double end, py::handle every, py::han
 
 py::object simulation::advance(double end, py::handle every, py::handle at) {
   if (running_) throw kte::bad_argument("kte: the simulation is running already, in another thread or in this call");
+  forget_calls();  // what functions depend on may have changed
   if (end < solver_->time() && plant_.model().contacts() > 0)
     throw kte::bad_argument("kte: rigid contacts act forward in time only: the end time " + kte::detail::number(end) +
                             " is before " + kte::detail::number(solver_->time()));

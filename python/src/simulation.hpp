@@ -56,6 +56,11 @@ class simulation : public callbacks {
   std::map<std::string, gate> gates_of(const py::dict& functions);
   bool admits(const std::string& contact, double t, const kte::runtime_state& s) const;
   void law(double t, const plant::state& x, Eigen::VectorXd& u);
+  Eigen::VectorXd moving_part(const plant::state& x) const {
+    return x.head(plant_.model().nq() + plant_.model().dofs());
+  }
+  /// Functions are called once for equal t, q and v, until this.
+  void forget_calls() { now_.reset(), last_.reset(), inputs_at_.reset(); }
   /// The forces of control. Held ones are those at the begin of the step that contains t.
   const Eigen::VectorXd& forces_at(double t, const plant::state& x);
   Eigen::VectorXd control_at(double t, const plant::state& x) const;
@@ -72,13 +77,14 @@ class simulation : public callbacks {
   std::vector<event_of_program> events_;
   event_lists lists_;
   std::unique_ptr<any_solver> solver_;
-  /// Of control that is held.
+  /// A call of control or of the functions of inputs.
   struct sample {
     double t;
-    Eigen::VectorXd moving, tau;  ///< q and v, and the forces
+    Eigen::VectorXd moving, tau;  ///< q and v, and the forces of control
+    bool is_of(double at, const Eigen::VectorXd& q_and_v) const { return t == at && moving == q_and_v; }
   };
   bool holds_control_;
-  std::optional<sample> now_, last_;  ///< of the present step and the one before
+  std::optional<sample> now_, last_, inputs_at_;  ///< the last call of control and the one before; of inputs
   signal_watch watch_;
   bool running_ = false;
 };

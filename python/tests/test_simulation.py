@@ -263,7 +263,8 @@ def test_moreau_jean_calls_control_once_a_step(pendulum):
     pendulum << kte.base_2D("ground") << kte.point_contact_2D("tip on the floor", "ground", "tip", surface_axis=[0, 1])
     control = counted(lambda t, q, v: -20 * q - 2 * v)
     motion = kte.simulate(pendulum, [0.5], time=0.2, every=0.02, control=control, solver="moreau_jean", step=0.01)
-    np.testing.assert_allclose(control.times, np.arange(21) * 0.01, atol=1e-15)  # and at the end, for the last row
+    # at the start, and at the end for the last row
+    np.testing.assert_allclose(control.times, [0, *np.arange(21) * 0.01], atol=1e-15)
     np.testing.assert_allclose(motion["tau/q"], -20 * motion.q[:, 0] - 2 * motion.v[:, 0], atol=1e-12)
     held = kte.simulate(pendulum, [0.5], time=0.2, at=[0.015], control=control, solver="moreau_jean", step=0.01)
     at_step = kte.simulate(pendulum, [0.5], time=0.2, at=[0.01], control=control, solver="moreau_jean", step=0.01)
@@ -274,6 +275,26 @@ def test_moreau_jean_calls_control_once_a_step(pendulum):
         simulation.set_control(-20 * simulation.q - 2 * simulation.v)
         simulation.advance(0.01 * (k + 1))
     assert simulation.q == pytest.approx(motion.q[-1], abs=1e-13)
+
+
+def test_functions_are_called_once_for_a_time_and_state(pendulum):
+    pendulum << kte.base_2D("ground") << kte.driving_actuator_gen("q", "motor")
+    feet = [kte.point_contact_2D(f"foot {k}", "ground", "tip", surface_axis=[0, 1], offset=[0.1 * k, 1]) for k in range(4)]
+    calls = []
+    law = lambda t, q, v: calls.append((t, *q, *v)) or [-q[0]]  # noqa: E731
+    simulation = kte.Simulation(pendulum << feet, [0.5], control=law, inputs={"motor": lambda t, q, v: law(t, q, v)[0]})
+    simulation.advance(0.5)
+    repeated = [a == b for a, b in zip(calls[2::2], calls[::2])]
+    assert len(calls) > 100 and not any(repeated[1:])
+    assert calls[::2] == calls[1::2]  # inputs and control
+    gain = [1.0]
+    for solver in ("dormand_prince45", "moreau_jean"):
+        one, two = (kte.Simulation(pendulum, [0.5], control=lambda t, q, v: gain[0] * q, solver=solver) for _ in range(2))
+        for simulation, gains in ((one, (1, 50)), (two, (1, 1))):
+            for k, gain[0] in enumerate(gains):
+                simulation.advance(0.01 * (k + 1))
+        difference = (one.v - two.v)[0]  # the second half has the gain of its begin
+        assert difference == pytest.approx(49 * 0.5 * 0.01 / 0.25, rel=0.1), solver
 
 
 def test_implicit_control_may_be_stiff(pendulum):
