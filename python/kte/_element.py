@@ -69,6 +69,22 @@ def make(type: str, ports: Sequence[Tuple[str, str]], parameters: Sequence[Tuple
     return element
 
 
+class _Required:
+    """The default of a parameter that must be given although optional ones precede it."""
+
+    def __repr__(self) -> str:
+        return "required"
+
+
+required: Any = _Required()
+
+
+def require(function: str, **arguments: Any) -> None:
+    missing = [repr(name) for name, x in arguments.items() if x is required]
+    if missing:
+        raise TypeError(f"{function}() missing {len(missing)} required argument{'s' * (len(missing) > 1)}: {', '.join(missing)}")
+
+
 def _array(name: str, x: ArrayLike) -> np.ndarray[Any, np.dtype[np.float64]]:
     _kte._refuse_masked(name, x)
     try:

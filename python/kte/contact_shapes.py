@@ -91,7 +91,7 @@ def point_contact(
     """
     make = elements.sphere_contact_2D if dimension == 2 else elements.sphere_contact_3D
     at = np.zeros(dimension) if offset is None else offset
-    return make(contact, frame1, frame2, 0.0, surface_axis, surface_radius, at, friction, restitution)
+    return make(contact, frame1, frame2, surface_axis, surface_radius, 0.0, at, friction, restitution)
 
 
 def capsule_contact(

@@ -56,6 +56,7 @@ def simulate(
     step: float = 1e-3,
     max_steps: int = 1_000_000_000,
     largest_step: float = 0.0,
+    implicit_control: bool = False,
 ) -> Recording:
     """Simulates a mechanism from q and v for a time, s, and returns a `Recording`.
 
@@ -78,5 +79,6 @@ def simulate(
         inputs=inputs,
         events=events,
         only_if=only_if,
+        implicit_control=implicit_control,
     )
     return simulation.advance(t + time, every=None if at is not None else every, at=at)

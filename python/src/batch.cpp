@@ -31,19 +31,18 @@ bool chain_object::has_packs() const {
 }
 
 void inverse_dynamics_in_packs(const kte::runtime_chain& c, std::size_t n, const std::vector<const double*>& in,
-                               double* tau, std::size_t threads) {
+                               double* tau, const interruptible_threads& team) {
   kte::batch::inverse_dynamics(c, numbers_in(in[0], n * nq(c)), numbers_in(in[1], n * nv(c)),
-                               numbers_in(in[2], n * nv(c)), numbers_out(tau, n * nv(c)), kte::batch::threads(threads));
+                               numbers_in(in[2], n * nv(c)), numbers_out(tau, n * nv(c)), team);
 }
 void forward_dynamics_in_packs(const kte::runtime_chain& c, std::size_t n, const std::vector<const double*>& in,
-                               double* a, std::size_t threads) {
+                               double* a, const interruptible_threads& team) {
   kte::batch::forward_dynamics(c, numbers_in(in[0], n * nq(c)), numbers_in(in[1], n * nv(c)),
-                               numbers_in(in[2], n * nv(c)), numbers_out(a, n * nv(c)), kte::batch::threads(threads));
+                               numbers_in(in[2], n * nv(c)), numbers_out(a, n * nv(c)), team);
 }
 void mass_matrix_in_packs(const kte::runtime_chain& c, std::size_t n, const std::vector<const double*>& in, double* m,
-                          std::size_t threads) {
-  kte::batch::mass_matrix(c, numbers_in(in[0], n * nq(c)), numbers_out(m, n * nv(c) * nv(c)),
-                          kte::batch::threads(threads));
+                          const interruptible_threads& team) {
+  kte::batch::mass_matrix(c, numbers_in(in[0], n * nq(c)), numbers_out(m, n * nv(c) * nv(c)), team);
 }
 
 }  // namespace kte_python

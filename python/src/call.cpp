@@ -1,28 +1,40 @@
 #include "call.hpp"
 
-#include <kte/dynamics/executors.hpp>
 #include <kte/dynamics/packs/batch.hpp>
 
-#include <thread>
+#include <charconv>
 
 namespace kte_python {
 
 namespace {
 
+/// The number of states of a task: of about 20 ms, with `size` the number of elements.
+std::size_t states_in_task(std::size_t size, double cost, std::size_t most) {
+  const double states = 1e6 / (static_cast<double>(size) * cost + 1);
+  return static_cast<std::size_t>(std::clamp(states, 1.0, static_cast<double>(most)));
+}
+
 /// All states, in tasks of some each, without the GIL.
 class several_states {
  public:
   several_states(const kte::runtime_chain& c, const workspace& w, const std::vector<numbers>& in,
-                 const std::vector<double*>& out, const std::vector<std::size_t>& sizes, std::size_t count,
+                 const std::vector<double*>& out, const std::vector<std::size_t>& sizes, std::size_t count, double cost,
                  state_function f)
-      : chain_(c), made_(w), in_(in), out_(out), sizes_(sizes), count_(count), f_(f) {}
+      : chain_(c),
+        made_(w),
+        in_(in),
+        out_(out),
+        sizes_(sizes),
+        count_(count),
+        chunk_(states_in_task(size_of(c), cost, 256)),
+        f_(f) {}
 
-  std::size_t tasks() const { return (count_ + chunk - 1) / chunk; }
+  std::size_t tasks() const { return (count_ + chunk_ - 1) / chunk_; }
   void operator()(std::size_t task) {
     workspace w = made_;
     std::vector<double*> to(out_.size());
-    const std::size_t last = std::min((task + 1) * chunk, count_);
-    for (std::size_t k = task * chunk; k < last; ++k) {
+    const std::size_t last = std::min((task + 1) * chunk_, count_);
+    for (std::size_t k = task * chunk_; k < last; ++k) {
       for (std::size_t i = 0; i < in_.size(); ++i)
         in_[i].read(in_[i].several() ? static_cast<Py_ssize_t>(k) : 0, w.x[i]);
       for (std::size_t i = 0; i < to.size(); ++i) to[i] = out_[i] + k * sizes_[i];
@@ -38,13 +50,12 @@ class several_states {
   void raise() const { failure_.raise(); }
 
  private:
-  static constexpr std::size_t chunk = 256;
   const kte::runtime_chain& chain_;
   const workspace& made_;
   const std::vector<numbers>& in_;
   const std::vector<double*>& out_;
   const std::vector<std::size_t>& sizes_;
-  std::size_t count_;
+  std::size_t count_, chunk_;
   state_function f_;
   kte::batch::detail::failure failure_;
 };
@@ -81,10 +92,36 @@ void call_compiled(const evaluate::library_function& f, const workspace& w, doub
   f.one(in, out, failure);
   raise(failure);
 }
-void call_compiled(const evaluate::library_function& f, std::size_t states, const std::vector<const double*>& in,
-                   double* out, std::size_t threads) {
+/// The failure of a state of a part of all states that begins at `first`, with its number in all.
+std::string numbered_from(std::size_t first, std::string_view text, std::size_t& state) {
+  constexpr std::string_view before = "kte: state ";
+  if (!text.starts_with(before)) return std::string(text);
+  const auto end = std::from_chars(text.data() + before.size(), text.data() + text.size(), state).ptr;
+  state += first;
+  return std::string(before) + std::to_string(state) + std::string(end, text.data() + text.size());
+}
+/// Many states by a function of a compiled chain, in tasks of `chunk`; `sizes` are the numbers of a state in `in`, and
+/// `size` that in `out`.
+void call_compiled(const evaluate::library_function& f, std::size_t states, std::size_t chunk,
+                   const std::vector<const double*>& in, const std::vector<std::size_t>& sizes, double* out,
+                   std::size_t size, const interruptible_threads& team) {
+  std::mutex guard;
   evaluate::library_failure failure;
-  f.many(states, in.data(), out, threads, failure);
+  std::size_t failed = states;
+  team((states + chunk - 1) / chunk, [&](std::size_t task) {
+    const std::size_t first = task * chunk, count = std::min(chunk, states - first);
+    std::vector<const double*> from(in.size());
+    for (std::size_t i = 0; i < in.size(); ++i) from[i] = in[i] + first * sizes[i];
+    evaluate::library_failure of_task;
+    f.many(count, from.data(), out + first * size, 1, of_task);
+    if (of_task.what == evaluate::library_failure::kind::none) return;
+    std::size_t state = 0;
+    const auto text = numbered_from(first, of_task.text, state);
+    const std::lock_guard lock(guard);
+    if (state >= failed) return;
+    failed = state, failure.what = of_task.what;
+    failure.text[text.copy(failure.text, sizeof failure.text - 1)] = '\0';
+  });
   raise(failure);
 }
 
@@ -141,22 +178,24 @@ py::object call(const chain_object& object, std::initializer_list<argument> argu
 
   const std::size_t count = static_cast<std::size_t>(states);
   const bool worth = static_cast<double>(count) * static_cast<double>(size_of(c)) * cost > 4000;
-  const std::size_t threads = worth || options.threads ? threads_from(options.threads) : 1;
+  const interruptible_threads team(worth || options.threads ? threads_from(options.threads) : 1);
   try {
     const bool packs_of_type = type && type->many && c.dofs() > 0;
     if (packs_of_type || (packs_of_chain && !type && !has_inputs && object.has_packs())) {
       std::vector<std::vector<double>> memory(in.size());
       std::vector<const double*> from;
       for (std::size_t i = 0; i < in.size(); ++i) from.push_back(in[i].contiguous(states, memory[i]));
+      std::vector<std::size_t> widths;
+      for (const auto& a : arguments)
+        widths.push_back(static_cast<std::size_t>(a.what == argument_of::q ? c.nq() : c.dofs()));
       const py::gil_scoped_release without;
       if (packs_of_type)
-        call_compiled(*type, count, from, out[0], threads);
+        call_compiled(*type, count, states_in_task(size_of(c), cost, 4096), from, widths, out[0], sizes[0], team);
       else
-        packs_of_chain(c, count, from, out[0], threads);
+        packs_of_chain(c, count, from, out[0], team);
     } else {
       const py::gil_scoped_release without;
-      several_states all(c, *work, in, out, sizes, count, f);
-      const kte::batch::threads team(threads);
+      several_states all(c, *work, in, out, sizes, count, cost, f);
       if (count > 0) team(all.tasks(), all);
       all.raise();
     }

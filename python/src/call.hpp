@@ -5,6 +5,7 @@
 
 #include "arrays.hpp"
 #include "chain.hpp"
+#include "signal_watch.hpp"
 
 namespace kte_python {
 
@@ -34,11 +35,11 @@ using state_function = const std::function<void(const kte::runtime_chain&, works
 /// Several states in packs, of arrays with the numbers of states side by side.
 using pack_function =
     const std::function<void(const kte::runtime_chain&, std::size_t states, const std::vector<const double*>& in,
-                             double* out, std::size_t threads)>&;
+                             double* out, const interruptible_threads& team)>&;
 
 /// Computes a function of states. Arguments of shape (states, n) are computed in threads without the GIL; arguments of
-/// shape (n,) are then the same for all states. `cost` is the time of a state in units of inverse dynamics. Errors of
-/// several states name the first of them.
+/// shape (n,) are then the same for all states, and Ctrl-C stops them. `cost` is the time of a state in units of
+/// inverse dynamics. Errors of several states name the first of them.
 py::object call(const chain_object& c, std::initializer_list<argument> arguments, const std::vector<shape>& results,
                 double cost, const call_options& options, state_function of_chain,
                 pack_function packs_of_chain = nullptr);

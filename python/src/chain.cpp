@@ -6,6 +6,7 @@
 #include <kte/runtime_chain/check_chain.hpp>
 #include <kte/runtime_chain/layout.hpp>
 
+#include <optional>
 #include <pybind11/stl.h>
 #include <sstream>
 
@@ -189,6 +190,9 @@ std::vector<std::string> inputs_of(const kte::runtime_chain& c) {
   return all;
 }
 
+/// Copies and pickles, also of classes of the program.
+py::object copies() { return py::module_::import("kte._copies"); }
+
 }  // namespace
 
 py::bytes bytes_of(const kte::runtime_chain& c) { return kte::to_binary(kte::record_of(c)); }
@@ -272,27 +276,29 @@ takes that of the first part that has one. Threads may share a chain.)");
              return py::isinstance<chain_object>(b) &&
                     kte::record_of(a.chain()) == kte::record_of(b.cast<const chain_object&>().chain());
            })
-      .def("__copy__", [](const chain_object& c) { return chain_object(c); })
-      .def("__deepcopy__", [](const chain_object& c, py::handle) { return chain_object(c); })
-      .def(py::pickle(
-          [](const chain_object& c) -> py::object {
-            if (!c.compiled()) return bytes_of(c.chain());
-            return py::make_tuple(bytes_of(c.chain()), c.compiled()->frames());
-          },
-          [](const py::object& state) {
-            if (!py::isinstance<py::tuple>(state))
-              return std::make_unique<chain_object>(chain_from_bytes(py::bytes(state)));
-            const auto [bytes, frames] = state.cast<std::pair<py::bytes, std::vector<std::string>>>();
-            auto made = std::make_unique<chain_object>(chain_from_bytes(bytes));
-            std::shared_ptr<const compiled_functions> functions;
-            {
-              const py::gil_scoped_release without;
-              functions = compile_chain(made->chain(), frames);
-            }
-            made->compiled(std::move(functions));
-            return made;
-          }));
+      .def("__copy__", [](py::handle c) { return copies().attr("copied")(c); })
+      .def("__deepcopy__", [](py::handle c, py::handle memo) { return copies().attr("copied")(c, memo); })
+      .def("__reduce__", [](py::handle c) { return copies().attr("reduced")(c); })
+      .def("_become", &chain_object::become)
+      .def("_pickle", [](const chain_object& c) {
+        return py::make_tuple(bytes_of(c.chain()),
+                              c.compiled() ? py::cast(c.compiled()->frames()) : py::object(py::none()));
+      });
   chain.attr("__hash__") = py::none();
+  m.def(
+      "_chain_from",
+      [](const py::bytes& bytes, const std::optional<std::vector<std::string>>& compiled_frames) {
+        auto made = std::make_unique<chain_object>(chain_from_bytes(bytes));
+        if (!compiled_frames) return made;
+        std::shared_ptr<const compiled_functions> functions;
+        {
+          const py::gil_scoped_release without;
+          functions = compile_chain(made->chain(), *compiled_frames);
+        }
+        made->compiled(std::move(functions));
+        return made;
+      },
+      "bytes"_a, "compiled_frames"_a);
   m.def(
       "_check_element",
       [](py::handle record) {

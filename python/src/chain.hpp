@@ -28,6 +28,8 @@ class chain_object {
   chain_object(const chain_object& o) : chain_(o.chain_), compiled_(o.compiled_) {}
 
   const kte::runtime_chain& chain() const { return chain_; }
+  /// Becomes equal to another one, with its compiled functions. Throws as `edit`.
+  void become(const chain_object& o) { edit() = o.chain_, compiled_ = o.compiled_; }
   /// The chain, to change it. Throws `bad_argument` while another thread computes with it.
   kte::runtime_chain& edit();
   /// Whether packs of states can be computed (kte/dynamics/batch.hpp).
@@ -63,7 +65,7 @@ class lease {
   bool spoilt_ = false;
 };
 
-/// The bytes of a pickle of a chain, and the chain.
+/// The bytes of a chain for pickles, and the chain.
 py::bytes bytes_of(const kte::runtime_chain& c);
 kte::runtime_chain chain_from_bytes(const py::bytes& b);
 /// The chain of an argument: a kte.Chain, or what has one as its member `chain`, such as a kte.Robot.

@@ -11,6 +11,7 @@
 #include "eval/program_cache.hpp"
 #include "eval/static_build.hpp"
 #include "parts.hpp"
+#include "signal_watch.hpp"
 
 namespace kte_python {
 
@@ -73,7 +74,7 @@ void compile(const std::vector<std::string>& words, const std::filesystem::path&
   if (messages.get() < 0) kte::detail::raise_file("write", log, errno);
   evaluate::child_end end{};
   try {
-    end = evaluate::compile(words, folder, messages.get());
+    end = evaluate::compile(words, folder, messages.get(), signal_watch());
   } catch (const kte::bad_file& e) {
     throw kte::bad_file(e.what() + std::string("; kte.compile needs a C++ compiler, of the variable CXX or as g++"));
   }
@@ -161,7 +162,7 @@ and world axes. Their results differ from those of the chain by rounding. Everyt
 `inputs`, and if an element is added, functions are those of the chain.
 
 The compiler is that of the variable CXX, or that of the build of kte. Raises BadArgument with its first messages if it
-fails, BadFile if there is none.)",
+fails, BadFile if there is none. Ctrl-C stops it.)",
       "chain"_a, "frames"_a = py::tuple());
 }
 

@@ -108,7 +108,9 @@ the base. Without a frame, a dict of the poses of all frames. Frames in the plan
       m,
       {"frame_acceleration",
        "frame_acceleration(chain, q, v, a, frame, *, threads=None, errors=\"raise\")\n\n`.linear`, m/s^2, classical, "
-       "without gravity, and `.angular` acceleration, rad/s^2, of a frame, in its axes.",
+       "without gravity: 0 at rest, where the proper one of recordings and states is g upward; and `.angular` "
+       "acceleration, "
+       "rad/s^2, of a frame, in its axes.",
        two_xyz, 0.5, "LinearAngular"},
       [](const runtime_chain& k, workspace& w, const std::string& frame, double* const* out) {
         const auto x = kte::frame_acceleration(k, w.state, w.x[0], w.x[1], w.x[2], frame);

@@ -104,17 +104,16 @@ the errors `.position`, m, and `.rotation`, rad.)",
         py::list all;
         for (const auto& a :
              kte::inverse_kinematics(manipulator, kte::pose{rotation_from(rotation), position_from(position)}))
-          all.append(as_object({Eigen::VectorXd(a.q),
-                                !a.exact          ? "missed"
-                                : a.within_limits ? "reached"
-                                                  : "beyond_limits",
-                                a.position, a.rotation}));
+          if (a.exact)
+            all.append(as_object(
+                {Eigen::VectorXd(a.q), a.within_limits ? "reached" : "beyond_limits", a.position, a.rotation}));
         return all;
       },
       R"(inverse_kinematics_all(arm, frame, position, rotation, *, limits=None)
 
-All configurations for a pose, of arms with a closed form: a list with `.q`, `.status` ("reached", "beyond_limits" or
-"missed") and the errors `.position` and `.rotation`. Raises Error for arms without a closed form.)",
+All configurations that reach a pose, of arms with a closed form: a list with `.q`, `.status` ("reached" or
+"beyond_limits") and the errors `.position` and `.rotation`. It is empty beyond the reach of the arm; the configuration that
+comes nearest is that of `inverse_kinematics`. Raises Error for arms without a closed form.)",
       "arm"_a, "frame"_a, "position"_a, "rotation"_a, py::kw_only(), "limits"_a = none);
 }
 

@@ -1,4 +1,49 @@
+#include <algorithm>
+#include <array>
+#include <utility>
+
 #include "parts.hpp"
+
+namespace kte_python {
+
+namespace {
+
+namespace py = pybind11;
+
+constexpr std::size_t most_classes = 16;
+std::array<std::string, most_classes> class_names;
+
+template <std::size_t i>
+void* refuse(std::size_t /*bytes*/) {
+  throw py::type_error("kte: " + class_names[i] + ".__init__() was not called: a class derived from " + class_names[i] +
+                       " calls super().__init__(...) before it uses self");
+}
+template <std::size_t... i>
+constexpr std::array<void* (*)(std::size_t), sizeof...(i)> refusals(std::index_sequence<i...>) {
+  return {&refuse<i>...};
+}
+
+/// What pybind11 leaves to crash. For objects whose `__init__` was not called it asks `operator_new` for memory, and
+/// passes it on as if it were an object; protocols of pickle below 2 make objects of its base class.
+void make_safe(const py::module_& m) {
+  constexpr auto functions = refusals(std::make_index_sequence<most_classes>());
+  const py::object reduce = py::module_::import("builtins").attr("object").attr("__reduce_ex__");
+  std::size_t count = 0;
+  for (const auto& [name, object] : m.attr("__dict__").cast<py::dict>()) {
+    auto* const type = reinterpret_cast<PyTypeObject*>(object.ptr());
+    auto* const info = PyType_Check(object.ptr()) ? py::detail::get_type_info(type) : nullptr;
+    if (!info) continue;
+    class_names.at(count) = name.cast<std::string>();
+    info->operator_new = functions.at(count++);
+    object.attr("__reduce_ex__") =
+        py::cpp_function([reduce](py::handle self, int protocol) { return reduce(self, std::max(protocol, 2)); },
+                         py::name("__reduce_ex__"), py::is_method(object));
+  }
+}
+
+}  // namespace
+
+}  // namespace kte_python
 
 PYBIND11_MODULE(_kte, m) {
   namespace py = pybind11;
@@ -27,4 +72,5 @@ PYBIND11_MODULE(_kte, m) {
   kte_python::bind_sweep_cases(m);
   kte_python::bind_sweep(m);
   kte_python::bind_view(m);
+  kte_python::make_safe(m);
 }

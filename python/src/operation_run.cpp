@@ -41,7 +41,7 @@ struct operation {
   column_names (*results)(const column_names& of_v);
   void (*call)(const runtime_chain&, kte::runtime_state&, const case_numbers&, std::vector<double>&);
   void (*in_packs)(const runtime_chain&, std::size_t states, const std::vector<const double*>& in, double* out,
-                   std::size_t threads) = nullptr;
+                   const interruptible_threads& team) = nullptr;
 };
 column_names force_names(const column_names& v) { return with_prefix("tau/", v); }
 const operation operations[]{
@@ -141,7 +141,7 @@ class operation_run : public native_run {
     const auto states = static_cast<std::size_t>(end - begin);
     std::vector<double> out(states * count, std::numeric_limits<double>::quiet_NaN());
     try {
-      o.in_packs(chain_, states, {q.data(), v.data(), third.data()}, out.data(), 1);
+      o.in_packs(chain_, states, {q.data(), v.data(), third.data()}, out.data(), interruptible_threads(1));
     } catch (const kte::error&) {  // of the first case without a result; the others are written
     }
     return out;

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <pybind11/stl.h>
+#include <utility>
 
 #include "call.hpp"
 #include "parts.hpp"
@@ -17,12 +18,6 @@ py::dict statistics_of(const kte::step_statistics& s) {
   all["jacobians"] = s.jacobians, all["factorizations"] = s.factorizations;
   return all;
 }
-
-namespace {
-
-constexpr auto check_interval = std::chrono::milliseconds(50);
-
-}  // namespace
 
 void check_solver(const std::string& name) {
   const std::string known = std::string(solvers_with_tolerances) + ", " + solvers_of_fixed_step + ",";
@@ -63,7 +58,7 @@ std::vector<double> even_times(double begin, double end, double spacing) {
 }
 
 simulation::simulation(py::object drawn, kte::runtime_chain c, py::object control, const py::dict& inputs,
-                       const py::list& events, const py::dict& gates, bool of_time_alone)
+                       const py::list& events, const py::dict& gates, bool of_time_alone, bool holds_control)
     : drawn_(std::move(drawn)),
       has_forces_(!control.is_none()),
       forces_(has_forces_ ? coordinate_forces(c) : coordinate_forces()),
@@ -71,7 +66,8 @@ simulation::simulation(py::object drawn, kte::runtime_chain c, py::object contro
       plant_(
           with_gates(chain_, gates_of(gates)),
           [this](double t, const plant::state& x, Eigen::VectorXd& u) { law(t, x, u); },
-          of_time_alone && forces_.of_tau_alone()) {
+          of_time_alone && forces_.of_tau_alone()),
+      holds_control_(holds_control) {
   u_ = plant_.model().input();
   tau_ = Eigen::VectorXd::Zero(chain_.dofs());
   set_control(std::move(control));
@@ -107,6 +103,7 @@ void simulation::start(const Eigen::VectorXd& q, const Eigen::VectorXd& v, doubl
 
 void simulation::set_control(py::object control) {
   if (control.is_none()) return;
+  forget_calls();
   if (!has_forces_)
     throw kte::bad_argument("kte: a simulation that was made without control cannot have one later: give it zeros");
   if (py::hasattr(control, "__call__")) {
@@ -118,6 +115,7 @@ void simulation::set_control(py::object control) {
 }
 
 void simulation::set_inputs(const py::dict& inputs) {
+  forget_calls();
   for (const auto& [key, value] : inputs) {
     const auto name = key.cast<std::string>();
     Eigen::Index place = -1;
@@ -168,22 +166,29 @@ bool simulation::admits(const std::string& contact, double t, const kte::runtime
 
 /// Without the GIL.
 void simulation::law(double t, const plant::state& x, Eigen::VectorXd& u) {
-  if (++evaluations_ % 64 == 0) {
-    if (const auto now = std::chrono::steady_clock::now(); now > next_check_) {
-      next_check_ = now + check_interval;
-      const py::gil_scoped_acquire with;
-      if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-    }
-  }
-  const bool calls = !control_.is_none() || !laws_.empty();
-  if (calls) {
+  watch_();
+  if (!laws_.empty() && !(inputs_at_ && inputs_at_->is_of(t, moving_part(x)))) {
     const py::gil_scoped_acquire with;
     const auto [q, v] = q_and_v(x);
-    if (!control_.is_none()) tau_ = vector_from("the result of control", control_(t, q, v), tau_.size());
     for (const auto& l : laws_) u_.segment(l.u, l.count) = vector_from(l.name.c_str(), l.function(t, q, v), l.count);
+    inputs_at_ = sample{t, moving_part(x), {}};
   }
   u = u_;
-  if (has_forces_) forces_.put(tau_, x, u);
+  if (has_forces_) forces_.put(forces_at(t, x), x, u);
+}
+Eigen::VectorXd simulation::control_at(double t, const plant::state& x) const {
+  const py::gil_scoped_acquire with;
+  const auto [q, v] = q_and_v(x);
+  return vector_from("the result of control", control_(t, q, v), tau_.size());
+}
+const Eigen::VectorXd& simulation::forces_at(double t, const plant::state& x) {
+  if (control_.is_none()) return tau_;
+  const bool held = holds_control_ && solver_;
+  const double when = held ? solver_->time() : t;
+  const plant::state& where = held ? solver_->state() : x;
+  if (!now_ || !now_->is_of(when, moving_part(where)))
+    last_ = std::exchange(now_, sample{when, moving_part(where), control_at(when, where)});
+  return t < when && last_ ? last_->tau : now_->tau;
 }
 double simulation::value(std::size_t event, double t, const plant::state& x) {
   const py::gil_scoped_acquire with;
@@ -218,6 +223,7 @@ std::vector<double> simulation::times_from(double end, py::handle every, py::han
 
 py::object simulation::advance(double end, py::handle every, py::handle at) {
   if (running_) throw kte::bad_argument("kte: the simulation is running already, in another thread or in this call");
+  forget_calls();  // what functions depend on may have changed
   if (end < solver_->time() && plant_.model().contacts() > 0)
     throw kte::bad_argument("kte: rigid contacts act forward in time only: the end time " + kte::detail::number(end) +
                             " is before " + kte::detail::number(solver_->time()));
@@ -267,7 +273,7 @@ std::unique_ptr<simulation> make_simulation(py::object chain, py::handle q, py::
                                             const std::string& solver, double tolerance, py::handle absolute,
                                             py::handle relative, double step, long long max_steps, double largest_step,
                                             py::object control, py::handle inputs, py::handle events,
-                                            py::handle only_if) {
+                                            py::handle only_if, bool implicit_control) {
   const auto& c = chain_of(chain).chain();
   const auto dict_or_none = [](const char* what, const char* of, py::handle x) {
     return x.is_none() ? py::dict() : dict_from(what, of, x);
@@ -286,8 +292,13 @@ std::unique_ptr<simulation> make_simulation(py::object chain, py::handle q, py::
     for (const auto e : list)
       if (!py::hasattr(e, "function")) refuse_event(e);
   }
+  const bool steps_contacts = solver == "moreau_jean";
+  if (implicit_control && !steps_contacts)
+    throw kte::bad_argument("kte: implicit_control is an option of moreau_jean, not of " + solver);
+  const bool holds_control = steps_contacts && !implicit_control;
   const auto gates = dict_or_none("only_if", "contacts to functions of (t, q, v)", only_if);
-  auto made = std::make_unique<simulation>(chain, c, std::move(control), signals, list, gates, of_time_alone);
+  auto made = std::make_unique<simulation>(chain, c, std::move(control), signals, list, gates,
+                                           of_time_alone || holds_control, holds_control);
   solver_options o{solver, step, {.absolute = tolerance, .relative = tolerance, .max_steps = max_steps}};
   if (!absolute.is_none()) o.tolerances.absolute = absolute.cast<double>();
   if (!relative.is_none()) o.tolerances.relative = relative.cast<double>();
@@ -304,7 +315,7 @@ void bind_simulation(py::module_& m) {
   const auto none = py::none();
   py::class_<simulation>(m, "Simulation", R"(Simulation(chain, q, v=None, *, t=0, solver="dormand_prince45",
            tolerance=1e-9, absolute=None, relative=None, step=1e-3, max_steps=1000000000, largest_step=0,
-           control=None, inputs=None, events=None, only_if=None)
+           control=None, inputs=None, events=None, only_if=None, implicit_control=False)
 
 A mechanism that moves, from q and v at the time t.
 
@@ -312,15 +323,21 @@ solver     dormand_prince45, prince_dormand87, bogacki_shampine23, fehlberg45, a
            kennedy_carpenter34, tr_bdf2, trapezoidal, with `tolerance` (or `absolute` and `relative`) a step;
            runge_kutta4, runge_kutta5, euler, midpoint, semi_implicit_euler, implicit_midpoint, and moreau_jean for rigid
            contacts, with `step`, s
-control    forces on all numbers of v, N and Nm: a function of (t, q, v), or an array that is constant until it is set
-inputs     a dict from signals to numbers, or to functions of (t, q, v)
+control    forces on all numbers of v, N and Nm: a function of (t, q, v), or an array that is constant until it is set.
+           Functions are called at the stages of steps, again after rejected steps, and where events are located, so
+           their times are not in order; `moreau_jean` calls control once a step, at its begin, and holds its forces
+inputs     a dict from signals to numbers, or to functions of (t, q, v), called as control; `moreau_jean` calls them
+           several times a step
 events     an `Event` or a list of them
 only_if    a dict from rigid contacts to functions of (t, q, v): the contact lands only where they are true, and passes
-           through its surface elsewhere)")
+           through its surface elsewhere
+implicit_control
+           of `moreau_jean`: functions of control and inputs may be stiff. Each step calls them at its middle, and once
+           more for each q and v, for derivatives by differences)")
       .def(py::init(&make_simulation), "chain"_a, "q"_a, "v"_a = none, py::kw_only(), "t"_a = 0.0,
            "solver"_a = "dormand_prince45", "tolerance"_a = 1e-9, "absolute"_a = none, "relative"_a = none,
            "step"_a = 1e-3, "max_steps"_a = 1'000'000'000LL, "largest_step"_a = 0.0, "control"_a = none,
-           "inputs"_a = none, "events"_a = none, "only_if"_a = none)
+           "inputs"_a = none, "events"_a = none, "only_if"_a = none, "implicit_control"_a = false)
       .def("advance", &simulation::advance, R"(advance(end, *, every=None, at=None)
 
 Integrates to the time `end`, s, and returns a `Recording` of every step, of even times, or of the times `at`. Ctrl-C stops

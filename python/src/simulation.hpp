@@ -1,12 +1,13 @@
 #pragma once
 
-#include <chrono>
 #include <map>
+#include <optional>
 #include <pybind11/pybind11.h>
 
 #include "coordinate_forces.hpp"
 #include "gates.hpp"
 #include "recording.hpp"
+#include "signal_watch.hpp"
 #include "solvers.hpp"
 
 namespace kte_python {
@@ -14,9 +15,10 @@ namespace kte_python {
 /// kte.Simulation: a chain, forces on its coordinates and inputs by functions of the program, and a solver.
 class simulation : public callbacks {
  public:
-  /// `drawn` is what the program simulates; `gates` has functions of the contacts that they let land.
+  /// `drawn` is what the program simulates; `gates` has functions of the contacts that they let land. `holds_control`:
+  /// control is evaluated at the begin of each step alone.
   simulation(py::object drawn, kte::runtime_chain c, py::object control, const py::dict& inputs, const py::list& events,
-             const py::dict& gates, bool of_time_alone);
+             const py::dict& gates, bool of_time_alone, bool holds_control);
   simulation(const simulation&) = delete;
   simulation& operator=(const simulation&) = delete;
 
@@ -54,6 +56,14 @@ class simulation : public callbacks {
   std::map<std::string, gate> gates_of(const py::dict& functions);
   bool admits(const std::string& contact, double t, const kte::runtime_state& s) const;
   void law(double t, const plant::state& x, Eigen::VectorXd& u);
+  Eigen::VectorXd moving_part(const plant::state& x) const {
+    return x.head(plant_.model().nq() + plant_.model().dofs());
+  }
+  /// Functions are called once for equal t, q and v, until this.
+  void forget_calls() { now_.reset(), last_.reset(), inputs_at_.reset(); }
+  /// The forces of control. Held ones are those at the begin of the step that contains t.
+  const Eigen::VectorXd& forces_at(double t, const plant::state& x);
+  Eigen::VectorXd control_at(double t, const plant::state& x) const;
   std::vector<double> times_from(double end, py::handle every, py::handle at) const;
 
   py::object drawn_, recording_ = py::none(), control_ = py::none();
@@ -67,8 +77,15 @@ class simulation : public callbacks {
   std::vector<event_of_program> events_;
   event_lists lists_;
   std::unique_ptr<any_solver> solver_;
-  unsigned evaluations_ = 0;
-  std::chrono::steady_clock::time_point next_check_ = std::chrono::steady_clock::now();
+  /// A call of control or of the functions of inputs.
+  struct sample {
+    double t;
+    Eigen::VectorXd moving, tau;  ///< q and v, and the forces of control
+    bool is_of(double at, const Eigen::VectorXd& q_and_v) const { return t == at && moving == q_and_v; }
+  };
+  bool holds_control_;
+  std::optional<sample> now_, last_, inputs_at_;  ///< the last call of control and the one before; of inputs
+  signal_watch watch_;
   bool running_ = false;
 };
 

@@ -32,7 +32,9 @@ py::dict columns_of(const recording_object& r, py::handle names) {
   {
     const py::gil_scoped_release without;
     double* to = numbers.data();
+    signal_watch watch;
     r.replay([&](double, const kte::runtime_state& s) {
+      watch();
       kte::detail::read_recorded(what.cells, s, to);
       to += columns;
     });
@@ -60,7 +62,8 @@ template <class Chain>
 void write_recording(const std::filesystem::path& path, const Chain& chain, const recording_object& r,
                      const std::vector<std::string>& columns, const kte::page_options& options) {
   kte::scene_recording<Chain> scene(chain, {.columns = columns});
-  r.replay([&scene](double t, const kte::runtime_state& s) { scene.row(t, s); });
+  signal_watch watch;
+  r.replay([&](double t, const kte::runtime_state& s) { watch(), scene.row(t, s); });
   kte::write_page(path, scene, options);
 }
 
@@ -91,7 +94,9 @@ void bind_view(py::module_& m) {
                                R"(A motion: times, states and inputs. Other quantities are computed when asked for:
 
     rec["tip/position/x"]               one column, or several: rec[["q", "q/f"]]
-    rec.to_pandas(["tip/velocity"])     a table with the column t)")
+    rec.to_pandas(["tip/velocity"])     a table with the column t
+
+`tip/acceleration` of a frame is what an accelerometer measures: g upward at rest.)")
       .def_property_readonly(
           "t", [](const recording_object& r) { return rows_of(r.t, 1, 0, 1).attr("ravel")(); }, "Times, s, (rows,).")
       .def_property_readonly(

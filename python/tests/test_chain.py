@@ -58,6 +58,93 @@ def test_copies_are_equal_and_independent(four_bar, duplicate):
     assert other != four_bar and len(four_bar) == 10
 
 
+class Arm(kte.Chain):
+    """A class of a program."""
+
+    def __init__(self, name, length):
+        super().__init__(kte.revolute_joint_2D("q", "base", "arm"), kte.inertia_2D("arm", 1, [length, 0]), gravity=[0, -9.81])
+        self.name, self.lengths, self.itself = name, [length], self
+
+
+class SmallArm(Arm):
+    __slots__ = ("mass",)
+
+
+class Guarded(Arm):
+    def __getstate__(self):
+        return self.name
+
+    def __setstate__(self, state):
+        self.name = state + " again"
+
+
+DUPLICATES = [copy.copy, copy.deepcopy, *(lambda c, n=n: pickle.loads(pickle.dumps(c, n)) for n in range(6))]
+
+
+@pytest.mark.parametrize("duplicate", DUPLICATES)
+def test_copies_of_derived_classes_keep_their_class_and_attributes(duplicate):
+    arm = SmallArm("left", 0.5)
+    arm.mass = 3
+    other = duplicate(arm)
+    assert type(other) is SmallArm and other == arm and other is not arm
+    assert (other.name, other.lengths, other.mass) == ("left", [0.5], 3)
+    deep = duplicate is not copy.copy
+    assert other.itself is (other if deep else arm) and (other.lengths is not arm.lengths) == deep
+    other << kte.inertia_2D("arm", 1)
+    assert other != arm
+    assert duplicate(Guarded("right", 1)).name == "right again"
+
+
+def test_other_objects_refuse_copies_by_name(pendulum):
+    for made in (kte.State(pendulum), kte.Simulation(pendulum, [0.0])):
+        for duplicate in DUPLICATES:
+            with pytest.raises(TypeError, match=type(made).__name__):
+                duplicate(made)
+
+
+CLASSES = [x for x in vars(kte._kte).values() if isinstance(x, type) and not issubclass(x, Exception)]
+WAYS = [repr, len, str, iter, bool, hash, copy.copy, copy.deepcopy, pickle.dumps, lambda x: x == x, lambda x: x[0], lambda x: x(0)]
+WAYS += [lambda x: x * x, lambda x: kte.Chain(x), lambda x: kte.compile(x), lambda x: kte.view(x), lambda x: kte.State(x)]
+WAYS += [lambda x: kte.Simulation(x, []), lambda x: kte.neutral_configuration(x), lambda x: kte.sweep(x, x, "x")]
+
+
+@pytest.mark.parametrize("kind", CLASSES, ids=lambda kind: kind.__name__)
+def test_objects_of_which_init_was_not_called_are_refused(kind):
+    class Early(kind):
+        def __init__(self):
+            for name in dir(kind):
+                if not name.startswith("__"):
+                    with pytest.raises(TypeError, match=f"{kind.__name__}.__init__..? was not called|argument|arguments"):
+                        method = getattr(self, name)
+                        method()
+                        raise AssertionError(f"{name} is not refused")
+            self.refused = True
+
+    refused = 0
+    for made in (kind.__new__(kind), Early.__new__(Early)):
+        for way in WAYS:
+            try:
+                way(made)
+            except TypeError as e:
+                refused += f"{kind.__name__}.__init__() was not called" in str(e)
+            except Exception:
+                pass
+    assert refused >= 2  # repr of both
+    with pytest.raises(TypeError):
+        Early()
+
+
+def test_derived_classes_that_use_themselves_early_are_told_what_to_call():
+    class Arm(kte.Chain):
+        def __init__(self):
+            self << kte.base_3D("ground")
+
+    with pytest.raises(TypeError, match=r"Chain.__init__\(\) was not called: .* calls super\(\).__init__\(...\) before it uses self"):
+        Arm()
+    with pytest.raises(TypeError, match="was not called"):
+        len(kte.Chain.__new__(kte.Chain))
+
+
 def test_pickled_chains_compute_the_same_bits(iiwa, random):
     q, v, tau = random.standard_normal((3, 7))
     other = pickle.loads(pickle.dumps(iiwa.chain))

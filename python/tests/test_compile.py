@@ -102,6 +102,16 @@ def test_errors_are_those_of_the_chain(fast, state):
     assert np.isnan(a[7]).all() and np.isfinite(np.delete(a, 7, axis=0)).all()
 
 
+def test_states_are_counted_in_all_of_a_batch(arm, fast, random):
+    q, v, tau = random.normal(size=(3, 9000, 2))
+    assert np.allclose(kte.forward_dynamics(fast, q, v, tau), kte.forward_dynamics(arm, q, v, tau), rtol=1e-11, atol=1e-11)
+    q[[8765, 8999], 0] = np.nan
+    with pytest.raises(kte.BadArgument, match=r"^kte: state 8765: .* q\[0\]"):
+        kte.forward_dynamics(fast, q, v, tau)
+    a = kte.forward_dynamics(fast, q, v, tau, errors="nan")
+    assert np.flatnonzero(np.isnan(a).any(axis=1)).tolist() == [8765, 8999]
+
+
 def test_chains_and_frames_that_are_refused(arm, four_bar, cache):
     with pytest.raises(kte.UnknownName, match="tol"):
         kte.compile(arm, frames="tol")

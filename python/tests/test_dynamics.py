@@ -299,11 +299,37 @@ def test_states_run_the_passes(random):
     s.do_motion(), s.do_force()
     np.testing.assert_allclose(-s.f, kte.nonlinear_effects(IIWA, q, v), atol=1e-11)
     np.testing.assert_allclose(s.frame("tool").position, kte.forward_kinematics(IIWA, q, "tool").position, atol=1e-14)
-    s.q = q + 1
-    assert np.array_equal(s.q, q + 1) and np.array_equal(s.v, v)
     poses = kte.forward_kinematics(IIWA, q)
     assert set(poses) == set(IIWA.chain.frames)
     np.testing.assert_allclose(poses["tool"].rotation, s.frame("tool").rotation, atol=1e-14)
+    s.q = q + 1
+    assert np.array_equal(s.q, q + 1) and np.array_equal(s.v, v)
+
+
+def test_states_refuse_what_no_pass_has_computed(pendulum):
+    s = kte.State(pendulum, [0.5])
+    changes = [lambda: None] + [lambda name=name: setattr(s, name, [0.1]) for name in "qva"] + [lambda: s.set_inputs({})]
+    for change in changes:
+        change()
+        for what, read in [("frame 'tip'", lambda: s.frame("tip")), ("outputs", lambda: s.outputs), ("do_force", s.do_force)]:
+            with pytest.raises(kte.BadArgument, match=rf"{what} of a State is not computed .* call do_motion\(\) first"):
+                read()
+        s.do_motion()
+        with pytest.raises(kte.BadArgument, match=r"f of a State .* call do_motion\(\) and do_force\(\) first"):
+            s.f
+        assert np.isfinite(s.frame("tip").position).all() and np.isnan([s.frame("tip").force, s.frame("tip").torque]).all()
+        s.do_force()
+        assert np.isfinite([*s.frame("tip").force, *s.frame("tip").torque, *s.f]).all()
+    with pytest.raises(kte.UnknownName, match="tap"):
+        kte.State(pendulum).frame("tap")
+
+
+def test_states_have_a_copy_of_their_chain(pendulum):
+    s = kte.State(pendulum, [0.5])
+    pendulum << kte.rigid_link_2D("tip", "end", [1, 0])
+    s.do_motion(), s.do_force()
+    with pytest.raises(kte.UnknownName, match="end"):
+        s.frame("end")
 
 
 def test_sensors_are_outputs():

@@ -1,39 +1,93 @@
 import inspect
+import re
+from pathlib import Path
 
 import numpy as np
 import pytest
 
 import kte
 import kte.elements
+from kte import _element
+
+
+def is_required(p):
+    return p.default in (inspect.Parameter.empty, _element.required)
 
 
 def example(function):
     """An element with names for ports, and plausible parameters."""
-    arguments = []
+    arguments = {}
     for p in inspect.signature(function).parameters.values():
-        if p.default is not inspect.Parameter.empty:
-            break
-        if p.annotation == "str":
-            arguments.append("the " + p.name)
-        elif p.name == "surface_radius":
-            arguments.append(0.0)  # a half space
+        if p.name == "surface_radius":
+            arguments[p.name] = 0.0  # a half space
+        elif not is_required(p):
+            continue
+        elif p.annotation == "str":
+            arguments[p.name] = "the " + p.name
         elif "axis" in p.name or p.name in ("normal", "tangent"):
-            arguments.append([1, 0] if function.__name__.endswith("2D") else [1, 0, 0])
+            arguments[p.name] = [1, 0] if function.__name__.endswith("2D") else [1, 0, 0]
         elif p.annotation == "float":
-            arguments.append(1.0)
+            arguments[p.name] = 1.0
         elif p.name in ("lengths", "forces"):
-            arguments.append([1.0, 2.0])
+            arguments[p.name] = [1.0, 2.0]
         elif p.annotation == "Rotation":
-            arguments.append(np.eye(3))
+            arguments[p.name] = np.eye(3)
         elif p.name in ("stiffness", "damping", "ang_stiffness", "ang_damping"):
-            arguments.append(np.zeros((3, 3)))
+            arguments[p.name] = np.zeros((3, 3))
         else:
-            arguments.append([1, 0] if function.__name__.endswith("2D") else [1, 0, 0])
-    return function(*arguments)
+            arguments[p.name] = [1, 0] if function.__name__.endswith("2D") else [1, 0, 0]
+    return function(**arguments)
+
+
+def page():
+    """The tables of docs/elements.md: of each element the ports and parameters, in order, with what follows each name."""
+    found, family = {}, None
+    for line in (Path(__file__).parents[2] / "docs" / "elements.md").read_text().splitlines():
+        heading = re.match(r"## (`(\w+)`)?", line)
+        if heading:
+            family = heading[2]
+        elif family and line.startswith("| `"):
+            name, dimensions, rest = line.strip("| ").split(" | ", 2)
+            for dimension in dimensions.split(", "):
+                found.setdefault(family if dimension == "-" else f"{family}_{dimension}", []).append((name.strip("`"), rest))
+    return found
 
 
 def test_there_is_a_function_for_each_type():
     assert sorted(kte.elements.__all__) == kte.element_types()
+
+
+@pytest.mark.parametrize("name", kte.elements.__all__)
+def test_arguments_have_the_order_of_the_page_and_its_defaults(name):
+    rows = [(n, text) for n, text in page()[name] if "axis z" not in text]
+    ports = [n for n, text in rows if text.startswith("port")]
+    expected = sorted(ports, key=lambda n: n not in ("loop", "contact"))
+    expected += [n + "_length" if n in ports else n for n, text in rows if not text.startswith("port")]
+    signature = inspect.signature(getattr(kte, name)).parameters
+    assert list(signature) == expected
+    assert all(p.kind == p.POSITIONAL_OR_KEYWORD for p in signature.values())
+    for n, text in rows:
+        if text.startswith("port") or n in ("com", "stiffness_coupling", "damping_coupling", "surface_axis", "surface_radius"):
+            continue
+        p = signature[n + "_length" if n in ports else n]
+        default = re.search(r"optional, default (-?[\w.-]+)", text)
+        assert is_required(p) == ("optional" not in text and (name[:7], n) != ("inertia", "inertia")), n
+        if default and re.fullmatch(r"[-\d.e]+|-?infinity", default[1]):
+            assert np.all(np.asarray(p.default) == float(default[1])), n
+
+
+def test_positional_arguments_are_those_of_the_page():
+    stops = kte.joint_limit_gen("q", -0.5, 1.0, 1e4, 30)
+    assert stops == kte.joint_limit_gen("q", lower=-0.5, upper=1.0, stiffness=1e4, damping=30)
+    assert {n: x[0] for n, x in kte.joint_friction_gen("q", 0.1).parameters.items()} == dict(
+        viscous=0.1, coulomb=0, stiction=0, stribeck_velocity=1, smoothing_velocity=0
+    )
+    with pytest.raises(kte.BadParameter, match="smoothing_velocity must be finite and positive with dry friction"):
+        kte.joint_friction_gen("q", coulomb=1)
+    with pytest.raises(TypeError, match=r"joint_limit_gen\(\) missing 1 required argument: 'stiffness'"):
+        kte.joint_limit_gen("q", -0.5, 1.0)
+    with pytest.raises(TypeError, match=r"bristle_contact_2D\(\) missing 4 required arguments: 'radius', 'stiffness'"):
+        kte.bristle_contact_2D("a", "b", "z")
 
 
 @pytest.mark.parametrize("name", kte.elements.__all__)
@@ -47,9 +101,11 @@ def test_its_ports_and_parameters_are_those_of_the_library(name):
         return
     assert element.type == name
     try:
-        kte.Chain(element)
+        element = kte.Chain(element).elements[0]  # with its parameters in the order of C++
     except kte.BadWiring:
         pass  # of a single element
+    names = [n for n, text in page()[name] if not text.startswith("port")]
+    assert [n for n in names if n in element.parameters] == list(element.parameters)
 
 
 def test_parameters_are_checked_where_an_element_is_made():
@@ -59,10 +115,10 @@ def test_parameters_are_checked_where_an_element_is_made():
 
 def test_contacts_are_with_half_spaces_by_default():
     foot = kte.sphere_contact_3D("foot", "ground", "shank", radius=0.1, friction=0.5)
-    assert foot == kte.sphere_contact_3D("foot", "ground", "shank", 0.1, [0, 0, 1], 0, friction=0.5)
-    assert kte.compliant_contact_2D("a", "b", 0.1, 1e5) == kte.compliant_contact_2D("a", "b", 0.1, 1e5, surface_axis=[0, 1])
+    assert foot == kte.sphere_contact_3D("foot", "ground", "shank", [0, 0, 1], 0, 0.1, [0, 0, 0], 0.5)
+    assert kte.compliant_contact_2D("a", "b", radius=0.1, stiffness=1e5) == kte.compliant_contact_2D("a", "b", [0, 1], 0, 0.1, stiffness=1e5)
     ball = kte.point_contact_3D("corner", "a", "b", 0.2, surface_radius=0.5)
-    assert ball == kte.sphere_contact_3D("corner", "a", "b", 0, [0, 0, 0], 0.5, friction=0.2)
+    assert ball == kte.sphere_contact_3D("corner", "a", "b", [0, 0, 0], 0.5, 0, friction=0.2)
     with pytest.raises(TypeError, match="box_contact.* missing 1 required positional argument: 'half'"):
         kte.box_contact_3D("crate", "a", "b")
 

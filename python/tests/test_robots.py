@@ -90,6 +90,7 @@ def test_inverse_kinematics_reaches_poses(iiwa, random):
         assert len(every) == 8 and all(a.status in ("reached", "beyond_limits") for a in every)
     far = kte.inverse_kinematics(iiwa, "tool", [5, 0, 0])
     assert far.status != "reached" and far.position > 3
+    assert kte.inverse_kinematics_all(iiwa, "tool", [5, 0, 0], np.eye(3)) == []
 
 
 def test_limits_of_inverse_kinematics(iiwa):

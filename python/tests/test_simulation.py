@@ -197,7 +197,7 @@ try:
 except KeyboardInterrupt:
     stopped = simulation.t
     simulation.advance(stopped + 0.1)
-    print(0 < stopped < 1e6, abs(simulation.t - stopped - 0.1) < 1e-9)
+    print(0 <= stopped < 1e6, abs(simulation.t - stopped - 0.1) < 1e-9)
 """
     out = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=60)
     assert out.stdout == "True True\n", out.stderr
@@ -248,3 +248,64 @@ def test_rigid_contacts_need_time_stepping():
     np.testing.assert_allclose(force[2:], 9.81, rtol=(7.15 * 1e-4) ** 2 / 4)
     with pytest.raises(kte.BadArgument, match="'floor' is 0.05"):
         kte.simulate(ball, [0, 0.05, 0], time=1, solver="moreau_jean")
+
+
+def counted(law):
+    def control(t, q, v):
+        control.times.append(t)
+        return law(t, q, v)
+
+    control.times = []
+    return control
+
+
+def test_moreau_jean_calls_control_once_a_step(pendulum):
+    pendulum << kte.base_2D("ground") << kte.point_contact_2D("tip on the floor", "ground", "tip", surface_axis=[0, 1])
+    control = counted(lambda t, q, v: -20 * q - 2 * v)
+    motion = kte.simulate(pendulum, [0.5], time=0.2, every=0.02, control=control, solver="moreau_jean", step=0.01)
+    # at the start, and at the end for the last row
+    np.testing.assert_allclose(control.times, [0, *np.arange(21) * 0.01], atol=1e-15)
+    np.testing.assert_allclose(motion["tau/q"], -20 * motion.q[:, 0] - 2 * motion.v[:, 0], atol=1e-12)
+    held = kte.simulate(pendulum, [0.5], time=0.2, at=[0.015], control=control, solver="moreau_jean", step=0.01)
+    at_step = kte.simulate(pendulum, [0.5], time=0.2, at=[0.01], control=control, solver="moreau_jean", step=0.01)
+    assert held["tau/q"] == at_step["tau/q"]
+    # the explicit method by hand, with the acceleration of each step at its middle
+    simulation = kte.Simulation(pendulum, [0.5], control=[0.0], solver="moreau_jean", step=0.01)
+    for k in range(20):
+        simulation.set_control(-20 * simulation.q - 2 * simulation.v)
+        simulation.advance(0.01 * (k + 1))
+    assert simulation.q == pytest.approx(motion.q[-1], abs=1e-13)
+
+
+def test_functions_are_called_once_for_a_time_and_state(pendulum):
+    pendulum << kte.base_2D("ground") << kte.driving_actuator_gen("q", "motor")
+    feet = [kte.point_contact_2D(f"foot {k}", "ground", "tip", surface_axis=[0, 1], offset=[0.1 * k, 1]) for k in range(4)]
+    calls = []
+    law = lambda t, q, v: calls.append((t, *q, *v)) or [-q[0]]  # noqa: E731
+    simulation = kte.Simulation(pendulum << feet, [0.5], control=law, inputs={"motor": lambda t, q, v: law(t, q, v)[0]})
+    simulation.advance(0.5)
+    repeated = [a == b for a, b in zip(calls[2::2], calls[::2])]
+    assert len(calls) > 100 and not any(repeated[1:])
+    assert calls[::2] == calls[1::2]  # inputs and control
+    gain = [1.0]
+    for solver in ("dormand_prince45", "moreau_jean"):
+        one, two = (kte.Simulation(pendulum, [0.5], control=lambda t, q, v: gain[0] * q, solver=solver) for _ in range(2))
+        for simulation, gains in ((one, (1, 50)), (two, (1, 1))):
+            for k, gain[0] in enumerate(gains):
+                simulation.advance(0.01 * (k + 1))
+        difference = (one.v - two.v)[0]  # the second half has the gain of its begin
+        assert difference == pytest.approx(49 * 0.5 * 0.01 / 0.25, rel=0.1), solver
+
+
+def test_implicit_control_may_be_stiff(pendulum):
+    def end(**options):
+        control = counted(lambda t, q, v: -1e5 * (q - 0.3) - 1e3 * v)
+        motion = kte.simulate(pendulum, [0.5], time=0.5, every=0.5, control=control, solver="moreau_jean", step=0.01, **options)
+        return motion.q[-1, 0], len(control.times) / motion.statistics["steps"]
+
+    stiff, calls = end(implicit_control=True)
+    assert stiff == pytest.approx(0.3, abs=1e-3) and 3 < calls < 10
+    explicit, calls = end()
+    assert abs(explicit - 0.3) > 1 and calls < 1.1  # unstable
+    with pytest.raises(kte.BadArgument, match="implicit_control is an option of moreau_jean, not of rodas"):
+        kte.simulate(pendulum, [0.5], time=1, solver="rodas", implicit_control=True)

@@ -108,16 +108,20 @@ def function(family, dimension, text, rows):
         p.argument = p.name + "_length" if p.name in taken else p.name  # of a crank, which is a coordinate too
     planar = dimension == "2D"
 
-    arguments = [f"{p.name}: str" for p in ports]
-    for p in sorted(parameters, key=lambda r: r.default is not None):
+    arguments, needed, optional = [f"{p.name}: str" for p in ports], [], False
+    for p in parameters:
         kind = CONVERTERS[p.what][1]
         if planar and p.what == "symmetric matrix":
             kind = "ArrayLike"
-        if p.default is None:
-            arguments.append(f"{p.argument}: {kind}")
+        if p.default is not None:
+            optional = True
+            kind = f"Optional[{kind}]" if p.default == "None" else kind
+            arguments.append(f"{p.argument}: {kind} = {p.default}")
+        elif optional:  # the order is that of the page
+            needed.append(p.argument)
+            arguments.append(f"{p.argument}: {kind} = to.required")
         else:
-            optional = f"Optional[{kind}]" if p.default == "None" else kind
-            arguments.append(f"{p.argument}: {optional} = {p.default}")
+            arguments.append(f"{p.argument}: {kind}")
 
     doc = [plain(line) if not line.startswith("    ") else line.replace("\\", "\\\\") for line in text]
     doc = "\n".join(doc).strip()
@@ -161,6 +165,8 @@ def function(family, dimension, text, rows):
     if len(lines[0]) > 118:
         lines = [f"def {name}("] + [f"    {a}," for a in arguments] + [") -> Element:"]
     lines.append(textwrap.indent(f'"""{doc}\n"""', "    "))
+    if needed:
+        lines.append(f'    to.require("{name}", ' + ", ".join(f"{a}={a}" for a in needed) + ")")
     lines.append("    return make(")
     lines.append(f'        "{name}",')
     lines.append(f"        [{connections}],")
@@ -179,7 +185,8 @@ def main(page, out):
     head = [
         '"""The elements: joints, links, inertias, forces, motors, sensors, closures of loops, contacts. SI units.',
         "",
-        "Ports take the names of coordinates, frames and signals, as strings; parameters are positional or keywords.",
+        "Ports take the names of coordinates, frames and signals, as strings; parameters are positional or keywords. Those with the",
+        "default `required` follow optional ones, and must be given.",
         '"""',
         "from __future__ import annotations",
         "",

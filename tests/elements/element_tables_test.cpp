@@ -1,3 +1,5 @@
+#include <kte/robots/detail/factory_calls.hpp>
+
 #include <filesystem>
 #include <fstream>
 #include <regex>
@@ -50,6 +52,25 @@ TEST_CASE("tables follow ports and parameters, and keep what is written by hand"
   const auto fresh = element_tables::with_tables("# Elements\n");  // sections are made
   CHECK(fresh.find("\n## `base`\n\n| name | dimension | type | description |\n|-|-|-|-|\n"
                    "| `base` | gen, 2D, 3D | port, declares | |\n") != std::string::npos);
+}
+
+TEST_CASE("factories take parameters in the order of the tables, the offset of a contact last") {
+  std::size_t checked = 0;
+  for (const auto& [type, call] : kte::detail::factory_calls()) {
+    if (!call.arguments) continue;  // then they follow one another in the order of tables
+    INFO(type);
+    std::vector<std::string> expected, last;
+    for (const auto& p : call.parameters) {
+      if (p.is_fixed() || (p.optional && (p.name == "position" || p.name == "rotation"))) continue;  // no argument
+      const bool is_last = p.name == "offset" && type.find("_contact_") != std::string::npos;
+      (is_last ? last : expected).emplace_back(p.name);
+    }
+    expected.insert(expected.end(), last.begin(), last.end());
+    const auto text = std::regex_replace(std::string(call.arguments), std::regex("[{}]"), "");
+    CHECK(element_tables::split(text == "body" ? "mass, com, inertia" : text, ", ") == expected);
+    ++checked;
+  }
+  CHECK(checked > 20);
 }
 
 TEST_CASE("what a factory says to a wrong call begins with the roles of its ports") {

@@ -33,14 +33,14 @@ inline std::vector<std::string> compiler_words(const std::filesystem::path& libr
   return words;
 }
 
-/// Compiles main.cpp of a folder to `program`; messages go to the file `messages`.
+/// Compiles main.cpp of a folder to `program`; messages go to the file `messages`. `watch` as for `run_child`.
 inline child_end compile(std::vector<std::string> words, const std::filesystem::path& folder,
-                         int messages = STDERR_FILENO) {
+                         int messages = STDERR_FILENO, const std::function<void()>& watch = {}) {
   const std::string compiler = words.front();
   words.erase(words.begin());
   words.insert(words.end(),
                {"-I" + folder.string(), "-o", (folder / "program").string(), (folder / "main.cpp").string()});
-  return run_child(compiler, words, messages, false, -1, messages);
+  return run_child(compiler, words, messages, false, -1, messages, watch);
 }
 
 }  // namespace evaluate
