@@ -1,21 +1,19 @@
 #include <kte/dynamics/energy.hpp>
-#include <kte/io/memory_table.hpp>
 #include <kte/io/model_inputs.hpp>
 #include <kte/io/program.hpp>
 #include <kte/io/progress.hpp>
 #include <kte/io/progress_bar.hpp>
-#include <kte/io/table_writer.hpp>
+#include <kte/io/table_format.hpp>
 #include <kte/models/modes.hpp>
-#include <kte/view/write_mcap.hpp>
 
 #include <chrono>
 
 #include "commands.hpp"
 #include "json_writer.hpp"
-#include "message.hpp"
-#include "recorded_scene.hpp"
+#include "output_file.hpp"
 #include "simulate/law.hpp"
 #include "simulate/motors.hpp"
+#include "simulate/recording_file.hpp"
 #include "simulate/solvers.hpp"
 #include "start.hpp"
 #include "text_format.hpp"
@@ -32,54 +30,7 @@ struct simulate_options {
   std::string pd, input, record;
   std::vector<std::string> columns;
   std::optional<double> kp, kd;
-  bool motors = false, compensate = false, frames = false, json = false;
-};
-
-/// A file of the numbers of states over time. MCAP also has what Foxglove shows in space: it is written at the end.
-class recording_file {
- public:
-  recording_file(const std::string& path, const mechanism& m, const kte::runtime_chain& c,
-                 const std::vector<std::string>& names)
-      : path_(path), m_(m), state_(c, names), numbers_(state_.columns().size() + 3) {
-    std::vector<std::string> columns{"t"};
-    for (const auto& x : state_.columns()) columns.push_back(x.name);
-    for (const char* const energy : {"energy/kinetic", "energy/potential", "energy/total"}) {
-      std::string name = energy;
-      while (std::find(columns.begin(), columns.end(), name) != columns.end()) name += '_';
-      columns.push_back(name);
-    }
-    if (kte::format_of(path) == kte::table_format::mcap) kept_.emplace(columns);
-    out_.emplace(path, columns);
-  }
-  void row(double t, const kte::runtime_chain& c, const kte::runtime_state& s) {
-    state_.read(s, numbers_.data());
-    auto own = s;  // energies use its memory
-    const auto e = kte::energy(c, own);
-    double* const last = numbers_.data() + state_.columns().size();
-    last[0] = e.kinetic, last[1] = e.potential, last[2] = e.kinetic + e.potential;
-    out_->row(t, numbers_);
-    if (kept_) kept_->row(t, numbers_);
-    ++rows_;
-  }
-  void close() {
-    out_->close();
-    if (!kept_ || rows_ == 0) return;
-    try {
-      kte::write_mcap(path_, scene_of(m_, kept_->contents(), ""));
-    } catch (const kte::bad_argument& e) {
-      say(path_ + " has numbers only, and nothing to draw: " + std::string(e.what()).substr(5));
-    }
-  }
-  std::size_t rows() const { return rows_; }
-
- private:
-  std::string path_;
-  const mechanism& m_;
-  recorded_state state_;
-  std::vector<double> numbers_;
-  std::optional<kte::table_writer> out_;
-  std::optional<kte::memory_table> kept_;
-  std::size_t rows_ = 0;
+  bool motors = false, compensate = false, frames = false, event_rows = false, json = false;
 };
 
 struct summary {
@@ -149,8 +100,11 @@ void check_settings(const simulate_options& o) {
                       " of --time " + short_number(o.end) + " are more");
   check_contacts(o.in);
   if (o.pd.empty() && (o.kp || o.kd || o.compensate)) throw usage_error("--kp, --kd and --compensate need --pd");
-  if (o.record.empty() && (!o.columns.empty() || o.frames)) throw usage_error("--column and --frames need --record");
+  if (o.record.empty() && (!o.columns.empty() || o.frames || o.event_rows))
+    throw usage_error("--column, --frames and --event-rows need --record");
   if (!o.record.empty()) (void)kte::format_of(o.record);  // before what takes long
+  refuse_input_as_output({"--record", o.record},
+                         {{"FILE", o.in.file}, {"--start", o.start.table}, {"--pd", o.pd}, {"--input", o.input}});
 }
 
 /// What drives the mechanism.
@@ -217,6 +171,9 @@ int simulate(simulate_options& o) {
   x = kte::settled(p.model(), 0.0, x);
   std::optional<recording_file> out;
   auto columns = o.columns;
+  const auto& always = kte::detail::energy_names;
+  std::erase_if(columns,
+                [&](const auto& name) { return std::find(always.begin(), always.end(), name) != always.end(); });
   if (o.frames)
     for (const auto k : {kte::kind::frame_2D, kte::kind::frame_3D})
       for (const auto& name : chain.wiring().names[static_cast<std::size_t>(k)]) columns.push_back("frame:" + name);
@@ -225,7 +182,8 @@ int simulate(simulate_options& o) {
   try {
     const auto solver = make_solver(p, x, o.solver);
     kte::progress report(0.0, o.end, kte::progress_bar());
-    solver->advance(o.end, o.every, [&](double t, const plant::state& at) {
+    const kte::every rows(o.every);
+    solver->advance(o.end, o.event_rows ? rows.with_event_rows() : rows, [&](double t, const plant::state& at) {
       if (out) out->row(t, chain, solver->state_at(t, at));
       report(t);
     });
@@ -270,6 +228,7 @@ void add_simulate(command_line& line) {
              "also records this column, such as tool/position or tool/velocity/x; repeatable")
       .flag("--frames", o->frames, "also records the poses of all frames")
       .number("--every", "S", o->every, "time between rows of the recording, s; default 0.01")
+      .flag("--event-rows", o->event_rows, "also records rows before and after each event, both at its time")
       .flag("--json", o->json, "prints the result as JSON")
       .runs([o] { return simulate(*o); });
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <kte/integrators/time_grid.hpp>
+
 #include <memory>
 #include <optional>
 #include <string>
@@ -27,9 +29,9 @@ using run_observer = std::function<void(double t, const plant::state& x)>;
 class plant_solver {
  public:
   virtual ~plant_solver() = default;
-  /// To a time, with events where the laws of elements change; calls an observer every `every` s, and at both ends.
-  /// Throws what integrators throw.
-  virtual void advance(double end, double every, const run_observer& observe) = 0;
+  /// To a time, with events where the laws of elements change; calls an observer at the times of rows, also at
+  /// both ends. Throws what integrators throw.
+  virtual void advance(double end, const kte::every<double>& rows, const run_observer& observe) = 0;
   virtual double time() const = 0;
   virtual const plant::state& state() const = 0;
   /// The state of the chain at t and x of an observer.
