@@ -680,11 +680,12 @@ def _run_sweep(
     threads: int,
     shard_size: int,
     note: str,
+    depends_on: List[Tuple[str, str]],
     progress: Any,
     completed: Any,
 ) -> Any: ...
 def _kept_names(run: Any, columns: List[str], quantities: List[str]) -> List[str]: ...
 def _missing_shards(
-    cases: Cases, kept: List[str], to: Optional[_Path], shard_size: int, note: str
+    cases: Cases, kept: List[str], to: Optional[_Path], shard_size: int, note: str, depends_on: List[Tuple[str, str]]
 ) -> List[int]: ...
 def _run_range(columns: List[str], kept: List[str], run: Any, begin: int, values: Array) -> Any: ...
