@@ -30,12 +30,13 @@ struct simulate_options {
   std::string pd, input, record;
   std::vector<std::string> columns;
   std::optional<double> kp, kd;
-  bool motors = false, compensate = false, frames = false, event_rows = false, json = false;
+  bool motors = false, compensate = false, frames = false, event_rows = false, events = false, json = false;
 };
 
 struct summary {
   kte::step_statistics steps;
   long long events = 0;
+  std::vector<past_event> event_list;
   double seconds = 0;
   kte::energies<> before, after;
   Eigen::VectorXd q, v;
@@ -59,8 +60,13 @@ std::string text_of(const simulate_options& o, const mechanism& m, const summary
   t += energy("start", s.before) + energy("end", s.after);
   t += "change of energy: " + short_number(total(s.after) - total(s.before)) + " J\n";
   if (!o.record.empty()) t += std::to_string(s.rows) + " rows in " + printable(o.record) + '\n';
-  t += "state at the end\n";
   char digits[64];
+  if (o.events) t += "events\n";
+  for (const auto& e : s.event_list) {
+    std::snprintf(digits, sizeof digits, "  %.12g s: ", e.time);
+    t += digits + e.element + (e.what.empty() ? "" : ": " + e.what) + '\n';
+  }
+  t += "state at the end\n";
   for (const auto& e : kte::layout(m.chain())) {
     t += "  " + e.name + ": q";
     for (int i = e.q; i < e.q + e.nq; ++i) std::snprintf(digits, sizeof digits, " %.12g", s.q[i]), t += digits;
@@ -79,6 +85,12 @@ std::string json_of(const simulate_options& o, const mechanism& m, const summary
   j.member("tolerance", o.solver.tolerance).member("step", o.solver.step);
   j.member("steps", n.steps).member("rejected", n.rejected).member("evaluations", n.evaluations);
   j.member("events", s.events).member("seconds", s.seconds);
+  if (o.events) {
+    j.key("event_list").list();
+    for (const auto& e : s.event_list)
+      j.object().member("time", e.time).member("element", e.element).member("what", e.what).end();
+    j.end();
+  }
   const auto energy = [&j](const char* name, const kte::energies<>& e) {
     j.key(name).object().member("kinetic", e.kinetic).member("potential", e.potential).member("total", total(e)).end();
   };
@@ -181,6 +193,7 @@ int simulate(simulate_options& o) {
   const auto began = std::chrono::steady_clock::now();
   try {
     const auto solver = make_solver(p, x, o.solver);
+    if (o.events) solver->keep_events();
     kte::progress report(0.0, o.end, kte::progress_bar());
     const kte::every rows(o.every);
     solver->advance(o.end, o.event_rows ? rows.with_event_rows() : rows, [&](double t, const plant::state& at) {
@@ -188,6 +201,7 @@ int simulate(simulate_options& o) {
       report(t);
     });
     x = solver->state(), s.steps = solver->statistics(), s.events = solver->events();
+    s.event_list = solver->kept_events();
   } catch (...) {
     if (out) out->close();  // what there was until then
     throw;
@@ -229,6 +243,7 @@ void add_simulate(command_line& line) {
       .flag("--frames", o->frames, "also records the poses of all frames")
       .number("--every", "S", o->every, "time between rows of the recording, s; default 0.01")
       .flag("--event-rows", o->event_rows, "also records rows before and after each event, both at its time")
+      .flag("--events", o->events, "lists the events: time, element, and for contacts what has changed")
       .flag("--json", o->json, "prints the result as JSON")
       .runs([o] { return simulate(*o); });
 }

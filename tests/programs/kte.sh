@@ -167,6 +167,12 @@ prints '9 rows in events.csv'
 cut -d, -f1 events.csv | uniq -d >out
 if [ "$(wc -l <out)" -ne 2 ]; then wrong 'events have no rows before and after'; fi
 gives 0 'wrote events.html' "$kte" view bouncing.json events.csv -o events.html
+gives 0 '' "$kte" simulate bouncing.json --time 1 --start falls.csv --events
+prints "  0.42835"
+prints "'floor': impact"
+gives 0 '' "$kte" simulate bouncing.json --time 1 --start falls.csv --events --json
+json simulate
+prints '"event_list":[{"time":0.42835'
 gives 2 '--column, --frames and --event-rows need --record' "$kte" simulate bouncing.json --event-rows
 gives 0 '' "$kte" simulate pendulum.json --time 1 --start start.csv --record again.csv --column energy/total --column t
 if ! cmp -s again.csv swing.csv; then wrong 'columns that are recorded anyway are there twice'; fi

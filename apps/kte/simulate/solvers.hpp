@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "command_line.hpp"
 #include "simulate/plant.hpp"
@@ -25,6 +26,12 @@ void check_settings(const solver_options& o);
 /// Called at evenly spaced times.
 using run_observer = std::function<void(double t, const plant::state& x)>;
 
+/// An event: time, s, the element, and what has changed, for contacts.
+struct past_event {
+  double time;
+  std::string element, what;
+};
+
 /// A solver of a plant, whatever its method.
 class plant_solver {
  public:
@@ -38,9 +45,20 @@ class plant_solver {
   virtual const kte::runtime_state& state_at(double t, const plant::state& x) = 0;
   virtual kte::step_statistics statistics() const = 0;
   long long events() const { return events_; }
+  /// Keeps a list of the events from now on.
+  void keep_events() { keeps_events_ = true; }
+  const std::vector<past_event>& kept_events() const { return kept_; }
 
  protected:
+  void add_event(const past_event& e) {
+    ++events_;
+    if (keeps_events_) kept_.push_back(e);
+  }
+
+ private:
   long long events_ = 0;
+  bool keeps_events_ = false;
+  std::vector<past_event> kept_;
 };
 
 /// From x at t = 0. Throws `usage_error` for a solver that there is not. The plant must outlive it.

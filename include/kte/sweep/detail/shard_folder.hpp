@@ -39,8 +39,8 @@ inline std::string sweep_identity(const sweep_cases& cases, const std::vector<st
   for (std::uint64_t k = 0; k < samples; ++k)
     for (std::size_t j = 0; j < cases.names().size(); ++j)
       append_bytes(values, cases(samples == 1 ? 0 : k * ((cases.count() - 1) / (samples - 1)), j));
-  values += "values";  // never short
-  add("values of cases", values + '\n'), add("note", options.note);
+  add("values of cases", values + '\n');  // with the end of a line: its checksum
+  add("note", options.note);
   for (const auto& [name, value] : options.depends_on) add(name, value);
   return text;
 }
