@@ -138,19 +138,26 @@ prints 'x: q 1.4493'
 if ! tail -n 1 rolling.csv | grep -q ',9\.8[01]'; then wrong 'the force of a contact is not recorded'; fi
 # A run that fails at the start leaves the earlier recording, and nothing else.
 cp rolling.csv earlier.csv
-gives 1 "contact 'floor' is 0.1" "$kte" simulate ball.json --solver moreau_jean --record rolling.csv
+printf 'tau_0\n1e308\n' >huge.csv
+gives 1 'integration stopped at t = 0: ' "$kte" simulate pendulum.json --input huge.csv --record rolling.csv
 if ! cmp -s rolling.csv earlier.csv; then wrong 'a run that fails at the start changes the earlier recording'; fi
+gives 1 'integration stopped at t = 0: ' "$kte" simulate pendulum.json --input huge.csv --record new.csv
 gives 1 "contact 'floor' is 0.1" "$kte" simulate ball.json --solver moreau_jean --record new.csv
 for part in ./*.part new.csv; do
   if [ -e "$part" ]; then wrong "$part remains"; fi
 done
+# One that fails later leaves the rows until then.
+printf 't,tau_0\n0,0\n0.5,0\n0.6,1e308\n' >late.csv
+gives 1 'integration stopped at t = 0.4999' "$kte" simulate pendulum.json --input late.csv --record late_rows.csv
+tail -n 1 late_rows.csv >out
+prints '0.49,'
 # One that is killed leaves the rows that were flushed, every second.
 timeout -s KILL 4 "$kte" simulate pendulum.json --time 5e4 --every 0.001 --start start.csv --record rolling.csv >out 2>errors || true
 if cmp -s rolling.csv earlier.csv || [ "$(wc -l <rolling.csv)" -lt 100 ]; then wrong 'a killed run leaves no rows'; fi
 for part in ./*.part; do
   if [ -e "$part" ]; then wrong "$part remains"; fi
 done
-mkfifo pipe.csv && { cat pipe.csv >piped & }
+mkfifo pipe.csv && { timeout 60 cat pipe.csv >piped & }
 gives 0 '' "$kte" simulate pendulum.json --time 1 --start start.csv --record pipe.csv
 wait
 if ! cmp -s piped swing.csv; then wrong 'a pipe gets other rows'; fi
