@@ -112,10 +112,10 @@ class simulation_run final : public native_run {
     const auto times = kept_.of_rows ? even_times(s_.begin, end, s_.every) : std::vector<double>{end};
     rows_ = 0, row_.resize(kept_.columns), before_.resize(kept_.columns), reduced_.resize(kept_.numbers.size());
     const auto ended = solver->advance(end, {}, {false, times}, [&](double t, const plant::state& state) {
-      if (kept_.of_rows) add_row(p, t, state);
+      if (kept_.of_rows) add_row(p, *solver, t, state);
     });
     kte::detail::require_no_zeno(ended.reason, solver->time(), ended.stopped_by_name);
-    read_numbers(kept_.cells, p.model().chain(), p.state_at(solver->time(), solver->state()), row_.data());
+    read_numbers(kept_.cells, p.model().chain(), state_at(p, *solver, solver->time(), solver->state()), row_.data());
     const double duration = solver->time() - s_.begin;
     for (std::size_t i = 0; i < kept_.numbers.size(); ++i) {
       const auto& n = kept_.numbers[i];
@@ -221,10 +221,15 @@ class simulation_run final : public native_run {
     });
     return u;
   }
+  /// The state of the chain, with the contact forces of the step if the solver has such.
+  static const kte::runtime_state& state_at(plant& p, any_solver& solver, double t, const plant::state& x) {
+    const auto* const of_step = solver.state_at(t, x);
+    return of_step != nullptr ? *of_step : p.state_at(t, x);
+  }
   /// Integrals of means: the sum of (t - t_before) (row + row_before) / 2. Rows before and after an event have one
   /// time.
-  void add_row(plant& p, double t, const plant::state& state) {
-    read_numbers(kept_.cells, p.model().chain(), p.state_at(t, state), row_.data());
+  void add_row(plant& p, any_solver& solver, double t, const plant::state& state) {
+    read_numbers(kept_.cells, p.model().chain(), state_at(p, solver, t, state), row_.data());
     for (std::size_t i = 0; i < kept_.numbers.size(); ++i) {
       const auto& n = kept_.numbers[i];
       if (n.is_outcome) continue;

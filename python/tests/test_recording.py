@@ -128,6 +128,16 @@ def test_means_of_sweeps_are_over_time(contact_ball, solver):
     assert kept["mean:z/v"][0] == pytest.approx((end - START) / 1.5, abs=1e-3)  # the integral of v
 
 
+@pytest.mark.parametrize("solver", ["dormand_prince45", "moreau_jean"])
+def test_sweeps_have_the_contact_forces_of_the_solver(contact_ball, solver):
+    run = kte.SimulationRun(contact_ball, [0.1], time=3.0, every=0.5, solver=solver)
+    kept = kte.sweep(kte.one_of("v/z", [0.0]), run, ["floor/force/z", "max:floor/force/z", "z/a"])
+    motion = kte.simulate(contact_ball, [0.1], time=3.0, every=0.5, solver=solver)
+    assert kept["floor/force/z"][0] == motion["floor/force/z"][-1] == pytest.approx(2 * G)
+    assert kept["max:floor/force/z"][0] == motion.columns(["floor/force/z"], event_rows=True)["floor/force/z"].max()
+    assert kept["z/a"][0] == motion["z/a"][-1] == pytest.approx(0, abs=1e-9)
+
+
 def test_the_mean_of_a_sine_and_of_a_last_interval_that_is_shorter(ball):
     spring = ball << kte.joint_stiffness_gen("z", stiffness=2.0)  # w = 1/s about -m g / k
     rest = -2 * G / 2
