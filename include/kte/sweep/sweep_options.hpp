@@ -45,8 +45,8 @@ struct sweep_options {
   /// What tells this sweep from others with the same cases and columns, such as the version of its function. A run
   /// continues shards of the same note only.
   std::string note{};
-  /// What else the results depend on, by names: `{{"chain", kte::to_json(record_of(chain))}, {"time", "10"}}`. A run
-  /// continues shards only if all are equal; an error names those that differ.
+  /// What else the results depend on, by names: `{{"chain", kte::to_json(kte::record_of(chain))}, {"time", "10"}}`. A
+  /// run continues shards only if all are equal; an error names those that differ.
   std::vector<std::pair<std::string, std::string>> depends_on{};
 };
 
