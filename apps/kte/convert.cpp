@@ -12,6 +12,7 @@
 #include "commands.hpp"
 #include "mechanism.hpp"
 #include "message.hpp"
+#include "output_file.hpp"
 
 namespace kte_tool {
 
@@ -125,6 +126,7 @@ std::string text_of(const convert_options& o, target t, const mechanism& m) {
 
 int convert(const convert_options& o) {
   const auto t = target_of(o);
+  refuse_input_as_output({"OUT", o.out}, {{"FILE", o.in.file}});
   check_contacts(o.in);
   if (o.in.robot.contacts.requested() && (t == target::urdf || t == target::mjcf))
     throw usage_error("--ground is for model files and C++ headers: URDF and MJCF have the shapes that touch");

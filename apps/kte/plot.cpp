@@ -3,6 +3,7 @@
 
 #include "commands.hpp"
 #include "message.hpp"
+#include "output_file.hpp"
 #include "png.hpp"
 #include "recorded_scene.hpp"
 #include "state_input.hpp"
@@ -49,6 +50,7 @@ int plot(plot_options& o) {
   if (!png && o.dpi) throw usage_error("--dpi is of PNG");
   if (o.dpi && !(*o.dpi >= 10 && *o.dpi <= 2400))
     throw usage_error("--dpi is between 10 and 2400, not " + short_number(*o.dpi));
+  refuse_input_as_output({"-o", o.out}, {{"RECORDING", o.recording}, {"--of", o.of}});
   if (!o.of.empty()) o.plot.units = units_of(o.of);
   const auto svg = [&o, table = kte::read_table(o.recording)] {
     try {

@@ -1,21 +1,19 @@
 #include <kte/dynamics/energy.hpp>
-#include <kte/io/memory_table.hpp>
 #include <kte/io/model_inputs.hpp>
 #include <kte/io/program.hpp>
 #include <kte/io/progress.hpp>
 #include <kte/io/progress_bar.hpp>
-#include <kte/io/table_writer.hpp>
+#include <kte/io/table_format.hpp>
 #include <kte/models/modes.hpp>
-#include <kte/view/write_mcap.hpp>
 
 #include <chrono>
 
 #include "commands.hpp"
 #include "json_writer.hpp"
-#include "message.hpp"
-#include "recorded_scene.hpp"
+#include "output_file.hpp"
 #include "simulate/law.hpp"
 #include "simulate/motors.hpp"
+#include "simulate/recording_file.hpp"
 #include "simulate/solvers.hpp"
 #include "start.hpp"
 #include "text_format.hpp"
@@ -32,59 +30,13 @@ struct simulate_options {
   std::string pd, input, record;
   std::vector<std::string> columns;
   std::optional<double> kp, kd;
-  bool motors = false, compensate = false, frames = false, json = false;
-};
-
-/// A file of the numbers of states over time. MCAP also has what Foxglove shows in space: it is written at the end.
-class recording_file {
- public:
-  recording_file(const std::string& path, const mechanism& m, const kte::runtime_chain& c,
-                 const std::vector<std::string>& names)
-      : path_(path), m_(m), state_(c, names), numbers_(state_.columns().size() + 3) {
-    std::vector<std::string> columns{"t"};
-    for (const auto& x : state_.columns()) columns.push_back(x.name);
-    for (const char* const energy : {"energy/kinetic", "energy/potential", "energy/total"}) {
-      std::string name = energy;
-      while (std::find(columns.begin(), columns.end(), name) != columns.end()) name += '_';
-      columns.push_back(name);
-    }
-    if (kte::format_of(path) == kte::table_format::mcap) kept_.emplace(columns);
-    out_.emplace(path, columns);
-  }
-  void row(double t, const kte::runtime_chain& c, const kte::runtime_state& s) {
-    state_.read(s, numbers_.data());
-    auto own = s;  // energies use its memory
-    const auto e = kte::energy(c, own);
-    double* const last = numbers_.data() + state_.columns().size();
-    last[0] = e.kinetic, last[1] = e.potential, last[2] = e.kinetic + e.potential;
-    out_->row(t, numbers_);
-    if (kept_) kept_->row(t, numbers_);
-    ++rows_;
-  }
-  void close() {
-    out_->close();
-    if (!kept_ || rows_ == 0) return;
-    try {
-      kte::write_mcap(path_, scene_of(m_, kept_->contents(), ""));
-    } catch (const kte::bad_argument& e) {
-      say(path_ + " has numbers only, and nothing to draw: " + std::string(e.what()).substr(5));
-    }
-  }
-  std::size_t rows() const { return rows_; }
-
- private:
-  std::string path_;
-  const mechanism& m_;
-  recorded_state state_;
-  std::vector<double> numbers_;
-  std::optional<kte::table_writer> out_;
-  std::optional<kte::memory_table> kept_;
-  std::size_t rows_ = 0;
+  bool motors = false, compensate = false, frames = false, event_rows = false, events = false, json = false;
 };
 
 struct summary {
   kte::step_statistics steps;
   long long events = 0;
+  std::vector<past_event> event_list;
   double seconds = 0;
   kte::energies<> before, after;
   Eigen::VectorXd q, v;
@@ -108,8 +60,13 @@ std::string text_of(const simulate_options& o, const mechanism& m, const summary
   t += energy("start", s.before) + energy("end", s.after);
   t += "change of energy: " + short_number(total(s.after) - total(s.before)) + " J\n";
   if (!o.record.empty()) t += std::to_string(s.rows) + " rows in " + printable(o.record) + '\n';
-  t += "state at the end\n";
   char digits[64];
+  if (o.events) t += "events\n";
+  for (const auto& e : s.event_list) {
+    std::snprintf(digits, sizeof digits, "  %.12g s: ", e.time);
+    t += digits + e.element + (e.what.empty() ? "" : ": " + e.what) + '\n';
+  }
+  t += "state at the end\n";
   for (const auto& e : kte::layout(m.chain())) {
     t += "  " + e.name + ": q";
     for (int i = e.q; i < e.q + e.nq; ++i) std::snprintf(digits, sizeof digits, " %.12g", s.q[i]), t += digits;
@@ -128,6 +85,12 @@ std::string json_of(const simulate_options& o, const mechanism& m, const summary
   j.member("tolerance", o.solver.tolerance).member("step", o.solver.step);
   j.member("steps", n.steps).member("rejected", n.rejected).member("evaluations", n.evaluations);
   j.member("events", s.events).member("seconds", s.seconds);
+  if (o.events) {
+    j.key("event_list").list();
+    for (const auto& e : s.event_list)
+      j.object().member("time", e.time).member("element", e.element).member("what", e.what).end();
+    j.end();
+  }
   const auto energy = [&j](const char* name, const kte::energies<>& e) {
     j.key(name).object().member("kinetic", e.kinetic).member("potential", e.potential).member("total", total(e)).end();
   };
@@ -149,8 +112,11 @@ void check_settings(const simulate_options& o) {
                       " of --time " + short_number(o.end) + " are more");
   check_contacts(o.in);
   if (o.pd.empty() && (o.kp || o.kd || o.compensate)) throw usage_error("--kp, --kd and --compensate need --pd");
-  if (o.record.empty() && (!o.columns.empty() || o.frames)) throw usage_error("--column and --frames need --record");
+  if (o.record.empty() && (!o.columns.empty() || o.frames || o.event_rows))
+    throw usage_error("--column, --frames and --event-rows need --record");
   if (!o.record.empty()) (void)kte::format_of(o.record);  // before what takes long
+  refuse_input_as_output({"--record", o.record},
+                         {{"FILE", o.in.file}, {"--start", o.start.table}, {"--pd", o.pd}, {"--input", o.input}});
 }
 
 /// What drives the mechanism.
@@ -223,6 +189,9 @@ int simulate(simulate_options& o) {
   x = kte::settled(p.model(), 0.0, x);
   std::optional<recording_file> out;
   auto columns = o.columns;
+  const auto& always = kte::detail::energy_names;
+  std::erase_if(columns,
+                [&](const auto& name) { return std::find(always.begin(), always.end(), name) != always.end(); });
   if (o.frames)
     for (const auto k : {kte::kind::frame_2D, kte::kind::frame_3D})
       for (const auto& name : chain.wiring().names[static_cast<std::size_t>(k)]) columns.push_back("frame:" + name);
@@ -230,12 +199,15 @@ int simulate(simulate_options& o) {
   const auto began = std::chrono::steady_clock::now();
   try {
     const auto solver = make_solver(p, x, o.solver);
+    if (o.events) solver->keep_events();
     kte::progress report(0.0, o.end, kte::progress_bar());
-    solver->advance(o.end, o.every, [&](double t, const plant::state& at) {
+    const kte::every rows(o.every);
+    solver->advance(o.end, o.event_rows ? rows.with_event_rows() : rows, [&](double t, const plant::state& at) {
       if (out) out->row(t, chain, solver->state_at(t, at));
       report(t);
     });
     x = solver->state(), s.steps = solver->statistics(), s.events = solver->events();
+    s.event_list = solver->kept_events();
   } catch (...) {
     if (out) out->close();  // what there was until then
     throw;
@@ -276,6 +248,8 @@ void add_simulate(command_line& line) {
              "also records this column, such as tool/position or tool/velocity/x; repeatable")
       .flag("--frames", o->frames, "also records the poses of all frames")
       .number("--every", "S", o->every, "time between rows of the recording, s; default 0.01")
+      .flag("--event-rows", o->event_rows, "also records rows before and after each event, both at its time")
+      .flag("--events", o->events, "lists the events: time, element, and for contacts what has changed")
       .flag("--json", o->json, "prints the result as JSON")
       .runs([o] { return simulate(*o); });
 }

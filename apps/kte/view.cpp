@@ -4,6 +4,7 @@
 #include "browser.hpp"
 #include "commands.hpp"
 #include "message.hpp"
+#include "output_file.hpp"
 #include "recorded_scene.hpp"
 #include "start.hpp"
 #include "text_format.hpp"
@@ -33,8 +34,11 @@ int view(view_options& o) {
                                .recording_bytes = bytes_of("--recording-size", o.recording_size)};
   if (o.start.given() && !o.recordings.empty())
     throw usage_error("--start and --configuration are for pages without a recording");
-  const auto m = read_and_warn(o.in);
   if (o.out.empty()) o.out = std::filesystem::path(o.in.file).stem().string() + ".html";
+  std::vector<named_file> inputs{{"FILE", o.in.file}, {"--start", o.start.table}};
+  for (const auto& path : o.recordings) inputs.push_back({"RECORDINGS", path});
+  refuse_input_as_output({"-o", o.out}, inputs);
+  const auto m = read_and_warn(o.in);
   std::vector<kte::scene> all;
   for (const auto& path : o.recordings) {
     auto table = kte::read_table(path);

@@ -50,6 +50,9 @@ std::string header_of(const request& r) {
 }
 
 int run(const request& r) {
+  std::error_code none;
+  if (r.out && !r.help && std::filesystem::equivalent(*r.out, r.robot, none))
+    throw kte::bad_argument("kte: the header '" + r.out->string() + "' would replace the robot");
   const auto text = r.help ? usage : header_of(r);
   if (r.out && !r.help)
     kte::detail::replace_file(*r.out, text);

@@ -2,13 +2,14 @@
 from __future__ import annotations
 
 import functools
+import hashlib
 import importlib
 import math
 import operator
 import os
 import sys
 from concurrent.futures import FIRST_COMPLETED, Executor, wait
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from itertools import islice
 from typing import Any, Callable, Dict, Iterable, Iterator, List, Mapping, Optional, Sequence, Tuple, Union, overload
 
@@ -198,6 +199,24 @@ def _kept(run: Any, columns: List[str], named: Mapping[str, str]) -> Tuple[List[
     return names, quantities
 
 
+def _text_of(x: Any) -> str:
+    """An argument of a run as a text, the same for equal numbers."""
+    if isinstance(x, Mapping):
+        return ", ".join(f"{name}: {_text_of(number)}" for name, number in sorted(x.items()))
+    if x is None or isinstance(x, (str, bool)):
+        return str(x)
+    return np.array2string(np.asarray(x, dtype=float), separator=", ", threshold=sys.maxsize, floatmode="unique").replace("\n", "")
+
+
+def _dependences(run: Any, quantities: Sequence[str], packs: bool) -> List[Tuple[str, str]]:
+    """What the results of a run of the library depend on, by names."""
+    texts = [("run", type(run).__name__), ("kept quantities", ", ".join(quantities)), ("packs", str(packs))]
+    state = run.chain.__getstate__()
+    content = state[0] if isinstance(state, tuple) else state  # of compiled chains with the compiled frames
+    texts.append(("chain", hashlib.sha256(content).hexdigest()))
+    return texts + [(x.name, _text_of(getattr(run, x.name))) for x in fields(run) if x.name != "chain"]
+
+
 class _Workers:
     """Those of a client of Dask or of an Executor: `submit` a call, `first` of futures that are done."""
 
@@ -318,7 +337,8 @@ def sweep(
     shard_size  cases that are computed and saved together; by default a 64th of all, at most 1024
     packs       of runs of the library whether cases are computed together, in packs, where they can be. Results then
                 differ by rounding, and by the tolerances of the solver, from those of single calls
-    note        distinguishes sweeps to the same file with the same cases and columns
+    note        distinguishes sweeps to the same file with the same cases and columns. A sweep continues if these, and of
+                runs of the library the chain and all options, are as before; otherwise an error names what differs
     progress    True prints it, a function gets a `SweepProgress`, about twice a second
     client      a client of Dask, or a `concurrent.futures.Executor`: shards are computed by its workers
 
@@ -329,11 +349,14 @@ def sweep(
     named = {} if keep is None else {keep: keep} if isinstance(keep, str) else keep
     named = dict(named) if isinstance(named, Mapping) else {name: name for name in named}
     work: Any
+    depends_on: List[Tuple[str, str]] = []
     if isinstance(run, (SimulationRun, OperationRun)):
         if isinstance(run, OperationRun) and run.operation == "passes" and not named:
             raise BadArgument("kte: keep must name the quantities to keep of passes, as tip/position")
         names, quantities = _kept(run, varied.names, named)
         work = run, quantities, bool(packs)
+        if to is not None:
+            depends_on = _dependences(run, quantities, bool(packs))
     elif callable(run):
         if not named:
             raise BadArgument("kte: keep must name the numbers that the function returns")
@@ -357,10 +380,10 @@ def sweep(
     completed = None
     if client is not None:
         elsewhere = _Elsewhere(_Workers(client), varied, names, work, shard_size)
-        completed = elsewhere.completed(_kte._missing_shards(varied, names, to, shard_size, note))
+        completed = elsewhere.completed(_kte._missing_shards(varied, names, to, shard_size, note, depends_on))
         work = elsewhere.fetch
     report = (_print_progress if progress else None) if isinstance(progress, bool) else progress
-    result = _kte._run_sweep(varied, names, work, to, threads, shard_size, note, report, completed)
+    result = _kte._run_sweep(varied, names, work, to, threads, shard_size, note, depends_on, report, completed)
     if to is not None:
         return result  # type: ignore[no-any-return]
     columns, failures, summary = result

@@ -17,8 +17,8 @@ class method : public any_solver {
     const auto all = kte::events(events.plain, events.acting,
                                  kte::detail::event_under_law(p_, std::get<0>(kte::element_events(p_.model()).list)))
                          .report_to([&r](const kte::event_occurrence<plant::state>& e) { r.events.push_back(e); });
-    const auto ended =
-        at.every_step ? solver_.integrate(end, all, observe) : solver_.integrate(end, all, kte::at(at.times), observe);
+    const auto ended = at.every_step ? solver_.integrate(end, all, observe)
+                                     : solver_.integrate(end, all, kte::at(at.times).with_event_rows(), observe);
     r.count = ended.count, r.reason = ended.reason;
     r.stopped_by = ended.stopped_by, r.stopped_by_name = ended.stopped_by_name;
     return r;

@@ -17,6 +17,7 @@
 #include "batch.hpp"
 #include "chain.hpp"
 #include "native_run.hpp"
+#include "recorded_numbers.hpp"
 #include "sweep_columns.hpp"
 
 namespace kte_python {
@@ -215,7 +216,7 @@ class named_operation final : public operation_run {
 class passes_run final : public operation_run {
  public:
   passes_run(const runtime_chain& c, const case_numbers& x, const column_names& columns, const column_names& keep)
-      : operation_run(c, x, columns, "a"), what_(kte::detail::slots_of(c), keep) {
+      : operation_run(c, x, columns, "a"), what_(kept_quantities(c, keep)) {
     kept_.assign(what_.columns.begin() + 1, what_.columns.end());
   }
   std::unique_ptr<native_run> clone() const override { return std::make_unique<passes_run>(*this); }
@@ -225,7 +226,7 @@ class passes_run final : public operation_run {
       kte::set_positions(s, x.q), kte::set_velocities(s, x.v), kte::set_accelerations(s, x.third);
       c.doMotion(s), c.clearForce(s), c.doForce(s);
       kept.resize(kept_.size());
-      kte::detail::read_recorded(what_.cells, s, kept.data());
+      read_numbers(what_.cells, c, s, kept.data());
     });
   }
 

@@ -31,7 +31,8 @@ py::tuple state_of(const recording_object& r) {
   return py::make_tuple(
       bytes_of(r.chain), r.drawn, r.nx, r.nu, array_of(r.t), array_of(r.x), array_of(r.u), array_of(r.accelerations),
       py::bytes(reinterpret_cast<const char*>(r.contacts.data()), r.contacts.size() * sizeof(contact)), events,
-      r.reason, r.stopped_by, counts{s.steps, s.rejected, s.evaluations, s.jacobians, s.factorizations});
+      r.reason, r.stopped_by, counts{s.steps, s.rejected, s.evaluations, s.jacobians, s.factorizations},
+      py::bytes(r.asked.data(), r.asked.size()));
 }
 
 std::unique_ptr<recording_object> recording_from(const py::tuple& state) {
@@ -48,6 +49,8 @@ std::unique_ptr<recording_object> recording_from(const py::tuple& state) {
   r.reason = state[10].cast<std::string>(), r.stopped_by = state[11].cast<std::string>();
   const auto n = state[12].cast<counts>();
   r.statistics = {n[0], n[1], n[2], n[3], n[4]};
+  const auto asked = state[13].cast<std::string>();
+  r.asked.assign(asked.begin(), asked.end());
   return made;
 }
 

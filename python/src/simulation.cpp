@@ -243,10 +243,11 @@ py::object simulation::advance(double end, py::handle every, py::handle at) {
     explicit in_use(bool& f) : flag(f) { flag = true; }
     ~in_use() { flag = false; }
   } const used(running_);
-  const auto observe = [this, &r](double t, const plant::state& now) {
+  const auto observe = [this, &r, &when](double t, const plant::state& now) {
     plant_.set_inputs(t, now);
     const auto& u = plant_.model().input();
-    r.t.push_back(t), r.x.insert(r.x.end(), now.data(), now.data() + r.nx);
+    when.every_step ? r.add_time(t) : r.add_time(t, when.times);
+    r.x.insert(r.x.end(), now.data(), now.data() + r.nx);
     r.u.insert(r.u.end(), u.data(), u.data() + u.size());
     if (const auto* const s = solver_->state_at(t, now)) r.add(*s);
   };
@@ -256,7 +257,9 @@ py::object simulation::advance(double end, py::handle every, py::handle at) {
     ended = solver_->advance(end, lists_, when, observe);
   }
   for (const auto& e : ended.events) r.events.push_back({e.name, e.time, e.before, e.after, e.what});
-  r.reason = ended.reason == kte::stop_reason::terminal ? "terminal" : "end_time";
+  const bool is_terminal = ended.reason == kte::stop_reason::terminal;
+  if (is_terminal && at.is_none()) r.asked.back() = 1;  // even times have the end
+  r.reason = is_terminal ? "terminal" : "end_time";
   r.stopped_by = ended.stopped_by_name;
   r.statistics = solver_->statistics();
   kte::detail::require_no_zeno(ended.reason, solver_->time(), ended.stopped_by_name);
@@ -340,8 +343,9 @@ implicit_control
            "inputs"_a = none, "events"_a = none, "only_if"_a = none, "implicit_control"_a = false)
       .def("advance", &simulation::advance, R"(advance(end, *, every=None, at=None)
 
-Integrates to the time `end`, s, and returns a `Recording` of every step, of even times, or of the times `at`. Ctrl-C stops
-it, and so do exceptions of functions of yours; the rows until then are in `recording`, and a further `advance` goes on.)",
+Integrates to the time `end`, s, and returns a `Recording` of every step, with the states before and after events, of even
+times, or of the times `at`. Ctrl-C stops it, and so do exceptions of functions of yours; the rows until then are in
+`recording`, and a further `advance` goes on.)",
            "end"_a, py::kw_only(), "every"_a = none, "at"_a = none)
       .def_property_readonly("t", &simulation::time, "The time, s.")
       .def_property_readonly(

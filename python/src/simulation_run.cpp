@@ -10,6 +10,7 @@
 #include "chain.hpp"
 #include "coordinate_forces.hpp"
 #include "native_run.hpp"
+#include "recorded_numbers.hpp"
 #include "simulation_in_lanes.hpp"
 #include "solvers.hpp"
 #include "sweep_columns.hpp"
@@ -18,7 +19,7 @@ namespace kte_python {
 
 namespace {
 
-/// How rows of a quantity become a number.
+/// How rows of a quantity become a number: the mean is that over time, by the trapezoidal rule.
 enum class reduction { last, least, most, mean };
 /// Results of a simulation other than its state.
 enum class outcome { end_time, events, steps };
@@ -44,7 +45,6 @@ struct kept_of_simulation {
   bool of_steps = false;
 
   kept_of_simulation(const kte::runtime_chain& c, const std::vector<std::string>& keep) {
-    const auto slots = kte::detail::slots_of(c);
     std::vector<std::string> all = keep;
     if (all.empty())
       for (const auto* end : {"", "/v"})
@@ -60,7 +60,7 @@ struct kept_of_simulation {
       reduction how = reduction::last;
       for (const auto& [text, r] : reductions)
         if (name.starts_with(text)) prefix = text, how = r, of_rows = true;
-      const kte::detail::recording what(slots, {name.substr(prefix.size())});
+      const auto what = kept_quantities(c, {name.substr(prefix.size())});
       for (std::size_t i = 1; i < what.columns.size(); ++i) {
         names.push_back(std::string(prefix) + what.columns[i]);
         numbers.push_back({false, {}, how, columns++});
@@ -70,8 +70,9 @@ struct kept_of_simulation {
   }
   /// Whether all of them are positions and velocities of coordinates, which depend on no parameter of the chain.
   bool are_of_state() const {
-    return std::all_of(cells.begin(), cells.end(),
-                       [](const kte::detail::recorded& c) { return c.what == kte::kind::gen && c.quantity < 2; });
+    return std::all_of(cells.begin(), cells.end(), [](const kte::detail::recorded& c) {
+      return c.what == kte::kind::gen && c.quantity < 2 && !c.is_energy();
+    });
   }
 };
 
@@ -109,17 +110,18 @@ class simulation_run final : public native_run {
     const double end = s_.begin + s_.time;
     const auto solver = start_solver(p, x.q, x.v, s_.begin, s_.solver);
     const auto times = kept_.of_rows ? even_times(s_.begin, end, s_.every) : std::vector<double>{end};
-    rows_ = 0, row_.resize(kept_.columns), reduced_.resize(kept_.numbers.size());
+    rows_ = 0, row_.resize(kept_.columns), before_.resize(kept_.columns), reduced_.resize(kept_.numbers.size());
     const auto ended = solver->advance(end, {}, {false, times}, [&](double t, const plant::state& state) {
-      if (kept_.of_rows) add_row(p, t, state);
+      if (kept_.of_rows) add_row(p, *solver, t, state);
     });
     kte::detail::require_no_zeno(ended.reason, solver->time(), ended.stopped_by_name);
-    kte::detail::read_recorded(kept_.cells, p.state_at(solver->time(), solver->state()), row_.data());
+    read_numbers(kept_.cells, p.model().chain(), state_at(p, *solver, solver->time(), solver->state()), row_.data());
+    const double duration = solver->time() - s_.begin;
     for (std::size_t i = 0; i < kept_.numbers.size(); ++i) {
       const auto& n = kept_.numbers[i];
       kept.push_back(n.is_outcome               ? outcome_of(n.what, *solver, ended)
                      : n.how == reduction::last ? row_[n.column]
-                     : n.how == reduction::mean ? reduced_[i] / static_cast<double>(rows_)
+                     : n.how == reduction::mean ? (duration == 0 ? row_[n.column] : reduced_[i] / duration)
                                                 : reduced_[i]);
     }
   }
@@ -204,7 +206,7 @@ class simulation_run final : public native_run {
     const Eigen::Index nq = s_.chain.nq();
     row_.resize(kept_.columns);
     const auto x = p.model().make_x(Eigen::VectorXd(state.head(nq)), Eigen::VectorXd(state.tail(state.size() - nq)));
-    kte::detail::read_recorded(kept_.cells, p.state_at(end, x), row_.data());
+    read_numbers(kept_.cells, p.model().chain(), p.state_at(end, x), row_.data());
     std::vector<double> kept;
     for (const auto& n : kept_.numbers)
       kept.push_back(!n.is_outcome ? row_[n.column] : n.what == outcome::end_time ? end : 0.0);  // without events
@@ -219,19 +221,26 @@ class simulation_run final : public native_run {
     });
     return u;
   }
-  void add_row(plant& p, double t, const plant::state& state) {
-    kte::detail::read_recorded(kept_.cells, p.state_at(t, state), row_.data());
+  /// The state of the chain, with the contact forces of the step if the solver has such.
+  static const kte::runtime_state& state_at(plant& p, any_solver& solver, double t, const plant::state& x) {
+    const auto* const of_step = solver.state_at(t, x);
+    return of_step != nullptr ? *of_step : p.state_at(t, x);
+  }
+  /// Integrals of means: the sum of (t - t_before) (row + row_before) / 2. Rows before and after an event have one
+  /// time.
+  void add_row(plant& p, any_solver& solver, double t, const plant::state& state) {
+    read_numbers(kept_.cells, p.model().chain(), state_at(p, solver, t, state), row_.data());
     for (std::size_t i = 0; i < kept_.numbers.size(); ++i) {
       const auto& n = kept_.numbers[i];
       if (n.is_outcome) continue;
       const double now = row_[n.column];
       double& r = reduced_[i];
-      r = rows_ == 0                  ? now
-          : n.how == reduction::least ? std::min(r, now)
-          : n.how == reduction::most  ? std::max(r, now)
-                                      : r + now;
+      if (n.how == reduction::mean)
+        r = rows_ == 0 ? 0 : r + (t - last_) / 2 * (now + before_[n.column]);
+      else
+        r = rows_ == 0 ? now : n.how == reduction::least ? std::min(r, now) : std::max(r, now);
     }
-    ++rows_;
+    ++rows_, last_ = t, before_ = row_;
   }
   static double outcome_of(outcome what, const any_solver& solver, const report& ended) {
     return what == outcome::end_time ? solver.time()
@@ -246,7 +255,8 @@ class simulation_run final : public native_run {
   bool in_lanes_ = false;
   std::vector<input> inputs_;
   std::size_t rows_ = 0;
-  std::vector<double> row_, reduced_;
+  double last_ = 0;  ///< the time of the last row
+  std::vector<double> row_, before_, reduced_;
 };
 
 }  // namespace

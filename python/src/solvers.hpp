@@ -45,7 +45,7 @@ struct event_lists {
   std::vector<acting_event> acting;
 };
 
-/// Where a solver is observed: after every step, or at these times.
+/// Where a solver is observed: after every step, or at these times; in both cases also before and after events.
 struct sampling {
   bool every_step = false;
   std::span<const double> times{};

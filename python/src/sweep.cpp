@@ -223,8 +223,11 @@ py::tuple as_python(const kte::sweep_table& t) {
   return py::make_tuple(columns, reasons, as_python(t.summary));
 }
 
-kte::sweep_options options_from(std::uint64_t shard_size, const std::string& note, py::object progress) {
-  kte::sweep_options o{.shard_size = shard_size, .note = note};
+using named_texts = std::vector<std::pair<std::string, std::string>>;
+
+kte::sweep_options options_from(std::uint64_t shard_size, const std::string& note, const named_texts& depends_on,
+                                py::object progress) {
+  kte::sweep_options o{.shard_size = shard_size, .note = note, .depends_on = depends_on};
   if (progress.is_none()) return o;
   o.progress = [report = shared(std::move(progress))](const kte::sweep_progress& p) {
     const py::gil_scoped_acquire with;
@@ -234,10 +237,10 @@ kte::sweep_options options_from(std::uint64_t shard_size, const std::string& not
 }
 
 py::object run_sweep(const cases_object& cases, const column_names& kept, py::object run, py::object to,
-                     std::size_t threads, std::uint64_t shard_size, const std::string& note, py::object progress,
-                     py::object completed) {
+                     std::size_t threads, std::uint64_t shard_size, const std::string& note,
+                     const named_texts& depends_on, py::object progress, py::object completed) {
   const auto stop = std::make_shared<std::atomic<bool>>(false);
-  auto options = options_from(shard_size, note, std::move(progress));
+  auto options = options_from(shard_size, note, depends_on, std::move(progress));
   kte::detail::range_function f;
   if (completed.is_none()) {
     options.executor = watched_threads(threads, stop);
@@ -270,9 +273,10 @@ column_names kept_names(py::handle run, const column_names& columns, const colum
 }
 
 std::vector<std::uint64_t> missing_shards(const cases_object& cases, const column_names& kept, py::handle to,
-                                          std::uint64_t shard_size, const std::string& note) {
+                                          std::uint64_t shard_size, const std::string& note,
+                                          const named_texts& depends_on) {
   const auto f = [](const auto&) { return std::array<double, 0>(); };
-  const kte::sweep sweep(cases.cases, kept, f, {.shard_size = shard_size, .note = note});
+  const kte::sweep sweep(cases.cases, kept, f, options_from(shard_size, note, depends_on, py::none()));
   if (!to.is_none()) return sweep.missing(to.cast<std::filesystem::path>());
   std::vector<std::uint64_t> all(static_cast<std::size_t>(sweep.shards()));
   for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
@@ -308,9 +312,9 @@ py::tuple run_range(const column_names& columns, const column_names& kept, py::o
 void bind_sweep(py::module_& m) {
   using namespace py::literals;
   m.def("_run_sweep", &run_sweep, "cases"_a, "kept"_a, "run"_a, "to"_a, "threads"_a, "shard_size"_a, "note"_a,
-        "progress"_a, "completed"_a);
+        "depends_on"_a, "progress"_a, "completed"_a);
   m.def("_kept_names", &kept_names, "run"_a, "columns"_a, "quantities"_a);
-  m.def("_missing_shards", &missing_shards, "cases"_a, "kept"_a, "to"_a, "shard_size"_a, "note"_a);
+  m.def("_missing_shards", &missing_shards, "cases"_a, "kept"_a, "to"_a, "shard_size"_a, "note"_a, "depends_on"_a);
   m.def("_run_range", &run_range, "columns"_a, "kept"_a, "run"_a, "begin"_a, "values"_a);
 }
 

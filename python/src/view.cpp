@@ -6,6 +6,7 @@
 
 #include "call.hpp"
 #include "parts.hpp"
+#include "recorded_numbers.hpp"
 #include "recording.hpp"
 #include "robots.hpp"
 
@@ -13,36 +14,48 @@ namespace kte_python {
 
 namespace {
 
-array rows_of(const std::vector<double>& all, std::size_t width, std::size_t first, std::size_t count) {
+array columns_in(const std::vector<double>& all, std::size_t width, std::size_t first, std::size_t count) {
   const std::size_t rows = width == 0 ? 0 : all.size() / width;
   array out({static_cast<Py_ssize_t>(rows), static_cast<Py_ssize_t>(count)});
   double* to = out.mutable_data();
   for (std::size_t i = 0; i < rows; ++i) to = std::copy_n(all.data() + i * width + first, count, to);
   return out;
 }
+/// Columns of numbers of a recording, `width` of each row.
+array rows_of(const recording_object& r, const std::vector<double>& all, std::size_t width, std::size_t first,
+              std::size_t count, row_choice which = row_choice::asked) {
+  std::vector<double> chosen;
+  for (std::size_t i = 0; i < r.t.size(); ++i)
+    if (r.has(which, i))
+      chosen.insert(chosen.end(), all.data() + i * width + first, all.data() + i * width + first + count);
+  array out({static_cast<Py_ssize_t>(r.rows(which)), static_cast<Py_ssize_t>(count)});
+  std::copy(chosen.begin(), chosen.end(), out.mutable_data());
+  return out;
+}
 std::size_t nq(const recording_object& r) { return static_cast<std::size_t>(r.chain.nq()); }
 std::size_t nv(const recording_object& r) { return static_cast<std::size_t>(r.chain.dofs()); }
 
 /// The columns of a table of quantities, t first.
-py::dict columns_of(const recording_object& r, py::handle names) {
+py::dict columns_of(const recording_object& r, py::handle names, row_choice which = row_choice::asked) {
   const kte::detail::recording what(kte::detail::slots_of(r.chain),
-                                    names.is_none() ? std::vector<std::string>() : names_from(names));
+                                    names.is_none() ? std::vector<std::string>() : names_from(names),
+                                    kte::detail::energy_columns::allowed);
   const std::size_t columns = what.columns.size() - 1;
-  std::vector<double> numbers(r.rows() * columns);
+  std::vector<double> numbers(r.rows(which) * columns);
   {
     const py::gil_scoped_release without;
     double* to = numbers.data();
     signal_watch watch;
-    r.replay([&](double, const kte::runtime_state& s) {
+    r.replay(which, [&](double, const kte::runtime_state& s) {
       watch();
-      kte::detail::read_recorded(what.cells, s, to);
+      read_numbers(what.cells, r.chain, s, to);
       to += columns;
     });
   }
   py::dict all;
-  all["t"] = rows_of(r.t, 1, 0, 1).attr("ravel")();
+  all["t"] = rows_of(r, r.t, 1, 0, 1, which).attr("ravel")();
   for (std::size_t c = 0; c < columns; ++c)
-    all[py::str(what.columns[c + 1])] = rows_of(numbers, columns, c, 1).attr("ravel")();
+    all[py::str(what.columns[c + 1])] = columns_in(numbers, columns, c, 1).attr("ravel")();
   return all;
 }
 
@@ -58,12 +71,28 @@ py::list events_of(const recording_object& r) {
   return all;
 }
 
+/// A page with all rows, so that it shows states before and after events.
 template <class Chain>
 void write_recording(const std::filesystem::path& path, const Chain& chain, const recording_object& r,
                      const std::vector<std::string>& columns, const kte::page_options& options) {
-  kte::scene_recording<Chain> scene(chain, {.columns = columns});
+  std::vector<std::string> of_states, of_chain;
+  for (const auto& name : columns) {
+    const auto& energies = kte::detail::energy_names;
+    const bool is_energy = std::find(energies.begin(), energies.end(), name) != energies.end();
+    (is_energy ? of_chain : of_states).push_back(name);
+  }
+  kte::scene_recording<Chain> scene(chain, {.columns = of_states});
+  const kte::detail::recording more({}, of_chain, kte::detail::energy_columns::allowed);
+  std::vector<double> row(of_chain.size());
+  std::vector<std::vector<double>> numbers(of_chain.size());
   signal_watch watch;
-  r.replay([&](double t, const kte::runtime_state& s) { watch(), scene.row(t, s); });
+  r.replay(row_choice::all, [&](double t, const kte::runtime_state& s) {
+    watch();
+    scene.row(t, s);
+    read_numbers(more.cells, r.chain, s, row.data());
+    for (std::size_t i = 0; i < row.size(); ++i) numbers[i].push_back(row[i]);
+  });
+  for (std::size_t i = 0; i < row.size(); ++i) scene.add_column(of_chain[i], "J", numbers[i]);
   kte::write_page(path, scene, options);
 }
 
@@ -90,24 +119,26 @@ void write_page(py::handle x, const std::filesystem::path& path, const std::stri
 
 void bind_view(py::module_& m) {
   using namespace py::literals;
-  py::class_<recording_object>(m, "Recording",
-                               R"(A motion: times, states and inputs. Other quantities are computed when asked for:
+  py::class_<recording_object>(
+      m, "Recording",
+      R"(A motion: times, states and inputs, a row for each time asked for; events are a separate list. Other quantities
+are computed when asked for:
 
     rec["tip/position/x"]               one column, or several: rec[["q", "q/f"]]
     rec.to_pandas(["tip/velocity"])     a table with the column t
 
 `tip/acceleration` of a frame is what an accelerometer measures: g upward at rest.)")
       .def_property_readonly(
-          "t", [](const recording_object& r) { return rows_of(r.t, 1, 0, 1).attr("ravel")(); }, "Times, s, (rows,).")
+          "t", [](const recording_object& r) { return rows_of(r, r.t, 1, 0, 1).attr("ravel")(); }, "Times, s, (rows,).")
       .def_property_readonly(
-          "q", [](const recording_object& r) { return rows_of(r.x, r.nx, 0, nq(r)); }, "Configurations, (rows, nq).")
+          "q", [](const recording_object& r) { return rows_of(r, r.x, r.nx, 0, nq(r)); }, "Configurations, (rows, nq).")
       .def_property_readonly(
-          "v", [](const recording_object& r) { return rows_of(r.x, r.nx, nq(r), nv(r)); }, "Velocities, (rows, nv).")
+          "v", [](const recording_object& r) { return rows_of(r, r.x, r.nx, nq(r), nv(r)); }, "Velocities, (rows, nv).")
       .def_property_readonly(
-          "z", [](const recording_object& r) { return rows_of(r.x, r.nx, nq(r) + nv(r), r.nx - nq(r) - nv(r)); },
+          "z", [](const recording_object& r) { return rows_of(r, r.x, r.nx, nq(r) + nv(r), r.nx - nq(r) - nv(r)); },
           "Internal states of elements, (rows, number).")
       .def_property_readonly(
-          "u", [](const recording_object& r) { return rows_of(r.u, r.nu, 0, r.nu); }, "Inputs, (rows, number).")
+          "u", [](const recording_object& r) { return rows_of(r, r.u, r.nu, 0, r.nu); }, "Inputs, (rows, number).")
       .def_property_readonly(
           "events", &events_of,
           "Events, in the order of time: `EventOccurrence(name, time, q, v, q_before, v_before, what)`.")
@@ -122,29 +153,40 @@ void bind_view(py::module_& m) {
       .def_property_readonly(
           "chain", [](const recording_object& r) { return std::make_unique<chain_object>(r.chain); },
           "The chain, with inputs for the forces of `control`.")
-      .def("columns", &columns_of,
-           "columns(names=None)\n\nQuantities by their names: a dict of arrays, t first. Without names coordinates, "
-           "inputs, internal states, and poses of frames. Names are those of docs/recorders.md.",
-           "names"_a = py::none())
+      .def(
+          "columns",
+          [](const recording_object& r, py::handle names, bool event_rows) {
+            return columns_of(r, names, event_rows ? row_choice::all : row_choice::asked);
+          },
+          "columns(names=None, event_rows=False)\n\nQuantities by their names: a dict of arrays, t first. Without "
+          "names "
+          "coordinates, inputs, internal states, and poses of frames. Names are those of docs/recorders.md. With "
+          "event_rows there are also rows before and after each event, both at its time.",
+          "names"_a = py::none(), "event_rows"_a = false)
       .def("__getitem__",
            [](const recording_object& r, py::handle names) -> py::object {
              auto all = columns_of(r, names);
-             PyDict_DelItemString(all.ptr(), "t");
+             const auto wanted = names_from(names);
+             if (std::find(wanted.begin(), wanted.end(), "t") == wanted.end()) PyDict_DelItemString(all.ptr(), "t");
              if (py::isinstance<py::str>(names) && py::len(all) == 1) return py::list(all.attr("values")())[0];
              return all;
            })
       .def(
           "to_pandas",
-          [](const recording_object& r, py::handle names) {
-            return py::module_::import("pandas").attr("DataFrame")(columns_of(r, names));
+          [](const recording_object& r, py::handle names, bool event_rows) {
+            const auto which = event_rows ? row_choice::all : row_choice::asked;
+            return py::module_::import("pandas").attr("DataFrame")(columns_of(r, names, which));
           },
-          "to_pandas(names=None)\n\nThe table of `columns` as a pandas DataFrame.", "names"_a = py::none())
-      .def("__len__", &recording_object::rows)
+          "to_pandas(names=None, event_rows=False)\n\nThe table of `columns` as a pandas DataFrame.",
+          "names"_a = py::none(), "event_rows"_a = false)
+      .def("__len__", [](const recording_object& r) { return r.rows(row_choice::asked); })
       .def(py::pickle(&state_of, &recording_from))
       .def("__repr__", [](const recording_object& r) {
         const auto text = [](double x) { return py::str(py::float_(x)).cast<std::string>(); };
-        std::string s = "<kte.Recording: " + std::to_string(r.rows()) + " rows";
-        if (r.rows() > 0) s += " from t = " + text(r.t.front()) + " to " + text(r.t.back()) + " s";
+        const auto asked = rows_of(r, r.t, 1, 0, 1);
+        std::string s = "<kte.Recording: " + std::to_string(asked.size()) + " rows";
+        if (asked.size() > 0)
+          s += " from t = " + text(*asked.data()) + " to " + text(asked.data()[asked.size() - 1]) + " s";
         if (!r.events.empty()) s += ", " + std::to_string(r.events.size()) + " events";
         return s + ">";
       });

@@ -129,7 +129,8 @@ def test_simulations_are_those_of_simulate(pendulum):
         motion = swinging(pendulum, *cases.values()[i])
         assert one["q"][i] == motion["q"][-1] and one["tip/y"][i] == motion["tip/position/y"][-1]
         assert one["high"][i] == motion["tip/position/y"].max() and one["steps"][i] == motion.statistics["steps"]
-        assert np.isclose(one["mean"][i], motion["q/v"].mean(), rtol=1e-13)
+        speeds = motion["q/v"]
+        assert np.isclose(one["mean"][i], ((speeds[1:] + speeds[:-1]) / 2 * np.diff(motion.t)).sum(), rtol=1e-13)
 
 
 def test_simulations_with_forces_inputs_and_other_failures():
@@ -264,6 +265,40 @@ def test_an_interrupted_sweep_continues(tmp_path, extension):
     if extension == "csv":
         with pytest.raises(kte.BadArgument, match="unknown|format|extension"):
             kte.sweep(CASES, product, ["p", "d"], to=tmp_path / "run.xyz")
+
+
+def test_an_interrupted_sweep_of_another_run_is_refused_with_what_differs(tmp_path, pendulum):
+    path = tmp_path / "run.csv"
+    cases = kte.evenly("q/q", 0, 1, 40)
+
+    def sweep(run, keep=("q", "q/v"), **options):
+        return kte.sweep(cases, run, keep, to=path, shard_size=10, threads=1, **options)
+
+    def interrupted(progress):
+        raise KeyboardInterrupt
+
+    def run_of(chain=pendulum, **options):
+        return kte.SimulationRun(chain, [0.0], **{"time": 0.5, "control": [0.25], **options})
+
+    with pytest.raises(KeyboardInterrupt):
+        sweep(run_of(), progress=interrupted)
+    parts = Path(f"{path}.parts")
+    assert list(parts.glob("*.shard"))
+    heavier = kte.Chain(*pendulum.elements[:2], kte.inertia_2D("tip", mass=2), gravity=[0, -9.81])
+    for run, keep, options, what in [
+        (run_of(heavier), ("q", "q/v"), {}, "another value of chain"),
+        (run_of(time=0.75), ("q", "q/v"), {}, r"time is '0\.75', not '0\.5'"),
+        (run_of(control=[0.5]), ("q", "q/v"), {}, r"control is '\[0\.5\]', not '\[0\.25\]'"),
+        (run_of(solver="runge_kutta4"), ("q", "q/v"), {}, "solver is 'runge_kutta4', not 'dormand_prince45'"),
+        (run_of(), {"q": "q", "q/v": "q/a"}, {}, "kept quantities is 'q, q/a', not 'q, q/v'"),
+        (run_of(), ("q", "q/v"), {"packs": False}, "packs is 'False', not 'True'"),
+        (run_of(), ("q", "q/v"), {"note": "2"}, "note is '2', not ''"),
+        (kte.OperationRun("passes", pendulum, [0.0]), ("q", "q/v"), {}, "run is 'OperationRun', not 'SimulationRun'"),
+    ]:
+        with pytest.raises(kte.BadArgument, match=rf"run.csv.parts' has shards of another sweep \(.*{what}.*: remove this folder"):
+            sweep(run, keep, **options)
+    same = kte.Chain(*pendulum.elements, gravity=[0, -9.81])
+    assert sweep(run_of(same, time=np.float64(0.5), control=np.array([0.25]))).failed == 0 and not parts.exists()
 
 
 def test_ctrl_c_stops_simulations(tmp_path):

@@ -29,6 +29,7 @@ std::string unit_of_name(std::string_view quantity) {
 }  // namespace
 
 std::string unit_of_quantity(const detail::chain_parts& chain, const scene& s, const detail::recorded& x) {
+  if (x.is_energy()) return "J";
   std::string unit;
   detail::with_kind(x.what, [&]<kind K>() {
     const auto quantity = detail::quantities<K, double>[x.quantity].name;
@@ -46,7 +47,8 @@ std::string unit_of_quantity(const detail::chain_parts& chain, const scene& s, c
 }
 std::string unit_of_column(const detail::chain_parts& chain, const scene& s, const std::string& name) {
   try {
-    return unit_of_quantity(chain, s, detail::recording(chain.slots, {name}).cells.front());
+    const detail::recording found(chain.slots, {name}, detail::energy_columns::allowed);
+    return found.cells.empty() ? "s" : unit_of_quantity(chain, s, found.cells.front());
   } catch (const unknown_name&) {
     return {};
   }

@@ -48,6 +48,14 @@ recorded_scene::recorded_scene(const chain_parts& chain, const recording_options
   unknown_signals_.resize(ns);
 }
 
+void recorded_scene::add_column(const std::string& name, const std::string& unit, const std::vector<double>& numbers) {
+  auto& r = scene_.recordings.front();
+  if (numbers.size() != r.t.size())
+    detail::raise<bad_argument>("kte: column '" + name + "' has " + std::to_string(numbers.size()) +
+                                " numbers, the recording " + std::to_string(r.t.size()) + " rows");
+  r.columns.push_back({name, unit, {numbers.begin(), numbers.end()}});
+}
+
 void recorded_scene::add(double t) {
   auto& r = scene_.recordings.front();
   const std::size_t rows = r.t.size(), tracks = tracked_.size();

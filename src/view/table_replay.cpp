@@ -64,7 +64,7 @@ class column_taker {
  private:
   const numbers_of_column* column(std::string_view n) {
     const auto* const c = find(n);
-    return c == nullptr && n.starts_with("coordinate:") ? find(n.substr(11)) : c;
+    return c == nullptr && n.starts_with("coordinate:") && n != "coordinate:t" ? find(n.substr(11)) : c;
   }
   static void check_finite(const std::string& name, const numbers_of_column& c) {
     for (std::size_t i = 0; i < c.size(); ++i)

@@ -57,12 +57,13 @@ TEST_CASE("a bouncing ball by a method of order 1 bounces on the lines between i
   for (int n = 0; n < 5; ++n) CHECK(report.events[static_cast<std::size_t>(n)].time == within(impact(0.5, n), 1e-3));
 }
 
-TEST_CASE("samples are those before and after a reset, and at it both") {
+TEST_CASE("with event rows, samples are also those before and after a reset, and at it both") {
   const double e = 0.75;
   dormand_prince45 solver(fall, 0.0, dropped);
   int at_impact = 0;
   std::vector<double> times;
-  const auto report = integrate(solver, 6.0, events(ground(e)), every(0.01), [&](double t, const ball_state& x) {
+  const auto sampled_every = every(0.01).with_event_rows();
+  const auto report = integrate(solver, 6.0, events(ground(e)), sampled_every, [&](double t, const ball_state& x) {
     REQUIRE(x[0] == within(height_at(e, t), 1e-12));
     if (!times.empty() && t == times.back()) ++at_impact;
     times.push_back(t);
@@ -73,14 +74,41 @@ TEST_CASE("samples are those before and after a reset, and at it both") {
   for (double t : times) sampled += static_cast<std::size_t>(sampled < 600 && t == static_cast<double>(sampled) * 0.01);
   CHECK(sampled == 600);
   CHECK(times.back() == 6.0);
+}
 
-  dormand_prince45 on_a_sample([](double, const ball_state&) { return ball_state(1, 0); }, 0.0, ball_state(0, 0));
+TEST_CASE("samples are at the times asked for, at events with the state after them") {
+  dormand_prince45 bounces(fall, 0.0, dropped);
+  std::vector<double> times;
+  integrate(bounces, 6.0, events(ground(0.75)), at{0.5, 1.0, 1.0, 1.5},
+            [&](double t, const ball_state&) { times.push_back(t); });
+  CHECK(times == std::vector<double>{0.5, 1.0, 1.0, 1.5});
+
+  const auto still = [](double, const ball_state&) { return ball_state(1, 0); };
+  const auto half = event([](double t, const ball_state&) { return t - 0.5; });
+  const auto step = half.reset([](double, ball_state& x) { x[0] += 1; });
   std::vector<double> seen;
-  integrate(on_a_sample, 1.0, events(event([](double t, const ball_state&) {
-                                       return t - 0.5;
-                                     }).reset([](double, ball_state& x) { x[0] += 1; })),
-            every(0.25), [&](double t, const ball_state& x) { seen.push_back(t), seen.push_back(x[0]); });
-  CHECK(seen == std::vector<double>{0, 0, 0.25, 0.25, 0.5, 0.5, 0.5, 1.5, 0.75, 1.75, 1, 2});
+  const auto keep = [&](double t, const ball_state& x) { seen.push_back(t), seen.push_back(x[0]); };
+  const auto seen_of = [&](const auto& on, const auto& times_asked, double end) {
+    dormand_prince45 solver(still, 0.0, ball_state(0, 0));
+    seen.clear();
+    integrate(solver, end, events(on), times_asked, keep);
+    return seen;
+  };
+  using list = std::vector<double>;
+  CHECK(seen_of(step, every(0.25), 1.0) == list{0, 0, 0.25, 0.25, 0.5, 1.5, 0.75, 1.75, 1, 2});
+  CHECK(seen_of(step, every(0.5), 0.5) == list{0, 0, 0.5, 1.5});  // at the end
+  CHECK(seen_of(step, every(0.25).with_event_rows(), 1.0) ==
+        list{0, 0, 0.25, 0.25, 0.5, 0.5, 0.5, 1.5, 0.75, 1.75, 1, 2});
+  CHECK(seen_of(step, at{0.5, 0.5}.with_event_rows(), 1.0) == list{0.5, 0.5, 0.5, 1.5, 0.5, 1.5});
+  const auto stops = half.terminal();  // without a reset
+  CHECK(seen_of(stops, at{0.25, 0.5, 0.75}, 1.0) == list{0.25, 0.25, 0.5, 0.5});
+  CHECK(seen_of(stops, at{0.25, 0.5, 0.75}.with_event_rows(), 1.0) == list{0.25, 0.25, 0.5, 0.5});
+  CHECK(seen_of(stops, at{0.25, 0.75}.with_event_rows(), 1.0) == list{0.25, 0.25, 0.5, 0.5});
+  CHECK(seen_of(stops, at{0.25, 0.75}, 1.0) == list{0.25, 0.25});
+  for (const auto& h : {every(0.4), every(0.4).with_event_rows()})  // with the end
+    CHECK(seen_of(stops, h, 1.0) == list{0, 0, 0.4, 0.4, 0.5, 0.5});
+  CHECK(seen_of(stops, every(0.5), 1.0) == list{0, 0, 0.5, 0.5});
+  CHECK(seen_of(step.terminal(), every(0.4), 1.0) == list{0, 0, 0.4, 0.4, 0.5, 1.5});
 }
 
 TEST_CASE("observers of steps see both states at a reset") {

@@ -85,7 +85,7 @@ TEST_CASE("an observer stops an integration with events after the event that it 
   dormand_prince45 solver(oscillator, 0.0, Eigen::Vector2d(1, 0));
   const auto bounce = events(event(position).named("wall").reset([](double, auto& x) { x[1] = -x[1]; }));
   const auto until = [](double end) { return [end](double t, const auto&) { return t < end; }; };
-  auto report = solver.integrate(10, bounce, every(0.1), until(1.55));
+  auto report = solver.integrate(10, bounce, every(0.1).with_event_rows(), until(1.55));
   CHECK(report.reason == stop_reason::observer);
   CHECK(report.count == 1);  // at pi / 2, where it has seen the state before
   CHECK(solver.state()[1] > 0);

@@ -1,3 +1,4 @@
+#include <kte/elements/external_force.hpp>
 #include <kte/io/recorder.hpp>
 #include <kte/io/table_reader.hpp>
 
@@ -244,6 +245,45 @@ TEST_CASE("where names of things begin alike, the longest counts") {
   CHECK(row_of(c, c.make_state(), {"arm/position"}).names == name_list{"t", "arm/position"});
   CHECK(row_of(c, c.make_state(), {"arm/velocity/x"}).names == name_list{"t", "arm/velocity/x"});
   CHECK_THROWS_WITH(recorder(c, {"arm/position/x"}), contains_text("the coordinate 'arm/position' has"));
+}
+
+TEST_CASE("every name of a column selects it, also of signals that are vectors") {
+  runtime_chain c;
+  c << revolute_joint_3D("arm", "base", "body", axis::z) << inertia_3D("body", point_mass(1.0))
+    << external_force_3D("body", "thrust", "rotor/torque");
+  const auto all = row_of(c, c.make_state(), {}).names;
+  for (const auto& name : all) {
+    INFO(name);
+    CHECK(row_of(c, c.make_state(), {name}).names == (name == "t" ? name_list{"t"} : name_list{"t", name}));
+  }
+  CHECK(row_of(c, c.make_state(), {"thrust", "t"}).names == name_list{"t", "thrust/x", "thrust/y", "thrust/z"});
+  CHECK(row_of(c, c.make_state(), {"rotor/torque/y"}).names == name_list{"t", "rotor/torque/y"});
+  CHECK_THROWS_WITH(recorder(c, {"thrust/w"}), contains_text("'thrust' has thrust/x, thrust/y, thrust/z"));
+}
+
+TEST_CASE("what is called like the time or an energy has its kind in its columns") {
+  runtime_chain c;
+  c << revolute_joint_3D("t", "base", "energy", axis::z) << inertia_3D("energy", point_mass(1.0))
+    << driving_actuator_gen("t", "energy/total");
+  auto s = c.make_state();
+  s.coordinate("t").q = 2;
+  recorder rec(c, {"t", "coordinate:t", "t/v", "energy/position/x", "signal:energy/total"});
+  rec.row(5, s);
+  CHECK(rec.contents().names ==
+        name_list{"t", "coordinate:t", "coordinate:t/v", "energy/position/x", "signal:energy/total"});
+  CHECK(rec.contents()["t"] == std::vector<double>{5});
+  CHECK(rec.contents()["coordinate:t"] == std::vector<double>{2});
+  CHECK(row_of(c, s, {}).names[1] == "coordinate:t");
+  CHECK_THROWS_WITH(recorder(c, {"energy/total"}), contains_text("compute kte::energy of the chain"));
+}
+
+TEST_CASE("two quantities whose columns would have one name are refused") {
+  runtime_chain c;
+  c << revolute_joint_3D("a", "base", "body", axis::z) << revolute_joint_3D("a/v", "body", "hand", axis::z)
+    << inertia_3D("hand", point_mass(1.0));
+  CHECK_THROWS_WITH(recorder(c), contains_text("two quantities have the column 'a/v', of the coordinate 'a' and of the "
+                                               "coordinate 'a/v': one of them needs another name"));
+  CHECK(row_of(c, c.make_state(), {"a", "a/v"}).names == name_list{"t", "a", "a/v"});
 }
 
 TEST_CASE("a state of another runtime chain is rejected") {

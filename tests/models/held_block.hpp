@@ -1,11 +1,14 @@
 #pragma once
 
 #include <kte/elements/differential.hpp>
+#include <kte/elements/driving_actuator.hpp>
+#include <kte/elements/inertia.hpp>
 #include <kte/elements/joint_backlash_mode.hpp>
 #include <kte/elements/joint_stiction.hpp>
 #include <kte/elements/law_signal.hpp>
 #include <kte/elements/mimic.hpp>
 #include <kte/elements/position_control.hpp>
+#include <kte/elements/prismatic_joint.hpp>
 #include <kte/simulation.hpp>
 
 #include <cmath>

@@ -20,7 +20,7 @@ TEST_CASE("what is held lets go where an input changes between two calls of inte
     pull() = 3.0;
     std::vector<double> modes;
     const auto keep = [&](double, const auto& s) { modes.push_back(s[2]); };
-    const auto report = solver.integrate(2.0, element_events(model), every(1.0), keep);
+    const auto report = solver.integrate(2.0, element_events(model), every(1.0).with_event_rows(), keep);
     REQUIRE(report.events.size() == 1);
     CHECK(report.events[0].time == within(1, 0));
     CHECK(report.events[0].name.starts_with("joint_stiction_gen"));

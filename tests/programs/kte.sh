@@ -167,7 +167,53 @@ printf 'q_0,q_1,q_2,v_0,v_1,v_2\n0,0.1,0,1,0,0\n' >rolls.csv
 gives 0 '' "$kte" simulate ball.json --time 2 --start rolls.csv --solver moreau_jean --step 1e-4 --record rolling.csv --column floor/force
 prints 'x: q 1.4493'
 if ! tail -n 1 rolling.csv | grep -q ',9\.8[01]'; then wrong 'the force of a contact is not recorded'; fi
-gives 1 "contact 'floor' is 0.1" "$kte" simulate ball.json --solver moreau_jean
+# A run that fails at the start leaves the earlier recording, and nothing else.
+cp rolling.csv earlier.csv
+printf 'tau_0\n1e308\n' >huge.csv
+gives 1 'integration stopped at t = 0: ' "$kte" simulate pendulum.json --input huge.csv --record rolling.csv
+if ! cmp -s rolling.csv earlier.csv; then wrong 'a run that fails at the start changes the earlier recording'; fi
+gives 1 'integration stopped at t = 0: ' "$kte" simulate pendulum.json --input huge.csv --record new.csv
+gives 1 "contact 'floor' is 0.1" "$kte" simulate ball.json --solver moreau_jean --record new.csv
+for part in ./*.part new.csv; do
+  if [ -e "$part" ]; then wrong "$part remains"; fi
+done
+# One that fails later leaves the rows until then.
+printf 't,tau_0\n0,0\n0.5,0\n0.6,1e308\n' >late.csv
+gives 1 'integration stopped at t = 0.4999' "$kte" simulate pendulum.json --input late.csv --record late_rows.csv
+tail -n 1 late_rows.csv >out
+prints '0.49,'
+# One that is killed leaves the rows that were flushed, every second.
+timeout -s KILL 4 "$kte" simulate pendulum.json --time 5e4 --every 0.001 --start start.csv --record rolling.csv >out 2>errors || true
+if cmp -s rolling.csv earlier.csv || [ "$(wc -l <rolling.csv)" -lt 100 ]; then wrong 'a killed run leaves no rows'; fi
+for part in ./*.part; do
+  if [ -e "$part" ]; then wrong "$part remains"; fi
+done
+mkfifo pipe.csv && { timeout 60 cat pipe.csv >piped & }
+gives 0 '' "$kte" simulate pendulum.json --time 1 --start start.csv --record pipe.csv
+wait
+if ! cmp -s piped swing.csv; then wrong 'a pipe gets other rows'; fi
+# Rows are those asked for; events are rows on demand.
+sed 's/"friction": "0.2"/"friction": "0.2", "restitution": "0.5"/' ball.json >bouncing.json
+printf 'q_0,q_1,q_2,v_0,v_1,v_2\n0,1,0,0,0,0\n' >falls.csv
+gives 0 '' "$kte" simulate bouncing.json --time 1 --every 0.25 --start falls.csv --record bouncing.csv
+prints '5 rows in bouncing.csv'
+cut -d, -f1 bouncing.csv | tr '\n' ' ' >out
+prints 't 0.0 0.25 0.5 0.75 1.0 '
+gives 0 '' "$kte" simulate bouncing.json --time 1 --every 0.25 --start falls.csv --record events.csv --event-rows
+prints '2 events'
+prints '9 rows in events.csv'
+cut -d, -f1 events.csv | uniq -d >out
+if [ "$(wc -l <out)" -ne 2 ]; then wrong 'events have no rows before and after'; fi
+gives 0 'wrote events.html' "$kte" view bouncing.json events.csv -o events.html
+gives 0 '' "$kte" simulate bouncing.json --time 1 --start falls.csv --events
+prints "  0.42835"
+prints "'floor': impact"
+gives 0 '' "$kte" simulate bouncing.json --time 1 --start falls.csv --events --json
+json simulate
+prints '"event_list":[{"time":0.42835'
+gives 2 '--column, --frames and --event-rows need --record' "$kte" simulate bouncing.json --event-rows
+gives 0 '' "$kte" simulate pendulum.json --time 1 --start start.csv --record again.csv --column energy/total --column t
+if ! cmp -s again.csv swing.csv; then wrong 'columns that are recorded anyway are there twice'; fi
 for file in swing.npy swing.mcap swing.tsv; do
   gives 0 '' "$kte" simulate pendulum.json --time 1 --start start.csv --record $file --frames --column tip/velocity
   if [ ! -s $file ]; then wrong "$file is empty"; fi
@@ -194,7 +240,7 @@ prints 'change of energy: 0 J'
 printf 'motor\n1\n' >torque.csv
 gives 1 "torque.csv:1: 'motor' is no input; there are tau_0 to tau_0" "$kte" simulate pendulum.json --input torque.csv
 gives 1 "has no extension of a table" "$kte" simulate pendulum.json --record swing.txt2
-gives 1 "cannot open 'none/a.csv'" "$kte" simulate pendulum.json --record none/a.csv
+gives 1 "cannot write 'none/a.csv'" "$kte" simulate pendulum.json --record none/a.csv
 gives 2 'a recording has 1e+08 rows at most' "$kte" simulate pendulum.json --every 1e-12 --record swing.csv
 gives 2 '--time must be greater than 0' "$kte" simulate pendulum.json --time -1
 gives 2 '--step: '"'0x'"' is not a number' "$kte" simulate pendulum.json --step 0x
@@ -281,6 +327,28 @@ gives 2 '--poses is required' "$kte" ik slide.urdf --frame arm
 gives 1 "'no'" "$kte" ik slide.urdf --frame no --poses poses.csv
 printf 'x,y,z,qw\n' >poses.csv
 gives 1 'poses.csv:1: missing columns: qx, qy, qz' "$kte" ik slide.urdf --frame arm --poses poses.csv
+
+# An output that is also an input is refused, by whatever path, and stays.
+cp pendulum.json robot.json && ln -s robot.json link.json && ln robot.json hard.json && ln -s . here
+cp swing.csv t.csv && cp start.csv s.csv && cp robot.json robot.svg && cp swing.csv picture.svg
+refused() {
+  gives 2 'which it would replace' "$kte" "$@"
+  if ! cmp -s robot.json pendulum.json || ! cmp -s t.csv swing.csv || ! cmp -s s.csv start.csv; then wrong "an input is gone" "$@"; fi
+}
+for out in robot.json ./robot.json here/robot.json link.json hard.json "$PWD/robot.json"; do
+  refused view robot.json -o "$out"
+  refused convert robot.json "$out"
+done
+refused view robot.json t.csv -o t.csv
+refused view robot.json swing.csv t.csv -o ./t.csv
+refused view robot.json --start s.csv -o s.csv
+refused simulate robot.json --pd t.csv --record t.csv
+refused simulate robot.json --input t.csv --record here/t.csv
+refused simulate robot.json --start s.csv --record s.csv
+refused plot picture.svg -o ./picture.svg
+refused plot t.csv --of robot.svg -o robot.svg
+cp robot.json robot.csv
+refused simulate robot.csv --record robot.csv
 
 # convert
 for file in a.json a.xml a.kte a.hpp; do

@@ -25,6 +25,9 @@ prints 'inline constexpr auto class_limits = '
 printf '[' >cut.JSON
 gives 1 'cut.JSON:1:1: ' "$program" cut.JSON
 gives 1 "cannot open 'no.urdf'" "$program" no.urdf
+cp pendulum.json robot.json
+gives 1 "the header './robot.json' would replace the robot" "$program" robot.json -o ./robot.json
+if ! cmp -s robot.json pendulum.json; then wrong 'the robot is gone'; fi
 gives 1 "cannot write 'no/a.hpp'" "$program" pendulum.json -o no/a.hpp
 if [ -c /dev/full ]; then gives 1 'No space left' "$program" pendulum.json -o /dev/full; fi
 if [ -c /dev/zero ]; then gives 1 'has more than 268435456 bytes' "$program" /dev/zero; fi

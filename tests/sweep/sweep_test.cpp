@@ -95,6 +95,41 @@ TEST_CASE("a damaged shard is computed again, one of another sweep is refused") 
   CHECK(kte::read_table(file).rows() == 2000);
 }
 
+TEST_CASE("a sweep that depends on other things does not continue, and says what differs") {
+  const folder at;
+  const auto file = at / "a.csv";
+  const std::string chain(100, 'x');
+  using texts = std::vector<std::pair<std::string, std::string>>;
+  const auto sweep_of = [](const texts& depends_on, const kte::sweep_cases& of = cases, const std::string& note = "") {
+    return kte::sweep(of, kept, f, {.shard_size = 500, .note = note, .depends_on = depends_on});
+  };
+  const auto whole = sweep_of({{"chain", chain}, {"time", "10"}});
+  whole.compute(file, whole.missing(file).front());
+  CHECK(sweep_of({{"chain", chain}, {"time", "10"}}).missing(file).size() == 3);
+  const auto refused = [&](const kte::sweep& other, const std::string& why) {
+    CHECK_THROWS_MATCHES(
+        other.to(file), kte::bad_argument,
+        says("a.csv.parts' has shards of another sweep (" + why + "): remove this folder to start again"));
+  };
+  refused(sweep_of({{"chain", chain}, {"time", "12"}}), "time is '12', not '10'");
+  refused(sweep_of({{"chain", chain + "y"}, {"time", "10"}}), "another value of chain");
+  refused(sweep_of({{"chain", chain}}), "they have time");
+  refused(sweep_of({{"chain", chain}, {"time", "10"}, {"step", "1"}}), "they have no step");
+  refused(sweep_of({{"chain", chain}, {"time", "10"}}, cases, "2"), "note is '2', not ''");
+  refused(sweep_of({{"chain", chain}, {"time", "10"}}, kte::list_of_cases({"x", "y"}, {{1, 2}})),
+          "number of cases is '1', not '2000'; another value of values of cases");
+  // one of many listed cases
+  std::vector<std::vector<double>> listed(1000, {1, 2});
+  const auto other_file = at / "b.csv";
+  CHECK(sweep_of({}, kte::list_of_cases({"x", "y"}, listed)).missing(other_file).size() == 2);
+  listed[500] = {1, 3};
+  CHECK_THROWS_MATCHES(sweep_of({}, kte::list_of_cases({"x", "y"}, listed)).missing(other_file), kte::bad_argument,
+                       says("(another value of values of cases)"));
+  std::ofstream(at / "a.csv.parts/sweep") << "0123456789abcdef\n";
+  refused(whole, "they are of another version of kte");
+  CHECK_THROWS_MATCHES(sweep_of({{"a\tb", "1"}}), kte::bad_argument, says("has a tab or the end of a line"));
+}
+
 TEST_CASE("cases in lanes: those that fail are found, the others are not affected") {
   using P = kte::pack<double, 8>;
   const auto in_lanes = [](const auto& c) {

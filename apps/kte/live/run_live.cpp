@@ -85,7 +85,7 @@ int run_live(const live_settings& o) {
     hand = page.pull();
     try {
       const double step = frame * page.speed(), next = solver->time() + step;
-      solver->advance(o.end ? std::min(next, *o.end) : next, step, [](double, const plant::state&) {});
+      solver->advance(o.end ? std::min(next, *o.end) : next, kte::every(step), [](double, const plant::state&) {});
       page.show(solver->time(), solver->state_at(solver->time(), solver->state()));
     } catch (const kte::error& e) {
       say(e.what());

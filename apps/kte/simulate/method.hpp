@@ -15,11 +15,13 @@ class plant_method : public plant_solver {
   template <class Make>
   plant_method(plant& p, const Make& make) : p_(p), solver_(make()) {}
 
-  void advance(double end, double every, const run_observer& observe) override {
+  void advance(double end, const kte::every<double>& rows, const run_observer& observe) override {
     const auto changes =
         kte::events(kte::detail::event_under_law(p_, std::get<0>(kte::element_events(p_.model()).list)))
-            .report_to([this](const auto&) { ++events_; });
-    solver_.integrate(end, changes, kte::every(every), observe).require_end();
+            .report_to([this](const auto& e) {
+              add_event({e.time, e.name, e.what});
+            });
+    solver_.integrate(end, changes, rows, observe).require_end();
   }
   double time() const override { return solver_.time(); }
   const plant::state& state() const override { return solver_.state(); }

@@ -86,10 +86,12 @@ class integrator : public moving_state<F, X> {
   stop_reason integrate(const S& t_end, const through<T>& stops, Observed&&... observed) {
     return travel(t_end, stops, detail::follower_of(method(), t_end, observed...));
   }
-  /// Integrates to t_end or to a terminal event; then time and state of the solver are those of the event. Observers as
-  /// above are also called at events that act: with the state before and, if there is a reset, with the state after it.
-  /// A sample at the time of such an event is these two calls. Events that do not act do not change the steps. Returns
-  /// an `event_report` (kte/events/events.hpp):
+  /// Integrates to t_end or to a terminal event; then time and state of the solver are those of the event. An observer
+  /// of every step is also called at events that act: with the state before and, if there is a reset, with the state
+  /// after it. Observers at `every` and `at` times are called at these times only, at the time of an event with the
+  /// state after it; those at `every` times also at a terminal event, the end. With `kte::every(h).with_event_rows()`
+  /// also at events, as observers of every step. Events that do not act do not change the steps. Returns an
+  /// `event_report` (kte/events/events.hpp):
   ///
   ///   auto ground = kte::event(height, kte::crossing::falling).reset(bounce).rest(lie);
   ///   auto report = solver.integrate(10.0, kte::events(ground, wall), kte::every(0.01), observer);

@@ -68,6 +68,14 @@ concept single_time = !requires(const T& x) {
 template <class T>
 struct at : detail::time_list<T> {
   using detail::time_list<T>::time_list;
+  bool event_rows = false;  ///< whether the observer is also called before and after events
+
+  /// Also calls the observer with the states before and after each event that acts, both at its time.
+  [[nodiscard]] at with_event_rows() const {
+    at all = *this;
+    all.event_rows = true;
+    return all;
+  }
 };
 template <class List>
 at(const List&) -> at<detail::number_in<List>>;
@@ -91,6 +99,7 @@ namespace detail {
 template <class S>
 class even_samples {
  public:
+  static constexpr bool has_end = true;
   even_samples(const S& t, const S& t_end, const every<S>& e) : grid_(t, t_end, e.spacing, "spacing of samples") {}
   long long count() const { return grid_.intervals() + 1; }
   S operator[](long long i) const { return grid_[i]; }
@@ -101,6 +110,7 @@ class even_samples {
 template <class S, class T>
 class listed_samples {
  public:
+  static constexpr bool has_end = false;
   listed_samples(const S& t, const S& t_end, const at<T>& times) : times_(times) {
     times.check(t, t_end, "output time");
   }

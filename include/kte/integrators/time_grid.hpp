@@ -16,9 +16,16 @@ namespace kte {
 /// Evenly spaced times at which an observer is called: `solver.integrate(10, every(0.001), observer)`.
 template <class S>
 struct every {
-  S spacing;  ///< s; positive, also for integration backward in time
+  S spacing;                ///< s; positive, also for integration backward in time
+  bool event_rows = false;  ///< whether the observer is also called before and after events
 
   constexpr explicit every(const S& s) : spacing(s) {}
+  /// Also calls the observer with the states before and after each event that acts, both at its time.
+  [[nodiscard]] constexpr every with_event_rows() const {
+    every all = *this;
+    all.event_rows = true;
+    return all;
+  }
 };
 
 namespace detail {

@@ -24,7 +24,8 @@ namespace kte {
 /// A vector has a column per component, `tip/position/x`, which may be recorded alone; a rotation has w, x, y, z. The
 /// name of an item alone means all of its q, or position and rotation; with /v, /a, /f all of these. A frame may have
 /// the name of a coordinate or signal: "elbow/position" is then that of the frame, as only frames have a position.
-/// Quantities that both have are named "frame:elbow" and "coordinate:elbow" ("signal:"), also in the columns. Units and
+/// Quantities that both have are named "frame:elbow" and "coordinate:elbow" ("signal:"), also in the columns; so are
+/// those of an item called "t", as that is the time. "energy/total" is refused, as a state does not have it. Units and
 /// axes are those of the state, see `gen_coord`, `frame_3D`, `pose_coord_3D`. The quaternion of a frame has w >= 0, so
 /// that x, y, z jump where the frame passes half a turn; that of a coordinate is as in the state.
 ///

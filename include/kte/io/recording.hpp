@@ -5,7 +5,9 @@
 #include <kte/static_chain/static_chain.hpp>
 
 #include <algorithm>
+#include <array>
 #include <string>
+#include <string_view>
 #include <unordered_map>
 #include <vector>
 
@@ -17,7 +19,7 @@ namespace kte::detail {
 struct named_slot {
   std::string name;
   int slot;
-  std::string shown{};  ///< in columns: "frame:elbow" if a frame shares its name with something else
+  std::string shown{};  ///< in columns: "frame:elbow" if the name is shared with something else
 };
 using named_slots = std::array<std::vector<named_slot>, kinds>;
 
@@ -42,32 +44,46 @@ template <class Chain>
 requires requires(const Chain& c) { c.wiring().names; }
 named_slots slots_of(const Chain& c) { return slots_of(c.wiring()); }
 
+/// The energies of a chain, as names of columns.
+inline constexpr std::array<std::string_view, 3> energy_names{"energy/kinetic", "energy/potential", "energy/total"};
+
 /// Some of the numbers of one quantity.
 struct recorded {
   kind what;
   int slot;
-  std::size_t quantity;  ///< index in `quantities`
+  std::size_t quantity;  ///< index in `quantities`, or of energies in `energy_names`
   std::size_t first, count;
+
+  bool is_energy() const { return slot < 0; }
 };
+/// Whether energies can be recorded. They depend on the chain, not on its state alone.
+enum class energy_columns { refused, allowed };
 
 /// What to record, and the names of its columns.
 struct recording {
   std::vector<recorded> cells;
   std::vector<std::string> columns{"t"};
 
-  /// Without names: the default of `recorder`.
-  recording(const named_slots& all, const std::vector<std::string>& names);
+  /// Without names: the default of `recorder`. Throws `unknown_name` for names that there are not, and `bad_argument`
+  /// for two quantities whose columns have one name.
+  recording(const named_slots& all, const std::vector<std::string>& names,
+            energy_columns energies = energy_columns::refused);
 };
 
-/// Writes the numbers of these cells in a state.
+/// Writes the numbers of these cells in a state, and leaves out energies.
 template <class State>
 void read_recorded(const std::vector<recorded>& cells, const State& s, double* out) {
-  for (const auto& c : cells)
+  for (const auto& c : cells) {
+    if (c.is_energy()) {
+      ++out;
+      continue;
+    }
     with_kind(c.what, [&]<kind K>() {
       double numbers[4];
       quantities<K, typename State::scalar>[c.quantity].read(s.template get<K>(c.slot), numbers);
       out = std::copy_n(numbers + c.first, c.count, out);
     });
+  }
 }
 
 }  // namespace kte::detail
@@ -95,15 +111,17 @@ KTE_FUNCTION named_slots slots_of(const topology& t) {
 /// Resolves names.
 class recording_by_names {
  public:
-  recording_by_names(recording& found, const named_slots& all, const std::vector<std::string>& names)
-      : all_(all), cells_(found.cells), columns_(found.columns) {
+  recording_by_names(recording& found, const named_slots& all, const std::vector<std::string>& names,
+                     energy_columns energies)
+      : all_(all), cells_(found.cells), columns_(found.columns), energies_(energies) {
     tell_apart();
-    for (const auto& n : names) add(n);
-    if (!names.empty()) return;
+    for (const auto& n : names)
+      if (n != "t") add(n);
     for (const bool frames : {false, true})  // coordinates first, because they determine everything else
       each_slot([&]<kind K>(const named_slot& p) {
-        if (is_frame(K) == frames) add_group<K>(p, is_frame(K) ? "q" : "qvaf");
+        if (names.empty() && is_frame(K) == frames) add_group<K>(p, is_frame(K) ? "q" : "qvaf");
       });
+    check_columns();
   }
 
  private:
@@ -130,12 +148,40 @@ class recording_by_names {
       const auto show = [&of_name]<kind What>(std::vector<named_slot>& of_kind) {
         for (auto& p : of_kind) {
           const auto& x = of_name[p.name];
-          p.shown = x[0] && x[1] ? full_name<What>(p) : p.name;
+          p.shown = (x[0] && x[1]) || p.name == "t" || is_energy(p.name) ? full_name<What>(p) : p.name;
         }
       };
       (show.template operator()<static_cast<kind>(K)>(all_[K]), ...);
     }
     (std::make_index_sequence<kinds>{});
+  }
+  static bool is_energy(std::string_view name) {
+    return std::find(energy_names.begin(), energy_names.end(), name) != energy_names.end();
+  }
+  /// Names may contain slashes: a coordinate 'a/v' has the column of the rate of 'a'.
+  void check_columns() const {
+    std::unordered_map<std::string_view, std::size_t> cell_of;
+    std::size_t column = 1;
+    for (std::size_t i = 0; i < cells_.size(); ++i)
+      for (std::size_t k = 0; k < cells_[i].count; ++k, ++column) {
+        const auto& c = cells_[i];
+        const auto& other = cells_[cell_of.try_emplace(columns_[column], i).first->second];
+        if (c.what != other.what || c.slot != other.slot || c.quantity != other.quantity)
+          raise<bad_argument>("kte: two quantities have the column '" + columns_[column] + "', of the " + owner(other) +
+                              " and of the " + owner(c) + ": one of them needs another name");
+      }
+  }
+  std::string owner(const recorded& c) const {
+    const auto& of_kind = all_[static_cast<std::size_t>(c.what)];
+    const auto p = std::find_if(of_kind.begin(), of_kind.end(), [&c](const named_slot& x) { return x.slot == c.slot; });
+    return std::string(to_string(c.what)) + " '" + p->name + "'";
+  }
+  void add_energy(const std::string& wanted) {
+    if (energies_ == energy_columns::refused)
+      raise<unknown_name>("kte: cannot record '" + wanted + "' of a state: compute kte::energy of the chain");
+    const auto place = std::find(energy_names.begin(), energy_names.end(), wanted) - energy_names.begin();
+    cells_.push_back({kind::gen, -1, static_cast<std::size_t>(place), 0, 1});
+    columns_.push_back(wanted);
   }
   /// The length of the name at the beginning of `wanted`: all of it, or up to a slash.
   static std::size_t length_in(const std::string& wanted, const std::string& name) {
@@ -149,6 +195,7 @@ class recording_by_names {
   /// Adds the item with the longest name at the beginning of `wanted`, because names may contain slashes. If two items
   /// have this name, the one with the quantity.
   void add(const std::string& wanted) {
+    if (is_energy(wanted)) return add_energy(wanted);
     std::size_t longest = 0;
     each_slot([&]<kind K>(const named_slot& p) { longest = (std::max)(longest, length_in<K>(wanted, p)); });
     if (longest == 0) unknown(wanted);
@@ -172,9 +219,10 @@ class recording_by_names {
     for (std::size_t i = 0; i < std::size(list); ++i) {
       const auto& q = list[i];
       if (rest == q.name) return add_cell<K>(p, i, 0, q.size());
-      if (q.components.empty() || !rest.starts_with(q.name) || rest.size() != q.name.size() + 2) continue;
+      const std::string before = q.name.empty() ? "" : std::string(q.name) + '/';  // thrust/x, tip/position/x
+      if (q.components.empty() || !rest.starts_with(before) || rest.size() != before.size() + 1) continue;
       const auto c = q.components.find(rest.back());
-      if (rest[q.name.size()] == '/' && c != q.components.npos) return add_cell<K>(p, i, c, 1);
+      if (c != q.components.npos) return add_cell<K>(p, i, c, 1);
     }
     return rest.size() == 1 && rest != "q" && add_group<K>(p, rest);
   }
@@ -214,7 +262,7 @@ class recording_by_names {
   static std::string has(const named_slot& p) {
     std::string known;
     for (const auto& q : quantities<K, double>)
-      for (std::size_t c = 0; c < q.size() && !q.name.empty(); ++c)
+      for (std::size_t c = 0; c < q.size() && !(q.name.empty() && q.components.empty()); ++c)
         known.append(known.empty() ? "" : ", ").append(name_of(p, q, c));
     return "the " + std::string(to_string(K)) + " '" + p.name + "' has " + (known.empty() ? "no parts" : known);
   }
@@ -222,10 +270,12 @@ class recording_by_names {
   named_slots all_;
   std::vector<recorded>& cells_;
   std::vector<std::string>& columns_;
+  energy_columns energies_;
 };
 
-KTE_FUNCTION recording::recording(const named_slots& all, const std::vector<std::string>& names) {
-  recording_by_names(*this, all, names);
+KTE_FUNCTION recording::recording(const named_slots& all, const std::vector<std::string>& names,
+                                  energy_columns energies) {
+  recording_by_names(*this, all, names, energies);
 }
 
 }  // namespace kte::detail

@@ -27,7 +27,8 @@ namespace kte {
 /// are its parts.
 class sweep {
  public:
-  /// Throws `bad_argument` for names of columns that `table_writer` rejects, and a shard size of 0.
+  /// Throws `bad_argument` for names of columns that `table_writer` rejects, a shard size of 0, and names of
+  /// `depends_on` with a tab or the end of a line.
   template <class F>
   sweep(sweep_cases cases, std::vector<std::string> kept, F f, sweep_options options = {})
       : cases_(std::move(cases)),
@@ -36,7 +37,10 @@ class sweep {
         options_(std::move(options)) {
     detail::check_column_names(columns());
     if (options_.shard_size == 0) detail::raise<bad_argument>("kte: the shards of a sweep need at least one case");
-    fingerprint_ = detail::sweep_fingerprint(cases_, kept_, options_);
+    for (const auto& [name, value] : options_.depends_on)
+      if (name.find_first_of("\t\n") != name.npos)
+        detail::raise<bad_argument>("kte: a name of `depends_on` of a sweep has a tab or the end of a line");
+    identity_ = detail::sweep_identity(cases_, kept_, options_);
   }
 
   /// The names of the columns of results: `case`, those of the cases, the kept ones, `failed`.
@@ -71,7 +75,7 @@ class sweep {
   }
   /// Computes the missing shards, and merges all into a table in the format of the extension: CSV, NPY, MCAP
   /// (`table_format`). Reasons of failures, if any, are written to FILE.failures.csv. Throws `bad_file` if a file
-  /// cannot be written, and `bad_argument` if FILE.parts belongs to another sweep.
+  /// cannot be written, and `bad_argument` if FILE.parts belongs to another sweep, with what differs.
   sweep_summary to(const std::filesystem::path& file) const {
     run(missing(file), [&](std::uint64_t shard) { return saved(file, shard); });
     return merge(file);
@@ -79,13 +83,13 @@ class sweep {
 
   /// The shards that the folder FILE.parts does not have; creates the folder.
   [[nodiscard]] std::vector<std::uint64_t> missing(const std::filesystem::path& file) const {
-    return detail::shard_folder(file, fingerprint_).prepare(shards());
+    return detail::shard_folder(file, identity_).prepare(shards());
   }
   /// Computes one shard and saves it in FILE.parts.
   void compute(const std::filesystem::path& file, std::uint64_t shard) const { saved(file, shard); }
   /// Merges all shards into FILE and removes FILE.parts. Throws `bad_file` if a shard is missing.
   sweep_summary merge(const std::filesystem::path& file) const {
-    const detail::shard_folder folder(file, fingerprint_);
+    const detail::shard_folder folder(file, identity_);
     return folder.merge(shards(), columns(), [&](auto& out) { return detail::row_merger(cases_, kept_, out); });
   }
 
@@ -110,7 +114,7 @@ class sweep {
   }
   detail::sweep_rows saved(const std::filesystem::path& file, std::uint64_t shard) const {
     auto rows = rows_of(shard);
-    detail::shard_folder(file, fingerprint_).save(shard, rows);
+    detail::shard_folder(file, identity_).save(shard, rows);
     return rows;
   }
   /// Calls compute(shard), which returns its rows, for all these shards.
@@ -133,7 +137,7 @@ class sweep {
   std::vector<std::string> kept_;
   detail::range_function function_;
   sweep_options options_;
-  std::uint64_t fingerprint_ = 0;
+  std::string identity_;
 };
 
 }  // namespace kte

@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <functional>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace kte {
 
@@ -43,6 +45,9 @@ struct sweep_options {
   /// What tells this sweep from others with the same cases and columns, such as the version of its function. A run
   /// continues shards of the same note only.
   std::string note{};
+  /// What else the results depend on, by names: `{{"chain", kte::to_json(kte::record_of(chain))}, {"time", "10"}}`. A
+  /// run continues shards only if all are equal; an error names those that differ.
+  std::vector<std::pair<std::string, std::string>> depends_on{};
 };
 
 }  // namespace kte

@@ -32,6 +32,8 @@ class recorded_scene {
  public:
   /// The scene with the recording so far.
   const scene& contents() const { return scene_; }
+  /// Adds a quantity to plot after the rows, with a number for each of them. Throws `bad_argument` for another count.
+  void add_column(const std::string& name, const std::string& unit, const std::vector<double>& numbers);
 
  protected:
   recorded_scene(const detail::chain_parts& chain, const recording_options& options);

@@ -43,12 +43,14 @@ class event_loop {
   }
   // ---- the parts of `run`, for lanes of packs: `begin_step`, a step of the solver towards its goal, `after_step`
   void start() {
-    obey(observer_.start(solver_));
+    const bool late = starts_after_events();
+    if (!late) obey(observer_.start(solver_));
     watch_.for_each([&](auto& e, status&, std::size_t) {
       if constexpr (requires { e.function.tolerate(solver_.bounds()); }) e.function.tolerate(solver_.bounds());
     });
     bridges_.start();
     if (!goes_on() || !mend_start()) solver_.begin(goal_);
+    if (late) obey(observer_.start(solver_));
   }
   bool goes_on() const { return !record_.stopped() && solver_.time() != t_end_; }
   void begin_step() {
@@ -63,6 +65,12 @@ class event_loop {
   const event_report<X>& report() { return record_.report(); }
 
  private:
+  bool starts_after_events() const {
+    if constexpr (requires { observer_.starts_after_events(); })
+      return observer_.starts_after_events();
+    else
+      return false;
+  }
   /// A step, or where it fails, a bridge.
   void step_or_bridge() {
     const auto step = [this] {
@@ -231,7 +239,12 @@ class event_loop {
     });
     back.arrived();
     obey(goes_on);
-    if (reset) obey(observer_.after(solver_, t, x_));
+    if (reset)
+      obey(observer_.after(solver_, t, x_));
+    else if constexpr (requires { observer_.pass(t, x_); })
+      obey(observer_.pass(t, x_));
+    if constexpr (requires { observer_.finish(t, x_); })
+      if (record_.report().reason == stop_reason::terminal) obey(observer_.finish(t, x_));
     if (!record_.stopped()) go_on_after(t);
     if (!record_.stopped() && (is_zeno_ || events_.settings.bridge == bridging::at_every_event))
       (void)bridge(is_zeno_ ? "events do not end" : "an event");

@@ -24,7 +24,7 @@ constexpr std::uint64_t checksum(std::string_view bytes, std::uint64_t hash = 0x
   return hash;
 }
 
-/// Writes the rows of the sweep with this fingerprint. Throws `bad_file`.
+/// Writes the rows of the sweep whose identity has this checksum. Throws `bad_file`.
 inline void write_shard(const std::filesystem::path& path, std::uint64_t sweep, const sweep_rows& rows) {
   std::string out(shard_magic);
   out.reserve(out.size() + 8 * (rows.numbers.size() + 6));
