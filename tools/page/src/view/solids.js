@@ -1,7 +1,7 @@
 // Geometries of unit size that symbols share; all along z.
 
 import {
-  BoxGeometry, BufferGeometry, CatmullRomCurve3, ConeGeometry, Curve, CylinderGeometry, OctahedronGeometry, RingGeometry,
+  BoxGeometry, BufferAttribute, BufferGeometry, CatmullRomCurve3, ConeGeometry, Curve, CylinderGeometry, OctahedronGeometry, RingGeometry,
   SphereGeometry, TorusGeometry, TubeGeometry, Vector3,
 } from 'three';
 
@@ -64,12 +64,10 @@ export const spiral = () => once('spiral', () => {
   return new TubeGeometry(new CatmullRomCurve3(points), 160, 0.06, 6);
 });
 
-// Triangles of a mesh: float32 positions and uint32 indices.
-export function triangles(positions, indices, BufferAttribute) {
+// Triangles of a mesh: float32 positions and uint32 indices. Without normals: files' meshes have sharp edges.
+export function triangles(positions, indices) {
   const geometry = new BufferGeometry();
   geometry.setAttribute('position', new BufferAttribute(positions, 3));
   geometry.setIndex(new BufferAttribute(indices, 1));
-  const faceted = geometry.toNonIndexed();  // normals of faces: files' meshes have sharp edges
-  faceted.computeVertexNormals();
-  return faceted;
+  return geometry;
 }
