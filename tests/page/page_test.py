@@ -163,6 +163,26 @@ class Drawing(PageTest):
         self.assertGreater(red[0], red[2] + 60)
         self.assertFalse(self.window.run("return document.getElementById('layer-collision').checked"))
 
+    def test_contacts_are_drawn_as_what_touches(self):
+        touching = {'colour': None, 'role': 'contact', 'mesh': None}
+        for dimension in (2, 3):
+            self.window.open(scenes.pendulum(
+                dimension=dimension, shapes=[
+                    dict(touching, frame=0, pose=[0, 0, 0, scenes.math.sqrt(0.5), -scenes.math.sqrt(0.5), 0, 0], type='plane', size=[0, 0]),
+                    dict(touching, frame=2, pose=[0, 0, 0, *scenes.still], type='sphere', size=[0.2]),
+                    dict(touching, frame=2, pose=[0, 0.3, 0, *scenes.still], type='sphere', size=[0]),
+                    dict(touching, frame=0, pose=[0, 0, 0, *scenes.still], type='cylinder', size=[0.1, 0])],
+                forces=[{'type': 'sphere_contact', 'kind': 'contact', 'name': 'c', 'frames': [0, 2], 'coordinates': []}]))
+            drawn = self.window.run('''
+                const found = [];
+                kte_page.picture.mechanism.root.traverseVisible((o) => { if (o.isMesh && ['shape', 'force'].includes(o.userData.kind)) found.push(`${o.userData.kind} ${o.userData.index}`); });
+                return found;''')
+            self.assertEqual(sorted(drawn), ['shape 0', 'shape 1', 'shape 2', 'shape 3'], 'and no rod between the frames')
+            red = self.window.colour(scenes.pendulum_tip(0))
+            self.assertGreater(red[0], red[1] + 40)
+            self.window.run("document.getElementById('layer-forces').click()")
+            self.assertFalse(far(self.window.colour([-0.25, -0.5, 0]), [246, 248, 250]), 'their layer is that of forces')
+
     def test_joint_shows_its_angle(self):
         self.window.open(scenes.pendulum())
         self.seek(1)
@@ -310,6 +330,16 @@ class Playing(PageTest):
             document.getElementById('columns').open = true;
             document.querySelectorAll('#column-list input')[1].click();''')
         self.window.wait("document.getElementById('plots').textContent.includes('short is not plotted')")
+
+    def test_columns_that_were_asked_for_are_plotted_at_first(self):
+        scene = scenes.pendulum(seconds=0.08)
+        scene['recordings'][0]['columns'] = [{'name': n, 'unit': 'N', 'data': scenes.packed('f', [1, 2, 3, 4, 5])} for n in ('other', 'tau/q1')]
+        self.window.open(scene)
+        self.assertEqual(self.window.run('return kte_page.plots.chosen'), ['angle'])
+        scene['recordings'][0]['plotted'] = ['tau/q1', 'angle']
+        self.window.open(scene)
+        self.assertEqual(self.window.run('return kte_page.plots.chosen'), ['tau/q1', 'angle'])
+        self.window.wait("document.querySelectorAll('.plot').length === 2")
 
     def test_gaps_in_columns(self):
         scene = scenes.pendulum(seconds=0.08)

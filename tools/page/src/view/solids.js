@@ -14,6 +14,8 @@ function once(name, make) {
 export const sphere = () => once('sphere', () => new SphereGeometry(1, 32, 20));
 export const box = () => once('box', () => new BoxGeometry(1, 1, 1));
 export const octahedron = () => once('octahedron', () => new OctahedronGeometry(1));
+// From z = -1 to 0.
+export const slab = () => once('slab', () => new BoxGeometry(1, 1, 1).translate(0, 0, -0.5));
 // Radius 1, from z = -1/2 to 1/2.
 export const cylinder = () => once('cylinder', () => new CylinderGeometry(1, 1, 1, 28).rotateX(Math.PI / 2));
 // Radius 1, from z = 0 to 1.
