@@ -1,3 +1,4 @@
+#include <kte/contact/surface.hpp>
 #include <kte/elements/compliant_contact.hpp>
 #include <kte/elements/free_joint.hpp>
 #include <kte/elements/joint_limit.hpp>
@@ -18,6 +19,7 @@
 namespace scene_test {
 
 using namespace kte;
+using kte::test::contains_text;
 
 template <class List>
 std::string names(const List& all) {
@@ -65,12 +67,12 @@ TEST_CASE("contacts are drawn by their surfaces and by what touches them") {
   for (const auto& x : s.shapes) {
     CHECK(x.contact);
     text += s.frames[static_cast<std::size_t>(x.frame)].name + ' ' + x.type;
-    for (const double length : x.size) text += ' ' + detail::number(length);
+    for (const double length : x.size) text += ' ' + std::to_string(std::lround(1000 * length));  // mm
     text += '\n';
   }
   CHECK(text ==
-        "ground plane 0 0\nball sphere 0.1\nother sphere 0\nball sphere 0.1\nother sphere 0\nwheel cylinder 0.3 0.006\n"
-        "ground cylinder 2 0\nwheel sphere 0\n");
+        "ground plane 0 0\nball sphere 100\nother sphere 0\nball sphere 100\nother sphere 0\nwheel cylinder 300 6\n"
+        "ground cylinder 2000 0\nwheel sphere 0\n");
   CHECK(s.shapes[1].place == scene::pose{0, 0, 0.2, 1, 0, 0, 0});
   CHECK_THAT(to_json(s), contains_text("\"role\":\"contact\""));
   for (const auto& f : s.forces) CHECK(f.kind == "contact");
@@ -83,9 +85,9 @@ TEST_CASE("the normal of a half space is the z axis of its plane, and other surf
   const auto s = scene_of(c);
   REQUIRE(s.shapes.size() == 3);
   const auto& q = s.shapes[0].place;
-  const vec3 normal = quaternion<>{q[3], q[4], q[5], q[6]} * vec3{0.0, 0.0, 1.0};
-  CHECK(std::abs(normal.y - 1) < 1e-15);
-  CHECK_THAT(s.notes.front(), contains_text("the surface of compliant_contact_2D 'ground' is not drawn"));
+  const double half = std::sqrt(0.5);  // a quarter turn about -x
+  CHECK(std::abs(q[3] - half) + std::abs(q[4] + half) + std::abs(q[5]) + std::abs(q[6]) < 1e-15);
+  CHECK_THAT(s.notes.back(), contains_text("the surface of compliant_contact_2D 'ground' is not drawn"));
 }
 
 TEST_CASE("static and runtime chains of the same elements have the same scene") {
