@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kte/io/utf8.hpp>
+#include <kte/io/printable.hpp>
 
 #include <charconv>
 #include <cmath>
@@ -11,7 +11,7 @@
 namespace kte_tool {
 
 /// A text in JSON, in the order in which it is written. Finite numbers have the shortest digits that read back to the
-/// same double; others are null. Bytes that are not UTF-8 are U+FFFD.
+/// same double; others are null. Bytes that are not UTF-8 are U+FFFD, hidden characters are escaped.
 class json_writer {
  public:
   json_writer& object() { return open('{', '}'); }
@@ -77,18 +77,18 @@ class json_writer {
   void put_text(std::string_view x) {
     text_ += '"';
     while (!x.empty()) {
-      const auto length = kte::detail::utf8_length(x);
-      const auto byte = static_cast<unsigned char>(x[0]);
-      if (length == 0) {
+      const auto c = kte::detail::first_character(x);
+      if (!c.valid) {
         text_ += "\xEF\xBF\xBD";
-      } else if (byte < 0x20 || byte == 0x7F) {
-        constexpr const char* digits = "0123456789abcdef";
-        text_.append("\\u00").append(1, digits[byte >> 4]).append(1, digits[byte & 15]);
+      } else if (kte::detail::is_hidden(c.code)) {
+        char escaped[8];
+        std::snprintf(escaped, sizeof escaped, "\\u%04x", static_cast<unsigned>(c.code));
+        text_ += escaped;
       } else {
-        if (byte == '"' || byte == '\\') text_ += '\\';
-        text_ += x.substr(0, length);
+        if (c.code == '"' || c.code == '\\') text_ += '\\';
+        text_ += x.substr(0, c.bytes);
       }
-      x.remove_prefix(std::max<std::size_t>(length, 1));
+      x.remove_prefix(c.bytes);
     }
     text_ += '"';
   }

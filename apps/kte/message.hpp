@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kte/io/utf8.hpp>
+#include <kte/io/printable.hpp>
 
 #include <algorithm>
 #include <cstdio>
@@ -15,24 +15,7 @@
 /// What the program says on standard error.
 namespace kte_tool {
 
-/// A text with control characters, as names of files may have them, written as \x0A, so that they do nothing to
-/// terminals, and a message is a line. Lists, whose lines begin with two blanks, stay.
-inline std::string printable(std::string_view text) {
-  std::string out;
-  while (!text.empty()) {
-    const auto length = kte::detail::utf8_length(text);
-    if (length == 0 || (kte::detail::begins_with_control(text) && !text.starts_with("\n  "))) {
-      char code[8];
-      std::snprintf(code, sizeof code, "\\x%02X", static_cast<unsigned>(static_cast<unsigned char>(text[0])));
-      out += code;
-      text.remove_prefix(1);
-    } else {
-      out += text.substr(0, length);
-      text.remove_prefix(length);
-    }
-  }
-  return out;
-}
+using kte::detail::printable;
 
 /// `printable` for a text of several lines.
 inline std::string printable_lines(std::string_view text) {

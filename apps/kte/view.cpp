@@ -28,6 +28,31 @@ std::size_t bytes_of(const char* name, double mib) {
   return static_cast<std::size_t>(mib * 1048576);
 }
 
+constexpr std::uintmax_t largest_recording = std::uintmax_t{1} << 30;
+
+kte::table read_recording(const std::string& path) {
+  std::error_code none;
+  if (const auto size = std::filesystem::file_size(path, none); !none && size > largest_recording)
+    throw kte::bad_file("kte: " + path + ": the recording has " + std::to_string(size >> 20) +
+                        " MiB, above 1024 MiB: record fewer rows or columns");
+  return kte::read_table(path);
+}
+/// Keeps one row in several, and the last, of a table that has more than a page of a size can hold; returns a
+/// note, or nothing.
+std::string thin(kte::table& numbers, const std::string& name, std::size_t bytes) {
+  const std::size_t rows = numbers.rows(), of_row = (8 + 4 * numbers.names.size()) * 4 / 3;
+  const std::size_t most = std::max(bytes / of_row, std::size_t{2}), step = (rows + most - 1) / most;
+  if (step < 2) return {};
+  for (auto& column : numbers.columns) {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < rows; i += step) column[kept++] = column[i];
+    if ((rows - 1) % step != 0) column[kept++] = column[rows - 1];
+    column.resize(kept), column.shrink_to_fit();
+  }
+  return "of the " + std::to_string(rows) + " rows of '" + name + "' one in " + std::to_string(step) +
+         " is read: a larger --recording-size holds more";
+}
+
 int view(view_options& o) {
   const kte::page_options page{.title = o.title,
                                .mesh_bytes = bytes_of("--mesh-size", o.mesh_size),
@@ -41,14 +66,19 @@ int view(view_options& o) {
   const auto m = read_and_warn(o.in);
   std::vector<kte::scene> all;
   for (const auto& path : o.recordings) {
-    auto table = kte::read_table(path);
+    auto table = read_recording(path);
+    const auto name = std::filesystem::path(path).filename().string();
+    const auto thinned = thin(table, name, page.recording_bytes);
     try {
-      all.push_back(scene_of(m, std::move(table), std::filesystem::path(path).filename().string()));
+      all.push_back(scene_of(m, std::move(table), name));
+      if (!thinned.empty()) say(thinned), all.back().notes.push_back(thinned);
     } catch (const kte::unknown_name& e) {
       throw kte::bad_file("kte: " + path + ": " + std::string(e.what()).substr(5));
     }
   }
-  kte::write_page(o.out, all.empty() ? scene_of(m, o.start) : kte::joined(all), page);
+  const auto drawn = all.empty() ? scene_of(m, o.start) : kte::joined(all);
+  for (const auto& note : kte::not_drawn(drawn)) say(o.in.file + ": " + note);
+  kte::write_page(o.out, drawn, page);
   say("wrote " + o.out);
   if (o.open) open_in_browser(o.out);
   return 0;

@@ -1,5 +1,6 @@
 /// kte-header: a robot of a file as a C++ header, in which it is a type (docs/robots_as_types.md). `kte convert` does
 /// the same; this is what kte_add_robot builds.
+#include <kte/io/printable.hpp>
 #include <kte/io/program.hpp>
 #include <kte/io/replace_file.hpp>
 
@@ -45,7 +46,8 @@ std::optional<request> request_of(int count, char** arguments) {
 std::string header_of(const request& r) {
   const auto file = r.robot.string();
   return kte_tool::header_of_file(kte::detail::text_of_file(r.robot), r.robot, r.name, {}, [&](const auto& note) {
-    std::fprintf(stderr, "kte-header: %s%s\n", kte::detail::place_text(file, note.line).c_str(), note.text.c_str());
+    const auto text = kte::detail::printable(kte::detail::place_text(file, note.line) + note.text);
+    std::fprintf(stderr, "kte-header: %s\n", text.c_str());
   });
 }
 

@@ -1,5 +1,6 @@
 #include "robots.hpp"
 
+#include <kte/io/printable.hpp>
 #include <kte/robots/check_robot.hpp>
 #include <kte/robots/load_robot.hpp>
 #include <kte/robots/mjcf_writer.hpp>
@@ -15,6 +16,10 @@
 
 namespace kte_python {
 
+void warn_of_robot(const std::string& text, int level) {
+  const py::object category = py::module_::import("kte.errors").attr("RobotWarning");
+  if (PyErr_WarnEx(category.ptr(), kte::detail::printable(text).c_str(), level) != 0) throw py::error_already_set();
+}
 kte::robot current(const robot_object& r) {
   kte::robot whole = r.robot;
   whole.chain = chain_of(r.chain).chain();
@@ -42,9 +47,7 @@ std::string text_of(const kte::robot_note& n, const std::string& file) {
   return s + ": " + n.text;
 }
 void warn(const std::vector<kte::robot_note>& notes, const std::string& file) {
-  const py::object category = py::module_::import("kte.errors").attr("RobotWarning");
-  for (const auto& n : notes)
-    if (PyErr_WarnEx(category.ptr(), text_of(n, file).c_str(), 1) != 0) throw py::error_already_set();
+  for (const auto& n : notes) warn_of_robot(text_of(n, file));
 }
 py::list notes_of(const std::vector<kte::robot_note>& notes) {
   py::list all;

@@ -16,5 +16,7 @@ struct robot_object {
 
 /// A robot with its chain as it is now.
 kte::robot current(const robot_object& r);
+/// A kte.RobotWarning in the line of Python that called, or, at level 2, in that which called this one.
+void warn_of_robot(const std::string& text, int level = 1);
 
 }  // namespace kte_python

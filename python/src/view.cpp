@@ -73,8 +73,7 @@ py::list events_of(const recording_object& r) {
 
 /// A page with all rows, so that it shows states before and after events.
 template <class Chain>
-void write_recording(const std::filesystem::path& path, const Chain& chain, const recording_object& r,
-                     const std::vector<std::string>& columns, const kte::page_options& options) {
+kte::scene recorded(const Chain& chain, const recording_object& r, const std::vector<std::string>& columns) {
   std::vector<std::string> of_states, of_chain;
   for (const auto& name : columns) {
     const auto& energies = kte::detail::energy_names;
@@ -93,26 +92,38 @@ void write_recording(const std::filesystem::path& path, const Chain& chain, cons
     for (std::size_t i = 0; i < row.size(); ++i) numbers[i].push_back(row[i]);
   });
   for (std::size_t i = 0; i < row.size(); ++i) scene.add_column(of_chain[i], "J", numbers[i]);
-  kte::write_page(path, scene, options);
+  return scene.contents();
 }
-
-void write_page(py::handle x, const std::filesystem::path& path, const std::string& title, py::handle columns,
-                std::size_t mesh_bytes, std::size_t recording_bytes) {
-  const kte::page_options options{.title = title, .mesh_bytes = mesh_bytes, .recording_bytes = recording_bytes};
-  const auto names = names_from(columns);
+template <class Chain>
+kte::scene standing(const Chain& chain, const std::vector<std::string>& columns) {
+  kte::scene_recording<Chain> scene(chain, {.columns = columns});
+  auto s = kte::detail::first_state(chain);
+  kte::detail::chain_in(chain).doMotion(s);
+  scene.row(0.0, s);
+  return scene.contents();
+}
+kte::scene scene_of(py::handle x, const std::vector<std::string>& columns) {
   if (py::isinstance<recording_object>(x)) {
     const auto& r = x.cast<const recording_object&>();
     if (py::isinstance<robot_object>(r.drawn)) {
       auto robot = current(r.drawn.cast<const robot_object&>());
       robot.chain = r.chain;
       const py::gil_scoped_release without;
-      return write_recording(path, robot, r, names, options);
+      return recorded(robot, r, columns);
     }
     const py::gil_scoped_release without;
-    return write_recording(path, r.chain, r, names, options);
+    return recorded(r.chain, r, columns);
   }
-  if (py::isinstance<robot_object>(x)) return kte::write_page(path, current(x.cast<const robot_object&>()), options);
-  kte::write_page(path, chain_of(x).chain(), options);
+  if (py::isinstance<robot_object>(x)) return standing(current(x.cast<const robot_object&>()), columns);
+  return standing(chain_of(x).chain(), columns);
+}
+
+void write_page(py::handle x, const std::filesystem::path& path, const std::string& title, py::handle columns,
+                std::size_t mesh_bytes, std::size_t recording_bytes) {
+  const kte::page_options options{.title = title, .mesh_bytes = mesh_bytes, .recording_bytes = recording_bytes};
+  const auto scene = scene_of(x, names_from(columns));
+  for (const auto& note : kte::not_drawn(scene)) warn_of_robot("kte: " + note, 2);
+  kte::write_page(path, scene, options);
 }
 
 }  // namespace

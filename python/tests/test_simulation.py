@@ -1,5 +1,6 @@
 import collections
 import copy
+import json
 import pickle
 import subprocess
 import sys
@@ -224,6 +225,48 @@ def test_pages_show_chains_robots_and_recordings(pendulum, iiwa, tmp_path):
     assert (tmp_path / "copy.html").read_text(encoding="utf-8") == inline.text
     with pytest.raises(kte.BadFile):
         kte.view(pendulum, tmp_path / "no" / "page.html")
+
+
+def scene_of(page):
+    start = page.text.index('id="kte-scene">') + len('id="kte-scene">')
+    return json.loads(page.text[start : page.text.index("</script>", start)])
+
+
+def test_pages_plot_the_columns_that_were_asked_for(iiwa, pendulum):
+    motion = kte.simulate(iiwa, np.zeros(7), time=0.1)
+    first = list(motion.columns())[1]
+    page = scene_of(kte.view(motion, columns=[f"{first}/f", first]))
+    assert page["recordings"][0]["plotted"] == [f"{first}/f", first]
+    assert scene_of(kte.view(pendulum, columns=["tip/velocity/x"]))["recordings"][0]["plotted"] == ["tip/velocity/x"]
+    with pytest.raises(kte.UnknownName, match="nothing"):
+        kte.view(pendulum, columns=["nothing"])
+
+
+def test_pages_draw_the_ground_and_the_sphere_of_a_contact():
+    ball = kte.Chain(
+        kte.free_joint_3D("pose", "ground", "ball"),
+        kte.inertia_3D("ball", mass=1, inertia=[0.004] * 3),
+        kte.sphere_contact_3D("c", "ground", "ball", radius=0.1, friction=0.5),
+        gravity=[0, 0, -9.81],
+    )
+    for what in (ball, kte.simulate(ball, [0, 0, 0.6, 1, 0, 0, 0], time=0.1)):
+        shapes = scene_of(kte.view(what))["shapes"]
+        assert [(x["frame"], x["type"], x["size"]) for x in shapes] == [(0, "plane", [0, 0]), (1, "sphere", [0.1])]
+
+
+def test_pages_warn_of_meshes_that_are_not_drawn(tmp_path):
+    (tmp_path / "bad.stl").write_text("solid x\nfacet\n")
+    mesh = '<visual><geometry><mesh filename="{}"/></geometry></visual>'
+    file = tmp_path / "r.urdf"
+    file.write_text(f'<robot name="r"><link name="a">{mesh.format("bad.stl") * 2}{mesh.format(tmp_path / "none.stl")}</link></robot>')
+    robot = kte.load_robot(file)
+    with pytest.warns(kte.RobotWarning) as warned:
+        page = kte.view(robot)
+    texts = sorted(str(w.message) for w in warned)
+    assert len(texts) == 2
+    assert texts[0].startswith("kte: mesh 'bad.stl' is not drawn: bad.stl:") and texts[1].startswith("kte: mesh 'none.stl' is not drawn: it is")
+    assert all(w.filename == __file__ for w in warned)
+    assert str(tmp_path) not in page.text
 
 
 def test_importing_is_quick_and_does_not_import_pandas():

@@ -27,7 +27,6 @@ bool connection::wait(short event, clock::time_point deadline) const {
   }
 }
 
-bool connection::is_readable() const { return begin_ < end_ || wait(POLLIN, read_until_); }
 bool connection::is_writable() const {
   char byte;
   const bool closed = ::recv(socket_, &byte, 1, MSG_PEEK | MSG_DONTWAIT) == 0;
@@ -35,14 +34,8 @@ bool connection::is_writable() const {
 }
 
 ssize_t connection::read(char* to, std::size_t size) {
-  if (begin_ == end_) {
-    if (total_ >= longest_request || clock::now() > read_until_ || !wait(POLLIN, read_until_)) return -1;
-    const auto n = ::recv(socket_, buffer_.data(), std::min(buffer_.size(), longest_request - total_), MSG_DONTWAIT);
-    if (n <= 0) return n;
-    begin_ = 0, end_ = static_cast<std::size_t>(n), total_ += end_;
-  }
-  const auto n = std::min(size, end_ - begin_);
-  std::copy_n(buffer_.data() + begin_, n, to);
+  const auto n = std::min(size, request_.size() - begin_);
+  std::copy_n(request_.data() + begin_, n, to);
   begin_ += n;
   return static_cast<ssize_t>(n);
 }

@@ -8,7 +8,6 @@
 #include <sys/socket.h>
 
 #include "connection.hpp"
-#include "worker_threads.hpp"
 
 namespace kte::live {
 
@@ -44,19 +43,26 @@ std::optional<Number> number_of(const Request& in, const char* name) {
   if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
   return x;
 }
+
+/// Connections are only handed over, in the thread that accepts them.
+struct at_once : httplib::TaskQueue {
+  void enqueue(std::function<void()> task) override { task(); }
+  void shutdown() override {}
+};
 }  // namespace
 
 server::server(session& s, std::string page, std::vector<std::string> columns, int port)
     : session_(s), page_(std::move(page)), columns_(names_in_table(columns)) {
-  set_socket_options([](socket_t socket) {
+  socket_t listening = -1;
+  set_socket_options([&listening](socket_t socket) {
+    listening = socket;
     const int yes = 1, bytes = 1 << 16;
     ::setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
     ::setsockopt(socket, SOL_SOCKET, SO_SNDBUF, &bytes, sizeof bytes);  // so that what waits for a slow page is not old
     ::fcntl(socket, F_SETFD, FD_CLOEXEC);
   });
   set_tcp_nodelay(true);
-  set_payload_max_length(connection::longest_request);
-  new_task_queue = [] { return new worker_threads; };
+  new_task_queue = [] { return new at_once; };
   set_pre_routing_handler([this](const Request& in, Response& out) {
     answer(in, out);
     return HandlerResponse::Handled;
@@ -72,6 +78,7 @@ server::server(session& s, std::string page, std::vector<std::string> columns, i
         "kte: a live page cannot listen at " +
         (wanted == 0 ? "127.0.0.1"
                      : "port " + std::to_string(wanted) + " of 127.0.0.1: another program does, or it is not allowed"));
+  ::listen(listening, SOMAXCONN);  // more than the library asks for
   const auto number = ':' + std::to_string(port);
   hosts_ = {local + number, "localhost" + number};
   url_ = "http://" + hosts_[0] + '/' + token_ + '/';
@@ -87,9 +94,14 @@ server::~server() {
 
 bool server::process_and_close_socket(socket_t socket) {
   ::fcntl(socket, F_SETFD, FD_CLOEXEC);
-  connection c(socket, [this] { return session_.closed(); });
+  heads_.add(socket);
+  return true;
+}
+
+void server::process(int socket, std::string head) {
+  connection c(socket, std::move(head), [this] { return session_.closed(); });
   bool closed = false;
-  return process_request(c, true, closed, [](Request& in) {
+  process_request(c, true, closed, [](Request& in) {
     in.headers.erase("Accept-Encoding");  // answers are not compressed, which takes longer than sending them
     in.ranges.clear();
   });

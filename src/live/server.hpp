@@ -4,7 +4,9 @@
 #include <thread>
 
 #include "messages.hpp"
+#include "request_heads.hpp"
 #include "token.hpp"
+#include "worker_threads.hpp"
 
 namespace kte::live {
 
@@ -26,6 +28,7 @@ class server : private httplib::Server {
 
  private:
   bool process_and_close_socket(socket_t socket) override;
+  void process(int socket, std::string head);
   void answer(const httplib::Request& in, httplib::Response& out);
   /// Why a request is refused; empty if it is not.
   std::string refusal(const httplib::Request& in) const;
@@ -41,6 +44,10 @@ class server : private httplib::Server {
   const std::vector<std::string> columns_;
   std::string url_;
   std::vector<std::string> hosts_;  ///< that are this server
+  worker_threads workers_;
+  request_heads heads_{[this](int socket, std::string head) {
+    workers_.enqueue([this, socket, head = std::move(head)]() mutable { process(socket, std::move(head)); });
+  }};
   std::thread thread_;
 };
 

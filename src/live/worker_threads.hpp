@@ -1,24 +1,29 @@
 #pragma once
 
+#include <condition_variable>
 #include <deque>
-#include <httplib.h>
+#include <functional>
+#include <mutex>
+#include <thread>
+#include <vector>
 
 namespace kte::live {
 
-/// Threads that answer requests, and a queue in front of them that is never long: connections that do not fit wait in
-/// the system.
-class worker_threads : public httplib::TaskQueue {
+/// Threads that answer requests, and a queue in front of them that is never long.
+class worker_threads {
  public:
   worker_threads() {
     for (int i = 0; i < count; ++i) threads_.emplace_back([this] { work(); });
   }
-  void enqueue(std::function<void()> task) override {
+  /// Waits while the queue is full.
+  void enqueue(std::function<void()> task) {
     std::unique_lock<std::mutex> l(mutex_);
     taken_.wait(l, [this] { return tasks_.size() < longest; });
     tasks_.push_back(std::move(task));
     news_.notify_one();
   }
-  void shutdown() override {
+  /// After the last task.
+  ~worker_threads() {
     {
       const std::unique_lock<std::mutex> l(mutex_);
       ended_ = true;

@@ -30,6 +30,11 @@ std::array<double, 3> turned(const std::vector<double>& rows, const std::array<d
 }
 }  // namespace
 
+std::size_t parameter_count(const element_parts& e, std::string_view name) {
+  for (const auto& p : e.parameters)
+    if (p.name == name) return p.values.size();
+  return 0;
+}
 double number_parameter(const element_parts& e, std::string_view name, double otherwise) {
   const auto* const x = values(e, name, 1);
   return x == nullptr ? otherwise : (*x)[0];

@@ -6,6 +6,8 @@
 /// What scenes have of the parameters of elements.
 namespace kte::view {
 
+/// How many numbers a parameter has; 0 if there is none.
+std::size_t parameter_count(const detail::element_parts& e, std::string_view name);
 double number_parameter(const detail::element_parts& e, std::string_view name, double otherwise);
 std::array<double, 3> vector_parameter(const detail::element_parts& e, std::string_view name,
                                        const std::array<double, 3>& otherwise);

@@ -77,16 +77,14 @@ struct primitives {
   void add(const scene& s, const scene::shape& x) {
     const auto at = place_of(x.place);
     const auto& l = x.size;
+    const auto length = [&s](double given) { return given > 0 ? given : 10 * s.size; };
     const auto turned = [&](double z) { return at * placed{{0, 0, z}, {}}; };
     if (x.type == "mesh") return add(s.meshes[static_cast<std::size_t>(x.mesh)], at, x.colour);
     if (x.type == "box") return add(cubes, at, {l[0], l[1], l[2]}, x.colour);
     if (x.type == "sphere") return add(spheres, at, {2 * l[0], 2 * l[0], 2 * l[0]}, x.colour);
     if (x.type == "ellipsoid") return add(spheres, at, {2 * l[0], 2 * l[1], 2 * l[2]}, x.colour);
-    if (x.type == "plane") {
-      const auto side = [&s](double length) { return length > 0 ? length : 10 * s.size; };
-      return add(cubes, at, {side(l[0]), side(l[1]), 1e-3 * s.size}, x.colour);
-    }
-    add(cylinders, at, {2 * l[0], 2 * l[0], l[1]}, x.colour);
+    if (x.type == "plane") return add(cubes, at, {length(l[0]), length(l[1]), 1e-3 * s.size}, x.colour);
+    add(cylinders, at, {2 * l[0], 2 * l[0], x.contact ? length(l[1]) : l[1]}, x.colour);
     if (x.type != "capsule") return;
     for (const double z : {-l[1] / 2, l[1] / 2}) add(spheres, turned(z), {2 * l[0], 2 * l[0], 2 * l[0]}, x.colour);
   }

@@ -23,6 +23,15 @@ int mesh_files::index_of(const std::string& name, const vec3<>& scale, std::stri
   return known->second;
 }
 
+std::string mesh_files::shown(const std::string& name, std::string_view from) const {
+  const std::filesystem::path path = detail::path_in_uri(name);
+  if (!path.is_absolute()) return name;
+  std::error_code none;
+  const auto inside =
+      path.lexically_normal().lexically_relative(std::filesystem::absolute(folder_of(from), none).lexically_normal());
+  return (inside.empty() || *inside.begin() == ".." ? path.filename() : inside).string();
+}
+
 int mesh_files::cannot(const std::string& name, const std::string& why) {
   auto note = "mesh '" + name + "' is not drawn: " + why;
   if (std::find(scene_.notes.begin(), scene_.notes.end(), note) == scene_.notes.end())
@@ -30,18 +39,21 @@ int mesh_files::cannot(const std::string& name, const std::string& why) {
   return -1;
 }
 
+std::filesystem::path mesh_files::folder_of(std::string_view from) const {
+  return std::filesystem::path(from.empty() ? file_ : std::string(from)).parent_path();
+}
 std::filesystem::path mesh_files::find(const std::string& name, std::string_view from) const {
-  return detail::find_mesh_file(name, std::filesystem::path(from.empty() ? file_ : std::string(from)).parent_path(),
-                                search_path_);
+  return detail::find_mesh_file(name, folder_of(from), search_path_);
 }
 
-int mesh_files::read(const std::string& name, const vec3<>& scale, std::string_view from) {
+int mesh_files::read(const std::string& uri, const vec3<>& scale, std::string_view from) {
+  const auto name = shown(uri, from);
   if (name.empty()) return cannot(name, "the file does not name one; meshes written in the file itself are not read");
   if (scene_.meshes.size() == most_meshes) return cannot(name, "there are " + std::to_string(most_meshes) + " already");
   const auto extension = detail::lower_extension(name);
   if (extension != ".stl" && extension != ".obj" && extension != ".msh")
     return cannot(name, "only .stl, .obj and .msh are read");
-  const auto path = find(name, from);
+  const auto path = find(uri, from);
   if (path.empty())
     return cannot(name,
                   "it is not found, neither in the folders around the robot's file nor in those of "
@@ -59,7 +71,10 @@ int mesh_files::read(const std::string& name, const vec3<>& scale, std::string_v
     scene_.meshes.push_back(std::move(drawn));
     return static_cast<int>(scene_.meshes.size()) - 1;
   } catch (const error& e) {
-    return cannot(name, std::string(e.what()).substr(5));
+    std::string why = std::string(e.what()).substr(5);
+    if (const auto at = why.find(path.string()); at != why.npos)
+      why.replace(at, path.string().size(), path.filename().string());
+    return cannot(name, why);
   }
 }
 

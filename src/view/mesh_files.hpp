@@ -20,9 +20,14 @@ class mesh_files {
   int index_of(const std::string& name, const vec3<>& scale, std::string_view from);
 
  private:
+  /// The folder of a file that names meshes.
+  std::filesystem::path folder_of(std::string_view from) const;
   std::filesystem::path find(const std::string& name, std::string_view from) const;
-  int read(const std::string& name, const vec3<>& scale, std::string_view from);
+  int read(const std::string& uri, const vec3<>& scale, std::string_view from);
   int cannot(const std::string& name, const std::string& why);
+  /// The name of a mesh in a page, without folders of this machine: as the robot's file has it; an absolute one
+  /// relative to this file, or without its folders.
+  std::string shown(const std::string& name, std::string_view from) const;
 
   scene& scene_;
   std::string file_;

@@ -20,6 +20,8 @@ std::string page_text(const scene& s, const page_options& options, std::string_v
   scene drawn = within_limits(s, options);
   if (!options.title.empty()) drawn.title = options.title;
   if (drawn.title.empty()) drawn.title = other_title;
+  if (live)  // its columns are also those that are only recorded
+    for (auto& r : drawn.recordings) r.plotted.clear();
   const auto page = page_resource();
   const auto place = page.find(empty_place);
   if (place == page.npos) detail::raise<bad_file>("kte: the page in the library kte::view lacks the place of a scene");

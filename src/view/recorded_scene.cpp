@@ -31,7 +31,7 @@ recorded_scene::recorded_scene(const chain_parts& chain, const recording_options
   std::size_t numbers = 0;
   if (!options.columns.empty()) {
     const detail::recording wanted(chain.slots, options.columns);
-    cells_ = wanted.cells;
+    cells_ = wanted.cells, r.plotted.assign(wanted.columns.begin() + 1, wanted.columns.end());
     for (const auto& c : cells_)
       for (std::size_t k = 0; k < c.count; ++k, ++numbers)
         r.columns.push_back({wanted.columns[numbers + 1], view::unit_of_quantity(chain, scene_, c), {}});

@@ -4,6 +4,7 @@
 #include <map>
 #include <unordered_map>
 
+#include "contact_shapes.hpp"
 #include "element_kinds.hpp"
 #include "element_parameters.hpp"
 #include "model_json.hpp"
@@ -37,6 +38,7 @@ class scene_builder {
       s.notes.push_back("the chain has no frames: there is nothing to draw, and its coordinates are plotted");
     add_model();
     add_shapes(s, chain_);
+    add_contact_shapes(s, contacts_);
     return std::move(out_);
   }
 
@@ -132,6 +134,7 @@ class scene_builder {
     if (k.as == drawn::unknown)
       for (std::size_t i = 1; i < c.frames.size(); ++i) add_link(e, c.frames[0], c.frames[i]);
     s.forces.push_back({c.names, e.type, std::string(k.kind), c.frames, c.coordinates, element_});
+    if (k.kind == "contact" && c.frames.size() == 2) contacts_.push_back({&e, c.frames[0], c.frames[1]});
     if (k.stem == "joint_limit" && !c.coordinates.empty()) narrow(s.coordinates[size(c.coordinates[0])], e);
   }
   void add_link(const element_parts& e, int from, int to) { out_.picture.links.push_back({e.type, from, to}); }
@@ -206,6 +209,7 @@ class scene_builder {
 
   const chain_parts& chain_;
   built_scene out_;
+  std::vector<drawn_contact> contacts_;
   int element_ = 0;  ///< its number in the model
   std::array<std::unordered_map<std::string, int>, kinds> slots_;
   std::unordered_map<std::string, int> coordinates_, frames_;

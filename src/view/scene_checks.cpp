@@ -4,6 +4,17 @@
 
 #include <algorithm>
 
+namespace kte {
+
+std::vector<std::string> not_drawn(const scene& s) {
+  std::vector<std::string> all;
+  for (const auto& note : s.notes)
+    if (note.find(" is not drawn: ") != note.npos) all.push_back(note);
+  return all;
+}
+
+}  // namespace kte
+
 namespace kte::view {
 
 namespace {

@@ -32,9 +32,7 @@ class scene_writer {
     each("meshes", s_.meshes, [this](const scene::mesh& m) {
       text("name", m.name), base64("positions", m.positions), base64("indices", m.indices);
     });
-    out_.key("notes"), out_.open_list();
-    for (const auto& n : s_.notes) out_.text(n);
-    out_.close_list();
+    texts("notes", s_.notes);
     each("recordings", s_.recordings, [this](const scene::recording& r) { recording(r); });
     out_.key("model");
     s_.model.empty() ? out_.null() : out_.text(s_.model);
@@ -72,7 +70,7 @@ class scene_writer {
     number("frame", x.frame), list("pose", x.place), text("type", x.type), list("size", x.size);
     out_.key("colour");
     x.colour.empty() ? out_.null() : out_.list(x.colour);
-    text("role", x.collision ? "collision" : "visual");
+    text("role", x.contact ? "contact" : x.collision ? "collision" : "visual");
     out_.key("mesh");
     x.mesh < 0 ? out_.null() : out_.number(x.mesh);
   }
@@ -82,6 +80,7 @@ class scene_writer {
     known("q", r.q), known("v", r.v), known("signals", r.signals);
     each("columns", r.columns,
          [this](const scene::column& c) { text("name", c.name), text("unit", c.unit), base64("data", c.data); });
+    texts("plotted", r.plotted);
   }
 
   /// Numbers, or null for an empty list.
@@ -100,6 +99,11 @@ class scene_writer {
     out_.close_list();
   }
   void text(std::string_view key, std::string_view x) { out_.key(key), out_.text(x); }
+  void texts(std::string_view key, const std::vector<std::string>& all) {
+    out_.key(key), out_.open_list();
+    for (const auto& x : all) out_.text(x);
+    out_.close_list();
+  }
   void number(std::string_view key, auto x) { out_.key(key), out_.number(x); }
   template <class List>
   void list(std::string_view key, const List& x) {

@@ -10,6 +10,14 @@ from page_case import PageTest, beside, far
 
 
 class Drawing(PageTest):
+    def in_view(self, points):
+        return self.window.run('''
+            const stage = kte_page.picture.stage;
+            return arguments[0].every((point) => {
+              const at = stage.project(...point, {});
+              return at.z < 1 && at.x > 0 && at.x < stage.width && at.y > 0 && at.y < stage.height;
+            });''', points)
+
     def test_without_a_scene(self):
         self.window.open(None)
         self.assertIn('no mechanism', self.text('#message'))
@@ -57,6 +65,79 @@ class Drawing(PageTest):
                     });''')
                 self.assertTrue(inside, f'{scene["title"]} at {t} s')
 
+    def test_shapes_are_in_view_in_all_their_motion(self):
+        # a bar far outside of its frame, which turns by half a turn in one of 2000 rows, while it goes away and comes back
+        times = [0.01 * i for i in range(2001)]
+        poses = [[([8 * scenes.math.sin(scenes.math.pi * t / 20), 0, 0], [0, 0, 0, 1] if i == 1007 else scenes.still)] for i, t in enumerate(times)]
+        half = [0.1, 1.5, 0.4]
+        self.window.open(scenes.empty(
+            tracks=1, frames=[{'name': 'bar', 'track': 0}], recordings=[scenes.recording('turn', times, poses)],
+            shapes=[{'frame': 0, 'pose': [0, 5, 0, *scenes.still], 'type': 'box', 'size': [2 * x for x in half], 'colour': None, 'role': 'visual', 'mesh': None}]))
+        corners = [(x, y, z) for x, y in ((-half[0], 3.5), (-half[0], 6.5), (8 + half[0], 6.5), (8 + half[0], -6.5)) for z in (-half[2], half[2])]
+        self.assertTrue(self.in_view(corners), 'the first view')
+        self.window.run("kte_page.picture.stage.camera.zoom(6)")
+        self.assertFalse(self.in_view(corners))
+        self.window.click(*self.window.run("const b = document.getElementById('fit').getBoundingClientRect(); return [b.left + 5, b.top + 5]"))
+        self.assertTrue(self.in_view(corners), 'Fit')
+
+    def test_the_row_that_reaches_farthest_is_in_view(self):
+        times = [0.01 * i for i in range(2001)]
+        poses = [[([0, 0, 5 if i == 1007 else 0], scenes.still)] for i in range(2001)]
+        self.window.open(scenes.empty(tracks=1, frames=[{'name': 'ball', 'track': 0}], recordings=[scenes.recording('hop', times, poses)],
+                                      shapes=[{'frame': 0, 'pose': [0, 0, 0, *scenes.still], 'type': 'sphere', 'size': [0.2], 'colour': None, 'role': 'visual', 'mesh': None}]))
+        self.assertTrue(self.in_view([(0, 0, 5.2)]))
+
+    def test_inertias_do_not_hide_shapes(self):
+        box = {'pose': [0, 0, 0, *scenes.still], 'type': 'box', 'size': [0.4, 0.4, 0.4], 'colour': None, 'role': 'visual', 'mesh': None}
+        joint = {'type': 'revolute_joint_3D', 'kind': 'revolute', 'axis': [0, 0, 1], 'coordinates': [], 'lower': None, 'upper': None}
+        names = ['base', 'sensor of the base', 'small hand', 'large hand']
+        radii = [0.1, 0.1, 0.19, 0.21]
+        self.window.open(scenes.empty(
+            tracks=3, frames=[{'name': names[0], 'track': 0}, {'name': names[1], 'parent': 0, 'pose': [1, 0, 0, *scenes.still]},
+                              {'name': names[2], 'track': 1}, {'name': names[3], 'track': 2}],
+            joints=[dict(joint, name='a', before=0, after=2), dict(joint, name='b', before=2, after=3)],
+            bodies=[{'name': n, 'frame': i, 'mass': 1, 'centre': [0, 0, 0], 'orientation': scenes.still, 'ellipsoid': [r] * 3}
+                    for i, (n, r) in enumerate(zip(names, radii))],
+            shapes=[dict(box, frame=0)],
+            recordings=[scenes.recording('still', [0], [[([0, 0, 0], scenes.still), ([0, 1, 0], scenes.still), ([0, 2, 0], scenes.still)]])]))
+        seen = '''
+            const seen = new Set();
+            kte_page.picture.mechanism.root.traverseVisible((o) => { if (o.userData.kind === 'body') seen.add(o.userData.index); });
+            return [...seen].sort();'''
+        self.assertEqual(self.window.run(seen), [2], 'shapes stand for the base and what is fixed to it, and a large globe is left out')
+        self.window.run("document.getElementById('layer-shaped-bodies').click()")
+        self.assertEqual(self.window.run(seen), [0, 1, 2, 3])
+
+    def test_a_page_that_takes_long_says_how_far_it_is(self):
+        n = 120
+        points = [x for i in range(n) for j in range(n) for x in (i / n, j / n, 0.1 * scenes.math.sin(i) * scenes.math.sin(j))]
+        corners = [c for i in range(n - 1) for j in range(n - 1) for a in (i * n + j,) for c in (a, a + 1, a + n, a + 1, a + n + 1, a + n)]
+        mesh = {'positions': scenes.packed('f', points), 'indices': scenes.packed('I', corners)}
+        watch = self.window.driver.execute_cdp_cmd('Page.addScriptToEvaluateOnNewDocument', {'source': '''
+            window.said = [];
+            new MutationObserver(() => {
+              const line = document.getElementById('loading'), last = said.at(-1);
+              if (line && last?.text !== line.textContent) said.push({ text: line.textContent, seen: getComputedStyle(line).visibility });
+            }).observe(document, { childList: true, subtree: true, characterData: true });'''})
+        self.window.driver.execute_cdp_cmd('Emulation.setCPUThrottlingRate', {'rate': 10})
+        try:
+            self.window.open(scenes.empty(
+                tracks=1, frames=[{'name': 'base', 'track': 0}], meshes=[dict(mesh, name=f'm{i}') for i in range(20)],
+                shapes=[{'frame': 0, 'pose': [0, 0, 0.1 * i, *scenes.still], 'type': 'mesh', 'size': [], 'colour': None, 'role': 'visual', 'mesh': i} for i in range(20)],
+                recordings=[scenes.recording('still', [0], [[([0, 0, 0], scenes.still)]])]))
+            self.window.wait("document.getElementById('loading') === null")
+        finally:
+            self.window.driver.execute_cdp_cmd('Emulation.setCPUThrottlingRate', {'rate': 1})
+            self.window.driver.execute_cdp_cmd('Page.removeScriptToEvaluateOnNewDocument', watch)
+        said = self.window.run('return said')
+        self.assertEqual([s['text'] for s in said][-1], 'Drawing')
+        self.assertEqual(said[-1]['seen'], 'visible', 'after a second')
+        counts = [int(s['text'].split()[0]) for s in said if s['text'].endswith(' of 20 meshes read')]
+        self.assertGreater(len(counts), 5)
+        self.assertEqual(counts, sorted(counts))
+        self.window.open(scenes.pendulum())
+        self.window.wait("document.getElementById('loading') === null")
+
     def test_shapes_meshes_and_forces(self):
         triangle = {'name': 'tetrahedron', 'positions': scenes.packed('f', [0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1]),
                     'indices': scenes.packed('I', [0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3])}
@@ -81,6 +162,26 @@ class Drawing(PageTest):
         red = self.window.colour(scenes.pendulum_tip(0))
         self.assertGreater(red[0], red[2] + 60)
         self.assertFalse(self.window.run("return document.getElementById('layer-collision').checked"))
+
+    def test_contacts_are_drawn_as_what_touches(self):
+        touching = {'colour': None, 'role': 'contact', 'mesh': None}
+        for dimension in (2, 3):
+            self.window.open(scenes.pendulum(
+                dimension=dimension, shapes=[
+                    dict(touching, frame=0, pose=[0, 0, 0, scenes.math.sqrt(0.5), -scenes.math.sqrt(0.5), 0, 0], type='plane', size=[0, 0]),
+                    dict(touching, frame=2, pose=[0, 0, 0, *scenes.still], type='sphere', size=[0.2]),
+                    dict(touching, frame=2, pose=[0, 0.3, 0, *scenes.still], type='sphere', size=[0]),
+                    dict(touching, frame=0, pose=[0, 0, 0, *scenes.still], type='cylinder', size=[0.1, 0])],
+                forces=[{'type': 'sphere_contact', 'kind': 'contact', 'name': 'c', 'frames': [0, 2], 'coordinates': []}]))
+            drawn = self.window.run('''
+                const found = [];
+                kte_page.picture.mechanism.root.traverseVisible((o) => { if (o.isMesh && ['shape', 'force'].includes(o.userData.kind)) found.push(`${o.userData.kind} ${o.userData.index}`); });
+                return found;''')
+            self.assertEqual(sorted(drawn), ['shape 0', 'shape 1', 'shape 2', 'shape 3'], 'and no rod between the frames')
+            red = self.window.colour(scenes.pendulum_tip(0))
+            self.assertGreater(red[0], red[1] + 40)
+            self.window.run("document.getElementById('layer-forces').click()")
+            self.assertFalse(far(self.window.colour([-0.25, -0.5, 0]), [246, 248, 250]), 'their layer is that of forces')
 
     def test_joint_shows_its_angle(self):
         self.window.open(scenes.pendulum())
@@ -229,6 +330,16 @@ class Playing(PageTest):
             document.getElementById('columns').open = true;
             document.querySelectorAll('#column-list input')[1].click();''')
         self.window.wait("document.getElementById('plots').textContent.includes('short is not plotted')")
+
+    def test_columns_that_were_asked_for_are_plotted_at_first(self):
+        scene = scenes.pendulum(seconds=0.08)
+        scene['recordings'][0]['columns'] = [{'name': n, 'unit': 'N', 'data': scenes.packed('f', [1, 2, 3, 4, 5])} for n in ('other', 'tau/q1')]
+        self.window.open(scene)
+        self.assertEqual(self.window.run('return kte_page.plots.chosen'), ['angle'])
+        scene['recordings'][0]['plotted'] = ['tau/q1', 'angle']
+        self.window.open(scene)
+        self.assertEqual(self.window.run('return kte_page.plots.chosen'), ['tau/q1', 'angle'])
+        self.window.wait("document.querySelectorAll('.plot').length === 2")
 
     def test_gaps_in_columns(self):
         scene = scenes.pendulum(seconds=0.08)
@@ -520,6 +631,7 @@ class Robust(PageTest):
     def test_a_long_recording_of_a_robot_opens_at_once(self):
         scene = scenes.robot()
         size = browser.os.path.getsize(self.window.open(scene, ''))
+        self.window.wait("performance.getEntriesByName('kte-first-picture').length > 0")
         spent = self.window.run("return performance.getEntriesByName('kte-first-picture')[0].startTime")
         self.assertLess(size, 10e6)
         print(f'60 s of a robot of 30 joints: {size / 1e6:.1f} MB, first picture after {spent / 1000:.2f} s')

@@ -397,6 +397,22 @@ if [ "$(wc -l <errors)" -ne 1 ]; then wrong 'a warning is more than a line'; fi
 "$kte" convert "$name" "$name.json" 2>errors || wrong 'such a name is not written'
 "$kte" simulate "$name.json" --record "$name.csv" --time 0.1 >out 2>errors || wrong 'such a name is not recorded'
 "$kte" view "$name.json" "$name.csv" -o "$name.html" 2>errors || wrong 'such a name is not shown'
+turned=$(printf 'arm\342\200\256.urdf')
+gives 1 "cannot open 'arm\xE2\x80\xAE.urdf'" "$kte" check "$turned"
+
+# Pages: what is not drawn is said, once a file, and long recordings are thinned out.
+mesh() { printf '<visual><geometry><mesh filename="%s"/></geometry></visual>' "$1"; }
+printf 'solid x\nfacet\n' >bad.stl
+printf '<robot name="r"><link name="a">%s%s%s</link></robot>' "$(mesh bad.stl)" "$(mesh bad.stl)" "$(mesh "$PWD/none.stl")" >meshes.urdf
+gives 0 "kte: meshes.urdf: mesh 'bad.stl' is not drawn: bad.stl:" "$kte" view meshes.urdf
+if [ "$(grep -c 'is not drawn' errors)" -ne 2 ]; then wrong 'meshes that are not drawn are not one line each'; fi
+if grep -q "$PWD" meshes.html; then wrong 'a page has a folder of this machine'; fi
+"$kte" simulate arm.urdf --record long.csv --time 1 --every 0.0005 >out 2>errors || wrong 'no long recording'
+gives 0 "rows of 'long.csv' one in" "$kte" view arm.urdf long.csv --recording-size 0.01
+if ! grep -q "of the 2001 rows of 'long.csv' one in" arm.html; then wrong 'the page does not say that rows are left out'; fi
+truncate -s 1025M huge.csv
+gives 1 'kte: huge.csv: the recording has 1025 MiB, above 1024 MiB' "$kte" view arm.urdf huge.csv
+rm huge.csv
 gives 0 '' "$kte" check -- pendulum.json
 for command in check info; do full "$kte" $command pendulum.json; done
 

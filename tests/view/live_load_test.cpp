@@ -72,12 +72,48 @@ TEST_CASE("no more pages than eight") {
   CHECK_THAT(all.emplace_back(at).event("controls"), contains_text("\"paused\":true"));
 }
 
-TEST_CASE("connections that say nothing keep nobody out") {
+double seconds_of(const auto& f) {
+  const auto start = std::chrono::steady_clock::now();
+  f();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+TEST_CASE("connections without a whole request keep nobody out") {
   live_page page(pendulum);
   const http_address at(page.url());
-  std::list<http_client> silent;
-  for (int i = 0; i < 40; ++i) silent.emplace_back(at.port);
-  CHECK(status_of(at.post("pause")) == "204");
+  std::list<http_client> half;
+  for (int i = 0; i < 200; ++i) {
+    half.emplace_back(at.port).send(i % 2 == 0 ? "" : "POST /no_token/pause HTTP/1.1\r\nHost: " + at.host + "\r\n");
+    if (i % 50 == 49) CHECK(seconds_of([&] { CHECK(status_of(at.post("pause")) == "204"); }) < 1);
+  }
+  CHECK(seconds_of([&] { CHECK_THAT(at.get(""), contains_text("kte-live")); }) < 2);
+}
+TEST_CASE("a body that is announced and does not come keeps nobody out") {
+  live_page page(pendulum);
+  const http_address at(page.url());
+  std::list<http_client> half;
+  for (int i = 0; i < 100; ++i)
+    half.emplace_back(at.port).send("POST /no_token/pause HTTP/1.1\r\nHost: " + at.host +
+                                    "\r\nContent-Length: 100\r\n\r\n");
+  CHECK(seconds_of([&] { CHECK(status_of(at.post("pause")) == "204"); }) < 1);
+}
+TEST_CASE("a request that comes byte by byte is cut off after a while, and one of two parts is not") {
+  live_page page(pendulum);
+  const http_address at(page.url());
+  http_client slow(at.port), parted(at.port);
+  const auto request = at.text("POST", "pause");
+  REQUIRE(parted.send(std::string_view(request).substr(0, 10)));
+  int sent = 0;
+  CHECK(seconds_of([&] {
+          while (sent < 100 && slow.send("G")) ++sent, std::this_thread::sleep_for(std::chrono::milliseconds(100));
+        }) < 5);
+  CHECK(sent >= 10);
+  CHECK(slow.read_to().empty());
+  CHECK(parted.read_to().empty());
+  http_client late(at.port);
+  late.send(std::string_view(request).substr(0, 10)), std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  late.send(std::string_view(request).substr(10));
+  CHECK(status_of(late.read_to()) == "204");
 }
 
 }  // namespace live_load_test

@@ -200,4 +200,21 @@ TEST_CASE("where nothing to see can be drawn, shapes of collision are") {
   CHECK_THAT(s.notes.at(1), contains_text("'link' is drawn by its collision shapes"));
 }
 
+TEST_CASE("notes have no folders of this machine") {
+  const folder in;
+  in.write("urdf/parts/bad.stl", "solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 z\n");
+  const auto note_of = [&in](const std::string& name) {
+    const auto s = with_shape(mesh_of(name), in);
+    REQUIRE(s.notes.size() == 1);
+    CHECK(not_drawn(s) == s.notes);
+    CHECK(s.notes[0].find(in.path.string()) == std::string::npos);
+    return s.notes[0];
+  };
+  const auto file = [&in](const char* name) { return (in.path / name).string(); };
+  CHECK_THAT(note_of("parts/bad.stl"), contains_text("mesh 'parts/bad.stl' is not drawn: bad.stl:4: "));
+  CHECK_THAT(note_of(file("urdf/parts/bad.stl")), contains_text("mesh 'parts/bad.stl' is not drawn: bad.stl:4: "));
+  CHECK_THAT(note_of("file://" + file("urdf/parts/none.stl")), contains_text("mesh 'parts/none.stl' is not drawn"));
+  CHECK_THAT(note_of(file("elsewhere/none.stl")), contains_text("mesh 'none.stl' is not drawn: it is not found"));
+}
+
 }  // namespace mesh_test

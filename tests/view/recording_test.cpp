@@ -39,6 +39,7 @@ TEST_CASE("a recording has poses, coordinates and columns of each row") {
   CHECK(r.rotations[3 * 8 + 4] == std::lround(32767 * std::cos(half)));
   CHECK(r.rotations[3 * 8 + 7] == std::lround(32767 * std::sin(half)));
   REQUIRE(r.columns.size() == 3);
+  CHECK(r.plotted == std::vector<std::string>{"tip/position/x", "tip/position/y", "q/v"});
   CHECK((r.columns[0].name == "tip/position/x" && r.columns[0].unit == "m"));
   CHECK((r.columns[2].name == "q/v" && r.columns[2].unit == "rad/s"));
   CHECK(double{r.columns[1].data[1]} == within(0.5 * std::sin(0.5), 1e-7));

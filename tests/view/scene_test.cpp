@@ -1,7 +1,10 @@
+#include <kte/contact/surface.hpp>
+#include <kte/elements/compliant_contact.hpp>
 #include <kte/elements/free_joint.hpp>
 #include <kte/elements/joint_limit.hpp>
 #include <kte/elements/planar_joint.hpp>
 #include <kte/elements/prismatic_joint.hpp>
+#include <kte/elements/rigid_contact.hpp>
 #include <kte/elements/screw_joint.hpp>
 #include <kte/elements/spring.hpp>
 #include <kte/io/model_reader.hpp>
@@ -16,6 +19,7 @@
 namespace scene_test {
 
 using namespace kte;
+using kte::test::contains_text;
 
 template <class List>
 std::string names(const List& all) {
@@ -48,6 +52,42 @@ TEST_CASE("the scene of a chain in the plane") {
   CHECK(s.recordings[0].t == std::vector{0.0});
   CHECK((s.q == std::vector{0.0} && s.v == std::vector{0.0}));
   CHECK(s.notes.empty());
+}
+
+TEST_CASE("contacts are drawn by their surfaces and by what touches them") {
+  const auto body = [](const char* name) { return free_joint_3D(std::string("pose of ") + name, "ground", name); };
+  runtime_chain c;
+  c << body("ball") << sphere_contact_3D("c", "ground", "ball", half_space{}, 0.1, {}, vec3{0.0, 0.0, 0.2})
+    << body("other") << sphere_contact_3D("d", "ground", "other", half_space{}, 0.0, {})
+    << compliant_contact_3D("ball", "other", ball_surface(0.1), 0.0, {.stiffness = 1e4}) << body("wheel")
+    << disc_contact_3D("rim", "ground", "wheel", half_space{}, vec3{0.0, 1.0, 0.0}, 0.3, {})
+    << compliant_contact_3D("ground", "wheel", cylinder_surface(2, vec3{1.0, 0.0, 0.0}), 0.0, {.stiffness = 1e4});
+  const auto s = scene_of(c);
+  std::string text;
+  for (const auto& x : s.shapes) {
+    CHECK(x.contact);
+    text += s.frames[static_cast<std::size_t>(x.frame)].name + ' ' + x.type;
+    for (const double length : x.size) text += ' ' + std::to_string(std::lround(1000 * length));  // mm
+    text += '\n';
+  }
+  CHECK(text ==
+        "ground plane 0 0\nball sphere 100\nother sphere 0\nball sphere 100\nother sphere 0\nwheel cylinder 300 6\n"
+        "ground cylinder 2000 0\nwheel sphere 0\n");
+  CHECK(s.shapes[1].place == scene::pose{0, 0, 0.2, 1, 0, 0, 0});
+  CHECK_THAT(to_json(s), contains_text("\"role\":\"contact\""));
+  for (const auto& f : s.forces) CHECK(f.kind == "contact");
+  CHECK(s.notes.empty());
+}
+TEST_CASE("the normal of a half space is the z axis of its plane, and other surfaces are named") {
+  runtime_chain c;
+  c << free_joint_2D("pose", "ground", "ball") << sphere_contact_2D("c", "ground", "ball", half_space{}, 0.1, {})
+    << compliant_contact_2D("ground", "ball", surface([](const auto& p) { return p.x - 1; }), 0.0, {.stiffness = 1e4});
+  const auto s = scene_of(c);
+  REQUIRE(s.shapes.size() == 3);
+  const auto& q = s.shapes[0].place;
+  const double half = std::sqrt(0.5);  // a quarter turn about -x
+  CHECK(std::abs(q[3] - half) + std::abs(q[4] + half) + std::abs(q[5]) + std::abs(q[6]) < 1e-15);
+  CHECK_THAT(s.notes.back(), contains_text("the surface of compliant_contact_2D 'ground' is not drawn"));
 }
 
 TEST_CASE("static and runtime chains of the same elements have the same scene") {

@@ -2,6 +2,7 @@
 
 #include <kte/errors.hpp>
 #include <kte/io/file.hpp>
+#include <kte/io/printable.hpp>
 
 #include <new>
 
@@ -23,7 +24,7 @@ int exit_code_of(const F& f) {
   } catch (const std::bad_alloc&) {
     std::fputs("kte: not enough memory\n", stderr);
   } catch (const std::exception& e) {
-    std::fprintf(stderr, "%s\n", e.what());
+    std::fprintf(stderr, "%s\n", printable(e.what()).c_str());
   }
   return 1;
 }

@@ -68,13 +68,14 @@ struct scene {
   /// `frames` and `coordinates` it acts on.
   struct force {
     std::string name, type;
-    std::string kind;  ///< spring, torsion_spring, damper, beam, bushing, motor, limit, friction, loop, other
+    std::string kind;  ///< spring, torsion_spring, damper, beam, bushing, motor, limit, friction, loop, contact, other
     std::vector<int> frames, coordinates;
     int element = -1;  ///< its number in `model`
   };
-  /// A shape at `place` in a `frame`, `collision` or visual, with a `mesh` if it is one. `size`, m: box: lengths;
-  /// sphere: radius; cylinder, capsule: radius, length along z without caps; ellipsoid: half axes; plane: lengths, 0 0
-  /// for an infinite one; mesh: none. `type` is one of these names.
+  /// A shape at `place` in a `frame`, visual, `collision`, or of a `contact` of the chain, with a `mesh` if it is one.
+  /// `size`, m: box: lengths; sphere: radius; cylinder, capsule: radius, length along z without caps, of a cylinder 0
+  /// for an infinite one; ellipsoid: half axes; plane: lengths, 0 0 for an infinite one; mesh: none. `type` is one of
+  /// these names.
   struct shape {
     int frame = -1;
     pose place = at_origin;
@@ -83,6 +84,7 @@ struct scene {
     std::vector<double> colour;  ///< red, green, blue, opacity from 0 to 1; or none
     bool collision = false;
     int mesh = -1;
+    bool contact = false;
   };
   /// A mesh of triangles, with its `name`.
   struct mesh {
@@ -106,6 +108,7 @@ struct scene {
     /// their first appearance. Empty if they are unknown; NaN is an unknown value.
     std::vector<float> v, signals;
     std::vector<column> columns;
+    std::vector<std::string> plotted;  ///< columns and coordinates to plot at first; if empty, the page chooses
   };
 
   std::string title;
@@ -127,6 +130,9 @@ struct scene {
   std::string model;  ///< the chain as a model file in JSON, for a page that simulates; empty if files cannot hold it
   std::vector<double> q, v;  ///< initial state
 };
+
+/// The notes of a scene that name meshes and shapes that are not drawn, and why.
+[[nodiscard]] std::vector<std::string> not_drawn(const scene& s);
 
 /// The scene as JSON, "kte-scene-1". Bytes in names that are not UTF-8 become U+FFFD. Throws `bad_argument` for a scene
 /// whose parts do not fit together.

@@ -12,8 +12,8 @@ const plots_every = 0.3;   // s between new plots
 const try_again_after = 2; // s
 
 export class LiveViewer extends Viewer {
-  constructor(scene, say) {
-    super(scene, say);
+  constructor(scene, say, shown) {
+    super(scene, say, shown);
     this.columns = (scene.recordings[0]?.columns ?? []).map(({ name, unit }) => ({ name: String(name), unit: String(unit ?? '1') }));
     this.nq = scene.state.q.length;
     this.nv = scene.state.v.length;

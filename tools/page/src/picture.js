@@ -31,7 +31,7 @@ export class Picture {
     this.poses.update(sources.tracks);
     this.mechanism = new Mechanism(scene, this.materials, this.poses.world.slice(), sources.known_q(), notes);
     this.stage.world.add(this.mechanism.root);
-    this.highlight = new Highlight(this.mechanism, this.materials.of('highlight'));
+    this.highlight = new Highlight(this.mechanism);
     this.labels = new Labels(by_id('labels'), this.stage);
     this.trail = new Trail(this.stage);
     this.pull_line = new PullLine(this.stage, this.materials, this.mechanism.unit);
@@ -41,26 +41,30 @@ export class Picture {
     this.pointed = null;  // row of the tree
     for (const [name, shown] of Object.entries(layers)) this.show_layer(name, shown);
     this.stage.resize();
-    this.bounds = this.find_bounds();
-    this.stage.furnish(this.bounds);
+    const bounds = this.find_bounds();
+    this.stage.furnish(bounds);
     this.set_theme(theme);
-    this.fit();
+    this.stage.camera.fit(bounds);
     by_id('scale').textContent = `grid ${number(this.stage.grid.cell)} m`;
     new ResizeObserver(changed).observe(by_id('view'));
     by_id('canvas').addEventListener('webglcontextrestored', changed);
   }
 
+  // Of what is shown, now and in the recordings.
   find_bounds() {
     const poses = this.spare_poses;
-    return motion_bounds(this.mechanism, (use) => this.sources.visit(60, (tracks) => {
-      poses.update(tracks);
-      use(poses.world);
-    }));
+    return motion_bounds(this.mechanism, (times, use) => {
+      use(this.poses.world);
+      this.sources.visit(times, (tracks) => {
+        poses.update(tracks);
+        use(poses.world);
+      });
+    });
   }
 
   // from: as Camera.fit has it
   fit(from) {
-    this.stage.camera.fit(this.bounds, from);
+    this.stage.camera.fit(this.find_bounds(), from);
   }
 
   // What is drawn as a PNG file.
@@ -128,7 +132,7 @@ export class Picture {
   show_other(shown) {
     if (shown && !this.ghost) {
       this.ghost = new Mechanism(this.scene, this.materials, this.mechanism.initial, this.mechanism.initial_q, []);
-      this.ghost.paint(this.materials.of('ghost'));
+      this.ghost.paint('ghost');
       for (const layer of ['ranges', 'frames', 'collision']) this.ghost.show(layer, false);
       this.ghost.root.traverse((object) => { object.castShadow = false; });
       this.stage.world.add(this.ghost.root);

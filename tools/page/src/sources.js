@@ -47,12 +47,11 @@ export class Sources {
     return shown.length ? [Math.min(...shown.map((r) => r.start)), Math.max(...shown.map((r) => r.end))] : [0, 0];
   }
 
-  // Poses of tracks at some of the times of the recordings shown.
+  // Poses of tracks at about so many times of the recordings shown.
   visit(times, use) {
     for (const recording of [this.main, this.other]) {
       if (!recording) continue;
-      const every = Math.max(1, Math.floor(recording.count / times));
-      for (let i = 0; i < recording.count; i += every) use(recording.poses_at(recording.t[i], this.other_tracks));
+      for (const i of recording.samples_of_motion(times)) use(recording.poses_at(recording.t[i], this.other_tracks));
     }
   }
 

@@ -21,9 +21,10 @@ import { Transport } from './ui/transport.js';
 import { item_of, Tree } from './ui/tree.js';
 
 export class Viewer {
-  // say(text): shows a sentence in place of the 3D view
-  constructor(scene, say) {
+  // say(text): shows a sentence in place of the 3D view; shown(): the first picture is there
+  constructor(scene, say, shown) {
     this.scene = scene;
+    this.shown = shown;
     this.notes = scene.notes.map(String);
     this.sources = new Sources(scene);
     this.player = new Player(() => this.request());
@@ -212,7 +213,13 @@ export class Viewer {
     if (document.body.dataset.panel === 'move') simulating.update(sources.q);
     this.details.update();
     this.drawn = (this.drawn ?? 0) + 1;  // pictures
-    if (this.drawn === 1) performance.mark('kte-first-picture');
+    if (this.drawn === 1) this.tell_first_picture();
     if (moving) this.request();
+  }
+
+  async tell_first_picture() {
+    await this.picture?.stage.finished();
+    performance.mark('kte-first-picture');
+    this.shown();
   }
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <kte/io/printable.hpp>
+
 #include <set>
 #include <string>
 #include <string_view>
@@ -59,16 +61,16 @@ inline std::string robot_identifier(std::string_view name) {
 /// A text as a C++ string literal.
 inline std::string cpp_text(std::string_view text) {
   std::string s = "\"";
-  for (const char c : text) {
-    const auto code = static_cast<unsigned char>(c);
-    if (c == '"' || c == '\\') {
-      (s += '\\') += c;
-    } else if (code < 32 || code == 127) {
-      s += '\\';
-      for (const int shift : {6, 3, 0}) s += static_cast<char>('0' + ((code >> shift) & 7));
-    } else {
-      s += c;
+  while (!text.empty()) {
+    const auto [code, bytes, valid] = first_character(text);
+    const bool hidden = !valid || is_hidden(code);
+    for (const char c : text.substr(0, bytes)) {
+      if (hidden || c == '"' || c == '\\') s += '\\';
+      if (!hidden) s += c;
+      for (const int shift : {6, 3, 0})
+        if (hidden) s += static_cast<char>('0' + ((static_cast<unsigned char>(c) >> shift) & 7));
     }
+    text.remove_prefix(bytes);
   }
   return s + '"';
 }

@@ -25,7 +25,7 @@ constexpr double character_width(char32_t c) {
 inline double text_width(std::string_view text) {
   double w = 0;
   while (!text.empty()) {
-    const auto [code, bytes] = first_character(text);
+    const auto [code, bytes, valid] = first_character(text);
     w += character_width(code), text.remove_prefix(bytes);
   }
   return w;

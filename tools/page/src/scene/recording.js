@@ -47,6 +47,7 @@ export class Recording extends Samples {
     const names = new Set(recorded.map((column) => column.name));
     const coordinates = data.q ? coordinate_columns(scene.coordinates, this).filter((column) => !names.has(column.name)) : [];
     this.columns = [...coordinates, ...recorded];
+    this.plotted = (data.plotted ?? []).map(String);
   }
 
   lazily(name, Type, count) {

@@ -34,6 +34,21 @@ export class Samples {
     return step > 0 ? Math.min(1, Math.max(0, (time - this.t[i]) / step)) : 0;
   }
 
+  // About n samples, the last, and those in which a track is farthest along an axis.
+  samples_of_motion(n) {
+    const { positions, count, tracks } = this, chosen = new Set(), steps = Math.max(1, Math.min(n, count - 1));
+    for (let k = 0; k <= steps; ++k) chosen.add(Math.round((k * (count - 1)) / steps));
+    for (let axis = 0; axis < 3; ++axis) {
+      let lowest = axis, highest = axis;  // in positions
+      for (let i = axis; i < 3 * count * tracks; i += 3) {
+        if (positions[i] < positions[lowest]) lowest = i;
+        if (positions[i] > positions[highest]) highest = i;
+      }
+      if (tracks > 0) for (const i of [lowest, highest]) chosen.add(Math.floor(i / (3 * tracks)));
+    }
+    return chosen;
+  }
+
   // Poses of all tracks at `time`, 7 numbers each.
   poses_at(time, out) {
     const i = this.index_at(time), f = this.fraction(time, i), j = f > 0 ? i + 1 : i;

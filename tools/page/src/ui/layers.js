@@ -1,16 +1,17 @@
 // What is drawn and what is not.
 
 import { palettes } from '../view/palette.js';
+import { layer_of } from '../view/shapes.js';
 import { by_id, element } from './element.js';
 
 const all = [
-  ['visual', 'Shapes of the file', (scene) => scene.shapes.some((s) => s.role !== 'collision')],
+  ['visual', 'Shapes of the file', (scene) => scene.shapes.some((s) => layer_of(s) === 'visual')],
   ['collision', 'Collision shapes', (scene) => scene.shapes.some((s) => s.role === 'collision')],
   ['links', 'Links', (scene) => scene.links.length > 0],
   ['joints', 'Joints', (scene) => scene.joints.length > 0],
   ['ranges', 'Ranges and positions of joints', (scene) => scene.joints.length > 0],
   ['bodies', 'Bodies by their inertia', (scene) => scene.bodies.length > 0],
-  ['shaped bodies', 'Inertia of bodies with shapes, and large ones', (scene) => scene.bodies.length > 0 && scene.shapes.some((s) => s.role !== 'collision')],
+  ['shaped bodies', 'Inertia of bodies with shapes, and large ones', (scene) => scene.bodies.length > 0 && scene.shapes.some((s) => layer_of(s) === 'visual')],
   ['forces', 'Springs, dampers, beams, contacts', (scene) => scene.forces.length > 0],
   ['frames', 'Axes of all frames', (scene) => scene.frames.length > 0],
   ['labels', 'Names of frames', (scene) => scene.frames.length > 0],

@@ -6,7 +6,7 @@ import { by_id, element } from './element.js';
 import { Plot } from './plot.js';
 import { series_colour } from './plot_colours.js';
 
-const most_at_first = 3, most_in_list = 2000;
+const most_at_first = 3, most_asked_for = 20, most_in_list = 2000;
 
 export class Plots {
   constructor(seek) {
@@ -30,10 +30,10 @@ export class Plots {
     this.columns = main ? main.columns : [];
     if (first) {
       const unit = this.columns[0]?.unit;
-      this.chosen = this.columns.filter((column) => column.unit === unit).slice(0, most_at_first).map((column) => column.name);
+      const of_one_unit = this.columns.filter((column) => column.unit === unit).slice(0, most_at_first).map((column) => column.name);
+      this.chosen = main?.plotted?.length ? main.plotted.slice(0, most_asked_for) : of_one_unit;
     }
     by_id('columns').hidden = this.columns.length === 0;
-
     this.list();
     this.stale = true;
   }

@@ -66,8 +66,8 @@ export class Camera {
     } else {
       const right = sideways(this.up), front = step.crossVectors(right, this.up);
       offset.copy(right).multiplyScalar(from[0]).addScaledVector(front, from[1]).addScaledVector(this.up, from[2]).normalize();
-      const distance = this.distance_for(bounds, offset);
-      camera.position.copy(bounds.sphere.center).addScaledVector(offset, distance);
+      const distance = this.distance_for(bounds.points, offset, bounds.sphere.radius);
+      camera.position.copy(controls.target).addScaledVector(offset, distance);
       camera.near = distance / 500;
       camera.far = distance * 60;
     }
@@ -75,15 +75,17 @@ export class Camera {
     controls.update();
   }
 
-  // From where the camera, looking along -backward to the centre, has all points in its view.
-  distance_for({ points, sphere }, backward) {
+  // Moves the target to the middle of the points, seen along -backward, and tells from where all are in view.
+  distance_for(points, backward, radius) {
     const tall = Math.tan((this.camera.fov * Math.PI) / 360) / margin, wide = tall * this.aspect;
-    if (points.length === 0) return (margin * sphere.radius) / Math.min(tall, wide);
+    if (points.length === 0) return (margin * radius) / Math.min(tall, wide);
     const right = new Vector3().crossVectors(this.up, backward).normalize(), above = new Vector3().crossVectors(backward, right);
+    const { target } = this.controls;
+    for (const axis of [right, above]) target.addScaledVector(axis, 0.5 * extent_along({ points }, axis).reduce((low, high) => low + high) - target.dot(axis));
     const p = new Vector3();
-    let distance = 0.2 * sphere.radius;
+    let distance = 0.2 * radius;
     for (let i = 0; i < points.length; i += 3) {
-      p.fromArray(points, i).sub(sphere.center);
+      p.fromArray(points, i).sub(target);
       distance = Math.max(distance, p.dot(backward) + Math.max(Math.abs(p.dot(right)) / wide, Math.abs(p.dot(above)) / tall));
     }
     return distance;

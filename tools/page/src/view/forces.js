@@ -104,6 +104,7 @@ export function add_forces(mechanism) {
       beside.set(pair, n + 1);
       return add_between(mechanism, force, of, n === 0 ? 0 : (n % 2 ? 1 : -1) * 1.3 * Math.ceil(n / 2));
     }
+    if (force.kind === 'contact' && scene.shapes.some((shape) => shape.role === 'contact' && frames.includes(shape.frame))) return undefined;
     if (frames.length > 0) {
       const up = force.kind === 'contact' ? scene.up : [0, 0, 1];
       return add_at(mechanism, force.kind, force.kind === 'contact' ? frames.at(-1) : frames[0], up, of);

@@ -1,9 +1,8 @@
 // Shows what is hovered over or chosen in another colour.
 
 export class Highlight {
-  constructor(mechanism, material) {
+  constructor(mechanism) {
     this.mechanism = mechanism;
-    this.material = material;
     this.changed = new Map();  // mesh: its own material
   }
 
@@ -16,7 +15,7 @@ export class Highlight {
       this.mechanism.root.traverse((object) => {
         if (!object.isMesh || !matches(object.userData)) return;
         this.changed.set(object, object.material);
-        object.material = this.material;
+        object.material = this.mechanism.materials.for_mesh('highlight', object);
         changed = true;
       });
     }

@@ -26,9 +26,9 @@ export class Mechanism {
     this.updates = [];
     add_links(this);
     add_joints(this);
+    add_shapes(this, notes);
     add_bodies(this);
     add_forces(this);
-    add_shapes(this, notes);
     this.update(initial);
   }
 
@@ -82,10 +82,10 @@ export class Mechanism {
     for (const object of this.layer(layer)) object.visible = visible;
   }
 
-  // Every mesh gets one material: a mechanism to compare with.
-  paint(material) {
+  // Every mesh gets the material of one role: a mechanism to compare with.
+  paint(role) {
     this.root.traverse((object) => {
-      if (object.isMesh) object.material = material;
+      if (object.isMesh) object.material = this.materials.for_mesh(role, object);
     });
   }
 }

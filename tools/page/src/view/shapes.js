@@ -1,44 +1,48 @@
 // Shapes of files: primitives and meshes, on their frames.
 
-import { BufferAttribute, CapsuleGeometry, PlaneGeometry } from 'three';
-import { decode_base64 } from '../scene/base64.js';
+import { CapsuleGeometry, PlaneGeometry } from 'three';
+import { is_faceted } from './materials.js';
 import { part } from './part.js';
-import { box, cylinder, sphere, triangles } from './solids.js';
+import { box, cylinder, slab, sphere } from './solids.js';
 
 const sizes = { box: 3, sphere: 1, cylinder: 2, capsule: 2, ellipsoid: 3, plane: 2 };
 
-function mesh_geometry(mesh, place) {
-  const positions = decode_base64(mesh.positions), indices = decode_base64(mesh.indices);
-  if (positions.length % 12 || indices.length % 12) throw new Error(`${place}: not whole triangles`);
-  const vertices = new Float32Array(positions.buffer, 0, positions.length / 4);
-  const corners = new Uint32Array(indices.buffer, 0, indices.length / 4);
-  if (corners.some((i) => 3 * i >= vertices.length)) throw new Error(`${place}: an index without a vertex`);
-  return triangles(vertices, corners, BufferAttribute);
+function mesh_geometry({ geometry, error }) {
+  if (error) throw error;
+  return geometry;
 }
 
 function geometry_and_scale(mechanism, shape) {
-  const size = shape.size ?? [];
+  const size = shape.size ?? [], { unit, scene } = mechanism, contact = shape.role === 'contact';
   const count = sizes[shape.type];
   if (count && (size.length !== count || !size.every((x) => Number.isFinite(x) && x >= 0))) return null;
   switch (shape.type) {
     case 'box': return [box(), size];
-    case 'sphere': return [sphere(), [size[0], size[0], size[0]]];
+    case 'sphere': return [sphere(), Array(3).fill(size[0] || (contact ? 0.35 * unit : 0))];
     case 'ellipsoid': return [sphere(), size];
-    case 'cylinder': return [cylinder(), [size[0], size[0], size[1]]];
+    case 'cylinder': return [cylinder(), [size[0], size[0], size[1] || (contact ? 4 * scene.size : 0)]];
     case 'capsule': return [new CapsuleGeometry(size[0], size[1], 10, 24).rotateX(Math.PI / 2), [1, 1, 1]];
-    case 'plane': return [new PlaneGeometry(size[0] || 4 * mechanism.scene.size, size[1] || 4 * mechanism.scene.size), [1, 1, 1]];
-    case 'mesh': return [mechanism.mesh(shape.mesh), Array.isArray(shape.size) && shape.size.length === 3 ? shape.size : [1, 1, 1]];
+    case 'plane': {
+      const sides = [size[0] || 4 * scene.size, size[1] || 4 * scene.size];
+      return scene.planar ? [slab(), [...sides, 0.5 * unit]] : [new PlaneGeometry(...sides), [1, 1, 1]];  // in the plane its edge is seen
+    }
+    case 'mesh': return [mesh_geometry(scene.meshes[shape.mesh]), Array.isArray(shape.size) && shape.size.length === 3 ? shape.size : [1, 1, 1]];
     default: return null;
   }
 }
 
+export function layer_of(shape) {
+  return shape.role === 'collision' ? 'collision' : shape.role === 'contact' ? 'forces' : 'visual';
+}
+
+// The role of its material: an infinite plane is seen through.
+function role_of(shape) {
+  if (shape.type === 'plane' && (!Array.isArray(shape.colour) || !(shape.size[0] > 0 && shape.size[1] > 0))) return shape.role === 'collision' ? 'collision' : 'plane';
+  return shape.role === 'collision' || (shape.role === 'contact' && !Array.isArray(shape.colour)) ? shape.role : 'visual';
+}
+
 export function add_shapes(mechanism, notes) {
   const { scene, materials } = mechanism;
-  const meshes = new Map();
-  mechanism.mesh = (i) => {
-    if (!meshes.has(i)) meshes.set(i, mesh_geometry(scene.meshes[i], `meshes[${i}]`));
-    return meshes.get(i);
-  };
   scene.shapes.forEach((shape, index) => {
     let drawn;
     try {
@@ -51,13 +55,12 @@ export function add_shapes(mechanism, notes) {
       notes.push(`Shape ${index} is not drawn: its type or size is unknown.`);
       return;
     }
-    const collision = shape.role === 'collision';
-    const ground = shape.type === 'plane' && (!Array.isArray(shape.colour) || !(shape.size[0] > 0 && shape.size[1] > 0));
-    const material = collision ? materials.of('collision') : ground ? materials.of('plane') : Array.isArray(shape.colour) ? materials.of_colour(shape.colour) : materials.of('visual');
+    const faceted = is_faceted(drawn[0]), role = role_of(shape);
+    const material = role === 'visual' && Array.isArray(shape.colour) ? materials.of_colour(shape.colour, faceted) : materials.of(role, undefined, faceted);
     const mesh = part(drawn[0], material, { kind: 'shape', index, frame: shape.frame }, drawn[1]);
     const [x, y, z, qw, qx, qy, qz] = shape.pose;
     mesh.position.set(x, y, z);
     mesh.quaternion.set(qx, qy, qz, qw).normalize();
-    mechanism.add_to_frame(collision ? 'collision' : 'visual', shape.frame, mesh);
+    mechanism.add_to_frame(layer_of(shape), shape.frame, mesh);
   });
 }

@@ -1,7 +1,7 @@
 // Geometries of unit size that symbols share; all along z.
 
 import {
-  BoxGeometry, BufferGeometry, CatmullRomCurve3, ConeGeometry, Curve, CylinderGeometry, OctahedronGeometry, RingGeometry,
+  BoxGeometry, BufferAttribute, BufferGeometry, CatmullRomCurve3, ConeGeometry, Curve, CylinderGeometry, OctahedronGeometry, RingGeometry,
   SphereGeometry, TorusGeometry, TubeGeometry, Vector3,
 } from 'three';
 
@@ -14,6 +14,8 @@ function once(name, make) {
 export const sphere = () => once('sphere', () => new SphereGeometry(1, 32, 20));
 export const box = () => once('box', () => new BoxGeometry(1, 1, 1));
 export const octahedron = () => once('octahedron', () => new OctahedronGeometry(1));
+// From z = -1 to 0.
+export const slab = () => once('slab', () => new BoxGeometry(1, 1, 1).translate(0, 0, -0.5));
 // Radius 1, from z = -1/2 to 1/2.
 export const cylinder = () => once('cylinder', () => new CylinderGeometry(1, 1, 1, 28).rotateX(Math.PI / 2));
 // Radius 1, from z = 0 to 1.
@@ -64,12 +66,10 @@ export const spiral = () => once('spiral', () => {
   return new TubeGeometry(new CatmullRomCurve3(points), 160, 0.06, 6);
 });
 
-// Triangles of a mesh: float32 positions and uint32 indices.
-export function triangles(positions, indices, BufferAttribute) {
+// Triangles of a mesh: float32 positions and uint32 indices. Without normals: files' meshes have sharp edges.
+export function triangles(positions, indices) {
   const geometry = new BufferGeometry();
   geometry.setAttribute('position', new BufferAttribute(positions, 3));
   geometry.setIndex(new BufferAttribute(indices, 1));
-  const faceted = geometry.toNonIndexed();  // normals of faces: files' meshes have sharp edges
-  faceted.computeVertexNormals();
-  return faceted;
+  return geometry;
 }

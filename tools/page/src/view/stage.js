@@ -41,7 +41,13 @@ export class Stage {
     this.sky.position.copy(this.planar ? new Vector3(0, 0, 1) : this.up);
     this.sun.position.copy(sphere.center).addScaledVector(this.planar ? new Vector3(-0.4, 0.7, 1).normalize() : this.sun_direction(), 6 * radius);
     this.sun.target.position.copy(sphere.center);
-    if (!this.planar) this.cast_shadows(sphere, radius, height);
+    if (!this.planar && !this.draws_in_software()) this.cast_shadows(sphere, radius, height);
+  }
+
+  // Without a graphics processor a picture takes long, with shadows half as long again.
+  draws_in_software() {
+    const gl = this.renderer.getContext(), names = gl.getExtension('WEBGL_debug_renderer_info');
+    return names !== null && /swiftshader|llvmpipe|softpipe|software|basic render/i.test(gl.getParameter(names.UNMASKED_RENDERER_WEBGL));
   }
 
   sun_direction() {
@@ -98,6 +104,14 @@ export class Stage {
 
   render() {
     this.renderer.render(this.world, this.camera.camera);
+  }
+
+  // Until the graphics processor, or what stands for it, has drawn everything.
+  async finished() {
+    const gl = this.renderer.getContext(), all = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+    gl.flush();
+    while (gl.clientWaitSync(all, 0, 0) === gl.TIMEOUT_EXPIRED) await new Promise((go) => { setTimeout(go, 20); });
+    gl.deleteSync(all);
   }
 
   // Pixels of the canvas of a point of the world; z is below 1 in front of the camera.

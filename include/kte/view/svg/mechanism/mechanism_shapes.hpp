@@ -29,7 +29,9 @@ class mechanism_shapes {
     std::vector<std::string> all;
     for (const auto& f : scene_.forces)
       if (!has_symbol(f)) all.push_back(f.type + (f.name.empty() ? "" : " '" + f.name + "'"));
-    if (!scene_.shapes.empty()) all.push_back(std::to_string(scene_.shapes.size()) + " shapes of the robot's file");
+    const auto of_file =
+        std::count_if(scene_.shapes.begin(), scene_.shapes.end(), [](const auto& x) { return !x.contact; });
+    if (of_file > 0) all.push_back(std::to_string(of_file) + " shapes of the robot's file");
     return all;
   }
 
