@@ -87,6 +87,10 @@ TEST_CASE("what MuJoCo does with rare combinations is done, or said") {
     return first("<joint name='k' springdamper='1 2'/>" + own, "<option><flag " + flag + "='disable'/></option>");
   };
   CHECK(dynamics("spring").joints[1].dynamics.damping_ratio == robot_joint::none);
+  const auto polynomial =
+      from_mjcf(mjcf("<body><joint name='k' damping='1 0 2' stiffness='3 0'/>" + heavy + "</body>"));
+  CHECK((polynomial.joints[0].dynamics.damping == 1 && polynomial.joints[0].dynamics.stiffness == 3));
+  CHECK(texts(polynomial.warnings) == "joint 'k': the quadratic and cubic part of its damping is not modelled\n");
   CHECK(texts(dynamics("damper").warnings) == "joint 'k': springdamper without dampers is not modelled\n");
   CHECK(dynamics("passive").joints[1].dynamics == robot_joint_dynamics{});
 

@@ -1,5 +1,6 @@
-// Included at the start of the headers that users include, without a guard: sets macros aside that other libraries define
-// with ordinary words, until macros_back.hpp at their end. They are those of Qt, X11, Arduino, Windows, macOS, termios.
+// Included at the start of the headers that users include, without a guard: sets macros aside that other libraries
+// define with ordinary words, until macros_back.hpp at their end. They are those of Qt, X11, Arduino, Windows, macOS,
+// termios.
 #if __cplusplus < 202002L
 #  error "kte needs C++20: compile with -std=c++20"
 #  include <kte needs C++20>  // stops the compiler

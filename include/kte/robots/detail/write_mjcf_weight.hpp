@@ -36,7 +36,7 @@ struct mjcf_weight {
       axes = as<double>(to_quaternion(
           mat3<row>{row{a(0, 0), a(0, 1), a(0, 2)}, row{a(1, 0), a(1, 1), a(1, 2)}, row{a(2, 0), a(2, 1), a(2, 2)}}));
     }
-    if (fault() <= 1e-13 * largest()) mend();  // rounding errors
+    if (fault() <= 1e-13 * (largest() + mass * dot(com, com))) mend();  // rounding errors, also of moving the body
   }
 
   double largest() const { return *std::max_element(moments.begin(), moments.end()); }
