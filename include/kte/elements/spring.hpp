@@ -44,13 +44,15 @@ KTE_INLINE constexpr auto limited_pull(const K& k, const vec3<X, Y, Z>& d, const
 template <class X, class Y, class Z, class Law>
 KTE_INLINE constexpr auto pull_along(const vec3<X, Y, Z>& d, const Law& law) {
   const auto [x, e] = to_polar(d);
-  using S = std::remove_const_t<decltype(x)>;
-  const S f = law(x);
+  const auto f = law(x);
   auto force = f * e;  // (1)
-  const auto coincide = x == S(0);
-  if (any(coincide)) [[unlikely]] {
-    const S tiny(1e-30);
-    force = force + select(both(coincide, f == S(0)), S(S(law(tiny)) / tiny), S(0)) * d;
+  if constexpr (!std::is_same_v<std::remove_const_t<decltype(f)>, zero_t>) {
+    using S = std::remove_const_t<decltype(x)>;
+    const auto coincide = x == S(0);
+    if (any(coincide)) [[unlikely]] {
+      const S tiny(1e-30);
+      force = force + select(both(coincide, as<S>(f) == S(0)), S(as<S>(law(tiny)) / tiny), S(0)) * d;
+    }
   }
   return force;
 }
