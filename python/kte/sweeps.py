@@ -211,8 +211,7 @@ def _text_of(x: Any) -> str:
 def _dependences(run: Any, quantities: Sequence[str], packs: bool) -> List[Tuple[str, str]]:
     """What the results of a run of the library depend on, by names."""
     texts = [("run", type(run).__name__), ("kept quantities", ", ".join(quantities)), ("packs", str(packs))]
-    state = run.chain.__getstate__()
-    content = state[0] if isinstance(state, tuple) else state  # of compiled chains with the compiled frames
+    content, _ = run.chain._pickle()  # without the compiled frames
     texts.append(("chain", hashlib.sha256(content).hexdigest()))
     return texts + [(x.name, _text_of(getattr(run, x.name))) for x in fields(run) if x.name != "chain"]
 

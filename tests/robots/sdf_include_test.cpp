@@ -140,7 +140,7 @@ TEST_CASE("a world may include a URDF") {
   auto r = read("<name>mine</name>");
   CHECK((r.name == "mine" && r.chain.dofs() == 1 && r.chain.gravity() == vec3<>{0, 0, -3}));
   CHECK(read("", {.model = "arm"}).chain.dofs() == 1);
-  CHECK(has(read("<pose>1 0 0 0 0 0</pose>").warnings, "its pose in the world is not read, as it is a URDF", true));
+  CHECK(has(read("<pose>1 0 0 0 0 0</pose>").warnings, "its pose in the world is not read: it is a URDF", true));
 }
 
 TEST_CASE("includes that cannot be had are refused by name") {

@@ -34,7 +34,7 @@ inline void place_mjcf_joint(const xml_item& x, const mjcf_scope& in, robot_join
   }
 }
 
-/// The linear coefficient of a spring or damper, of which current versions of MuJoCo have up to three.
+/// The linear coefficient of a spring or damper. Current versions of MuJoCo have up to three coefficients.
 inline double linear_coefficient(const xml_item& x, const char* what) {
   if (!x.has(what)) return 0;
   const auto all = x.list(what);

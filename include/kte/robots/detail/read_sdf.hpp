@@ -38,7 +38,7 @@ KTE_FUNCTION robot_description read_sdf(const xml_node& root, const std::string&
     auto robot = read_urdf(*chosen.model, name, options);
     if (chosen.world != nullptr) read_sdf_world(d, {*chosen.world, d}, chosen.name);
     if (!is_nothing(sdf_pose(model, options)))
-      model.moves_differently("its pose in the world is not read, as it is a URDF");
+      model.moves_differently("its pose in the world is not read: it is a URDF");
     robot.gravity = d.gravity;
     robot.warnings.insert(robot.warnings.end(), d.warnings.begin(), d.warnings.end());
     robot.not_read.insert(robot.not_read.end(), d.not_read.begin(), d.not_read.end());

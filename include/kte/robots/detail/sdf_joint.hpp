@@ -162,7 +162,7 @@ class sdf_joints {
   }
 
   /// The angle of the joint between the reference body of a gearbox and another link, about an axis of the gearbox: the
-  /// joint, and +1 or -1 by the direction of its own axis.
+  /// joint, and +1 or -1 by the direction of that axis.
   std::pair<robot_joint*, double> angle_of(const gearbox& g, const std::string& reference, const char* end,
                                            const char* axis) const {
     const auto link = frames_.link_of(g.x, frames_.find(g.x, g.scope, child_text(g.x, end)));
