@@ -25,15 +25,30 @@ inline void list_shapes(robot& r, const robot_description& d) {
 /// Takes the ranges and rates of followers back to the joints that they follow: q = k q_leader + c is in [a, b] where
 /// q_leader is in [(a - c)/k, (b - c)/k], for negative k with the ends exchanged.
 inline std::vector<robot_joint> with_ranges_of_followers(const robot_description& d, const robot_tree& tree) {
-  auto all = d.joints;
-  for (const auto& j : d.joints) {
+  constexpr auto nowhere = ~std::size_t{0};
+  struct line {
+    std::size_t leader = nowhere;
     double k = 1, c = 0;
-    const auto* leader = &j;
-    for (; leader->mimic; leader = &d.joints[tree.joint(leader->mimic->joint)])
-      c += k * leader->mimic->offset, k *= leader->mimic->ratio;
-    if (leader == &j || k == 0) continue;
-    auto& to = all[tree.joint(leader->name)];
-    const auto narrow = [k, c](double a, double b, double& lower, double& upper) {
+  };
+  std::vector<line> lines(d.joints.size());
+  auto all = d.joints;
+  for (std::size_t i = 0; i < d.joints.size(); ++i) {
+    std::vector<std::size_t> way;  // of followers whose leader is not known yet
+    for (std::size_t at = i; lines[at].leader == nowhere;)
+      if (const auto& m = d.joints[at].mimic)
+        way.push_back(at), at = tree.joint(m->joint);
+      else
+        lines[at].leader = at;
+    for (; !way.empty(); way.pop_back()) {
+      const auto& m = *d.joints[way.back()].mimic;
+      const auto& before = lines[tree.joint(m.joint)];
+      lines[way.back()] = {before.leader, m.ratio * before.k, m.ratio * before.c + m.offset};
+    }
+    const auto& j = d.joints[i];
+    const auto [leader, k, c] = lines[i];
+    if (leader == i || k == 0) continue;
+    auto& to = all[leader];
+    const auto narrow = [k = k, c = c](double a, double b, double& lower, double& upper) {
       a = (limit_from_file(a) - c) / k, b = (limit_from_file(b) - c) / k;
       lower = (std::max)(lower, (std::min)(a, b)), upper = (std::min)(upper, (std::max)(a, b));
     };
