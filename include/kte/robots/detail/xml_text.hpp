@@ -30,12 +30,13 @@ inline bool is_file(const std::filesystem::path& path) {
 [[noreturn]] void fail_xml(const std::string& source, int line, const std::string& why);
 /// Throws `bad_file`; "XML_ERROR_MISMATCHED_ELEMENT" becomes "mismatched element".
 [[noreturn]] void fail_xml_syntax(const std::string& source, int line, const char* error);
-/// The text without its byte order mark; throws `bad_file` unless it is UTF-8 and of acceptable size, and for elements
-/// of too many attributes.
+/// The text without its byte order mark, of a URDF without what follows its end; throws `bad_file` unless it is UTF-8
+/// and of acceptable size, and for elements of too many attributes.
 std::string_view checked_text(std::string_view text, const std::string& source);
 std::string text_of_file(const std::filesystem::path& path);
-/// Sets the titles of all elements; throws `bad_file` for elements of xacro.
-void give_titles(xml_node& root, const std::string& source);
+/// Sets the titles of all elements; throws `bad_file` for elements of xacro. Text that was cut off after the root
+/// becomes an attribute, which is listed as not read.
+void give_titles(xml_node& root, const std::string& source, bool is_cut);
 /// Sets the file of an element and of all elements below it.
 void give_file(xml_node& n, const std::string& file);
 
@@ -94,9 +95,20 @@ inline void check_attributes(std::string_view text, const std::string& source) {
                "an element has more than " + std::to_string(most_attributes) + " attributes");
   }
 }
+/// The number of bytes that follow the end of a URDF and are neither elements nor comments. Readers of URDF ignore
+/// them.
+inline std::size_t bytes_after_robot(std::string_view text) {
+  constexpr std::string_view close = "</robot>";
+  const auto at = text.rfind(close);
+  if (at == text.npos) return 0;
+  const auto rest = text.substr(at + close.size());
+  const auto first = rest.find_first_not_of(" \t\r\n");
+  return first == rest.npos || rest[first] == '<' ? 0 : rest.size();
+}
 KTE_FUNCTION std::string_view checked_text(std::string_view text, const std::string& source) {
   if (text.size() > largest_robot_file)
     fail_xml(source, 1, "the file has more than " + std::to_string(largest_robot_file) + " bytes");
+  text.remove_suffix(bytes_after_robot(text));
   text = source_text(text, source).text();
   check_attributes(text, source);
   return text;
@@ -119,7 +131,10 @@ inline void give_title(xml_node& n, const std::string& source, const std::string
     }
   for (auto& c : n.children) give_title(c, source, below, false);
 }
-KTE_FUNCTION void give_titles(xml_node& root, const std::string& source) { give_title(root, source, {}, true); }
+KTE_FUNCTION void give_titles(xml_node& root, const std::string& source, bool is_cut) {
+  if (is_cut) root.attributes.emplace_back("text after </robot>", "");
+  give_title(root, source, {}, true);
+}
 KTE_FUNCTION void give_file(xml_node& n, const std::string& file) {
   n.file = file;
   for (auto& c : n.children) give_file(c, file);
