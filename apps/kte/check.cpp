@@ -85,15 +85,15 @@ std::string mobility_text(const structure& s) {
          short_number(s.mass) + " kg, " + counted(s.frames.size(), "frame") + ", " + size_text(s.size);
 }
 
-/// The texts of notes, of each kind at most three: kinds differ in more than names, numbers and lines.
-std::string grouped(const std::vector<kte::robot_note>& notes, const std::string& file, const std::string& indent) {
+/// The texts of notes, of each kind at most three: kinds differ in more than names in quotes, numbers and lines.
+std::string grouped(const std::vector<std::string>& texts, const std::string& indent) {
   struct group {
     std::vector<std::string> texts;
     std::size_t more = 0;
   };
   std::vector<std::pair<std::string, group>> all;
   std::map<std::string, std::size_t> known;
-  for (const auto& text : texts_of(notes, file)) {
+  for (const auto& text : texts) {
     std::string kind;
     bool quoted = false;
     for (const char c : text) {
@@ -115,10 +115,10 @@ std::string grouped(const std::vector<kte::robot_note>& notes, const std::string
 
 std::string text_of(const findings& f, const options& o) {
   const auto file = printable(o.in.file);
-  std::string s = grouped(f.odd, file, "");
+  std::string s = grouped(texts_of(f.odd, file), "");
   if (s.empty()) s = file + ": nothing odd is found\n";
   if (const auto ignored = texts_of(f.not_read, ""); !ignored.empty()) {
-    s += "not read (" + std::to_string(ignored.size()) + "):\n" + grouped(f.not_read, "", "  ");
+    s += "not read (" + std::to_string(ignored.size()) + "):\n" + grouped(ignored, "  ");
   }
   if (f.parts) s += file + " (" + f.format + "): " + mobility_text(*f.parts) + '\n';
   if (!f.loops.empty()) s += f.loops + '\n';

@@ -65,7 +65,7 @@ TEST_CASE("springs of rest length 0 are smooth where their ends coincide") {
   CHECK(at_rest(plane, spring_2D("o", "p", 0.0, k)).by_position == k * Eigen::Matrix2d::Identity());
 }
 
-TEST_CASE("turning springs and bushings are smooth without a turn, drag without a speed") {
+TEST_CASE("torsion springs and dampers are smooth without a turn, drag without a speed") {
   CHECK((at_rest(on_ball(), torsion_spring_3D("o", "p", 5.0)).by_position - 5 * unit).norm() <= 1e-14);
   CHECK((at_rest(on_ball(), torsion_spring_3D("o", "p", 5.0, 2.0)).by_position - 5 * unit).norm() <= 1e-14);
   CHECK((at_rest(on_ball(), torsion_damper_3D("o", "p", 5.0)).by_rate - 5 * unit).norm() <= 1e-14);

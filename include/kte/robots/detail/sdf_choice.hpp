@@ -74,11 +74,12 @@ class sdf_choice {
   }
   /// The names of the models; those that occur several times with their numbers.
   std::string list() const {
+    std::map<std::string_view, std::size_t> count;
+    for (const auto& c : all_) ++count[c.name];
     std::string text;
     for (std::size_t i = 0; i < all_.size(); ++i) {
-      const auto same = [&](const candidate& c) { return c.name == all_[i].name; };
       text += (text.empty() ? "'" : ", '") + excerpt(all_[i].name) + "'";
-      if (std::count_if(all_.begin(), all_.end(), same) > 1) text += " ('#" + std::to_string(i + 1) + "')";
+      if (count[all_[i].name] > 1) text += " ('#" + std::to_string(i + 1) + "')";
     }
     return text;
   }
