@@ -10,6 +10,10 @@
 /// Accelerations with contact forces, in the working memory of a state.
 namespace kte::detail {
 
+/// Sliding is jammed (Painleve) where W_nn - mu W_nt <= this times W_nn: the force of a contact alone is divided by
+/// W_nn - mu W_nt, and grows without limit before that is 0.
+inline constexpr double least_support = 1e-5;
+
 struct contact_solver : contact_workspace {
   using contact_workspace::contact_workspace;
   friction_solver<double> solver;

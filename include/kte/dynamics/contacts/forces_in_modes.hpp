@@ -12,7 +12,7 @@ class forces_in_modes {
   std::vector<int> chosen_touching;  ///< the closed contacts of `chosen`; other ones find their rows
   std::vector<contact_mode> chosen_modes;  ///< their modes
   Eigen::VectorXd bias;                    ///< u' without forces of closures and contacts, by rows
-  int jammed = -1;                         ///< a contact, of those that touch, that slides with W_nn <= mu W_nt
+  int jammed = -1;                         ///< a contact, of those that touch, whose sliding is jammed
   double slow_speed = 3e-4;                ///< v of slow_sliding.hpp, relative to the length of the chain, 1/s
   // ---- by contacts that touch
   std::vector<std::array<double, 2>> directions;  ///< d of sliding along t_1 and t_2
@@ -101,7 +101,9 @@ class forces_in_modes {
       for (int r = 0; r + 1 < x.rows(); ++r)
         effects_.col(to) -=
             m.laws[i].friction * directions[i][static_cast<std::size_t>(r)] * rows.all.col(from + 1 + r);
-      if (rows.of_closures == 0 && !(rows.all.col(from).dot(effects_.col(to)) > 0)) jammed = static_cast<int>(i);
+      const auto normal = rows.all.col(from);
+      if (rows.of_closures == 0 && !(normal.dot(effects_.col(to)) > least_support * normal.squaredNorm()))
+        jammed = static_cast<int>(i);
     }
   }
   void put_forces(contact_solver& m) const {

@@ -12,10 +12,23 @@ struct impact_memory {
   std::vector<double> restitution;
   impact_result result;
 };
-/// Whether a contact that slides at rest in its normal direction is jammed: W_nn - mu W_nt <= 0, t along the velocity.
+/// Whether a contact that slides at rest in its normal direction is jammed: W_nn - mu W_nt <= `least_support` W_nn, t
+/// along the velocity.
 inline bool is_jammed(const contact_solver& m, std::size_t i) {
   const auto& x = m.touched(i);
-  return m.laws[i].sliding && !(m.w(x.first, x.first) > m.laws[i].friction * m.w(x.first, x.first + 1));
+  const double alone = m.w(x.first, x.first);
+  return m.laws[i].sliding && !((1 - least_support) * alone > m.laws[i].friction * m.w(x.first, x.first + 1));
+}
+/// Whether the forces found grow without limit as the sliding of a contact jams.
+inline bool is_near_jam(const contact_solver& m) {
+  double load = 0, force = 0;
+  bool jammed = false;
+  for (std::size_t i = 0; i < m.touching.size(); ++i) {
+    const auto n = m.touched(i).first;
+    load = (std::max)(load, std::abs(m.bias[n]) / m.w(n, n)), force = (std::max)(force, m.forces[n]);
+    jammed |= is_jammed(m, i);
+  }
+  return jammed && force > 0.1 / least_support * load;
 }
 /// Replaces v, the velocities of the state, by those after the impact. restitution(x): Newton's e of a contact.
 template <class Contacts, class State, class Restitution>

@@ -18,6 +18,7 @@ struct contact_change {
   bool yields = false;       ///< opens, or slides, because of these
   bool stops = false;        ///< has no velocity, because it would stop at once
   bool holds = false;        ///< sticks, because it would not move
+  bool rests = false;        ///< slides, but does not move: sticking would exceed friction
   vec3<> slip{};  ///< the direction in which it slides, because sticking would exceed friction; 0: it may stick
 
   bool slips() const { return dot(slip, slip) > 0; }

@@ -12,7 +12,7 @@
 /// tangents is longer where a contact slides slowly (dynamics/contacts/slow_sliding.hpp). u enters only where it is not
 /// rest. Then velocities are put on the modes by the least change in kinetic energy,
 ///
-///   u_n = 0 of closed contacts,   u_t = 0 of those that stick, or whose sliding has stopped                 (3)
+///   u_n = 0 of closed contacts,   u_t = 0 of those that stick, rest, or whose sliding has stopped           (3)
 ///
 /// and the forces of these modes are found without u/tau.
 namespace kte::detail {
@@ -63,6 +63,7 @@ class contact_decision {
     }
     m.make_matrix(c, s, m.equations.acceleration);
     status = find_friction(m);
+    if (has_forces(status) && is_near_jam(m)) status = friction_status::no_solution;
     if (!has_forces(status)) return true;
     if (moves && tau_ > 0) {
       is_ahead_ = true;
@@ -131,7 +132,7 @@ class contact_decision {
     for (std::size_t i = 0; i < m.touching.size(); ++i) {
       if (m.modes[i] == contact_mode::open) continue;
       const auto& y = m.touched(i);
-      const bool stands = m.modes[i] == contact_mode::sticks ||
+      const bool stands = m.modes[i] == contact_mode::sticks || !slides(m, y) ||
                           (before[static_cast<std::size_t>(m.touching[i])].stops && is_slow(m, y));
       for (int r = 0; r < (stands ? y.rows() : 1); ++r)
         rows.rows.push_back({m.touching[i], y.basis[static_cast<std::size_t>(r)], true});

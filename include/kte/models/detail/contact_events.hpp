@@ -12,11 +12,6 @@ namespace kte::detail {
 template <class Access, class X>
 double bridge_contacts(const Access& a, double t, X& x, double t_end, int n);
 
-/// Within the accuracy of the solution, forces at their limits are beyond them: relative to the largest force.
-inline constexpr double least_reserve = 1e-9;
-/// The force of a contact that was found not to move may be this much beyond friction, relative to the largest force:
-/// ten times the residuals of friction problems that count as solved (`largest_residual`).
-inline constexpr double excess_of_rest = 1e-7;
 /// Decisions at one event: of a contact, four in a row (stop, hold, slip, yield), for several contacts one after the
 /// other, and five with longer times to look ahead.
 inline constexpr int most_decisions = 16;
@@ -104,8 +99,9 @@ void resolve_contacts_once(const Access& a, double t, X& x, int event_of, double
           const auto& of = s.template get<kind::contact>(m.contacts[i].slot);
           auto& own = changes[i];
           own.before = mode_of(of), own.direction = of.direction, own.passes = passing[i] != 0;
-          own.has_no_load = own.before != contact_mode::open && margins[i].touch < zero;
-          own.has_no_grip = own.before == contact_mode::sticks && margins[i].friction < zero;
+          const double none = margins[i].is_least ? 2 * least_reserve * step.largest_force : zero;
+          own.has_no_load = own.before != contact_mode::open && margins[i].touch < none;
+          own.has_no_grip = own.before == contact_mode::sticks && margins[i].friction < none;
         }
       }
       if (round == 50) [[unlikely]]
@@ -195,8 +191,8 @@ void resolve_contacts_once(const Access& a, double t, X& x, int event_of, double
 
 enum class decision_check { right, wrong, decide_again };
 /// Whether the forces of the modes satisfy the laws at x; if not, what to decide next: contacts that were at their
-/// limit and still are yield; those that slide but stop at once lose their velocity, and if they still do, stick; those
-/// that stick beyond friction slip.
+/// limit and still are yield; those that slide but stop at once lose their velocity, and if they still do, all of them
+/// stick; those that stick beyond friction slip.
 template <class Access, class X>
 decision_check check_decision(const Access& a, double t, const X& x, std::vector<contact_change>& changes) {
   auto& step = a.memory();
@@ -206,6 +202,7 @@ decision_check check_decision(const Access& a, double t, const X& x, std::vector
     const bool wrong = admit_forces(c, s, m, step.forces, least_reserve) >= 0;
     if (wrong) found = decision_check::wrong;
     const double most = largest_force(m, step.forces), least = least_reserve * most;
+    bool stands = false;
     for (std::size_t i = 0; i < m.touching.size(); ++i) {
       const auto& y = m.touched(i);
       auto& own = changes[static_cast<std::size_t>(m.touching[i])];
@@ -214,17 +211,21 @@ decision_check check_decision(const Access& a, double t, const X& x, std::vector
       const bool at_limit = (own.has_no_load && normal <= least) ||
                             (own.has_no_grip && m.modes[i] == contact_mode::sticks && reserve <= least && !own.holds);
       if (at_limit && !own.yields) own.yields = true, found = decision_check::decide_again;
-      if (step.forces.look_aheads[i] > 0 && step.forces.speeds[i] <= 0 && !own.holds) {
+      if (step.forces.look_aheads[i] > 0 && step.forces.speeds[i] <= 0 && !own.holds && !own.rests) {
+        stands |= own.stops;
         (own.stops ? own.holds : own.stops) = true, own.slip = {};
         found = decision_check::decide_again;
       }
-      const double excess = own.holds ? excess_of_rest * most : excess_at_onset * y.place.law.friction * normal;
+      const double excess = excess_at_onset * y.place.law.friction * normal;
       if (!y.planar && m.modes[i] == contact_mode::sticks && normal > 0 && reserve < -excess) {
         const vec3<> force = m.force_of(y);
-        own.slip = unit_of(dot(y.place.normal, force) * y.place.normal - force), own.holds = false;
+        own.slip = unit_of(dot(y.place.normal, force) * y.place.normal - force);
+        own.rests |= own.holds, own.holds = false;
         found = decision_check::decide_again;
       }
     }
+    for (auto& own : changes)
+      if (stands && own.stops && !own.rests) own.holds = true, own.slip = {};
   });
   step.margin_x.resize(0);
   return found;

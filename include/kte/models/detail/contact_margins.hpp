@@ -31,6 +31,8 @@ inline std::array<double, 2> reserves(const contact_solver& m, std::size_t i) {
   const vec3<> t = force - normal * x.place.normal;
   return {normal, x.place.law.friction * normal - std::sqrt(dot(t, t))};
 }
+/// Within the accuracy of the solution, forces at their limits are beyond them: relative to the largest force.
+inline constexpr double least_reserve = 1e-9;
 /// In space, sliding begins where the force of a contact that sticks is this much above its limit, relative to it, so
 /// that a contact that only stays at its limit, as where a body rolls, sticks.
 inline constexpr double excess_at_onset = 1e-9;
@@ -112,13 +114,15 @@ const std::vector<contact_margin>& contact_margins(const Access& a, double t, co
     if (!closed) return;
     const bool admitted = admit_forces(c, s, m, step.forces, 1e-13) < 0;
     step.largest_force = (std::max)(step.largest_force, largest_force(m, step.forces));
-    const double tiny = 1e-13 * step.largest_force;
+    const double tiny = 1e-13 * step.largest_force, least = least_reserve * step.largest_force;
     for (std::size_t i = 0; i < m.touching.size(); ++i) {
       const auto k = static_cast<std::size_t>(m.touching[i]);
       auto& own = step.margins[k] = margins_of_closed(m, step.forces, i, starts[k], tiny);
-      if (!admitted) continue;
-      own.touch = (std::max)(own.touch, tiny);
-      if (m.modes[i] == contact_mode::sticks) own.friction = (std::max)(own.friction, tiny);
+      if (!admitted || !step.forces.redundant()) continue;
+      const bool sticks = m.modes[i] == contact_mode::sticks;
+      own.is_least = own.touch < least || (sticks && own.friction < least);
+      own.touch = (std::max)(own.touch, least);
+      if (sticks) own.friction = (std::max)(own.friction, least);
     }
     if (step.forces.jammed >= 0) {
       auto& own = step.margins[static_cast<std::size_t>(m.touching[static_cast<std::size_t>(step.forces.jammed)])];

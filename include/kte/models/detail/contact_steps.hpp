@@ -27,6 +27,7 @@ struct contact_margin {
   double friction = 1;    ///< of one that sticks its reserve of friction, N; of one that slides its speed, m/s
   double turn = 1;        ///< whether it slides in the direction in which sliding began, m/s
   double look_ahead = 0;  ///< tau of slow_sliding.hpp, s
+  bool is_least = false;  ///< whether other forces than those of least norm satisfy the laws, and these do not
 
   /// The function of event `part` of the contact.
   double at(int part) const { return part == 0 ? touch : part == 1 ? friction : turn; }
