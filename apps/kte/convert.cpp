@@ -2,6 +2,7 @@
 #include <kte/io/model_writer.hpp>
 #include <kte/io/program.hpp>
 #include <kte/io/replace_file.hpp>
+#include <kte/robots/detail/shape_names.hpp>
 #include <kte/robots/mjcf_writer.hpp>
 #include <kte/robots/urdf_writer.hpp>
 
@@ -52,8 +53,9 @@ class leftovers {
   /// What stays of a robot is its chain and its limits.
   void add_all_but_chain(bool limits_stay) {
     const auto& r = m_.robot;
-    for (const auto& s : r.shapes)
-      notes_.push_back({s.line, "a shape of '" + s.frame + "' is left out" + (s.name.empty() ? "" : ": " + s.name)});
+    kte::detail::shape_names names;
+    for (const auto& s : r.shapes) names.add(s.frame, s, s.collision);
+    for (const auto& s : r.shapes) notes_.push_back({s.line, names.of(s) + " of '" + s.frame + "' is left out"});
     for (const auto& a : r.actuators)
       notes_.push_back(
           {a.line, "actuator " + (a.name.empty() ? "of '" + a.joint + "'" : "'" + a.name + "'") + " is left out"});

@@ -461,10 +461,10 @@ gives 0 '' "$kte" simulate foot.urdf --floating-base --ground world --contact-st
 prints 'floating_base: q'
 gives 1 "no link or frame 'floor' for the ground (--ground): its base is 'leg', or 'world' with --floating-base" "$kte" simulate foot.urdf --ground floor
 gives 2 '--contact-dissipation need --ground' "$kte" simulate foot.urdf --friction 1
-gives 0 "foot.urdf:2: a shape of 'leg' is left out: toe" "$kte" convert foot.urdf foot.json --floating-base --ground world --friction 0.5
+gives 0 "foot.urdf:2: shape 'toe' of 'leg' is left out" "$kte" convert foot.urdf foot.json --floating-base --ground world --friction 0.5
 printf 'q_0,q_1,q_2,q_3,q_4,q_5,q_6\n0,0,0.42,0,0,0,1\n' >stands.csv
 gives 0 '' "$kte" simulate foot.json --start stands.csv --time 0.1
-gives 0 "foot.urdf:2: a shape of 'leg' is left out: toe" "$kte" convert foot.urdf foot.hpp --floating-base --ground world
+gives 0 "foot.urdf:2: shape 'toe' of 'leg' is left out" "$kte" convert foot.urdf foot.hpp --floating-base --ground world
 if ! grep -q '::kte::sphere_contact_3D(toe_, world_, leg_, ' foot.hpp; then wrong 'foot.hpp has no contact'; fi
 printf 'q_0,q_1,q_2,q_3,q_4,q_5,q_6,v_0,v_1,v_2,v_3,v_4,v_5,tau_0,tau_1,tau_2,tau_3,tau_4,tau_5\n0,0,1,0,0,0,1,0,0,0,0,0,0,0,0,0,0,0,0\n' >flies.csv
 gives 1 "--static does not support rigid contacts; this chain has 'toe'" env HOME="$PWD" "$kte" eval foot.json flies.csv --ops fd --static

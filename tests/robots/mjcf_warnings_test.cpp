@@ -32,7 +32,7 @@ TEST_CASE("what moves differently is warned of first, or refused") {
         "flex 'f': flexible bodies are not modelled\n"
         "muscle 'm': its law is not modelled, as of others of <muscle>: 'm'\n"
         "position 'p0': its law is not modelled, as of others of <position>: 'p0'\n"
-        "body 'b': <geom>: contact is not modelled: friction, solref and others of 1 element\n"
+        "body 'b': first <geom>: contact is not modelled: friction, solref and others of 1 element\n"
         "position 'p1': the chain has its force, and that of any <position>, by kte::add_motors alone: 'p1', 'p2', "
         "'p3' and 1 more\n"
         "link 'b': the inertia is not physically realizable: its principal moment 3 is above 1 + 1 by 1 kg m^2; it is "
