@@ -65,6 +65,7 @@ int view(view_options& o) {
   refuse_input_as_output({"-o", o.out}, inputs);
   const auto m = read_and_warn(o.in);
   std::vector<kte::scene> all;
+  refuse_file_of_robot_as_output({"-o", o.out}, m, o.in);
   for (const auto& path : o.recordings) {
     auto table = read_recording(path);
     const auto name = std::filesystem::path(path).filename().string();

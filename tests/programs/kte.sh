@@ -416,6 +416,19 @@ rm huge.csv
 gives 0 '' "$kte" check -- pendulum.json
 for command in check info; do full "$kte" $command pendulum.json; done
 
+
+# Files that a robot's file refers to are inputs, too.
+cp bad.stl kept.stl
+gives 2 "'bad.stl' of -o is also the input of FILE, which it would replace" "$kte" view meshes.urdf -o bad.stl
+gives 2 "'./bad.stl' of OUT is also the input of FILE" "$kte" convert meshes.urdf ./bad.stl --to json
+cmp -s bad.stl kept.stl || wrong 'a mesh is replaced'
+echo '<mujoco><worldbody><body><joint/><inertial pos="0 0 0" mass="1" diaginertia="1 1 1"/></body></worldbody></mujoco>' >part.csv
+echo '<mujoco><include file="part.csv"/></mujoco>' >whole.xml
+gives 2 "'part.csv' of -o is also the input of FILE" "$kte" view whole.xml -o part.csv
+gives 2 "'part.csv' of --record is also the input of FILE" "$kte" simulate whole.xml --record part.csv
+echo '<sdf version="1.9"><model name="part"><link name="a"/></model></sdf>' >part.sdf
+echo '<sdf version="1.9"><model name="whole"><include><uri>part.sdf</uri></include></model></sdf>' >whole.sdf
+gives 2 "'part.sdf' of -o is also the input of FILE" "$kte" view whole.sdf -o part.sdf
 # Options by the names that they have here.
 { echo '<sdf version="1.9">' && for name in a b; do
   echo "<model name='$name'><link name='base'/><link name='arm'/><joint name='q' type='revolute'><parent>base</parent><child>arm</child><axis><xyz>0 0 1</xyz></axis></joint></model>"

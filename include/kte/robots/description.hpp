@@ -187,7 +187,8 @@ struct robot_configuration {
 /// `configurations` and `contact_pairs`. `to_robot` makes a chain of it.
 struct robot_description {
   std::string name;
-  std::string source;  ///< name of the file in messages
+  std::string source;              ///< name of the file in messages
+  std::vector<std::string> files;  ///< paths of other files that were read: those it includes, and of MJCF its assets
   std::vector<robot_link> links;
   std::vector<robot_joint> joints;
   std::vector<robot_closure> closures;

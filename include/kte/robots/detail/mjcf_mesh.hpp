@@ -125,6 +125,7 @@ class mjcf_meshes {
       const auto path = model.path_of(*a);
       if (!is_file(path))
         geom.fail("its mass is that of a mesh, and there is no file '" + excerpt(path.generic_string()) + "'");
+      model.d.files.push_back(path.string());
       mesh = read_mesh(path);
     } else {
       mesh = written_out(*a);
