@@ -270,6 +270,15 @@ gives 0 'kte: wrote both.html' "$kte" view pendulum.json swing.csv swing.npy --o
 gives 0 'kte: wrote pendulum.html' "$kte" view pendulum.json --start start.csv
 if ! grep -q '"q":\[0.1\]' pendulum.html; then wrong 'the page does not begin at --start'; fi
 gives 2 '--start and --configuration are for pages without a recording' "$kte" view pendulum.json swing.csv --start start.csv
+gives 0 'kte: wrote swing.html' "$kte" view pendulum.json swing.csv -o swing.html --column energy/total --column tip/position --column tip/velocity
+grep -o '"plotted":\[[^]]*\]' swing.html >out
+prints '"plotted":["energy/total","tip/position/x","tip/position/y","tip/velocity/x","tip/velocity/y"]'
+gives 2 '--column is for pages with a recording' "$kte" view pendulum.json --column q
+gives 1 "the recording has no column 'tip/force': kte simulate --record writes it with --column tip/force" "$kte" view pendulum.json swing.csv --column tip/force
+gives 1 "swing.csv: " "$kte" view pendulum.json swing.csv --column tib/position
+printf 't,q\n0,0\n1,1\n' >slow.csv
+gives 1 "the recording has no column 'tip/velocity', and none of the velocities, which determine it" "$kte" view pendulum.json slow.csv --column tip/velocity
+gives 0 'kte: wrote slow.html' "$kte" view pendulum.json slow.csv --column tip/position/x -o slow.html
 gives 2 '--recording-size is between 0 and 1024, not -1' "$kte" view pendulum.json swing.csv --recording-size -1
 gives 0 '' "$kte" simulate pendulum.json --time 10 --every 0.001 --record long.csv
 gives 0 'wrote long.html' "$kte" view pendulum.json long.csv -o long.html --recording-size 0.1
@@ -407,15 +416,6 @@ printf '<robot name="r"><link name="a">%s%s%s</link></robot>' "$(mesh bad.stl)" 
 gives 0 "kte: meshes.urdf: mesh 'bad.stl' is not drawn: bad.stl:" "$kte" view meshes.urdf
 if [ "$(grep -c 'is not drawn' errors)" -ne 2 ]; then wrong 'meshes that are not drawn are not one line each'; fi
 if grep -q "$PWD" meshes.html; then wrong 'a page has a folder of this machine'; fi
-"$kte" simulate arm.urdf --record long.csv --time 1 --every 0.0005 >out 2>errors || wrong 'no long recording'
-gives 0 "rows of 'long.csv' one in" "$kte" view arm.urdf long.csv --recording-size 0.01
-if ! grep -q "of the 2001 rows of 'long.csv' one in" arm.html; then wrong 'the page does not say that rows are left out'; fi
-truncate -s 1025M huge.csv
-gives 1 'kte: huge.csv: the recording has 1025 MiB, above 1024 MiB' "$kte" view arm.urdf huge.csv
-rm huge.csv
-gives 0 '' "$kte" check -- pendulum.json
-for command in check info; do full "$kte" $command pendulum.json; done
-
 
 # Files that a robot's file refers to are inputs, too.
 cp bad.stl kept.stl
@@ -429,6 +429,15 @@ gives 2 "'part.csv' of --record is also the input of FILE" "$kte" simulate whole
 echo '<sdf version="1.9"><model name="part"><link name="a"/></model></sdf>' >part.sdf
 echo '<sdf version="1.9"><model name="whole"><include><uri>part.sdf</uri></include></model></sdf>' >whole.sdf
 gives 2 "'part.sdf' of -o is also the input of FILE" "$kte" view whole.sdf -o part.sdf
+"$kte" simulate arm.urdf --record long.csv --time 1 --every 0.0005 >out 2>errors || wrong 'no long recording'
+gives 0 "rows of 'long.csv' one in" "$kte" view arm.urdf long.csv --recording-size 0.01
+if ! grep -q "of the 2001 rows of 'long.csv' one in" arm.html; then wrong 'the page does not say that rows are left out'; fi
+truncate -s 1025M huge.csv
+gives 1 'kte: huge.csv: the recording has 1025 MiB, above 1024 MiB' "$kte" view arm.urdf huge.csv
+rm huge.csv
+gives 0 '' "$kte" check -- pendulum.json
+for command in check info; do full "$kte" $command pendulum.json; done
+
 # Options by the names that they have here.
 { echo '<sdf version="1.9">' && for name in a b; do
   echo "<model name='$name'><link name='base'/><link name='arm'/><joint name='q' type='revolute'><parent>base</parent><child>arm</child><axis><xyz>0 0 1</xyz></axis></joint></model>"
