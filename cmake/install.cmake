@@ -25,7 +25,8 @@ file(RELATIVE_PATH to_lib /${package_dir} /${CMAKE_INSTALL_LIBDIR})
 configure_file(cmake/kteConfig.cmake.in kteConfig.cmake @ONLY)
 write_basic_package_version_file(kteConfigVersion.cmake COMPATIBILITY SameMinorVersion ARCH_INDEPENDENT)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/kteConfig.cmake ${CMAKE_CURRENT_BINARY_DIR}/kteConfigVersion.cmake
-  cmake/kte_add_robot.cmake apps/kte_header/kte_header.cpp apps/kte_header/header_of_file.hpp DESTINATION ${package_dir})
+  cmake/kte_add_robot.cmake apps/kte_header/kte_header.cpp apps/kte_header/files_of_robot.hpp
+  apps/kte_header/header_of_file.hpp DESTINATION ${package_dir})
 install(FILES share/gdb/kte.py DESTINATION ${CMAKE_INSTALL_DATADIR}/gdb)
 if(kte_view IN_LIST installed)
   install(FILES share/kte/page.licences.txt DESTINATION ${CMAKE_INSTALL_DATADIR}/kte)

@@ -2,6 +2,7 @@
 #include <kte/io/model_writer.hpp>
 #include <kte/io/program.hpp>
 #include <kte/io/replace_file.hpp>
+#include <kte/robots/detail/shape_names.hpp>
 #include <kte/robots/mjcf_writer.hpp>
 #include <kte/robots/urdf_writer.hpp>
 
@@ -52,8 +53,9 @@ class leftovers {
   /// What stays of a robot is its chain and its limits.
   void add_all_but_chain(bool limits_stay) {
     const auto& r = m_.robot;
-    for (const auto& s : r.shapes)
-      notes_.push_back({s.line, "a shape of '" + s.frame + "' is left out" + (s.name.empty() ? "" : ": " + s.name)});
+    kte::detail::shape_names names;
+    for (const auto& s : r.shapes) names.add(s.frame, s, s.collision);
+    for (const auto& s : r.shapes) notes_.push_back({s.line, names.of(s) + " of '" + s.frame + "' is left out"});
     for (const auto& a : r.actuators)
       notes_.push_back(
           {a.line, "actuator " + (a.name.empty() ? "of '" + a.joint + "'" : "'" + a.name + "'") + " is left out"});
@@ -119,7 +121,7 @@ std::string text_of(const convert_options& o, target t, const mechanism& m) {
       left.add_all_but_chain(!m.model);
       return header_of_file(kte::detail::text_of_file(o.in.file), o.in.file,
                             o.name.empty() ? std::filesystem::path(o.in.file).stem().string() : o.name,
-                            robot_options_of(o.in), [](const auto&) {});  // which were said already
+                            robot_options_of(o.in), o.out, [](const auto&) {});  // which were said already
   }
   return {};
 }
@@ -131,6 +133,7 @@ int convert(const convert_options& o) {
   if (o.in.robot.contacts.requested() && (t == target::urdf || t == target::mjcf))
     throw usage_error("--ground is for model files and C++ headers: URDF and MJCF have the shapes that touch");
   const auto m = read_and_warn(o.in);
+  refuse_file_of_robot_as_output({"OUT", o.out}, m, o.in);
   for (const auto& text : texts_of(m.robot.not_read, m.file)) say(text);
   const auto text = text_of(o, t, m);
   if (o.out == "-")

@@ -12,7 +12,10 @@ namespace kte_tool {
 kte::scene scene_of(const mechanism& m, const start_options& start);
 
 /// A mechanism that moves as a recording says, under a name. Its columns are called as `kte simulate` or the library
-/// calls them, or q_0, q_1, ... as of `kte eval`. Throws `unknown_name` for coordinates without columns.
-kte::scene scene_of(const mechanism& m, kte::table recording, const std::string& name);
+/// calls them, or q_0, q_1, ... as of `kte eval`. `plotted` are plotted at first: columns of the table, a vector by its
+/// components, or else quantities that its coordinates determine. Throws `unknown_name` for coordinates without columns
+/// and for names that neither has, and `bad_argument` for quantities that coordinates do not determine.
+kte::scene scene_of(const mechanism& m, kte::table recording, const std::string& name,
+                    const std::vector<std::string>& plotted);
 
 }  // namespace kte_tool

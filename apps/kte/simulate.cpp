@@ -129,6 +129,7 @@ struct drives {
 int simulate(simulate_options& o) {
   check_settings(o);
   auto m = read_and_warn(o.in, o.motors);
+  refuse_file_of_robot_as_output({"--record", o.record}, m, o.in);
   if (o.motors) {
     if (m.model) throw kte::bad_argument("kte: --motors is for robot files; a model file contains its motors");
     take_motors(m);

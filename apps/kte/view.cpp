@@ -16,7 +16,7 @@ namespace {
 struct view_options {
   reading in;
   std::string out, title;
-  std::vector<std::string> recordings;
+  std::vector<std::string> recordings, columns;
   start_options start;
   double mesh_size = 4, recording_size = 8;  ///< MiB
   bool open = false;
@@ -59,18 +59,20 @@ int view(view_options& o) {
                                .recording_bytes = bytes_of("--recording-size", o.recording_size)};
   if (o.start.given() && !o.recordings.empty())
     throw usage_error("--start and --configuration are for pages without a recording");
+  if (!o.columns.empty() && o.recordings.empty()) throw usage_error("--column is for pages with a recording");
   if (o.out.empty()) o.out = std::filesystem::path(o.in.file).stem().string() + ".html";
   std::vector<named_file> inputs{{"FILE", o.in.file}, {"--start", o.start.table}};
   for (const auto& path : o.recordings) inputs.push_back({"RECORDINGS", path});
   refuse_input_as_output({"-o", o.out}, inputs);
   const auto m = read_and_warn(o.in);
+  refuse_file_of_robot_as_output({"-o", o.out}, m, o.in);
   std::vector<kte::scene> all;
   for (const auto& path : o.recordings) {
     auto table = read_recording(path);
     const auto name = std::filesystem::path(path).filename().string();
     const auto thinned = thin(table, name, page.recording_bytes);
     try {
-      all.push_back(scene_of(m, std::move(table), name));
+      all.push_back(scene_of(m, std::move(table), name, o.columns));
       if (!thinned.empty()) say(thinned), all.back().notes.push_back(thinned);
     } catch (const kte::unknown_name& e) {
       throw kte::bad_file("kte: " + path + ": " + std::string(e.what()).substr(5));
@@ -95,6 +97,8 @@ void add_view(command_line& line) {
   add_start(c, o->start)
       .words("RECORDINGS", o->recordings,
              "tables over time, as written by kte simulate --record: .csv, .npy, .mcap, ...")
+      .texts("--column", "NAME", o->columns,
+             "plots this column at first: of the recordings, or computed, such as tool/position; repeatable")
       .text("-o,--output", "FILE", o->out, "the page; default: the name of FILE with .html")
       .text("--title", "TEXT", o->title, "title of the page")
       .number("--mesh-size", "MIB", o->mesh_size,

@@ -45,10 +45,11 @@ std::optional<request> request_of(int count, char** arguments) {
 
 std::string header_of(const request& r) {
   const auto file = r.robot.string();
-  return kte_tool::header_of_file(kte::detail::text_of_file(r.robot), r.robot, r.name, {}, [&](const auto& note) {
-    const auto text = kte::detail::printable(kte::detail::place_text(file, note.line) + note.text);
-    std::fprintf(stderr, "kte-header: %s\n", text.c_str());
-  });
+  return kte_tool::header_of_file(
+      kte::detail::text_of_file(r.robot), r.robot, r.name, {}, r.out.value_or(""), [&](const auto& note) {
+        const auto text = kte::detail::printable(kte::detail::place_text(file, note.line) + note.text);
+        std::fprintf(stderr, "kte-header: %s\n", text.c_str());
+      });
 }
 
 int run(const request& r) {

@@ -1,5 +1,5 @@
 #include <kte/math/quaternion.hpp>
-#include <kte/robots/description.hpp>
+#include <kte/robots/detail/shape_names.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -64,10 +64,11 @@ void add_shapes(scene& s, const detail::chain_parts& chain) {
   for (std::size_t i = 0; i < s.frames.size(); ++i) frames.emplace(s.frames[i].name, static_cast<int>(i));
   mesh_files meshes(s, chain.file, chain.search_path);
   std::set<int> seen, unseen;  // frames that have a shape to see, or one that cannot be drawn
+  detail::shape_names names;
+  for (const auto& part : chain.shapes) names.add(part.frame, *part.shape, part.collision);
   for (const auto& part : chain.shapes) {
     const auto& x = *part.shape;
-    const auto what =
-        place_text(x) + "shape" + (x.name.empty() ? "" : " '" + x.name + "'") + " of '" + std::string(part.frame) + "'";
+    const auto what = place_text(x) + names.of(x) + " of '" + std::string(part.frame) + "'";
     const auto at = frames.find(part.frame);
     if (at == frames.end()) {
       s.notes.push_back(what + " is not drawn: the chain has no frame of this name");

@@ -110,6 +110,8 @@ TEST_CASE("contacts without a defined point are refused") {
   CHECK(complaint([&] { (void)flat.point(m); }) ==
         "kte: a disc lies flat on its surface, within 0.001 rad: it has no lowest point; give the body points of the "
         "rim as contacts");
+  CHECK(near(flat.place(m).first, m.position, 0.0));  // that of its centre
+  CHECK(near(flat.place(m).second, m.rotation * m.velocity, 0.0));
   CHECK(complaint([&] { (void)touching(surface(ellipsoid), 0.1).gap(m); }) ==
         "kte: a sphere touches a surface(f) only if f is a distance, |grad f| = 1 to 1e-6: take a point, or a "
         "height_field");

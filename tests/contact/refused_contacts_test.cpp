@@ -147,4 +147,20 @@ TEST_CASE("a flat disc is refused with the name of its compliant contact") {
   CHECK_THROWS_MATCHES(c.doForce(s), bad_argument, is_named);
 }
 
+TEST_CASE("a flat disc with a rigid contact moves as its frames do, and has no dynamics") {
+  runtime_chain c;
+  c << free_joint_3D("pose", "ground", "coin")
+    << inertia_3D("coin", rigid_body<>{1.0, vec3<>{0, 0, 0}, sym3<>{0.004, 0, 0, 0.004, 0, 0.004}})
+    << disc_contact_3D("rim", "ground", "coin", half_space{}, axis::z, 0.1, {})
+    << rigid_link_3D("coin", "edge", along_x(0.1));
+  auto s = c.make_state();
+  s.pose_3D("pose").position.x = 2;
+  c.doMotion(s);
+  CHECK((s.frame_3D("edge").position.x == 2.1 && s.contact("rim").gap == 0 && s.contact("rim").point.x == 2));
+  vector q(7);
+  q << 0, 0, 0, 1, 0, 0, 0;
+  const vector none = vector::Zero(6);
+  CHECK_THROWS_MATCHES(contact_dynamics(c, s, q, none, none), bad_argument, says("a disc lies flat on its surface"));
+}
+
 }  // namespace refused_contacts_test

@@ -1,3 +1,4 @@
+#include <kte/elements/base.hpp>
 #include <kte/elements/registry.hpp>
 
 #include "catch.hpp"

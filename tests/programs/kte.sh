@@ -270,6 +270,15 @@ gives 0 'kte: wrote both.html' "$kte" view pendulum.json swing.csv swing.npy --o
 gives 0 'kte: wrote pendulum.html' "$kte" view pendulum.json --start start.csv
 if ! grep -q '"q":\[0.1\]' pendulum.html; then wrong 'the page does not begin at --start'; fi
 gives 2 '--start and --configuration are for pages without a recording' "$kte" view pendulum.json swing.csv --start start.csv
+gives 0 'kte: wrote swing.html' "$kte" view pendulum.json swing.csv -o swing.html --column energy/total --column tip/position --column tip/velocity
+grep -o '"plotted":\[[^]]*\]' swing.html >out
+prints '"plotted":["energy/total","tip/position/x","tip/position/y","tip/velocity/x","tip/velocity/y"]'
+gives 2 '--column is for pages with a recording' "$kte" view pendulum.json --column q
+gives 1 "the recording has no column 'tip/force': kte simulate --record writes it with --column tip/force" "$kte" view pendulum.json swing.csv --column tip/force
+gives 1 "swing.csv: " "$kte" view pendulum.json swing.csv --column tib/position
+printf 't,q\n0,0\n1,1\n' >slow.csv
+gives 1 "the recording has no column 'tip/velocity', and none of the velocities, which determine it" "$kte" view pendulum.json slow.csv --column tip/velocity
+gives 0 'kte: wrote slow.html' "$kte" view pendulum.json slow.csv --column tip/position/x -o slow.html
 gives 2 '--recording-size is between 0 and 1024, not -1' "$kte" view pendulum.json swing.csv --recording-size -1
 gives 0 '' "$kte" simulate pendulum.json --time 10 --every 0.001 --record long.csv
 gives 0 'wrote long.html' "$kte" view pendulum.json long.csv -o long.html --recording-size 0.1
@@ -407,6 +416,19 @@ printf '<robot name="r"><link name="a">%s%s%s</link></robot>' "$(mesh bad.stl)" 
 gives 0 "kte: meshes.urdf: mesh 'bad.stl' is not drawn: bad.stl:" "$kte" view meshes.urdf
 if [ "$(grep -c 'is not drawn' errors)" -ne 2 ]; then wrong 'meshes that are not drawn are not one line each'; fi
 if grep -q "$PWD" meshes.html; then wrong 'a page has a folder of this machine'; fi
+
+# Files that a robot's file refers to are inputs, too.
+cp bad.stl kept.stl
+gives 2 "'bad.stl' of -o is also the input of FILE, which it would replace" "$kte" view meshes.urdf -o bad.stl
+gives 2 "'./bad.stl' of OUT is also the input of FILE" "$kte" convert meshes.urdf ./bad.stl --to json
+cmp -s bad.stl kept.stl || wrong 'a mesh is replaced'
+echo '<mujoco><worldbody><body><joint/><inertial pos="0 0 0" mass="1" diaginertia="1 1 1"/></body></worldbody></mujoco>' >part.csv
+echo '<mujoco><include file="part.csv"/></mujoco>' >whole.xml
+gives 2 "'part.csv' of -o is also the input of FILE" "$kte" view whole.xml -o part.csv
+gives 2 "'part.csv' of --record is also the input of FILE" "$kte" simulate whole.xml --record part.csv
+echo '<sdf version="1.9"><model name="part"><link name="a"/></model></sdf>' >part.sdf
+echo '<sdf version="1.9"><model name="whole"><include><uri>part.sdf</uri></include></model></sdf>' >whole.sdf
+gives 2 "'part.sdf' of -o is also the input of FILE" "$kte" view whole.sdf -o part.sdf
 "$kte" simulate arm.urdf --record long.csv --time 1 --every 0.0005 >out 2>errors || wrong 'no long recording'
 gives 0 "rows of 'long.csv' one in" "$kte" view arm.urdf long.csv --recording-size 0.01
 if ! grep -q "of the 2001 rows of 'long.csv' one in" arm.html; then wrong 'the page does not say that rows are left out'; fi
@@ -461,10 +483,10 @@ gives 0 '' "$kte" simulate foot.urdf --floating-base --ground world --contact-st
 prints 'floating_base: q'
 gives 1 "no link or frame 'floor' for the ground (--ground): its base is 'leg', or 'world' with --floating-base" "$kte" simulate foot.urdf --ground floor
 gives 2 '--contact-dissipation need --ground' "$kte" simulate foot.urdf --friction 1
-gives 0 "foot.urdf:2: a shape of 'leg' is left out: toe" "$kte" convert foot.urdf foot.json --floating-base --ground world --friction 0.5
+gives 0 "foot.urdf:2: shape 'toe' of 'leg' is left out" "$kte" convert foot.urdf foot.json --floating-base --ground world --friction 0.5
 printf 'q_0,q_1,q_2,q_3,q_4,q_5,q_6\n0,0,0.42,0,0,0,1\n' >stands.csv
 gives 0 '' "$kte" simulate foot.json --start stands.csv --time 0.1
-gives 0 "foot.urdf:2: a shape of 'leg' is left out: toe" "$kte" convert foot.urdf foot.hpp --floating-base --ground world
+gives 0 "foot.urdf:2: shape 'toe' of 'leg' is left out" "$kte" convert foot.urdf foot.hpp --floating-base --ground world
 if ! grep -q '::kte::sphere_contact_3D(toe_, world_, leg_, ' foot.hpp; then wrong 'foot.hpp has no contact'; fi
 printf 'q_0,q_1,q_2,q_3,q_4,q_5,q_6,v_0,v_1,v_2,v_3,v_4,v_5,tau_0,tau_1,tau_2,tau_3,tau_4,tau_5\n0,0,1,0,0,0,1,0,0,0,0,0,0,0,0,0,0,0,0\n' >flies.csv
 gives 1 "--static does not support rigid contacts; this chain has 'toe'" env HOME="$PWD" "$kte" eval foot.json flies.csv --ops fd --static

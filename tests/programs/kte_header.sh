@@ -28,6 +28,10 @@ gives 1 "cannot open 'no.urdf'" "$program" no.urdf
 cp pendulum.json robot.json
 gives 1 "the header './robot.json' would replace the robot" "$program" robot.json -o ./robot.json
 if ! cmp -s robot.json pendulum.json; then wrong 'the robot is gone'; fi
+echo '<robot name="r"><link name="a"><visual><geometry><mesh filename="part.stl"/></geometry></visual></link></robot>' >mesh.urdf
+echo 'solid part' >part.stl
+gives 1 "the header 'part.stl' would replace 'part.stl', a file of the robot" "$program" mesh.urdf -o part.stl
+if ! grep -qx 'solid part' part.stl; then wrong 'a mesh of the robot is gone'; fi
 gives 1 "cannot write 'no/a.hpp'" "$program" pendulum.json -o no/a.hpp
 if [ -c /dev/full ]; then gives 1 'No space left' "$program" pendulum.json -o /dev/full; fi
 if [ -c /dev/zero ]; then gives 1 'has more than 268435456 bytes' "$program" /dev/zero; fi

@@ -128,6 +128,77 @@ TEST_CASE("mass properties of meshes with closed forms") {
   CHECK(open_edge(convex_hull(ball.vertices)).empty());
 }
 
+/// An ellipsoid with half axes 1, 1.5, 0.7 of squares along its meridians, whose corners are rounded to T.
+template <class T>
+triangle_mesh ellipsoid(std::uint32_t n) {
+  triangle_mesh m;
+  const std::uint32_t around = 2 * n, south = around * (n - 1);
+  const auto place = [&](double a, double b) {
+    const auto cut = [](double x) { return static_cast<double>(static_cast<T>(x)); };
+    m.vertices.push_back(
+        {cut(std::sin(a) * std::cos(b)), cut(1.5 * std::sin(a) * std::sin(b)), cut(0.7 * std::cos(a))});
+  };
+  const auto at = [&](std::uint32_t i, std::uint32_t j) { return i * around + j % around; };
+  for (std::uint32_t i = 1; i < n; ++i)
+    for (std::uint32_t j = 0; j < around; ++j) place(i * std::numbers::pi / n, j * std::numbers::pi / n);
+  place(std::numbers::pi, 0), place(0, 0);
+  for (std::uint32_t j = 0; j < around; ++j) {
+    m.faces.push_back({south + 1, at(0, j), at(0, j + 1)}), m.faces.push_back({south, at(n - 2, j + 1), at(n - 2, j)});
+    for (std::uint32_t i = 0; i + 2 < n; ++i) {
+      m.faces.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
+      m.faces.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+    }
+  }
+  return m;
+}
+/// The twelve pentagons of five neighbours each among the corners of an icosahedron, which pass through each other: no
+/// edge is concave.
+triangle_mesh great_dodecahedron() {
+  triangle_mesh m;
+  const double g = std::numbers::phi;
+  for (const double x : {-1.0, 1.0})
+    for (const double y : {-g, g}) m.vertices.insert(m.vertices.end(), {{0, x, y}, {x, y, 0}, {y, 0, x}});
+  for (std::uint32_t i = 0; i < 12; ++i) {
+    const auto p = m.vertices[i];
+    std::vector<std::pair<double, std::uint32_t>> ring;
+    const vec3<> x = cross(p, vec3<>{1, 2, 3}), y = cross(p, x);
+    vec3<> centre{};
+    for (std::uint32_t j = 0; j < 12; ++j)
+      if (const auto& q = m.vertices[j]; dot(p, q) > 0 && dot(p, q) < 2) {
+        ring.emplace_back(std::atan2(dot(y, q) / std::sqrt(dot(p, p)), dot(x, q)), j);
+        centre = centre + 0.2 * q;
+      }
+    std::sort(ring.begin(), ring.end());
+    for (std::size_t k = 0; k < 5; ++k) m.faces.push_back({12 + i, ring[k].second, ring[(k + 1) % 5].second});
+    m.vertices.push_back(centre);
+  }
+  return m;
+}
+
+TEST_CASE("convex surfaces are found by their edges") {
+  CHECK(is_convex(box_mesh({0.125, 0.25, 0.5}, {4096, 0, 0})));
+  CHECK(is_convex(octahedron()));
+  CHECK((is_convex(ellipsoid<double>(48)) && is_convex(ellipsoid<float>(48))));
+  CHECK_FALSE((is_convex(l_profile()) || is_convex(h_profile()) || is_convex({})));
+  const auto changed = [](std::size_t corner, double factor) {
+    auto m = ellipsoid<double>(48);
+    m.vertices[corner] = factor * m.vertices[corner];
+    return is_convex(m);
+  };
+  CHECK_FALSE((changed(2000, 0.99) || changed(2000, 1.01) || changed(2000, 3)));
+  CHECK((changed(2000, 1 - 1e-8) && changed(2000, 1 + 1e-8)));
+  CHECK_FALSE(is_convex(turned_round(octahedron())));
+  auto open = octahedron(), twice = open, apart = open;
+  open.faces.pop_back();
+  twice.faces.insert(twice.faces.end(), open.faces.begin(), open.faces.end());
+  for (const auto& v : octahedron().vertices) apart.vertices.push_back(v + vec3<>{9, 0, 0});
+  for (const auto& [a, b, c] : octahedron().faces) apart.faces.push_back({a + 6, b + 6, c + 6});
+  CHECK_FALSE((is_convex(open) || is_convex(twice) || is_convex(apart)));
+  const auto star = great_dodecahedron();
+  CHECK((star.faces.size() == 60 && open_edge(star).empty() && !points_inwards(star)));
+  CHECK_FALSE(is_convex(star));
+}
+
 TEST_CASE("mass properties of meshes as MuJoCo has them") {
   // Measured with MuJoCo 4.0.0, from float vertices, whose rounding bounds the agreement for the L.
   check_measured(mesh_body(h_profile(), mesh_inertia::legacy, 1000), 253.90625, {0, 0, 0},

@@ -65,13 +65,14 @@ TEST_CASE("shapes are geoms without mass in MJCF") {
       <geom type="mesh" mesh="b.obj" mass="0"/>
     </body>
 )"));
-  CHECK(texts(notes) == std::vector<std::string>{
-                            "link 'a': its shape 'flat' is left out: MuJoCo does not accept a size of 0",
-                            "link 'a': its shape is left out: its form is not known",
-                            "link 'a': its shape is left out: its mesh '' has no file",
-                            "link 'a': the name 'ball' of a shape occurs twice, and is omitted",
-                            "link 'a': its shape is left out: MuJoCo reads stl, obj and msh, not 'a.dae'",
-                            "link 'a': its shape is left out: MuJoCo accepts paths of meshes, not 'file:///a.stl'"});
+  CHECK(texts(notes) ==
+        std::vector<std::string>{
+            "link 'a': its shape 'flat' is left out: MuJoCo does not accept a size of 0",
+            "link 'a': its visual shape is left out: its form is not known",
+            "link 'a': its first visual mesh is left out: its mesh '' has no file",
+            "link 'a': the name 'ball' of a shape occurs twice, and is omitted",
+            "link 'a': its fourth visual mesh is left out: MuJoCo reads stl, obj and msh, not 'a.dae'",
+            "link 'a': its fifth visual mesh is left out: MuJoCo accepts paths of meshes, not 'file:///a.stl'"});
   notes.clear();
   const auto only_b = [](const std::string& mesh) { return mesh == "b.obj" ? "meshes/" + mesh : std::string(); };
   CHECK(to_mjcf(d, {.not_written = &notes, .mesh_path = only_b}) ==
@@ -79,7 +80,7 @@ TEST_CASE("shapes are geoms without mass in MJCF") {
   CHECK(notes.size() == 8);
   notes.clear();
   CHECK(to_mjcf(d, {.not_written = &notes}) == !holding("<mesh"));
-  CHECK(notes.back().text == "link 'a': its shape is left out: there is no file 'b.obj'");
+  CHECK(notes.back().text == "link 'a': its sixth visual mesh is left out: there is no file 'b.obj'");
   // what collides is one with what is seen if all is the same
   const auto groups = [&l, &d](const auto& change) {
     l.visuals.assign(1, {}), l.visuals[0].is = form::sphere, l.visuals[0].size = {1, 0, 0};

@@ -150,7 +150,7 @@ TEST_CASE("omissions and duplicates in URDFs are read as intended, and reported"
   CHECK(has(d.warnings, "link 'b': <inertial>: has no <mass>: it has 0 kg"));
   for (const auto* product : {"ixy", "ixz", "iyz"})
     CHECK(has(d.warnings, std::string("link 'b': <inertia>: has no ") + product));
-  CHECK(has(d.warnings, "<mesh>: scale is one number"));
+  CHECK(has(d.warnings, "link 'a': first <collision>: <mesh>: scale is one number"));
   CHECK(has(d.warnings, "link 'a': <contact>: contacts are not modelled: it is not read, as others of 2 links", true));
   CHECK(has(d.warnings, "link 'a': <gravity>: not read", true));
   CHECK(has(d.not_read, "material 'red': there is another material of this name; the first is used"));

@@ -103,13 +103,14 @@ TEST_CASE("limits, shapes and children that URDF has no words for") {
   const auto text = to_urdf(r, {.not_written = &notes, .mesh_path = path});
   std::vector<std::string> texts;
   for (const auto& n : notes) texts.push_back(n.text);
-  CHECK(texts == std::vector<std::string>{"a shape is in frame 'nowhere', which is not a link",
-                                          "link 'arm': its shape is a capsule, and written as a cylinder and two balls",
-                                          "link 'arm': its shape 'logo' is left out: it is a plane",
-                                          "link 'arm': its shape 'nothing' is left out: its mesh '' has no file",
-                                          "link 'arm': its shape 'nothing' is left out: its form is not known",
-                                          "link 'arm': its shape is left out: it is an ellipsoid",
-                                          "gravity 0 0 -1.5 is left out", "actuator 'm' is left out"});
+  CHECK(texts ==
+        std::vector<std::string>{"visual capsule is in frame 'nowhere', which is not a link",
+                                 "link 'arm': its visual capsule: a capsule is written as a cylinder and two balls",
+                                 "link 'arm': its shape 'logo' is left out: it is a plane",
+                                 "link 'arm': its shape 'nothing' is left out: its mesh '' has no file",
+                                 "link 'arm': its shape 'nothing' is left out: its form is not known",
+                                 "link 'arm': its collision ellipsoid is left out: it is an ellipsoid",
+                                 "gravity 0 0 -1.5 is left out", "actuator 'm' is left out"});
   CHECK(notes[2].line == 19);
   CHECK(text == (holding("<!-- not as in the robot: actuator 'm' is left out -->\n") &&
                  holding("<mesh filename=\"x/a.stl\"/>") && holding("name=\"parts &lt;&amp;>\"")));
@@ -137,7 +138,7 @@ TEST_CASE("limits, shapes and children that URDF has no words for") {
   d.links[0].name = d.joints[0].parent = "a\n--b-->";
   d.links[0].visuals.emplace_back();
   CHECK(from_urdf(to_urdf(d)).links[0].name == "a\n--b-->");
-  CHECK(to_urdf(d) == holding("link 'a\n- -b- ->': its shape is left out"));
+  CHECK(to_urdf(d) == holding("link 'a\n- -b- ->': its visual shape is left out"));
 
   auto& shapes = d.links[1].visuals;
   shapes.resize(4, r.shapes[0]);

@@ -133,7 +133,8 @@ TEST_CASE("meshes are scaled and read once; mirrored ones keep their outside") {
   CHECK((s.meshes[1].positions[3] == 0.001f && s.meshes[1].positions[3 * 3 + 2] == 0.003f));
   CHECK(std::vector(s.meshes[2].indices.begin(), s.meshes[2].indices.begin() + 3) ==
         std::vector<std::uint32_t>{0, 1, 2});
-  CHECK_THAT(s.notes.at(0), contains_text("shape of 'nowhere' is not drawn: the chain has no frame of this name"));
+  CHECK_THAT(s.notes.at(0),
+             contains_text("visual mesh of 'nowhere' is not drawn: the chain has no frame of this name"));
 }
 
 TEST_CASE("meshes that cannot be drawn are notes by name") {

@@ -78,6 +78,16 @@ TEST_CASE("contacts are drawn by their surfaces and by what touches them") {
   for (const auto& f : s.forces) CHECK(f.kind == "contact");
   CHECK(s.notes.empty());
 }
+TEST_CASE("a wheel that lies flat at first is drawn") {
+  runtime_chain c;
+  c << free_joint_3D("pose", "ground", "wheel")
+    << disc_contact_3D("rim", "ground", "wheel", half_space{}, axis::z, 0.3, {})
+    << rigid_link_3D("wheel", "edge", along_x(0.3));
+  const auto s = scene_of(c);
+  CHECK(s.recordings[0].positions.back() == 0);
+  CHECK(s.shapes.size() == 2);
+}
+
 TEST_CASE("the normal of a half space is the z axis of its plane, and other surfaces are named") {
   runtime_chain c;
   c << free_joint_2D("pose", "ground", "ball") << sphere_contact_2D("c", "ground", "ball", half_space{}, 0.1, {})

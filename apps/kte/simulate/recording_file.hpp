@@ -66,7 +66,7 @@ class recording_file {
     replace_earlier();
     if (!kept_) return;
     try {
-      kte::write_mcap(path_, scene_of(m_, kept_->contents(), ""));
+      kte::write_mcap(path_, scene_of(m_, kept_->contents(), "", {}));
     } catch (const kte::bad_argument& e) {
       say(path_ + " has numbers only, and nothing to draw: " + std::string(e.what()).substr(5));
     }

@@ -16,7 +16,7 @@ namespace kte::core {
 ///
 /// The lowest point of a disc that lies flat, |k| = 0, is not known, and beside it c moves around the rim at a rate of
 /// |w|/|k|: neither steps nor events resolve that. So where |k| <= 1/1000 and g <= R/1000, (1), except g, to (3) raise
-/// `bad_argument`. Farther away e is 0 if |k| = 0.
+/// `bad_argument`, but for `place`. Farther away e is 0 if |k| = 0.
 struct disc_geometry {
   using surface_type = contact_surface;
   static constexpr char compliant_name[] = "compliant_disc_contact";  ///< the type of its compliant element in files
@@ -52,13 +52,17 @@ struct disc_geometry {
   /// c, m.
   template <class M>
   KTE_INLINE constexpr auto point(const M& m) const {
-    return m.position - radius * lowest(m, m.rotation * axis).direction;
+    return place(m, lowest(m, m.rotation * axis).direction).first;
   }
   /// u, m/s: the velocity of the point of B at c relative to that of A.
   template <class M>
   KTE_INLINE constexpr auto slip(const M& m) const {
-    return m.rotation * m.velocity -
-           radius * cross(m.rotation * m.ang_velocity, lowest(m, m.rotation * axis).direction);
+    return place(m, lowest(m, m.rotation * axis).direction).second;
+  }
+  /// c and u; of a disc that lies flat those of its centre, without error: for pictures and recordings.
+  template <class M>
+  KTE_INLINE constexpr auto place(const M& m) const {
+    return place(m, lowest_or_none(m.rotation * axis).direction);
   }
   /// u_dot, m/s^2.
   template <class M>
@@ -86,9 +90,13 @@ struct disc_geometry {
   KTE_INLINE constexpr auto downhill(const A& a) const {
     return surface.axis - dot(surface.axis, a) * a;
   }
+  template <class M, class E>
+  KTE_INLINE constexpr auto place(const M& m, const E& e) const {
+    return std::pair{m.position - radius * e, m.rotation * m.velocity - radius * cross(m.rotation * m.ang_velocity, e)};
+  }
   template <class M, class A>
   KTE_INLINE constexpr auto lowest(const M& m, const A& a) const {
-    auto below = detail::to_polar(downhill(a));
+    const auto below = detail::to_polar(downhill(a));
     using S = std::remove_cvref_t<decltype(below.length)>;
     if (all(below.length > S(1e-3))) [[likely]]
       return below;
@@ -97,6 +105,13 @@ struct disc_geometry {
       detail::raise<bad_argument>(
           "kte: a disc lies flat on its surface, within 0.001 rad: it has no lowest point; give the body points of the "
           "rim as contacts");
+    return lowest_or_none(a);
+  }
+  /// |k| and e, or 1 and 0 if |k| = 0.
+  template <class A>
+  KTE_INLINE constexpr auto lowest_or_none(const A& a) const {
+    auto below = detail::to_polar(downhill(a));
+    using S = std::remove_cvref_t<decltype(below.length)>;
     const auto steep = below.length > S(1e-12);
     below.length = select(steep, below.length, S(1));
     below.direction = select(steep, S(1), S(0)) * below.direction;

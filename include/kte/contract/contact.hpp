@@ -79,11 +79,17 @@ struct contact {
       return detail::loads_at_contact<Dim>(m, x.force, as<S>(core().point(m)));
     }
   }
-  /// Writes gap, slip and point; called by doMotion.
+  /// Writes gap, slip and point, of a disc that lies flat those of its centre; called by doMotion.
   template <class A, class B, class S>
   constexpr void put_contact(const A& a, const B& b, contact_state<S>& x) const {
     const auto m = detail::as_closing_motion<S>(relative(spatial(a), spatial(b)));
-    x.gap = as<S>(core().gap(m)), x.slip = as<S>(core().slip(m)), x.point = as<S>(core().point(m));
+    x.gap = as<S>(core().gap(m));
+    if constexpr (requires { core().geometry.place(m); }) {
+      const auto [point, slip] = core().geometry.place(m);
+      x.point = as<S>(point), x.slip = as<S>(slip);
+    } else {
+      x.point = as<S>(core().point(m)), x.slip = as<S>(core().slip(m));
+    }
   }
   /// The distance of the farthest point of the shape from the origin of its frame, m: the scale of tolerances.
   constexpr double size() const {

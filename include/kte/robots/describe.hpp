@@ -18,6 +18,7 @@ namespace kte {
 
 #ifdef KTE_FUNCTION
 #  include <kte/robots/detail/chain_reader.hpp>
+#  include <kte/robots/detail/shape_names.hpp>
 
 namespace kte {
 KTE_FUNCTION robot_description describe(const runtime_chain& chain, const std::string& name) {
@@ -51,11 +52,13 @@ KTE_FUNCTION robot_description describe(const robot& r) {
       j.continuous = j.continuous && j.lower == -robot_joint::none && j.upper == robot_joint::none;
     }
   }
+  detail::shape_names names;
+  for (const auto& s : r.shapes) names.add(s.frame, s, s.collision);
   for (const auto& s : r.shapes) {
     bool found = false;
     for (auto& l : d.links)
       if (l.name == s.frame) (s.collision ? l.collisions : l.visuals).push_back(s), found = true;
-    if (!found) d.not_read.push_back({s.line, "a shape is in frame '" + s.frame + "', which is not a link"});
+    if (!found) d.not_read.push_back({s.line, names.of(s) + " is in frame '" + s.frame + "', which is not a link"});
   }
   d.actuators = r.actuators;
   return d;

@@ -76,6 +76,7 @@ struct robot_frame {
 
 /// Forces and inertia of a joint.
 struct robot_joint_dynamics {
+  using powers = std::array<double, 2>;
   double damping = 0;    ///< Nms/rad or Ns/m
   double friction = 0;   ///< dry friction, Nm or N
   double stiffness = 0;  ///< stiffness of a spring, Nm/rad or N/m
@@ -84,6 +85,8 @@ struct robot_joint_dynamics {
   /// Time constant T, s, and damping ratio z, instead of `damping` and `stiffness`, which are then d = 2 I/T and k =
   /// I/(T z)^2; 1/I is the diagonal entry of the joint in M^-1 at the configuration of the file. 0: not given.
   double time_constant = 0, damping_ratio = 0;
+  powers damping_powers{};    ///< of the damper, further coefficients: of |v| v and v^3 at the rate v
+  powers stiffness_powers{};  ///< of the spring: of x^2 and x^3 at the deflection x from `rest`
   bool operator==(const robot_joint_dynamics&) const = default;
 };
 
@@ -184,7 +187,8 @@ struct robot_configuration {
 /// `configurations` and `contact_pairs`. `to_robot` makes a chain of it.
 struct robot_description {
   std::string name;
-  std::string source;  ///< name of the file in messages
+  std::string source;              ///< name of the file in messages
+  std::vector<std::string> files;  ///< paths of other files that were read: those it includes, and of MJCF its assets
   std::vector<robot_link> links;
   std::vector<robot_joint> joints;
   std::vector<robot_closure> closures;

@@ -35,6 +35,9 @@ KTE_ELEMENT(inertial_beam<kind::frame_3D, double, sym3<>>)
 KTE_ELEMENT(joint_backlash_gen<double>)
 #include <kte/elements/joint_backlash_mode.hpp>
 KTE_ELEMENT(joint_backlash_mode_gen<double>)
+#include <kte/elements/joint_cubic.hpp>
+KTE_ELEMENT(joint_cubic_damping_gen)
+KTE_ELEMENT(joint_cubic_stiffness_gen)
 #include <kte/elements/joint_damping.hpp>
 KTE_ELEMENT(joint_damping_gen<double>)
 #include <kte/elements/joint_elasto_plastic.hpp>

@@ -116,19 +116,24 @@ class chain_reader {
                              n("lower_command"), n("upper_command")}});
   }
   static void spring(const element_record& e, robot_joint& j, double rest) {
-    if (j.dynamics.stiffness != 0) refuse(e, "its joint has a spring already");
-    j.dynamics.stiffness = number(e, "stiffness"), j.dynamics.rest = rest;
+    auto& x = j.dynamics;
+    if (x.stiffness != 0 || x.stiffness_powers != robot_joint_dynamics::powers{})
+      refuse(e, "its joint has a spring already");
+    x.stiffness = number(e, "stiffness"), x.rest = rest;
+    x.stiffness_powers = {number(e, "quadratic"), number(e, "cubic")};
   }
   void force(const element_record& e) {
     if (e.type == "base_gen") {
       rest_.insert(to(e, "base"));
     } else if (e.type == "mimic_gen") {
       joint(e, to(e, "end")).mimic = {to(e, "base"), number(e, "ratio"), number(e, "offset")};
-    } else if (e.type == "joint_damping_gen") {
-      joint(e, to(e, "coordinate")).dynamics.damping += number(e, "damping");
+    } else if (e.type == "joint_damping_gen" || e.type == "joint_cubic_damping_gen") {
+      auto& x = joint(e, to(e, "coordinate")).dynamics;
+      x.damping += number(e, "damping");
+      x.damping_powers[0] += number(e, "quadratic"), x.damping_powers[1] += number(e, "cubic");
     } else if (e.type == "damper_gen") {
       joint_from_rest(e).dynamics.damping += number(e, "damping");
-    } else if (e.type == "joint_stiffness_gen") {
+    } else if (e.type == "joint_stiffness_gen" || e.type == "joint_cubic_stiffness_gen") {
       spring(e, joint(e, to(e, "coordinate")), number(e, "rest"));
     } else if (e.type == "spring_gen") {
       if (number(e, "saturation") != 0) refuse(e, "it saturates: links and joints cannot say that");

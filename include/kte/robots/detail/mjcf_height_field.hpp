@@ -34,6 +34,7 @@ inline void read_mjcf_height_field(const xml_item& geom, mjcf_model& model, robo
     const auto path = model.path_of(*asset);
     if (lower_extension(path) == ".png") return none("'" + excerpt(file.generic_string()) + "' is an image");
     if (!is_file(path)) return none("there is no file '" + excerpt(path.generic_string()) + "'");
+    model.d.files.push_back(path.string());
     const auto bytes = read_file(path, std::size_t{1} << 30);
     byte_reader in(path, bytes);
     rows = in.number<std::uint32_t>("nrow"), columns = in.number<std::uint32_t>("ncol");

@@ -55,6 +55,7 @@ class mjcf_includes {
     if (!is_file(path)) x.fail("there is no file '" + excerpt(name.string()) + "' in the folder of the robot's file");
     if (!seen_.insert(canonical(path)).second)
       x.fail("the file '" + excerpt(name.string()) + "' is included already; a file is included once");
+    d_.files.push_back(path.string());
     return path;
   }
 

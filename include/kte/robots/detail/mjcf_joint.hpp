@@ -34,21 +34,23 @@ inline void place_mjcf_joint(const xml_item& x, const mjcf_scope& in, robot_join
   }
 }
 
-/// The linear coefficient of a spring or damper. Current versions of MuJoCo have up to three coefficients.
-inline double linear_coefficient(const xml_item& x, const char* what) {
-  if (!x.has(what)) return 0;
-  const auto all = x.list(what);
+/// Reads the coefficients of a spring or damper: the linear one, of any sign beside others, and those of higher powers,
+/// which current versions of MuJoCo have.
+inline void read_coefficients(const xml_item& x, const char* what, double& linear, robot_joint_dynamics::powers& more) {
+  if (!x.has(what)) return;
+  auto all = x.completed_list(what);
   if (all.empty() || all.size() > 3)
     x.fail(std::string(what) + " must have one to three numbers, got " + std::to_string(all.size()));
-  if (!(all[0] >= 0)) x.fail(std::string(what) + " must not be negative, got " + number(all[0]));
-  if (std::any_of(all.begin() + 1, all.end(), [](double k) { return k != 0; }))
-    x.moves_differently(std::string("the quadratic and cubic part of its ") + what + " is not modelled");
-  return all[0];
+  all.resize(3);
+  linear = all[0], more = {all[1], all[2]};
+  if (linear < 0 && more == robot_joint_dynamics::powers{})
+    x.fail(std::string(what) + " must not be negative, got " + number(linear));
 }
 
 inline robot_joint_dynamics mjcf_joint_dynamics(const xml_item& x, double rest) {
-  robot_joint_dynamics y{linear_coefficient(x, "damping"), x.not_negative_or("frictionloss", 0),
-                         linear_coefficient(x, "stiffness"), rest, x.not_negative_or("armature", 0)};
+  robot_joint_dynamics y{0, x.not_negative_or("frictionloss", 0), 0, rest, x.not_negative_or("armature", 0)};
+  read_coefficients(x, "damping", y.damping, y.damping_powers);
+  read_coefficients(x, "stiffness", y.stiffness, y.stiffness_powers);
   if (!x.has("springdamper")) return y;
   const auto t = x.list("springdamper");
   if (t.size() != 2) x.fail("springdamper must have two numbers, got " + std::to_string(t.size()));

@@ -100,8 +100,9 @@ class mjcf_meshes {
     if (it == kinds.end()) a->fail("inertia '" + excerpt(kind) + "' is none of legacy, exact, convex, shell");
     return it->second;
   }
-  /// Warns if other rules for the mass of a mesh give a mass that differs by more than 1 %.
+  /// Warns if other rules for the mass of a mesh give a mass that differs by more than 1 %; for convex ones none does.
   static void compare(const xml_item& asset, const triangle_mesh& mesh, double mass) {
+    if (is_convex(mesh)) return;
     const double legacy = moments_of(mesh, mesh_inertia::legacy).amount / mass - 1;
     const double hull = moments_of(mesh, mesh_inertia::convex).amount / mass - 1;
     if (std::abs(legacy) <= 0.01 && std::abs(hull) <= 0.01) return;
@@ -124,6 +125,7 @@ class mjcf_meshes {
       const auto path = model.path_of(*a);
       if (!is_file(path))
         geom.fail("its mass is that of a mesh, and there is no file '" + excerpt(path.generic_string()) + "'");
+      model.d.files.push_back(path.string());
       mesh = read_mesh(path);
     } else {
       mesh = written_out(*a);

@@ -24,8 +24,9 @@ inline void read_mjcf_options(const xml_item& root, robot_description& d, mjcf_u
   if (!gravity) d.gravity = vec3<>{};
   for (auto& j : d.joints) {
     auto& y = j.dynamics;
-    if (!springs) y.stiffness = 0, y.damping_ratio = robot_joint::none;  // of a time constant the damper is left
-    if (!dampers) y.damping = 0;
+    if (!springs) y.stiffness = 0, y.stiffness_powers = {};
+    if (!springs) y.damping_ratio = robot_joint::none;  // of a time constant the damper is left
+    if (!dampers) y.damping = 0, y.damping_powers = {};
     if (!dampers && springs && y.time_constant > 0)
       d.warnings.push_back(
           {j.line, "joint '" + j.name + "': springdamper without dampers is not modelled", j.file, true});

@@ -166,6 +166,7 @@ class mjcf_tree {
         auto& known = by_path_[path.string()];
         if (known == nullptr) {
           if (!is_file(path)) m.fail("there is no file '" + excerpt(m.text("file")) + "'");
+          d_.files.push_back(path.string());
           known = &load(parse_(path), path.parent_path());
         }
         if (m.has("name") || xml_item(known->root, d_).text_or("model", "") == name) return *known;

@@ -105,10 +105,13 @@ class mjcf_unread {
     if (!contact_) contact_.emplace(x);
     ++contacts_;
   }
+  static bool has_force(const std::vector<double>& coefficients) {
+    return std::any_of(coefficients.begin(), coefficients.end(), [](double k) { return k != 0; });
+  }
   void tendon(const xml_item& x) {
     std::string forces;
     for (const auto* name : {"stiffness", "damping", "frictionloss", "armature"})
-      if (x.has(name) && x.list(name)[0] != 0) forces += std::string(forces.empty() ? "" : ", ") + name;
+      if (x.has(name) && has_force(x.list(name))) forces += std::string(forces.empty() ? "" : ", ") + name;
     if (x.has("range") && x.text_or("limited", "auto") != "false") forces += forces.empty() ? "range" : ", range";
     if (forces.empty()) return x.not_read("not read");
     x.moves_differently("its " + forces + (forces.find(',') == forces.npos ? " is" : " are") + " not modelled");

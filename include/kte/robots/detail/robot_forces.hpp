@@ -44,13 +44,20 @@ class robot_forces {
 };
 
 /// Damping alone is a `joint_damping_gen`, which is linear and cheaper than friction. Damping with dry friction is one
-/// `joint_friction_gen`.
+/// `joint_friction_gen`. Cubic laws have their own elements.
 inline void robot_forces::append_spring(const robot_joint& j, const robot_joint_dynamics& x) {
+  const auto [d_2, d_3] = x.damping_powers;
+  const auto [k_2, k_3] = x.stiffness_powers;
+  const bool cubic = d_2 != 0 || d_3 != 0;
+  if (cubic) to_.append(joint_cubic_damping_gen(j.name, {x.damping, d_2, d_3}));
   if (x.friction != 0)
-    to_.append(joint_friction_gen(j.name, {x.damping, x.friction, 0, 1, o_.friction_smoothing}));
-  else if (x.damping != 0)
+    to_.append(joint_friction_gen(j.name, {cubic ? 0 : x.damping, x.friction, 0, 1, o_.friction_smoothing}));
+  else if (x.damping != 0 && !cubic)
     to_.append(joint_damping_gen(j.name, x.damping));
-  if (x.stiffness != 0) to_.append(joint_stiffness_gen(j.name, x.stiffness, x.rest));
+  if (k_2 != 0 || k_3 != 0)
+    to_.append(joint_cubic_stiffness_gen(j.name, {x.stiffness, k_2, k_3, x.rest}));
+  else if (x.stiffness != 0)
+    to_.append(joint_stiffness_gen(j.name, x.stiffness, x.rest));
 }
 
 inline void robot_forces::append_spring_dampers() {
@@ -109,12 +116,15 @@ inline void robot_forces::append_of_ball(const robot_joint& j, const std::string
   }
   left.rest = 0;
   if (left == robot_joint_dynamics{}) return;
-  const auto name = [](double x, const char* what) { return x != 0 ? std::string(" ") + what : std::string(); };
+  const auto name = [](bool has, const char* what) { return has ? std::string(" ") + what : std::string(); };
+  const robot_joint_dynamics::powers none{};
   warnings_.push_back({j.line,
                        "joint '" + j.name +
-                           "': left out, as it has several degrees of freedom:" + name(left.damping, "damping") +
-                           name(left.friction, "friction") + name(left.stiffness, "stiffness") +
-                           name(left.armature, "armature") + name(left.time_constant, "springdamper"),
+                           "': left out, as it has several degrees of freedom:" + name(left.damping != 0, "damping") +
+                           name(left.damping_powers != none, "quadratic and cubic damping") +
+                           name(left.friction != 0, "friction") + name(left.stiffness != 0, "stiffness") +
+                           name(left.stiffness_powers != none, "quadratic and cubic stiffness") +
+                           name(left.armature != 0, "armature") + name(left.time_constant != 0, "springdamper"),
                        j.file, true});
 }
 

@@ -63,8 +63,9 @@ class sdf_includes {
 
   /// A file is parsed once.
   xml_node parsed(const std::filesystem::path& path, const std::filesystem::path& whole) {
-    const auto known = files_.find(whole);
-    return known != files_.end() ? known->second : files_.emplace(whole, parse_(path)).first->second;
+    if (const auto known = files_.find(whole); known != files_.end()) return known->second;
+    d_.files.push_back(path.string());
+    return files_.emplace(whole, parse_(path)).first->second;
   }
   static std::size_t count_of(const xml_node& n) {
     std::size_t all = 1;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kte/robots/detail/angles.hpp>
+#include <kte/robots/detail/shape_names.hpp>
 #include <kte/robots/detail/unwritten.hpp>
 #include <kte/robots/detail/xml_writer.hpp>
 
@@ -23,7 +24,7 @@ inline void write_mjcf_place(xml_writer& out, const robot_pose& p) {
 class mjcf_geoms {
  public:
   mjcf_geoms(const robot_description& d, const robot_writing& o, unwritten& left_out)
-      : o_(o), left_out_(left_out), of_link_(d.links.size()) {
+      : o_(o), left_out_(left_out), names_of_shapes_(d), of_link_(d.links.size()) {
     for (std::size_t i = 0; i < d.links.size(); ++i) {
       const auto& l = d.links[i];
       std::vector<const robot_shape*> rest;
@@ -109,8 +110,7 @@ class mjcf_geoms {
     return {x.x, x.y, x.z};
   }
   void leave_out(const robot_shape& s, const std::string& owner, const std::string& why) {
-    left_out_.list(s.line,
-                   owner + ": its shape" + (s.name.empty() ? "" : " '" + s.name + "'") + " is left out: " + why);
+    left_out_.list(s.line, owner + ": its " + names_of_shapes_.of(s) + " is left out: " + why);
   }
 
   void add(std::size_t link, const robot_link& l, const robot_shape& s, bool seen, bool collides) {
@@ -151,6 +151,7 @@ class mjcf_geoms {
 
   const robot_writing& o_;
   unwritten& left_out_;
+  shape_names names_of_shapes_;
   std::vector<std::vector<geom>> of_link_;
   std::vector<asset> meshes_;
   std::map<std::string, const robot_shape*, std::less<>> materials_;

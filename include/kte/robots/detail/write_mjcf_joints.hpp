@@ -53,8 +53,9 @@ class mjcf_joints {
                angle = fresh_name(names_, j.name + "_angle");
     left_out_.list(j.line, mjcf_title(j) + ": it is planar, and written as slides '" + x + "', '" + y +
                                "' and a hinge '" + angle + "'");
-    if (const robot_joint_dynamics none; j.dynamics.damping != none.damping || j.dynamics.friction != none.friction ||
-                                         j.dynamics.stiffness != none.stiffness || j.dynamics.armature != none.armature)
+    auto own = j.dynamics;
+    own.rest = 0;
+    if (own != robot_joint_dynamics{})
       left_out_.list(j.line,
                      mjcf_title(j) + ": damping, friction, springs and rotors are only those of one coordinate");
     open_joint(x, "slide", behind), out_.attribute("axis", plane.x), out_.close();
@@ -88,9 +89,19 @@ class mjcf_joints {
     const auto unless_zero = [&](const char* key, double x) {
       if (x != 0) out_.attribute(key, x);
     };
-    unless_zero("damping", j.dynamics.damping), unless_zero("frictionloss", j.dynamics.friction);
-    unless_zero("stiffness", j.dynamics.stiffness), unless_zero("springref", j.dynamics.rest);
-    unless_zero("armature", j.dynamics.armature);
+    const auto polynomial = [&](const char* key, double linear, const robot_joint_dynamics::powers& more) {
+      if (more == robot_joint_dynamics::powers{}) return unless_zero(key, linear);
+      out_.attribute(key, std::vector<double>{linear, more[0], more[1]});
+    };
+    const auto& x = j.dynamics;
+    polynomial("damping", x.damping, x.damping_powers), unless_zero("frictionloss", x.friction);
+    polynomial("stiffness", x.stiffness, x.stiffness_powers), unless_zero("springref", x.rest);
+    unless_zero("armature", x.armature);
+    if (x.time_constant == 0) return;
+    if (x.damping_ratio == robot_joint::none)
+      left_out_.change(j.line, mjcf_title(j), "its springdamper has no spring", "it has no springdamper");
+    else
+      out_.attribute("springdamper", std::vector<double>{x.time_constant, x.damping_ratio});
   }
 
   const robot_writing& o_;

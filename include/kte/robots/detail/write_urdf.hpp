@@ -67,8 +67,14 @@ class urdf_writer {
     const auto title = "joint '" + j.name + "'";
     if (j.is == kind::spherical) left_out_.refuse(title, "it is spherical");
     if (j.is == kind::screw) left_out_.refuse(title, "it is a screw");
-    if (j.dynamics.stiffness != 0) left_out_.change(j.line, title, "it has a spring", "that is left out");
-    if (j.dynamics.armature != 0) left_out_.change(j.line, title, "it has a rotor inertia", "that is left out");
+    const auto& x = j.dynamics;
+    const robot_joint_dynamics::powers none{};
+    if (x.stiffness != 0 || x.stiffness_powers != none)
+      left_out_.change(j.line, title, "it has a spring", "that is left out");
+    if (x.damping_powers != none)
+      left_out_.change(j.line, title, "its damping is not linear", "its linear part alone is written");
+    if (x.time_constant != 0) left_out_.change(j.line, title, "it has a springdamper", "that is left out");
+    if (x.armature != 0) left_out_.change(j.line, title, "it has a rotor inertia", "that is left out");
     out_.open("joint"), out_.attribute("name", std::string_view(j.name));
     const bool continuous =
         j.is == kind::revolute && no_range(j.lower, j.upper) && no_range(j.soft_lower, j.soft_upper);
@@ -80,9 +86,9 @@ class urdf_writer {
     const bool one = j.is == kind::revolute || j.is == kind::prismatic;
     if (one || j.is == kind::planar) out_.leaf("axis", "xyz", j.axis);
     if (one) limit(j, continuous);
-    if (j.dynamics.damping != 0 || j.dynamics.friction != 0) {
+    if (x.damping != 0 || x.friction != 0) {
       out_.open("dynamics");
-      out_.attribute("damping", j.dynamics.damping), out_.attribute("friction", j.dynamics.friction), out_.close();
+      out_.attribute("damping", x.damping), out_.attribute("friction", x.friction), out_.close();
     }
     if (j.mimic) {
       out_.open("mimic"), out_.attribute("joint", std::string_view(j.mimic->joint));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kte/robots/detail/angles.hpp>
+#include <kte/robots/detail/shape_names.hpp>
 #include <kte/robots/detail/unwritten.hpp>
 #include <kte/robots/detail/xml_writer.hpp>
 
@@ -55,17 +56,21 @@ class urdf_shapes {
   urdf_shapes(xml_writer& out, const robot_writing& o, unwritten& left_out) : out_(out), o_(o), left_out_(left_out) {}
 
   void write(const robot_link& l) {
-    owner_ = "link '" + l.name + "'";
-    for (const auto& s : l.visuals) shape("visual", s);
-    for (const auto& s : l.collisions) shape("collision", s);
+    shape_names names;
+    for (const auto& s : l.visuals) names.add(l.name, s, false);
+    for (const auto& s : l.collisions) names.add(l.name, s, true);
+    const auto write = [&](const char* what, const robot_shape& s) {
+      title_ = "link '" + l.name + "': its " + names.of(s);
+      shape(what, s);
+    };
+    for (const auto& s : l.visuals) write("visual", s);
+    for (const auto& s : l.collisions) write("collision", s);
   }
 
  private:
   using form = robot_shape::form;
 
-  void note(const robot_shape& s, const std::string& what) {
-    left_out_.list(s.line, owner_ + ": its shape" + (s.name.empty() ? "" : " '" + s.name + "'") + what);
-  }
+  void note(const robot_shape& s, const std::string& what) { left_out_.list(s.line, title_ + what); }
   void shape(const char* what, robot_shape s) {
     if (s.is == form::none || s.is == form::height_field)
       return note(s, s.is == form::none ? " is left out: its form is not known" : " is left out: it is a height field");
@@ -77,7 +82,7 @@ class urdf_shapes {
       s.mesh = path;
     }
     if (s.is != form::capsule) return simple(what, s);
-    note(s, " is a capsule, and written as a cylinder and two balls");
+    note(s, ": a capsule is written as a cylinder and two balls");
     auto part = s;
     part.is = form::cylinder;
     simple(what, part);
@@ -123,7 +128,7 @@ class urdf_shapes {
   xml_writer& out_;
   const robot_writing& o_;
   unwritten& left_out_;
-  std::string owner_;
+  std::string title_;  ///< of the shape that is written
   std::map<std::string, std::vector<double>, std::less<>> colours_;
 };
 
