@@ -341,6 +341,13 @@ implicit_control
            "solver"_a = "dormand_prince45", "tolerance"_a = 1e-9, "absolute"_a = none, "relative"_a = none,
            "step"_a = 1e-3, "max_steps"_a = 1'000'000'000LL, "largest_step"_a = 0.0, "control"_a = none,
            "inputs"_a = none, "events"_a = none, "only_if"_a = none, "implicit_control"_a = false)
+      .def(
+          "__reduce__",
+          [](const simulation&) -> py::object {
+            throw py::type_error(
+                "kte: a Simulation, which is between steps of its solver, can be neither copied nor pickled; a process "
+                "makes its own from q and v");
+          })
       .def("advance", &simulation::advance, R"(advance(end, *, every=None, at=None)
 
 Integrates to the time `end`, s, and returns a `Recording` of every step, with the states before and after events, of even
