@@ -49,11 +49,10 @@ std::vector<double> even_times(double begin, double end, double spacing) {
   if (!(count < 1e9))
     throw kte::bad_argument("kte: a time of " + kte::detail::number(span) +
                             " s has more than a thousand million rows every " + kte::detail::number(spacing) + " s");
-  for (double i = 0; i <= count; ++i) times.push_back(begin + (end > begin ? i : -i) * spacing);
-  if (std::abs(times.back() - end) > 1e-9 * spacing)
-    times.push_back(end);
-  else
-    times.back() = end;
+  times.push_back(begin);
+  for (double i = 1; i <= count; ++i) times.push_back(begin + (end > begin ? i : -i) * spacing);
+  if (times.size() > 1 && std::abs(times.back() - end) <= 1e-9 * spacing) times.pop_back();
+  if (times.back() != end) times.push_back(end);
   return times;
 }
 
