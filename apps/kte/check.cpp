@@ -10,6 +10,7 @@
 #include "json_writer.hpp"
 #include "message.hpp"
 #include "odd_numbers.hpp"
+#include "recorded_scene.hpp"
 
 namespace kte_tool {
 
@@ -44,6 +45,20 @@ void look_at_loops(const kte::robot& r, findings& f) {
   std::erase_if(f.odd, [&f](const kte::robot_note& n) { return n.text == f.loops; });
 }
 
+/// Adds meshes that are missing or broken; those of other formats than kte reads are listed as not read.
+void look_at_meshes(const mechanism& m, findings& f) {
+  const auto& shapes = m.robot.shapes;
+  const auto is_mesh = [](const auto& s) { return s.is == kte::robot_shape::form::mesh; };
+  if (std::none_of(shapes.begin(), shapes.end(), is_mesh)) return;
+  try {
+    for (const auto& note : kte::not_drawn(scene_of(m, start_options{}))) {
+      if (!note.starts_with("mesh ")) continue;
+      add_once(note.find(" are read (link ") == note.npos ? f.odd : f.not_read, {0, note});
+    }
+  } catch (const kte::error&) {  // loops that do not close, which are a finding already
+  }
+}
+
 findings look_at(const options& o) {
   findings f;
   try {
@@ -54,6 +69,7 @@ findings look_at(const options& o) {
       for (const auto& n : kte::check_robot(*m.description, o.in.robot)) add_once(f.odd, n);
     for (const auto& text : kte::check_chain(m.chain())) add_once(f.odd, {0, text});
     look_at_loops(m.robot, f);
+    look_at_meshes(m, f);
     f.parts.emplace(m.robot);
     for (const auto& b : f.parts->bodies)
       if (m.model && b.as_published)

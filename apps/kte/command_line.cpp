@@ -20,6 +20,12 @@ double finite_number(const std::string& option, const std::string& text) {
   return x;
 }
 
+/// The text of an option, which the variable of a script may have left empty.
+const std::string& not_empty(const std::string& option, const std::string& text) {
+  if (text.empty()) throw usage_error(option.substr(option.rfind(',') + 1) + " is empty");
+  return text;
+}
+
 /// A subcommand as CLI11 has it.
 class parsed_command final : public command {
  public:
@@ -43,13 +49,17 @@ class parsed_command final : public command {
   }
   command& text(const std::string& n, const std::string& value, std::string& to, const std::string& help) override {
     arguments.push_back({n, value, help});
-    app_.add_option(n, to);
+    app_.add_option_function<std::string>(n, [n, &to](const std::string& text) { to = not_empty(n, text); });
     return *this;
   }
   command& texts(const std::string& n, const std::string& value, std::vector<std::string>& to,
                  const std::string& help) override {
     arguments.push_back({n, value, help});
-    app_.add_option(n, to)->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    const auto take = [n, &to](const std::vector<std::string>& all) {
+      for (const auto& text : all) to.push_back(not_empty(n, text));
+    };
+    app_.add_option_function<std::vector<std::string>>(n, take)->expected(1)->multi_option_policy(
+        CLI::MultiOptionPolicy::TakeAll);
     return *this;
   }
   command& number(const std::string& n, const std::string& value, double& to, const std::string& help) override {

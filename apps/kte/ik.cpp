@@ -48,11 +48,11 @@ class pose_table {
   }
   /// The rotation of a quaternion of any length but 0.
   kte::mat3<kte::vec3<>> rotation(std::size_t row) const {
-    double q[4], square = 0;
-    for (std::size_t i = 0; i < 4; ++i) q[i] = table_.at(row, rotation_[i]), square += q[i] * q[i];
-    if (!(square > 0)) throw kte::bad_file("kte: " + table_.place(row) + "the quaternion has length 0");
-    const double size = std::sqrt(square);
-    return kte::matrix(kte::unit_quaternion<>{q[0] / size, q[1] / size, q[2] / size, q[3] / size});
+    double q[4], size = 0;
+    for (std::size_t i = 0; i < 4; ++i) q[i] = table_.at(row, rotation_[i]), size = std::max(size, std::abs(q[i]));
+    if (size == 0) throw kte::bad_file("kte: " + table_.place(row) + "the quaternion has length 0");
+    return kte::matrix_of_any_length(  // of numbers up to 1, so that no square overflows or vanishes
+        kte::unit_quaternion<>{q[0] / size, q[1] / size, q[2] / size, q[3] / size});
   }
   std::string place(std::size_t row) const { return table_.place(row); }
 

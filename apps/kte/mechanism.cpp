@@ -9,6 +9,7 @@
 #include <set>
 
 #include "message.hpp"
+#include "text_format.hpp"
 
 namespace kte_tool {
 
@@ -76,6 +77,8 @@ void check_contacts(const reading& o) {
 
 kte::robot_options robot_options_of(const reading& o) {
   auto wanted = o.robot;
+  if (const double x = wanted.quarter_turn_tolerance; !(x >= 0 && x <= 0.1))
+    throw usage_error("--quarter-turns is between 0 and 0.1, not " + short_number(x));
   if (o.joint_dynamics || o.no_joint_dynamics) wanted.joint_dynamics = o.joint_dynamics;
   return wanted;
 }

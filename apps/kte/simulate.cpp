@@ -165,7 +165,7 @@ int simulate(simulate_options& o) {
       if (e.nv != 1) continue;
       const double felt = masses[e.v], kp = o.kp.value_or(100 * felt), kd = o.kd.value_or(20 * felt);
       const auto before = d.pd->joints().size();
-      d.pd->add({e.q, e.v, place_of_input(p.model(), force_of[static_cast<std::size_t>(e.v)]), kp, kd,
+      d.pd->add({e.name, e.q, e.v, place_of_input(p.model(), force_of[static_cast<std::size_t>(e.v)]), kp, kd,
                  m.robot.limits.effort[static_cast<std::size_t>(e.v)]});
       if (d.pd->joints().size() > before)
         s.control += (before ? ", '" : ": '") + e.name + "' " + short_number(kp) + " and " + short_number(kd);

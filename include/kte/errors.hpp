@@ -11,9 +11,19 @@
 /// Everything kte throws. All derive from kte::error; what() names the element, the frame, the value or the place.
 namespace kte {
 
+namespace detail {
+
+/// A text with its zero bytes as \x00, because what() ends at the first.
+[[gnu::cold]] inline std::string without_zero_bytes(std::string text) {
+  for (std::size_t at = 0; (at = text.find('\0', at)) != std::string::npos;) text.replace(at, 1, "\\x00");
+  return text;
+}
+
+}  // namespace detail
+
 /// The base of all errors of this library.
 struct error : std::runtime_error {
-  using std::runtime_error::runtime_error;
+  explicit error(const std::string& what) : std::runtime_error(detail::without_zero_bytes(what)) {}
 };
 /// An invalid parameter of an element: a negative mass, an axis that is not of length 1, NaN.
 struct bad_parameter : error {

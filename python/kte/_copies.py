@@ -1,4 +1,4 @@
-"""Copies and pickles of chains. Objects of a program's classes keep their class and attributes."""
+"""Copies and pickles of chains and motions. Objects of a program's classes keep their class and attributes."""
 from __future__ import annotations
 
 import copy
@@ -34,6 +34,11 @@ def copied(chain: Any, memo: Optional[Dict[int, Any]] = None) -> Any:
 def reduced(chain: Any) -> Tuple[Any, ...]:
     """What `__reduce__` returns."""
     return _remade, (type(chain), *chain._pickle()), chain.__getstate__()
+
+
+def called(function: str, arguments: Tuple[Any, ...], keywords: Dict[str, Any]) -> Any:
+    """The result of a function of the package, which pickles hold by its name."""
+    return getattr(_kte, function)(*arguments, **keywords)
 
 
 def _remade(kind: Type[Chain], numbers: bytes, compiled_frames: Optional[List[str]]) -> Chain:

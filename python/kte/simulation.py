@@ -8,6 +8,7 @@ from numpy.typing import ArrayLike
 
 from ._kte import Chain, Recording, Robot, Simulation
 from ._results import Array
+from .errors import BadArgument
 
 # Functions return Any, since components of arrays are such: mypy --strict refuses them where a type is declared.
 #: A number or array over time, of (t, q, v).
@@ -63,6 +64,8 @@ def simulate(
     Rows are `every` so many s, at the times `at`, or at every step if both are None. Other arguments are those of
     `Simulation`.
     """
+    if time != 0 and t + time == t:
+        raise BadArgument(f"kte: a time of {time} s is lost in the rounding of t = {t} s")
     simulation = Simulation(
         chain,
         q,

@@ -83,11 +83,8 @@ void bind_inverse_kinematics(py::module_& m) {
         if (turned) r = rotation_from(rotation);
         Eigen::VectorXd q =
             start.is_none() ? Eigen::VectorXd(kte::neutral_configuration(c)) : vector_from("start", start, c.nq());
-        const auto found = [&] {
-          const py::gil_scoped_release without;
-          return nearest_to(manipulator, frame, p, turned ? &r : nullptr, q, numeric);
-        }();
-        return as_object(found);
+        return as_object(
+            run_interruptibly([&] { return nearest_to(manipulator, frame, p, turned ? &r : nullptr, q, numeric); }));
       },
       R"(inverse_kinematics(arm, frame, position, rotation=None, *, start=None, limits=None, numeric=False)
 

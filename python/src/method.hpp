@@ -39,11 +39,11 @@ class method : public any_solver {
   Solver solver_;
 };
 
-/// A method of a family: `how` is its tolerances or its step.
-template <template <class, class> class Method, class How>
-std::unique_ptr<any_solver> solver_of(plant& p, const plant::state& x, double t, const How& how) {
+/// A method of a family: `how` is its tolerances, or its step and options.
+template <template <class, class> class Method, class... How>
+std::unique_ptr<any_solver> solver_of(plant& p, const plant::state& x, double t, const How&... how) {
   using solver = Method<std::reference_wrapper<plant>, plant::state>;
-  return std::make_unique<method<solver>>(p, [&] { return solver(std::ref(p), t, x, how); });
+  return std::make_unique<method<solver>>(p, [&] { return solver(std::ref(p), t, x, how...); });
 }
 /// A multistep method, which moves states as vectors.
 template <template <class, class> class Method, class How>

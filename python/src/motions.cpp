@@ -22,9 +22,10 @@ struct point {
 /// kte.Motion: a motion of a robot from rest to rest.
 class motion_object {
  public:
-  /// make(arm) returns a `joint_motion`.
+  /// make(arm) returns a `joint_motion`; `again` is what makes it once more.
   template <class Make>
-  motion_object(arm_type arm, const Make& make) : arm_(std::make_shared<const arm_type>(std::move(arm))) {
+  motion_object(arm_type arm, const Make& make, py::tuple again)
+      : again(std::move(again)), arm_(std::make_shared<const arm_type>(std::move(arm))) {
     const auto m = make(*arm_);
     duration_ = m.duration();
     at_ = [m](double t) {
@@ -55,6 +56,8 @@ class motion_object {
     return result_of(to_array(q), to_array(v), to_array(a));
   }
 
+  py::tuple again;  ///< as of `__reduce__`
+
  private:
   static py::object result_of(const array& q, const array& v, const array& a) {
     return py::module_::import("kte._results").attr("MotionPoint")(q, v, a);
@@ -73,6 +76,18 @@ arm_type arm_from(py::handle robot, py::handle limits) {
   throw kte::bad_argument("kte: a motion needs a chain that moves frames");
 }
 
+/// A function of the package and its arguments, as of `__reduce__`; the chain and the limits are copied.
+py::tuple call_of(const char* function, py::handle robot, py::handle limits, const Eigen::VectorXd& from,
+                  const Eigen::VectorXd& to, double at_least = 0) {
+  const auto& c = chain_of(robot);
+  auto arguments = py::make_tuple(std::make_unique<chain_object>(c.chain()), to_array(from), to_array(to));
+  if (at_least > 0) arguments = py::tuple(arguments + py::make_tuple(at_least));
+  py::dict keywords;
+  keywords["limits"] = limits_of(limits_from(robot, limits));
+  return py::make_tuple(py::module_::import("kte._copies").attr("called"),
+                        py::make_tuple(function, arguments, keywords));
+}
+
 }  // namespace
 
 void bind_joint_motions(py::module_& m) {
@@ -82,6 +97,7 @@ void bind_joint_motions(py::module_& m) {
       R"(A motion from rest to rest: `motion(t)` gives `.q`, `.v` and `.a` at a time, s, or at many, a row each.)")
       .def_property_readonly("duration", &motion_object::duration, "The duration, s.")
       .def("__call__", &motion_object::operator(), "motion(t)\n\nq, v and a at the time t, s, or at times t.", "t"_a)
+      .def("__reduce__", [](const motion_object& x) { return x.again; })
       .def("__repr__", [](const motion_object& x) {
         return "<kte.Motion of " + py::repr(py::float_(x.duration())).cast<std::string>() + " s>";
       });
@@ -90,8 +106,9 @@ void bind_joint_motions(py::module_& m) {
       [](py::handle robot, py::handle start, py::handle end, py::handle limits) {
         const auto nq = chain_of(robot).chain().nq();
         const auto from = vector_from("start", start, nq), to = vector_from("end", end, nq);
-        return motion_object(arm_from(robot, limits),
-                             [&](const arm_type& arm) { return kte::trapezoidal_motion(arm, from, to); });
+        return motion_object(
+            arm_from(robot, limits), [&](const arm_type& arm) { return kte::trapezoidal_motion(arm, from, to); },
+            call_of("trapezoidal_motion", robot, limits, from, to));
       },
       R"(trapezoidal_motion(robot, start, end, *, limits=None)
 
@@ -104,8 +121,9 @@ are a `Limits`, by default those of the robot; files rarely have accelerations:
       [](py::handle robot, py::handle start, py::handle end, double at_least, py::handle limits) {
         const auto nq = chain_of(robot).chain().nq();
         const auto from = vector_from("start", start, nq), to = vector_from("end", end, nq);
-        return motion_object(arm_from(robot, limits),
-                             [&](const arm_type& arm) { return kte::quintic_motion(arm, from, to, at_least); });
+        return motion_object(
+            arm_from(robot, limits), [&](const arm_type& arm) { return kte::quintic_motion(arm, from, to, at_least); },
+            call_of("quintic_motion", robot, limits, from, to, at_least));
       },
       R"(quintic_motion(robot, start, end, at_least=0.0, *, limits=None)
 

@@ -38,6 +38,14 @@ kte::joint_limits<> limits_from(py::handle robot_or_chain, py::handle limits) {
   return {list("lower"), list("upper"), list("rate"), list("acceleration"), list("jerk"), list("effort")};
 }
 
+py::object limits_of(const kte::joint_limits<>& l) {
+  const auto list = [](const std::vector<double>& x) {
+    return to_array(Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(x.data(), static_cast<Eigen::Index>(x.size()))));
+  };
+  return result("Limits", py::make_tuple(list(l.lower), list(l.upper), list(l.rate), list(l.acceleration), list(l.jerk),
+                                         list(l.effort)));
+}
+
 namespace {
 
 std::string text_of(const kte::robot_note& n, const std::string& file) {
@@ -53,13 +61,6 @@ py::list notes_of(const std::vector<kte::robot_note>& notes) {
   py::list all;
   for (const auto& n : notes) all.append(result("Note", py::make_tuple(n.text, n.line, n.file, n.changes_motion)));
   return all;
-}
-py::object limits_of(const kte::joint_limits<>& l) {
-  const auto list = [](const std::vector<double>& x) {
-    return to_array(Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(x.data(), static_cast<Eigen::Index>(x.size()))));
-  };
-  return result("Limits", py::make_tuple(list(l.lower), list(l.upper), list(l.rate), list(l.acceleration), list(l.jerk),
-                                         list(l.effort)));
 }
 
 /// Takes numbers out of a dict of Python by their names; then it must be empty.
@@ -117,6 +118,8 @@ kte::robot_options options_from(const py::dict& from) {
   take("root", o.root), take("floating_base", o.floating_base), take("fold_fixed", o.fold_fixed);
   take("joint_dynamics", o.joint_dynamics), take("friction_smoothing", o.friction_smoothing);
   take("quarter_turn_tolerance", o.quarter_turn_tolerance), take("strict", o.strict), take("model", o.model);
+  if (const double x = o.quarter_turn_tolerance; !(x >= 0 && x <= 0.1))
+    throw kte::bad_argument("kte: quarter_turn_tolerance must be between 0 and 0.1 rad, got " + kte::detail::number(x));
   o.search_path = names_from(from["search_path"]);
   return o;
 }

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <kte/detail/interruption.hpp>
 #include <kte/dynamics/executors.hpp>
 
 #include <chrono>
+#include <future>
 #include <pybind11/pybind11.h>
+#include <thread>
 
 namespace kte_python {
 
@@ -24,6 +27,27 @@ class signal_watch {
  private:
   std::chrono::steady_clock::time_point next_ = std::chrono::steady_clock::now() + interval;
 };
+
+/// f() without the GIL, which looks for Ctrl-C between the iterations of algorithms of the library.
+template <class F>
+auto run_interruptibly(const F& f) {
+  const pybind11::gil_scoped_release without;
+  const kte::detail::interruptible heard{signal_watch()};
+  return f();
+}
+
+/// f() without the GIL, of computations that nothing can end: in a separate thread, while this one looks for Ctrl-C.
+/// After Ctrl-C that thread goes on to its end, without a use: f holds all that it needs, and nothing of Python.
+template <class F>
+auto run_aside(F f) {
+  const pybind11::gil_scoped_release without;
+  std::packaged_task<decltype(f())()> task(std::move(f));
+  auto ended = task.get_future();
+  std::thread(std::move(task)).detach();
+  signal_watch watch;
+  while (ended.wait_for(signal_watch::interval) != std::future_status::ready) watch();
+  return ended.get();
+}
 
 /// An executor of batches, called without the GIL: threads; this one looks for Ctrl-C between its tasks. After
 /// Ctrl-C the tasks that have not begun are left out, and KeyboardInterrupt is thrown.

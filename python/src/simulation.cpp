@@ -49,11 +49,10 @@ std::vector<double> even_times(double begin, double end, double spacing) {
   if (!(count < 1e9))
     throw kte::bad_argument("kte: a time of " + kte::detail::number(span) +
                             " s has more than a thousand million rows every " + kte::detail::number(spacing) + " s");
-  for (double i = 0; i <= count; ++i) times.push_back(begin + (end > begin ? i : -i) * spacing);
-  if (std::abs(times.back() - end) > 1e-9 * spacing)
-    times.push_back(end);
-  else
-    times.back() = end;
+  times.push_back(begin);
+  for (double i = 1; i <= count; ++i) times.push_back(begin + (end > begin ? i : -i) * spacing);
+  if (times.size() > 1 && std::abs(times.back() - end) <= 1e-9 * spacing) times.pop_back();
+  if (times.back() != end) times.push_back(end);
   return times;
 }
 
@@ -341,6 +340,13 @@ implicit_control
            "solver"_a = "dormand_prince45", "tolerance"_a = 1e-9, "absolute"_a = none, "relative"_a = none,
            "step"_a = 1e-3, "max_steps"_a = 1'000'000'000LL, "largest_step"_a = 0.0, "control"_a = none,
            "inputs"_a = none, "events"_a = none, "only_if"_a = none, "implicit_control"_a = false)
+      .def(
+          "__reduce__",
+          [](const simulation&) -> py::object {
+            throw py::type_error(
+                "kte: a Simulation, which is between steps of its solver, can be neither copied nor pickled; a process "
+                "makes its own from q and v");
+          })
       .def("advance", &simulation::advance, R"(advance(end, *, every=None, at=None)
 
 Integrates to the time `end`, s, and returns a `Recording` of every step, with the states before and after events, of even

@@ -27,9 +27,10 @@ class state_object {
     require_motion("do_force");
     chain_.clearForce(s_), chain_.doForce(s_), has_ = pass::force;
   }
+  bool has_motion() const { return has_ != pass::none; }
   bool has_forces() const { return has_ == pass::force; }
   void require_motion(const std::string& what) const {
-    if (has_ == pass::none) refuse(what, "do_motion");
+    if (!has_motion()) refuse(what, "do_motion");
   }
   void require_forces(const std::string& what) const {
     if (!has_forces()) refuse(what, "do_motion() and do_force");
@@ -76,6 +77,41 @@ py::object frame_of(const state_object& x, const std::string& name) {
   return result("Frame", py::make_tuple(planar(f.position), to_array(Eigen::MatrixXd(rotation)), planar(f.velocity),
                                         about_z(f.ang_velocity), planar(f.acceleration), about_z(f.ang_acceleration),
                                         load(planar(f.force)), load(about_z(f.torque))));
+}
+
+/// The inputs that no element writes, a dict for `put_inputs`.
+py::dict inputs_of(const state_object& x) {
+  py::dict all;
+  const auto& w = x.of().wiring();
+  for (const auto k : {kte::kind::input, kte::kind::vector}) {
+    const auto& names = w.names[static_cast<std::size_t>(k)];
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      if (w.writers[static_cast<std::size_t>(k)][i] >= 0) continue;
+      const auto at = static_cast<int>(i);
+      all[py::str(names[i])] = k == kte::kind::input ? py::object(py::float_(x.s().get<kte::kind::input>(at)))
+                                                     : py::object(xyz_array(x.s().get<kte::kind::vector>(at)));
+    }
+  }
+  return all;
+}
+/// What a pickle holds: numbers, the passes that were made, and attributes of a derived class.
+py::tuple pickled(py::handle self) {
+  const auto& x = self.cast<const state_object&>();
+  const auto& s = x.s();
+  return py::make_tuple(bytes_of(x.of()), to_array(Eigen::VectorXd(kte::positions(s))),
+                        to_array(Eigen::VectorXd(kte::velocities(s))), to_array(Eigen::VectorXd(kte::accelerations(s))),
+                        inputs_of(x), x.has_motion(), x.has_forces(), py::getattr(self, "__dict__", py::dict()));
+}
+std::pair<std::unique_ptr<state_object>, py::dict> unpickled(const py::tuple& t) {
+  const auto c = chain_from_bytes(py::bytes(t[0]));
+  auto made = std::make_unique<state_object>(c);
+  auto& s = made->set();
+  kte::set_positions(s, vector_from("q", t[1], c.nq()));
+  kte::set_velocities(s, vector_from("v", t[2], c.dofs())), kte::set_accelerations(s, vector_from("a", t[3], c.dofs()));
+  put_inputs(c, s, t[4]);
+  if (t[5].cast<bool>()) made->do_motion();
+  if (t[6].cast<bool>()) made->do_force();
+  return {std::move(made), py::dict(t[7])};
 }
 
 }  // namespace
@@ -145,6 +181,7 @@ a pass computes raises BadArgument before that pass, and again after q, v, a or 
             return all;
           },
           "The signals that elements write, such as sensors, after `do_motion`: a dict.")
+      .def(py::pickle(&pickled, &unpickled))
       .def("__repr__", [](const state_object& x) {
         const auto numbers = [](const Eigen::VectorXd& v) {
           return py::repr(py::list(to_array(v).attr("tolist")())).cast<std::string>();

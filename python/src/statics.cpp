@@ -11,14 +11,25 @@ namespace {
 py::object loads_from(py::handle loads) {
   return loads.is_none() ? py::object(py::dict()) : py::reinterpret_borrow<py::object>(loads);
 }
-/// f(chain, state with the inputs) without the GIL.
+kte::runtime_state state_with(const kte::runtime_chain& c, py::handle inputs) {
+  kte::runtime_state s = c.make_state();
+  if (!inputs.is_none()) put_inputs(c, s, inputs);
+  return s;
+}
+/// f(chain, state with the inputs) without the GIL; Ctrl-C ends it.
 template <class F>
 auto compute_with(const chain_object& c, py::handle inputs, const F& f) {
-  kte::runtime_state s = c.chain().make_state();
-  if (!inputs.is_none()) put_inputs(c.chain(), s, inputs);
+  kte::runtime_state s = state_with(c.chain(), inputs);
   const lease held(c);
-  const py::gil_scoped_release without;
-  return f(c.chain(), s);
+  return run_interruptibly([&] { return f(c.chain(), s); });
+}
+kte::natural_modes_result modes_at(const chain_object& c, py::handle inputs, const Eigen::VectorXd& q) {
+  constexpr int quick = 30;  // coordinates: their modes take milliseconds
+  if (c.chain().dofs() <= quick)
+    return compute_with(c, inputs, [&](const auto& k, auto& s) { return kte::natural_modes(k, s, q); });
+  const auto own = std::make_shared<kte::runtime_chain>(c.chain());
+  const auto s = std::make_shared<kte::runtime_state>(state_with(*own, inputs));
+  return run_aside([own, s, q] { return kte::natural_modes(*own, *s, q); });
 }
 py::object as_python(const kte::tangent_stability& x) {
   return result("Stability", py::make_tuple(x.stiffness, x.unstable, x.asymmetry));
@@ -109,7 +120,7 @@ Others as for `static_equilibrium`.)",
       [](py::handle chain, py::handle q, py::handle inputs) {
         const auto& c = chain_of(chain);
         const auto at = vector_from("q", q, c.chain().nq());
-        const auto r = compute_with(c, inputs, [&](const auto& k, auto& s) { return kte::natural_modes(k, s, at); });
+        const auto r = modes_at(c, inputs, at);
         return result("NaturalModes", py::make_tuple(to_array(r.frequency), to_array(r.damping),
                                                      complex_array(r.root, true), complex_array(r.shape, false)));
       },

@@ -17,6 +17,18 @@ import kte
 robot = kte.load_robot(FILE)
 signal.signal(signal.SIGINT, signal.default_int_handler)  # jobs in the background of a shell ignore it
 many = np.random.default_rng(1).standard_normal((N, 7))
+
+
+def beam(n):  # links with springs
+    chain, base = kte.Chain(), "base"
+    for i in range(n):
+        chain << kte.revolute_joint_3D(f"q{i}", base, f"a{i}", axis=[0, 1, 0]) << kte.joint_stiffness_gen(f"q{i}", 100.0)
+        chain << kte.rigid_link_3D(f"a{i}", f"b{i}", [0.1, 0, 0]) << kte.inertia_3D(f"b{i}", mass=0.1)
+        base = f"b{i}"
+    return chain
+
+
+prepared = PREPARED
 print("ready", flush=True)
 try:
     CALL
@@ -25,9 +37,10 @@ except KeyboardInterrupt:
 """
 
 
-def seconds_to_stop(file, call, n, after, **variables):
+def seconds_to_stop(file, call, n, after, prepared="None", **variables):
     """From a SIGINT some seconds after the begin of a call until it raises KeyboardInterrupt."""
     text = PROGRAM.replace("FILE", repr(str(file))).replace("CALL", call).replace("N,", f"{n},")
+    text = text.replace("PREPARED", prepared.replace("FILE", repr(str(file))))
     environment = {**os.environ, "PYTHONPATH": str(Path(kte.__file__).parents[1]), **variables}
     command = [sys.executable, "-c", text]
     with subprocess.Popen(command, env=environment, stdout=subprocess.PIPE, text=True) as child:
@@ -55,6 +68,21 @@ def seconds_to_stop(file, call, n, after, **variables):
 )
 def test_calls_hear_ctrl_c(robots, call, n):
     assert seconds_to_stop(robots / "iiwa14.urdf", call, n, after=0.05) < 0.5
+
+
+@pytest.mark.parametrize(
+    "prepared, call",
+    [
+        ("beam(200)", "kte.static_equilibrium(prepared, [0.0] * 200, loads={'b199': [0, 0, -100]})"),
+        ("beam(10)", "kte.equilibrium_path(prepared, [0.0] * 10, loads={'b9': [0, 0, -1]}, step=1e-7, points=10**8)"),
+        ("beam(300)", "kte.natural_modes(prepared, [0.0] * 300)"),
+        ("beam(60)", "kte.inverse_kinematics(prepared, 'b59', [90, 0, 0], start=[0.1] * 60, numeric=True)"),
+        ("kte.load_robot(FILE.replace('iiwa14', 'four_bar'))", "kte.assemblies(prepared, 10**8, held=['q1'])"),
+    ],
+    ids=lambda x: x.split("(")[0],
+)
+def test_iterations_and_eigenvalues_hear_ctrl_c(robots, prepared, call):
+    assert seconds_to_stop(robots / "iiwa14.urdf", call, 1, after=0.3, prepared=prepared) < 2
 
 
 def test_compilation_hears_ctrl_c_and_leaves_nothing(robots, tmp_path):

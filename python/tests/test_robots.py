@@ -155,3 +155,15 @@ def test_motions_keep_limits(iiwa):
         kte.quintic_motion(iiwa, start, [0, 0, 0, 3, 0, 0, 0])
     with pytest.raises(TypeError, match="t must be a number"):
         kte.quintic_motion(iiwa, start, end)("now")
+
+
+def test_options_out_of_their_range_and_zero_bytes_are_named(robots, iiwa):
+    for tolerance in (-1.0, 1e308, float("nan")):
+        with pytest.raises(kte.BadArgument, match="quarter_turn_tolerance must be between 0 and 0.1 rad, got"):
+            kte.load_robot(robots / "iiwa14.urdf", quarter_turn_tolerance=tolerance)
+    with pytest.raises(kte.UnknownName, match=r"nothing named 'to\\x00ol'"):
+        kte.forward_kinematics(iiwa, np.zeros(7), "to\0ol")
+    with pytest.raises(kte.BadArgument, match=r"must be finite, as must its square, got \(1e\+308, 0, 0\)"):
+        kte.inverse_kinematics(iiwa, "tool", [1e308, 0, 0], np.eye(3), numeric=True)
+    with pytest.raises(kte.BadArgument, match="the position, or its square, is not finite"):
+        kte.inverse_kinematics_all(iiwa, "tool", [1e308, 0, 0], np.eye(3))

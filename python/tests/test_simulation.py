@@ -352,3 +352,36 @@ def test_implicit_control_may_be_stiff(pendulum):
     assert abs(explicit - 0.3) > 1 and calls < 1.1  # unstable
     with pytest.raises(kte.BadArgument, match="implicit_control is an option of moreau_jean, not of rodas"):
         kte.simulate(pendulum, [0.5], time=1, solver="rodas", implicit_control=True)
+
+
+@pytest.mark.parametrize(
+    "tolerance, why",
+    [
+        (1e-300, "relative tolerance 1e-300 of component 0 is out of reach of the arithmetic: 8.88"),
+        (0, "absolute and relative tolerance are both 0"),
+        (-1, "absolute tolerance must be finite and not negative, got -1"),
+        (float("nan"), "absolute tolerance must be finite and not negative, got nan"),
+        (float("inf"), "absolute tolerance must be finite and not negative, got inf"),
+    ],
+)
+def test_tolerances_that_are_none_are_refused(pendulum, tolerance, why):
+    with pytest.raises(kte.BadArgument, match=why):
+        kte.simulate(pendulum, [0.0], time=1, tolerance=tolerance)
+
+
+def test_an_absolute_tolerance_too_small_for_the_rates_is_named(pendulum):
+    with pytest.raises(kte.IntegrationFailure, match=r"tolerance \S+ of component 1 is too small for its rate -19.62") as e:
+        kte.simulate(pendulum, [0.0], time=1, absolute=1e-160, relative=1e-6)
+    assert e.value.reason == "out_of_reach"
+
+
+def test_rows_further_apart_than_the_simulation_are_its_ends(pendulum):
+    for every in (0.5, 1, 1e8, 1e12, 1e308, float("inf")):
+        assert kte.simulate(pendulum, [0.1], time=0.5, every=every).t.tolist() == [0, 0.5]
+    assert kte.simulate(pendulum, [0.1], time=0.5, every=0.1).t.tolist() == [0, 0.1, 0.2, 0.1 * 3, 0.4, 0.5]
+    assert kte.simulate(pendulum, [0.1], time=-1e-12, every=1).t.tolist() == [0, -1e-12]
+
+
+def test_a_time_that_is_lost_in_rounding_is_refused(pendulum):
+    with pytest.raises(kte.BadArgument, match=r"a time of 1 s is lost in the rounding of t = 1e\+30 s"):
+        kte.simulate(pendulum, [0.1], time=1, t=1e30)

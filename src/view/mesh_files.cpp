@@ -16,7 +16,8 @@ constexpr std::size_t most_meshes = 10000;
 std::string bytes_text(std::uintmax_t n) { return std::to_string(n >> 20) + " MiB"; }
 }  // namespace
 
-int mesh_files::index_of(const std::string& name, const vec3<>& scale, std::string_view from) {
+int mesh_files::index_of(const std::string& name, const vec3<>& scale, std::string_view from, std::string_view link) {
+  link_ = link;
   const auto [known, fresh] =
       known_.emplace(std::pair(std::string(from) + '\n' + name, std::array{scale.x, scale.y, scale.z}), -1);
   if (fresh) known->second = read(name, scale, from);
@@ -33,9 +34,9 @@ std::string mesh_files::shown(const std::string& name, std::string_view from) co
 }
 
 int mesh_files::cannot(const std::string& name, const std::string& why) {
-  auto note = "mesh '" + name + "' is not drawn: " + why;
-  if (std::find(scene_.notes.begin(), scene_.notes.end(), note) == scene_.notes.end())
-    scene_.notes.push_back(std::move(note));
+  const auto note = "mesh '" + name + "' is not drawn: " + why + " (link '";
+  if (std::none_of(scene_.notes.begin(), scene_.notes.end(), [&](const auto& n) { return n.starts_with(note); }))
+    scene_.notes.push_back(note + link_ + "')");
   return -1;
 }
 

@@ -16,8 +16,8 @@ class mesh_files {
       : scene_(s), file_(std::move(file)), search_path_(std::move(search_path)) {}
 
   /// The index in the scene of a mesh, named as written in the file `from` (the robot's own if empty). -1 where it
-  /// cannot be drawn: why is then a note of the scene.
-  int index_of(const std::string& name, const vec3<>& scale, std::string_view from);
+  /// cannot be drawn: why is then a note of the scene, with the first link that has it.
+  int index_of(const std::string& name, const vec3<>& scale, std::string_view from, std::string_view link);
 
  private:
   /// The folder of a file that names meshes.
@@ -32,6 +32,7 @@ class mesh_files {
   scene& scene_;
   std::string file_;
   std::vector<std::string> search_path_;
+  std::string link_;  ///< for which a mesh is read
   std::map<std::pair<std::string, std::array<double, 3>>, int> known_;
 };
 

@@ -77,7 +77,7 @@ void add_shapes(scene& s, const detail::chain_parts& chain) {
     scene::shape drawn{at->second, place_of(x.origin), {}, {}, colour_of(x), part.collision};
     bool ok = true;
     if (x.is == form::mesh) {
-      drawn.type = "mesh", drawn.mesh = meshes.index_of(x.mesh, x.scale, part.file);
+      drawn.type = "mesh", drawn.mesh = meshes.index_of(x.mesh, x.scale, part.file, part.frame);
       ok = drawn.mesh >= 0;
     } else if (!describe(x, drawn)) {
       s.notes.push_back(what + " is not drawn: it is a height field, or has no geometry that is read");

@@ -192,7 +192,48 @@ TEST_CASE("dampers, springs and motors may be stiff") {
   }
 }
 
-TEST_CASE("a stiff control law on coordinates is implicit") {
+/// x'' = 2 + u/2 with u = -8 x - 4 x' + 6 sin(3 t), by a law that counts its calls.
+struct swinging {
+  runtime_chain chain = [] {
+    auto c = two_carts();
+    c << driving_actuator_gen("x", "motor");
+    return c;
+  }();
+  manipulator_dynamics_model<runtime_chain> model{chain};
+  int calls = 0;
+
+  double end(double h, const time_stepping_options& options) {
+    calls = 0;
+    controlled under(std::ref(model), [this](double t, const Eigen::VectorXd& x) {
+      ++calls;
+      return Eigen::VectorXd(Eigen::VectorXd::Constant(1, -8 * x[0] - 4 * x[2] + 6 * std::sin(3 * t)));
+    });
+    moreau_jean solver(std::ref(under), 0.0, model.make_x(numbers({0.3, 0}), numbers({0.1, 0})), h, options);
+    solver.integrate(1.0, every(0.25), [&](double t, const auto& x) { (void)solver.state_at(t, x); });
+    return solver.state()[0];
+  }
+};
+
+TEST_CASE("a law is called once a step by default, and the order is 1 either way") {
+  swinging s;
+  controlled under(std::ref(s.model), [](double t, const Eigen::VectorXd& x) {
+    return Eigen::VectorXd(Eigen::VectorXd::Constant(1, -8 * x[0] - 4 * x[2] + 6 * std::sin(3 * t)));
+  });
+  dormand_prince45 exact(std::ref(under), 0.0, s.model.make_x(numbers({0.3, 0}), numbers({0.1, 0})),
+                         {.absolute = 1e-12, .relative = 1e-12});
+  exact.integrate(1.0);
+  const auto error = [&](double h, bool implicit) {
+    return std::abs(s.end(h, {.implicit_control = implicit}) - exact.state()[0]);
+  };
+  CHECK(error(0.01, false) < 0.02);
+  CHECK(s.calls == 101);  // and for the recorder before the first step
+  CHECK(std::abs(error(0.01, false) / error(0.005, false) - 2) < 0.1);
+  CHECK(error(0.01, true) < 0.005);
+  CHECK(s.calls > 4 * 100);
+  CHECK(error(0.01, true) / error(0.005, true) > 1.9);
+}
+
+TEST_CASE("a stiff control law on coordinates is implicit with implicit_control") {
   auto c = two_carts();
   c << driving_actuator_gen("x", "motor");
   manipulator_dynamics_model model(c);
@@ -201,10 +242,13 @@ TEST_CASE("a stiff control law on coordinates is implicit") {
     ++calls;
     return Eigen::VectorXd(Eigen::VectorXd::Constant(1, -1e6 * x[0] - 1e6 * x[2]));
   });
-  moreau_jean solver(std::ref(under), 0.0, model.make_x(numbers({0, 0}), numbers({0, 0})), 1e-2);
+  const auto x0 = model.make_x(numbers({0, 0}), numbers({0, 0}));
+  moreau_jean solver(std::ref(under), 0.0, x0, 1e-2, {.implicit_control = true});
   solver.integrate(30.0);
   CHECK(std::abs(solver.state()[0] - 4e-6) < 1e-9);
   CHECK(calls < 10 * 3000);
+  moreau_jean held(std::ref(under), 0.0, x0, 1e-2);
+  CHECK_THROWS_AS(held.integrate(30.0), integration_failure);
 }
 
 TEST_CASE("internal states of elements and of laws") {

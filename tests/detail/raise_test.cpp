@@ -1,4 +1,4 @@
-#include <kte/detail/raise.hpp>
+#include <kte/errors.hpp>
 
 #include <stdexcept>
 #include <string>
@@ -19,6 +19,11 @@ constexpr int positive(int x) {
 TEST_CASE("errors are thrown with what they are made of") {
   CHECK_THROWS_WITH(raise<std::runtime_error>("why"), "why");
   CHECK_THROWS_AS(raise<std::out_of_range>("why"), std::out_of_range);
+}
+
+TEST_CASE("zero bytes do not cut a message short") {
+  CHECK_THROWS_WITH(raise<kte::unknown_name>(std::string("no '\0a\0'", 8) + ", but others"),
+                    "no '\\x00a\\x00', but others");
 }
 
 TEST_CASE("what is required says why it fails, and costs constant expressions nothing") {

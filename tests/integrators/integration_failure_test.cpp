@@ -74,6 +74,12 @@ TEST_CASE("tolerances that arithmetic cannot reach are refused, when they are") 
                       contains_text("relative tolerance ") &&
                           contains_text("of component 0 is out of reach of the arithmetic: 8.88"));
     for (double relative : {tiny, 0.0}) {
+      if (tiny == 1e-300) {  // a tolerance for no number
+        CHECK_THROWS_WITH(dormand_prince45(oscillator, 0.0, x, {.absolute = tiny, .relative = relative}),
+                          contains_text("relative tolerance " + detail::number(relative) +
+                                        " of component 0 is out of reach of the arithmetic: 8.88"));
+        continue;
+      }
       dormand_prince45 solver(oscillator, 0.0, x, {.absolute = tiny, .relative = relative});
       CHECK_THROWS_WITH(solver.integrate(1), contains_text("stopped at t = 0: the tolerance ") &&
                                                  contains_text("of component 0, which is 1, is out of reach"));
@@ -84,6 +90,10 @@ TEST_CASE("tolerances that arithmetic cannot reach are refused, when they are") 
   dormand_prince45 later(rises, 0.0, scalar_state(0.0), {.absolute = 1e-18, .relative = 0});
   CHECK_THROWS_WITH(later.integrate(1), contains_text("is out of reach of the arithmetic"));
   CHECK(later.statistics().steps < 100);
+  dormand_prince45 too_small(rises, 0.0, scalar_state(0.0), {.absolute = 1e-160, .relative = 1e-6});
+  CHECK_THROWS_WITH(too_small.integrate(1),
+                    contains_text("at t = 0: the tolerance 9.9999999999999999e-161 of component 0 is too small for its "
+                                  "rate 1"));
   dormand_prince45 small(oscillator, 0.0, 1e-10 * x, {.absolute = 1e-20, .relative = 0});  // within reach of 1e-10
   small.integrate(1);
   CHECK(small.state()[0] == within(1e-10 * std::cos(1.0), 1e-18));

@@ -284,7 +284,12 @@ TEST_CASE("files are UTF-8, with a byte order mark or without") {
   CHECK(json("\xEF\xBB\xBF" + model).empty());
   CHECK(json("\xEF\xBB\xBF{,") == "1:2: expected a name in quotes");
   CHECK(xml("\xEF\xBB\xBF<?xml version='1.0'?>" + xml_model("<gravity>0 0 0</gravity><elements/>")).empty());
-  CHECK(json("\xFF\xFE{") == "1:1: this is not UTF-8");
+  using namespace std::string_literals;
+  const std::string utf16 = "1:1: this is UTF-16, and kte reads UTF-8: save the file as UTF-8";
+  for (const std::string& text : {"\xFF\xFE{"s, "\xFE\xFF"s, "{\0\n\0"s, "\0{\0\n"s}) CHECK(json(text) == utf16);
+  CHECK(xml("\xFF\xFE<\0"s) == utf16);
+  CHECK(json("\xFF\xFE\0\0{\0\0\0"s) == "1:1: this is UTF-32, and kte reads UTF-8: save the file as UTF-8");
+  CHECK(json("{\0\n "s) == "1:2: here is a zero byte");
   CHECK(json(model + std::string(1, '\0')) == "2:34: here is a zero byte");
   CHECK(xml("<cereal>\x1b") == "1:9: here is a control character");
   for (const char* bad :

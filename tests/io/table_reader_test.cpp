@@ -32,6 +32,17 @@ TEST_CASE("a bad text is reported by line and column") {
   CHECK(message("a b\n1 2\n3 4.") == "line 3: no line end, the file is cut off");
 }
 
+TEST_CASE("zero bytes and other encodings than UTF-8 are said") {
+  using namespace std::string_literals;
+  CHECK(message("a b\n1 2\0\n"s) == "line 2: here is a zero byte, after 3 bytes of the line");
+  CHECK(message("a\0b\n1 2\n"s) == "line 1: here is a zero byte, after 1 bytes of the line");
+  for (const std::string& text : {"\xFF\xFE"
+                                  "a\0\n\0"s,
+                                  "\xFE\xFF\0a\0\n"s, "a\0\n\0"s})
+    CHECK_THAT(message(text, ".csv"),
+               test::contains_text(".csv': this is UTF-16, and kte reads UTF-8: save the file as UTF-8"));
+}
+
 TEST_CASE("commas and tabs separate cells one by one, with blanks around them") {
   const auto cells = [](const char* extension, const std::string& content) {
     scratch file(extension, content);

@@ -149,7 +149,9 @@ TEST_CASE("poses that are none") {
   const auto x = arm.getDependentPoses(std::array{0.1, 0.2, 0.3, 0.4, 0.5, 0.6})[0];
   auto bad = x;
   bad.position.y = NAN;
-  CHECK_THROWS_MATCHES(inverse_kinematics(arm, bad), bad_argument, says("the position is not finite"));
+  CHECK_THROWS_MATCHES(inverse_kinematics(arm, bad), bad_argument, says("the position, or its square, is not finite"));
+  bad.position.y = 1e200;
+  CHECK_THROWS_MATCHES(inverse_kinematics(arm, bad), bad_argument, says("the position, or its square, is not finite"));
   bad.position.y = INFINITY;
   CHECK_THROWS_AS(inverse_kinematics(arm, bad), bad_argument);
   bad = x, bad.rotation.x.x = NAN;

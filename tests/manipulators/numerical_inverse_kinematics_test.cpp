@@ -226,7 +226,10 @@ TEST_CASE("invalid input is refused") {
   const seven q = seven::Zero();
   const double nan = std::nan("");
   CHECK_THROWS_AS(reach_position(tool, vec3{nan, 0.0, 0.0}), bad_argument);
-  CHECK_THROWS_AS(reach_position(tool, vec3{1.0 / 0.0, 0.0, 0.0}), bad_argument);
+  CHECK_THROWS_MATCHES(reach_position(tool, vec3{1.0 / 0.0, 0.0, 0.0}), bad_argument,
+                       test::says("a desired position must be finite, as must its square, got (inf, 0, 0)"));
+  CHECK_THROWS_MATCHES(reach_position(tool, vec3{1.0, 1e200, 0.0}), bad_argument,
+                       test::says("got (1, 9.9999999999999997e+199, 0)"));
   CHECK_THROWS_AS(reach(tool, pose{mat3{axis::x, axis::y, axis::minus_z}, zero3{}}), bad_argument);
   CHECK_THROWS_AS(reach(tool, pose{mat3{vec3{1.1, 0.0, 0.0}, vec3{0.0, 1.0, 0.0}, vec3{0.0, 0.0, 1.0}}, zero3{}}),
                   bad_argument);

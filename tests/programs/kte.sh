@@ -234,6 +234,11 @@ gives 0 '' "$kte" simulate pendulum.json --time 5 --pd target.csv --kp 1000 --kd
 reached 0.99725 0.99745
 printf 't,q\n1,1\n0,1\n' >backwards.csv
 gives 1 'backwards.csv:3: t must grow from row to row' "$kte" simulate pendulum.json --pd backwards.csv
+printf 'q_0\n1\n' >one_target.csv
+gives 1 "PD control of 'q': its force, or the square of that, is not finite: kp 1e+308 times 1, kd" "$kte" simulate pendulum.json --pd one_target.csv --kp 1e308
+gives 1 "PD control of 'q': its force, or the square of that, is not finite" "$kte" simulate pendulum.json --pd one_target.csv --kd 1e308
+printf 'q_0\n1e308\n' >one_target.csv
+gives 1 "is not finite: kp 25 times 1e+308, kd 5 times 0" "$kte" simulate pendulum.json --pd one_target.csv
 printf 'tau_0\n4.905\n' >torque.csv
 gives 0 '' "$kte" simulate pendulum.json --time 1 --input torque.csv
 prints 'change of energy: 0 J'
@@ -244,6 +249,12 @@ gives 1 "cannot write 'none/a.csv'" "$kte" simulate pendulum.json --record none/
 gives 2 'a recording has 1e+08 rows at most' "$kte" simulate pendulum.json --every 1e-12 --record swing.csv
 gives 2 '--time must be greater than 0' "$kte" simulate pendulum.json --time -1
 gives 2 '--step: '"'0x'"' is not a number' "$kte" simulate pendulum.json --step 0x
+for angle in -1 1e+300; do
+  gives 2 "--quarter-turns is between 0 and 0.1, not $angle" "$kte" check arm.urdf --quarter-turns $angle
+done
+gives 2 '--record is empty' "$kte" simulate pendulum.json --record ''
+gives 2 '--output is empty' "$kte" view pendulum.json -o ''
+gives 2 '--column is empty' "$kte" simulate pendulum.json --record none.csv --column q --column ''
 for command in simulate view live; do
   gives 1 "has no configuration 'home'" "$kte" $command arm.urdf --configuration home
   gives 1 "cannot open 'none.csv'" "$kte" $command pendulum.json --start none.csv
@@ -251,6 +262,7 @@ done
 for command in simulate live; do
   gives 2 "there is no solver 'rk4', but dormand_prince45" "$kte" $command pendulum.json --solver rk4
   gives 2 '--tolerance must be greater than 0' "$kte" $command pendulum.json --tolerance 0
+  gives 2 '--tolerance must be at least 8.8818e-16, 4 rounding errors, not 1e-300' "$kte" $command pendulum.json --tolerance 1e-300
   gives 2 '--step must be greater than 0' "$kte" $command pendulum.json --step -1
 done
 gives 1 'there is no column q_0 or v_0' "$kte" simulate pendulum.json --start backwards.csv --pd torque.csv
@@ -337,6 +349,18 @@ gives 1 "'no'" "$kte" ik slide.urdf --frame no --poses poses.csv
 printf 'x,y,z,qw\n' >poses.csv
 gives 1 'poses.csv:1: missing columns: qx, qy, qz' "$kte" ik slide.urdf --frame arm --poses poses.csv
 
+printf 'x,y,z\n1e308,1,0\n' >far.csv
+gives 1 'kte: far.csv:2: a desired position must be finite, as must its square, got (1e+308, 1, 0)' "$kte" ik slide.urdf --frame arm --poses far.csv
+printf 'x,y,z,qw,qx,qy,qz\n1e308,0.1,0.6,0,1,0,0\n' >far.csv
+gives 1 'far.csv:2: inverse kinematics: the position, or its square, is not finite' "$kte" ik "$data/robots/iiwa14.urdf" --frame tool --poses far.csv --all
+printf 'x,y,z,qw,qx,qy,qz\n0.5,0.1,0.6,1,1,0,0\n' >turned.csv
+"$kte" ik "$data/robots/iiwa14.urdf" --frame tool --poses turned.csv >expected 2>errors
+for size in 1e308 1e-200; do
+  sed "2s/1,1,0,0/$size,$size,0,0/" turned.csv >far.csv
+  gives 0 '' "$kte" ik "$data/robots/iiwa14.urdf" --frame tool --poses far.csv
+  if ! cmp -s out expected; then wrong "a quaternion of length $size is another rotation"; fi
+done
+
 # An output that is also an input is refused, by whatever path, and stays.
 cp pendulum.json robot.json && ln -s robot.json link.json && ln robot.json hard.json && ln -s . here
 cp swing.csv t.csv && cp start.csv s.csv && cp robot.json robot.svg && cp swing.csv picture.svg
@@ -413,8 +437,14 @@ gives 1 "cannot open 'arm\xE2\x80\xAE.urdf'" "$kte" check "$turned"
 mesh() { printf '<visual><geometry><mesh filename="%s"/></geometry></visual>' "$1"; }
 printf 'solid x\nfacet\n' >bad.stl
 printf '<robot name="r"><link name="a">%s%s%s</link></robot>' "$(mesh bad.stl)" "$(mesh bad.stl)" "$(mesh "$PWD/none.stl")" >meshes.urdf
-gives 0 "kte: meshes.urdf: mesh 'bad.stl' is not drawn: bad.stl:" "$kte" view meshes.urdf
+gives 0 "kte: meshes.urdf: mesh 'bad.stl' is not drawn: bad.stl:3: the file ends in facet 0, where normal must stand (link 'a')" "$kte" view meshes.urdf
 if [ "$(grep -c 'is not drawn' errors)" -ne 2 ]; then wrong 'meshes that are not drawn are not one line each'; fi
+gives 0 '' "$kte" check meshes.urdf
+prints "meshes.urdf: mesh 'bad.stl' is not drawn: bad.stl:3: "
+prints "meshes.urdf: mesh 'none.stl' is not drawn: it is not found, neither in the folders around the robot's file nor in those of --search (link 'a')"
+sed 's/bad\.stl/bad.dae/g' meshes.urdf >other.urdf
+gives 0 '' "$kte" check other.urdf
+prints "  mesh 'bad.dae' is not drawn: only .stl, .obj and .msh are read (link 'a')"
 if grep -q "$PWD" meshes.html; then wrong 'a page has a folder of this machine'; fi
 
 # Files that a robot's file refers to are inputs, too.

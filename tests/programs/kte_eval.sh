@@ -13,11 +13,23 @@ full "$kte" eval --help
 full "$kte" check arm.urdf
 full "$kte" eval arm.urdf states.csv
 full "$kte" eval arm.urdf states.csv --precision 50
-for digits in 17.9 1e300 -17 16 '' 17x 050; do
+for digits in 17.9 1e300 -17 16 17x 050; do
   gives 2 "--precision is 17 or 50, not '$digits'" "$kte" eval arm.urdf states.csv --precision "$digits"
 done
+gives 2 '--precision is empty' "$kte" eval arm.urdf states.csv --precision ''
+gives 2 '--frame is empty' "$kte" eval arm.urdf states.csv --frame arm --frame ''
 gives 2 "--gravity: 'nan' is not finite" "$kte" eval arm.urdf states.csv --gravity nan 0 0
 gives 2 "--gravity: '1e999' is not a number" "$kte" eval arm.urdf states.csv --gravity 1e999 0 0
+
+# Tables with zero bytes, and files that are not UTF-8.
+printf 'q_0\n0.1\n0.\0002\n' >zero.csv
+gives 1 'kte: zero.csv:3:3: here is a zero byte' "$kte" eval arm.urdf zero.csv --ops m
+printf '\377\376q\000_\0000\000\n\000' >wide.csv
+gives 1 'kte: wide.csv: this is UTF-16, and kte reads UTF-8: save the file as UTF-8' "$kte" eval arm.urdf wide.csv --ops m
+printf '\000q\000_\0000\000\n' >wide.csv
+gives 1 'kte: wide.csv: this is UTF-16' "$kte" eval arm.urdf wide.csv --ops m
+printf '\377\376<\000r\000' >wide.urdf
+gives 1 'kte: wide.urdf:1:1: this is UTF-16, and kte reads UTF-8: save the file as UTF-8' "$kte" eval wide.urdf states.csv
 
 # Closed loops.
 loop="$data/robots/four_bar.urdf"

@@ -189,6 +189,38 @@ TEST_CASE("friction and restitution are those of the options, or of the file") {
         holding("these are not read: condim above 3, margin, solref (!)"));
 }
 
+TEST_CASE("whole numbers of contacts are such, and fit into their type") {
+  const auto foot = [](const std::string& attributes) {
+    auto t = quadruped_mjcf("<geom name='floor' type='plane' size='1 1 1'/>");
+    t.replace(t.find("friction='.7'"), 13, attributes);
+    return [t] { (void)read(t, on()); };
+  };
+  const auto refused = [&](const std::string& attributes, const std::string& why) {
+    CHECK_THROWS_MATCHES(foot(attributes)(), bad_file, test::says("geom 'FL_foot': " + why));
+  };
+  const std::string of_int = "must be a whole number from -2147483648 to 2147483647, got ";
+  refused("priority='1e300'", "priority " + of_int + "1.0000000000000001e+300");
+  refused("priority='0.5'", "priority " + of_int + "0.5");
+  refused("group='-1e10'", "group " + of_int + "-10000000000");
+  refused("group='2.5'", "group " + of_int + "2.5");
+  refused("contype='1.5'", "contype must be a whole number from -2147483648 to 4294967295, got 1.5");
+  refused("conaffinity='5e9'", "conaffinity must be a whole number from -2147483648 to 4294967295, got 5000000000");
+  refused("condim='1e300'", "condim must be a whole number from 1 to 6, got 1.0000000000000001e+300");
+  refused("condim='2'", "condim must be 1, 3, 4 or 6, got 2");
+  CHECK_NOTHROW(foot("priority='-3' condim='4' contype='4294967295' conaffinity='-1' group='-2'")());
+
+  const auto mask = [](const std::string& bits) {
+    return [=] {
+      (void)read(quadruped_sdf("<surface><contact><collide_bitmask>" + bits + "</collide_bitmask></contact></surface>"),
+                 floating());
+    };
+  };
+  for (const std::string bits : {"all", "-1", "1.5", "1e300", "0x", "4294967296", "3 4"})
+    CHECK_THROWS_MATCHES(mask(bits)(), bad_file,
+                         test::says("<collide_bitmask>: '" + bits + "' is not a whole number of 32 bits"));
+  for (const std::string bits : {"", " 7 ", "0xFFFFFFFF", "65535"}) CHECK_NOTHROW(mask(bits)());
+}
+
 TEST_CASE("planes of MJCF are the ground, with types, exclusions and pairs") {
   const auto box = [](const std::string& floor, const std::string& geom, const std::string& rest = "") {
     return read(

@@ -48,13 +48,14 @@ TEST_CASE("sizes of height fields are whole numbers from 2, and those of their d
     refuses(field(rest), "a.xml", why);
   };
   refuses_field("nrow='1.3333333333333333' ncol='3' elevation='0 0 0 1'",
-                "nrow must be a whole number from 2, got 1.33");
-  refuses_field("nrow='8' ncol='0.5' elevation='0 0 0 1'", "ncol must be a whole number from 2, got 0.5");
-  refuses_field("nrow='-2' ncol='-2' elevation='0 0 0 1'", "nrow must be a whole number from 2, got -2");
-  refuses_field("nrow='1e300' ncol='1e300' elevation='0 0 0 1'", "elevation must have nrow ncol numbers");
+                "nrow must be a whole number from 2 to 1000000, got 1.33");
+  refuses_field("nrow='8' ncol='0.5' elevation='0 0 0 1'", "ncol must be a whole number from 2 to 1000000, got 0.5");
+  refuses_field("nrow='-2' ncol='-2' elevation='0 0 0 1'", "nrow must be a whole number from 2 to 1000000, got -2");
+  refuses_field("nrow='1e300' ncol='1e300' elevation='0 0 0 1'",
+                "nrow must be a whole number from 2 to 1000000, got 1");
   refuses_field("nrow='2' ncol='3' elevation='0 0 0 1'", "elevation must have nrow ncol numbers");
   refuses_field("ncol='2' elevation='0 0 0 1'", "has no nrow");
-  refuses_field("nrow='1' ncol='2'", "nrow must be a whole number from 2, got 1");
+  refuses_field("nrow='1' ncol='2'", "nrow must be a whole number from 2 to 1000000, got 1");
 
   // A field without data is level, whatever its size.
   const auto level = to_robot(describe_robot(field("nrow='100000' ncol='100000'"), "a.xml", touching()), touching());

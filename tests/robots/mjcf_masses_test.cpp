@@ -81,8 +81,8 @@ TEST_CASE("meshes that MJCF makes from parameters have the masses of MuJoCo 4.0.
   };
   refused("builtin='plate' params='2 2'", "the mass of the builtin mesh 'plate' is not read");
   refused("builtin='sphere' params='1 2'", "params of a sphere must have 1 number, got 2");
-  refused("builtin='sphere' params='9'", "the first number of params must be whole, from 0 to 4, got 9");
-  refused("builtin='cone' params='3.5 1'", "the first number of params must be whole, from 3 to 1000, got 3.5");
+  refused("builtin='sphere' params='9'", "the first number of params must be a whole number from 0 to 4, got 9");
+  refused("builtin='cone' params='3.5 1'", "the first number of params must be a whole number from 3 to 1000, got 3.5");
   refused("builtin='supertorus' params='8 0 1 1'", "number 2 of params must be positive, got 0");
   refused("builtin='sphere'", "has no params");
 }

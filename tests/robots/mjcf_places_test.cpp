@@ -40,8 +40,8 @@ TEST_CASE("frames and replicates stand where they say") {
   const auto refused = [](const std::string& inside, const std::string& why) {
     CHECK_THROWS_MATCHES(from_mjcf(mjcf(inside)), bad_file, says(why));
   };
-  refused("<replicate count='0'/>", "count must be a whole number from 1");
-  refused("<replicate count='2.5'/>", "count must be a whole number from 1");
+  refused("<replicate count='0'/>", "count must be a whole number from 1 to 1000000");
+  refused("<replicate count='2.5'/>", "count must be a whole number from 1 to 1000000");
   refused("<replicate count='1000'><replicate count='1000'><body/></replicate></replicate>",
           "more than 300000 elements");
   refused("<frame childclass='x'/>", "there is no default class 'x'");

@@ -2,6 +2,7 @@
 
 #include <kte/io/file.hpp>
 #include <kte/io/table_number.hpp>
+#include <kte/io/text_encoding.hpp>
 #include <kte/io/text_table.hpp>
 
 #include <algorithm>
@@ -21,6 +22,7 @@ class state_table {
     const std::string bytes = kte::detail::read_file(path, largest_table);
     if (bytes.size() > largest_table)
       throw kte::bad_file("kte: " + path.string() + ": has more than " + std::to_string(largest_table) + " bytes");
+    if (const char* why = kte::detail::other_encoding(bytes)) throw kte::bad_file("kte: " + path.string() + ": " + why);
     std::string_view text = kte::detail::without_mark(bytes);
     for (int line = 1; !text.empty(); ++line) {
       const auto end = std::min(text.find('\n'), text.size());
@@ -67,6 +69,8 @@ class state_table {
            std::to_string(std::count_if(text.data(), at, is_first) + 1) + ": ";
   }
   void read_line(std::string_view text, int line) {
+    if (const auto zero = text.find('\0'); zero != text.npos)
+      throw kte::bad_file(place_in(text, line, text.data() + zero) + "here is a zero byte");
     auto rest = kte::detail::without_blanks(text);
     if (rest.empty()) return;
     const bool head = names_.empty();

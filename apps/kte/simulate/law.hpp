@@ -7,6 +7,7 @@
 #include "simulate/plant.hpp"
 #include "simulate/time_table.hpp"
 #include "state_input.hpp"
+#include "text_format.hpp"
 
 namespace kte_tool {
 
@@ -53,6 +54,7 @@ inline int place_of_input(const plant::model_type& m, const std::string& name) {
 class pd_control {
  public:
   struct joint {
+    std::string name;
     int q, v, u;
     double kp, kd, effort;
   };
@@ -87,8 +89,14 @@ class pd_control {
     for (const auto& j : joints_) {
       const double v = input_.has_v(j.v) ? rates_[j.v] : slope_[j.q];
       const double weight = compensates_ ? weight_[j.v] : 0;
-      const double tau = j.kp * (target_[j.q] - x[j.q]) + j.kd * (v - x[nq + j.v]) + weight;  // (1)
-      u[j.u] += std::clamp(tau, -j.effort, j.effort);
+      const double dq = target_[j.q] - x[j.q], dv = v - x[nq + j.v];
+      const double tau = std::clamp(j.kp * dq + j.kd * dv + weight, -j.effort, j.effort);  // (1)
+      if (!std::isfinite(tau * tau))
+        throw kte::bad_argument("kte: PD control of '" + j.name +
+                                "': its force, or the square of that, is not finite: kp " + short_number(j.kp) +
+                                " times " + short_number(dq) + ", kd " + short_number(j.kd) + " times " +
+                                short_number(dv));
+      u[j.u] += tau;
     }
   }
 

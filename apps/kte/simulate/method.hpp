@@ -38,11 +38,11 @@ class plant_method : public plant_solver {
   Solver solver_;
 };
 
-/// A method of a family, made at the start: `how` is its tolerances or its step.
-template <template <class, class> class Method, class How>
-std::unique_ptr<plant_solver> method(plant& p, const plant::state& x, const How& how) {
+/// A method of a family, made at the start: `how` is its tolerances, or its step and options.
+template <template <class, class> class Method, class... How>
+std::unique_ptr<plant_solver> method(plant& p, const plant::state& x, const How&... how) {
   using solver = Method<std::reference_wrapper<plant>, plant::state>;
-  return std::make_unique<plant_method<solver>>(p, [&] { return solver(std::ref(p), 0.0, x, how); });
+  return std::make_unique<plant_method<solver>>(p, [&] { return solver(std::ref(p), 0.0, x, how...); });
 }
 
 /// A solver of a multistep method, for which states are vectors.

@@ -32,6 +32,10 @@ command& add_solver(command& c, solver_options& o) {
 void check_settings(const solver_options& o) {
   for (const auto& [name, x] : {std::pair("--tolerance", o.tolerance), std::pair("--step", o.step)})
     if (!(x > 0)) throw usage_error(std::string(name) + " must be greater than 0, not " + short_number(x));
+  constexpr double least = 4 * std::numeric_limits<double>::epsilon();  // kte::tolerances
+  if (o.tolerance < least)
+    throw usage_error("--tolerance must be at least " + short_number(least) + ", 4 rounding errors, not " +
+                      short_number(o.tolerance));
 }
 
 std::unique_ptr<plant_solver> make_solver(plant& p, const plant::state& x, const solver_options& o) {

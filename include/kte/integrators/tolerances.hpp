@@ -39,8 +39,9 @@ class per_component {
 ///
 ///   w_i = absolute_i + relative_i |x_i|            (1)
 ///
-/// One of the two may be 0. Tolerances below the rounding error, w_i < 4 eps |x_i|, are rejected, because every step
-/// rounds by eps/2. For states with rotations, components are those of rates (`rate_of`).
+/// One of the two may be 0; an absolute tolerance whose square vanishes, below 1e-154, counts as 0. Tolerances below
+/// the rounding error, w_i < 4 eps |x_i|, are rejected, because every step rounds by eps/2. For states with rotations,
+/// components are those of rates (`rate_of`).
 template <class S>
 struct tolerances {
   per_component<S> absolute = S(1e-6);  ///< in units of the state; not negative
@@ -67,7 +68,7 @@ struct tolerances {
       if (!(absolute[i] + relative[i] > S(0)))
         detail::raise<bad_argument>("kte: absolute and relative tolerance are both 0, of component " +
                                     std::to_string(i));
-      else if (absolute[i] == S(0) && relative[i] < least_relative())
+      else if (absolute[i] * absolute[i] < (std::numeric_limits<S>::min)() && relative[i] < least_relative())
         detail::raise<bad_argument>("kte: relative tolerance " + detail::number(static_cast<double>(relative[i])) +
                                     " of component " + std::to_string(i) + " is out of reach of the arithmetic: " +
                                     detail::number(static_cast<double>(least_relative())) + " or more");
@@ -91,6 +92,21 @@ struct tolerances {
                ", which is " + detail::number(detail::as_double(sizes[i])) +
                ", is out of reach of the arithmetic: " + detail::number(static_cast<double>(least_relative() * x)) +
                " or more";
+    }
+    return {};
+  }
+
+  /// A message that names the component whose tolerance is too small for its rate f: their ratio has no finite square;
+  /// empty if there is none.
+  template <class X, class R>
+  std::string too_small(const X& sizes, const R& f) const {
+    using std::abs;
+    for (Eigen::Index i = 0; i < sizes.size(); ++i) {
+      const S w = absolute[i] + relative[i] * detail::largest_lane(abs(typename X::Scalar(sizes[i])));
+      const S ratio = detail::largest_lane(abs(typename R::Scalar(f[i]))) / w;
+      if (w > S(0) && !(ratio * ratio <= (std::numeric_limits<S>::max)()))
+        return "the tolerance " + detail::number(static_cast<double>(w)) + " of component " + std::to_string(i) +
+               " is too small for its rate " + detail::number(detail::as_double(f[i]));
     }
     return {};
   }

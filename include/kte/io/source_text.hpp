@@ -2,6 +2,7 @@
 
 #include <kte/contract/file_place.hpp>
 #include <kte/errors.hpp>
+#include <kte/io/text_encoding.hpp>
 #include <kte/io/utf8.hpp>
 
 #include <algorithm>
@@ -26,6 +27,7 @@ class source_text {
   source_text(std::string_view text, std::string name, std::size_t max_bytes = ~std::size_t{0})
       : text_(without_mark(text)), file_(std::make_shared<const std::string>(std::move(name))) {
     if (text.size() > max_bytes) fail(0, file_too_large(max_bytes));
+    if (const char* why = other_encoding(text)) fail(0, why);
     bool empty = true;
     for (std::size_t i = 0, n = 0; i < text_.size(); i += n) {
       n = utf8_length(text_.substr(i));

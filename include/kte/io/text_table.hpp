@@ -3,6 +3,7 @@
 #include <kte/io/file.hpp>
 #include <kte/io/table.hpp>
 #include <kte/io/table_number.hpp>
+#include <kte/io/text_encoding.hpp>
 #include <kte/io/utf8.hpp>
 
 #include <span>
@@ -81,6 +82,7 @@ inline table read_text_table(const std::filesystem::path& path, std::string_view
   const auto bad_cell = [&](const char* what) {
     bad(", column " + std::to_string(column + 1) + ": '" + std::string(cell.substr(0, 80)) + "' " + what);
   };
+  if (const char* why = other_encoding(text)) raise<bad_file>("kte: '" + path.string() + "': " + why);
   text = without_mark(text);
   table t;
   known_names known;
@@ -99,7 +101,10 @@ inline table read_text_table(const std::filesystem::path& path, std::string_view
   while (++line == 1 || !text.empty()) {
     const auto end = text.find('\n');
     if (end == text.npos) bad(text.empty() ? ": no column names" : ": no line end, the file is cut off");
-    auto rest = without_blanks(text.substr(0, end));
+    auto rest = text.substr(0, end);
+    if (const auto zero = rest.find('\0'); zero != rest.npos)
+      bad(": here is a zero byte, after " + std::to_string(zero) + " bytes of the line");
+    rest = without_blanks(rest);
     text.remove_prefix(end + 1);
     const bool ends_open = separator != ' ' && rest.ends_with(separator);  // the last cell is empty
     for (column = 0; !rest.empty(); ++column) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/detail/interruption.hpp>
 #include <kte/kernels/joint_vector.hpp>
 
 #include <limits>
@@ -125,6 +126,7 @@ template <class S, int N>
   bool refined = false;  // refines the free part of (2) to rounding by a second step with the same factors
   if (!at.isZero(0)) free.factorise(h, at);
   for (; out.pivots < most; ++out.pivots) {
+    detail::look_for_interruption();
     gradient(), free.solve(r, step);  // x - step is the minimum over the free unknowns
     S t = S(1);
     Eigen::Index blocking = -1;

@@ -50,6 +50,8 @@ inline constexpr int size_of_column = [] {
 ///   kte::controlled arm(model, [&](double t, const auto& x) { return torques(t, x); });
 ///   kte::dormand_prince45 solver(std::ref(arm), 0.0, arm.make_x(q, v));
 ///
+/// `moreau_jean` evaluates the law once a step unless it has the option `implicit_control`.
+///
 /// x is the state of the model. In (2) the law has states c, such as the integral of a PID controller. They start at
 /// c0, a std::array or Eigen vector of fixed size. Integrators then see the state (x, c), with c as the last internal
 /// states:

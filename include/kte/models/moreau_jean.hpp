@@ -12,6 +12,10 @@ struct time_stepping_options {
   /// The depth up to which a start inside a surface is accepted, relative to the length of the chain. To go on from the
   /// state of a step, which may be deeper, set it.
   double depth = 1e-8;
+  /// Whether the law of `controlled` may be stiff, as long as it acts on coordinates: a step then evaluates it at its
+  /// middle, again where a contact strikes, and twice for each coordinate. Otherwise it is evaluated once a step, at
+  /// its begin, and the inputs are constant within the step.
+  bool implicit_control = false;
 };
 
 /// Time stepping of models with rigid contacts, after Moreau and Jean, order 1, with a fixed step h:
@@ -27,9 +31,10 @@ struct time_stepping_options {
 /// open and close in a step. A penetration of the size h |v| at an impact remains: correcting it would change
 /// velocities.
 ///
-/// D = -df/dv and K = -df/dq are those of springs, dampers, motors and other elements between coordinates, and of the
-/// law of `controlled` on coordinates, so that they may be stiff; those of a law are differences. Forces between frames
-/// are explicit. Internal states z are linearly implicit. Dense output: linear.
+/// D = -df/dv and K = -df/dq are those of springs, dampers, motors and other elements between coordinates, and with
+/// `implicit_control` of the law of `controlled` on coordinates, so that they may be stiff; those of a law are
+/// differences. Forces between frames are explicit, as is a law without this option. Internal states z are linearly
+/// implicit. Dense output: linear.
 ///
 /// Moreau, Numerical aspects of the sweeping process, Computer Methods in Applied Mechanics and Engineering 177 (1999);
 /// Jean, The non-smooth contact dynamics method, same volume.
@@ -54,7 +59,10 @@ class moreau_jean : public fixed_step<moreau_jean<F, X>, F, X> {
   /// that is not positive, a start that is not finite, and a start inside a surface, with the name of the contact.
   moreau_jean(F f, const S& t0, const std::type_identity_t<X>& x0, const S& step,
               const time_stepping_options& options = {})
-      : base(std::move(f), t0, stepped(f, x0), step), stepper_(detail::model_in(this->system())), d_(this->no_rate()) {
+      : base(std::move(f), t0, stepped(f, x0), step),
+        stepper_(detail::model_in(this->system())),
+        d_(this->no_rate()),
+        implicit_control_(options.implicit_control) {
     stepper_.check_depth(detail::model_in(this->system()), t0, detail::state_of_model(this->system(), x0),
                          options.depth);
     internals_.resize(d_.size() - 2 * detail::model_in(this->system()).velocity_count());
@@ -65,11 +73,12 @@ class moreau_jean : public fixed_step<moreau_jean<F, X>, F, X> {
     return stepper_.contact(name);
   }
   /// A state of the chain at t and x, for recorders: with all its frames, and the accelerations and contact forces of
-  /// the last step, which are means. Of runtime chains valid until the next call.
+  /// the last step, which are means, and the inputs of the law at x or, unless it is implicit, those of the last step.
+  /// Of runtime chains valid until the next call.
   decltype(auto) state_at(const S& t, const X& x) {
     auto& f = this->system();
     const auto& model = detail::model_in(f);
-    set_inputs(t, x);
+    if (implicit_control_ || last_h_ == 0) set_inputs(t, x);
     mean_.setZero(model.velocity_count());
     if (last_h_ > 0) mean_ = change_ / last_h_;
     return stepper_.state_at(model, t, detail::state_of_model(f, x), mean_);
@@ -84,6 +93,7 @@ class moreau_jean : public fixed_step<moreau_jean<F, X>, F, X> {
     const Eigen::Index n = model.velocity_count(), z = internals_.size();
     mark(f, this->x_);
     const auto v = f.velocities_of(this->x_);
+    if (!implicit_control_) this->ask([&] { set_inputs(this->time_, this->x_); });
     d_.head(n) = (h / 2) * v, d_.segment(n, n).setZero();
     internals_.setZero();
     put_internals(this->time_, this->x_, h / 2), d_.tail(z) = internals_;
@@ -98,13 +108,14 @@ class moreau_jean : public fixed_step<moreau_jean<F, X>, F, X> {
       after_ = v;
       this->ask([&] { step(detail::state_of_model(f, x)); });
     };
-    set_inputs(middle, x);
+    set_inputs_within(middle, x);
     const detail::force_slopes* law = nullptr;
-    if constexpr (detail::has_law<detail::unwrapped_type<F>, X>) law = slopes_.find(f, stepper_, middle, x);
+    if constexpr (detail::has_law<detail::unwrapped_type<F>, X>)
+      if (implicit_control_) law = slopes_.find(f, stepper_, middle, x);
     evaluate([&](const auto& at) { stepper_.first(model, middle, at, h, law, after_); });  // (2)
     if (!follows || stepper_.strikes(model)) {
       velocities() = (v + after_) / 2;
-      set_inputs(middle, x);
+      set_inputs_within(middle, x);
       evaluate([&](const auto& at) { stepper_.again(model, middle, at, h, after_); });
     }
     velocities() = after_, put_internals(middle, x, h / 2), d_.tail(z) += internals_;
@@ -125,6 +136,10 @@ class moreau_jean : public fixed_step<moreau_jean<F, X>, F, X> {
   void set_inputs(const S& t, const X& x) {
     if constexpr (detail::has_law<detail::unwrapped_type<F>, X>) this->system().set_inputs(t, x);
   }
+  /// Within a step, where an implicit law is evaluated.
+  void set_inputs_within(const S& t, const X& x) {
+    if (implicit_control_) this->ask([&] { set_inputs(t, x); });
+  }
   /// h z' / (1 - h dz'/dz) at x, with the diagonal of dz'/dz where it is negative, by differences.
   void put_internals(const S& t, const X& x, const S& h) {
     auto& f = this->system();
@@ -132,7 +147,7 @@ class moreau_jean : public fixed_step<moreau_jean<F, X>, F, X> {
     const Eigen::Index all = model.internals(), n = all - detail::numbers_of_contact * model.contacts();
     const Eigen::Index laws = internals_.size() - all;
     if (n + laws == 0) return;
-    set_inputs(t, x);
+    set_inputs_within(t, x);
     const auto rates = [&](const auto& at, auto& to) { stepper_.internal_rates(model, t, at, to.data()); };
     if (n > 0) {
       varied_ = detail::state_of_model(f, x), z_dot_.resize(n), varied_dot_.resize(n);
@@ -155,6 +170,7 @@ class moreau_jean : public fixed_step<moreau_jean<F, X>, F, X> {
   detail::contact_stepper<model_type> stepper_;
   detail::law_slopes<X> slopes_;
   rate d_;
+  bool implicit_control_;
   Eigen::VectorXd after_, change_;  ///< v^+, and v^+ - v of the last step
   S last_h_{};                      ///< of the last step, or 0
   Eigen::VectorXd mean_;            ///< accelerations

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/detail/interruption.hpp>
 #include <kte/dynamics/closed_loops/constrained_dynamics.hpp>
 #include <kte/dynamics/configuration_space.hpp>
 
@@ -117,6 +118,7 @@ class assembly {
       double after = 0;
       bool better = false;
       for (; damping < 1e18; damping *= 8) {
+        look_for_interruption();
         if (!step((std::max)(damping * size, 1e-150), d)) break;
         next = moved_(q, d);
         after = at(next);

@@ -114,6 +114,7 @@ class static_newton {
     double at_p = p, before = std::numeric_limits<double>::infinity();
     for (const int end = close ? iterations_ + longest_way : most_; iterations_ < (std::min)(end, most_);) {
       ++iterations_;
+      look_for_interruption();
       if (!factors_.factor(f_, at, at_p, plane)) return false;
       const Eigen::VectorXd step = factors_.step(tau);
       const double size = size_of(step);

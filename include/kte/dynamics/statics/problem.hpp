@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/detail/interruption.hpp>
 #include <kte/dynamics/configuration_space.hpp>
 #include <kte/dynamics/derivatives.hpp>
 #include <kte/dynamics/external_wrenches.hpp>
@@ -229,6 +230,7 @@ KTE_FUNCTION void static_problem::derive(const loaded_elements& elements) {
   auto& d = state_in_duals(chain_, state_);
   const int* const colour = pattern_.colour.data();
   for (int first = 0; first < pattern_.colours; first += number::variables) {
+    look_for_interruption();
     const directions moving{vector_of::q, first, colour};
     point_along(moving, d.freedoms(), std::span(d.q), std::span(d.v), std::span(d.a));
     inverse_dynamics_in_duals(elements, state_, d, moving);

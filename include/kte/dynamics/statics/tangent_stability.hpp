@@ -3,6 +3,7 @@
 #include <kte/detail/compiled.hpp>
 
 #ifdef KTE_FUNCTION
+#  include <kte/detail/interruption.hpp>
 #  include <kte/dynamics/statics/problem.hpp>
 
 #  include <Eigen/OrderingMethods>
@@ -41,6 +42,7 @@ class symmetric_spectrum {
   }
   int below(double shift) {
     const auto factor = [&] {
+      look_for_interruption();
       shift_ = shift;
       factors_.setShift(-shift);
       factors_.factorize(a_);

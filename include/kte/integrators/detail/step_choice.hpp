@@ -54,8 +54,11 @@ class step_choice {
     using std::abs;
     check_reach(tol, sizes, fail);
     const S d0 = error_norm(tol, sizes, sizes, sizes), d1 = error_norm(tol, f0, sizes, sizes);
-    if (!is_finite(d1)) [[unlikely]]
+    if (!is_finite(d1)) [[unlikely]] {
+      if (const std::string why = tol.too_small(sizes, f0); all_finite(f0) && !why.empty())
+        fail(why, failure_reason::out_of_reach);
       fail("the right-hand side is not a finite number", failure_reason::not_finite);
+    }
     if (tol.initial_step != S(0)) {
       step_ = tol.initial_step;
       control_ = step_controller<S>(order_of_error_);

@@ -100,6 +100,7 @@ descent descend(At& at, const Goals& goals, int most, int patience, double stall
         before = half, next += patience;
       }
       ++out.iterations;
+      look_for_interruption();
       const auto step = best_step(at, eq, S(lambda * S(2) * half));  // (1)
       out.held = step.held;
       if (!(step.less > S(stall) * half)) return out;

@@ -17,7 +17,8 @@ template <class P>
 vec3<> finite_place(const P& position) {
   const auto p = as<double>(in_space(position));
   if (!(dot(p, p) < std::numeric_limits<double>::infinity()))
-    raise<bad_argument>("kte: a desired position must be finite");
+    raise<bad_argument>("kte: a desired position must be finite, as must its square, got (" + number(p.x) + ", " +
+                        number(p.y) + ", " + number(p.z) + ")");
   return p;
 }
 template <class Weights>

@@ -23,14 +23,14 @@ auto spatial(const pose<Rotation, Position>& x) {
 }
 
 /// A valid pose. The rotation is orthonormalized by two steps of R (3 - R^T R) / 2, unless it is orthonormal to
-/// rounding. Throws `bad_argument` for numbers that are not finite, and for a matrix that is not right-handed and
-/// orthonormal to 1e-6 (float: to a thousand rounding errors).
+/// rounding. Throws `bad_argument` for numbers that are not finite or have no finite square, and for a matrix that is
+/// not right-handed and orthonormal to 1e-6 (float: to a thousand rounding errors).
 template <class S>
 plain_pose_of<S> checked_pose(plain_pose_of<S> x) {
   auto& R = x.rotation;
   const vec3<S>& p = x.position;
-  const S finite = p.x * S(0) + p.y * S(0) + p.z * S(0);
-  if (!all(finite == S(0))) raise<bad_argument>("kte: inverse kinematics: the position is not finite");
+  if (!all(dot(p, p) * S(0) == S(0)))
+    raise<bad_argument>("kte: inverse kinematics: the position, or its square, is not finite");
   const S eps = S(std::numeric_limits<S>::epsilon());
   const S most = select(eps > S(1e-9), S(S(1000) * eps), S(1e-6));
   const auto off = [&R] {

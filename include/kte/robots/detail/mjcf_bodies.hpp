@@ -133,7 +133,8 @@ class mjcf_bodies {
                 "contype",  "group",  "solmix", "solref", "solimp",   "fitscale",  "conaffinity", "shellinertia",
                 "friction", "margin", "gap",    "condim", "priority", "hfield"});
     auto g = read_geom(x, c.in);
-    const bool wants_mass = at.weighs && settings.counts(x.number_or("group", 0));
+    const int group = x.whole_or("group", 0);
+    const bool wants_mass = at.weighs && settings.counts(group);
     const bool by_mesh = x.has("mesh") || g.shape.is == robot_shape::form::mesh;
     std::optional<rigid_body<>> b;
     if (by_mesh)
@@ -150,7 +151,7 @@ class mjcf_bodies {
     g.shape.origin = c.in.place * g.shape.origin;
     contact(x, *c.in.model, g);
     if (g.shape.rgba.empty()) g.shape.rgba = materials_.rgba(g.shape.material, *c.in.model);
-    const bool seen = !g.collides || x.number_or("group", 0) < 3;  // viewers show groups up to 2
+    const bool seen = !g.collides || group < 3;  // viewers show groups up to 2
     if (seen) l.visuals.push_back(g.shape);
     if (g.collides) l.collisions.push_back(g.shape);
   }

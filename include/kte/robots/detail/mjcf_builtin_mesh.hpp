@@ -111,9 +111,7 @@ inline triangle_mesh mjcf_builtin_mesh(const xml_item& a) {
   if (p.size() != numbers)
     a.fail("params of a " + kind + " must have " + std::to_string(numbers) + (numbers == 1 ? " number" : " numbers") +
            ", got " + std::to_string(p.size()));
-  if (!(p[0] >= least && p[0] <= most) || p[0] != std::floor(p[0]))
-    a.fail("the first number of params must be whole, from " + number(least) + " to " + number(most) + ", got " +
-           number(p[0]));
+  a.whole(p[0], "the first number of params", least, most);
   for (std::size_t i = 1; i < p.size(); ++i)
     if (!(p[i] >= 0) || (kind != "cone" && p[i] == 0))
       a.fail("number " + std::to_string(i + 1) + " of params must be positive, got " + number(p[i]));

@@ -13,6 +13,11 @@ struct mjcf_geom {
   vec3<> half{};  ///< sizes as MJCF defines them
 };
 
+/// The bit mask of an attribute, by default 1.
+inline std::uint32_t contact_bits(const xml_item& x, const char* attribute) {
+  return static_cast<std::uint32_t>(x.whole_or<std::int64_t>(attribute, 1, -2147483648.0, 4294967295.0));
+}
+
 /// Reads the form and pose of a geom. With `fromto` it extends from one point to another.
 inline mjcf_geom read_geom(const xml_item& x, const mjcf_scope& in) {
   using form = robot_shape::form;
@@ -21,7 +26,7 @@ inline mjcf_geom read_geom(const xml_item& x, const mjcf_scope& in) {
   s.name = x.has("name") ? in.named(x.text("name")) : "", s.line = x.line(), s.material = x.text_or("material", "");
   if (x.has("rgba")) s.rgba = x.list("rgba");
   if (s.rgba.size() > 4) x.fail("rgba must have at most 4 numbers, got " + std::to_string(s.rgba.size()));
-  g.collides = x.number_or("contype", 1) != 0 || x.number_or("conaffinity", 1) != 0;
+  g.collides = contact_bits(x, "contype") != 0 || contact_bits(x, "conaffinity") != 0;
   static const std::map<std::string, form, std::less<>> types{
       {"plane", form::plane},     {"hfield", form::none},         {"sphere", form::sphere},
       {"capsule", form::capsule}, {"ellipsoid", form::ellipsoid}, {"cylinder", form::cylinder},

@@ -24,10 +24,7 @@ inline void read_mjcf_height_field(const xml_item& geom, mjcf_model& model, robo
   std::vector<double> data;
   double rows = 2, columns = 2;  // a field without data is level
   const auto written_size = [&](const char* attribute) {
-    const double n = asset->number(attribute);
-    if (!(n >= 2) || n != std::floor(n))
-      asset->fail(std::string(attribute) + " must be a whole number from 2, got " + number(n));
-    return n;
+    return asset->whole(asset->number(attribute), attribute, 2, 1e6);
   };
   if (asset->has("file")) {
     const auto file = path_of_text(asset->text("file"));

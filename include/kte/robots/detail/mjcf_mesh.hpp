@@ -39,7 +39,7 @@ class mjcf_meshes {
     const auto kind = kind_of(geom, model);
     auto& known = bodies_[{a, kind}];
     if (!known) {
-      if ((kind == mesh_inertia::convex || mesh.faces.empty()) && a->number_or("maxhullvert", -1) >= 0)
+      if ((kind == mesh_inertia::convex || mesh.faces.empty()) && a->whole_or("maxhullvert", -1) >= 0)
         a->moves_differently("its maxhullvert is not read: its mass is that of the whole hull");
       if (!read_asset.edge.empty() && (kind == mesh_inertia::legacy || kind == mesh_inertia::exact))
         a->warn("its surface is not closed, so that its mass may be wrong" +

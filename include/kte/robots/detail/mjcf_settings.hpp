@@ -96,6 +96,7 @@ class mjcf_settings {
     if (!c.has("inertiagrouprange")) return;
     groups_ = c.list("inertiagrouprange");
     if (groups_.size() != 2) c.fail("inertiagrouprange must have two numbers, got " + std::to_string(groups_.size()));
+    for (const double n : groups_) c.whole(n, "inertiagrouprange", -2147483648.0, 2147483647.0);
   }
 
   /// The rotation of an element. If the element has one of these attributes and its class another, the first in this

@@ -121,9 +121,7 @@ class mjcf_tree {
   void replicate(const xml_item& x, mjcf_scope in, std::vector<mjcf_child>& all) {
     x.only({"body", "geom", "site", "frame", "replicate", "attach", "camera", "light"},
            {"count", "sep", "offset", "euler", "childclass"});
-    const double count = x.number("count");
-    if (!(count >= 1 && count <= 1e6) || count != std::floor(count))
-      x.fail("count must be a whole number from 1 to 1000000, got " + number(count));
+    const double count = x.whole(x.number("count"), "count", 1, 1e6);
     const robot_pose step{x.vector_or("offset", {}), in.model->settings.rotation_of_euler(x, x.vector_or("euler", {}))};
     const auto before = in.suffix;
     const std::size_t digits = std::to_string(static_cast<long>(count) - 1).size();

@@ -3,9 +3,24 @@
 #include <kte/robots/detail/contact_leftovers.hpp>
 #include <kte/robots/detail/sdf_values.hpp>
 
-#include <cstdlib>
+#include <charconv>
 
 namespace kte::detail {
+
+/// The bit mask between the tags of an element, decimal or as 0xff; without a text the default 0xffff.
+inline std::uint32_t bit_mask(const xml_item& x) {
+  const auto text = trimmed_content(x);
+  std::string_view digits = text;
+  const bool hexadecimal = digits.starts_with("0x") || digits.starts_with("0X");
+  if (hexadecimal) digits.remove_prefix(2);
+  std::uint32_t bits = 0xFFFF;
+  if (text.empty()) return bits;
+  const auto* const end = digits.data() + digits.size();
+  const auto [stop, code] = std::from_chars(digits.data(), end, bits, hexadecimal ? 16 : 10);
+  if (code != std::errc{} || stop != end)
+    x.fail("'" + excerpt(text) + "' is not a whole number of 32 bits, such as 255 or 0xff");
+  return bits;
+}
 
 /// Reads the <surface> of a <collision>: friction, restitution, and what it collides with.
 inline void read_sdf_surface(const xml_item& x, robot_touch& t, contact_leftovers& left) {
@@ -24,8 +39,7 @@ inline void read_sdf_surface(const xml_item& x, robot_touch& t, contact_leftover
       } else if (part.name() == "bounce" && c.name() == "restitution_coefficient") {
         t.restitution = child_number(part, "restitution_coefficient", 0);
       } else if (part.name() == "contact" && c.name() == "collide_bitmask") {
-        const auto text = trimmed_content(c);
-        t.type = t.affinity = static_cast<std::uint32_t>(std::strtoul(text.c_str(), nullptr, 0));
+        t.type = t.affinity = bit_mask(c);
       } else if (part.name() == "contact" && c.name() == "collide_without_contact") {
         if (child_flag(part, "collide_without_contact", false)) t.type = t.affinity = 0;
       } else {

@@ -8,6 +8,8 @@
 
 #include <cmath>
 #include <initializer_list>
+#include <limits>
+
 namespace kte::detail {
 
 /// An element of an XML file, with errors that name the place, the element and the reason. Numbers are read by
@@ -82,6 +84,19 @@ class xml_item {
   }
   double not_negative_or(const char* attribute, double other) const {
     return has(attribute) ? not_negative(attribute) : other;
+  }
+  /// A whole number of a range, by default those of Integer.
+  template <class Integer = int>
+  Integer whole_or(const char* attribute, Integer other, double least = double{(std::numeric_limits<Integer>::min)()},
+                   double most = double{(std::numeric_limits<Integer>::max)()}) const {
+    return has(attribute) ? static_cast<Integer>(whole(number(attribute), attribute, least, most)) : other;
+  }
+  /// x, which must be a whole number from `least` to `most`.
+  double whole(double x, const char* what, double least, double most) const {
+    if (!(x >= least && x <= most) || x != std::floor(x))
+      fail(std::string(what) + " must be a whole number from " + detail::number(least) + " to " + detail::number(most) +
+           ", got " + detail::number(x));
+    return x;
   }
   /// A number that may be infinite.
   double limit(const char* attribute) const {
