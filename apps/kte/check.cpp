@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
+#include <tuple>
 
 #include "commands.hpp"
 #include "json_writer.hpp"
@@ -29,10 +31,10 @@ struct findings {
   std::string loops;               ///< rows, rank and mobility of closures
 };
 
-void add_once(std::vector<kte::robot_note>& list, const kte::robot_note& note) {
-  for (const auto& n : list)
-    if (n.text == note.text && n.line == note.line && n.file == note.file) return;
-  list.push_back(note);
+/// Removes all notes but the first of those that are equal.
+void keep_first(std::vector<kte::robot_note>& list) {
+  std::set<std::tuple<std::string, int, std::string>> known;
+  std::erase_if(list, [&known](const auto& n) { return !known.emplace(n.text, n.line, n.file).second; });
 }
 
 /// Adds findings about loops; their rows, rank and mobility are listed separately.
@@ -41,7 +43,7 @@ void look_at_loops(const kte::robot& r, findings& f) {
     if (text.starts_with("closed loops: "))
       f.loops = text;
     else
-      add_once(f.odd, {0, text});
+      f.odd.push_back({0, text});
   std::erase_if(f.odd, [&f](const kte::robot_note& n) { return n.text == f.loops; });
 }
 
@@ -66,20 +68,21 @@ findings look_at(const options& o) {
     f.format = m.format, f.not_read = m.robot.not_read;
     if (m.model) f.odd = m.robot.warnings;
     if (m.description)
-      for (const auto& n : kte::check_robot(*m.description, o.in.robot)) add_once(f.odd, n);
-    for (const auto& text : kte::check_chain(m.chain())) add_once(f.odd, {0, text});
+      for (const auto& n : kte::check_robot(*m.description, o.in.robot)) f.odd.push_back(n);
+    for (const auto& text : kte::check_chain(m.chain())) f.odd.push_back({0, text});
     look_at_loops(m.robot, f);
     look_at_meshes(m, f);
     f.parts.emplace(m.robot);
     for (const auto& b : f.parts->bodies)
       if (m.model && b.as_published)
-        add_once(f.odd,
-                 {0, "body of '" + b.frame + "': its inertia is not physically realizable, and taken as published"});
-    for (const auto& text : odd_numbers(m, *f.parts)) add_once(f.odd, {0, text});
+        f.odd.push_back(
+            {0, "body of '" + b.frame + "': its inertia is not physically realizable, and taken as published"});
+    for (const auto& text : odd_numbers(m, *f.parts)) f.odd.push_back({0, text});
   } catch (const broken_mechanism& e) {
     f.format = e.format, f.not_read = e.description.not_read;
-    for (const auto& n : kte::check_robot(e.description, o.in.robot)) add_once(f.odd, placed(n, o.in.file));
+    for (const auto& n : kte::check_robot(e.description, o.in.robot)) f.odd.push_back(placed(n, o.in.file));
   }
+  keep_first(f.odd);
   return f;
 }
 

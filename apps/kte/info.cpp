@@ -67,6 +67,7 @@ class tree_text {
     struct level {
       std::size_t frame, next;
       std::string indent;
+      bool cut = false;  ///< whether the beginning of the indent is left out, so that it does not grow with the depth
     };
     std::vector<level> open{{root, 0, ""}};
     while (!open.empty()) {
@@ -79,9 +80,11 @@ class tree_text {
       const bool last = l.next == children_[l.frame].size();
       // An only child stays in the column of its parent, so that long chains do not run off the page.
       const bool alone = children_[l.frame].size() == 1;
-      text_ += l.indent + (alone ? "↓ " : last ? "└ " : "├ ") + line_of(child) + '\n';
-      const std::string deeper = l.indent + (alone ? "" : last ? "  " : "│ ");
-      open.push_back({child, 0, deeper});
+      text_ += (l.cut ? "… " : "") + l.indent + (alone ? "↓ " : last ? "└ " : "├ ") + line_of(child) + '\n';
+      std::string deeper = l.indent + (alone ? "" : last ? "  " : "│ ");
+      const bool cut = l.cut || deeper.size() > 120;
+      if (deeper.size() > 120) deeper.erase(0, deeper.find(' ') + (deeper[0] == ' ' ? 2 : 1));
+      open.push_back({child, 0, std::move(deeper), cut});
     }
   }
   std::string line_of(std::size_t i) const {

@@ -15,6 +15,7 @@ inline std::string with_option_names(std::string_view message) {
       replacement{"robot_options::quarter_turn_tolerance", "--quarter-turns"},
       replacement{"robot_options::contacts", "--ground"},
       replacement{"robot_options::floating_base", "--floating-base"},
+      replacement{"robot_options::model = ", "--model "},
       replacement{"robot_options::model", "--model"},
       replacement{"robot_options::search_path", "--search"},
       replacement{"robot_options::world and base_coordinate of a floating base need other names",

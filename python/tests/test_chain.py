@@ -207,3 +207,11 @@ def test_no_chain_changes_while_another_thread_computes(iiwa, random):
     worker = threading.Thread(target=lambda: kte.coriolis_matrix(chain, q, q))
     worker.start(), change(), worker.join()
     assert "cannot be changed while another thread" in refused[0]
+
+
+def test_a_misspelt_frame_that_became_a_base_is_found():
+    chain = kte.Chain(kte.base_2D("ground"), kte.revolute_joint_2D("q", "ground", "tip"), kte.inertia_2D("tip", 1))
+    assert chain.check() == []
+    chain << kte.spring_2D("ground", "tipp", 0.1, 10.0)
+    (found,) = chain.check()
+    assert "reads 'tipp', which no element writes or declares" in found and "did you mean 'tip'?" in found

@@ -472,7 +472,7 @@ for command in check info; do full "$kte" $command pendulum.json; done
 { echo '<sdf version="1.9">' && for name in a b; do
   echo "<model name='$name'><link name='base'/><link name='arm'/><joint name='q' type='revolute'><parent>base</parent><child>arm</child><axis><xyz>0 0 1</xyz></axis></joint></model>"
 done && echo '</sdf>'; } >two.sdf
-gives 1 "choose one by --model, of 'a', 'b'" "$kte" info two.sdf
+gives 1 "choose one, as by --model \"a\", of 'a', 'b'" "$kte" info two.sdf
 gives 1 "has no model 'c' (--model)" "$kte" info two.sdf --model c
 printf '<sdf version="1.9"><model name="a"><include><uri>model://nowhere</uri></include></model></sdf>' >include.sdf
 gives 1 "nor in those of --search" "$kte" info include.sdf

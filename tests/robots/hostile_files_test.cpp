@@ -4,9 +4,6 @@
 #include <kte/robots/sdf_reader.hpp>
 #include <kte/robots/urdf_reader.hpp>
 
-#include <algorithm>
-#include <functional>
-
 #include "allocation_count.hpp"
 #include "allocations.hpp"
 #include "catch.hpp"
@@ -130,44 +127,6 @@ TEST_CASE("elements with thousands of attributes are refused before they are par
   refuses("<mujoco>\n\n<worldbody" + many + "/></mujoco>", "a.xml",
           "a.xml:3: an element has more than 1000 attributes");
   CHECK(describe_robot(fine + "/></robot>", "r.urdf").links.size() == 1);
-}
-
-// Twice the file takes twice the memory; where each element looks at all others, four times.
-void grows_linearly(const std::function<void(int)>& read) {
-  const auto bytes_of = [&](int n) { return static_cast<double>(allocations::bytes_during([&] { read(n); })); };
-  CHECK(bytes_of(2000) < 3 * bytes_of(1000));
-}
-
-TEST_CASE("bodies are attached by name, and frames of SDF are placed, in a time that is linear in the file") {
-  const folder at;
-  grows_linearly([&](int n) {
-    std::string bodies;
-    for (int i = 0; i < n; ++i) bodies += "<body name='x" + std::to_string(i) + "'/>";
-    at.write("m.xml", "<mujoco model='m'><worldbody>" + bodies + "</worldbody></mujoco>");
-    const auto path = at.write("a.xml",
-                               "<mujoco><asset><model name='m' file='m.xml'/></asset><worldbody><replicate "
-                               "count='" +
-                                   std::to_string(n) + "'><attach model='m' body='x" + std::to_string(n - 1) +
-                                   "' prefix='p'/></replicate></worldbody></mujoco>");
-    CHECK(load_mjcf(path).links.size() == static_cast<std::size_t>(n + 1));
-  });
-  for (const std::string refers : {"attached_to", "relative_to"})
-    grows_linearly([&](int n) {
-      std::string frames, before = "l";
-      for (int i = 0; i < n; ++i) {
-        const auto name = "f" + std::to_string(i), by = " " + refers + "='" + before + "'";
-        const bool in_pose = refers == "relative_to";
-        frames += "<frame name='" + name + "'" + (in_pose ? "" : by) + "><pose" + (in_pose ? by : "") +
-                  ">0 0 1 0 0 0</pose></frame>";
-        before = name;
-      }
-      const auto d = load_sdf(
-          at.write("f.sdf", "<sdf version='1.9'><model name='m'><link name='l'/>" + frames + "</model></sdf>"));
-      REQUIRE(d.frames.size() == static_cast<std::size_t>(n));
-      double highest = 0;
-      for (const auto& f : d.frames) highest = (std::max)(highest, f.origin.position.z);
-      CHECK(highest == n);
-    });
 }
 
 }  // namespace hostile_files_test

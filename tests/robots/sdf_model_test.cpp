@@ -31,8 +31,18 @@ TEST_CASE("of several models one is chosen") {
   const auto refused = [&](const std::string& models, const std::string& chosen, const std::string& why) {
     CHECK_THROWS_MATCHES(read(models, chosen), bad_file, says("w.sdf:1: <sdf>: " + why));
   };
-  refused(arm + other, "", "has several models: choose one by robot_options::model, of 'arm', 'other'");
+  refused(floor + arm + other, "",
+          "has several models: choose one, as by robot_options::model = \"arm\", of 'floor', 'arm', 'other'");
+  refused(arm + arm, "", "has several models: choose one, as by robot_options::model = \"#1\", of 'arm' ('#1'), ");
   refused(box + floor + box, "", "has several models");
+  refused(arm, "amr", "has no model 'amr' (robot_options::model), did you mean 'arm'? Its models are 'arm'");
+  std::string many;
+  for (int i = 0; i < 500; ++i) many += "<model name='m" + std::to_string(i) + "'><link name='l'/></model>";
+  refused(many, "",
+          "has several models: choose one, as by robot_options::model = \"m0\", of 'm0', 'm1', 'm2', 'm3', "
+          "'m4', 'm5', 'm6', 'm7' and 492 more");
+  CHECK(has(read(many, "m9").not_read,
+            "the robot is model 'm9'; not read: 'm0', 'm1', 'm2', 'm3', 'm4', 'm5', 'm6', 'm7' and 491 more"));
   refused(arm, "leg", "has no model 'leg' (robot_options::model); its models are 'arm'");
   refused(arm + arm, "arm", "has several models called 'arm': choose by its number, of 'arm' ('#1'), 'arm' ('#2')");
   CHECK(read(arm + arm, "#2").links.size() == 2);

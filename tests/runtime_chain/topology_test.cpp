@@ -1,4 +1,5 @@
 #include <kte/dynamics.hpp>
+#include <kte/elements/closures.hpp>
 #include <kte/io/model_file.hpp>
 #include <kte/io/recorder.hpp>
 #include <kte/models/runtime_models.hpp>
@@ -233,6 +234,41 @@ TEST_CASE("misspelt coordinates of followers are found") {
             "mimic_gen (base 'cranck', end 'rocker') follows a separate degree of freedom, 'cranck', by which no joint "
             "moves, did you mean 'crank'?",
             "mimic_gen (base 'crank', end 'cuopler') writes 'cuopler', which nothing reads, did you mean 'coupler'?"});
+}
+
+TEST_CASE("a misspelt frame is found where the base of the chain is declared") {
+  const auto found = [](const auto& e) {
+    runtime_chain c;
+    c << base_2D("g") << revolute_joint_2D("q", "g", "tip") << inertia_2D("tip", point_mass(1.0)) << e;
+    (void)c.make_state();
+    return check_chain(c);
+  };
+  using list = std::vector<std::string>;
+  CHECK(found(spring_2D("g", "tipp", 0.1, 10.0)) ==
+        list{"spring_2D (anchor1 'g', anchor2 'tipp') reads 'tipp', which no element writes or declares: it is a "
+             "further base, did you mean 'tip'?"});
+  CHECK(found(revolute_joint_2D("p", "tipp", "hand")) ==
+        list{"revolute_joint_2D (coordinate 'p', base 'tipp', end 'hand') reads 'tipp', which no element writes or "
+             "declares: it is a further base, did you mean 'tip'?"});
+  CHECK(found(spring_2D("tip", "wall", 0.1, 10.0)) ==
+        list{"spring_2D (anchor1 'tip', anchor2 'wall') reads 'wall', which no element writes or declares: it is a "
+             "further base (if it is meant, base_2D declares it)"});
+  CHECK(found(revolute_joint_2D("p", "wall", "hand")).empty());  // a joint stands on it
+  CHECK(found(spring_2D("g", "tip", 0.1, 10.0)).empty());
+
+  runtime_chain numbered;  // the frame that is similar comes later
+  numbered << revolute_joint_2D("q", "link0", "link1") << base_2D("wall") << spring_2D("wall", "link1", 0.1, 10.0);
+  CHECK(check_chain(numbered).empty());
+}
+
+TEST_CASE("names of a closure in another order are found") {
+  runtime_chain c;
+  c << base_3D("g") << revolute_joint_3D("q", "g", "pin one", axis::y)
+    << revolute_joint_3D("p", "g", "pin two", axis::y) << coincident_points_3D("pin one", "pin two", "pin");
+  CHECK(check_chain(c) ==
+        std::vector<std::string>{
+            "coincident_points_3D (frame1 'pin two', frame2 'pin', loop 'pin one') reads 'pin', which no element "
+            "writes or declares: it is a further base, and 'pin one' is a frame: are the names in another order?"});
 }
 
 }  // namespace topology_test

@@ -10,6 +10,7 @@ using kte_tool::with_option_names;
 
 TEST_CASE("messages of the library name options of the program") {
   CHECK(with_option_names("choose one by robot_options::model, of 'a'") == "choose one by --model, of 'a'");
+  CHECK(with_option_names("choose one, as by robot_options::model = \"a\"") == "choose one, as by --model \"a\"");
   CHECK(with_option_names("nor in those of robot_options::search_path") == "nor in those of --search");
   CHECK(with_option_names("a larger robot_options::quarter_turn_tolerance makes it exact") ==
         "a larger --quarter-turns makes it exact");

@@ -2,6 +2,9 @@
 
 #include <kte/static_chain/layout.hpp>
 
+#include <string_view>
+#include <unordered_map>
+
 #include "eval/states.hpp"
 
 namespace evaluate {
@@ -13,9 +16,13 @@ struct column_order {
 
   template <class Layout>
   column_order(const Layout& layout, const std::vector<std::string>& coordinates) {
+    std::unordered_map<std::string_view, std::size_t> known;
+    for (std::size_t i = 0; i < layout.size(); ++i) known.emplace(layout[i].name, i);
     for (const auto& name : coordinates)
-      for (const auto& e : layout)
-        if (std::string_view(e.name) == name) add(e.what, e.q, e.nq, e.v, e.nv);
+      if (const auto at = known.find(name); at != known.end()) {
+        const auto& e = layout[at->second];
+        add(e.what, e.q, e.nq, e.v, e.nv);
+      }
   }
 
  private:

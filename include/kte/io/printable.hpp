@@ -39,10 +39,11 @@ inline std::string printable(std::string_view text) {
   while (!text.empty()) {
     const auto [code, bytes, valid] = first_character(text);
     const bool shown = valid && (!is_hidden(code) || text.starts_with("\n  "));
-    for (const char c : text.substr(0, bytes)) {
+    if (shown) out.append(text.substr(0, bytes));
+    for (const char c : shown ? std::string_view() : text.substr(0, bytes)) {
       char escaped[8];
       std::snprintf(escaped, sizeof escaped, "\\x%02X", static_cast<unsigned>(static_cast<unsigned char>(c)));
-      shown ? void(out += c) : void(out += escaped);
+      out += escaped;
     }
     text.remove_prefix(bytes);
   }

@@ -20,6 +20,9 @@ namespace kte {
 #  include <kte/robots/detail/chain_reader.hpp>
 #  include <kte/robots/detail/shape_names.hpp>
 
+#  include <string_view>
+#  include <unordered_map>
+
 namespace kte {
 KTE_FUNCTION robot_description describe(const runtime_chain& chain, const std::string& name) {
   return detail::chain_reader(chain, name).read();
@@ -28,6 +31,8 @@ KTE_FUNCTION robot_description describe(const robot& r) {
   auto d = describe(r.chain, r.name);
   check_limits(r.chain, r.limits), check_limits(r.chain, r.soft_limits);
   const auto& hard = r.limits;
+  std::unordered_map<std::string_view, robot_joint*> joints;
+  for (auto& j : d.joints) joints.emplace(j.name, &j);
   for (const auto& e : layout(r.chain)) {
     const auto no_place = [&](const std::string& what) {
       d.not_read.push_back({0, "coordinate '" + e.name + "': a description has no " + what});
@@ -43,22 +48,24 @@ KTE_FUNCTION robot_description describe(const robot& r) {
     }
     if (rates) no_place("limits of acceleration and jerk");
     if (of_several) no_place("limits of coordinates of several numbers");
-    for (auto& j : d.joints) {
-      if (e.name != j.name || e.nv != 1) continue;
-      const auto i = static_cast<std::size_t>(e.v);
-      j.lower = hard.lower[i], j.upper = hard.upper[i];
-      j.rate = hard.rate[i], j.effort = hard.effort[i];
-      j.soft_lower = r.soft_limits.lower[i], j.soft_upper = r.soft_limits.upper[i];
-      j.continuous = j.continuous && j.lower == -robot_joint::none && j.upper == robot_joint::none;
-    }
+    const auto known = joints.find(e.name);
+    if (known == joints.end() || e.nv != 1) continue;
+    auto& j = *known->second;
+    const auto i = static_cast<std::size_t>(e.v);
+    j.lower = hard.lower[i], j.upper = hard.upper[i];
+    j.rate = hard.rate[i], j.effort = hard.effort[i];
+    j.soft_lower = r.soft_limits.lower[i], j.soft_upper = r.soft_limits.upper[i];
+    j.continuous = j.continuous && j.lower == -robot_joint::none && j.upper == robot_joint::none;
   }
   detail::shape_names names;
   for (const auto& s : r.shapes) names.add(s.frame, s, s.collision);
+  std::unordered_map<std::string_view, robot_link*> links;
+  for (auto& l : d.links) links.emplace(l.name, &l);
   for (const auto& s : r.shapes) {
-    bool found = false;
-    for (auto& l : d.links)
-      if (l.name == s.frame) (s.collision ? l.collisions : l.visuals).push_back(s), found = true;
-    if (!found) d.not_read.push_back({s.line, names.of(s) + " is in frame '" + s.frame + "', which is not a link"});
+    if (const auto known = links.find(s.frame); known != links.end())
+      (s.collision ? known->second->collisions : known->second->visuals).push_back(s);
+    else
+      d.not_read.push_back({s.line, names.of(s) + " is in frame '" + s.frame + "', which is not a link"});
   }
   d.actuators = r.actuators;
   return d;

@@ -7,7 +7,8 @@ namespace kte {
 /// Probable mistakes in a chain, as messages: a coordinate that moves several joints; a degree of freedom that moves
 /// only masses on coordinates, if nothing else is connected to it, or if its name is similar to that of a joint
 /// coordinate; a degree of freedom that only followers read, if its name is similar to that of a joint coordinate; a
-/// follower that nothing reads. Empty without findings.
+/// follower that nothing reads; a base without a declaration beside declared ones, if no joint or link stands on it, or
+/// if its name is similar to that of a frame before it. Empty without findings.
 [[nodiscard]] std::vector<std::string> check_chain(const runtime_chain& c);
 /// Probable mistakes in a static chain; see above.
 template <class Gravity, class... E>
@@ -17,6 +18,50 @@ template <class Gravity, class... E>
 }
 
 #ifdef KTE_FUNCTION
+namespace detail {
+/// The base without a declaration, if others are declared: it may be a misspelt frame, because a chain takes the first
+/// frame that is not declared for its base.
+inline std::vector<std::string> odd_bases(const topology& t) {
+  std::array<std::vector<char>, kinds> declared;
+  for (std::size_t k = 0; k < kinds; ++k) declared[k].resize(t.names[k].size());
+  bool some = false;
+  const auto each_frame = [&t](const auto& visit) {
+    for (const auto& e : t.elements)
+      for (std::size_t p = 0; p < e.ports.size(); ++p)
+        if (is_frame(e.ports[p].what))
+          visit(e, e.ports[p].how, static_cast<std::size_t>(e.ports[p].what), static_cast<std::size_t>(e.index[p]));
+  };
+  each_frame([&](const auto&, access how, std::size_t k, std::size_t i) {
+    if (how == access::base) some = true;
+    if (how == access::base || t.writers[k][i] >= 0) declared[k][i] = 1;
+  });
+  const topology::connection* first = nullptr;
+  kind what{};
+  std::size_t base = 0;
+  bool carries = false;
+  if (some)
+    each_frame([&](const auto& e, access, std::size_t k, std::size_t i) {
+      if (declared[k][i]) return;
+      if (first == nullptr) first = &e, what = static_cast<kind>(k), base = i;
+      carries |= e.rigid;
+    });
+  if (first == nullptr) return {};
+  const auto& frames = t.names[static_cast<std::size_t>(what)];
+  const std::vector<std::string> before(frames.begin(), frames.begin() + static_cast<std::ptrdiff_t>(base));
+  const auto meant = did_you_mean(frames[base], before);
+  if (carries && meant.empty()) return {};
+  const auto own = static_cast<std::size_t>(first->ports.back().what);
+  const auto& name = t.names[own][static_cast<std::size_t>(first->index.back())];
+  const bool swapped = (first->closes || first->touches) && std::count(before.begin(), before.end(), name) > 0;
+  return {t.describe(*first) + " reads '" + frames[base] +
+          "', which no element writes or declares: it is a further base" +
+          (swapped ? ", and '" + name + "' is a frame: are the names in another order?"
+           : meant.empty()
+               ? std::string(" (if it is meant, ") + (what == kind::frame_2D ? "base_2D" : "base_3D") + " declares it)"
+               : meant)};
+}
+}  // namespace detail
+
 KTE_FUNCTION std::vector<std::string> check_chain(const runtime_chain& c) {
   const topology& t = c.wiring();
   struct users {
@@ -46,7 +91,7 @@ KTE_FUNCTION std::vector<std::string> check_chain(const runtime_chain& c) {
       }
     }
   }
-  std::vector<std::string> found;
+  auto found = detail::odd_bases(t);
   for (const auto& f : t.free) {
     const auto k = static_cast<std::size_t>(f.what), i = static_cast<std::size_t>(f.slot);
     const auto& x = used[k][i];

@@ -26,7 +26,8 @@ class contact_maker {
   std::string name_for(const std::string& wanted) {
     if (!to_.has(wanted)) return to_.fresh(wanted);
     std::string name = wanted + ".contact";
-    for (int k = 2; to_.has(name); ++k) name = wanted + ".contact " + std::to_string(k);
+    for (auto& k = (copies_.try_emplace(wanted, 1).first->second); to_.has(name);)
+      name = wanted + ".contact " + std::to_string(++k);
     return to_.fresh(name);
   }
   /// The contact of a part of a link; returns its name.
@@ -69,6 +70,7 @@ class contact_maker {
   robot_elements& to_;
   const robot_contact_options& o_;
   std::map<const robot_shape*, height_field<height_grid>> fields_;
+  std::map<std::string, int> copies_;  ///< by name, the last number behind it
 };
 
 }  // namespace kte::detail

@@ -2,8 +2,8 @@
 
 #include <kte/robots/description.hpp>
 
-#include <algorithm>
 #include <map>
+#include <set>
 
 namespace kte::detail {
 
@@ -13,7 +13,7 @@ class contact_notes {
   void add(const std::string& reason, const robot_link& l, const robot_shape& s) {
     auto& g = groups_[reason];
     if (g.names.empty()) g.line = s.line, g.file = l.file;
-    if (std::find(g.names.begin(), g.names.end(), l.name) == g.names.end()) g.names.push_back(l.name);
+    if (g.known.insert(l.name).second) g.names.push_back(l.name);
   }
   void finish(std::vector<robot_note>& warnings) const {
     for (const auto& [reason, g] : groups_) {
@@ -29,6 +29,7 @@ class contact_notes {
     int line = 0;
     std::string file{};
     std::vector<std::string> names{};  ///< of links
+    std::set<std::string> known{};     ///< the same names
   };
   std::map<std::string, group> groups_;
 };

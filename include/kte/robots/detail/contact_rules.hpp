@@ -3,28 +3,32 @@
 #include <kte/contract/contact.hpp>
 #include <kte/robots/detail/robot_ground.hpp>
 
+#include <map>
+#include <set>
+
 namespace kte::detail {
 
 /// Which shapes touch which surfaces of the ground, and with what coefficients.
 class contact_rules {
  public:
   contact_rules(const robot_description& d, const robot_contact_options& o)
-      : d_(d), o_(o), used_(d.contact_pairs.size(), false) {}
+      : d_(d), o_(o), used_(d.contact_pairs.size(), false) {
+    for (std::size_t k = 0; k < d.contact_pairs.size(); ++k) {
+      const auto& p = d.contact_pairs[k];
+      if (p.excluded)
+        excluded_.insert(names(p.name1, p.name2));
+      else
+        pairs_[names(p.name1, p.name2)].push_back(k);
+    }
+  }
 
   /// The law of a shape on a surface, if they touch: by a pair of the file, otherwise by their types, unless their
   /// links are excluded.
   std::optional<contact_law> law(const ground_surface& g, const robot_link& l, const robot_shape& s) {
     const robot_contact_pair* pair = nullptr;
-    bool excluded = false;
-    for (std::size_t k = 0; k < d_.contact_pairs.size(); ++k) {
-      const auto& p = d_.contact_pairs[k];
-      if (p.excluded) {
-        used_[k] = true;
-        excluded |= are(p, l.name, g.link.empty() ? o_.ground : g.link);
-      } else if (!s.name.empty() && are(p, s.name, g.name)) {
-        used_[k] = true, pair = &p;
-      }
-    }
+    const bool excluded = excluded_.contains(names(l.name, g.link.empty() ? o_.ground : g.link));
+    if (const auto all = pairs_.find(names(s.name, g.name)); !s.name.empty() && all != pairs_.end())
+      for (const auto k : all->second) used_[k] = true, pair = &d_.contact_pairs[k];
     if (pair == nullptr && (excluded || !by_type(s.touch, g.touch()))) return {};
     return law_of(s.touch, g.touch(), pair);
   }
@@ -39,9 +43,9 @@ class contact_rules {
   }
 
  private:
-  static bool are(const robot_contact_pair& p, const std::string& a, const std::string& b) {
-    return (p.name1 == a && p.name2 == b) || (p.name1 == b && p.name2 == a);
-  }
+  using two_names = std::pair<std::string_view, std::string_view>;
+  /// In either order.
+  static two_names names(std::string_view a, std::string_view b) { return std::minmax(a, b); }
   static bool by_type(const robot_touch& a, const robot_touch& b) {
     return (a.type & b.affinity) != 0 || (b.type & a.affinity) != 0;
   }
@@ -61,6 +65,8 @@ class contact_rules {
   const robot_description& d_;
   const robot_contact_options& o_;
   std::vector<bool> used_;  ///< by pair
+  std::map<two_names, std::vector<std::size_t>> pairs_;
+  std::set<two_names> excluded_;
 };
 
 }  // namespace kte::detail

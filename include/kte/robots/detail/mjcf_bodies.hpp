@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/robots/detail/free_names.hpp>
 #include <kte/robots/detail/mjcf_actuator.hpp>
 #include <kte/robots/detail/mjcf_contact.hpp>
 #include <kte/robots/detail/mjcf_equality.hpp>
@@ -65,12 +66,8 @@ class mjcf_bodies {
   /// Collects the names in the file, so that elements without a name get unused ones.
   void collect_names(const xml_node& n) {
     for (const auto& [key, value] : n.attributes)
-      if (key == "name" && (n.name == "body" || n.name == "joint" || n.name == "freejoint")) taken_.insert(value);
+      if (key == "name" && (n.name == "body" || n.name == "joint" || n.name == "freejoint")) names_.take(value);
     for (const auto& c : n.children) collect_names(c);
-  }
-  std::string fresh(std::string name) {
-    while (!taken_.insert(name).second) name += '\'';
-    return name;
   }
 
   /// Reads the sites, geoms and bodies of a body or of the world.
@@ -88,7 +85,7 @@ class mjcf_bodies {
     const auto x = settings.classes().cleaned(c.x);
     x.only({"inertial", "joint", "freejoint", "geom", "body", "site", "frame", "replicate", "attach", "plugin"},
            {"name", "pos", "quat", "axisangle", "euler", "xyaxes", "zaxis", "childclass", "gravcomp", "mocap"});
-    mjcf_scope in{c.in.model, {}, x.text_or("childclass", c.in.around.c_str()), c.in.prefix, c.in.suffix};
+    mjcf_scope in{c.in.model, {}, x.text_or("childclass", c.in.around.c_str()), c.in.prefix, c.in.suffix, c.in.copied};
     if (!in.around.empty() && !settings.classes().has(in.around))
       x.fail("there is no default class '" + excerpt(in.around) + "'");
     const auto place = settings.place(x);
@@ -101,7 +98,7 @@ class mjcf_bodies {
     bodies_.push_back(index);
     auto& l = d_.links.emplace_back();
     equality_.stands.push_back(equality_.stands[above.link] * (c.in.place * place));
-    l.name = x.has("name") ? c.in.named(x.text("name")) : fresh("body" + std::to_string(index));
+    l.name = x.has("name") ? c.in.named(x.text("name")) : names_.fresh("body" + std::to_string(index));
     l.line = x.line(), l.file = x.file();
     l.gravity_compensation = x.number_or("gravcomp", 0);
     std::vector<mjcf_child> moving;
@@ -209,7 +206,7 @@ class mjcf_bodies {
               const std::string& own) {
     if (all.empty()) {
       robot_joint j;
-      j.name = fresh(own + "_fixed"), j.line = x.line(), j.file = x.file();
+      j.name = names_.fresh(own + "_fixed"), j.line = x.line(), j.file = x.file();
       j.parent = parent, j.child = own, j.origin = place;
       d_.joints.push_back(std::move(j));
     }
@@ -219,9 +216,9 @@ class mjcf_bodies {
       const auto y = c.x.name() == "freejoint" ? c.in.model->settings.classes().cleaned(c.x)
                                                : c.in.model->settings.classes().resolved(c.x, c.in.around);
       const bool last = i + 1 == all.size();
-      auto j =
-          read_mjcf_joint(y, c.in, y.has("name") ? "" : fresh(own + "_joint" + (i == 0 ? "" : std::to_string(i + 1))));
-      j.parent = from, j.child = last ? own : fresh(own + "." + std::to_string(i + 1));
+      auto j = read_mjcf_joint(
+          y, c.in, y.has("name") ? "" : names_.fresh(own + "_joint" + (i == 0 ? "" : std::to_string(i + 1))));
+      j.parent = from, j.child = last ? own : names_.fresh(own + "." + std::to_string(i + 1));
       if (j.is == kind::floating) {
         if (all.size() > 1 || parent != "world") y.fail("a free joint must be the only one of a body in the world");
         if (!is_nothing(place)) y.not_read("the pose of its body is where it starts, which is not part of a chain");
@@ -244,20 +241,17 @@ class mjcf_bodies {
     const auto moved = [](const robot_joint& j) { return j.reference != 0 || j.is == kind::floating; };
     if ((d_.closures.empty() && !contacts_) || std::none_of(d_.joints.begin(), d_.joints.end(), moved)) return;
     robot_configuration c{"reference", 0, {}};
+    std::unordered_map<std::string_view, std::size_t> links;
+    for (std::size_t i = 0; i < d_.links.size(); ++i) links.emplace(d_.links[i].name, i);
     for (const auto& j : d_.joints)
       if (j.is == kind::floating) {
-        const auto& at = equality_.stands[link_of(j.child)];
+        const auto& at = equality_.stands[links.at(j.child)];
         const auto r = to_quaternion(at.rotation);
         c.joints.emplace_back(j.name, std::vector{at.position.x, at.position.y, at.position.z, r.w, r.x, r.y, r.z});
       } else if (has_one_coordinate(j)) {
         c.joints.emplace_back(j.name, std::vector{j.reference});
       }
     d_.configurations.push_back(std::move(c));
-  }
-  std::size_t link_of(const std::string& name) const {
-    return static_cast<std::size_t>(
-        std::find_if(d_.links.begin(), d_.links.end(), [&](const auto& l) { return l.name == name; }) -
-        d_.links.begin());
   }
 
   /// Reads the actuators of a model and of the models that it attaches, and notes the contents that are not read.
@@ -305,7 +299,8 @@ class mjcf_bodies {
   mjcf_materials materials_;
   mjcf_equality equality_;
   std::vector<std::size_t> bodies_;  ///< the links of bodies in the file
-  std::unordered_set<std::string> taken_, joints_;
+  free_names names_;
+  std::unordered_set<std::string> joints_;
   int depth_ = 0;
 };
 

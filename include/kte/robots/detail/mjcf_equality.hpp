@@ -1,7 +1,10 @@
 #pragma once
 
+#include <kte/robots/detail/free_names.hpp>
 #include <kte/robots/detail/mjcf_tree.hpp>
 #include <kte/robots/detail/polynomial.hpp>
+
+#include <numeric>
 
 namespace kte::detail {
 
@@ -14,7 +17,8 @@ class mjcf_equality {
   /// Poses of links in the world where the file puts them.
   std::vector<robot_pose> stands{};
 
-  /// Reads a <connect> or <weld>; a <joint> when all actuators are known (`finish`). Whether it is one of these.
+  /// Reads a <connect> or <weld>, after all bodies; a <joint> when all actuators are known (`finish`). Whether it is
+  /// one of these.
   bool read(const xml_item& x, const mjcf_scope& in) {
     if (x.name() != "connect" && x.name() != "weld" && x.name() != "joint") return false;
     std::string ignored;
@@ -28,6 +32,10 @@ class mjcf_equality {
     return true;
   }
   void finish() {
+    for (std::size_t i = 0; i < d_.joints.size() && !joints_.empty(); ++i) numbers_.emplace(d_.joints[i].name, i);
+    for (const auto& a : d_.actuators) driven_.insert(a.joint);
+    leaders_.resize(d_.joints.size());
+    std::iota(leaders_.begin(), leaders_.end(), std::size_t{0});
     for (const auto& j : joints_) couple(j.x, j.in);
   }
 
@@ -37,20 +45,25 @@ class mjcf_equality {
   robot_closure begun(const xml_item& x, const mjcf_scope& in, const std::string& usual) {
     robot_closure c;
     c.line = x.line(), c.file = x.file();
-    c.name = x.has("name") ? in.named(x.text("name")) : free_name(d_.closures, usual);
+    c.name = x.has("name") ? in.named(x.text("name")) : names_.fresh(usual);
+    names_.take(c.name);
     return c;
   }
-  std::size_t link(const xml_item& x, const mjcf_scope& in, const char* of) const {
+  std::size_t link(const xml_item& x, const mjcf_scope& in, const char* of) {
     const auto name = x.has(of) ? in.named(x.text(of)) : "world";
-    for (std::size_t i = 0; i < d_.links.size(); ++i)
-      if (d_.links[i].name == name || (name == in.named("world") && i == 0)) return i;
-    x.fail(std::string(of) + " '" + excerpt(x.text(of)) + "' is not a body");
+    if (name == in.named("world")) return 0;
+    if (links_.empty())
+      for (std::size_t i = 0; i < d_.links.size(); ++i) links_.emplace(d_.links[i].name, i);
+    const auto known = links_.find(name);
+    if (known == links_.end()) x.fail(std::string(of) + " '" + excerpt(x.text(of)) + "' is not a body");
+    return known->second;
   }
-  const robot_frame& site(const xml_item& x, const mjcf_scope& in, const char* of) const {
-    const auto name = in.named(x.text(of));
-    for (const auto& f : d_.frames)
-      if (f.name == name) return f;
-    x.fail(std::string(of) + " '" + excerpt(x.text(of)) + "' is not a site");
+  const robot_frame& site(const xml_item& x, const mjcf_scope& in, const char* of) {
+    if (sites_.empty())
+      for (const auto& f : d_.frames) sites_.emplace(f.name, &f);
+    const auto known = sites_.find(in.named(x.text(of)));
+    if (known == sites_.end()) x.fail(std::string(of) + " '" + excerpt(x.text(of)) + "' is not a site");
+    return *known->second;
   }
   void close(const xml_item& x, const mjcf_scope& in) {
     const bool weld = x.name() == "weld";
@@ -90,21 +103,22 @@ class mjcf_equality {
     return robot_pose{{p[0], p[1], p[2]}, rotation_of_quaternion(x, q)};
   }
 
-  robot_joint& joint(const xml_item& x, const mjcf_scope& in, const char* of) const {
+  robot_joint& joint(const xml_item& x, const mjcf_scope& in, const char* of) {
     const auto name = in.named(x.text(of));
-    for (auto& j : d_.joints)
-      if (j.name == name && has_one_coordinate(j)) return j;
-    x.fail(std::string(of) + " '" + excerpt(name) + "' is not a hinge or slide");
+    const auto known = numbers_.find(name);
+    if (known == numbers_.end() || !has_one_coordinate(d_.joints[known->second]))
+      x.fail(std::string(of) + " '" + excerpt(name) + "' is not a hinge or slide");
+    return d_.joints[known->second];
   }
-  bool has_actuator(const robot_joint& j) const {
-    return std::any_of(d_.actuators.begin(), d_.actuators.end(), [&](const auto& a) { return a.joint == j.name; });
+  std::size_t number_of(const robot_joint& j) const { return static_cast<std::size_t>(&j - d_.joints.data()); }
+  /// Whether q_j can be k q_other + c: it follows none, no actuator drives it, and the other one does not follow it.
+  bool can_follow(const robot_joint& j, const robot_joint& other) {
+    auto leader = number_of(other);  // that follows none
+    while (leaders_[leader] != leader) leader = leaders_[leader] = leaders_[leaders_[leader]];
+    return !j.mimic && !driven_.contains(j.name) && leader != number_of(j);
   }
-  bool follows(const robot_joint& j, const robot_joint& other) const {
-    for (const auto* k = &j; k->mimic;) {
-      if (k->mimic->joint == other.name) return true;
-      k = &*std::find_if(d_.joints.begin(), d_.joints.end(), [&](const auto& n) { return n.name == k->mimic->joint; });
-    }
-    return false;
+  void follow(robot_joint& j, const robot_joint& other, double ratio, double offset) {
+    j.mimic = {other.name, ratio, offset}, leaders_[number_of(j)] = number_of(other);
   }
   /// q_1 - r_1 = c_0 + c_1 (q_2 - r_2) + ... + c_4 (q_2 - r_2)^4, with r the coordinates where the file puts the
   /// bodies.
@@ -124,10 +138,10 @@ class mjcf_equality {
     p = of_linear(p, 1, -b.reference);
     p[0] += a.reference;
     const bool linear = p[2] == 0 && p[3] == 0 && p[4] == 0;
-    if (linear && !a.mimic && !has_actuator(a) && !follows(b, a)) {
-      a.mimic = {b.name, p[1], p[0]};
-    } else if (linear && p[1] != 0 && !b.mimic && !has_actuator(b) && !follows(a, b)) {
-      b.mimic = {a.name, 1 / p[1], -p[0] / p[1]};
+    if (linear && can_follow(a, b)) {
+      follow(a, b, p[1], p[0]);
+    } else if (linear && p[1] != 0 && can_follow(b, a)) {
+      follow(b, a, 1 / p[1], -p[0] / p[1]);
     } else {
       auto c = begun(x, in, "joints");
       c.is = kind::joints, c.link1 = a.name, c.link2 = b.name, c.polynomial = p;
@@ -152,6 +166,11 @@ class mjcf_equality {
     mjcf_scope in;
   };
   std::vector<waiting> joints_;
+  free_names names_;                                              ///< of closures
+  std::unordered_map<std::string, std::size_t> links_, numbers_;  ///< numbers of links and joints, by name
+  std::unordered_map<std::string, const robot_frame*> sites_;
+  std::unordered_set<std::string> driven_;  ///< joints with actuators
+  std::vector<std::size_t> leaders_;        ///< by joint: one that it follows, directly or through others, or itself
 };
 
 }  // namespace kte::detail

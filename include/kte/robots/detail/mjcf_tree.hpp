@@ -59,6 +59,7 @@ struct mjcf_scope {
   robot_pose place{};              ///< in the axes of the body
   std::string around{};            ///< the class of defaults
   std::string prefix{}, suffix{};  ///< added to names
+  bool copied = false;             ///< by <replicate> or <attach>
   std::string named(const std::string& name) const { return prefix + name + suffix; }
 };
 
@@ -103,8 +104,13 @@ class mjcf_tree {
         c.fail("is not read: flexible bodies are not modelled");
       else
         all.push_back({c, in});
-      if (++count_ > most_elements) c.fail("the robot has more than " + std::to_string(most_elements) + " elements");
+      if (in.copied) count_copy(c);
     }
+  }
+  /// Counts what repeating and attaching make.
+  void count_copy(const xml_item& x) {
+    if (++count_ > most_elements)
+      x.fail("<replicate> and <attach> make more than " + std::to_string(most_elements) + " elements");
   }
   void frame(const xml_item& x, mjcf_scope in, std::vector<mjcf_child>& all) {
     const auto own = in.model->settings.classes().cleaned(x);
@@ -124,12 +130,13 @@ class mjcf_tree {
     const double count = x.whole(x.number("count"), "count", 1, 1e6);
     const robot_pose step{x.vector_or("offset", {}), in.model->settings.rotation_of_euler(x, x.vector_or("euler", {}))};
     const auto before = in.suffix;
+    in.copied = true;
     const std::size_t digits = std::to_string(static_cast<long>(count) - 1).size();
     for (long i = 0; i < static_cast<long>(count); ++i, in.place = in.place * step) {
       auto text = std::to_string(i);
       text.insert(0, digits - (std::min)(digits, text.size()), '0');
       in.suffix = x.text_or("sep", "") + text + before;
-      if (++count_ > most_elements) x.fail("the robot has more than " + std::to_string(most_elements) + " elements");
+      count_copy(x);
       expand(x, in, all);
     }
   }
@@ -138,7 +145,7 @@ class mjcf_tree {
     x.only({}, {"model", "body", "frame", "prefix", "name"});
     if (++depth_ > 32) x.fail("models attach each other more than 32 deep");
     if (x.has("model")) in.model = &model(x, *in.model), in.around.clear();
-    in.prefix += x.text_or("prefix", "");
+    in.prefix += x.text_or("prefix", ""), in.copied = true;
     attached_.push_back(in);
     const char* const kind = x.has("frame") ? "frame" : "body";
     const auto name = x.text_or(kind, "");
@@ -155,6 +162,10 @@ class mjcf_tree {
   }
   /// The model of an <asset>, read once; without a name it has the name of its file.
   mjcf_model& model(const xml_item& x, mjcf_model& from) {
+    auto& known = by_name_[{&from, x.text("model")}];
+    return known != nullptr ? *known : *(known = &searched(x, from));
+  }
+  mjcf_model& searched(const xml_item& x, mjcf_model& from) {
     const auto name = x.text("model");
     for (const auto& a : xml_item(from.root, d_).children("asset"))
       for (const auto& m : a.children("model")) {
@@ -177,6 +188,7 @@ class mjcf_tree {
   xml_parser parse_;
   std::deque<mjcf_model> models_;
   std::map<std::string, mjcf_model*> by_path_;
+  std::map<std::pair<const mjcf_model*, std::string>, mjcf_model*> by_name_;  ///< by the model that attaches it
   std::vector<mjcf_scope> attached_;
   int depth_ = 0;
   std::size_t count_ = 0;

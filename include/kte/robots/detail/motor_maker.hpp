@@ -1,10 +1,12 @@
 #pragma once
 
 #include <kte/elements/compiled_elements.hpp>
+#include <kte/robots/detail/free_names.hpp>
 #include <kte/robots/robot.hpp>
 
 #include <algorithm>
 #include <tuple>
+#include <unordered_map>
 #include <unordered_set>
 
 namespace kte::detail {
@@ -23,9 +25,10 @@ class motor_maker {
     if (!r_.motors.empty()) raise<bad_argument>("kte: the robot '" + r_.name + "' has motors already");
     check_options(), check_limits(r_.chain, r_.limits);
     const auto places = layout(r_.chain);
-    for (const auto& e : places) taken_.insert(e.name);
-    for (const auto& j : r_.joints) taken_.insert(j);
-    for (const auto& a : r_.actuators) check_joint(a, places);
+    for (const auto& e : places) names_.take(e.name);
+    for (const auto& j : r_.joints) names_.take(j);
+    check_joints(places);
+    for (const auto& a : r_.actuators) by_joint_[a.joint].push_back(&a);
     std::string rates, ranges;
     for (const auto& e : places) {
       if (e.what != kind::gen) continue;
@@ -60,14 +63,16 @@ class motor_maker {
     made_.warnings.push_back({a.line, title(a) + " is left out: " + why});
   }
   /// Warns about actuators on joints that a motor cannot drive.
-  void check_joint(const robot_actuator& a, const std::vector<place>& places) {
-    const auto at = std::find_if(places.begin(), places.end(), [&](const place& e) { return e.name == a.joint; });
-    if (at == places.end())
-      warn(a, std::find(r_.joints.begin(), r_.joints.end(), a.joint) == r_.joints.end()
-                  ? "there is no joint '" + a.joint + "' that moves"
-                  : "joint '" + a.joint + "' follows another");
-    else if (at->what != kind::gen)
-      warn(a, "joint '" + a.joint + "' has several degrees of freedom");
+  void check_joints(const std::vector<place>& places) {
+    std::unordered_map<std::string_view, kind> kinds_of;
+    for (const auto& e : places) kinds_of.emplace(e.name, e.what);
+    const std::unordered_set<std::string_view> joints(r_.joints.begin(), r_.joints.end());
+    for (const auto& a : r_.actuators)
+      if (const auto at = kinds_of.find(a.joint); at == kinds_of.end())
+        warn(a, joints.contains(a.joint) ? "joint '" + a.joint + "' follows another"
+                                         : "there is no joint '" + a.joint + "' that moves");
+      else if (at->second != kind::gen)
+        warn(a, "joint '" + a.joint + "' has several degrees of freedom");
   }
 
   void motors_of(const place& e) {
@@ -77,8 +82,8 @@ class motor_maker {
       made_.not_read.push_back({0, "joint '" + e.name + "' has no motor: the limit of its effort is 0"});
     }
     std::size_t count = 0;
-    for (const auto& a : r_.actuators) {
-      if (a.joint != e.name) continue;
+    for (const auto* of_joint : by_joint_[e.name]) {
+      const auto& a = *of_joint;
       if (!a.not_modelled.empty()) {
         warn(a, a.not_modelled + " is not modelled");
       } else if (a.gear == 0) {
@@ -110,13 +115,9 @@ class motor_maker {
              std::clamp(most, law.lower, law.upper)};
     }
     law.lower = std::clamp(law.lower, -effort, effort), law.upper = std::clamp(law.upper, -effort, effort);
-    auto input = name.empty() || !taken_.insert(name).second ? fresh(e.name + ".motor") : name;
+    auto input = name.empty() || !names_.take(name) ? names_.fresh(e.name + ".motor") : name;
     made_.chain << joint_motor_gen(e.name, input, law);
     made_.motors.push_back({std::move(input), e.name, e.v});
-  }
-  std::string fresh(std::string name) {
-    while (!taken_.insert(name).second) name += '\'';
-    return name;
   }
   void stop(const std::string& joint, double lower, double upper, std::string& ranges) {
     if (lower == -motor_law::none && upper == motor_law::none) return;
@@ -133,7 +134,8 @@ class motor_maker {
   robot& r_;
   const motor_options& o_;
   robot made_;
-  std::unordered_set<std::string> taken_;
+  free_names names_;
+  std::unordered_map<std::string_view, std::vector<const robot_actuator*>> by_joint_;
 };
 
 }  // namespace kte::detail

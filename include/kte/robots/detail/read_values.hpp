@@ -36,12 +36,6 @@ inline std::optional<xml_item> first_child(const xml_item& x, const char* of) {
   return all[0];
 }
 
-/// A name that none of these has: `name`, with apostrophes appended while it is taken.
-template <class T>
-std::string free_name(const std::vector<T>& all, std::string name) {
-  while (std::any_of(all.begin(), all.end(), [&](const T& x) { return x.name == name; })) name += '\'';
-  return name;
-}
 /// Frees joints that follow a joint that is not in the file, with a warning.
 inline void free_followers(robot_description& d) {
   std::unordered_set<std::string_view> names;

@@ -2,10 +2,10 @@
 
 #include <kte/elements/compiled_elements.hpp>
 #include <kte/robots/description.hpp>
+#include <kte/robots/detail/free_names.hpp>
 #include <kte/runtime_chain.hpp>
 
 #include <string>
-#include <unordered_set>
 
 namespace kte::detail {
 
@@ -13,9 +13,9 @@ namespace kte::detail {
 class robot_elements {
  public:
   explicit robot_elements(const robot_description& d) {
-    for (const auto& l : d.links) taken_.insert(l.name);
-    for (const auto& j : d.joints) taken_.insert(j.name);
-    for (const auto& x : d.frames) taken_.insert(x.name);
+    for (const auto& l : d.links) names_.take(l.name);
+    for (const auto& j : d.joints) names_.take(j.name);
+    for (const auto& x : d.frames) names_.take(x.name);
   }
 
   runtime_chain& chain() { return chain_; }
@@ -27,16 +27,13 @@ class robot_elements {
     append(rigid_link_3D(from, to, place.position, place.rotation));
   }
 
-  bool has(const std::string& name) const { return taken_.contains(name); }
+  bool has(const std::string& name) const { return names_.has(name); }
   /// An unused name for an intermediate frame.
-  std::string fresh(std::string name) {
-    while (!taken_.insert(name).second) name += '\'';
-    return name;
-  }
+  std::string fresh(const std::string& name) { return names_.fresh(name); }
 
  private:
   runtime_chain chain_;
-  std::unordered_set<std::string> taken_;
+  free_names names_;
 };
 
 }  // namespace kte::detail

@@ -1,47 +1,26 @@
 #pragma once
 
-#include <kte/dynamics/configuration_space.hpp>
-#include <kte/dynamics/mass_matrix.hpp>
 #include <kte/loops.hpp>
+#include <kte/robots/detail/mass_condition.hpp>
+#include <kte/robots/detail/read_values.hpp>
 #include <kte/robots/detail/robot_tree.hpp>
 #include <kte/robots/robot.hpp>
 #include <kte/runtime_chain.hpp>
-
-#include <Eigen/Eigenvalues>
 
 #include <random>
 
 namespace kte::detail {
 
-/// The largest condition number of M at random configurations, where rows and columns are divided by the square roots
-/// of the diagonal so that units do not matter: M_ij / sqrt(M_ii M_jj). Infinite where a coordinate moves no mass.
-inline double worst_condition(const runtime_chain& c) {
-  // Scalars, not packs: with packs of AVX-512, g++ 12 warns of uninitialised registers in its own headers.
-  using matrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
-  auto s = c.make_state();
-  std::mt19937 engine(1);
-  double worst = 1;
-  const int n = c.dofs();
-  for (int trial = 0; trial < 20; ++trial) {
-    Eigen::VectorXd step(n);
-    for (int i = 0; i < n; ++i) step[i] = (static_cast<double>(engine()) * 0x1p-31 - 1) * 3;  // rad, m
-    const auto& m = mass_matrix(c, s, integrate(c, neutral_configuration(c), step, 1.0));
-    matrix scaled(n, n);
-    for (int i = 0; i < n; ++i)
-      for (int j = 0; j < n; ++j) scaled(i, j) = m(i, j) / std::sqrt(m(i, i) * m(j, j));
-    if (!scaled.allFinite()) return robot_joint::none;
-    const Eigen::SelfAdjointEigenSolver<matrix> modes(scaled, Eigen::EigenvaluesOnly);
-    const long double low = modes.eigenvalues()[0], high = modes.eigenvalues()[n - 1];
-    worst = (std::max)(worst, low > 0 ? static_cast<double>(high / low) : robot_joint::none);
-  }
-  return worst;
-}
-
 inline void find_condition(const robot& r, std::vector<robot_note>& found) {
-  if (r.chain.dofs() == 0) return found.push_back({0, "the robot has no degrees of freedom"});
-  const double condition = worst_condition(r.chain);
-  if (condition > 1e8)
-    found.push_back({0, "the mass matrix is nearly singular: its condition is " + number(condition) +
+  const int n = r.chain.dofs();
+  if (n == 0) return found.push_back({0, "the robot has no degrees of freedom"});
+  const auto c = worst_condition(r.chain);
+  if (!c.known)
+    found.push_back({0, "the condition of the mass matrix is not computed: of " + std::to_string(n) +
+                            " degrees of freedom, where joints share coordinates, it takes too long"});
+  if (c.number > 1e8)
+    found.push_back({0, "the mass matrix is nearly singular: its condition is " +
+                            (c.estimated ? "about " + short_number(c.number) + " (estimated)" : number(c.number)) +
                             " at a random configuration, so that forward dynamics loses as many digits"});
 }
 
@@ -88,24 +67,25 @@ inline std::vector<std::string> loop_findings(const robot& r) {
   return found;
 }
 
-/// Whether a joint moves any mass.
-inline bool moves_mass(const robot_description& d, const robot_tree& tree, std::size_t which) {
-  std::vector<char> moved(d.links.size(), 0);
-  for (const auto& s : tree.steps()) {
-    const auto& j = d.joints[s.joint];
-    const auto to = tree.link(s.reversed ? j.parent : j.child), from = tree.link(s.reversed ? j.child : j.parent);
-    moved[to] = s.joint == which || moved[from];
-    if (moved[to] && d.links[to].inertial && (d.links[to].inertial->mass > 0)) return true;
+/// Whether joints move any mass, by joint.
+inline std::vector<char> moving_masses(const robot_description& d, const robot_tree& tree) {
+  std::vector<char> heavy(d.links.size()), all(d.joints.size());  // heavy: it, or what it carries, has a mass
+  for (std::size_t i = 0; i < d.links.size(); ++i) heavy[i] = d.links[i].inertial && d.links[i].inertial->mass > 0;
+  for (auto s = tree.steps().rbegin(); s != tree.steps().rend(); ++s) {
+    const auto& j = d.joints[s->joint];
+    const auto to = tree.link(s->reversed ? j.parent : j.child), from = tree.link(s->reversed ? j.child : j.parent);
+    all[s->joint] = heavy[to], heavy[from] |= heavy[to];
   }
-  return false;
+  return all;
 }
 
 inline void find_in_joints(const robot_description& d, const robot_tree& tree, std::vector<robot_note>& found) {
+  const auto moves_mass = moving_masses(d, tree);
   for (std::size_t i = 0; i < d.joints.size(); ++i) {
     const auto& j = d.joints[i];
     if (j.is == robot_joint::kind::fixed) continue;
     const auto say = [&](const std::string& what) { found.push_back({j.line, "joint '" + j.name + "': " + what}); };
-    if (!moves_mass(d, tree, i)) say("it moves no mass, so that the mass matrix is singular");
+    if (!moves_mass[i]) say("it moves no mass, so that the mass matrix is singular");
     if (j.lower > j.upper) say("lower " + number(j.lower) + " is above upper " + number(j.upper));
     if (j.lower == j.upper) say("lower and upper are both " + number(j.lower) + ": it cannot move");
     if (j.effort == 0) say("its effort is limited to 0");

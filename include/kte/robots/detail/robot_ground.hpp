@@ -5,6 +5,7 @@
 #include <kte/robots/options.hpp>
 
 #include <algorithm>
+#include <unordered_set>
 
 namespace kte::detail {
 
@@ -33,6 +34,8 @@ class robot_ground {
   robot_ground(robot_elements& to, const robot_description& d, const robot_options& o, const robot_tree& tree,
                const link_groups& groups)
       : to_(to), d_(d), group_(group_of(o, tree, groups)) {
+    for (const auto& p : d.contact_pairs)
+      if (!p.excluded) in_pairs_.insert({p.name1, p.name2});
     for (std::size_t i = 0; i < d.links.size(); ++i)
       if (groups.of(i) == group_)
         for (const auto& s : d.links[i].collisions) add(d.links[i], s);
@@ -46,11 +49,7 @@ class robot_ground {
   std::size_t group() const { return group_; }
   const std::vector<ground_surface>& surfaces() const { return surfaces_; }
   /// Whether the file has a contact of a shape of this name in a pair.
-  bool in_pair(const std::string& name) const {
-    return !name.empty() && std::any_of(d_.contact_pairs.begin(), d_.contact_pairs.end(), [&](const auto& p) {
-      return !p.excluded && (p.name1 == name || p.name2 == name);
-    });
-  }
+  bool in_pair(const std::string& name) const { return !name.empty() && in_pairs_.contains(name); }
 
  private:
   std::size_t group_of(const robot_options& o, const robot_tree& tree, const link_groups& groups) const {
@@ -86,6 +85,7 @@ class robot_ground {
   const robot_description& d_;
   std::size_t group_;
   std::vector<ground_surface> surfaces_;
+  std::unordered_set<std::string_view> in_pairs_;  ///< the shapes of contacts in pairs
 };
 
 }  // namespace kte::detail

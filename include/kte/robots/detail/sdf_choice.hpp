@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/contract/nearest_name.hpp>
 #include <kte/robots/detail/sdf_includes.hpp>
 #include <kte/robots/detail/sdf_shape.hpp>
 
@@ -72,16 +73,22 @@ class sdf_choice {
     return std::any_of(model.children.begin(), model.children.end(),
                        [](const xml_node& c) { return c.name == "joint" || (c.name == "model" && has_joints(c)); });
   }
-  /// The names of the models; those that occur several times with their numbers.
-  std::string list() const {
+  /// The first eight models for which `listed`; those whose names occur several times with their numbers.
+  template <class Listed>
+  std::string list(const Listed& listed) const {
     std::map<std::string_view, std::size_t> count;
     for (const auto& c : all_) ++count[c.name];
     std::string text;
+    std::size_t all = 0;
     for (std::size_t i = 0; i < all_.size(); ++i) {
+      if (!listed(all_[i]) || ++all > 8) continue;
       text += (text.empty() ? "'" : ", '") + excerpt(all_[i].name) + "'";
       if (count[all_[i].name] > 1) text += " ('#" + std::to_string(i + 1) + "')";
     }
-    return text;
+    return all > 8 ? text + " and " + std::to_string(all - 8) + " more" : text;
+  }
+  std::string list() const {
+    return list([](const candidate&) { return true; });
   }
 
   const candidate& named() const {
@@ -91,11 +98,15 @@ class sdf_choice {
     for (const auto& c : all_) {
       if (c.name != options_.model) continue;
       if (found != nullptr)
-        root_.fail("has several models called '" + excerpt(c.name) + "': choose by its number, of " + list());
+        root_.fail("has several models called '" + excerpt(c.name) + "': choose by its number, of " +
+                   list([&](const candidate& x) { return x.name == options_.model; }));
       found = &c;
     }
-    if (found == nullptr)
-      root_.fail("has no model '" + excerpt(options_.model) + "' (robot_options::model); its models are " + list());
+    if (found == nullptr) {
+      const auto meant = did_you_mean(options_.model, names());
+      root_.fail("has no model '" + excerpt(options_.model) + "' (robot_options::model)" +
+                 (meant.empty() ? "; its" : meant + " Its") + " models are " + list());
+    }
     return *found;
   }
   const candidate& likely() const {
@@ -111,18 +122,22 @@ class sdf_choice {
     std::string faults;
     for (const auto& c : all_)
       if (!c.fault.empty()) faults += "\n  " + c.fault;
-    root_.fail("has several models: choose one by robot_options::model, of " + list() + faults);
+    const auto& first = moving.empty() ? all_[0] : *moving[0];
+    const auto namesakes = std::count_if(all_.begin(), all_.end(), [&](const auto& c) { return c.name == first.name; });
+    const auto chosen = namesakes > 1 ? "#" + std::to_string(&first - all_.data() + 1) : excerpt(first.name);
+    root_.fail("has several models: choose one, as by robot_options::model = \"" + chosen + "\", of " + list() +
+               faults);
   }
   void note_others(const candidate& chosen) const {
-    std::string others;
     for (const auto& c : all_) {
       if (&c == &chosen) continue;
       if (!c.fault.empty())
         root_.warn("model '" + excerpt(c.name) + "', which is not the robot, cannot be read: " + c.fault);
-      others += (others.empty() ? "'" : ", '") + excerpt(c.name) + "'";
       if (options_.contacts.requested() && c.model != nullptr) warn_of_height_maps(*c.model);
     }
-    if (!others.empty()) root_.not_read("the robot is model '" + excerpt(chosen.name) + "'; not read: " + others);
+    if (all_.size() > 1)
+      root_.not_read("the robot is model '" + excerpt(chosen.name) +
+                     "'; not read: " + list([&](const candidate& c) { return &c != &chosen; }));
   }
 
   /// Another model may be the ground; height maps of visuals do not touch.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/robots/detail/free_names.hpp>
 #include <kte/robots/detail/sdf_frames.hpp>
 
 namespace kte::detail {
@@ -34,7 +35,9 @@ class sdf_joints {
 
   /// Couples the joints of gearboxes: the angle of the child, from the reference body, is -gearbox_ratio times that of
   /// the parent.
-  void couple_gearboxes() const {
+  void couple_gearboxes() {
+    for (std::size_t i = 0; i < d_.joints.size() && !gearboxes_.empty(); ++i)
+      if (const auto& j = d_.joints[i]; j.is == kind::revolute) turning_.emplace(std::minmax(j.parent, j.child), i);
     for (const auto& g : gearboxes_) {
       const auto reference =
           frames_.link_of(g.x, frames_.find(g.x, g.scope, child_text(g.x, "gearbox_reference_body")));
@@ -78,8 +81,10 @@ class sdf_joints {
   /// Adds a joint with two axes: two joints, with a massless link between them.
   void two_axes(const xml_item& x, const placement& at, robot_joint j) {
     auto second = j;
+    if (names_.empty())
+      for (const auto& l : d_.links) names_.take(l.name);
     auto& middle = d_.links.emplace_back();
-    middle.name = free_name(d_.links, j.child + ".cross"), middle.line = j.line, middle.file = j.file;
+    middle.name = names_.fresh(j.child + ".cross"), middle.line = j.line, middle.file = j.file;
     j.child = second.parent = middle.name, second.origin = {}, j.child_pose = {};
     second.name = j.name + "_2", second.mimic.reset();
     axis(axis_of(x, "axis2"), at, second);
@@ -169,22 +174,24 @@ class sdf_joints {
     robot_joint about;
     direction(axis_of(g.x, axis), {g.scope, g.frame}, about);
     const vec3<> n = frames_.relative(g.x, reference, g.frame).rotation * about.axis;
-    for (auto& j : d_.joints) {
-      const bool onward = j.parent == reference && j.child == link, back = j.parent == link && j.child == reference;
-      if (j.is != kind::revolute || !(onward || back)) continue;
-      const double cosine =
-          dot(n, onward ? j.origin.rotation * j.axis : transpose(j.child_pose.rotation) * j.axis) * (onward ? 1 : -1);
-      if (std::abs(std::abs(cosine) - 1) > 1e-6)
-        g.x.fail("its " + std::string(axis) + " is not that of joint '" + excerpt(j.name) + "'");
-      return {&j, cosine > 0 ? 1 : -1};
-    }
-    g.x.fail("there is no revolute joint between its reference body '" + excerpt(reference) + "' and its " + end +
-             " '" + excerpt(link) + "'");
+    const auto known = turning_.find(std::minmax(reference, link));
+    if (known == turning_.end())
+      g.x.fail("there is no revolute joint between its reference body '" + excerpt(reference) + "' and its " + end +
+               " '" + excerpt(link) + "'");
+    auto& j = d_.joints[known->second];
+    const bool onward = j.parent == reference;
+    const double cosine =
+        dot(n, onward ? j.origin.rotation * j.axis : transpose(j.child_pose.rotation) * j.axis) * (onward ? 1 : -1);
+    if (std::abs(std::abs(cosine) - 1) > 1e-6)
+      g.x.fail("its " + std::string(axis) + " is not that of joint '" + excerpt(j.name) + "'");
+    return {&j, cosine > 0 ? 1 : -1};
   }
 
   robot_description& d_;
   const sdf_frames& frames_;
   std::vector<gearbox> gearboxes_;
+  std::map<std::pair<std::string, std::string>, std::size_t> turning_;  ///< the first revolute joint between two links
+  free_names names_;                                                    ///< of links, where a joint needs another one
 };
 
 }  // namespace kte::detail

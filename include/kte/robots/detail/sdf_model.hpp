@@ -120,16 +120,15 @@ class sdf_model {
       for (const auto& x : m.children(of)) x.moves_differently("not read");
   }
 
-  bool has_link(const std::string& name) const {
-    return std::any_of(d_.links.begin(), d_.links.end(), [&](const auto& l) { return l.name == name; });
-  }
   /// Adds the world as a link where joints or static nested models need it.
   void add_world(const xml_item& m) {
     bool needed = !still_.empty() && !child_flag(m, "static", false);
     for (const auto& p : moving_)
       for (const char* end : {"parent", "child"})
         needed |= frames_.link_of(p.x, frames_.find(p.x, p.scope, child_text(p.x, end))) == "world";
-    if (needed && !has_link("world")) d_.links.emplace(d_.links.begin())->name = "world";
+    const auto is_world = [](const auto& l) { return l.name == "world"; };
+    if (needed && std::none_of(d_.links.begin(), d_.links.end(), is_world))
+      d_.links.emplace(d_.links.begin())->name = "world";
   }
 
   /// Rotates gravity from the axes of the world, in which SDF has it, into those of the root.
@@ -141,9 +140,11 @@ class sdf_model {
     d_.gravity = vec3<>{g.x + 0.0, g.y + 0.0, g.z + 0.0};
   }
   void list_frames() {
+    std::unordered_set<std::string_view> links;
+    for (const auto& l : d_.links) links.insert(l.name);
     for (const auto& p : named_) {
       const auto link = frames_.link_of(p.x, p.name);
-      if (has_link(link))
+      if (links.contains(link))
         d_.frames.push_back({p.name, p.x.line(), link, frames_.relative(p.x, link, p.name)});
       else
         p.x.not_read("it is attached to the world, not to the robot");

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/robots/detail/free_names.hpp>
 #include <kte/robots/detail/urdf_link.hpp>
 
 namespace kte::detail {
@@ -54,8 +55,10 @@ class urdf_joints {
   /// Adds a universal joint: rotations about x and then about y of the placement.
   void cross(robot_joint j) {
     auto second = j;
+    if (names_.empty())
+      for (const auto& l : d_.links) names_.take(l.name);
     auto& middle = d_.links.emplace_back();
-    middle.name = free_name(d_.links, j.child + ".cross"), middle.line = j.line, middle.file = j.file;
+    middle.name = names_.fresh(j.child + ".cross"), middle.line = j.line, middle.file = j.file;
     j.child = second.parent = middle.name;
     second.name += "_2", second.origin = {};
     j.axis = {1, 0, 0}, second.axis = {0, 1, 0};
@@ -126,6 +129,7 @@ class urdf_joints {
 
   robot_description& d_;
   const urdf_links& links_;
+  free_names names_;  ///< of links, where a joint needs another one
 };
 
 }  // namespace kte::detail

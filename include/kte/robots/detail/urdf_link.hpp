@@ -4,6 +4,7 @@
 #include <kte/robots/detail/read_values.hpp>
 
 #include <map>
+#include <unordered_map>
 
 namespace kte::detail {
 
@@ -49,11 +50,11 @@ class urdf_links {
       for (const auto& g : x.children(name)) g.moves_differently("not read, as URDF has no such element");
     d_.links.push_back(std::move(l));
   }
-  /// Sets the friction of the collision shapes of a link.
-  void rub(const std::string& link, double friction) {
+  /// Sets the frictions of the collision shapes of links, by name.
+  void rub(const std::unordered_map<std::string, double>& frictions) {
     for (auto& l : d_.links)
-      if (l.name == link)
-        for (auto& s : l.collisions) s.touch.friction = friction;
+      if (const auto f = frictions.find(l.name); f != frictions.end())
+        for (auto& s : l.collisions) s.touch.friction = f->second;
   }
   void warn_of_contacts() const { leftovers_.warn(); }
   /// Collects the colours of named materials.

@@ -26,10 +26,12 @@ class urdf_robot {
     for (const auto& x : root.children("kte:loop")) d_.closures.push_back(read_urdf_loop(x, links_));
     free_followers(d_);
     add_world();
-    for (const auto* of : {"frame", "drake:frame"})
-      for (const auto& x : root.children(of)) frame(x);
+    read_frames(root);
+    for (std::size_t i = 0; i < d_.joints.size(); ++i)
+      if (has_one_coordinate(d_.joints[i])) numbered_.emplace(d_.joints[i].name, i);
     for (const auto& x : root.children("transmission")) transmission(x);
     for (const auto& x : root.children("gazebo")) gazebo(x);
+    links_.rub(frictions_);
     for (const auto* of :
          {"loop_joint", "force_element", "drake:loop_joint", "drake:force_element", "drake:linear_spring_damper",
           "drake:linear_bushing_rpy", "drake:ball_constraint", "drake:link"})
@@ -50,17 +52,21 @@ class urdf_robot {
         return;
       }
   }
-  /// Reads a frame of Drake (<drake:frame>).
-  void frame(const xml_item& x) {
-    x.only({}, {"name", "link", "xyz", "rpy"});
-    const auto name = x.text("name"), link = x.text("link");
-    const auto has = [](const auto& all, const std::string& n) {
-      return std::any_of(all.begin(), all.end(), [&](const auto& a) { return a.name == n; });
-    };
-    if (!has(d_.links, link)) return x.not_read("not read: there is no link '" + excerpt(link) + "'");
-    if (has(d_.links, name) || has(d_.frames, name))
-      return x.not_read("not read: another frame or a link has its name");
-    d_.frames.push_back({name, x.line(), link, links_.pose(x)});
+  /// Reads the frames of Drake (<drake:frame>).
+  void read_frames(const xml_item& root) {
+    std::unordered_set<std::string> links, frames;
+    for (const auto& l : d_.links) links.insert(l.name);
+    for (const auto* of : {"frame", "drake:frame"})
+      for (const auto& x : root.children(of)) {
+        x.only({}, {"name", "link", "xyz", "rpy"});
+        const auto name = x.text("name"), link = x.text("link");
+        if (!links.contains(link))
+          x.not_read("not read: there is no link '" + excerpt(link) + "'");
+        else if (links.contains(name) || !frames.insert(name).second)
+          x.not_read("not read: another frame or a link has its name");
+        else
+          d_.frames.push_back({name, x.line(), link, links_.pose(x)});
+      }
   }
   /// Reads a transmission: an actuator for each of its joints, and the rotor inertia of Drake, which acts on the joint
   /// times the square of the gear ratio.
@@ -77,14 +83,13 @@ class urdf_robot {
       x.warn("couples " + std::to_string(joints.size()) + " joints: each has its own motor instead");
     for (std::size_t i = 0; i < joints.size(); ++i) {
       const auto name = joints[i].text("name");
-      const auto j = std::find_if(d_.joints.begin(), d_.joints.end(),
-                                  [&](const auto& k) { return k.name == name && has_one_coordinate(k); });
-      if (j == d_.joints.end()) {
+      const auto j = numbered_.find(name);
+      if (j == numbered_.end()) {
         const auto why = "there is no joint '" + excerpt(name) + "' of one coordinate for it";
         inertia == 0 ? x.warn(why) : x.moves_differently(why);
         continue;
       }
-      if (inertia > 0 && joints.size() == 1) j->dynamics.armature = inertia;
+      if (inertia > 0 && joints.size() == 1) d_.joints[j->second].dynamics.armature = inertia;
       const bool has_own = i < actuators.size();
       const double ratio = reduction(has_own && has_reduction(actuators[i]) ? actuators[i] : x);
       d_.actuators.push_back(
@@ -129,7 +134,7 @@ class urdf_robot {
     const double value = mu.one(mu.list_of(mu.content(), "friction"), "friction");
     const auto first = first_child(x, "mu1");
     if (mu.name() == "mu1")
-      links_.rub(x.text_or("reference", ""), value);
+      frictions_[x.text_or("reference", "")] = value;
     else if (first && first->list_of(first->content(), "friction") != std::vector{value})
       mu.moves_differently("friction that depends on the direction is not modelled: mu1 is used");
   }
@@ -150,7 +155,9 @@ class urdf_robot {
   robot_description& d_;
   urdf_links links_;
   urdf_joints joints_;
-  bool contacts_;  ///< whether contacts are requested
+  bool contacts_;                                          ///< whether contacts are requested
+  std::unordered_map<std::string, std::size_t> numbered_;  ///< joints of one coordinate, by name
+  std::unordered_map<std::string, double> frictions_;      ///< of Gazebo, by link
 };
 
 }  // namespace kte::detail
