@@ -55,7 +55,7 @@ void look_at_meshes(const mechanism& m, findings& f) {
   try {
     for (const auto& note : kte::not_drawn(scene_of(m, start_options{}))) {
       if (!note.starts_with("mesh ")) continue;
-      add_once(note.find(" are read (link ") == note.npos ? f.odd : f.not_read, {0, note});
+      (note.find(" are read (link ") == note.npos ? f.odd : f.not_read).push_back({0, note});
     }
   } catch (const kte::error&) {  // loops that do not close, which are a finding already
   }
@@ -82,7 +82,7 @@ findings look_at(const options& o) {
     f.format = e.format, f.not_read = e.description.not_read;
     for (const auto& n : kte::check_robot(e.description, o.in.robot)) f.odd.push_back(placed(n, o.in.file));
   }
-  keep_first(f.odd);
+  keep_first(f.odd), keep_first(f.not_read);
   return f;
 }
 

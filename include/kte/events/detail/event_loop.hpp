@@ -35,7 +35,7 @@ class event_loop {
   event_report<X> run() {
     start();
     while (goes_on()) {
-      begin_step();
+      note_begin();
       if (!bridges_.are_needed_at(begin_) || !bridge("steps pile up")) step_or_bridge();
     }
     record_.report().time = solver_.time();
@@ -54,9 +54,8 @@ class event_loop {
   }
   bool goes_on() const { return !record_.stopped() && solver_.time() != t_end_; }
   void begin_step() {
-    if (solver_.time() == goal_) go_for(t_end_);
-    begin_ = solver_.time();
-    keep(begin_, solver_.state());
+    note_begin();
+    renew_goal();
   }
   void after_step() {
     return_path back(solver_, safe_time_, safe_);
@@ -65,6 +64,13 @@ class event_loop {
   const event_report<X>& report() { return record_.report(); }
 
  private:
+  void note_begin() {
+    begin_ = solver_.time();
+    keep(begin_, solver_.state());
+  }
+  void renew_goal() {
+    if (solver_.time() == goal_) go_for(t_end_);
+  }
   bool starts_after_events() const {
     if constexpr (requires { observer_.starts_after_events(); })
       return observer_.starts_after_events();
@@ -74,6 +80,7 @@ class event_loop {
   /// A step, or where it fails, a bridge.
   void step_or_bridge() {
     const auto step = [this] {
+      renew_goal();
       return_path back(solver_, safe_time_, safe_);
       solver_.step(goal_);
       end_step_or_act(back);
