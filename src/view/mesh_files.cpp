@@ -1,8 +1,10 @@
 #include "mesh_files.hpp"
 
+#include <kte/io/file.hpp>
 #include <kte/robots/detail/file_places.hpp>
 #include <kte/robots/detail/mesh_file.hpp>
 
+#include <algorithm>
 #include <set>
 
 #include "triangles.hpp"
