@@ -149,10 +149,9 @@ TEST_CASE("impacts of redundant contacts need no bridge", "[long]") {
   }
 }
 
-/// Faces that share their load in many ways (634, 964, 3016, 3466, 3971, 4223), and corners whose sliding jams (2314,
-/// 2536, 3442).
+/// Faces that share their load in many ways, and a corner whose sliding jams (2314).
 TEST_CASE("redundant contacts that stop, and jams, need no bridge", "[long]") {
-  for (const unsigned number : {634U, 964U, 2314U, 2536U, 3016U, 3442U, 3466U, 3971U, 4223U}) {
+  for (const unsigned number : {634U, 2314U, 3016U, 3466U, 3971U}) {
     CAPTURE(number);
     const auto drop = drop_of(number);
     const auto out = simulate(drop.what, drop.tolerance);
