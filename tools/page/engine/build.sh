@@ -11,7 +11,7 @@ version=$(sh sources.sh)
 compile() {
   clang++-14 --target=wasm32-wasi -std=c++20 -Os -DNDEBUG -fwasm-exceptions -ffunction-sections -fdata-sections \
     -Wall -Wextra -Ilibrary/include -I../../../include -isystem /usr/include/eigen3 \
-    -DKTE_NO_FORCED_INLINE -DEIGEN_DONT_VECTORIZE "-DKTE_PAGE_VERSION=\"$version\"" -c "$1" -o "$work/$(basename "$1").o"
+    -DKTE_NO_FORCED_INLINE -DKTE_NO_XSIMD -DEIGEN_DONT_VECTORIZE "-DKTE_PAGE_VERSION=\"$version\"" -c "$1" -o "$work/$(basename "$1").o"
 }
 for source in engine.cpp library/exceptions.cpp library/no_output.cpp; do compile $source; done
 # Memory: 16 MiB to 1 GiB, 1 MiB of it the stack, at its start, so that what overflows it fails.
