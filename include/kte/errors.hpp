@@ -13,10 +13,16 @@ namespace kte {
 
 namespace detail {
 
-/// A text with its zero bytes as \x00, because what() ends at the first.
-[[gnu::cold]] inline std::string without_zero_bytes(std::string text) {
-  for (std::size_t at = 0; (at = text.find('\0', at)) != std::string::npos;) text.replace(at, 1, "\\x00");
-  return text;
+/// A text with its zero bytes as \x00, because what() ends at the first. By push_back alone: each program compiles it.
+[[gnu::cold]] inline std::string without_zero_bytes(const std::string& text) {
+  std::string shown;
+  for (const char *at = text.data(), *const end = at + text.size(); at < end; ++at) {
+    if (*at != '\0')
+      shown.push_back(*at);
+    else
+      for (const char* x = "\\x00"; *x != '\0'; ++x) shown.push_back(*x);
+  }
+  return shown;
 }
 
 }  // namespace detail

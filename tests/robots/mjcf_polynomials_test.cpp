@@ -87,7 +87,7 @@ TEST_CASE("polynomials with dry friction, of balls, and with disabled springs an
   const auto disabled = [](const std::string& what) { return "<option><flag " + what + "='disable'/></option>"; };
   CHECK(described(all, disabled("passive")).joints[0].dynamics == robot_joint_dynamics{});
   const auto spring = described(all, disabled("damper")).joints[0].dynamics;
-  CHECK((spring.damping_powers == robot_joint_dynamics::powers{} && spring.stiffness_powers[1] == 3));
+  CHECK((spring.damping_powers == robot_joint_dynamics::powers{} && spring.stiffness_powers.cubic == 3));
   CHECK(texts(joint("type='ball' damping='1 0 2' stiffness='1 2'").warnings) ==
         "joint 'j': left out, as it has several degrees of freedom: quadratic and cubic damping quadratic and cubic "
         "stiffness\n");

@@ -76,7 +76,12 @@ struct robot_frame {
 
 /// Forces and inertia of a joint.
 struct robot_joint_dynamics {
-  using powers = std::array<double, 2>;
+  /// Further coefficients of a polynomial.
+  struct powers {
+    double quadratic = 0;  ///< N or Nm over the square of a rate or deflection
+    double cubic = 0;      ///< N or Nm over its third power
+    bool operator==(const powers&) const = default;
+  };
   double damping = 0;    ///< Nms/rad or Ns/m
   double friction = 0;   ///< dry friction, Nm or N
   double stiffness = 0;  ///< stiffness of a spring, Nm/rad or N/m
@@ -85,7 +90,7 @@ struct robot_joint_dynamics {
   /// Time constant T, s, and damping ratio z, instead of `damping` and `stiffness`, which are then d = 2 I/T and k =
   /// I/(T z)^2; 1/I is the diagonal entry of the joint in M^-1 at the configuration of the file. 0: not given.
   double time_constant = 0, damping_ratio = 0;
-  powers damping_powers{};    ///< of the damper, further coefficients: of |v| v and v^3 at the rate v
+  powers damping_powers{};    ///< of the damper: of |v| v and v^3 at the rate v
   powers stiffness_powers{};  ///< of the spring: of x^2 and x^3 at the deflection x from `rest`
   bool operator==(const robot_joint_dynamics&) const = default;
 };

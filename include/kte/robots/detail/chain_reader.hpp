@@ -130,7 +130,7 @@ class chain_reader {
     } else if (e.type == "joint_damping_gen" || e.type == "joint_cubic_damping_gen") {
       auto& x = joint(e, to(e, "coordinate")).dynamics;
       x.damping += number(e, "damping");
-      x.damping_powers[0] += number(e, "quadratic"), x.damping_powers[1] += number(e, "cubic");
+      x.damping_powers.quadratic += number(e, "quadratic"), x.damping_powers.cubic += number(e, "cubic");
     } else if (e.type == "damper_gen") {
       joint_from_rest(e).dynamics.damping += number(e, "damping");
     } else if (e.type == "joint_stiffness_gen" || e.type == "joint_cubic_stiffness_gen") {

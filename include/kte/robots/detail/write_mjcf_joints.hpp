@@ -91,7 +91,7 @@ class mjcf_joints {
     };
     const auto polynomial = [&](const char* key, double linear, const robot_joint_dynamics::powers& more) {
       if (more == robot_joint_dynamics::powers{}) return unless_zero(key, linear);
-      out_.attribute(key, std::vector<double>{linear, more[0], more[1]});
+      out_.attribute(key, std::vector<double>{linear, more.quadratic, more.cubic});
     };
     const auto& x = j.dynamics;
     polynomial("damping", x.damping, x.damping_powers), unless_zero("frictionloss", x.friction);
