@@ -16,7 +16,7 @@
 #include <kte/dynamics/contacts/operational_inertia.hpp>
 #include <kte/dynamics/contacts/static_chains.hpp>
 #include <kte/dynamics/contacts/support_polygon.hpp>
-#include <kte/models/detail/static_model_contacts.hpp>
+#include <kte/models/detail/static_model_at_run_time.hpp>
 #include <kte/models/element_events.hpp>
 #include <kte/models/moreau_jean.hpp>
 

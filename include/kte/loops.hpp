@@ -17,6 +17,6 @@
 #include <kte/dynamics/closed_loops/static_derivatives.hpp>
 #include <kte/dynamics/closed_loops/static_hybrid.hpp>
 #include <kte/elements/closures.hpp>
-#include <kte/models/detail/static_model_loops.hpp>
+#include <kte/models/detail/static_model_at_run_time.hpp>
 
 #include <kte/detail/macros_back.hpp>

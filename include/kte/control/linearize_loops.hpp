@@ -2,7 +2,7 @@
 
 #include <kte/control/linear_system.hpp>
 #include <kte/dynamics/closed_loops/actuated_derivatives.hpp>
-#include <kte/dynamics/closed_loops/at_run_time.hpp>
+#include <kte/dynamics/runtime/at_run_time.hpp>
 
 namespace kte {
 
@@ -32,10 +32,7 @@ template <indexable Q, indexable V, indexable T>
 template <class Gravity, class... E, indexable Q, indexable V, indexable T>
 [[nodiscard]] linear_system<> linearize(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const T& tau,
                                         const actuated_coordinates& by) {
-  using chain = static_chain<Gravity, E...>;
-  const auto x = detail::positions_at_run_time<chain>(q);
-  const auto rates = detail::rates_at_run_time<chain>(v, "v"), forces = detail::rates_at_run_time<chain>(tau, "tau");
-  return detail::at_run_time(c, [&](const auto& r, auto& s) { return linearize(r, s, x, rates, forces, by); });
+  return detail::at_run_time(c, q, v, tau, [&](auto&... at) { return linearize(at..., by); });
 }
 
 }  // namespace kte

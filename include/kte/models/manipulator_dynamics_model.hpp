@@ -26,26 +26,14 @@ template <class Chain, class S = double, class Output = void>
 class manipulator_dynamics_model;
 
 namespace detail {
-/// What a model of a static chain with closures adds: models/detail/static_model_loops.hpp, of kte/loops.hpp.
+class own_memory;
+/// What a model of a static chain with closures or contacts keeps: models/detail/static_model_at_run_time.hpp, of
+/// kte/loops.hpp and kte/contacts.hpp.
 template <class Chain>
-struct static_model_loops;
+struct static_model_at_run_time;
 /// Time stepping with contacts: models/detail/contact_stepper.hpp, of kte/contacts.hpp.
 template <class Model>
 class contact_stepper;
-/// What it adds to one with contacts, and maybe closures: models/detail/static_model_contacts.hpp, of kte/contacts.hpp.
-template <class Chain>
-struct static_model_contacts;
-template <class Chain>
-using static_model_constraints =
-    std::conditional_t<has_contact_elements<Chain>, static_model_contacts<Chain>, static_model_loops<Chain>>;
-template <class Chain>
-struct memory_of_constraints {
-  using type = nothing;
-};
-template <class Chain>
-requires(has_closures<Chain> || has_contact_elements<Chain>) struct memory_of_constraints<Chain> {
-  using type = typename static_model_constraints<Chain>::memory;
-};
 }  // namespace detail
 
 /// The dynamics of a static chain as a system x' = f(t, x, u), y = h(t, x, u).
@@ -57,7 +45,6 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
   using size = detail::sizes_of_model<chain_type>;
   static constexpr bool touches = detail::has_contact_elements<chain_type>;
   static constexpr bool constrained = detail::has_closures<chain_type> || touches;
-  using constraints = detail::static_model_constraints<chain_type>;  // of kte/loops.hpp or kte/contacts.hpp
 
  public:
   using typename base::rate;
@@ -78,36 +65,37 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
   /// The state x of q and v, which is put on the loops. Throws `bad_argument` where it is off them.
   template <indexable Q, indexable V>
   state make_x(const Q& q, const V& v) const requires(constrained) {
-    return constraints::checked(*this, started(base::make_x(q, v)));
+    return at_run_time().checked(started(base::make_x(q, v)));
   }
   template <indexable Q, indexable V, indexable Z>
   state make_x(const Q& q, const V& v, const Z& z) const requires(constrained) {
-    return constraints::checked(*this, base::make_x(q, v, z));
+    return at_run_time().checked(base::make_x(q, v, z));
   }
   static constexpr bool has_loops() requires(constrained) { return detail::has_closures<chain_type>; }
   /// The time of the next calls of `begin_step`, `settle`, `make_x` and `on_loops`, 0 at first: surfaces, and joints in
   /// loops, may move by signals. Integrators call it.
-  void settle_at(const S& t) const requires(constrained) { constraints::settle_at(*this, constraints_, t); }
+  void settle_at(const S& t) const requires(constrained) { at_run_time().model().settle_at(t); }
   /// To be called at the start of a step from x0: chooses the independent rows of closures. Throws `bad_argument` where
   /// x0 is off the loops.
-  void begin_step(const state& x0) const requires(constrained) { constraints::begin_step(*this, constraints_, x0); }
+  void begin_step(const state& x0) const requires(constrained) {
+    const auto r = at_run_time();
+    r.model().begin_step(r.at(x0));
+  }
   /// Puts x = x0 (+) d on the loops by the least change in kinetic energy; d goes with it. Throws `bad_argument` that
   /// names the closure which does not close.
-  void settle(const state& x0, rate& d, state& x) const requires(constrained) {
-    constraints::settle(*this, constraints_, x0, d, x);
-  }
+  void settle(const state& x0, rate& d, state& x) const requires(constrained) { at_run_time().settle(x0, d, x); }
   /// Takes out of a displacement from x0 what `settle` would.
-  void tangential(const state& x0, rate& e) const requires(constrained) {
-    constraints::tangential(*this, constraints_, x0, e);
-  }
+  void tangential(const state& x0, rate& e) const requires(constrained) { at_run_time().tangential(x0, e); }
   /// Throws `bad_argument` where the step from x0 that has just been computed ends too near to a singular
   /// configuration.
   void check_end(const state& x0, const state&) const requires(constrained) {
-    constraints::check_end(*this, constraints_, x0);
+    const auto r = at_run_time();
+    r.model().check_end(r.at(x0), r.at(x0));
   }
   /// The relative distance of x0, where a step begins, from singular configurations of the loops.
   [[nodiscard]] double singular_distance(const state& x0) const requires(constrained) {
-    return constraints::singular_distance(*this, constraints_, x0);
+    const auto r = at_run_time();
+    return r.model().singular_distance(r.at(x0));
   }
   /// x on the loops, wherever it is. Throws `bad_argument` that names a closure which does not close from there.
   state on_loops(const state& x) const requires(constrained) {
@@ -121,46 +109,49 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
   /// The function of a contact that passes through zero where its mode changes; `part` 0: its gap or normal force, 1:
   /// friction or velocity of sliding, 2: sense of sliding in space.
   [[nodiscard]] S contact_margin(const S& t, const state& x, int contact, int part) const requires(touches) {
-    return constraints::margin(*this, constraints_, t, x, contact, part);
+    const auto r = at_run_time();
+    return r.model().contact_margin(t, r.at(x), contact, part);
   }
   /// Resolves impacts, finds the modes of all contacts, and puts x on the rows of closed ones. Returns what changed,
   /// valid until the next call. `event_of`: the contact whose event it is, at a state of an integrator; -1: a start.
   std::string_view resolve_contacts(const S& t, state& x, int event_of = -1) const requires(touches) {
-    return constraints::resolve(*this, constraints_, t, x, event_of);
+    return at_run_time().resolve_contacts(t, x, event_of);
   }
   /// The length of the chain to which tolerances of contacts are relative, m.
-  [[nodiscard]] double contact_length() const requires(touches) { return constraints::length(*this, constraints_); }
+  [[nodiscard]] double contact_length() const requires(touches) { return at_run_time().model().contact_length(); }
   /// The absolute tolerance of an integrator for velocities, m/s: slow sliding in space is not resolved more finely
   /// (dynamics/contacts/slow_sliding.hpp). 1e-9 of the length of the chain per second at first.
   void let_contacts_tolerate(double of_velocity) const requires(touches) {
-    constraints::let_tolerate(*this, constraints_, of_velocity);
+    at_run_time().model().let_contacts_tolerate(of_velocity);
   }
   /// Moves x by a few velocity steps over a time where no modes are found; returns the time after. `before`: bridges
   /// that this one follows.
   double bridge_contacts(const S& t, state& x, const S& t_end, int before) const requires(touches) {
-    return constraints::bridge(*this, constraints_, t, x, t_end, before);
+    return at_run_time().bridge_contacts(t, x, t_end, before);
   }
   /// What the last `resolve_contacts` has changed.
   [[nodiscard]] std::string_view contact_change() const requires(touches) {
-    return constraints::change(*this, constraints_);
+    return at_run_time().model().contact_change();
   }
 
   /// x' of (1). Throws `bad_argument` for numbers that are not finite, `singular_mass_matrix`.
   [[nodiscard]] rate computeStateRate(const S& t, const state& x) const {
-    const S *q = x.data(), *v = q + size::q, *z = v + size::v;
-    const detail::configuration<S, wiring, const S*> at(q);
-    const auto bases = bases_at(t, z);
-    const joint_vector<S, size::v> none = joint_vector<S, size::v>::Zero();
-    rate r;
-    r.template head<size::v>() = this->velocities_of(x);
-    if constexpr (constrained)
-      r.template segment<size::v>(size::v) = constraints::accelerations(*this, constraints_, x, at, v, bases, none);
-    else
+    if constexpr (constrained) {
+      static_assert(std::is_same_v<S, double>, "kte: closed loops and contacts are computed in double");
+      const auto r = at_run_time();
+      return r.model().computeStateRate(t, r.at(x));
+    } else {
+      const S *q = x.data(), *v = q + size::q, *z = v + size::v;
+      const detail::configuration<S, wiring, const S*> at(q);
+      const auto bases = bases_at(t, z);
+      const joint_vector<S, size::v> none = joint_vector<S, size::v>::Zero();
+      rate r;
+      r.template head<size::v>() = this->velocities_of(x);
       r.template segment<size::v>(size::v) =
           detail::accelerations_under<S>(this->chain(), at, detail::each<S, const S*>{v}, bases, none);
-    if constexpr (size::own_z > 0) detail::internal_rates(this->chain(), at, v, bases, &r[2 * size::v]);
-    if constexpr (touches) r.template tail<size::z - size::own_z>().setZero();
-    return r;
+      if constexpr (size::own_z > 0) detail::internal_rates(this->chain(), at, v, bases, &r[2 * size::v]);
+      return r;
+    }
   }
   /// x' of (1), for integrators. If it throws, integrators try a shorter step, or report the time and the cause.
   rate operator()(const S& t, const state& x) const { return computeStateRate(t, x); }
@@ -276,9 +267,10 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
   [[nodiscard]] auto state_at(const S& t, const state& x) const {
     auto s = make_state<S>(this->chain());
     setJointStates(t, x, s);
-    const rate r = computeStateRate(t, x);
-    set_accelerations(s, r.data() + size::v);
-    if constexpr (constrained) constraints::put_forces(*this, constraints_, s);
+    if constexpr (constrained)
+      at_run_time().put_dynamics(t, x, s);
+    else
+      set_accelerations(s, computeStateRate(t, x).data() + size::v);
     this->doMotion(s), this->clearForce(s), this->doForce(s);
     return s;
   }
@@ -406,7 +398,7 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
     for (const detail::freedom& f : this->freedoms()) detail::add_variation_of_pull_back<S>(f, at_x, j);
   }
   void check_chain() const {
-    if constexpr (constrained && !touches) constraints::check_chain(this->chain());
+    if constexpr (constrained) (void)at_run_time();
   }
   /// Bases at rest, with the signals of the chain.
   auto bases_at(const S& t, const S* z) const {
@@ -414,13 +406,17 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
   }
   template <class, class, class>
   friend class manipulator_dynamics_model;
-  friend constraints;
+  template <class>
+  friend struct detail::static_model_at_run_time;
   template <class Model>
   friend class detail::contact_stepper;
   template <class F>
   manipulator_dynamics_model(const chain_type& c, const F& f) : base(c), output_(f) {}
 
-  [[no_unique_address]] mutable typename detail::memory_of_constraints<chain_type>::type constraints_;
+  /// The model of the chain at run time, with the inputs of this one.
+  auto at_run_time() const { return detail::static_model_at_run_time<chain_type>(*this); }
+
+  [[no_unique_address]] mutable std::conditional_t<constrained, detail::own_memory, detail::nothing> constraints_;
   struct no_output {};
   [[no_unique_address]] std::conditional_t<std::is_void_v<Output>, no_output, Output> output_;
 };

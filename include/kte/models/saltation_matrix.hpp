@@ -2,6 +2,7 @@
 
 #include <kte/dynamics/contacts/impact_derivatives.hpp>
 #include <kte/events/event_list.hpp>
+#include <kte/models/detail/static_model_at_run_time.hpp>
 #include <kte/models/runtime_dynamics_model.hpp>
 
 /// Derivatives of states of models with rigid contacts by displacements of the state before, (dq, dv), along the
@@ -15,16 +16,6 @@ Eigen::MatrixXd contact_saltation_matrix(const manipulator_dynamics_model<runtim
                                          const Eigen::VectorXd& before, const Eigen::VectorXd& after);
 Eigen::MatrixXd contact_projection_matrix(const manipulator_dynamics_model<runtime_chain>& m, double t,
                                           const Eigen::VectorXd& x);
-/// A model of a runtime chain for a model of any chain, with its inputs.
-inline const auto& model_at_run_time(const manipulator_dynamics_model<runtime_chain>& m) { return m; }
-template <class Gravity, class... E, class Output>
-auto model_at_run_time(const manipulator_dynamics_model<static_chain<Gravity, E...>, double, Output>& m) {
-  runtime_chain c;
-  c << m.chain();
-  manipulator_dynamics_model<runtime_chain> made(c);
-  made.setInput(m.input());
-  return made;
-}
 }  // namespace detail
 
 /// The saltation matrix S of an event of rigid contacts: displacements (dq, dv) of motions after it are S times those

@@ -24,12 +24,6 @@ struct loop_variations;
 constrained_dynamics_derivatives_result constrained_dynamics_derived(const runtime_chain& c, runtime_state& s,
                                                                      const Eigen::VectorXd& tau,
                                                                      loop_variations* kept = nullptr);
-template <indexable X>
-Eigen::VectorXd as_vector(const X& x, int n) {
-  Eigen::VectorXd all(n);
-  for (int i = 0; i < n; ++i) all[i] = static_cast<double>(x[static_cast<std::size_t>(i)]);
-  return all;
-}
 }  // namespace detail
 
 /// The accelerations of a chain with loops and the forces of its closures, with their derivatives by q (along the

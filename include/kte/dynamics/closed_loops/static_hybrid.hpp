@@ -1,6 +1,5 @@
 #pragma once
 
-#include <kte/dynamics/closed_loops/at_run_time.hpp>
 #include <kte/dynamics/closed_loops/hybrid.hpp>
 #include <kte/dynamics/closed_loops/static_chains.hpp>
 
@@ -24,18 +23,15 @@ struct static_hybrid<static_chain<Gravity, E...>> {
                                                        prescribed_coordinates<Keys...>) {
     static_assert(sizeof(check_contacts_of<chain>) > 0);
     static_assert(sizeof(some_accelerations<double, typename chain::wiring, X, Keys...>) > 0);
-    const auto x = positions_at_run_time<chain>(q);
-    const auto rates = rates_at_run_time<chain>(v, "v"), given = rates_at_run_time<chain>(known, "known");
-    return at_run_time(c, [&](const auto& at, auto& s) {
+    const auto find = [](auto& r, auto& s, auto&... given) {
       const std::vector<std::string> names{text_of_name(Keys{})...};
-      const auto found =
-          hybrid_dynamics(at, s, x, rates, given, std::vector<std::string_view>(names.begin(), names.end()));
-      static_hybrid_dynamics_result<chain> r;
-      r.a = found.a, r.tau = found.tau;
-      for (std::size_t i = 0; i < r.loops.size(); ++i)
-        r.loops[i] = s.loop(static_closures<chain, nothing>::loop_name(static_cast<int>(i)));
-      return r;
-    });
+      const auto found = hybrid_dynamics(r, s, given..., std::vector<std::string_view>(names.begin(), names.end()));
+      static_hybrid_dynamics_result<chain> result;
+      result.a = found.a, result.tau = found.tau;
+      copy_loops(s, result);
+      return result;
+    };
+    return at_run_time(c, q, v, known, find, "known");
   }
 };
 }  // namespace detail

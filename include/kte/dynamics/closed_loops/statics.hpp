@@ -1,8 +1,8 @@
 #pragma once
 
 #include <kte/dynamics/closed_loops/actuated_derivatives.hpp>
-#include <kte/dynamics/closed_loops/at_run_time.hpp>
 #include <kte/dynamics/natural_modes.hpp>
+#include <kte/dynamics/runtime/at_run_time.hpp>
 #include <kte/dynamics/static_equilibrium.hpp>
 
 /// Equilibria of mechanisms with loops, and small motions about them, in their actuated coordinates.
@@ -52,14 +52,12 @@ equilibrium static_equilibrium(const runtime_chain& c, runtime_state& s, const Q
 template <class Gravity, class... E, indexable Q>
 [[nodiscard]] natural_modes_result natural_modes(const static_chain<Gravity, E...>& c, const Q& q,
                                                  const actuated_coordinates& by) {
-  const auto x = detail::positions_at_run_time<static_chain<Gravity, E...>>(q);
-  return detail::at_run_time(c, [&](const auto& r, auto& s) { return natural_modes(r, s, x, by); });
+  return detail::at_run_time(c, q, [&](auto&... at) { return natural_modes(at..., by); });
 }
 template <class Gravity, class... E, indexable Q>
 [[nodiscard]] equilibrium static_equilibrium(const static_chain<Gravity, E...>& c, const Q& q0,
                                              const actuated_coordinates& by) {
-  const auto x = detail::positions_at_run_time<static_chain<Gravity, E...>>(q0);
-  return detail::at_run_time(c, [&](const auto& r, auto& s) { return static_equilibrium(r, s, x, by); });
+  return detail::at_run_time(c, q0, [&](auto&... at) { return static_equilibrium(at..., by); });
 }
 
 }  // namespace kte

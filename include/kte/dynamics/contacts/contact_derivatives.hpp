@@ -1,7 +1,7 @@
 #pragma once
 
-#include <kte/dynamics/closed_loops/at_run_time.hpp>
 #include <kte/dynamics/contacts/contact_dynamics.hpp>
+#include <kte/dynamics/runtime/at_run_time.hpp>
 
 #ifdef KTE_FUNCTION
 #  include <kte/dynamics/contacts/contact_variations.hpp>
@@ -60,11 +60,7 @@ contact_dynamics_derivatives_result contact_dynamics_derivatives(const runtime_c
 template <class Gravity, class... E, indexable Q, indexable V, indexable T>
 [[nodiscard]] contact_dynamics_derivatives_result contact_dynamics_derivatives(const static_chain<Gravity, E...>& c,
                                                                                const Q& q, const V& v, const T& tau) {
-  using chain = static_chain<Gravity, E...>;
-  const auto x = detail::positions_at_run_time<chain>(q);
-  const auto rates = detail::rates_at_run_time<chain>(v, "v"), forces = detail::rates_at_run_time<chain>(tau, "tau");
-  return detail::at_run_time(
-      c, [&](const auto& r, auto& s) { return contact_dynamics_derivatives(r, s, x, rates, forces); });
+  return detail::at_run_time(c, q, v, tau, [&](auto&... at) { return contact_dynamics_derivatives(at...); });
 }
 
 }  // namespace kte

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <kte/dynamics/closed_loops/at_run_time.hpp>
 #include <kte/dynamics/contacts/chosen_contacts.hpp>
 #include <kte/dynamics/jacobian_rate.hpp>
+#include <kte/dynamics/runtime/at_run_time.hpp>
 
 namespace kte {
 
@@ -45,15 +45,7 @@ Eigen::MatrixXd contact_jacobian_rate(const runtime_chain& c, runtime_state& s, 
 
 template <class Gravity, class... E, indexable Q>
 [[nodiscard]] auto contact_jacobian(const static_chain<Gravity, E...>& c, const Q& q, const chosen_contacts& of) {
-  using chain = static_chain<Gravity, E...>;
-  using S = value_of<Q>;
-  if constexpr (detail::has_lanes_of_double<S>) {
-    detail::check_configuration<chain>(q);
-    return detail::at_run_time<S>(c, [&](const auto& r, auto& s) { return contact_jacobian(r, s, q, of); });
-  } else {
-    const auto x = detail::positions_at_run_time<chain>(q);
-    return detail::at_run_time(c, [&](const auto& r, auto& s) { return contact_jacobian(r, s, x, of); });
-  }
+  return detail::at_run_time(c, q, [&](auto&... at) { return contact_jacobian(at..., of); });
 }
 template <class Gravity, class... E, indexable Q, key_type Contact>
 [[nodiscard]] auto contact_jacobian(const static_chain<Gravity, E...>& c, const Q& q, const Contact& contact) {
@@ -62,9 +54,7 @@ template <class Gravity, class... E, indexable Q, key_type Contact>
 template <class Gravity, class... E, indexable Q, indexable V>
 [[nodiscard]] Eigen::MatrixXd contact_jacobian_rate(const static_chain<Gravity, E...>& c, const Q& q, const V& v,
                                                     const chosen_contacts& of) {
-  using chain = static_chain<Gravity, E...>;
-  const auto x = detail::positions_at_run_time<chain>(q), rates = detail::rates_at_run_time<chain>(v, "v");
-  return detail::at_run_time(c, [&](const auto& r, auto& s) { return contact_jacobian_rate(r, s, x, rates, of); });
+  return detail::at_run_time(c, q, v, [&](auto&... at) { return contact_jacobian_rate(at..., of); });
 }
 template <class Gravity, class... E, indexable Q, indexable V, key_type Contact>
 [[nodiscard]] Eigen::MatrixXd contact_jacobian_rate(const static_chain<Gravity, E...>& c, const Q& q, const V& v,

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <kte/dynamics/closed_loops/at_run_time.hpp>
 #include <kte/dynamics/contacts/impact.hpp>
+#include <kte/dynamics/runtime/at_run_time.hpp>
 
 #ifdef KTE_FUNCTION
 #  include <kte/dynamics/contacts/contact_variations.hpp>
@@ -42,10 +42,7 @@ impact_derivatives_result impact_derivatives(const runtime_chain& c, runtime_sta
 template <class Gravity, class... E, indexable Q, indexable V>
 [[nodiscard]] impact_derivatives_result impact_derivatives(const static_chain<Gravity, E...>& c, const Q& q,
                                                            const V& v) {
-  using chain = static_chain<Gravity, E...>;
-  const auto x = detail::positions_at_run_time<chain>(q);
-  const auto rates = detail::rates_at_run_time<chain>(v, "v");
-  return detail::at_run_time(c, [&](const auto& r, auto& s) { return impact_derivatives(r, s, x, rates); });
+  return detail::at_run_time(c, q, v, [&](auto&... at) { return impact_derivatives(at...); });
 }
 
 }  // namespace kte

@@ -46,28 +46,24 @@ Eigen::MatrixXd operational_inertia(const runtime_chain& c, runtime_state& s, co
 template <class Gravity, class... E, indexable Q>
 [[nodiscard]] Eigen::MatrixXd delassus_matrix(const static_chain<Gravity, E...>& c, const Q& q,
                                               const chosen_contacts& of) {
-  const auto x = detail::positions_at_run_time<static_chain<Gravity, E...>>(q);
-  return detail::at_run_time(c, [&](const auto& r, auto& s) { return delassus_matrix(r, s, x, of); });
+  return detail::at_run_time(c, q, [&](auto&... at) { return delassus_matrix(at..., of); });
 }
 template <class Gravity, class... E, indexable Q>
 [[nodiscard]] Eigen::MatrixXd operational_inertia(const static_chain<Gravity, E...>& c, const Q& q,
                                                   const chosen_contacts& of) {
-  const auto x = detail::positions_at_run_time<static_chain<Gravity, E...>>(q);
-  return detail::at_run_time(c, [&](const auto& r, auto& s) { return operational_inertia(r, s, x, of); });
+  return detail::at_run_time(c, q, [&](auto&... at) { return operational_inertia(at..., of); });
 }
 template <class Gravity, class... E, indexable Q, key_type Frame>
 [[nodiscard]] Eigen::MatrixXd operational_inertia(const static_chain<Gravity, E...>& c, const Q& q,
                                                   const Frame& frame) {
-  const auto x = detail::positions_at_run_time<static_chain<Gravity, E...>>(q);
-  return detail::at_run_time(
-      c, [&](const auto& r, auto& s) { return operational_inertia(r, s, x, detail::text_of_name(frame)); });
+  return detail::at_run_time(c, q,
+                             [&](auto&... at) { return operational_inertia(at..., detail::text_of_name(frame)); });
 }
 template <class Gravity, class... E, indexable Q, key_type Frame>
 [[nodiscard]] Eigen::MatrixXd operational_inertia(const static_chain<Gravity, E...>& c, const Q& q, const Frame& frame,
                                                   in_world_axes_t axes) {
-  const auto x = detail::positions_at_run_time<static_chain<Gravity, E...>>(q);
   return detail::at_run_time(
-      c, [&](const auto& r, auto& s) { return operational_inertia(r, s, x, detail::text_of_name(frame), axes); });
+      c, q, [&](auto&... at) { return operational_inertia(at..., detail::text_of_name(frame), axes); });
 }
 
 }  // namespace kte

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <kte/dynamics/closed_loops/at_run_time.hpp>
 #include <kte/dynamics/contacts/chosen_contacts.hpp>
+#include <kte/dynamics/runtime/at_run_time.hpp>
 
 namespace kte {
 
@@ -50,20 +50,17 @@ inline vec3<> centre_of_pressure(const runtime_chain& c, runtime_state& s, const
 template <class Gravity, class... E, indexable Q>
 [[nodiscard]] support_polygon_result support_polygon(const static_chain<Gravity, E...>& c, const Q& q,
                                                      const chosen_contacts& of = {}) {
-  const auto x = detail::positions_at_run_time<static_chain<Gravity, E...>>(q);
-  return detail::at_run_time(c, [&](const auto& r, auto& s) { return support_polygon(r, s, x, of); });
+  return detail::at_run_time(c, q, [&](auto&... at) { return support_polygon(at..., of); });
 }
 /// With the forces of `contact_dynamics(c, q, v, tau)`.
 template <class Gravity, class... E, indexable Q, indexable V, indexable T>
 [[nodiscard]] vec3<> centre_of_pressure(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const T& tau,
                                         const chosen_contacts& of = {}) {
-  using chain = static_chain<Gravity, E...>;
-  const auto x = detail::positions_at_run_time<chain>(q);
-  const auto rates = detail::rates_at_run_time<chain>(v, "v"), forces = detail::rates_at_run_time<chain>(tau, "tau");
-  return detail::at_run_time(c, [&](const auto& r, auto& s) {
-    contact_dynamics(r, s, x, rates, forces);
-    return centre_of_pressure(r, s, of);
-  });
+  return detail::at_run_time(c, q, v, tau,
+                             [&](const auto& r, auto& s, const auto& x, const auto& rates, const auto& forces) {
+                               contact_dynamics(r, s, x, rates, forces);
+                               return centre_of_pressure(r, s, of);
+                             });
 }
 
 }  // namespace kte

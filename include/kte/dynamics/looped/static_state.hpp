@@ -2,8 +2,7 @@
 
 #include <kte/contract/thing_lists.hpp>
 #include <kte/detail/unroll.hpp>
-#include <kte/dynamics/unrolled/given.hpp>
-#include <kte/dynamics/unrolled/plan.hpp>
+#include <kte/dynamics/unrolled/copy_given.hpp>
 #include <kte/math/plain_scalar.hpp>
 #include <kte/tree/chain_tree.hpp>
 #include <kte/tree/loop_memory.hpp>
@@ -72,16 +71,9 @@ class static_state {
   void take(const Given& g) {
     unroll<wiring::freedoms>([&]<std::size_t F>() {
       constexpr freedom at = wiring::template free<F>;
-      take_coordinate(get<at.what>(at.slot), g.template coordinate<at.what, at.slot>());
+      copy_coordinate<S>(get<at.what>(at.slot), g.template coordinate<at.what, at.slot>());
     });
-    unroll(given_things<wiring, kind::gen>{},
-           [&]<std::size_t I>() { take_coordinate(get<kind::gen>(I), g.template fixed<int{I}>()); });
-    unroll(given_things<wiring, kind::input>{},
-           [&]<std::size_t I>() { get<kind::input>(I) = as<S>(g.template input<int{I}>()); });
-    unroll(given_things<wiring, kind::vector>{},
-           [&]<std::size_t I>() { get<kind::vector>(I) = as<S>(g.template vector<int{I}>()); });
-    unroll<wiring::count(kind::internal)>([&]<int I>() { get<kind::internal>(I).z = as<S>(g.template internal<I>()); });
-    for_each_base<wiring>([&]<kind K, int Slot>() { take_base(get<K>(Slot), g.template base<K, Slot>()); });
+    copy_given_items<wiring>(g, *this, []<kind>(int slot) { return slot; });
   }
 
   template <kind K>
@@ -101,54 +93,6 @@ class static_state {
   }
 
  private:
-  /// Copies a number; quantities that were not computed become zero.
-  template <class To, class From>
-  static void take_number(To& to, const From& from) {
-    if constexpr (std::is_same_v<From, skip>) {
-      to = To(0);
-    } else if constexpr (std::is_same_v<To, S>) {
-      to = as<S>(from);
-    } else {
-      take_number(to.x, from.x), take_number(to.y, from.y);
-      if constexpr (requires { to.z; }) take_number(to.z, from.z);
-    }
-  }
-  template <class C>
-  static void take_coordinate(gen_coord<S>& to, const C& c) {
-    take_number(to.q, c.q), take_number(to.q_dot, c.q_dot), take_number(to.q_ddot, c.q_ddot);
-    take_number(to.cos, c.cos), take_number(to.sin, c.sin);
-  }
-  template <class M>
-  static void take_coordinate(pose_coord_2D<S>& to, const M& m) {
-    take_number(to.position, m.position), take_number(to.cos, m.rotation.cos), take_number(to.sin, m.rotation.sin);
-    take_number(to.velocity, m.velocity), take_number(to.ang_velocity, m.ang_velocity.z);
-    take_number(to.acceleration, m.acceleration), take_number(to.ang_acceleration, m.ang_acceleration.z);
-  }
-  template <class To, class M>
-  static void take_coordinate(To& to, const M& m) {
-    to.matrix = m.rotation;
-    if constexpr (requires { to.position; }) {
-      take_number(to.position, m.position), take_number(to.velocity, m.velocity);
-      take_number(to.acceleration, m.acceleration);
-    }
-    take_number(to.ang_velocity, m.ang_velocity), take_number(to.ang_acceleration, m.ang_acceleration);
-  }
-  /// Returns x, or the other value if x was not computed.
-  template <class X, class Other>
-  static const auto& known(const X& x, const Other& otherwise) {
-    if constexpr (std::is_same_v<X, skip>) {
-      return otherwise;
-    } else {
-      return x;
-    }
-  }
-  template <class Frame, class M>
-  static void take_base(Frame& to, const M& m) {
-    static constexpr zero3 none{};
-    set_motion(to, motion{known(m.position, none), known(m.rotation, no_rotation{}), known(m.velocity, none),
-                          known(m.ang_velocity, none), known(m.acceleration, none), known(m.ang_acceleration, none)});
-  }
-
   thing_lists<S> things_{[](kind k) { return wiring::count(k); }};
   tree_type tree_;
 

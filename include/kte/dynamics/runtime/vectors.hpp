@@ -15,6 +15,12 @@ template <class S>
 using runtime_matrix = Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>;
 
 namespace detail {
+template <indexable X>
+Eigen::VectorXd as_vector(const X& x, int n) {
+  Eigen::VectorXd all(n);
+  for (int i = 0; i < n; ++i) all[i] = static_cast<double>(x[static_cast<std::size_t>(i)]);
+  return all;
+}
 template <vector_of Which, class S>
 runtime_vector<S> read_numbers(const basic_runtime_state<S>& s) {
   runtime_vector<S> x(Which == vector_of::q ? s.nq() : s.dofs());

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <kte/dynamics/contacts/contact_forces.hpp>
-#include <kte/static_chain/static_chain.hpp>
 
 /// Gates of contacts (elements/gated_contact.hpp) in simulations.
 namespace kte::detail {
@@ -12,22 +11,7 @@ bool admits_contact(const Model& m, double t, const X& x, int e) {
   auto s = make_state(m.chain());
   m.setJointStates(t, x, s);
   m.doMotion(s);
-  if constexpr (requires { m.wiring().elements; }) {
-    return m.wiring().elements[static_cast<std::size_t>(e)].element->admits(t, s);
-  } else {
-    bool is = true;
-    const auto ask = [&]<std::size_t I>(std::integral_constant<std::size_t, I>) {
-      if constexpr (has_gate<typename Model::template core_type<I>>)
-        if (static_cast<int>(I) == e) is = m.template core<I>().admits(s);
-      return 0;
-    };
-    [&]<std::size_t... I>(std::index_sequence<I...>) {
-      const int done[]{ask(std::integral_constant<std::size_t, I>{})...};
-      (void)done;
-    }
-    (std::make_index_sequence<static_cast<std::size_t>(Model::wiring::elements)>{});
-    return is;
-  }
+  return m.wiring().elements[static_cast<std::size_t>(e)].element->admits(t, s);
 }
 
 /// Whether a contact comes down from a height above the touching gap, after `accelerate_freely`; slower ones count as

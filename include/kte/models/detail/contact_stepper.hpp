@@ -5,6 +5,7 @@
 #include <kte/dynamics/contacts/static_chains.hpp>
 #include <kte/dynamics/contacts/velocity_step.hpp>
 #include <kte/models/detail/contact_gates.hpp>
+#include <kte/models/detail/static_model_at_run_time.hpp>
 #include <kte/models/manipulator_dynamics_model.hpp>
 #include <kte/models/runtime_dynamics_model.hpp>
 
@@ -70,6 +71,8 @@ class contact_stepper<manipulator_dynamics_model<runtime_chain>> {
   const contact_state<>& contact(const Name& name) const {
     return s_.contact(name);
   }
+  /// The state of the last step.
+  const runtime_state& state() const { return s_; }
   template <class X, class A>
   const runtime_state& state_at(const model_type& m, double t, const X& x, const A& a) {
     m.setJointStates(t, x, s_), set_accelerations(s_, a);
@@ -86,77 +89,61 @@ class contact_stepper<manipulator_dynamics_model<runtime_chain>> {
 template <class Gravity, class... E, class Output>
 class contact_stepper<manipulator_dynamics_model<static_chain<Gravity, E...>, double, Output>> {
   using chain_type = static_chain<Gravity, E...>;
-  using wiring = typename chain_type::wiring;
 
  public:
   template <class Model>
-  explicit contact_stepper(const Model& m) : s_(m.chain()) {}
+  explicit contact_stepper(const Model& m) : model_(model_at_run_time(m)), stepper_(model_) {}
 
   template <class Model, class X>
   void check_depth(const Model& m, double t, const X& x, double depth) {
-    take(m, t, x, [&](const auto& contacts, const auto&) {
-      check_starting_depth(contacts, s_, s_.contacts, depth, [&](int e) { return admits_contact(m, t, x, e); });
-    });
+    stepper_.check_depth(of(m), t, at(x), depth);
   }
   template <class Model, class X>
   void first(const Model& m, double t, const X& x, double h, const force_slopes* law, Eigen::VectorXd& v) {
-    take(m, t, x, [&](const auto& contacts, const auto& g) {
-      step_.first(contacts, s_, s_.contacts, h, law, gates_.at(m, t, x), v), check(g, v);
-    });
+    stepper_.first(of(m), t, at(x), h, law, v);
   }
   template <class Model, class X>
   void again(const Model& m, double t, const X& x, double h, Eigen::VectorXd& v) {
-    take(m, t, x,
-         [&](const auto& contacts, const auto& g) { step_.again(contacts, s_, s_.contacts, h, v), check(g, v); });
+    stepper_.again(of(m), t, at(x), h, v);
   }
   template <class Model>
-  bool strikes(const Model&) const {
-    return step_.strikes(s_.contacts);
+  bool strikes(const Model&) {
+    return stepper_.strikes(model_);
   }
   template <class Model, class X>
   void internal_rates(const Model& m, double t, const X& x, double* z_dot) {
-    const double *q = x.data(), *rates = q + wiring::nq;
-    const configuration<double, wiring, const double*> at(q);
-    detail::internal_rates(m.chain(), at, rates, m.bases_at(t, rates + wiring::dofs), z_dot);
+    stepper_.internal_rates(of(m), t, at(x), z_dot);
   }
   template <class Model, class X>
   void input_forces(const Model& m, double t, const X& x, Eigen::VectorXd& f) {
-    take(m, t, x, [&](const auto& contacts, const auto&) { forces_between_coordinates(contacts, s_, f); });
+    stepper_.input_forces(of(m), t, at(x), f);
   }
   template <key_type Key>
   const contact_state<>& contact(const Key&) const {
-    return s_.template get<kind::contact>(static_cast<int>(slot_of_contact<chain_type, Key>));
+    return stepper_.state().template get<kind::contact>(static_cast<int>(slot_of_contact<chain_type, Key>));
   }
   template <class Model, class X, class A>
   auto state_at(const Model& m, double t, const X& x, const A& a) const {
     auto s = make_state(m.chain());
     m.setJointStates(t, x, s), set_accelerations(s, a.data());
-    for (int i = 0; i < wiring::count(kind::contact); ++i)
-      s.template get<kind::contact>(i) = s_.template get<kind::contact>(i);
+    static_model_at_run_time<chain_type>::put_constraints(stepper_.state(), s);
     m.doMotion(s), m.clearForce(s), m.doForce(s);
     return s;
   }
 
  private:
-  template <class Model, class X, class F>
-  void take(const Model& m, double t, const X& x, const F& f) {
-    const double *q = x.data(), *rates = q + wiring::nq;
-    const configuration<double, wiring, const double*> at(q);
-    at.check();
-    const auto bases = m.bases_at(t, rates + wiring::dofs);
-    bases.check();
-    const given g{at, each<double, const double*>{rates}, same<zero_t>{}, bases};
-    s_.take(g), check_regular(m.chain(), s_);
-    f(static_contacts<chain_type, std::remove_const_t<decltype(g)>>{{{m.chain(), g}}}, g);
+  template <class Model>
+  const manipulator_dynamics_model<runtime_chain>& of(const Model& m) {
+    if constexpr (chain_type::wiring::nu > 0) model_.setInput(m.input());
+    return model_;
   }
-  template <class Given>
-  static void check(const Given& g, const Eigen::VectorXd& v) {
-    check_accelerations<wiring>(joint_vector<double, chain_type::dofs>(v), g,
-                                joint_vector<double, chain_type::dofs>::Zero().eval());
+  template <class X>
+  const Eigen::VectorXd& at(const X& x) {
+    return x_ = x;
   }
-  static_contact_state<chain_type> s_;
-  velocity_step step_;
-  stepped_gates gates_;
+  manipulator_dynamics_model<runtime_chain> model_;
+  contact_stepper<manipulator_dynamics_model<runtime_chain>> stepper_;
+  Eigen::VectorXd x_;
 };
 
 }  // namespace kte::detail

@@ -11,7 +11,7 @@
 #include "catch.hpp"
 #include "random.hpp"
 
-namespace unrolled_contacts_test {
+namespace static_chains_test {
 
 using namespace kte;
 using namespace kte::test;
@@ -76,10 +76,6 @@ struct planar {
         .gravity(along_y(-9.81));
   }
 };
-
-template <class Chain>
-inline constexpr bool is_unrolled_with_contacts = detail::unrolls_contacts<Chain, vector, vector>;
-static_assert(is_unrolled_with_contacts<decltype(leg{}())> && is_unrolled_with_contacts<decltype(planar{}())>);
 
 double largest(const vector& x) { return x.cwiseAbs().maxCoeff(); }
 /// Compares a static chain with the same at run time, at random states where the contacts `first` and `last` touch.
@@ -150,14 +146,14 @@ std::array<int, 3> check_against_runtime(const char* first, const char* last, ve
   return modes;
 }
 
-TEST_CASE("unrolled dynamics of static chains with contacts is that of runtime chains") {
+TEST_CASE("contact dynamics of a static chain is that of the same at run time") {
   random_numbers draw(3);
   for (const auto& modes : {check_against_runtime<leg>("on slope", "on hill", {0, 0, 1}, draw),
                             check_against_runtime<planar>("corner", "end", {0, 1, 0}, draw)})
     for (const int n : modes) CHECK(n >= 3);  // open, sticks, slides
 }
 
-TEST_CASE("unrolled dynamics without contacts that touch is free forward dynamics") {
+TEST_CASE("without contacts that touch, contact dynamics is free forward dynamics") {
   const planar at{0.1, 0.3, 0.5};
   const vector q = Eigen::Vector4d(0.3, 7, 0.2, 0.4), v = Eigen::Vector4d(1, 2, 3, 4),
                tau = Eigen::Vector4d(4, 3, 2, 1);
@@ -170,7 +166,7 @@ TEST_CASE("unrolled dynamics without contacts that touch is free forward dynamic
   CHECK((mode_of(r.contact(corner)) == contact_mode::open && r.force(end_of_arm) == vec3<>{}));
 }
 
-TEST_CASE("unrolled dynamics with contacts names what it refuses") {
+TEST_CASE("contact dynamics of a static chain names what it refuses") {
   const auto c = planar{0.1, 0.3, 0.5}();
   const vector q = Eigen::Vector4d(-0.3, 0.05, 0, 0), still = vector::Zero(4), down = Eigen::Vector4d(0, -2, 0, 0);
   CHECK_THROWS_MATCHES(contact_dynamics(c, q, down, still), bad_argument,
@@ -187,4 +183,4 @@ TEST_CASE("unrolled dynamics with contacts names what it refuses") {
                        says("kte: contact 'corner': its surface has no normal here"));
 }
 
-}  // namespace unrolled_contacts_test
+}  // namespace static_chains_test
