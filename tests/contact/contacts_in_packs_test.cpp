@@ -137,7 +137,7 @@ std::array<int, 3> check_packs(const Chain& fixed, const runtime_chain& c, const
   }
   return modes;
 }
-
+static_assert(detail::unrolls_contacts<decltype(standing_body(0)), P>);
 
 TEST_CASE("contact dynamics in packs is that of single states") {
   const auto fixed = standing_body(0.6);

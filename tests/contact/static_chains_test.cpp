@@ -77,6 +77,9 @@ struct planar {
   }
 };
 
+static_assert(detail::unrolls_contacts<decltype(leg{}()), double>);
+static_assert(detail::unrolls_contacts<decltype(planar{}()), double>);
+
 double largest(const vector& x) { return x.cwiseAbs().maxCoeff(); }
 /// Compares a static chain with the same at run time, at random states where the contacts `first` and `last` touch.
 /// Returns how often contacts had each mode.

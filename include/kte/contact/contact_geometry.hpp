@@ -36,6 +36,7 @@ struct contact_geometry {
   static constexpr char compliant_name[] = "compliant_contact";  ///< the type of its compliant element in files
   static constexpr char rigid_name[] = "sphere_contact";         ///< the type of its rigid element in files
   static constexpr char bristle_name[] = "bristle_contact";      ///< likewise with friction by bristles
+  static constexpr bool in_packs = std::is_same_v<Surface, contact_surface>;  ///< whether its functions take packs
 
   Surface surface = detail::default_surface<Surface>();
   double radius = 0;  ///< m

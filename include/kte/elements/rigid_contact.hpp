@@ -28,6 +28,7 @@ struct rigid_contact : contact<rigid_contact<Dim, Geometry>, Dim> {
           : "{surface_axis, surface_radius}, radius, {friction, restitution}, offset";
   static constexpr bool holds_code = requires { requires Geometry::surface_type::holds_code; };
   static constexpr bool may_have_no_value = true;
+  static constexpr bool touches_in_packs = requires { requires Geometry::in_packs; };
   static constexpr std::array<std::string_view, 3> optional_parameters{"offset", "friction", "restitution"};
 
   Geometry geometry{};

@@ -79,14 +79,27 @@ struct shapes_of {
       if (freely[e] ? acts_freely[e] : reads[e]) return true;
     return false;
   }();
-  /// Whether no part of the chain requires the loops over body nodes.
-  static constexpr bool common = [] {
-    const bool rare[]{
-        (follows_freely<Core> || kte::distributed_mass<Core> || kte::load_dependent_friction<Core> ||
-         kte::locks_coordinate<Core> || is_closure<Core> || is_contact<Core> || kte::varying_axes<Core>)...,
-        false};
+  /// Whether one that is not of a contact does.
+  static constexpr bool reads_positions_but_contacts = [] {
+    const bool reads[]{(kte::reads_positions<Core> && !is_contact<Core>)..., false};
+    for (std::size_t e = 0; e < sizeof...(Core); ++e)
+      if (acts_freely[e] || reads[e]) return true;
+    return false;
+  }();
+  /// Whether no part of the chain but contacts requires the loops over body nodes.
+  static constexpr bool common_but_contacts = [] {
+    const bool rare[]{(follows_freely<Core> || kte::distributed_mass<Core> || kte::load_dependent_friction<Core> ||
+                       kte::locks_coordinate<Core> || is_closure<Core> || kte::varying_axes<Core>)...,
+                      false};
     for (std::size_t e = 0; e < sizeof...(Core); ++e)
       if (rare[e] || acts_freely[e]) return false;
+    return true;
+  }();
+  /// Whether no part of the chain requires the loops over body nodes.
+  static constexpr bool common = common_but_contacts && [] {
+    const bool touches[]{is_contact<Core>..., false};
+    for (std::size_t e = 0; e < sizeof...(Core); ++e)
+      if (touches[e]) return false;
     return true;
   }();
 };

@@ -51,8 +51,12 @@ class static_chain {
   /// Whether forces of an element depend on positions, rotations or linear velocities of frames. The element core
   /// declares this by `static constexpr bool reads_positions = true`. The fused algorithms compute them only then.
   static constexpr bool reads_positions = shapes::reads_positions;
+  /// Whether those of an element that is not a contact do.
+  static constexpr bool reads_positions_but_contacts = shapes::reads_positions_but_contacts;
   /// Whether all algorithms can be unrolled for it; otherwise some need the loops over body nodes.
   static constexpr bool common = shapes::common;
+  /// Whether this holds without its contacts.
+  static constexpr bool common_but_contacts = shapes::common_but_contacts;
   /// Whether algorithms are unrolled for this chain.
   static constexpr bool unrolled = detail::unrolls_all<size> && common;
 

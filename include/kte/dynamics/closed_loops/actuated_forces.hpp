@@ -47,7 +47,27 @@ inline void refuse_repeated(const std::vector<std::string>& actuated) {
       raise<bad_argument>("kte: the actuated coordinate '" + *i + "' is named twice");
 }
 /// (1) for the degrees of freedom in `actuated`; call `factorize_loops` first. m is null without loops.
-inline Eigen::MatrixXd motion_by(const std::vector<int>& actuated, int n, const loop_workspace* m) {
+Eigen::MatrixXd motion_by(const std::vector<int>& actuated, int n, const loop_workspace* m);
+/// Raises `bad_argument` if the accelerations of a state do not keep the loops closed; call `factorize_loops` first.
+void check_accelerations_on_loops(const chain_constraints& c, runtime_state& s, loop_equations& e);
+#ifdef KTE_FUNCTION
+KTE_FUNCTION Eigen::MatrixXd actuated_motion(const runtime_chain& c, runtime_state& s,
+                                             const std::vector<std::string>& names) {
+  refuse_repeated(names);
+  const auto rows = rows_of_coordinates(c, s, names);
+  return motion_by(rows, s.dofs(), has_loops(c) ? &factorized_loops(c, s) : nullptr);
+}
+KTE_FUNCTION Eigen::VectorXd actuated_forces(const runtime_chain& c, runtime_state& s,
+                                             const std::vector<std::string>& names) {
+  refuse_contacts(c);
+  const Eigen::MatrixXd g = actuated_motion(c, s, names);
+  if (has_loops(c)) check_accelerations_on_loops(closures_of(c), s, loops_of(c, s).equations);
+  return g.transpose() * forces_at_state(c, s);
+}
+#endif
+
+#ifdef KTE_FUNCTION
+KTE_FUNCTION Eigen::MatrixXd motion_by(const std::vector<int>& actuated, int n, const loop_workspace* m) {
   Eigen::MatrixXd j(0, n);
   int rank = 0;
   if (m) {
@@ -84,9 +104,7 @@ inline Eigen::MatrixXd motion_by(const std::vector<int>& actuated, int n, const 
   for (int k = 0; k < n - rank; ++k) g(actuated[static_cast<std::size_t>(k)], k) = 1;
   return g;
 }
-/// Raises `bad_argument` if the accelerations of a state do not keep the loops closed; call `factorize_loops` first.
-template <class Closures, class State>
-void check_accelerations_on_loops(const Closures& c, State& s, loop_equations& e) {
+KTE_FUNCTION void check_accelerations_on_loops(const chain_constraints& c, runtime_state& s, loop_equations& e) {
   Eigen::VectorXd a(s.dofs());
   read_listed_numbers<vector_of::a>(s, a);
   e.at_rates(c, s);
@@ -103,20 +121,6 @@ void check_accelerations_on_loops(const Closures& c, State& s, loop_equations& e
     if (std::abs(off[k]) > bound) [[unlikely]]
       raise<bad_argument>("kte: these accelerations do not keep '" + c.loop_name(e.places.closure_of_row(k).loop) +
                           "' closed: those of constrained_dynamics do");
-}
-#ifdef KTE_FUNCTION
-KTE_FUNCTION Eigen::MatrixXd actuated_motion(const runtime_chain& c, runtime_state& s,
-                                             const std::vector<std::string>& names) {
-  refuse_repeated(names);
-  const auto rows = rows_of_coordinates(c, s, names);
-  return motion_by(rows, s.dofs(), has_loops(c) ? &factorized_loops(c, s) : nullptr);
-}
-KTE_FUNCTION Eigen::VectorXd actuated_forces(const runtime_chain& c, runtime_state& s,
-                                             const std::vector<std::string>& names) {
-  refuse_contacts(c);
-  const Eigen::MatrixXd g = actuated_motion(c, s, names);
-  if (has_loops(c)) check_accelerations_on_loops(closures_of(c), s, loops_of(c, s).equations);
-  return g.transpose() * forces_at_state(c, s);
 }
 #endif
 

@@ -36,43 +36,19 @@ Eigen::VectorXd assemble(const runtime_chain& c, runtime_state& s, const Q& gues
 namespace kte::detail {
 
 /// The degrees of freedom of coordinates, by name. Throws `unknown_name`, `bad_argument`.
-inline std::vector<int> rows_of_coordinates(const runtime_chain& c, const runtime_state& s,
-                                            const std::vector<std::string>& names) {
-  std::vector<int> rows;
-  for (const auto& name : names) {
-    const kind k = c.wiring().kind_of(name, false);
-    const int slot = c.wiring().find(name, k);
-    const auto all = s.freedoms();
-    const auto at =
-        std::find_if(all.begin(), all.end(), [&](const freedom& f) { return f.what == k && f.slot == slot; });
-    if (at == all.end()) throw bad_argument("kte: '" + name + "' is not a degree of freedom of this chain");
-    for (int i = 0; i < nv_of(k); ++i) rows.push_back(at->v + i);
-  }
-  return rows;
-}
+std::vector<int> rows_of_coordinates(const runtime_chain& c, const runtime_state& s,
+                                     const std::vector<std::string>& names);
 
 /// Whether each degree of freedom is a length.
-template <class State>
-std::vector<char> sliding_rows(const State& s) {
-  std::vector<char> slides(static_cast<std::size_t>(s.dofs()), 0);
-  const auto& f = s.tree().body_tree;
-  for (const auto& r : f.nodes)
-    for (int k = 0; k < r.axes; ++k) {
-      const int row = f.row[static_cast<std::size_t>(r.first + k)];
-      if (row < s.dofs())
-        slides[static_cast<std::size_t>(row)] =
-            r.moves == tree::joint::prismatic || (r.moves == tree::joint::several && r.axis[std::size_t(k)] < 3);
-    }
-  return slides;
-}
+std::vector<char> sliding_rows(const runtime_state& s);
 
 /// Residuals of a chain over the coordinates that may move, without the degrees of freedom in `held`. set(q) writes
 /// positions to the state; moved(q, d) returns q (+) d.
-template <class Closures, class State, class Set, class Moved>
+template <class Set, class Moved>
 class assembly {
  public:
-  assembly(const Closures& c, State& s, loop_equations& e, const std::vector<int>& held, const Set& set,
-           const Moved& moved)
+  assembly(const chain_constraints& c, runtime_state& s, loop_equations& e, const std::vector<int>& held,
+           const Set& set, const Moved& moved)
       : closures_(c), state_(s), equations_(e), set_(set), moved_(moved) {
     std::vector<char> is_held(static_cast<std::size_t>(s.dofs()), 0);
     for (const int row : held) is_held[static_cast<std::size_t>(row)] = 1;
@@ -192,8 +168,8 @@ class assembly {
     std::snprintf(text, sizeof text, "%.3g", x);
     return text;
   }
-  const Closures& closures_;
-  State& state_;
+  const chain_constraints& closures_;
+  runtime_state& state_;
   loop_equations& equations_;
   const Set& set_;
   const Moved& moved_;
@@ -212,6 +188,35 @@ KTE_FUNCTION Eigen::VectorXd assembled(const runtime_chain& c, runtime_state& s,
   };
   return assembly(closures, s, loops_of(c, s).equations, rows_of_coordinates(c, s, held), set, moved)
       .from(std::move(q));
+}
+#endif
+
+#ifdef KTE_FUNCTION
+KTE_FUNCTION std::vector<int> rows_of_coordinates(const runtime_chain& c, const runtime_state& s,
+                                                  const std::vector<std::string>& names) {
+  std::vector<int> rows;
+  for (const auto& name : names) {
+    const kind k = c.wiring().kind_of(name, false);
+    const int slot = c.wiring().find(name, k);
+    const auto all = s.freedoms();
+    const auto at =
+        std::find_if(all.begin(), all.end(), [&](const freedom& f) { return f.what == k && f.slot == slot; });
+    if (at == all.end()) throw bad_argument("kte: '" + name + "' is not a degree of freedom of this chain");
+    for (int i = 0; i < nv_of(k); ++i) rows.push_back(at->v + i);
+  }
+  return rows;
+}
+KTE_FUNCTION std::vector<char> sliding_rows(const runtime_state& s) {
+  std::vector<char> slides(static_cast<std::size_t>(s.dofs()), 0);
+  const auto& f = s.tree().body_tree;
+  for (const auto& r : f.nodes)
+    for (int k = 0; k < r.axes; ++k) {
+      const int row = f.row[static_cast<std::size_t>(r.first + k)];
+      if (row < s.dofs())
+        slides[static_cast<std::size_t>(row)] =
+            r.moves == tree::joint::prismatic || (r.moves == tree::joint::several && r.axis[std::size_t(k)] < 3);
+    }
+  return slides;
 }
 #endif
 

@@ -8,8 +8,8 @@ namespace kte::detail {
 /// The closures of a chain, with the poses of their frames, and L^-T J^T of their rows (loop_factor.hpp).
 class closure_loads : public closure_motion {
  public:
-  template <class Closures, class State>
-  closure_loads(const Closures& c, const State& s)
+  template <class State>
+  closure_loads(const chain_constraints& c, const State& s)
       : places(c, s), motions_(places.closures.size()), ends_(places.closures.size()) {
     acceleration.resize(places.rows);
   }
@@ -20,8 +20,8 @@ class closure_loads : public closure_motion {
   /// Calls put(column of its block, row, entry) for L^-T J^T of the rows of a closure, in a tree whose articulated
   /// inertias are in the working memory; call `at_positions` first. `root`: D^-1/2 by place. With `Accelerate` it also
   /// computes the second derivatives of the residuals, from bias motions and forces in the working memory.
-  template <bool Accelerate, class Closures, class State, class Put>
-  void half_solve(const Closures& c, State& s, int closure, const Eigen::VectorXd& root, const Put& put) {
+  template <bool Accelerate, class State, class Put>
+  void half_solve(const chain_constraints& c, State& s, int closure, const Eigen::VectorXd& root, const Put& put) {
     const auto& x = places.closures[static_cast<std::size_t>(closure)];
     if (!x.of_frames()) return half_solve_coordinates<Accelerate>(c, s, x, root, put);
     double units[6 * closing_stride]{};
@@ -108,8 +108,8 @@ class closure_loads : public closure_motion {
   }
 
  protected:
-  template <class Closures, class State, class Visit>
-  static void coordinate_rows(const Closures& c, State& s, const closure_place& x, const Visit& visit) {
+  template <class State, class Visit>
+  static void coordinate_rows(const chain_constraints& c, State& s, const closure_place& x, const Visit& visit) {
     double q[4]{}, v[4]{}, by[4]{};
     if constexpr (may_have<State, kind::gen>)
       for (std::size_t n = 0; n < x.coordinates.size(); ++n) {
@@ -149,8 +149,8 @@ class closure_loads : public closure_motion {
     for (std::size_t n = 0; n < way.nodes.size(); ++n)
       if (way.loaded[n]) loads[n] = Load{};
   }
-  template <bool Accelerate, class Closures, class State, class Put>
-  void half_solve_coordinates(const Closures& c, State& s, const closure_place& x, const Eigen::VectorXd& root,
+  template <bool Accelerate, class State, class Put>
+  void half_solve_coordinates(const chain_constraints& c, State& s, const closure_place& x, const Eigen::VectorXd& root,
                               const Put& put) {
     coordinate_rows(c, s, x, [&](const auto& values, const double* by) {
       powers<Accelerate> sum;

@@ -1,12 +1,12 @@
 #pragma once
 
-#include <kte/dynamics/closed_loops/runtime_closures.hpp>
+#include <kte/dynamics/closed_loops/chain_constraints.hpp>
 #include <kte/tree/loop_loads.hpp>
 
 #include <numeric>
 
 /// The places of the closures of a chain in its tree, computed once for a state. `Closures`: as
-/// dynamics/closed_loops/runtime_closures.hpp; states as in dynamics/looped/inverse_dynamics.hpp, in double.
+/// dynamics/closed_loops/chain_constraints.hpp; states as in dynamics/looped/inverse_dynamics.hpp, in double.
 namespace kte::detail {
 
 struct closure_place {
@@ -42,8 +42,8 @@ struct loop_block {
 /// The closures of a chain, and the degrees of freedom by places; for a tree in the order of its axes.
 class closure_places {
  public:
-  template <class Closures, class State>
-  closure_places(const Closures& c, const State& s) {
+  template <class State>
+  closure_places(const chain_constraints& c, const State& s) {
     const auto& t = s.tree();
     order_places(s);
     c.each_closure([&](int e) { add(c, s, e); });
@@ -71,16 +71,14 @@ class closure_places {
   std::vector<int> column_of_place;  ///< by place: the column in its block
 
   /// The name of row k, for messages: "pin[1]".
-  template <class Closures>
-  std::string name_of_row(const Closures& c, int k) const {
+  std::string name_of_row(const chain_constraints& c, int k) const {
     const auto& x = closure_of_row(k);
     std::string name(c.loop_name(x.loop));
     if (x.rows.count() > 1) name.append("[").append(std::to_string(k - x.first + 1)).append("]");
     return name;
   }
   /// The closures of a block, in a text: the first `most` of them, and how many others there are.
-  template <class Closures>
-  std::string names_in(const Closures& c, const loop_block& b, std::string_view quote,
+  std::string names_in(const chain_constraints& c, const loop_block& b, std::string_view quote,
                        std::size_t most = static_cast<std::size_t>(-1)) const {
     std::string names;
     for (std::size_t i = 0; i < b.closures.size(); ++i) {
@@ -109,8 +107,7 @@ class closure_places {
     return std::sqrt(static_cast<double>(largest_lane(P(dot(x, x)))));
   }
 
-  template <class Closures>
-  static bool is_contact(const Closures& c, int e) {
+  static bool is_contact(const chain_constraints& c, int e) {
     if constexpr (requires { c.touches(e); })
       return c.touches(e);
     else
@@ -118,8 +115,7 @@ class closure_places {
   }
   /// The size of a contact; or the length that a closure keeps, as `distance` does: twice its largest residual in m
   /// where its frames coincide.
-  template <class Closures>
-  static double own_length(const Closures& c, const closure_place& x) {
+  static double own_length(const chain_constraints& c, const closure_place& x) {
     if constexpr (requires { c.contact_size(0); })
       if (is_contact(c, x.element)) return c.contact_size(x.element);
     const closing_motion<double> coincident{{}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {}, {}, {}, {}};
@@ -150,8 +146,8 @@ class closure_places {
     for (int row = 0; row < n; ++row)  // coordinates that move no joint; all of them if M is dense
       if (place_of_row[static_cast<std::size_t>(row)] < 0) add(row, -1);
   }
-  template <class Closures, class State>
-  void add(const Closures& c, const State& s, int e) {
+  template <class State>
+  void add(const chain_constraints& c, const State& s, int e) {
     const auto refuse = [&c, e](const std::string& why) { raise<bad_argument>("kte: " + c.describe(e) + why); };
     const auto ports = c.ports(e);
     closure_place x;

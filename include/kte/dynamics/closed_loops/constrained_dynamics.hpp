@@ -78,13 +78,7 @@ Eigen::VectorXd impulse(const runtime_chain& c, runtime_state& s, const Q& q, co
 namespace kte::detail {
 
 /// The names of dependent rows.
-template <class Closures>
-std::vector<std::string> dependent_rows(const Closures& c, const loop_equations& e, const loop_factor& factor) {
-  std::vector<std::string> names;
-  for (int k = 0; factor.rank() < e.places.rows && k < e.places.rows; ++k)
-    if (!factor.is_chosen(e, k)) names.push_back(e.places.name_of_row(c, k));
-  return names;
-}
+std::vector<std::string> dependent_rows(const chain_constraints& c, const loop_equations& e, const loop_factor& factor);
 /// Selects the independent rows at the positions of the state.
 inline loop_memory_of_state& factorized_loops(const runtime_chain& c, runtime_state& s) {
   auto& m = loops_of(c, s);
@@ -92,40 +86,10 @@ inline loop_memory_of_state& factorized_loops(const runtime_chain& c, runtime_st
   return m;
 }
 /// The report; call `factorize_loops` first.
-template <class Closures>
-loops_report report_of(const Closures& c, const loop_workspace& m, int dofs) {
-  const auto& e = m.equations;
-  const auto& factor = m.factor;
-  loops_report r;
-  r.rows = e.places.rows, r.rank = factor.rank(), r.mobility = dofs - r.rank;
-  for (const auto& p : factor.parts)
-    if (p.largest > 0) r.pivot_ratio = (std::min)(r.pivot_ratio, p.smallest / p.largest);
-  const auto widest = widest_gap(e);
-  r.gap = widest.size, r.widest = c.loop_name(widest.closure->loop);
-  r.dependent = dependent_rows(c, e, factor);
-  for (const auto& b : e.places.blocks) r.blocks.push_back(e.places.names_in(c, b, ""));
-  return r;
-}
+loops_report report_of(const chain_constraints& c, const loop_workspace& m, int dofs);
 /// Projects velocities onto the loops, J v = -(the rates by given motions); call `factorize_loops` first. The second
 /// projection removes rounding errors. Raises `bad_argument` if given motions do not keep the loops closed.
-template <class Closures, class State>
-void put_on_loops(const Closures& c, State& s, loop_workspace& m, Eigen::VectorXd& v) {
-  const auto& e = m.equations;
-  Eigen::VectorXd by_given;
-  m.equations.put_given_rates(c, s, by_given);
-  for (int i = 0; i < 2; ++i) {
-    m.factor.least_change(s, e, e.times(v) + by_given, m.change);
-    v -= m.change;
-  }
-  const double moved = by_given.cwiseAbs().maxCoeff();
-  if (!(moved > 0)) return;
-  const Eigen::VectorXd left = e.times(v) + by_given;
-  const double bound = 1e-8 * (e.times_sizes(v).maxCoeff() + moved);
-  for (int k = 0; k < e.places.rows; ++k)
-    if (!(std::abs(left[k]) <= bound)) [[unlikely]]
-      raise<bad_argument>("kte: no velocities keep '" + c.loop_name(e.places.closure_of_row(k).loop) +
-                          "' closed with the given motions, those of bases and of coordinates that signals move");
-}
+void put_on_loops(const chain_constraints& c, runtime_state& s, loop_workspace& m, Eigen::VectorXd& v);
 inline void check_velocities_on_loops(const Eigen::VectorXd& v) {
   if (!tree::all_finite_in_row(v.data(), static_cast<std::size_t>(v.size()))) [[unlikely]]
     too_large{"a velocity"}();
@@ -178,6 +142,46 @@ KTE_FUNCTION Eigen::MatrixXd loop_jacobian_at_state(const runtime_chain& c, runt
   m.equations.at_positions(closures_of(c), s, true);
   check_residuals(closures_of(c), m.equations, true);
   return m.equations.dense_jacobian();
+}
+#endif
+
+#ifdef KTE_FUNCTION
+KTE_FUNCTION std::vector<std::string> dependent_rows(const chain_constraints& c, const loop_equations& e,
+                                                     const loop_factor& factor) {
+  std::vector<std::string> names;
+  for (int k = 0; factor.rank() < e.places.rows && k < e.places.rows; ++k)
+    if (!factor.is_chosen(e, k)) names.push_back(e.places.name_of_row(c, k));
+  return names;
+}
+KTE_FUNCTION loops_report report_of(const chain_constraints& c, const loop_workspace& m, int dofs) {
+  const auto& e = m.equations;
+  const auto& factor = m.factor;
+  loops_report r;
+  r.rows = e.places.rows, r.rank = factor.rank(), r.mobility = dofs - r.rank;
+  for (const auto& p : factor.parts)
+    if (p.largest > 0) r.pivot_ratio = (std::min)(r.pivot_ratio, p.smallest / p.largest);
+  const auto widest = widest_gap(e);
+  r.gap = widest.size, r.widest = c.loop_name(widest.closure->loop);
+  r.dependent = dependent_rows(c, e, factor);
+  for (const auto& b : e.places.blocks) r.blocks.push_back(e.places.names_in(c, b, ""));
+  return r;
+}
+KTE_FUNCTION void put_on_loops(const chain_constraints& c, runtime_state& s, loop_workspace& m, Eigen::VectorXd& v) {
+  const auto& e = m.equations;
+  Eigen::VectorXd by_given;
+  m.equations.put_given_rates(c, s, by_given);
+  for (int i = 0; i < 2; ++i) {
+    m.factor.least_change(s, e, e.times(v) + by_given, m.change);
+    v -= m.change;
+  }
+  const double moved = by_given.cwiseAbs().maxCoeff();
+  if (!(moved > 0)) return;
+  const Eigen::VectorXd left = e.times(v) + by_given;
+  const double bound = 1e-8 * (e.times_sizes(v).maxCoeff() + moved);
+  for (int k = 0; k < e.places.rows; ++k)
+    if (!(std::abs(left[k]) <= bound)) [[unlikely]]
+      raise<bad_argument>("kte: no velocities keep '" + c.loop_name(e.places.closure_of_row(k).loop) +
+                          "' closed with the given motions, those of bases and of coordinates that signals move");
 }
 #endif
 

@@ -12,8 +12,8 @@ namespace kte::detail {
 
 /// What moves by signals: a signal, a coordinate or a frame, with the element that writes it. begins(e, p): whether the
 /// motion begins at port p of element e.
-template <class Closures, class Begins>
-std::map<std::pair<kind, int>, int> moved_by(const Closures& c, const Begins& begins) {
+template <class Begins>
+std::map<std::pair<kind, int>, int> moved_by(const chain_constraints& c, const Begins& begins) {
   std::map<std::pair<kind, int>, int> moved;
   const int n = c.element_count();
   for (std::size_t known = ~std::size_t{0}; known != moved.size();) {
@@ -30,14 +30,12 @@ std::map<std::pair<kind, int>, int> moved_by(const Closures& c, const Begins& be
   }
   return moved;
 }
-template <class Closures>
-auto moved_by_measurements(const Closures& c) {
+inline auto moved_by_measurements(const chain_constraints& c) {
   return moved_by(
       c, [&c](int e, std::size_t p) { return is_signal(c.ports(e).back().what) && !is_signal(c.ports(e)[p].what); });
 }
 /// By the time, or internal states, which move with it.
-template <class Closures>
-auto moved_by_time(const Closures& c) {
+inline auto moved_by_time(const chain_constraints& c) {
   return moved_by(c, [&c](int e, std::size_t p) {
     const kind k = c.ports(e)[p].what;
     return k == kind::internal || (is_signal(k) && c.is_time(k, c.index(e, p)));
@@ -46,8 +44,13 @@ auto moved_by_time(const Closures& c) {
 /// How signals move coordinates and frames of a chain: not at all, by its inputs only, which are constant between
 /// changes by the user, or by the time.
 enum class given_motion { none, inputs, time };
-template <class Closures>
-given_motion given_motion_of(const Closures& c) {
+given_motion given_motion_of(const chain_constraints& c);
+/// Raises `bad_argument` if a closure is on a frame in `moved` that moves relative to its other frame.
+void refuse_given_motion(const chain_constraints& c, const runtime_state& s, const closure_places& places,
+                         const std::map<std::pair<kind, int>, int>& moved, const char* how);
+
+#ifdef KTE_FUNCTION
+KTE_FUNCTION given_motion given_motion_of(const chain_constraints& c) {
   const auto moves_something = [](const auto& moved) {
     return std::any_of(moved.begin(), moved.end(), [](const auto& x) { return !is_signal(x.first.first); });
   };
@@ -56,10 +59,8 @@ given_motion given_motion_of(const Closures& c) {
              ? given_motion::inputs
              : given_motion::none;
 }
-/// Raises `bad_argument` if a closure is on a frame in `moved` that moves relative to its other frame.
-template <class Closures, class State>
-void refuse_given_motion(const Closures& c, const State& s, const closure_places& places,
-                         const std::map<std::pair<kind, int>, int>& moved, const char* how) {
+KTE_FUNCTION void refuse_given_motion(const chain_constraints& c, const runtime_state& s, const closure_places& places,
+                                      const std::map<std::pair<kind, int>, int>& moved, const char* how) {
   const auto& t = s.tree();
   const auto& f = t.body_tree;
   if (moved.empty()) return;
@@ -94,5 +95,6 @@ void refuse_given_motion(const Closures& c, const State& s, const closure_places
     }
   }
 }
+#endif
 
 }  // namespace kte::detail

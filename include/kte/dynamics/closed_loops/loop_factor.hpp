@@ -32,48 +32,21 @@ class loop_factor {
  public:
   /// (1) at the positions of the state, for use at other positions too; call `at_positions` first, with J unless the
   /// chain is a tree.
-  template <class Closures, class State>
-  void factorize(const Closures& c, State& s, const loop_equations& e) {
-    if (!s.tree().plan.tree) return (void)factorize_mass(c, s, e);
-    prescribe(s, {});
-    if (const int bad = tree::articulate_at_rest(s.tree().body_tree, s.work); bad >= 0) [[unlikely]]
-      diagnose_axis(c, s, bad);
-    check_jointless_masses(c, s);
-    take_articulated(s, e);
-    kept_.joint_transforms = s.work.joint_transforms, kept_.factors = s.work.factors;
-    keeps_ = true;
-  }
+  void factorize(const chain_constraints& c, runtime_state& s, const loop_equations& e);
   /// (1) for M + A, by its rows; call `at_positions` with J first. Returns false if M + A is not positive definite.
-  template <class Closures, class State>
-  bool factorize_mass(const Closures& c, State& s, const loop_equations& e, const Eigen::MatrixXd* added = nullptr) {
-    if (!mass_.factorize(c, s, added)) return false;
-    root_.resize(static_cast<Eigen::Index>(e.places.row_of_place.size()));
-    for (Eigen::Index k = 0; k < root_.size(); ++k) root_[k] = mass_.inverse_root(static_cast<int>(k));
-    dense_ = true;
-    return true;
-  }
+  bool factorize_mass(const chain_constraints& c, runtime_state& s, const loop_equations& e,
+                      const Eigen::MatrixXd* added = nullptr);
   /// Whether it factorizes M by rows.
   bool is_dense() const { return dense_; }
   /// x becomes (M + A)^-1 x after `factorize_mass`.
   void solve_mass(Eigen::VectorXd& x) const { mass_.half_solve(x.data()), mass_.other_half(x.data()); }
   /// (1) for a tree from the articulated inertias in the working memory of the state; valid until the next recursion
   /// writes there.
-  template <class State>
-  void take_articulated(const State& s, const loop_equations& e) {
-    const auto& at = e.places;
-    root_.resize(static_cast<Eigen::Index>(at.row_of_place.size()));
-    for (std::size_t k = 0; k < at.axis_of_place.size(); ++k) {
-      const int axis = at.axis_of_place[k];
-      root_[static_cast<Eigen::Index>(k)] =
-          axis >= 0 ? std::sqrt(s.work.factors[static_cast<std::size_t>(axis)].inverse)
-                    : 1 / std::sqrt(s.tree().own_mass[static_cast<std::size_t>(at.row_of_place[k])]);
-    }
-    keeps_ = false, dense_ = false;
-  }
+  void take_articulated(const runtime_state& s, const loop_equations& e);
   /// (2) and (3); call (1) at the positions of the state first. Rows with pivots below `least` times the first are
   /// dependent. With `Accelerate` also the second derivatives of residuals (`loop_equations::half_solve`).
-  template <bool Accelerate = false, class Closures, class State>
-  void choose(const Closures& c, State& s, loop_equations& e, double least) {
+  template <bool Accelerate = false>
+  void choose(const chain_constraints& c, runtime_state& s, loop_equations& e, double least) {
     parts.resize(e.places.blocks.size());
     for (std::size_t i = 0; i < parts.size(); ++i) {
       const auto& b = e.places.blocks[i];
@@ -85,8 +58,8 @@ class loop_factor {
     }
   }
   /// (2) and (3) for the rows of `chosen`. Returns false if they are dependent.
-  template <bool Accelerate = false, class Closures, class State>
-  bool keep(const Closures& c, State& s, loop_equations& e, const loop_factor& chosen, double least) {
+  template <bool Accelerate = false>
+  bool keep(const chain_constraints& c, runtime_state& s, loop_equations& e, const loop_factor& chosen, double least) {
     parts.resize(e.places.blocks.size());
     for (std::size_t i = 0; i < parts.size(); ++i) {
       const auto& rows = chosen.parts[i].chosen;
@@ -110,70 +83,31 @@ class loop_factor {
     return static_cast<int>(n);
   }
   /// (4) for c of all rows, by degrees of freedom. Overwrites the motion in the working memory of the state.
-  template <class State>
-  void least_change(State& s, const loop_equations& e, const Eigen::VectorXd& c, Eigen::VectorXd& d) {
+  void least_change(runtime_state& s, const loop_equations& e, const Eigen::VectorXd& c, Eigen::VectorXd& d) {
     least_change(s, e, c, d, [](const pivoted_qr&, const loop_block&) {});
   }
   /// (4) and (5); lambda is zero for rows that are not selected.
-  template <class State>
-  void least_change(State& s, const loop_equations& e, const Eigen::VectorXd& c, Eigen::VectorXd& d,
+  void least_change(runtime_state& s, const loop_equations& e, const Eigen::VectorXd& c, Eigen::VectorXd& d,
                     Eigen::VectorXd& lambda) {
     least_change(s, e, c, d, put_multipliers(e, lambda));
   }
   /// For a tree with articulated inertias in the working memory of the state: subtracts (4) from the rates u D^-1 of
   /// axes, and M times (4) from the forces on coordinates that move no joint; with (5).
-  template <class State>
-  void subtract_change(State& s, const loop_equations& e, const Eigen::VectorXd& c, Eigen::VectorXd& lambda) {
-    half_change(e, c, put_multipliers(e, lambda));
-    each_rate(e, left_, [&s](int axis, int row, double rate) {
-      if (axis >= 0)
-        s.work.factors[static_cast<std::size_t>(axis)].rate -= rate;
-      else
-        s.work.forces[row] -= s.tree().own_mass[static_cast<std::size_t>(row)] * rate;
-    });
-  }
-  template <class State>
-  Eigen::VectorXd least_change(State& s, const loop_equations& e, const Eigen::VectorXd& c) {
+  void subtract_change(runtime_state& s, const loop_equations& e, const Eigen::VectorXd& c, Eigen::VectorXd& lambda);
+  Eigen::VectorXd least_change(runtime_state& s, const loop_equations& e, const Eigen::VectorXd& c) {
     Eigen::VectorXd d;
     least_change(s, e, c, d);
     return d;
   }
   /// Adds L^-1 y, y by places, to the accelerations that a tree with articulated inertias in the working memory of the
   /// state is about to get.
-  template <class State>
-  void add_half_change(State& s, const loop_equations& e, const Eigen::VectorXd& y) const {
-    each_rate(e, y, [&s](int axis, int row, double rate) {
-      if (axis >= 0)
-        s.work.factors[static_cast<std::size_t>(axis)].rate += rate;
-      else
-        s.work.forces[row] += s.tree().own_mass[static_cast<std::size_t>(row)] * rate;
-    });
-  }
+  void add_half_change(runtime_state& s, const loop_equations& e, const Eigen::VectorXd& y) const;
   /// d = L^-1 y, y by places, which may be overwritten; d by degrees of freedom. Overwrites the motion in the working
   /// memory of the state.
-  template <class State>
-  void other_half(State& s, const loop_equations& e, Eigen::VectorXd& y, Eigen::VectorXd& d) {
-    const auto& at = e.places;
-    const auto n = static_cast<Eigen::Index>(at.row_of_place.size());
-    d.resize(n);
-    if (dense_) {
-      mass_.other_half(y.data());
-      d = y.head(n);
-      return;
-    }
-    auto& factors = keeps_ ? kept_.factors : s.work.factors;
-    each_rate(e, y, [&](int axis, int row, double rate) {
-      (axis >= 0 ? factors[static_cast<std::size_t>(axis)].rate : d[row]) = rate;
-    });
-    tree::accelerate_from_rest(s.tree().body_tree, s.work, keeps_ ? kept_.joint_transforms : s.work.joint_transforms,
-                               factors.data());
-    for (std::size_t k = 0; k < at.axis_of_place.size(); ++k)
-      if (const int axis = at.axis_of_place[k]; axis >= 0)
-        d[at.row_of_place[k]] = s.work.acceleration[static_cast<std::size_t>(axis)];
-  }
+  void other_half(runtime_state& s, const loop_equations& e, Eigen::VectorXd& y, Eigen::VectorXd& d);
   /// Calls put(place, row, entry) for L^-T J^T of the rows of a closure; call (1) at the positions of the state first.
-  template <bool Accelerate = false, class Closures, class State, class Put>
-  void half_solve(const Closures& c, State& s, loop_equations& e, int closure, const Put& put) {
+  template <bool Accelerate = false, class Put>
+  void half_solve(const chain_constraints& c, runtime_state& s, loop_equations& e, int closure, const Put& put) {
     std::size_t i = 0;
     int first = 0;
     for (;; ++i, first = 0) {
@@ -196,27 +130,14 @@ class loop_factor {
     }
   }
   /// As `half_solve` in a tree, for `loop_equations::half_solve_units`.
-  template <bool Accelerate, class State, class Put, class Accelerated>
-  void half_solve_units(State& s, loop_equations& e, int closure, const double* units, int rows, const Put& put,
+  template <bool Accelerate, class Put, class Accelerated>
+  void half_solve_units(runtime_state& s, loop_equations& e, int closure, const double* units, int rows, const Put& put,
                         const Accelerated& accelerate) const {
     e.half_solve_units<Accelerate>(s, closure, units, rows, root_, put, accelerate);
   }
-  bool is_chosen(const loop_equations& e, int row) const {
-    for (std::size_t i = 0; i < parts.size(); ++i)
-      for (const int k : parts[i].chosen)
-        if (e.places.row_of(e.places.blocks[i], k) == row) return true;
-    return false;
-  }
+  bool is_chosen(const loop_equations& e, int row) const;
   /// The largest entry of c among the selected rows.
-  double largest_of_chosen(const loop_equations& e, const Eigen::VectorXd& c) const {
-    double most = 0;
-    for (std::size_t i = 0; i < parts.size(); ++i)
-      for (const int k : parts[i].chosen) {
-        const double x = std::abs(c[e.places.row_of(e.places.blocks[i], k)]);
-        if (!(x <= most) && most == most) most = x;  // NaN stays
-      }
-    return most;
-  }
+  double largest_of_chosen(const loop_equations& e, const Eigen::VectorXd& c) const;
 
   std::vector<pivoted_qr> parts;  ///< by block
 
@@ -249,8 +170,8 @@ class loop_factor {
     }
   }
   /// (4), with `visit` of `half_change`.
-  template <class State, class Visit>
-  void least_change(State& s, const loop_equations& e, const Eigen::VectorXd& c, Eigen::VectorXd& d,
+  template <class Visit>
+  void least_change(runtime_state& s, const loop_equations& e, const Eigen::VectorXd& c, Eigen::VectorXd& d,
                     const Visit& visit) {
     half_change(e, c, visit);
     other_half(s, e, left_, d);
@@ -262,8 +183,8 @@ class loop_factor {
     return most * (std::min)(1.0, 1 / e.places.length);
   }
   /// (2) for block i.
-  template <bool Accelerate, class Closures, class State>
-  void put_half_solved(const Closures& c, State& s, loop_equations& e, std::size_t i,
+  template <bool Accelerate>
+  void put_half_solved(const chain_constraints& c, runtime_state& s, loop_equations& e, std::size_t i,
                        Eigen::Ref<Eigen::MatrixXd> b) const {
     if (dense_) {
       b = e.jacobian[i].transpose();
@@ -286,5 +207,91 @@ class loop_factor {
   Eigen::MatrixXd all_;
   Eigen::VectorXd left_, chosen_, half_;
 };
+
+#ifdef KTE_FUNCTION
+KTE_FUNCTION void loop_factor::factorize(const chain_constraints& c, runtime_state& s, const loop_equations& e) {
+  if (!s.tree().plan.tree) return (void)factorize_mass(c, s, e);
+  prescribe(s, {});
+  if (const int bad = tree::articulate_at_rest(s.tree().body_tree, s.work); bad >= 0) [[unlikely]]
+    diagnose_axis(c, s, bad);
+  check_jointless_masses(c, s);
+  take_articulated(s, e);
+  kept_.joint_transforms = s.work.joint_transforms, kept_.factors = s.work.factors;
+  keeps_ = true;
+}
+KTE_FUNCTION bool loop_factor::factorize_mass(const chain_constraints& c, runtime_state& s, const loop_equations& e,
+                                              const Eigen::MatrixXd* added) {
+  if (!mass_.factorize(c, s, added)) return false;
+  root_.resize(static_cast<Eigen::Index>(e.places.row_of_place.size()));
+  for (Eigen::Index k = 0; k < root_.size(); ++k) root_[k] = mass_.inverse_root(static_cast<int>(k));
+  dense_ = true;
+  return true;
+}
+KTE_FUNCTION void loop_factor::take_articulated(const runtime_state& s, const loop_equations& e) {
+  const auto& at = e.places;
+  root_.resize(static_cast<Eigen::Index>(at.row_of_place.size()));
+  for (std::size_t k = 0; k < at.axis_of_place.size(); ++k) {
+    const int axis = at.axis_of_place[k];
+    root_[static_cast<Eigen::Index>(k)] =
+        axis >= 0 ? std::sqrt(s.work.factors[static_cast<std::size_t>(axis)].inverse)
+                  : 1 / std::sqrt(s.tree().own_mass[static_cast<std::size_t>(at.row_of_place[k])]);
+  }
+  keeps_ = false, dense_ = false;
+}
+KTE_FUNCTION void loop_factor::subtract_change(runtime_state& s, const loop_equations& e, const Eigen::VectorXd& c,
+                                               Eigen::VectorXd& lambda) {
+  half_change(e, c, put_multipliers(e, lambda));
+  each_rate(e, left_, [&s](int axis, int row, double rate) {
+    if (axis >= 0)
+      s.work.factors[static_cast<std::size_t>(axis)].rate -= rate;
+    else
+      s.work.forces[row] -= s.tree().own_mass[static_cast<std::size_t>(row)] * rate;
+  });
+}
+KTE_FUNCTION void loop_factor::add_half_change(runtime_state& s, const loop_equations& e,
+                                               const Eigen::VectorXd& y) const {
+  each_rate(e, y, [&s](int axis, int row, double rate) {
+    if (axis >= 0)
+      s.work.factors[static_cast<std::size_t>(axis)].rate += rate;
+    else
+      s.work.forces[row] += s.tree().own_mass[static_cast<std::size_t>(row)] * rate;
+  });
+}
+KTE_FUNCTION void loop_factor::other_half(runtime_state& s, const loop_equations& e, Eigen::VectorXd& y,
+                                          Eigen::VectorXd& d) {
+  const auto& at = e.places;
+  const auto n = static_cast<Eigen::Index>(at.row_of_place.size());
+  d.resize(n);
+  if (dense_) {
+    mass_.other_half(y.data());
+    d = y.head(n);
+    return;
+  }
+  auto& factors = keeps_ ? kept_.factors : s.work.factors;
+  each_rate(e, y, [&](int axis, int row, double rate) {
+    (axis >= 0 ? factors[static_cast<std::size_t>(axis)].rate : d[row]) = rate;
+  });
+  tree::accelerate_from_rest(s.tree().body_tree, s.work, keeps_ ? kept_.joint_transforms : s.work.joint_transforms,
+                             factors.data());
+  for (std::size_t k = 0; k < at.axis_of_place.size(); ++k)
+    if (const int axis = at.axis_of_place[k]; axis >= 0)
+      d[at.row_of_place[k]] = s.work.acceleration[static_cast<std::size_t>(axis)];
+}
+KTE_FUNCTION bool loop_factor::is_chosen(const loop_equations& e, int row) const {
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    for (const int k : parts[i].chosen)
+      if (e.places.row_of(e.places.blocks[i], k) == row) return true;
+  return false;
+}
+KTE_FUNCTION double loop_factor::largest_of_chosen(const loop_equations& e, const Eigen::VectorXd& c) const {
+  double most = 0;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    for (const int k : parts[i].chosen) {
+      const double x = std::abs(c[e.places.row_of(e.places.blocks[i], k)]);
+      if (!(x <= most) && most == most) most = x;  // NaN stays
+    }
+  return most;
+}
+#endif
 
 }  // namespace kte::detail

@@ -14,14 +14,14 @@ class loops_in_lanes {
  public:
   std::shared_ptr<const char> layout;
 
-  loops_in_lanes(const runtime_closures& c, const basic_runtime_state<S>& s)
+  loops_in_lanes(const chain_constraints& c, const basic_runtime_state<S>& s)
       : layout(c.layout()), places_(c, s), acceleration_(static_cast<std::size_t>(places_.rows)) {
     for (auto& x : gap_) x = 0;
   }
   /// Subtracts the change by the closures from the rates u D^-1 of axes, and from the forces on coordinates that move
   /// no joint (`loop_factor::subtract_change`); call `articulate_under` first. Returns false if the independent rows of
   /// the states differ; raises `bad_argument` for loops that are not assembled.
-  bool subtract_change(const runtime_closures& c, basic_runtime_state<S>& s) {
+  bool subtract_change(const chain_constraints& c, basic_runtime_state<S>& s) {
     take_roots(s);
     std::fill(std::begin(gap_), std::end(gap_), 0.0);
     rates_.assign(root_.size(), S(0));
@@ -41,7 +41,7 @@ class loops_in_lanes {
   }
 
  private:
-  void refuse_unassembled(const runtime_closures& c) const {
+  void refuse_unassembled(const chain_constraints& c) const {
     for (std::size_t lane = 0; lane < lanes; ++lane) {
       if (!(gap_[lane] > unassembled_above)) [[likely]]
         continue;
@@ -64,7 +64,7 @@ class loops_in_lanes {
                            : S(1 / sqrt(s.tree().own_mass[static_cast<std::size_t>(places_.row_of_place[k])]));
     }
   }
-  bool solve(const runtime_closures& c, basic_runtime_state<S>& s, const loop_block& b) {
+  bool solve(const chain_constraints& c, basic_runtime_state<S>& s, const loop_block& b) {
     const auto rows = static_cast<std::size_t>(b.rows), columns = b.places.size();
     all_.resize(columns, rows);
     std::size_t first = 0;
@@ -118,7 +118,7 @@ class loops_in_lanes {
     return agree;
   }
   /// Computes residuals, accelerations and L^-T J^T of a closure of frames, for its rows from `first` on.
-  void close_frames(const runtime_closures& c, basic_runtime_state<S>& s, const closure_place& x, std::size_t first) {
+  void close_frames(const chain_constraints& c, basic_runtime_state<S>& s, const closure_place& x, std::size_t first) {
     const closing_motion<S> m = loop_equations::biased_motion_between(s, x);
     const int count = x.rows.count();
     S units[6][6];
@@ -144,7 +144,7 @@ class loops_in_lanes {
       acceleration_[static_cast<std::size_t>(x.first + r)] += sum.sum;
     }
   }
-  void close_coordinates(const runtime_closures& c, basic_runtime_state<S>& s, const closure_place& x,
+  void close_coordinates(const chain_constraints& c, basic_runtime_state<S>& s, const closure_place& x,
                          std::size_t first) {
     S by[4]{};
     S& acceleration = acceleration_[static_cast<std::size_t>(x.first)];

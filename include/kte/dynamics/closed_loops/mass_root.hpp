@@ -11,8 +11,8 @@ namespace kte::detail {
 class mass_root {
  public:
   /// Returns false if M + A is not positive definite; without A it throws.
-  template <class Elements, class State>
-  bool factorize(const Elements& c, State& s, const Eigen::MatrixXd* added = nullptr) {
+  template <class State>
+  bool factorize(const runtime_elements& c, State& s, const Eigen::MatrixXd* added = nullptr) {
     mass_of_coordinates(c, s);
     const Eigen::Index n = s.dofs();
     l_ = s.work.mass;

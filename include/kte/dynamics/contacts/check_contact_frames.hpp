@@ -1,55 +1,8 @@
 #pragma once
 
-#include <kte/dynamics/unrolled/tree.hpp>
-
-#include <array>
+#include <kte/dynamics/contacts/ways_of_contacts.hpp>
 
 namespace kte::detail {
-
-template <class Core>
-constexpr bool is_joint_core() {
-  if constexpr (is_transmission<Core>)
-    return coordinates_of<Core> > 0;
-  else
-    return false;
-}
-/// The elements from a frame of a static chain to its base.
-template <class Chain, kind K, int Slot>
-struct way_of_frame {
-  static constexpr std::size_t size = Chain::size;
-  /// The element that writes the frame; then the one before each element, or -1.
-  static constexpr int tip = Chain::wiring::writer(K, Slot);
-  static constexpr auto below = []<std::size_t... I>(std::index_sequence<I...>) {
-    return std::array<int, size + 1>{joint_place_of<Chain, I, is_free_joint<Chain, I>>().below..., -1};
-  }
-  (std::make_index_sequence<size>{});
-  static constexpr auto is_joint = []<std::size_t... I>(std::index_sequence<I...>) {
-    return std::array<bool, size + 1>{is_joint_core<core_of<Chain, I>>()...};
-  }
-  (std::make_index_sequence<size>{});
-  static constexpr auto is_rigid = []<std::size_t... I>(std::index_sequence<I...>) {
-    return std::array<bool, size + 1>{is_transmission<core_of<Chain, I>>...};
-  }
-  (std::make_index_sequence<size>{});
-
-  static constexpr bool by_joints_and_links = [] {
-    for (int at = tip; at >= 0; at = below[static_cast<std::size_t>(at)])
-      if (!is_rigid[static_cast<std::size_t>(at)]) return false;
-    return true;
-  }();
-  /// The joints from the frame on, then -1.
-  static constexpr auto joints = [] {
-    std::array<int, size + 1> all{};
-    all.fill(-1);
-    std::size_t count = 0;
-    for (int at = tip; at >= 0; at = below[static_cast<std::size_t>(at)])
-      if (is_joint[static_cast<std::size_t>(at)]) all[count++] = at;
-    return all;
-  }();
-};
-/// The frame at a port of a contact.
-template <class Chain, std::size_t E, std::size_t Port>
-using way_at_port = way_of_frame<Chain, core_of<Chain, E>::ports[Port].what, Chain::wiring::slot(E, Port)>;
 
 /// Whether joints may move the frames of contact E of a chain relative to each other; of frames that follow others this
 /// is not known.

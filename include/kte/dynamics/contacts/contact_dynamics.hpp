@@ -1,7 +1,7 @@
 #pragma once
 
+#include <kte/dynamics/closed_loops/chain_constraints.hpp>
 #include <kte/dynamics/contacts/contact_forces.hpp>
-#include <kte/dynamics/contacts/runtime_contacts.hpp>
 #include <kte/runtime_chain.hpp>
 
 namespace kte {
@@ -44,7 +44,7 @@ namespace kte::detail {
 struct contact_memory_of_state : contact_solver {
   std::shared_ptr<const char> layout;
   contact_dynamics_result result;
-  contact_memory_of_state(const runtime_contacts& c, const runtime_state& s)
+  contact_memory_of_state(const chain_constraints& c, const runtime_state& s)
       : contact_solver(c, s), layout(c.layout()) {
     for (const auto& x : contacts) result.names.push_back(c.loop_name(place(x).loop));
     result.contacts.resize(contacts.size());

@@ -16,13 +16,15 @@ class runtime_contacts_in_lanes {
   std::shared_ptr<const char> layout;
   basic_contact_dynamics_result<S> result;
 
-  runtime_contacts_in_lanes(const runtime_contacts& c, const basic_runtime_state<S>& s)
+  runtime_contacts_in_lanes(const chain_constraints& c, const basic_runtime_state<S>& s)
       : layout(c.layout()), places_(c, s), all_(c, s, places_) {
     for (const auto& x : all_.contacts) result.names.push_back(c.loop_name(x.loop));
     result.contacts.resize(all_.contacts.size());
   }
+  /// The contacts, with their rows and forces.
+  contacts_in_lanes<S>& solver() { return all_; }
   /// Accelerations under applied(i), to `forces` of the working memory, and the result.
-  void accelerate(const runtime_contacts& c, basic_runtime_state<S>& s, const tree::given_forces<S>& applied) {
+  void accelerate(const chain_constraints& c, basic_runtime_state<S>& s, const tree::given_forces<S>& applied) {
     const auto biases = articulate_under(c.elements(), s, applied, {});
     for (auto& x : all_.contacts) locate(c, s, x);
     all_.choose(c);
@@ -44,7 +46,7 @@ class runtime_contacts_in_lanes {
   using contact = contact_in_lanes<S>;
   const closure_place& place(const contact& x) const { return places_.closures[static_cast<std::size_t>(x.closure)]; }
   /// The place of a contact, from bias motions in the working memory of the state.
-  void locate(const runtime_contacts& c, const basic_runtime_state<S>& s, contact& x) {
+  void locate(const chain_constraints& c, const basic_runtime_state<S>& s, contact& x) {
     const auto& at = place(x);
     auto& m = motions_[static_cast<std::size_t>(x.slot)];
     m = loop_equations::biased_motion_between(s, at);
@@ -105,6 +107,13 @@ class runtime_contacts_in_lanes {
   std::vector<closing_motion<S>> motions_{all_.contacts.size()};  ///< of bodies at surfaces, by slot
   std::vector<tree::simd_wrench<S>> loads_;
 };
+template <class S>
+runtime_contacts_in_lanes<S>& contacts_in_lanes_of(const runtime_chain& c, basic_runtime_state<S>& s) {
+  const auto make = [&] { return runtime_contacts_in_lanes<S>(contacts_of(c), s); };
+  auto& m = s.contacts.template get<runtime_contacts_in_lanes<S>>(make);
+  if (m.layout != c.wiring().layout) m = make();
+  return m;
+}
 /// Throws `bad_argument` for chains whose contacts packs do not support.
 template <class S>
 void check_contacts_in_packs(const runtime_chain& c, const basic_runtime_state<S>& s) {
@@ -131,9 +140,7 @@ requires(detail::has_lanes_of_double<S>) const basic_contact_dynamics_result<S>&
   detail::check_contacts_in_packs(c, s);
   return detail::take(c, s, q, v, detail::not_given{}, tau).call([&]() -> const auto& {
     const auto contacts = detail::contacts_of(c);
-    const auto make = [&] { return detail::runtime_contacts_in_lanes<S>(contacts, s); };
-    auto& m = s.contacts.template get<detail::runtime_contacts_in_lanes<S>>(make);
-    if (m.layout != c.wiring().layout) m = make();
+    auto& m = detail::contacts_in_lanes_of(c, s);
     auto& kept = s.work.kept;  // tau may be a result in the state
     for (int i = 0; i < s.dofs(); ++i)
       kept[static_cast<std::size_t>(i)] = static_cast<S>(tau[static_cast<std::size_t>(i)]);

@@ -34,13 +34,7 @@ constexpr contact_mode as_contact_mode(friction_mode mode) {
          : mode == friction_mode::sticks ? contact_mode::sticks
                                          : contact_mode::slides;
 }
-template <class Contacts>
-std::string names_of_touching(const Contacts& c, const contact_workspace& m) {
-  std::string names;
-  for (std::size_t i = 0; i < m.touching.size(); ++i)
-    names.append(i == 0 ? "'" : ", '").append(c.loop_name(m.place(m.touched(i)).loop)).append("'");
-  return names;
-}
+std::string names_of_touching(const chain_constraints& c, const contact_workspace& m);
 /// Writes the modes of the contacts that touch, from those of the solution: contacts without force that separate are
 /// open.
 template <class Solver, class Numbers>
@@ -78,27 +72,14 @@ friction_status find_friction(Solver& m, bool any = false, std::span<const doubl
 constexpr bool has_forces(friction_status status) {
   return status == friction_status::solved || status == friction_status::several_solutions;
 }
-inline std::string text_of_no_forces(const std::string& names, friction_status status, double residual) {
-  if (status == friction_status::nearly_singular)
-    return "kte: the forces of contacts " + names +
-           " cannot be computed: their equations are nearly singular, as where a body stands on one that is 1e12 times "
-           "lighter";
-  return "kte: no contact forces satisfy the laws of friction at contacts " + names +
-         (status == friction_status::no_solution ? ": a jam (Painleve): kte::impact finds the velocities after it"
-                                                 : "; residual " + number(residual));
-}
-template <class Contacts>
-[[noreturn, gnu::cold]] void raise_no_forces(const Contacts& c, const contact_solver& m, friction_status status) {
+std::string text_of_no_forces(const std::string& names, friction_status status, double residual);
+[[noreturn, gnu::cold]] inline void raise_no_forces(const chain_constraints& c, const contact_solver& m,
+                                                    friction_status status) {
   raise<no_solution>(text_of_no_forces(names_of_touching(c, m), status, m.residual));
 }
 /// `find_friction`; throws `no_solution`. Returns whether there are several solutions.
-template <class Contacts>
-bool solve_friction(const Contacts& c, contact_solver& m, bool any = false, std::span<const double> start = {}) {
-  const auto status = find_friction(m, any, start);
-  if (!has_forces(status)) [[unlikely]]
-    raise_no_forces(c, m, status);
-  return status == friction_status::several_solutions;
-}
+bool solve_friction(const chain_constraints& c, contact_solver& m, bool any = false,
+                    std::span<const double> start = {});
 /// The normal and the tangential velocity of a contact, relative to `rest_velocity`.
 inline double normal_velocity(const contact_workspace& m, const contact_at& x) {
   return dot(x.place.normal, x.slip) / (rest_velocity * m.equations.places.length);
@@ -128,46 +109,17 @@ void put_contacts_at(const contact_solver& m, const At& at) {
     to.direction = m.laws[i].sliding ? x.basis[1] : unit_of(dot(x.place.normal, to.force) * x.place.normal - to.force);
   }
 }
-template <class State>
-void put_contacts(const contact_solver& m, State& s) {
+inline void put_contacts(const contact_solver& m, runtime_state& s) {
   put_contacts_at(
-      m, [&s](int slot) -> auto& { return s.template get<kind::contact>(slot); });
+      m, [&s](int slot) -> auto& { return s.get<kind::contact>(slot); });
 }
 
 /// Writes `loop_forces` to the closures of the state.
-template <class State>
-void put_forces_of_closures(const contact_solver& m, State& s) {
-  for (const int k : m.closures) {
-    const auto& x = m.equations.places.closures[static_cast<std::size_t>(k)];
-    auto& loop = s.template get<kind::loop>(x.loop);
-    for (int r = 0; r < x.rows.count(); ++r)
-      row_of(loop.force, loop.torque, x.rows, r) = m.equations.places.scale(x, r) * m.loop_forces[x.first + r];
-  }
-}
+void put_forces_of_closures(const contact_solver& m, runtime_state& s);
 /// Accelerations a_0 of the tree under applied(i), to `before`, with the places and slip velocities of contacts, and
 /// the second derivatives of all rows for a_0 in the equations.
-template <class Contacts, class State>
-void accelerate_freely(const Contacts& c, State& s, contact_solver& m, const tree::given_forces<double>& applied) {
-  check_loops(c, s);
-  auto& e = m.equations;
-  const bool tree = s.tree().plan.tree;
-  accelerations_on_coordinates(c.elements(), s, applied, {});
-  auto& a = s.work.forces;
-  m.before = a;
-  const auto& a0 = m.before;
-  e.at_positions(c, s, !tree, tree);
-  if (tree) {
-    m.factor.take_articulated(s, e);
-    m.find(c, s);
-    e.accelerate_residuals(c, s, [&a](int i) { return a[i]; });
-  } else {
-    for_each_listed_freedom(s, [&a0](auto& x, const freedom& at) { put<vector_of::a>(x, at, a0); });
-    m.factor.factorize(c, s, e);
-    e.at_rates(c, s);
-    m.find(c, s);
-    e.acceleration += e.times(a0);
-  }
-}
+void accelerate_freely(const chain_constraints& c, runtime_state& s, contact_solver& m,
+                       const tree::given_forces<double>& applied);
 /// g'' of a contact without contact forces, after `accelerate_freely`.
 inline double free_gap_ddot(const contact_solver& m, const contact_at& x) {
   return dot(x.place.normal, m.unscaled(x, m.equations.acceleration)) + x.place.bending;
@@ -184,8 +136,8 @@ inline std::string text_of_approach(const std::string& contact, double speed) {
 }
 /// Chooses the contacts that touch: not those with leaves(contact); those with slides(contact) slide. Raises
 /// `bad_argument` for a contact that approaches.
-template <class Contacts, class Leaves, class Slides>
-void choose_contacts(const Contacts& c, contact_solver& m, const Leaves& leaves, const Slides& slides) {
+template <class Leaves, class Slides>
+void choose_contacts(const chain_constraints& c, contact_solver& m, const Leaves& leaves, const Slides& slides) {
   m.choose([&](const contact_at& x) { return m.touches(x) && !leaves(x); });
   for (std::size_t i = 0; i < m.touching.size(); ++i) {
     const auto& x = m.touched(i);
@@ -209,8 +161,8 @@ struct slides_by_motion {
 ///
 /// a_0: accelerations of the tree, b: u' for a_0. Contacts are those of `choose_contacts`. If there are no forces that
 /// satisfy the laws, the accelerations are not found.
-template <class Contacts, class State, class Leaves, class Slides>
-friction_status find_contact_forces(const Contacts& c, State& s, contact_solver& m,
+template <class Leaves, class Slides>
+friction_status find_contact_forces(const chain_constraints& c, runtime_state& s, contact_solver& m,
                                     const tree::given_forces<double>& applied, const Leaves& leaves,
                                     const Slides& slides) {
   accelerate_freely(c, s, m, applied);
@@ -225,8 +177,8 @@ friction_status find_contact_forces(const Contacts& c, State& s, contact_solver&
   return status;
 }
 /// As `find_contact_forces` in a tree, by one factorization and one pass of accelerations: without a_0.
-template <class Contacts, class State, class Leaves, class Slides>
-friction_status find_contact_forces_in_tree(const Contacts& c, State& s, contact_solver& m,
+template <class Leaves, class Slides>
+friction_status find_contact_forces_in_tree(const chain_constraints& c, runtime_state& s, contact_solver& m,
                                             const tree::given_forces<double>& applied, const Leaves& leaves,
                                             const Slides& slides) {
   check_loops(c, s);
@@ -245,9 +197,64 @@ friction_status find_contact_forces_in_tree(const Contacts& c, State& s, contact
 }
 /// `find_contact_forces` with sliding contacts by their velocity. Throws `no_solution`. Returns whether there are
 /// several solutions.
-template <class Contacts, class State>
-bool accelerate_with_contacts(const Contacts& c, State& s, contact_solver& m,
-                              const tree::given_forces<double>& applied) {
+bool accelerate_with_contacts(const chain_constraints& c, runtime_state& s, contact_solver& m,
+                              const tree::given_forces<double>& applied);
+
+#ifdef KTE_FUNCTION
+KTE_FUNCTION std::string names_of_touching(const chain_constraints& c, const contact_workspace& m) {
+  std::string names;
+  for (std::size_t i = 0; i < m.touching.size(); ++i)
+    names.append(i == 0 ? "'" : ", '").append(c.loop_name(m.place(m.touched(i)).loop)).append("'");
+  return names;
+}
+KTE_FUNCTION std::string text_of_no_forces(const std::string& names, friction_status status, double residual) {
+  if (status == friction_status::nearly_singular)
+    return "kte: the forces of contacts " + names +
+           " cannot be computed: their equations are nearly singular, as where a body stands on one that is 1e12 times "
+           "lighter";
+  return "kte: no contact forces satisfy the laws of friction at contacts " + names +
+         (status == friction_status::no_solution ? ": a jam (Painleve): kte::impact finds the velocities after it"
+                                                 : "; residual " + number(residual));
+}
+KTE_FUNCTION bool solve_friction(const chain_constraints& c, contact_solver& m, bool any,
+                                 std::span<const double> start) {
+  const auto status = find_friction(m, any, start);
+  if (!has_forces(status)) [[unlikely]]
+    raise_no_forces(c, m, status);
+  return status == friction_status::several_solutions;
+}
+KTE_FUNCTION void put_forces_of_closures(const contact_solver& m, runtime_state& s) {
+  for (const int k : m.closures) {
+    const auto& x = m.equations.places.closures[static_cast<std::size_t>(k)];
+    auto& loop = s.get<kind::loop>(x.loop);
+    for (int r = 0; r < x.rows.count(); ++r)
+      row_of(loop.force, loop.torque, x.rows, r) = m.equations.places.scale(x, r) * m.loop_forces[x.first + r];
+  }
+}
+KTE_FUNCTION void accelerate_freely(const chain_constraints& c, runtime_state& s, contact_solver& m,
+                                    const tree::given_forces<double>& applied) {
+  check_loops(c, s);
+  auto& e = m.equations;
+  const bool tree = s.tree().plan.tree;
+  accelerations_on_coordinates(c.elements(), s, applied, {});
+  auto& a = s.work.forces;
+  m.before = a;
+  const auto& a0 = m.before;
+  e.at_positions(c, s, !tree, tree);
+  if (tree) {
+    m.factor.take_articulated(s, e);
+    m.find(c, s);
+    e.accelerate_residuals(c, s, [&a](int i) { return a[i]; });
+  } else {
+    for_each_listed_freedom(s, [&a0](auto& x, const freedom& at) { put<vector_of::a>(x, at, a0); });
+    m.factor.factorize(c, s, e);
+    e.at_rates(c, s);
+    m.find(c, s);
+    e.acceleration += e.times(a0);
+  }
+}
+KTE_FUNCTION bool accelerate_with_contacts(const chain_constraints& c, runtime_state& s, contact_solver& m,
+                                           const tree::given_forces<double>& applied) {
   const auto status = s.tree().plan.tree
                           ? find_contact_forces_in_tree(c, s, m, applied, leaves_by_motion{m}, slides_by_motion{m})
                           : find_contact_forces(c, s, m, applied, leaves_by_motion{m}, slides_by_motion{m});
@@ -255,5 +262,6 @@ bool accelerate_with_contacts(const Contacts& c, State& s, contact_solver& m,
     raise_no_forces(c, m, status);
   return status == friction_status::several_solutions;
 }
+#endif
 
 }  // namespace kte::detail

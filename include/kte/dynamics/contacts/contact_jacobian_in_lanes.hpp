@@ -83,7 +83,7 @@ class contact_jacobians_in_lanes {
     }
   }
 
-  runtime_contacts c_;
+  chain_constraints c_;
   basic_runtime_state<S>& s_;
   closure_places places_;
   std::vector<located> all_;

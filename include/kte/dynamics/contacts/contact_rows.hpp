@@ -21,20 +21,7 @@ namespace kte::detail {
 
 /// The equations of the contacts of a chain, and its memory.
 struct contact_workspace {
-  template <class Contacts, class State>
-  contact_workspace(const Contacts& c, const State& s) : equations(c, s) {
-    const auto& all = equations.places.closures;
-    for (std::size_t i = 0; i < all.size(); ++i)
-      if (c.touches(all[i].element)) {
-        refuse_fixed_frames(c, s, all[i]);
-        contact_at x;
-        x.closure = static_cast<int>(i), x.slot = all[i].loop - c.loops();
-        x.planar = all[i].rows.count() == 2, x.has_gate = c.has_gate(all[i].element);
-        contacts.push_back(x);
-      } else {
-        closures.push_back(static_cast<int>(i));
-      }
-  }
+  contact_workspace(const chain_constraints& c, const runtime_state& s);
 
   loop_equations equations;
   loop_factor factor;
@@ -60,29 +47,21 @@ struct contact_workspace {
   const contact_at& touched(std::size_t i) const { return contacts[static_cast<std::size_t>(touching[i])]; }
 
   /// Computes the places and slip velocities of all contacts from motions in the working memory of the state.
-  template <class Contacts, class State>
-  void find(const Contacts& c, const State& s) {
-    for (auto& x : contacts) {
-      const auto& at = place(x);
-      const auto m = loop_equations::moving_between(s, at);
-      locate(c, x, m);
-    }
-  }
+  void find(const chain_constraints& c, const runtime_state& s);
   /// As `find` in a tree, from bias motions in the working memory of the state.
-  template <class Contacts, class State>
-  void find_biased(const Contacts& c, const State& s) {
+  void find_biased(const chain_constraints& c, const runtime_state& s) {
     for (auto& x : contacts) {
       locate(c, x, equations.biased_motion(s, x.closure));
     }
   }
   /// The place of a contact in the relative motion m of its frames. Errors name the contact.
-  template <class Contacts, class Motion>
-  void locate(const Contacts& c, contact_at& x, const Motion& m) {
+  template <class Motion>
+  void locate(const chain_constraints& c, contact_at& x, const Motion& m) {
     put_place(c, x, [&] { return c.touch_at(place(x).element, m); });
   }
   /// The place of a contact, from find_place(). Errors name the contact.
-  template <class Contacts, class Find>
-  KTE_INLINE void put_place(const Contacts& c, contact_at& x, const Find& find_place) {
+  template <class Find>
+  KTE_INLINE void put_place(const chain_constraints& c, contact_at& x, const Find& find_place) {
 #if defined(__cpp_exceptions)
     try {
       x.place = find_place();
@@ -96,18 +75,11 @@ struct contact_workspace {
     if (!is_unit(x.place.normal)) [[unlikely]]
       refuse_place(c, x, no_normal_here);
   }
-  template <class Contacts>
-  [[noreturn, gnu::cold]] void refuse_place(const Contacts& c, const contact_at& x, std::string_view why) {
+  [[noreturn, gnu::cold]] void refuse_place(const chain_constraints& c, const contact_at& x, std::string_view why) {
     raise<bad_argument>(text_of_no_place(std::string(c.loop_name(place(x).loop)), why));
   }
   /// The rows of a contact of those of all, such as J v, in m.
-  vec3<> unscaled(const contact_at& x, const Eigen::VectorXd& all) const {
-    const auto& at = place(x);
-    const auto row = [&](int k) {
-      return k < at.rows.count() ? all[at.first + k] / equations.places.scale(at, k) : 0.0;
-    };
-    return {row(0), row(1), row(2)};
-  }
+  vec3<> unscaled(const contact_at& x, const Eigen::VectorXd& all) const;
   /// Whether a contact touches.
   bool touches(const contact_at& x) const { return !x.passes && x.place.gap <= touching_gap * equations.places.length; }
   /// Chooses contacts that touch, those for which `chosen`, and sets their bases.
@@ -144,42 +116,26 @@ struct contact_workspace {
     for (int k = 0; k < x.rows(); ++k)
       rows[x.first + k] = dot(x.basis[static_cast<std::size_t>(k)], of) / equations.places.length;
   }
-  vec3<> force_of(const contact_at& x) const {
-    vec3<> f{};
-    for (int k = 0; k < x.rows(); ++k)
-      f = f + forces[x.first + k] / equations.places.length * x.basis[static_cast<std::size_t>(k)];
-    return f;
-  }
+  vec3<> force_of(const contact_at& x) const;
   /// (2) and (3); call (1) of the factor at the positions of the state first. `of_closures`: u' of their rows.
-  template <class Contacts, class State>
-  void make_matrix(const Contacts& c, State& s, const Eigen::VectorXd& of_closures) {
+  void make_matrix(const chain_constraints& c, runtime_state& s, const Eigen::VectorXd& of_closures) {
     make_matrix<false>(c, s, of_closures);
   }
   /// As `make_matrix` in a tree, and `bias` = u' without forces of contacts; call `find_biased` first.
-  template <class Contacts, class State>
-  void make_matrix_and_bias(const Contacts& c, State& s) {
+  void make_matrix_and_bias(const chain_constraints& c, runtime_state& s) {
     make_matrix<true>(c, s, equations.acceleration);
   }
   /// The u' of (3), from `bias`, for u' of the rows of closures. For another bias after `make_matrix`.
-  void subtract_closures(const Eigen::VectorXd& of_closures) {
-    if (closures.empty()) return;
-    loop_bias.setZero(static_cast<Eigen::Index>(loop_rows.size()) + pivoted_qr::padding);
-    for (std::size_t k = 0; k < loops.chosen.size(); ++k)
-      loop_bias[static_cast<Eigen::Index>(k)] = of_closures[loop_rows[static_cast<std::size_t>(loops.chosen[k])]];
-    loops.solve_transposed(loop_bias.data());
-    for (Eigen::Index k = 0; k < b.cols(); ++k) bias[k] -= overlap.col(k).dot(loop_bias.head(loops.rank()));
-  }
+  void subtract_closures(const Eigen::VectorXd& of_closures);
   /// d = L^-1 B lambda, with the part of closures, by degrees of freedom.
-  template <class State>
-  void accelerate(State& s, Eigen::VectorXd& d) {
+  void accelerate(runtime_state& s, Eigen::VectorXd& d) {
     find_half_change();
     factor.other_half(s, equations, half, d);
   }
 
   /// As `accelerate` in a tree with articulated inertias in the working memory of the state, whose accelerations
   /// `accelerate_after` finds.
-  template <class State>
-  void accelerate_with_tree(State& s) {
+  void accelerate_with_tree(runtime_state& s) {
     find_half_change();
     factor.add_half_change(s, equations, half);
   }
@@ -187,19 +143,11 @@ struct contact_workspace {
   /// The kinetic energy lost where velocities are projected onto the closures, J: u'_C is J_C v.
   double energy_of_closures() const { return closures.empty() ? 0.0 : loop_bias.head(loops.rank()).squaredNorm() / 2; }
   /// The forces of closures, by rows of all: R^-1 (-R^-T u'_C - Q^T B lambda).
-  void put_loop_forces(Eigen::VectorXd& all) {
-    all.setZero(equations.places.rows);
-    if (closures.empty()) return;
-    half = -loop_bias;
-    half.head(loops.rank()) -= overlap * forces;
-    loops.solve(half.data());
-    for (std::size_t k = 0; k < loops.chosen.size(); ++k)
-      all[loop_rows[static_cast<std::size_t>(loops.chosen[k])]] = half[static_cast<Eigen::Index>(k)];
-  }
+  void put_loop_forces(Eigen::VectorXd& all);
 
  private:
-  template <bool Accelerate, class Contacts, class State>
-  void make_matrix(const Contacts& c, State& s, const Eigen::VectorXd& of_closures) {
+  template <bool Accelerate>
+  void make_matrix(const chain_constraints& c, runtime_state& s, const Eigen::VectorXd& of_closures) {
     const bool by_paths = !factor.is_dense();
     for (std::size_t i = 0; by_paths && i < touching.size(); ++i) put_rows_on_path<Accelerate>(s, touched(i));
     if (by_paths && closures.empty()) return multiply_paths();
@@ -209,31 +157,12 @@ struct contact_workspace {
     w.noalias() = b.transpose() * b;
   }
   /// B lambda with the part of closures, to `half`.
-  void find_half_change() {
-    push_forces();
-    if (closures.empty()) return;
-    change.setZero(half.size());
-    loops.times_q(loop_bias.data(), change.data());
-    half -= change;
-  }
+  void find_half_change();
   /// half = B lambda.
-  void push_forces() {
-    const auto places = static_cast<Eigen::Index>(equations.places.row_of_place.size());
-    half.setZero(places + pivoted_qr::padding);
-    if (factor.is_dense() || !closures.empty()) {
-      half.head(places).noalias() = b * forces;
-      return;
-    }
-    for (std::size_t i = 0; i < touching.size(); ++i) {
-      const auto& x = touched(i);
-      for (const auto& at : x.path)
-        for (int k = 0; k < x.rows(); ++k)
-          half[at.place] += at.entries[static_cast<std::size_t>(k)] * forces[x.first + k];
-    }
-  }
+  void push_forces();
   /// Rows of a contact in a tree, by the places on its path: B, with `Accelerate` also `bias`.
-  template <bool Accelerate, class State>
-  void put_rows_on_path(State& s, contact_at& x) {
+  template <bool Accelerate>
+  void put_rows_on_path(runtime_state& s, contact_at& x) {
     const auto& m = equations.place(x.closure);
     const auto to_body = transpose(m.rotation);
     const vec3<> arm = x.place.point - m.position;
@@ -262,53 +191,16 @@ struct contact_workspace {
         [&](int k, double rate) { bias[x.first + k] += rate; });
   }
   /// B as a matrix, with closures and in chains that are not trees.
-  template <class Contacts, class State>
-  void put_rows_in_matrix(const Contacts& c, State& s) {
-    b.setZero(static_cast<Eigen::Index>(equations.places.row_of_place.size()), bias.size());
-    for (std::size_t i = 0; i < touching.size(); ++i) {
-      const auto& x = touched(i);
-      if (!factor.is_dense()) {
-        for (const auto& at : x.path)
-          for (int k = 0; k < x.rows(); ++k) b(at.place, x.first + k) += at.entries[static_cast<std::size_t>(k)];
-        continue;
-      }
-      factor.half_solve(c, s, equations, x.closure, [&](int at, int row, double entry) {
-        for (int k = 0; k < x.rows(); ++k) {
-          const auto& axis = x.basis[static_cast<std::size_t>(k)];
-          b(at, x.first + k) += (row == 0 ? axis.x : row == 1 ? axis.y : axis.z) * entry;
-        }
-      });
-    }
-  }
+  void put_rows_in_matrix(const chain_constraints& c, runtime_state& s);
   /// W of contacts by their paths.
   void multiply_paths() {
     w.resize(bias.size(), bias.size());
     for (std::size_t i = 0; i < touching.size(); ++i)
       for (std::size_t j = 0; j <= i; ++j) multiply(touched(i), touched(j));
   }
-  void multiply(const contact_at& x, const contact_at& y) {
-    using simd = tree::simd<double, row_lanes>;
-    simd sum[3]{};
-    auto a = x.path.rbegin();
-    auto b_of = y.path.rbegin();
-    while (a != x.path.rend() && b_of != y.path.rend()) {  // places ascend from the bases
-      if (a->place != b_of->place) {
-        a->place < b_of->place ? ++a : ++b_of;
-        continue;
-      }
-      simd of_x;
-      tree::load<double>(of_x, a->entries.data());
-      for (std::size_t k = 0; k < 3; ++k) sum[k] += b_of->entries[k] * of_x;
-      ++a, ++b_of;
-    }
-    for (int k = 0; k < y.rows(); ++k) {
-      double column[row_lanes];
-      tree::store<double>(sum[k], column);
-      for (int r = 0; r < x.rows(); ++r) w(x.first + r, y.first + k) = w(y.first + k, x.first + r) = column[r];
-    }
-  }
-  template <bool Accelerate, class Contacts, class State>
-  void project(const Contacts& c, State& s) {
+  void multiply(const contact_at& x, const contact_at& y);
+  template <bool Accelerate>
+  void project(const chain_constraints& c, runtime_state& s) {
     int rows = 0;
     for (const int k : closures) rows += equations.places.closures[static_cast<std::size_t>(k)].rows.count();
     auto of = loops.matrix(b.rows(), rows);
@@ -337,5 +229,116 @@ struct contact_workspace {
     }
   }
 };
+
+#ifdef KTE_FUNCTION
+KTE_FUNCTION contact_workspace::contact_workspace(const chain_constraints& c, const runtime_state& s)
+    : equations(c, s) {
+  const auto& all = equations.places.closures;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (c.touches(all[i].element)) {
+      refuse_fixed_frames(c, s, all[i]);
+      contact_at x;
+      x.closure = static_cast<int>(i), x.slot = all[i].loop - c.loops();
+      x.planar = all[i].rows.count() == 2, x.has_gate = c.has_gate(all[i].element);
+      contacts.push_back(x);
+    } else {
+      closures.push_back(static_cast<int>(i));
+    }
+}
+KTE_FUNCTION void contact_workspace::find(const chain_constraints& c, const runtime_state& s) {
+  for (auto& x : contacts) {
+    const auto& at = place(x);
+    const auto m = loop_equations::moving_between(s, at);
+    locate(c, x, m);
+  }
+}
+KTE_FUNCTION vec3<> contact_workspace::unscaled(const contact_at& x, const Eigen::VectorXd& all) const {
+  const auto& at = place(x);
+  const auto row = [&](int k) { return k < at.rows.count() ? all[at.first + k] / equations.places.scale(at, k) : 0.0; };
+  return {row(0), row(1), row(2)};
+}
+KTE_FUNCTION vec3<> contact_workspace::force_of(const contact_at& x) const {
+  vec3<> f{};
+  for (int k = 0; k < x.rows(); ++k)
+    f = f + forces[x.first + k] / equations.places.length * x.basis[static_cast<std::size_t>(k)];
+  return f;
+}
+KTE_FUNCTION void contact_workspace::subtract_closures(const Eigen::VectorXd& of_closures) {
+  if (closures.empty()) return;
+  loop_bias.setZero(static_cast<Eigen::Index>(loop_rows.size()) + pivoted_qr::padding);
+  for (std::size_t k = 0; k < loops.chosen.size(); ++k)
+    loop_bias[static_cast<Eigen::Index>(k)] = of_closures[loop_rows[static_cast<std::size_t>(loops.chosen[k])]];
+  loops.solve_transposed(loop_bias.data());
+  for (Eigen::Index k = 0; k < b.cols(); ++k) bias[k] -= overlap.col(k).dot(loop_bias.head(loops.rank()));
+}
+KTE_FUNCTION void contact_workspace::put_loop_forces(Eigen::VectorXd& all) {
+  all.setZero(equations.places.rows);
+  if (closures.empty()) return;
+  half = -loop_bias;
+  half.head(loops.rank()) -= overlap * forces;
+  loops.solve(half.data());
+  for (std::size_t k = 0; k < loops.chosen.size(); ++k)
+    all[loop_rows[static_cast<std::size_t>(loops.chosen[k])]] = half[static_cast<Eigen::Index>(k)];
+}
+KTE_FUNCTION void contact_workspace::find_half_change() {
+  push_forces();
+  if (closures.empty()) return;
+  change.setZero(half.size());
+  loops.times_q(loop_bias.data(), change.data());
+  half -= change;
+}
+KTE_FUNCTION void contact_workspace::push_forces() {
+  const auto places = static_cast<Eigen::Index>(equations.places.row_of_place.size());
+  half.setZero(places + pivoted_qr::padding);
+  if (factor.is_dense() || !closures.empty()) {
+    half.head(places).noalias() = b * forces;
+    return;
+  }
+  for (std::size_t i = 0; i < touching.size(); ++i) {
+    const auto& x = touched(i);
+    for (const auto& at : x.path)
+      for (int k = 0; k < x.rows(); ++k)
+        half[at.place] += at.entries[static_cast<std::size_t>(k)] * forces[x.first + k];
+  }
+}
+KTE_FUNCTION void contact_workspace::put_rows_in_matrix(const chain_constraints& c, runtime_state& s) {
+  b.setZero(static_cast<Eigen::Index>(equations.places.row_of_place.size()), bias.size());
+  for (std::size_t i = 0; i < touching.size(); ++i) {
+    const auto& x = touched(i);
+    if (!factor.is_dense()) {
+      for (const auto& at : x.path)
+        for (int k = 0; k < x.rows(); ++k) b(at.place, x.first + k) += at.entries[static_cast<std::size_t>(k)];
+      continue;
+    }
+    factor.half_solve(c, s, equations, x.closure, [&](int at, int row, double entry) {
+      for (int k = 0; k < x.rows(); ++k) {
+        const auto& axis = x.basis[static_cast<std::size_t>(k)];
+        b(at, x.first + k) += (row == 0 ? axis.x : row == 1 ? axis.y : axis.z) * entry;
+      }
+    });
+  }
+}
+KTE_FUNCTION void contact_workspace::multiply(const contact_at& x, const contact_at& y) {
+  using simd = tree::simd<double, row_lanes>;
+  simd sum[3]{};
+  auto a = x.path.rbegin();
+  auto b_of = y.path.rbegin();
+  while (a != x.path.rend() && b_of != y.path.rend()) {  // places ascend from the bases
+    if (a->place != b_of->place) {
+      a->place < b_of->place ? ++a : ++b_of;
+      continue;
+    }
+    simd of_x;
+    tree::load<double>(of_x, a->entries.data());
+    for (std::size_t k = 0; k < 3; ++k) sum[k] += b_of->entries[k] * of_x;
+    ++a, ++b_of;
+  }
+  for (int k = 0; k < y.rows(); ++k) {
+    double column[row_lanes];
+    tree::store<double>(sum[k], column);
+    for (int r = 0; r < x.rows(); ++r) w(x.first + r, y.first + k) = w(y.first + k, x.first + r) = column[r];
+  }
+}
+#endif
 
 }  // namespace kte::detail

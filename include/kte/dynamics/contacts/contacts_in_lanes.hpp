@@ -52,8 +52,8 @@ class contacts_in_lanes {
 
  public:
   /// `places`: those of the closures and contacts of the chain.
-  template <class Contacts, class State>
-  contacts_in_lanes(const Contacts& c, const State& s, const closure_places& places) : length(places.length) {
+  template <class State>
+  contacts_in_lanes(const chain_constraints& c, const State& s, const closure_places& places) : length(places.length) {
     for (std::size_t i = 0; i < places.closures.size(); ++i) {
       const auto& at = places.closures[i];
       if (!c.touches(at.element)) continue;
@@ -72,8 +72,8 @@ class contacts_in_lanes {
   truth_of_lanes<S> several{};
 
   /// The place of a contact in each lane, by touch_at(lane). Errors name the contact and the lane.
-  template <class Contacts, class TouchAt>
-  void put_place(const Contacts& c, contact_in_lanes<S>& x, const TouchAt& touch_at) {
+  template <class TouchAt>
+  void put_place(const chain_constraints& c, contact_in_lanes<S>& x, const TouchAt& touch_at) {
     for (std::size_t lane = 0; lane < lanes; ++lane) {
       touch of_lane;
 #if defined(__cpp_exceptions)
@@ -93,15 +93,13 @@ class contacts_in_lanes {
     check_normal(c, x);
   }
   /// The place of a contact with the same friction in all lanes.
-  template <class Contacts>
-  KTE_INLINE void put_place(const Contacts& c, contact_in_lanes<S>& x, const basic_touch<S>& place) {
+  KTE_INLINE void put_place(const chain_constraints& c, contact_in_lanes<S>& x, const basic_touch<S>& place) {
     x.place = place, x.friction = S(place.law.friction);
     check_normal(c, x);
   }
   /// Chooses the contacts that touch, by lane, and those that slide, as `choose_contacts` does by velocities. Throws
   /// `bad_argument` for a contact that approaches in a lane.
-  template <class Contacts>
-  void choose(const Contacts& c) {
+  void choose(const chain_constraints& c) {
     int row = 0;
     const S rest(rest_velocity * length);
     for (auto& x : contacts) {
@@ -130,8 +128,7 @@ class contacts_in_lanes {
     w.resize(row, row), bias.resize(row), forces.setZero(row);
   }
   /// Finds the forces of all lanes, from W and bias. Throws `no_solution` for a lane without forces.
-  template <class Contacts>
-  void solve(const Contacts& c) {
+  void solve(const chain_constraints& c) {
     several = {};
     modes_.assign(contacts.size(), S(0));
     of_friction_.clear();
@@ -154,8 +151,7 @@ class contacts_in_lanes {
   static void put_lane(vec3<S>& to, std::size_t lane, const vec3<>& x) {
     to.x.set(lane, x.x), to.y.set(lane, x.y), to.z.set(lane, x.z);
   }
-  template <class Contacts>
-  KTE_INLINE void check_normal(const Contacts& c, const contact_in_lanes<S>& x) const {
+  KTE_INLINE void check_normal(const chain_constraints& c, const contact_in_lanes<S>& x) const {
     const S square = dot(x.place.normal, x.place.normal);
     if (all((square > S(0.5)) & (square < S(2)))) [[likely]]
       return;
@@ -163,13 +159,12 @@ class contacts_in_lanes {
     while (square[lane] > 0.5 && square[lane] < 2) ++lane;
     refuse_place(c, x, lane, no_normal_here);
   }
-  template <class Contacts>
-  [[noreturn, gnu::cold]] void refuse_place(const Contacts& c, const contact_in_lanes<S>& x, std::size_t lane,
+  [[noreturn, gnu::cold]] void refuse_place(const chain_constraints& c, const contact_in_lanes<S>& x, std::size_t lane,
                                             std::string_view why) const {
     raise<bad_argument>(in_lane(lane, lanes, text_of_no_place(std::string(c.loop_name(x.loop)), why)));
   }
-  template <class Contacts>
-  [[noreturn, gnu::cold]] void refuse_approach(const Contacts& c, const contact_in_lanes<S>& x, const S& speed) const {
+  [[noreturn, gnu::cold]] void refuse_approach(const chain_constraints& c, const contact_in_lanes<S>& x,
+                                               const S& speed) const {
     std::size_t lane = 0;
     while (speed[lane] == 0) ++lane;
     raise<bad_argument>(in_lane(lane, lanes, text_of_approach(std::string(c.loop_name(x.loop)), speed[lane])));
@@ -184,8 +179,7 @@ class contacts_in_lanes {
     }
     return closed > 0 && closed <= 3;
   }
-  template <class Contacts>
-  [[gnu::noinline]] void solve_alone(const Contacts& c, std::size_t lane) {
+  [[gnu::noinline]] void solve_alone(const chain_constraints& c, std::size_t lane) {
     auto& m = alone_;
     m.touching.clear(), m.laws.clear(), m.first.clear();
     int count = 0;
@@ -223,8 +217,7 @@ class contacts_in_lanes {
     for (std::size_t i = 0; i < alone_.touching.size(); ++i)
       for (int k = 0; k < alone_.laws[i].rows; ++k) visit(i, alone_.first[i] + k, of(i).first + k);
   }
-  template <class Contacts>
-  std::string names(const Contacts& c) const {
+  std::string names(const chain_constraints& c) const {
     std::string all;
     for (std::size_t i = 0; i < alone_.touching.size(); ++i)
       all.append(i == 0 ? "'" : ", '").append(c.loop_name(of(i).loop)).append("'");

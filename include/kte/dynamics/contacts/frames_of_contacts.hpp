@@ -5,8 +5,8 @@
 namespace kte::detail {
 
 /// Raises `bad_argument` for a contact whose frames no joint moves relative to each other: W of it is zero.
-template <class Contacts, class State>
-void refuse_fixed_frames(const Contacts& c, const State& s, const closure_place& x) {
+template <class State>
+void refuse_fixed_frames(const chain_constraints& c, const State& s, const closure_place& x) {
   const char* where = fixed_frames(s, x);
   if (where == nullptr) [[likely]]
     return;

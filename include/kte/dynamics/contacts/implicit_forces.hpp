@@ -23,27 +23,7 @@ struct force_slopes {
 class implicit_forces {
  public:
   /// D, K and A at the state. `law`: the part of a control law, or nullptr.
-  template <class Elements, class State>
-  void find(const Elements& c, State& s, double h, const force_slopes* law) {
-    const auto& t = s.tree();
-    coupled_ = false, none_ = t.on_coordinates.empty() && law == nullptr;
-    if (none_) return;
-    auto& r = s.work.of_forces;
-    const Eigen::Index n = s.dofs();
-    r.by_q.setZero(n, n), r.by_v.setZero(n, n), r.by_a.setZero(n, n);
-    for (const int e : t.on_coordinates) c.derive(e, s);
-    if (law != nullptr) r.by_q += law->by_q, r.by_v += law->by_v;
-    damping.resize(n, n), added.resize(n, n);
-    for (Eigen::Index k = 0; k < n; ++k)
-      for (Eigen::Index i = 0; i <= k; ++i) {
-        damping(i, k) = damping(k, i) = (r.by_v(i, k) + r.by_v(k, i)) / 2;
-        added(i, k) = added(k, i) = h * damping(i, k) + h * h / 4 * (r.by_q(i, k) + r.by_q(k, i));
-        coupled_ |= i != k && added(i, k) != 0;
-      }
-    for (const int row : t.plan.jointless_dofs) coupled_ |= added(row, row) != 0;
-    coupled_ |= !t.plan.tree && !added.isZero(0);
-    if (!coupled_) put_masses(s);
-  }
+  void find(const runtime_elements& c, runtime_state& s, double h, const force_slopes* law);
   /// Whether A is not zero and needs M~ by rows.
   bool coupled() const { return coupled_; }
   void leave_out() { none_ = true, coupled_ = false; }
@@ -56,16 +36,40 @@ class implicit_forces {
   Eigen::MatrixXd damping, added;  ///< D, A
 
  private:
-  template <class State>
-  void put_masses(State& s) const {
-    const auto& t = s.tree();
-    auto& w = s.work;
-    for (std::size_t k = 0; k < t.body_tree.row.size(); ++k)
-      if (const int row = t.body_tree.row[k]; row < s.dofs())
-        w.own_mass[k] = t.own_mass[static_cast<std::size_t>(row)] + (std::max)(0.0, added(row, row));
-    tree::set_free(t.body_tree, w, [&w](std::size_t i) { return w.is_free[i]; });
-  }
+  void put_masses(runtime_state& s) const;
   bool none_ = true, coupled_ = false;
 };
+
+#ifdef KTE_FUNCTION
+KTE_FUNCTION void implicit_forces::find(const runtime_elements& c, runtime_state& s, double h,
+                                        const force_slopes* law) {
+  const auto& t = s.tree();
+  coupled_ = false, none_ = t.on_coordinates.empty() && law == nullptr;
+  if (none_) return;
+  auto& r = s.work.of_forces;
+  const Eigen::Index n = s.dofs();
+  r.by_q.setZero(n, n), r.by_v.setZero(n, n), r.by_a.setZero(n, n);
+  for (const int e : t.on_coordinates) c.derive(e, s);
+  if (law != nullptr) r.by_q += law->by_q, r.by_v += law->by_v;
+  damping.resize(n, n), added.resize(n, n);
+  for (Eigen::Index k = 0; k < n; ++k)
+    for (Eigen::Index i = 0; i <= k; ++i) {
+      damping(i, k) = damping(k, i) = (r.by_v(i, k) + r.by_v(k, i)) / 2;
+      added(i, k) = added(k, i) = h * damping(i, k) + h * h / 4 * (r.by_q(i, k) + r.by_q(k, i));
+      coupled_ |= i != k && added(i, k) != 0;
+    }
+  for (const int row : t.plan.jointless_dofs) coupled_ |= added(row, row) != 0;
+  coupled_ |= !t.plan.tree && !added.isZero(0);
+  if (!coupled_) put_masses(s);
+}
+KTE_FUNCTION void implicit_forces::put_masses(runtime_state& s) const {
+  const auto& t = s.tree();
+  auto& w = s.work;
+  for (std::size_t k = 0; k < t.body_tree.row.size(); ++k)
+    if (const int row = t.body_tree.row[k]; row < s.dofs())
+      w.own_mass[k] = t.own_mass[static_cast<std::size_t>(row)] + (std::max)(0.0, added(row, row));
+  tree::set_free(t.body_tree, w, [&w](std::size_t i) { return w.is_free[i]; });
+}
+#endif
 
 }  // namespace kte::detail

@@ -18,7 +18,17 @@
 namespace kte::detail {
 
 /// d of (2), or where sliding is slower than `slow`, m/s, a direction near that of slow_sliding.hpp.
-inline vec3<> sliding_direction(const contact_at& x, const vec3<>& start, double slow) {
+vec3<> sliding_direction(const contact_at& x, const vec3<>& start, double slow);
+
+/// Chooses the closed contacts, and their rows, by the modes of the state; call `m.find` first. `slow`: of
+/// `sliding_direction`.
+void put_rows_of_modes(const runtime_state& s, contact_solver& m, mode_rows& rows, double slow = 0);
+/// Accelerations with contacts in the modes of the state, written to `forces` of the working memory. Contacts of the
+/// state get their forces. Raises `no_solution` where (1) is singular.
+void accelerate_in_modes(const chain_constraints& c, runtime_state& s, contact_solver& m, forces_in_modes& k);
+
+#ifdef KTE_FUNCTION
+KTE_FUNCTION vec3<> sliding_direction(const contact_at& x, const vec3<>& start, double slow) {
   const auto& n = x.place.normal;
   const vec3<> t = contact_workspace::tangential(x), t0 = unit_of(start - dot(n, start) * n);
   if (x.planar) {
@@ -28,27 +38,21 @@ inline vec3<> sliding_direction(const contact_at& x, const vec3<>& start, double
   const double share = (std::max)(slow - std::sqrt(dot(t, t)), 1e-30) / 3;
   return unit_of((dot(t, t0) < 0 ? -1.0 : 1.0) * t + share * t0);
 }
-
-/// Chooses the closed contacts, and their rows, by the modes of the state; call `m.find` first. `slow`: of
-/// `sliding_direction`.
-template <class State>
-void put_rows_of_modes(const State& s, contact_solver& m, mode_rows& rows, double slow = 0) {
-  const auto mode = [&s](const contact_at& x) { return mode_of(s.template get<kind::contact>(x.slot)); };
+KTE_FUNCTION void put_rows_of_modes(const runtime_state& s, contact_solver& m, mode_rows& rows, double slow) {
+  const auto mode = [&s](const contact_at& x) { return mode_of(s.get<kind::contact>(x.slot)); };
   m.choose([&](const contact_at& x) { return mode(x) != contact_mode::open; });
   m.modes.clear(), rows.clear(m);
   for (std::size_t i = 0; i < m.touching.size(); ++i) {
     const auto& x = m.touched(i);
     m.modes.push_back(mode(x));
     const bool slides = m.modes.back() == contact_mode::slides;
-    if (slides) m.let_slide(i, sliding_direction(x, s.template get<kind::contact>(x.slot).direction, slow));
+    if (slides) m.let_slide(i, sliding_direction(x, s.get<kind::contact>(x.slot).direction, slow));
     for (int r = 0; r < x.rows(); ++r)
       rows.rows.push_back({m.touching[i], x.basis[static_cast<std::size_t>(r)], r == 0 || !slides});
   }
 }
-/// Accelerations with contacts in the modes of the state, written to `forces` of the working memory. Contacts of the
-/// state get their forces. Raises `no_solution` where (1) is singular.
-template <class Contacts, class State>
-void accelerate_in_modes(const Contacts& c, State& s, contact_solver& m, forces_in_modes& k) {
+KTE_FUNCTION void accelerate_in_modes(const chain_constraints& c, runtime_state& s, contact_solver& m,
+                                      forces_in_modes& k) {
   accelerate_freely(c, s, m, tree::given_forces<double>{});
   put_rows_of_modes(s, m, k.rows, k.slow_speed * m.equations.places.length);
   for (std::size_t i = 0; i < m.touching.size(); ++i) put_bias(m, i);
@@ -68,5 +72,6 @@ void accelerate_in_modes(const Contacts& c, State& s, contact_solver& m, forces_
     if (std::abs(a[i]) <= rounding * std::abs(m.before[i])) a[i] = 0;
   put_contacts(m, s);
 }
+#endif
 
 }  // namespace kte::detail

@@ -35,39 +35,9 @@ class mode_rows {
   }
   int count() const { return of_closures + static_cast<int>(rows.size()); }
   /// B at the positions of the state; call `factorize` or `take_articulated` of m.factor first.
-  template <class Contacts, class State>
-  void fill(const Contacts& c, State& s, contact_solver& m) {
-    all.setZero(static_cast<Eigen::Index>(m.equations.places.row_of_place.size()), count());
-    int first = 0;
-    for (const int k : m.closures) {
-      m.factor.half_solve(c, s, m.equations, k, [&](int at, int row, double entry) { all(at, first + row) = entry; });
-      first += closure(m, k).rows.count();
-    }
-    for (std::size_t i = 0, next = 0; i < rows.size(); i = next) {
-      const int contact = rows[i].contact;
-      while (next < rows.size() && rows[next].contact == contact) ++next;
-      m.factor.half_solve(
-          c, s, m.equations, m.contacts[static_cast<std::size_t>(contact)].closure, [&](int at, int row, double entry) {
-            for (std::size_t r = i; r < next; ++r) {
-              const auto& axis = rows[r].axis;
-              all(at, of_closures + static_cast<int>(r)) += (row == 0 ? axis.x : row == 1 ? axis.y : axis.z) * entry;
-            }
-          });
-    }
-    columns.clear();
-    for (int k = 0; k < count(); ++k)
-      if (k < of_closures || rows[static_cast<std::size_t>(k - of_closures)].selectable) columns.push_back(k);
-  }
+  void fill(const chain_constraints& c, runtime_state& s, contact_solver& m);
   /// (1), for the rows that were chosen before if they are independent enough, otherwise for those found here.
-  void factorize(const std::vector<int>* chosen) {
-    if (chosen && std::includes(columns.begin(), columns.end(), chosen->begin(), chosen->end())) {
-      put(*chosen);
-      if (factor.take(*chosen, 1e-7)) return;
-    }
-    put(columns);
-    factor.choose(least_pivot);
-    for (int& k : factor.chosen) k = columns[static_cast<std::size_t>(k)];
-  }
+  void factorize(const std::vector<int>* chosen);
   /// The chosen rows in order.
   void put_chosen(std::vector<int>& to) const {
     to = factor.chosen;
@@ -76,14 +46,7 @@ class mode_rows {
   /// Whether rows depend on each other.
   bool redundant() const { return factor.chosen.size() < columns.size(); }
   /// d of (1) for c by rows, by degrees of freedom.
-  template <class State>
-  void least_change(State& s, contact_solver& m, const Eigen::VectorXd& c, Eigen::VectorXd& d) {
-    part_.setZero(all.rows() + count() + pivoted_qr::padding), half_.setZero(all.rows() + pivoted_qr::padding);
-    for (std::size_t k = 0; k < factor.chosen.size(); ++k) part_[static_cast<Eigen::Index>(k)] = c[factor.chosen[k]];
-    factor.solve_transposed(part_.data());
-    factor.times_q(part_.data(), half_.data());
-    m.factor.other_half(s, m.equations, half_, d);
-  }
+  void least_change(runtime_state& s, contact_solver& m, const Eigen::VectorXd& c, Eigen::VectorXd& d);
   /// Writes the rows of closures from those of all closures and contacts, and of a contact the components along axes of
   /// of(contact), divided by the length of the chain.
   template <class Of>
@@ -95,12 +58,7 @@ class mode_rows {
     for (const auto& x : rows)
       to[row++] = dot(x.axis, of(m.contacts[static_cast<std::size_t>(x.contact)])) / m.equations.places.length;
   }
-  double largest_of_chosen(const Eigen::VectorXd& of) const {
-    double most = 0;
-    for (const int k : factor.chosen)
-      if (!(std::abs(of[k]) <= most)) most = std::abs(of[k]);
-    return most;
-  }
+  double largest_of_chosen(const Eigen::VectorXd& of) const;
 
   int of_closures = 0;
 
@@ -114,5 +72,53 @@ class mode_rows {
   }
   Eigen::VectorXd part_, half_;
 };
+
+#ifdef KTE_FUNCTION
+KTE_FUNCTION void mode_rows::fill(const chain_constraints& c, runtime_state& s, contact_solver& m) {
+  all.setZero(static_cast<Eigen::Index>(m.equations.places.row_of_place.size()), count());
+  int first = 0;
+  for (const int k : m.closures) {
+    m.factor.half_solve(c, s, m.equations, k, [&](int at, int row, double entry) { all(at, first + row) = entry; });
+    first += closure(m, k).rows.count();
+  }
+  for (std::size_t i = 0, next = 0; i < rows.size(); i = next) {
+    const int contact = rows[i].contact;
+    while (next < rows.size() && rows[next].contact == contact) ++next;
+    m.factor.half_solve(
+        c, s, m.equations, m.contacts[static_cast<std::size_t>(contact)].closure, [&](int at, int row, double entry) {
+          for (std::size_t r = i; r < next; ++r) {
+            const auto& axis = rows[r].axis;
+            all(at, of_closures + static_cast<int>(r)) += (row == 0 ? axis.x : row == 1 ? axis.y : axis.z) * entry;
+          }
+        });
+  }
+  columns.clear();
+  for (int k = 0; k < count(); ++k)
+    if (k < of_closures || rows[static_cast<std::size_t>(k - of_closures)].selectable) columns.push_back(k);
+}
+KTE_FUNCTION void mode_rows::factorize(const std::vector<int>* chosen) {
+  if (chosen && std::includes(columns.begin(), columns.end(), chosen->begin(), chosen->end())) {
+    put(*chosen);
+    if (factor.take(*chosen, 1e-7)) return;
+  }
+  put(columns);
+  factor.choose(least_pivot);
+  for (int& k : factor.chosen) k = columns[static_cast<std::size_t>(k)];
+}
+KTE_FUNCTION void mode_rows::least_change(runtime_state& s, contact_solver& m, const Eigen::VectorXd& c,
+                                          Eigen::VectorXd& d) {
+  part_.setZero(all.rows() + count() + pivoted_qr::padding), half_.setZero(all.rows() + pivoted_qr::padding);
+  for (std::size_t k = 0; k < factor.chosen.size(); ++k) part_[static_cast<Eigen::Index>(k)] = c[factor.chosen[k]];
+  factor.solve_transposed(part_.data());
+  factor.times_q(part_.data(), half_.data());
+  m.factor.other_half(s, m.equations, half_, d);
+}
+KTE_FUNCTION double mode_rows::largest_of_chosen(const Eigen::VectorXd& of) const {
+  double most = 0;
+  for (const int k : factor.chosen)
+    if (!(std::abs(of[k]) <= most)) most = std::abs(of[k]);
+  return most;
+}
+#endif
 
 }  // namespace kte::detail

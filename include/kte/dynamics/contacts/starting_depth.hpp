@@ -8,8 +8,9 @@ namespace kte::detail {
 /// Throws `bad_argument` that names the contact whose body is the deepest in its surface, if it is deeper than `depth`,
 /// relative to the length of the chain, at the positions of the state. Contacts that deep with a closed gate, admits(e)
 /// of the element e, pass through their surface.
-template <class Contacts, class State, class Admits>
-void check_starting_depth(const Contacts& c, State& s, contact_workspace& m, double depth, const Admits& admits) {
+template <class Admits>
+void check_starting_depth(const chain_constraints& c, runtime_state& s, contact_workspace& m, double depth,
+                          const Admits& admits) {
   if (!(depth >= 0)) raise<bad_argument>("kte: the depth of a start must not be negative, got " + number(depth));
   place_bodies(c.elements(), s);
   m.equations.at_positions(c, s, false, true);

@@ -3,10 +3,12 @@
 #include <kte/dynamics/contacts/check_contact_frames.hpp>
 #include <kte/dynamics/contacts/contact_dynamics_in_lanes.hpp>
 #include <kte/dynamics/contacts/impact.hpp>
+#include <kte/dynamics/contacts/unrolled_contacts.hpp>
 #include <kte/dynamics/runtime/at_run_time.hpp>
 #include <kte/dynamics/unrolled/arguments.hpp>
 
-/// Contacts of static chains, by the algorithms of runtime chains.
+/// Contacts of static chains, by the algorithms of runtime chains; unrolled up to the friction problem where
+/// unrolled_contacts.hpp can (docs/decisions/30-unrolled-contacts.md).
 namespace kte {
 
 namespace detail {
@@ -37,18 +39,42 @@ struct static_contact_dynamics_result {
   }
 };
 
+namespace detail {
+template <class S, class Chain, class Q, class V, class T>
+static_contact_dynamics_result<Chain, S> contact_dynamics_unrolled(const Chain& c, const Q& q, const V& v,
+                                                                   const T& tau) {
+  return at_run_time(c, q, v, tau, [&c](const auto& r, auto& s, const auto& x, const auto& rates, const auto& forces) {
+    using at_type = configuration<S, typename Chain::wiring, const S*>;
+    const at_type at(x.data());
+    at.check();
+    const given_on_contacts<Chain, S> g{at, each<S, const S*>{rates.data()}, {}, base_beside_contacts(c)};
+    auto& m = solver_of(r, s);
+    static_contact_dynamics_result<Chain, S> result;
+    result.several = chain_on_contacts<S, Chain, given_on_contacts<Chain, S>>(c, g).accelerate(
+        contacts_of(r), m, joint_vector<S, Chain::dofs>(forces), result.a);
+    put_contacts_at(
+        m, [&result](int slot) -> auto& { return result.contacts[static_cast<std::size_t>(slot)]; });
+    return result;
+  });
+}
+}  // namespace detail
+
 /// As for runtime chains; r.contact(foot).mode, r.force(foot). In packs for q, v and tau of packs.
 template <class Gravity, class... E, indexable Q, indexable V, indexable T>
 [[nodiscard]] auto contact_dynamics(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const T& tau) {
   using chain_type = static_chain<Gravity, E...>;
   static_assert(sizeof(detail::check_contact_frames<chain_type>) > 0);
-  return detail::at_run_time(c, q, v, tau, [](auto&... at) {
-    const auto& found = contact_dynamics(at...);
-    static_contact_dynamics_result<chain_type, detail::scalar_at_run_time<Q>> r;
-    r.a = found.a, r.several = found.several;
-    std::copy(found.contacts.begin(), found.contacts.end(), r.contacts.begin());
-    return r;
-  });
+  using S = detail::scalar_at_run_time<Q>;
+  if constexpr (detail::unrolls_contacts<chain_type, S>)
+    return detail::contact_dynamics_unrolled<S>(c, q, v, tau);
+  else
+    return detail::at_run_time(c, q, v, tau, [](auto&... at) {
+      const auto& found = contact_dynamics(at...);
+      static_contact_dynamics_result<chain_type, S> r;
+      r.a = found.a, r.several = found.several;
+      std::copy(found.contacts.begin(), found.contacts.end(), r.contacts.begin());
+      return r;
+    });
 }
 
 /// The result of `impact` of a static chain.

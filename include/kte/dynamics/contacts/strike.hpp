@@ -20,20 +20,11 @@ inline bool is_jammed(const contact_solver& m, std::size_t i) {
   return m.laws[i].sliding && !((1 - least_support) * alone > m.laws[i].friction * m.w(x.first, x.first + 1));
 }
 /// Whether the forces found grow without limit as the sliding of a contact jams.
-inline bool is_near_jam(const contact_solver& m) {
-  double load = 0, force = 0;
-  bool jammed = false;
-  for (std::size_t i = 0; i < m.touching.size(); ++i) {
-    const auto n = m.touched(i).first;
-    load = (std::max)(load, std::abs(m.bias[n]) / m.w(n, n)), force = (std::max)(force, m.forces[n]);
-    jammed |= is_jammed(m, i);
-  }
-  return jammed && force > 0.1 / least_support * load;
-}
+bool is_near_jam(const contact_solver& m);
 /// Replaces v, the velocities of the state, by those after the impact. restitution(x): Newton's e of a contact.
-template <class Contacts, class State, class Restitution>
-void strike(const Contacts& c, State& s, contact_solver& m, impact_memory& memory, impact_law law, Eigen::VectorXd& v,
-            const Restitution& restitution) {
+template <class Restitution>
+void strike(const chain_constraints& c, runtime_state& s, contact_solver& m, impact_memory& memory, impact_law law,
+            Eigen::VectorXd& v, const Restitution& restitution) {
   check_loops(c, s);
   auto& e = m.equations;
   e.at_positions(c, s, true);
@@ -73,9 +64,22 @@ void strike(const Contacts& c, State& s, contact_solver& m, impact_memory& memor
   m.accelerate(s, m.change_of_motion);
   v += m.change_of_motion;
 }
-template <class Contacts, class State>
-void strike(const Contacts& c, State& s, contact_solver& m, impact_memory& memory, impact_law law, Eigen::VectorXd& v) {
+inline void strike(const chain_constraints& c, runtime_state& s, contact_solver& m, impact_memory& memory,
+                   impact_law law, Eigen::VectorXd& v) {
   strike(c, s, m, memory, law, v, [](const contact_at& x) { return x.place.law.restitution; });
 }
+
+#ifdef KTE_FUNCTION
+KTE_FUNCTION bool is_near_jam(const contact_solver& m) {
+  double load = 0, force = 0;
+  bool jammed = false;
+  for (std::size_t i = 0; i < m.touching.size(); ++i) {
+    const auto n = m.touched(i).first;
+    load = (std::max)(load, std::abs(m.bias[n]) / m.w(n, n)), force = (std::max)(force, m.forces[n]);
+    jammed |= is_jammed(m, i);
+  }
+  return jammed && force > 0.1 / least_support * load;
+}
+#endif
 
 }  // namespace kte::detail

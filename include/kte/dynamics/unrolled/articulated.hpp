@@ -122,6 +122,10 @@ class driven_bodies : public typed_bodies<S, Chain, Axes> {
   static constexpr auto none() { return base::none_with(no_wrench); }
 };
 
+struct no_change {
+  template <class Bodies>
+  KTE_INLINE constexpr void operator()(const Bodies&) const {}
+};
 /// Articulated inertias inward, accelerations outward. `Given` has positions and rates (`rates_only`).
 template <class S, class Chain, class Given, class Elements = std::make_index_sequence<Chain::size>>
 class articulated_chain;
@@ -142,8 +146,10 @@ class articulated_chain<S, Chain, Given, std::index_sequence<E...>>
   /// Computes the motion due to rates.
   KTE_INLINE constexpr articulated_chain(const Chain& c, const Given& g) : motion_type(c, g) {}
 
-  /// Accelerations under forces `tau`. Throws `singular_mass_matrix`, and `bad_argument` for NaN.
-  KTE_INLINE void accelerate(const vector& tau, vector& a) {
+  /// Accelerations under forces `tau`. Throws `singular_mass_matrix`, and `bad_argument` for NaN. Before the outward
+  /// recursion it calls change(bodies), which may change `factors_`.
+  template <class Change = no_change>
+  KTE_INLINE void accelerate(const vector& tau, vector& a, const Change& change = {}) {
     static_assert(sizeof(need) > 0);
     const int done[]{(push<E>(typename types::template inputs<E>{}), 0)..., 0};
     (void)done;
@@ -152,6 +158,7 @@ class articulated_chain<S, Chain, Given, std::index_sequence<E...>>
     const engine::unrolled<bodies_type> d{bodies};
     engine::articulate<engine::nothing>(d, engine::nothing{}, bias_of_body{}, needed_alone{}, force_of_body{},
                                         factors_.data(), unmoved_);
+    change(bodies);
     unroll<wiring::freedoms>([&]<std::size_t F>() KTE_INLINE_LAMBDA { this->template without_joint<F>(tau, a); });
     const int given[]{(put_given<E>(a), 0)..., 0};
     (void)given;

@@ -204,9 +204,9 @@ template <class Base, class Motion>
 only_positions(const Base&, Motion) -> only_positions<Base, Motion>;
 
 /// A base at rest under gravity. Positions and linear velocities are omitted unless an element of the chain reads them.
-template <class Chain>
+template <class Chain, bool ReadsPositions = Chain::reads_positions>
 KTE_INLINE constexpr auto base_under_gravity(const Chain& c) {
-  if constexpr (Chain::reads_positions) {
+  if constexpr (ReadsPositions) {
     return same_base{motion{zero3{}, no_rotation{}, zero3{}, zero3{}, -c.gravity(), zero3{}}};
   } else {
     return same_base{motion{skip{}, skip{}, skip{}, zero3{}, -c.gravity(), zero3{}}};

@@ -24,8 +24,7 @@ struct contact_change {
   bool slips() const { return dot(slip, slip) > 0; }
 };
 /// What all contacts do; if none has changed at the event of contact `event_of`, what this one still does.
-template <class Contacts>
-std::string text_of_changes(const Contacts& c, const contact_solver& m, const std::vector<contact_change>& all,
+inline std::string text_of_changes(const chain_constraints& c, const contact_solver& m, const std::vector<contact_change>& all,
                             int event_of) {
   std::string text;
   const auto name = [&](std::size_t i) { return "'" + c.loop_name(m.place(m.contacts[i]).loop) + "': "; };

@@ -38,8 +38,7 @@ class contact_decision {
 
   /// Finds forces and modes, written to m and to the contacts of the state; may change the velocities v instead, and
   /// then must be called again: returns whether it is done. Call `accelerate_freely` first.
-  template <class Contacts, class State>
-  bool decide(const Contacts& c, State& s, contact_solver& m, const std::vector<contact_before_decision>& before,
+  bool decide(const chain_constraints& c, runtime_state& s, contact_solver& m, const std::vector<contact_before_decision>& before,
               mode_rows& rows, Eigen::VectorXd& v, friction_status& status) {
     const double length = m.equations.places.length, rest = rest_velocity * length;
     find_time_ahead(m);
@@ -95,8 +94,7 @@ class contact_decision {
     if (speed <= rest_velocity * length) return true;
     return y.place.law.friction > 0 && speed < (std::max)(tau_ * free_, y.planar ? 0 : slow_speed_ * length);
   }
-  template <class Contacts>
-  void choose(const Contacts& c, contact_solver& m, const std::vector<contact_before_decision>& before) const {
+  void choose(const chain_constraints& c, contact_solver& m, const std::vector<contact_before_decision>& before) const {
     choose_contacts(
         c, m,
         [&](const contact_at& y) {
@@ -125,8 +123,7 @@ class contact_decision {
     }
   }
   /// (3).
-  template <class Contacts, class State>
-  void put_velocities(const Contacts& c, State& s, contact_solver& m,
+  void put_velocities(const chain_constraints& c, runtime_state& s, contact_solver& m,
                       const std::vector<contact_before_decision>& before, mode_rows& rows, Eigen::VectorXd& v) const {
     rows.clear(m);
     for (std::size_t i = 0; i < m.touching.size(); ++i) {

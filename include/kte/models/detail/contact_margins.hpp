@@ -7,8 +7,7 @@ namespace kte::detail {
 
 /// Forces that satisfy the laws and give the accelerations of the modes, if those of least norm do not, and there are
 /// such: contacts are redundant. Returns whether there are.
-template <class Contacts, class State>
-bool find_admissible_forces(const Contacts& c, State& s, contact_solver& m) {
+inline bool find_admissible_forces(const chain_constraints& c, runtime_state& s, contact_solver& m) {
   const Eigen::VectorXd a = m.change_of_motion, forces = m.forces, bias = m.bias;
   const auto modes = m.modes;
   m.make_matrix(c, s, m.equations.acceleration);
@@ -77,8 +76,7 @@ inline int first_wrong_mode(const contact_solver& m, double tolerated) {
 }
 /// Replaces forces that do not satisfy the laws by such that do, if there are. Returns the first contact, of those that
 /// touch, that violates them by more than `tolerated`, relative to the largest force; -1: none.
-template <class Contacts, class State>
-int admit_forces(const Contacts& c, State& s, contact_solver& m, forces_in_modes& forces, double tolerated) {
+inline int admit_forces(const chain_constraints& c, runtime_state& s, contact_solver& m, forces_in_modes& forces, double tolerated) {
   const double most = tolerated * largest_force(m, forces);
   if (const int wrong = first_wrong_mode(m, most); wrong < 0 || !forces.redundant() || !find_admissible_forces(c, s, m))
     return wrong;

@@ -21,7 +21,7 @@ class contact_saltation {
         f_before_(model_(t, before).head(2 * n_)),
         f_after_(model_(t, after).head(2 * n_)),
         m_(contact_memory(model.chain(), s_)) {
-    const runtime_contacts c = contacts_of(model.chain());
+    const chain_constraints c = contacts_of(model.chain());
     model.setJointStates(t, after, s_);
     for (const auto& x : m_.contacts) states_after_.push_back(s_.get<kind::contact>(x.slot));
     model.setJointStates(t, before, s_);
@@ -81,7 +81,7 @@ class contact_saltation {
   }
   /// DR of an impact.
   Eigen::MatrixXd land() {
-    const runtime_contacts c = contacts_of(model_.chain());
+    const chain_constraints c = contacts_of(model_.chain());
     impact_memory memory;
     Eigen::VectorXd after = v_;
     runtime_state s = s_;

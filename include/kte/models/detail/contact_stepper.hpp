@@ -23,8 +23,7 @@
 namespace kte::detail {
 
 /// The forces of elements between coordinates.
-template <class Elements, class State>
-void forces_between_coordinates(const Elements& c, State& s, Eigen::VectorXd& f) {
+inline void forces_between_coordinates(const runtime_elements& c, runtime_state& s, Eigen::VectorXd& f) {
   clear_coordinates(s);
   for (auto e = s.tree().on_coordinates.rbegin(); e != s.tree().on_coordinates.rend(); ++e) c.push(*e, s);
   f.resize(s.dofs()), read_listed_numbers<vector_of::f>(s, f);

@@ -33,8 +33,7 @@ struct contact_margin {
   double at(int part) const { return part == 0 ? touch : part == 1 ? friction : turn; }
 };
 struct contact_step {
-  template <class Contacts, class State>
-  contact_step(const Contacts& c, const State& s) : at(c, s) {}
+  contact_step(const chain_constraints& c, const runtime_state& s) : at(c, s) {}
 
   Eigen::VectorXd x0;
   double time = 0;        ///< of the states that `settle_contacts` puts on the rows
@@ -75,8 +74,7 @@ struct contact_step {
 };
 
 /// Takes over from the state which contacts pass through their surface.
-template <class State>
-void take_passing(const State& s, contact_solver& m) {
+inline void take_passing(const runtime_state& s, contact_solver& m) {
   for (auto& x : m.contacts) x.passes = s.template get<kind::contact>(x.slot).mode == passing_mode;
 }
 inline void put_rows_of_gaps(const contact_solver& m, mode_rows& rows) {
@@ -96,20 +94,17 @@ inline void put_rates(const contact_solver& m, const mode_rows& rows, const Eige
 inline Eigen::VectorXd rates_of_closures(const contact_solver& m, const Eigen::VectorXd& v) {
   return m.closures.empty() ? Eigen::VectorXd() : m.equations.times(v);
 }
-template <class Contacts>
-std::string name_of(const Contacts& c, const contact_solver& m, const contact_at& x) {
+inline std::string name_of(const chain_constraints& c, const contact_solver& m, const contact_at& x) {
   return "contact '" + c.loop_name(m.place(x).loop) + "'";
 }
 /// Throws `bad_argument` for a contact that is open and deep in its surface.
-template <class Contacts>
-void refuse_depth(const Contacts& c, const contact_solver& m, const contact_at& x, const char* advice) {
+inline void refuse_depth(const chain_constraints& c, const contact_solver& m, const contact_at& x, const char* advice) {
   if (!(x.place.gap < -deepest_start * m.equations.places.length)) [[likely]]
     return;
   raise<bad_argument>("kte: " + name_of(c, m, x) + " is " + number(-x.place.gap) + " m inside its surface" + advice);
 }
 /// Throws `bad_argument` if a step does not begin on the rows of its contacts.
-template <class Contacts, class State>
-void check_start_of_step(const Contacts& c, const State& s, const contact_solver& m) {
+inline void check_start_of_step(const chain_constraints& c, const runtime_state& s, const contact_solver& m) {
   for (const auto& x : m.contacts) {
     if (x.passes) continue;
     const auto mode = mode_of(s.template get<kind::contact>(x.slot));

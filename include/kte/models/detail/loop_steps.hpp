@@ -25,8 +25,7 @@ namespace kte::detail {
 inline constexpr double on_loops_within = 1e-12, off_loops_above = 1e-8;
 
 struct loop_step {
-  template <class Closures, class State>
-  loop_step(const Closures& c, const State& s) : equations(c, s), moved_by(given_motion_of(c)) {}
+  loop_step(const chain_constraints& c, const runtime_state& s) : equations(c, s), moved_by(given_motion_of(c)) {}
   bool is_moved() const { return moved_by != given_motion::none; }
 
   Eigen::VectorXd x0;
@@ -113,18 +112,15 @@ loop_step& step_from(const Loops& loops, const X& x0) {
   return step;
 }
 /// The closures of a block, or of all, for messages.
-template <class Closures>
-std::string names_of_loops(const Closures& c, const loop_equations& e, std::size_t block) {
+inline std::string names_of_loops(const chain_constraints& c, const loop_equations& e, std::size_t block) {
   return "the loops of " + e.places.names_in(c, e.places.blocks[block], "'", 3);
 }
-template <class Closures>
-std::string names_of_loops(const Closures& c, const loop_equations& e) {
+inline std::string names_of_loops(const chain_constraints& c, const loop_equations& e) {
   return e.places.blocks.size() == 1 ? names_of_loops(c, e, 0) : "the loops";
 }
 /// Raises `bad_argument`, naming a closure, if inputs move its frames at velocities other than zero: the positions that
 /// they give are constant.
-template <class Closures>
-void refuse_moving_inputs(const Closures& c, const loop_step& step) {
+inline void refuse_moving_inputs(const chain_constraints& c, const loop_step& step) {
   const auto& at = step.equations.places;
   for (int k = 0; k < at.rows; ++k) {
     const auto& x = at.closure_of_row(k);
@@ -308,8 +304,7 @@ const loop_factor* rows_of_stage(const Loops& loops) {
   return step.x0.size() > 0 ? &step.factor : nullptr;
 }
 /// Raises `bad_argument` for what the loops of a model, with or without contacts, do not support.
-template <class Closures, class State>
-void check_model_of_loops(const Closures& c, const State& s, const closure_places& places, bool with_contacts) {
+inline void check_model_of_loops(const chain_constraints& c, const runtime_state& s, const closure_places& places, bool with_contacts) {
   check_loops(c, s), refuse_given_motion(c, s, places, moved_by_measurements(c), "by measurements");
   if (with_contacts) refuse_given_motion(c, s, places, moved_by_time(c), "in time, in a chain with contacts");
 }

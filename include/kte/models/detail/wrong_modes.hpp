@@ -7,8 +7,7 @@
 namespace kte::detail {
 
 /// Throws `bad_argument` for modes whose forces violate the laws, after `accelerate_in_modes`.
-template <class Contacts, class State>
-void refuse_wrong_modes(const Contacts& c, State& s, contact_solver& m, forces_in_modes& forces) {
+inline void refuse_wrong_modes(const chain_constraints& c, runtime_state& s, contact_solver& m, forces_in_modes& forces) {
   const int wrong = admit_forces(c, s, m, forces, 1e-6);
   if (wrong < 0) return;
   const auto& x = m.touched(static_cast<std::size_t>(wrong));
@@ -20,8 +19,8 @@ void refuse_wrong_modes(const Contacts& c, State& s, contact_solver& m, forces_i
 }
 /// The accelerations of a model at x, for stages of steps, written to `forces` of the working memory. Wrong modes
 /// at the start of a step are noted, because events may mend them, and refused at the next one.
-template <class Access, class Contacts, class State, class X>
-void accelerate_in_step(const Access& a, const Contacts& c, State& s, contact_solver& m, const X& x) {
+template <class Access, class X>
+void accelerate_in_step(const Access& a, const chain_constraints& c, runtime_state& s, contact_solver& m, const X& x) {
   auto& step = a.memory();
   step.margin_x.resize(0);
   accelerate_in_modes(c, s, m, step.forces);
