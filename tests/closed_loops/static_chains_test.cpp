@@ -200,6 +200,35 @@ TEST_CASE("a model of a static chain with a closure on a joint that moves in tim
                     Catch::Matchers::StartsWith("kte: inputs give a velocity to a frame of 'pin'"));
 }
 
+TEST_CASE("the bases, signals and prescribed coordinates of a state reach the loops of a static chain") {
+  static constexpr struct ground_ final : frame_2D_key<"ground"> {
+  } ground;
+  static constexpr struct turn_ final : coord_key<"turn"> {
+  } turn;
+  static constexpr struct motor_ final : input_key<"motor"> {
+  } motor;
+  const auto moved =
+      chain(base_gen(turn), revolute_joint_2D(turn, ground, base), driving_actuator_gen(crank, motor), four_bar);
+  runtime_chain c;
+  c << moved;
+  const auto q = assemble(four_bar, guess, held(crank));
+  const auto v = consistent_velocities(four_bar, q, Eigen::Vector3d(2, 0, 0));
+  auto state = make_state(moved);
+  auto s = c.make_state();
+  const auto give = [](auto& to, auto& frame, auto& coordinate, double& torque) {
+    set_positions(to, Eigen::Vector3d(1.1, -0.5, 1.5));
+    frame.velocity = {0.3, -0.2}, frame.ang_velocity = 0.7, frame.acceleration = {1.5, 11}, frame.ang_acceleration = -2;
+    coordinate.q = 0.4, coordinate.q_dot = -1.5, coordinate.q_ddot = 3;
+    torque = 0.25;
+  };
+  give(state, state.template get<kind::frame_2D>(0), state.coordinate(3), state.template get<kind::input>(0));
+  give(s, s.frame_2D("ground"), s.coordinate("turn"), s.input("motor"));
+  set_positions(state, q), set_velocities(state, v), set_positions(s, vector(q)), set_velocities(s, vector(v));
+  const vector x = kte::forward_dynamics(moved, state), y = kte::forward_dynamics(c, s);
+  CHECK(largest(x - y) == 0);
+  CHECK(largest(x - vector(kte::forward_dynamics(four_bar, q, v, none))) > 1);
+}
+
 TEST_CASE("a second call on loops allocates nothing") {
   const auto q = assemble(four_bar, guess, held(crank));
   const auto v = consistent_velocities(four_bar, q, Eigen::Vector3d(2, 0, 0));

@@ -244,6 +244,34 @@ TEST_CASE("lanes may have other friction, and other masses") {
   CHECK((sliding > 0 && sliding < 8));
 }
 
+TEST_CASE("a static chain that is computed at run time may have other parameters in each lane") {
+  static constexpr struct cart_ final : coord_key<"cart"> {
+  } cart;
+  static constexpr struct top_ final : frame_3D_key<"top"> {
+  } top;
+  const double weights[]{1, 2, 3, 4, 5, 6, 7, 8}, loads[]{0.5, 1, 1.5, 2, 2.5, 3, 3.5, 4};
+  const auto with = [](const auto& mass, const auto& load) {  // a box on a cart: a surface that moves
+    return chain(prismatic_joint_3D(cart, world, top, axis::x), inertia_3D(top, point_mass(mass)),
+                 free_joint_3D(pose_of_body, top, body),
+                 inertia_3D(body, rigid_body{load, zero3{}, diagonal(0.1, 0.1, 0.1)}),
+                 sphere_contact_3D(on_corner, top, body, half_space{}, 0.2, {0.4, 0}))
+        .gravity(along_z(-9.81));
+  };
+  const auto all = with(P::load(weights), P::load(loads));
+  static_assert(!detail::unrolls_contacts<std::remove_const_t<decltype(all)>, P>);
+  Eigen::Matrix<P, 8, 1> q = Eigen::Matrix<P, 8, 1>::Zero();
+  q[3] = P(0.2), q[4] = P(1);
+  Eigen::Matrix<P, 7, 1> v = Eigen::Matrix<P, 7, 1>::Zero(), tau = v;
+  tau[0] = P(10.0);
+  const auto r = contact_dynamics(all, q, v, tau);
+  for (std::size_t lane = 0; lane < 8; ++lane) {
+    const auto one = with(weights[lane], loads[lane]);
+    const vector at = (vector(8) << 0, 0, 0, 0.2, 1, 0, 0, 0).finished(), force = 10 * vector::Unit(7, 0);
+    const auto y = contact_dynamics(one, at, vector(vector::Zero(7)), force);
+    check_lane(r.a, r.contacts, lane, y.a, y.contacts);
+  }
+}
+
 TEST_CASE("plane problems in packs tell the lanes with several solutions, and those that are jammed") {
   const auto check = [](const runtime_chain& c, const states& x, int several) {
     auto many = c.make_state<P>();
