@@ -23,8 +23,8 @@ class mjcf_bodies {
   mjcf_bodies(robot_description& d, const robot_options& o, xml_parser parse)
       : d_(d), contacts_(o.contacts.requested()), tree_(d, o, parse), unread_(contacts_), equality_(d) {}
 
-  void read(const xml_node& file) {
-    auto& top = tree_.top(file);
+  void read(xml_node file) {
+    auto& top = tree_.top(std::move(file));
     const xml_item root(top.root, d_);
     d_.name = root.text_or("model", "");
     root.only({"compiler", "default", "worldbody", "actuator", "option", "asset", "keyframe", "equality", "tendon",
@@ -80,6 +80,7 @@ class mjcf_bodies {
     }
   }
   void body(const mjcf_child& c, const here& above) {
+    look_for_interruption();
     if (++depth_ > 1000) c.x.fail("bodies nest deeper than 1000");
     const auto& settings = c.in.model->settings;
     const auto x = settings.classes().cleaned(c.x);

@@ -17,6 +17,12 @@ inline std::string short_number(double x) {
   return text;
 }
 
+/// Throws `bad_argument` for numbers of the options that readers cannot use.
+inline void check_options(const robot_options& o) {
+  if (const double x = o.quarter_turn_tolerance; !(x >= 0 && x <= 0.1))
+    raise<bad_argument>("kte: robot_options::quarter_turn_tolerance must be between 0 and 0.1 rad, got " + number(x));
+}
+
 /// The value of an attribute, which must be one of `words`; the first of them if the attribute is missing.
 inline std::string keyword(const xml_item& x, const char* attribute, std::initializer_list<std::string_view> words) {
   auto word = x.text_or(attribute, std::string(*words.begin()).c_str());
@@ -31,13 +37,13 @@ inline std::string keyword(const xml_item& x, const char* attribute, std::initia
 /// The first child of a name; further ones give a warning.
 inline std::optional<xml_item> first_child(const xml_item& x, const char* of) {
   const auto all = x.children(of);
-  if (all.empty()) return {};
-  if (all.size() > 1) all[1].warn("occurs twice; the first is used");
-  return all[0];
+  if (const auto again = all.second()) again->warn("occurs twice; the first is used");
+  return all.first();
 }
 
 /// Frees joints that follow a joint that is not in the file, with a warning.
 inline void free_followers(robot_description& d) {
+  if (std::none_of(d.joints.begin(), d.joints.end(), [](const auto& j) { return j.mimic.has_value(); })) return;
   std::unordered_set<std::string_view> names;
   for (const auto& j : d.joints) names.insert(j.name);
   for (auto& j : d.joints) {

@@ -38,6 +38,7 @@ class urdf_links {
   }
 
   void read(const xml_item& x) {
+    look_for_interruption();
     robot_link l;
     l.name = x.text("name"), l.line = x.line(), l.file = x.file();
     x.only({"inertial", "visual", "collision", "contact", "gravity", "kinematic"}, {"name", "type"});
@@ -105,7 +106,7 @@ class urdf_links {
       form(*geometry, s);
     else
       x.not_read("has no <geometry>");
-    const auto materials = x.children("material");
+    const auto materials = x.children("material").list();
     for (std::size_t i = 1; i < materials.size(); ++i) materials[i].not_read("occurs twice; the first is used");
     if (materials.empty()) return s;
     const auto& m = materials[0];

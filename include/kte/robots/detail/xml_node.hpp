@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -11,8 +12,10 @@ namespace kte::detail {
 struct xml_node {
   std::string name;
   int line = 0;
-  std::string file;   ///< name of the included file that it is in; empty for the robot's own
-  std::string title;  ///< for messages: "joint 'elbow'", for an element without a name "joint 'elbow': <origin>"
+  std::string file;  ///< name of the included file that it is in; empty for the robot's own
+  /// The title of the nearest element around it that has one of its own, with ": "; null: there is none.
+  std::shared_ptr<const std::string> owner;
+  std::size_t place = 0;  ///< of a shape of several, its place among those of its link, from 1
   std::vector<std::pair<std::string, std::string>> attributes;
   std::string text;  ///< between the tags
   std::vector<xml_node> children;
