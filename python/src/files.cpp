@@ -18,7 +18,9 @@ void bind_files(py::module_& m) {
         const auto as = kte::detail::model_format_of(path);
         auto record = kte::detail::record_of_model(chain_of(chain).chain());
         const auto text = run_aside([as, record = std::move(record)] {
-          return as == format::xml ? kte::to_xml(record) : as == format::json ? kte::to_json(record) : kte::to_binary(record);
+          return as == format::xml    ? kte::to_xml(record)
+                 : as == format::json ? kte::to_json(record)
+                                      : kte::to_binary(record);
         });
         kte::detail::replace_file(path, text);
       },

@@ -138,9 +138,8 @@ std::unique_ptr<robot_object> robot_from_file(const std::filesystem::path& path,
 }
 std::unique_ptr<robot_object> robot_from_text(const std::string& text, const std::string& name,
                                               const py::dict& options) {
-  auto read = run_aside([text, name, o = options_from(options)] {
-    return kte::to_robot(kte::describe_robot(text, name, o), o);
-  });
+  auto read = run_aside(
+      [text, name, o = options_from(options)] { return kte::to_robot(kte::describe_robot(text, name, o), o); });
   return as_object(std::move(read), py::make_tuple("parse_robot", py::make_tuple(text, name), options));
 }
 

@@ -40,8 +40,8 @@ class mjcf_bodies {
     }
     apply_mass_rules(top.settings.masses(), d_, bodies_);
     read_mjcf_options(root, d_, unread_);
-    sections(root, {&top});
     for (const auto& j : d_.joints) joints_.insert(j.name);
+    sections(root, {&top});
     for (const auto& a : tree_.attached()) sections({a.model->root, d_}, a);
     for (const auto& m : tree_.models())
       for (const auto& x : xml_item(m.root, d_).children("asset")) unread_.assets(x, m.settings.classes());
@@ -281,6 +281,8 @@ class mjcf_bodies {
   void actuator(const xml_item& x, const mjcf_scope& in) {
     if (!in.prefix.empty() && x.has("joint") && !joints_.contains(in.named(x.text("joint")))) return;
     auto a = read_mjcf_actuator(x, in);
+    if (!a.joint.empty() && !joints_.contains(a.joint))
+      return x.moves_differently("there is no joint '" + excerpt(a.joint) + "' for it: it is not read");
     const auto& law = a.law;
     const bool pulls = law.offset != 0 || law.stiffness != 0 || law.damping != 0;
     if (!a.not_modelled.empty() || (pulls && a.joint.empty()))

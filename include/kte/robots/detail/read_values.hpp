@@ -41,6 +41,18 @@ inline std::optional<xml_item> first_child(const xml_item& x, const char* of) {
   return all.first();
 }
 
+/// Warns of sizes of a shape that are negative.
+inline void check_sizes(const xml_item& x, const robot_shape& s) {
+  for (const double size : {s.size.x, s.size.y, s.size.z})
+    if (size < 0) return x.warn("one of its sizes is negative: " + number(size));
+}
+/// The colour of an attribute or an element: three or four numbers; otherwise none, with a warning.
+inline std::vector<double> colour_from(const xml_item& x, std::vector<double> rgba) {
+  if (rgba.size() == 3 || rgba.size() == 4) return rgba;
+  x.warn("its colour has " + std::to_string(rgba.size()) + " numbers, not four: it is not used");
+  return {};
+}
+
 /// Frees joints that follow a joint that is not in the file, with a warning.
 inline void free_followers(robot_description& d) {
   if (std::none_of(d.joints.begin(), d.joints.end(), [](const auto& j) { return j.mimic.has_value(); })) return;
@@ -89,6 +101,10 @@ inline void check_range(const xml_item& x, double lower, double upper, const cha
   if (!(lower <= upper)) x.fail(std::string(low) + " " + number(lower) + " is above " + up + " " + number(upper));
 }
 
+/// Warns about an angle that is more than a turn, and may be in degrees.
+inline void note_many_turns(const xml_item& x, double angle) {
+  if (std::abs(angle) > 6.3) x.warn("the angle " + number(angle) + " rad is more than a turn: is it in degrees?");
+}
 /// Warns about an angle that is nearly a quarter turn, but outside of the tolerance: one with few digits, not one that
 /// is off by rounding errors.
 inline void note_near_quarter(const xml_item& x, double angle, const robot_options& o) {

@@ -27,7 +27,7 @@ class robot_tree {
   std::size_t root() const { return root_; }
   /// Every joint once, after the joint that moves its base; in the order of the file where possible.
   const std::vector<step>& steps() const { return steps_; }
-  /// The link on which a joint stands in this order, and the one that it moves.
+  /// The link on which a joint stands in this order, and the link that it moves.
   std::size_t base(const step& s) const { return s.reversed ? ends_[s.joint].child : ends_[s.joint].parent; }
   std::size_t end(const step& s) const { return s.reversed ? ends_[s.joint].parent : ends_[s.joint].child; }
   std::size_t parent(std::size_t joint) const { return ends_[joint].parent; }

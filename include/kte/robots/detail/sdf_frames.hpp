@@ -53,7 +53,7 @@ class sdf_frames {
   /// The pose of `to` in `from`; a pose written between the two is returned unchanged.
   robot_pose relative(const xml_item& asks, const std::string& from, const std::string& to) const {
     std::size_t a = number_of(asks, from), b = number_of(asks, to);
-    const auto first = in_model(asks, a), second = in_model(asks, b);
+    const auto first = in_model(a), second = in_model(b);
     robot_pose up, down;
     std::size_t far = first.depth, deep = second.depth;
     for (std::size_t steps = 0; a != b; ++steps) {
@@ -71,7 +71,7 @@ class sdf_frames {
     std::size_t at = number_of(asks, name);
     for (std::size_t steps = 0; at != end; ++steps) {
       if (at == none || steps > frames_.size()) return relative(asks, outer, name);
-      p = along(p, at), at = above(asks, at);
+      p = along(p, at), at = above(at);
     }
     return p;
   }
@@ -128,16 +128,16 @@ class sdf_frames {
     return it->second;
   }
   /// The frame that a frame is relative to.
-  std::size_t above(const xml_item& asks, std::size_t i) const {
+  std::size_t above(std::size_t i) const {
     auto& f = frames_[i];
-    if (!f.linked) f.above = number_of(asks, f.relative_to), f.linked = true;
+    if (!f.linked) f.above = number_of(f.from, f.relative_to), f.linked = true;
     return f.above;
   }
   /// The pose of a frame in the outermost, each computed once.
-  place_in_model in_model(const xml_item& asks, std::size_t i) const {
+  place_in_model in_model(std::size_t i) const {
     std::vector<std::size_t> open;
     place_in_model p;
-    for (; i != none; i = above(asks, i)) {
+    for (; i != none; i = above(i)) {
       if (frames_[i].place_version == version_) {
         p = frames_[i].place;
         break;

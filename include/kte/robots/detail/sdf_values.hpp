@@ -70,7 +70,7 @@ inline robot_pose sdf_pose(const xml_item& owner, const robot_options& o) {
   if (quaternion) return {at, rotation_of_quaternion(*x, {p[6], p[3], p[4], p[5]})};
   const double unit = flag(*x, x->text_or("degrees", "false")) ? std::numbers::pi / 180 : 1;
   const vec3<> rpy{p[3] * unit, p[4] * unit, p[5] * unit};
-  for (const double angle : {rpy.x, rpy.y, rpy.z}) note_near_quarter(*x, angle, o);
+  for (const double angle : {rpy.x, rpy.y, rpy.z}) note_near_quarter(*x, angle, o), note_many_turns(*x, angle);
   return {at, rotation_of_rpy(rpy, o.quarter_turn_tolerance)};
 }
 /// The frame that the pose is relative to, if it is written.

@@ -21,7 +21,8 @@ class urdf_robot {
     for (const auto& x : root.children("material")) links_.material(x);
     const auto count = [&](std::string_view of) {
       const auto& all = root.node().children;
-      return static_cast<std::size_t>(std::count_if(all.begin(), all.end(), [&](const auto& c) { return c.name == of; }));
+      return static_cast<std::size_t>(
+          std::count_if(all.begin(), all.end(), [&](const auto& c) { return c.name == of; }));
     };
     d_.links.reserve(count("link")), d_.joints.reserve(count("joint"));
     for (const auto& x : root.children("link")) links_.read(x);

@@ -70,12 +70,16 @@ class xml_item {
       if (!std::isfinite(x)) fail(std::string(what) + " must be finite, got '" + excerpt(t) + "'");
     return all;
   }
-  /// The numbers of an attribute; missing ones at the end are those of its default.
-  std::vector<double> completed_list(const char* attribute) const {
+  /// The numbers of an attribute; up to `most`, missing ones at the end are those of its class, then those of the
+  /// enclosing classes.
+  std::vector<double> completed_list(const char* attribute, std::size_t most) const {
     auto all = list(attribute);
-    const auto* const usual = defaults_ != nullptr ? defaults_->find(attribute, at_) : nullptr;
-    const auto more = usual != nullptr ? list_of(*usual, attribute) : all;
-    for (std::size_t i = all.size(); i < more.size(); ++i) all.push_back(more[i]);
+    if (defaults_ != nullptr && all.size() < most)
+      defaults_->each(attribute, at_, [&](const std::string& usual) {
+        const auto more = list_of(usual, attribute);
+        for (std::size_t i = all.size(); i < more.size(); ++i) all.push_back(more[i]);
+        return all.size() < most;
+      });
     return all;
   }
   /// A list of numbers that may be infinite.
@@ -140,7 +144,7 @@ class xml_item {
   void only(const names& elements, const names& attributes) const {
     const auto in = [](const names& all, std::string_view x) {
       for (const auto n : all)
-        if (n == x) return true;
+        if (same_name(n, x)) return true;
       return false;
     };
     for (const auto& c : e_->children)
@@ -172,7 +176,7 @@ class xml_item {
 
   const std::string* find(std::string_view attribute) const {
     for (const auto& [key, value] : e_->attributes)
-      if (key == attribute && (defaults_ == nullptr || !value.empty())) return &value;
+      if (same_name(key, attribute) && (defaults_ == nullptr || !value.empty())) return &value;
     return defaults_ != nullptr ? defaults_->find(attribute, at_) : nullptr;
   }
 
@@ -205,7 +209,7 @@ class xml_children {
 
    private:
     void find() {
-      while (at_ != of_->all_.end() && !of_->name_.empty() && of_->name_ != at_->name) ++at_;
+      while (at_ != of_->all_.end() && !of_->name_.empty() && !same_name(of_->name_, at_->name)) ++at_;
     }
     const xml_children* of_;
     node at_;

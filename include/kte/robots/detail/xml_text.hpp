@@ -81,10 +81,9 @@ inline void check_attributes(std::string_view text, const std::string& source) {
     }
     std::size_t count = 0;
     const auto start = i;
-    while (i < text.size() && text[i] != '>') {
-      const char c = text[i++];
-      count += c == '=';
-      if (c == '"' || c == '\'') i = skip(i, {&c, 1});
+    for (char c; i < text.size() && (c = text[i]) != '>'; ++i) {
+      if (c == '=') ++count;
+      if (c == '"' || c == '\'') i = (std::min)(text.find(c, i + 1), text.size() - 1);
     }
     if (count > most_attributes)
       fail_xml(source,
