@@ -264,7 +264,8 @@ std::string json_of(const mechanism& m, const bench_run& b) {
 }
 
 int bench(options& o) {
-  if (!(o.seconds > 0)) throw usage_error("--seconds must be greater than 0, not " + short_number(o.seconds));
+  if (!(o.seconds > 0 && o.seconds <= 3600))
+    throw usage_error("--seconds must be greater than 0 and at most 3600, not " + short_number(o.seconds));
   const auto m = read_and_warn(o.in);
   if (m.chain().dofs() == 0) throw kte::bad_argument("kte: " + m.file + " has no degrees of freedom");
   if (o.frame.empty()) {

@@ -49,16 +49,8 @@ void look_at_loops(const kte::robot& r, findings& f) {
 
 /// Adds meshes that are missing or broken; those of other formats than kte reads are listed as not read.
 void look_at_meshes(const mechanism& m, findings& f) {
-  const auto& shapes = m.robot.shapes;
-  const auto is_mesh = [](const auto& s) { return s.is == kte::robot_shape::form::mesh; };
-  if (std::none_of(shapes.begin(), shapes.end(), is_mesh)) return;
-  try {
-    for (const auto& note : kte::not_drawn(scene_of(m, start_options{}))) {
-      if (!note.starts_with("mesh ")) continue;
-      (note.find(" are read (link ") == note.npos ? f.odd : f.not_read).push_back({0, note});
-    }
-  } catch (const kte::error&) {  // loops that do not close, which are a finding already
-  }
+  for (const auto& note : meshes_not_drawn(m))
+    (note.find(" are read (link ") == note.npos ? f.odd : f.not_read).push_back({0, note});
 }
 
 findings look_at(const options& o) {

@@ -3,11 +3,12 @@
 #include <kte/robots/detail/robot_findings.hpp>
 
 #include <algorithm>
-#include <map>
+#include <unordered_map>
 
 #include "commands.hpp"
 #include "json_writer.hpp"
 #include "message.hpp"
+#include "recorded_scene.hpp"
 #include "start.hpp"
 #include "structure.hpp"
 #include "text_format.hpp"
@@ -49,6 +50,7 @@ std::string coordinate_text(const mechanism& m, const structure::coordinate& c) 
 class tree_text {
  public:
   tree_text(const mechanism& m, const structure& s) : m_(m), s_(s), children_(s.frames.size()) {
+    coordinates_.reserve(s.coordinates.size()), masses_.reserve(s.bodies.size());
     for (const auto& c : s.coordinates) coordinates_.emplace(c.name, &c);
     for (const auto& b : s.bodies) masses_[b.frame].push_back(b.mass);
     std::vector<std::size_t> roots;
@@ -111,28 +113,29 @@ class tree_text {
   const mechanism& m_;
   const structure& s_;
   std::vector<std::vector<std::size_t>> children_;
-  std::map<std::string_view, const structure::coordinate*> coordinates_;
-  std::map<std::string_view, std::vector<double>> masses_;  ///< by frame
+  std::unordered_map<std::string_view, const structure::coordinate*> coordinates_;
+  std::unordered_map<std::string_view, std::vector<double>> masses_;  ///< by frame
   std::string text_;
 };
 
 /// Where the coordinates stand in tables, in words, if any stands elsewhere than in q and v of the chain.
-std::map<std::string, std::string> columns_of(const mechanism& m) {
-  std::map<std::string, std::string> all;
-  std::map<std::string, kte::layout_entry<std::string>> places;
-  for (const auto& e : kte::layout(m.chain())) places.emplace(e.name, e);
-  bool differ = false;
+std::unordered_map<std::string, std::string> columns_of(const mechanism& m) {
+  std::unordered_map<std::string, std::string> all;
+  const auto layout = kte::layout(m.chain());
+  const auto order = coordinates_of(m, m.chain());
+  const auto same = [](const auto& e, const std::string& name) { return e.name == name; };
+  if (std::equal(layout.begin(), layout.end(), order.begin(), order.end(), same)) return all;
+  std::unordered_map<std::string_view, kte::layout_entry<std::string>> places;
+  for (const auto& e : layout) places.emplace(e.name, e);
   int q = 0, v = 0;
   const auto range = [](const char* of, int first, int count) {
     return of + std::to_string(first) + (count > 1 ? ".." + std::to_string(first + count - 1) : "");
   };
-  for (const auto& name : coordinates_of(m, m.chain())) {
+  for (const auto& name : order) {
     const auto& e = places.at(name);
-    differ |= e.q != q || e.v != v;
     all[name] = "; in tables " + range("q_", q, e.nq) + ", " + range("v_", v, e.nv);
     q += e.nq, v += e.nv;
   }
-  if (!differ) all.clear();
   return all;
 }
 
@@ -176,6 +179,7 @@ std::string text_of(const mechanism& m, const structure& s) {
     t += "\n" + counted(m.robot.shapes.size() - static_cast<std::size_t>(solid), "shape") + " to see, " +
          std::to_string(solid) + " to collide with\n";
   }
+  for (const auto& note : meshes_not_drawn(m)) t += "  " + note + '\n';
   if (const auto n = texts_of(m.robot.not_read, "").size())
     t += "\n" + counted(n, "thing") + " of the file not read: kte check " + printable(m.file) + '\n';
   return t;
@@ -216,7 +220,8 @@ std::string json_of(const mechanism& m, const structure& s) {
   for (const auto& e : s.others) j.object().member("type", e.type).member("text", e.text).end();
   j.end().member("inputs", s.inputs).key("configurations").list();
   for (const auto& c : m.robot.configurations) j.object().member("name", c.name).member("q", c.q).end();
-  return j.end().end().text();
+  j.end().member("meshes_not_drawn", meshes_not_drawn(m));
+  return j.end().text();
 }
 
 /// Loops closed, if they can be.

@@ -6,7 +6,7 @@
 #include <kte/robots/load_robot.hpp>
 
 #include <algorithm>
-#include <set>
+#include <unordered_set>
 
 #include "message.hpp"
 #include "text_format.hpp"
@@ -116,8 +116,8 @@ mechanism read_and_warn(const reading& o, bool with_motors) {
 }
 
 std::vector<std::string> coordinates_of(const mechanism& m, const kte::runtime_chain& chain) {
-  std::set<std::string> free;
-  const std::set<std::string> joints(m.robot.joints.begin(), m.robot.joints.end());
+  std::unordered_set<std::string> free;
+  const std::unordered_set<std::string_view> joints(m.robot.joints.begin(), m.robot.joints.end());
   std::vector<std::string> all;
   for (const auto& e : kte::layout(chain)) {
     free.insert(e.name);
@@ -148,7 +148,7 @@ kte::robot_note placed(kte::robot_note note, const std::string& file) {
 
 std::vector<std::string> texts_of(const std::vector<kte::robot_note>& notes, const std::string& source) {
   std::vector<std::string> all;
-  std::set<std::string> known;
+  std::unordered_set<std::string> known;
   for (const auto& note : notes) {
     const auto text =
         kte::detail::place_text(note.file.empty() ? source : note.file, note.line) + with_option_names(note.text);

@@ -29,6 +29,7 @@ inline std::string with_option_names(std::string_view message) {
       replacement{" (or give a table_format)", ""},
       replacement{"kte::numerical_inverse_kinematics needs none", "--numeric needs none"}};
   std::string out(message);
+  if (message.find("::") == message.npos && message.find("table_format") == message.npos) return out;
   for (const auto& r : all)
     for (auto at = out.find(r.from); at != out.npos; at = out.find(r.from, at + r.to.size()))
       out.replace(at, r.from.size(), r.to);

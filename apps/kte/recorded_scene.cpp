@@ -3,6 +3,8 @@
 #include <kte/dynamics/state_vectors.hpp>
 #include <kte/view/scene_of.hpp>
 
+#include <algorithm>
+
 #include "option_names.hpp"
 #include "state_input.hpp"
 
@@ -71,6 +73,19 @@ kte::scene scene_of(const mechanism& m, kte::table recording, const std::string&
   check_computed(c, computed, !r.v.empty());
   r.plotted.insert(r.plotted.begin(), there.begin(), there.end());
   return s;
+}
+
+std::vector<std::string> meshes_not_drawn(const mechanism& m) {
+  std::vector<std::string> all;
+  const auto& shapes = m.robot.shapes;
+  const auto is_mesh = [](const auto& s) { return s.is == kte::robot_shape::form::mesh; };
+  if (std::none_of(shapes.begin(), shapes.end(), is_mesh)) return all;
+  try {
+    for (const auto& note : kte::not_drawn(scene_of(m, start_options{})))
+      if (note.starts_with("mesh ")) all.push_back(note);
+  } catch (const kte::error&) {  // loops that do not close, which are a separate finding
+  }
+  return all;
 }
 
 }  // namespace kte_tool

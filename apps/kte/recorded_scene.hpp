@@ -18,4 +18,7 @@ kte::scene scene_of(const mechanism& m, const start_options& start);
 kte::scene scene_of(const mechanism& m, kte::table recording, const std::string& name,
                     const std::vector<std::string>& plotted);
 
+/// The meshes that a page does not draw, with reasons: missing, broken, or of a format that is not read.
+std::vector<std::string> meshes_not_drawn(const mechanism& m);
+
 }  // namespace kte_tool

@@ -112,6 +112,9 @@ void check_settings(const simulate_options& o) {
                       " of --time " + short_number(o.end) + " are more");
   check_contacts(o.in);
   if (o.pd.empty() && (o.kp || o.kd || o.compensate)) throw usage_error("--kp, --kd and --compensate need --pd");
+  for (const auto& [name, gain] : {std::pair{"--kp", o.kp}, std::pair{"--kd", o.kd}})
+    if (gain && !(*gain >= 0))
+      throw usage_error(std::string(name) + " must not be negative, not " + short_number(*gain));
   if (o.record.empty() && (!o.columns.empty() || o.frames || o.event_rows))
     throw usage_error("--column, --frames and --event-rows need --record");
   if (!o.record.empty()) (void)kte::format_of(o.record);  // before what takes long

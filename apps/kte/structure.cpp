@@ -7,7 +7,7 @@
 #include <kte/runtime_chain/layout.hpp>
 
 #include <algorithm>
-#include <map>
+#include <unordered_map>
 
 #include "shape_extent.hpp"
 
@@ -30,6 +30,8 @@ class structure_reader {
  public:
   structure_reader(const kte::robot& r, const Eigen::VectorXd& q, structure& out) : out_(out) {
     const auto& chain = r.chain;
+    const auto frames = static_cast<std::size_t>(chain.wiring().count(kte::kind::frame_3D));
+    frames_.reserve(frames), out_.frames.reserve(frames);
     chain.for_each_element([this](const kte::kte_element& e) { add(e); });
     for (const auto& e : kte::layout(chain)) {
       auto& c = coordinate(e.name, e.what);
@@ -169,8 +171,8 @@ class structure_reader {
   }
 
   structure& out_;
-  std::map<std::string, int, std::less<>> frames_;
-  std::map<std::string, std::size_t, std::less<>> coordinates_;
+  std::unordered_map<std::string, int> frames_;
+  std::unordered_map<std::string, std::size_t> coordinates_;
 };
 
 }  // namespace

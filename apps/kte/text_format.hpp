@@ -2,8 +2,8 @@
 
 #include <kte/math/vec.hpp>
 
+#include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <string>
 
 /// Numbers for people: few digits.
@@ -12,8 +12,7 @@ namespace kte_tool {
 inline std::string short_number(double x) {
   if (std::isinf(x)) return x < 0 ? "-inf" : "inf";
   char text[40];
-  std::snprintf(text, sizeof text, "%.5g", x == 0 ? 0.0 : x);
-  return text;
+  return {text, std::to_chars(text, text + sizeof text, x == 0 ? 0.0 : x, std::chars_format::general, 5).ptr};
 }
 inline std::string short_vector(const kte::vec3<>& x) {
   return "(" + short_number(x.x) + ", " + short_number(x.y) + ", " + short_number(x.z) + ")";

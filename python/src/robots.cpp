@@ -13,6 +13,7 @@
 #include "call.hpp"
 #include "joint_limits.hpp"
 #include "parts.hpp"
+#include "signal_watch.hpp"
 
 namespace kte_python {
 
@@ -132,13 +133,14 @@ std::unique_ptr<robot_object> as_object(kte::robot r, py::tuple source) {
 }
 std::unique_ptr<robot_object> robot_from_file(const std::filesystem::path& path, const py::dict& options) {
   const auto whole = std::filesystem::absolute(path);  // for pickles, which may be read in another folder
-  return as_object(kte::load_robot(path, options_from(options)), py::make_tuple("load_robot", whole, options));
+  auto read = run_aside([path, o = options_from(options)] { return kte::load_robot(path, o); });
+  return as_object(std::move(read), py::make_tuple("load_robot", whole, options));
 }
 std::unique_ptr<robot_object> robot_from_text(const std::string& text, const std::string& name,
                                               const py::dict& options) {
-  const auto o = options_from(options);
-  return as_object(kte::to_robot(kte::describe_robot(text, name, o), o),
-                   py::make_tuple("parse_robot", py::make_tuple(text, name), options));
+  auto read = run_aside(
+      [text, name, o = options_from(options)] { return kte::to_robot(kte::describe_robot(text, name, o), o); });
+  return as_object(std::move(read), py::make_tuple("parse_robot", py::make_tuple(text, name), options));
 }
 
 void add_motors(robot_object& r, double stiffness, double damping, double stop_stiffness, double stop_damping) {
@@ -235,7 +237,7 @@ void bind_robots(py::module_& m) {
           "check",
           [](const robot_object& r) {
             std::vector<std::string> all;
-            for (const auto& n : kte::check_robot(current(r)))
+            for (const auto& n : run_aside([whole = current(r)] { return kte::check_robot(whole); }))
               all.push_back((n.line > 0 ? std::to_string(n.line) + ": " : "") + n.text);
             return all;
           },
@@ -305,11 +307,16 @@ N/m or Nm/rad, they are servos, whose commands are positions. `stop_*`: stops at
     m.def(
         name,
         [write_robot, write_chain](py::handle x, bool lossy) {
-          std::vector<kte::robot_note> not_written;
-          const kte::robot_writing options{.not_written = &not_written, .lossy = lossy};
-          const std::string text = py::isinstance<robot_object>(x)
-                                       ? write_robot(current(x.cast<const robot_object&>()), options)
-                                       : write_chain(chain_of(x).chain(), options);
+          const auto written = [lossy](auto write, auto what) {
+            return run_aside([lossy, write, what = std::move(what)] {
+              std::vector<kte::robot_note> left;
+              auto text = write(what, kte::robot_writing{.not_written = &left, .lossy = lossy});
+              return std::pair(std::move(text), std::move(left));
+            });
+          };
+          const auto [text, not_written] = py::isinstance<robot_object>(x)
+                                               ? written(write_robot, current(x.cast<const robot_object&>()))
+                                               : written(write_chain, chain_of(x).chain());
           warn(not_written, "not written");
           return text;
         },

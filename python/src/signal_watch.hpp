@@ -3,8 +3,10 @@
 #include <kte/detail/interruption.hpp>
 #include <kte/dynamics/executors.hpp>
 
+#include <atomic>
 #include <chrono>
 #include <future>
+#include <memory>
 #include <pybind11/pybind11.h>
 #include <thread>
 
@@ -36,16 +38,29 @@ auto run_interruptibly(const F& f) {
   return f();
 }
 
-/// f() without the GIL, of computations that nothing can end: in a separate thread, while this one looks for Ctrl-C.
-/// After Ctrl-C that thread goes on to its end, without a use: f holds all that it needs, and nothing of Python.
+/// f() without the GIL, of computations with parts that nothing can end: in a separate thread, while this one looks for
+/// Ctrl-C. After Ctrl-C that thread ends where it next looks for an interruption, or at its end, without a use: f holds
+/// all that it needs, and nothing of Python, and changes nothing outside.
 template <class F>
 auto run_aside(F f) {
+  struct nobody_waits {};
   const pybind11::gil_scoped_release without;
-  std::packaged_task<decltype(f())()> task(std::move(f));
+  const auto stop = std::make_shared<std::atomic<bool>>(false);
+  std::packaged_task<decltype(f())()> task([f = std::move(f), stop] {
+    const kte::detail::interruptible heard{[&stop] {
+      if (*stop) throw nobody_waits();
+    }};
+    return f();
+  });
   auto ended = task.get_future();
   std::thread(std::move(task)).detach();
-  signal_watch watch;
-  while (ended.wait_for(signal_watch::interval) != std::future_status::ready) watch();
+  try {
+    signal_watch watch;
+    while (ended.wait_for(signal_watch::interval) != std::future_status::ready) watch();
+  } catch (...) {
+    *stop = true;
+    throw;
+  }
   return ended.get();
 }
 

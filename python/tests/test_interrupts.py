@@ -85,6 +85,33 @@ def test_iterations_and_eigenvalues_hear_ctrl_c(robots, prepared, call):
     assert seconds_to_stop(robots / "iiwa14.urdf", call, 1, after=0.3, prepared=prepared) < 2
 
 
+@pytest.fixture(scope="module")
+def huge(tmp_path_factory):
+    """A URDF of 50,000 joints."""
+    file = tmp_path_factory.mktemp("huge") / "huge.urdf"
+    link = "<link name='{}'><inertial><mass value='1'/><inertia ixx='1' iyy='1' izz='1'/></inertial></link>"
+    joint = "<joint name='j{}' type='continuous'><parent link='root'/><child link='{}'/></joint>"
+    parts = [link.format(f"l{i}") + joint.format(i, f"l{i}") for i in range(50_000)]
+    file.write_text("<robot name='r'>" + link.format("root") + "".join(parts) + "</robot>")
+    return file
+
+
+@pytest.mark.parametrize(
+    "prepared, call, after",
+    [
+        ("None", "kte.load_robot(FILE)", 0.1),
+        ("open(FILE).read()", "kte.parse_robot(prepared)", 0.1),
+        ("beam(4000)", "[kte.save_model('SAVED.xml', prepared) for _ in range(1000)]", 0.3),
+        ("kte.save_model('SAVED.xml', beam(20_000))", "kte.load_model('SAVED.xml')", 0.1),
+        ("beam(4000)", "[kte.to_urdf(prepared, lossy=True) for _ in range(1000)]", 0.3),
+    ],
+    ids=["load_robot", "parse_robot", "save_model", "load_model", "to_urdf"],
+)
+def test_readers_and_writers_hear_ctrl_c(huge, tmp_path, prepared, call, after):
+    parts = [text.replace("SAVED", str(tmp_path / "saved")) for text in (prepared, call.replace("FILE", repr(str(huge))))]
+    assert seconds_to_stop(huge, parts[1], 1, after, prepared=parts[0]) < 0.5
+
+
 def test_compilation_hears_ctrl_c_and_leaves_nothing(robots, tmp_path):
     slow = tmp_path / "slow"  # a compiler with a child
     slow.write_text("#!/bin/sh\nsh -c 'sleep 20; touch \"$0\"' " + str(tmp_path / "late") + "\n")

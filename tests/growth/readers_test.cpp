@@ -2,7 +2,9 @@
 #include <kte/kte.hpp>
 #include <kte/robots/check_robot.hpp>
 #include <kte/robots/load_robot.hpp>
+#include <kte/robots/mjcf_writer.hpp>
 #include <kte/robots/motors.hpp>
+#include <kte/robots/urdf_writer.hpp>
 
 #include "allocations.hpp"
 #include "growth/counted.hpp"
@@ -285,6 +287,25 @@ TEST_CASE("links, joints and frames of SDF") {
   });
 }
 
+TEST_CASE("models of SDF that stand by their placement frames") {
+  const auto model = [](const std::string& name, const std::string& to) {
+    return "<model name='" + name + "' placement_frame='l'><pose relative_to='" + to + "'>0 0 2 0 0 0</pose>" +
+           "<link name='l'><pose>0 0 1 0 0 0</pose></link></model>";
+  };
+  grows_linearly("one after another", [&](int n) {
+    const auto d = describe_robot(
+        sdf("<link name='root'/><frame name='m-1'/>" + each(n,
+                                                            [&](const auto& i, int k) {
+                                                              return model("m" + i, "m" + std::to_string(k - 1)) +
+                                                                     sdf_joint("j" + i, "root", "m" + i + "::l");
+                                                            })),
+        "m.sdf");
+    REQUIRE(d.joints.size() == static_cast<std::size_t>(n));
+    CHECK(d.joints.back().child_pose.position.z == 0);
+    CHECK(d.joints.back().origin.position.z == n + 1);  // each is 2 above the one before, less the 1 of its link
+  });
+}
+
 TEST_CASE("includes and models of SDF") {
   const folder at;
   at.write("part.sdf", "<sdf version='1.9'><model name='p'><link name='l'/></model></sdf>");
@@ -313,6 +334,58 @@ TEST_CASE("attributes of an element, up to the number that is read") {
           make(before + each(n, [](const auto& i, int) { return " a" + i + "='1'"; }) + after, name);
         },
         200);
+}
+
+TEST_CASE("writers of robots") {
+  grows_linearly("actuators", [](int n) {
+    const auto d = describe_robot(mjcf(mjcf_star(n), "<actuator>" +
+                                                         each(n,
+                                                              [](const auto& i, int k) {
+                                                                return "<motor name='m" + i + "' joint='j" + i +
+                                                                       "' gear='" + std::to_string(k + 1) + "'/>";
+                                                              }) +
+                                                         "</actuator>"),
+                                  "a.xml");
+    const robot_writing lossy{.lossy = true};
+    (void)to_mjcf(d, lossy), (void)to_urdf(d, lossy);
+  });
+  grows_linearly("joints whose children stand elsewhere", [](int n) {
+    const auto d =
+        describe_robot(sdf("<link name='root'/>" + each(n,
+                                                        [](const auto& i, int) {
+                                                          return "<link name='l" + i + "'/>" +
+                                                                 sdf_joint("j" + i, "root", "l" + i, "revolute",
+                                                                           "<pose>0 0 1 0 0 0</pose>");
+                                                        })),
+                       "m.sdf");
+    (void)to_mjcf(d), (void)to_urdf(d);
+  });
+  grows_linearly(
+      "light bodies in each other",
+      [](int n) {
+        std::string all;
+        for (int i = n; i-- > 0;)
+          all += "<link name='l" + std::to_string(i) + "'/>" +
+                 joint_text("j" + std::to_string(i), i % 2 == 0 ? "continuous" : "fixed", in_chain(i),
+                            "l" + std::to_string(i));
+        (void)to_mjcf(describe_robot(test::urdf(heavy("root") + all), "r.urdf"), {.lossy = true});
+      },
+      100);
+  grows_linearly("balls with dampers, and weights that are borne, of chains", [](int n) {
+    const auto r = to_robot(describe_robot(
+        mjcf(each(
+            n,
+            [](const auto& i, int) {
+              return "<body name='b" + i + "' gravcomp='1'><joint name='j" + i +
+                     "' type='ball' damping='1' stiffness='2'/><inertial pos='0 0 1' mass='1' diaginertia='1 1 1'/>"
+                     "</body>";
+            })),
+        "a.xml"));
+    const auto d = describe(r);
+    CHECK(std::count_if(d.links.begin(), d.links.end(), [](const auto& l) { return l.gravity_compensation == 1; }) ==
+          n);
+    CHECK(d.joints[0].dynamics.stiffness == 2);
+  });
 }
 
 TEST_CASE("checks of robots, and model files") {

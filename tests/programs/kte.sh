@@ -239,6 +239,11 @@ gives 1 "PD control of 'q': its force, or the square of that, is not finite: kp 
 gives 1 "PD control of 'q': its force, or the square of that, is not finite" "$kte" simulate pendulum.json --pd one_target.csv --kd 1e308
 printf 'q_0\n1e308\n' >one_target.csv
 gives 1 "is not finite: kp 25 times 1e+308, kd 5 times 0" "$kte" simulate pendulum.json --pd one_target.csv
+gives 2 'simulate: --tolerance must be at most 0.1, a tenth of each number, not 10' "$kte" simulate pendulum.json --tolerance 10
+gives 2 'bench: --seconds must be greater than 0 and at most 3600, not 1e+300' "$kte" bench pendulum.json --seconds 1e300
+gives 0 "arm.urdf: --model 'x' is not used: the file is no SDF, and has one robot, 'arm'" "$kte" info arm.urdf --model x
+gives 2 'simulate: --kp must not be negative, not -5' "$kte" simulate pendulum.json --pd target.csv --kp -5
+gives 2 'simulate: --kd must not be negative, not -1' "$kte" simulate pendulum.json --pd target.csv --kd -1
 printf 'tau_0\n4.905\n' >torque.csv
 gives 0 '' "$kte" simulate pendulum.json --time 1 --input torque.csv
 prints 'change of energy: 0 J'
@@ -442,6 +447,11 @@ if [ "$(grep -c 'is not drawn' errors)" -ne 2 ]; then wrong 'meshes that are not
 gives 0 '' "$kte" check meshes.urdf
 prints "meshes.urdf: mesh 'bad.stl' is not drawn: bad.stl:3: "
 prints "meshes.urdf: mesh 'none.stl' is not drawn: it is not found, neither in the folders around the robot's file nor in those of --search (link 'a')"
+gives 0 '' "$kte" info meshes.urdf
+prints "  mesh 'bad.stl' is not drawn: bad.stl:3: "
+prints "  mesh 'none.stl' is not drawn: it is not found, neither in the folders around the robot's file nor in those of --search (link 'a')"
+gives 0 '' "$kte" info meshes.urdf --json
+prints '"meshes_not_drawn":["mesh '
 sed 's/bad\.stl/bad.dae/g' meshes.urdf >other.urdf
 gives 0 '' "$kte" check other.urdf
 prints "  mesh 'bad.dae' is not drawn: only .stl, .obj and .msh are read (link 'a')"
@@ -529,6 +539,34 @@ END
 gives 0 '' "$kte" check hill.sdf --floating-base --ground world
 prints "hill.sdf:2: collision 'hill': <heightmap>: not read: the ground does not have this surface, but a plane"
 gives 2 '--contact-dissipation need --ground' "$kte" check hill.sdf --friction 1
+
+# Files and folders that may not be read or written, for a user who is not root.
+nobody() { if [ "$(id -u)" -ne 0 ]; then "$@"; else setpriv --reuid=65534 --regid=65534 --clear-groups "$@"; fi; }
+chmod 755 .
+if nobody "$kte" --version >/dev/null 2>&1; then
+  mkdir locked kept && cp arm.urdf pendulum.json meshes.urdf locked
+  for file in arm.urdf pendulum.json target.csv bad.stl start.csv; do cp $file locked.${file##*.} && chmod 000 locked.${file##*.}; done
+  cp include.sdf meshes.urdf arm.urdf kept && cp bad.stl kept && chmod 000 kept/bad.stl locked
+  for command in info check bench 'simulate --time 0.1'; do
+    gives 1 "cannot open 'locked.urdf': Permission denied" nobody "$kte" $command locked.urdf
+    gives 1 "cannot open 'locked.json': Permission denied" nobody "$kte" $command locked.json
+    gives 1 "Permission denied" nobody "$kte" $command locked/arm.urdf
+  done
+  gives 1 "cannot open 'locked.csv': Permission denied" nobody "$kte" simulate pendulum.json --start locked.csv
+  gives 1 "cannot open 'locked.csv': Permission denied" nobody "$kte" simulate pendulum.json --pd locked.csv
+  gives 1 "cannot open 'locked.csv': Permission denied" nobody "$kte" simulate pendulum.json --input locked.csv
+  gives 1 "cannot open 'locked.csv': Permission denied" nobody "$kte" plot locked.csv -o /dev/null.svg
+  gives 1 "cannot open 'locked.csv': Permission denied" nobody "$kte" view pendulum.json locked.csv -o locked.html
+  gives 1 "Permission denied" nobody "$kte" simulate pendulum.json --time 0.1 --record locked/a.csv
+  gives 1 "Permission denied" nobody "$kte" convert pendulum.json locked/a.json
+  gives 1 "Permission denied" nobody "$kte" view pendulum.json -o locked/a.html
+  gives 0 '' nobody "$kte" check kept/meshes.urdf
+  prints "mesh 'bad.stl' is not drawn: "
+  prints 'Permission denied'
+  chmod 755 locked
+else
+  echo 'skipped: files without permissions, as there is no other user than root'
+fi
 
 if [ -n "$(find . -name called)" ]; then wrong "a shell has read a file's name"; fi
 [ "$failures" -eq 0 ]

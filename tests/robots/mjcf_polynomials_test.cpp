@@ -41,6 +41,38 @@ TEST_CASE("springs and dampers of polynomials move as in MuJoCo 4.0.0") {
   agrees({-0.5, 1, 0.5}, {0.5, -3, -2}, {20.00384853826339, 28.728197401289897, 31.096947574579744});
 }
 
+TEST_CASE("lists with fewer numbers than those of their classes are completed by these, as in MuJoCo 4.0.0") {
+  const auto d = from_mjcf(R"(<mujoco><default>
+<joint damping="1 2 3" stiffness="7 8"/><geom size=".1 .2 .3" friction=".9 .1"/>
+<general gainprm="5 6 7" biasprm="1 2 3" biastype="affine"/>
+<default class="in"><joint damping="4"/><geom size=".4" friction=".5"/><general biasprm="8" gainprm="9"/>
+  <default class="deep"><joint damping="5 6"/></default>
+  <default class="empty"><joint damping=""/></default>
+</default></default>
+<worldbody><body>
+  <joint name="a" class="in"/><joint name="b" class="deep" axis="1 0 0"/><joint name="c" class="in" damping=".5"/>
+  <joint name="d" class="empty"/><geom class="in" type="box"/>
+</body></worldbody>
+<actuator><general class="in" joint="a"/><general class="in" joint="a" biasprm=".5 .25"/></actuator></mujoco>)",
+                           "a.xml", {.contacts = {.ground = "world"}});
+  REQUIRE(d.joints.size() == 4);
+  using powers = robot_joint_dynamics::powers;
+  const std::pair<double, powers> dampings[]{{4, {2, 3}}, {5, {6, 3}}, {0.5, {2, 3}}, {4, {2, 3}}};
+  for (std::size_t i = 0; i < 4; ++i) {
+    const auto& x = d.joints[i].dynamics;
+    CHECK((x.damping == dampings[i].first && x.damping_powers == dampings[i].second));
+    CHECK((x.stiffness == 7 && x.stiffness_powers == powers{8, 0}));
+  }
+  const auto& box = d.links.at(1).collisions.at(0);
+  CHECK((box.size == vec3<>{0.8, 0.4, 0.6} && box.touch.friction == 0.5));
+  REQUIRE(d.actuators.size() == 2);
+  const auto is = [](const motor_law& x, double gain, double offset, double stiffness, double damping) {
+    return x.gain == gain && x.offset == offset && x.stiffness == stiffness && x.damping == damping;
+  };
+  CHECK(is(d.actuators[0].law, 9, 8, -2, -3));
+  CHECK(is(d.actuators[1].law, 9, 0.5, -0.25, -3));
+}
+
 TEST_CASE("polynomials of springs and dampers are written to MJCF, and URDF names what it cannot say") {
   const auto d = from_mjcf(arm, "a.xml");
   const auto again = from_mjcf(to_mjcf(d), "b.xml");

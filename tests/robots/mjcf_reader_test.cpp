@@ -47,6 +47,8 @@ TEST_CASE("what a file in MJCF says") {
   const auto& reach = d.joints[2];
   CHECK((reach.is == robot_joint::kind::prismatic && reach.axis == vec3<>{0, 1, 0} && reach.upper == 0.5));
   CHECK((reach.parent == "upper.1" && reach.child == "upper"));
+  CHECK((reach.dynamics.damping == 0.5 && reach.dynamics.damping_powers == robot_joint_dynamics::powers{0.25, 0.125}));
+  CHECK((reach.dynamics.stiffness == 2 && reach.dynamics.stiffness_powers == robot_joint_dynamics::powers{0, 4}));
   CHECK(d.joints[3].origin.rotation == mat3<vec3<>>{{1, 0, 0}, {0, 0, -1}, {0, 1, 0}});
   CHECK(d.joints[4].origin.rotation == mat3<vec3<>>{{0, -1, 0}, {1, 0, 0}, {0, 0, 1}});
 
@@ -173,7 +175,7 @@ TEST_CASE("defaults hold until the class that wrote them ends") {
       "class='c'/></default><default class='d'><joint frictionloss='7'/></default></default><worldbody>"
       "<body><joint class='b'/></body><body><joint class='c'/></body><body><joint class='d'/></body><body><joint/>"
       "</body><body childclass='a'><joint/></body></worldbody><default><joint armature='9'/></default></mujoco>");
-  CHECK(d.joints[0].dynamics == robot_joint_dynamics{3, 0, 5, 0, 0});  // an empty one is as none
+  CHECK(d.joints[0].dynamics == robot_joint_dynamics{3, 0, 5, 0, 1});  // an empty attribute leaves what holds
   CHECK(d.joints[1].dynamics == robot_joint_dynamics{3, 0, 1, 0, 1});
   CHECK(d.joints[2].dynamics == robot_joint_dynamics{1, 7, 0, 0, 1});
   CHECK(d.joints[3].dynamics == robot_joint_dynamics{1, 0, 0, 0, 9});

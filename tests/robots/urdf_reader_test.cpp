@@ -1,3 +1,4 @@
+#include <kte/robots/load_robot.hpp>
 #include <kte/robots/to_robot.hpp>
 #include <kte/robots/urdf_reader.hpp>
 
@@ -74,6 +75,12 @@ TEST_CASE("turns by any angles, and quarter turns") {
   CHECK(turned("1.5707963 0 0", 1e-15).y.y != 0);
   CHECK(turned("1.5707963267948966 0 3.141592653589793", 1e-15) == mat3<vec3<>>{{-1, 0, 0}, {0, 0, 1}, {0, 1, 0}});
   CHECK(turned("0 -1.5707963267948966 0", 1e-15) == mat3<vec3<>>{{0, 0, -1}, {0, 1, 0}, {1, 0, 0}});
+  for (const double tolerance : {-0.5, 0.25, std::nan("")})
+    for (const auto* text : {"<robot><link name='a'/></robot>", "<mujoco><worldbody/></mujoco>",
+                             "<sdf version='1.9'><model name='m'><link name='a'/></model></sdf>"})
+      CHECK_THROWS_MATCHES(describe_robot(text, "r", {.quarter_turn_tolerance = tolerance}), bad_argument,
+                           says("kte: robot_options::quarter_turn_tolerance must be between 0 and 0.1 rad, got " +
+                                detail::number(tolerance)));
   // Rot(z, 0.3) Rot(y, 0.2) Rot(x, 0.1), evaluated with more digits
   const auto r = turned("0.1 0.2 0.3", 1e-15);
   CHECK(r.x.x == within(0.93629336358419919, 3e-16));

@@ -271,4 +271,17 @@ TEST_CASE("names of a closure in another order are found") {
             "writes or declares: it is a further base, and 'pin one' is a frame: are the names in another order?"});
 }
 
+TEST_CASE("names of many findings are not all compared with all others") {
+  runtime_chain c;
+  c << revolute_joint_2D("q", "base", "arm");
+  for (int i = 0; i < 300; ++i) c << inertia_gen("w" + std::to_string(i), 1.0);
+  const auto found = check_chain(c);
+  REQUIRE(found.size() == 301);
+  CHECK(found[299] ==
+        "inertia_gen (coordinate 'w299') is moved by a separate degree of freedom, 'w299', by which no joint moves");
+  CHECK(found[300] ==
+        "the names of 100 further coordinates are not compared with those of joints, which takes too long: they may be "
+        "misspelt");
+}
+
 }  // namespace topology_test

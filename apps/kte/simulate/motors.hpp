@@ -12,6 +12,7 @@ inline void take_motors(mechanism& m) {
   const auto before = m.robot.warnings.size();
   kte::add_motors(m.robot);
   for (std::size_t i = before; i < m.robot.warnings.size(); ++i) say(texts_of({m.robot.warnings[i]}, m.file)[0]);
+  if (m.robot.motors.empty()) say(m.file + ": it has no motors");
 }
 
 }  // namespace kte_tool

@@ -36,6 +36,8 @@ void check_settings(const solver_options& o) {
   if (o.tolerance < least)
     throw usage_error("--tolerance must be at least " + short_number(least) + ", 4 rounding errors, not " +
                       short_number(o.tolerance));
+  if (o.tolerance > 0.1)
+    throw usage_error("--tolerance must be at most 0.1, a tenth of each number, not " + short_number(o.tolerance));
 }
 
 std::unique_ptr<plant_solver> make_solver(plant& p, const plant::state& x, const solver_options& o) {

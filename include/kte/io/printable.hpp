@@ -37,6 +37,11 @@ constexpr bool is_hidden(char32_t c) {
 inline std::string printable(std::string_view text) {
   std::string out;
   while (!text.empty()) {
+    std::size_t plain = 0;  // characters of ASCII, as most of any text
+    while (plain < text.size() && text[plain] >= ' ' && text[plain] < '\x7f') ++plain;
+    out.append(text.substr(0, plain));
+    text.remove_prefix(plain);
+    if (text.empty()) break;
     const auto [code, bytes, valid] = first_character(text);
     const bool shown = valid && (!is_hidden(code) || text.starts_with("\n  "));
     if (shown) out.append(text.substr(0, bytes));

@@ -30,6 +30,10 @@ class source_text {
     if (const char* why = other_encoding(text)) fail(0, why);
     bool empty = true;
     for (std::size_t i = 0, n = 0; i < text_.size(); i += n) {
+      if (text_[i] > ' ' && text_[i] < '\x7f') {  // as most of any file
+        n = 1, empty = false;
+        continue;
+      }
       n = utf8_length(text_.substr(i));
       if (n == 0) fail(i, "this is not UTF-8");
       if (is_blank(text_[i])) continue;

@@ -20,9 +20,9 @@ namespace kte {
 /// robot.
 [[nodiscard]] inline std::vector<std::string> models(const std::filesystem::path& path,
                                                      const robot_options& options = {}) {
-  const auto root = detail::parse_xml(detail::text_of_file(path), path.string());
-  if (root.name == "sdf") return detail::sdf_models(root, path.string(), options, detail::parse_xml_file);
-  return {detail::read_any(root, path.string(), options, detail::parse_xml_file).name};
+  auto root = detail::parse_xml(detail::text_of_file(path), path.string());
+  if (root.name == "sdf") return detail::sdf_models(std::move(root), path.string(), options, detail::parse_xml_file);
+  return {detail::read_any(std::move(root), path.string(), options, detail::parse_xml_file).name};
 }
 
 /// Reads a robot from a file (docs/robots.md): a chain, limits, shapes, and notes on what was not read. Throws

@@ -8,7 +8,8 @@ namespace kte {
 /// only masses on coordinates, if nothing else is connected to it, or if its name is similar to that of a joint
 /// coordinate; a degree of freedom that only followers read, if its name is similar to that of a joint coordinate; a
 /// follower that nothing reads; a base without a declaration beside declared ones, if no joint or link stands on it, or
-/// if its name is similar to that of a frame before it. Empty without findings.
+/// if its name is similar to that of a frame before it. Of more than 200 names, those after are not compared, which is
+/// a finding. Empty without findings.
 [[nodiscard]] std::vector<std::string> check_chain(const runtime_chain& c);
 /// Probable mistakes in a static chain; see above.
 template <class Gravity, class... E>
@@ -19,6 +20,24 @@ template <class Gravity, class... E>
 
 #ifdef KTE_FUNCTION
 namespace detail {
+/// Suggestions for names: of the first 200, as each is compared with all others.
+class limited_suggestions {
+ public:
+  std::string did_you_mean(std::string_view written, const std::vector<std::string>& known) {
+    return ++count_ > most ? std::string() : detail::did_you_mean(written, known);
+  }
+  /// Says how many were left out, if any.
+  void report(std::vector<std::string>& found) const {
+    if (count_ > most)
+      found.push_back("the names of " + std::to_string(count_ - most) +
+                      " further coordinates are not compared with those of joints, which takes too long: they may be "
+                      "misspelt");
+  }
+
+ private:
+  static constexpr std::size_t most = 200;
+  std::size_t count_ = 0;
+};
 /// The base without a declaration, if others are declared: it may be a misspelt frame, because a chain takes the first
 /// frame that is not declared for its base.
 inline std::vector<std::string> odd_bases(const topology& t) {
@@ -92,6 +111,7 @@ KTE_FUNCTION std::vector<std::string> check_chain(const runtime_chain& c) {
     }
   }
   auto found = detail::odd_bases(t);
+  detail::limited_suggestions suggestions;
   for (const auto& f : t.free) {
     const auto k = static_cast<std::size_t>(f.what), i = static_cast<std::size_t>(f.slot);
     const auto& x = used[k][i];
@@ -101,7 +121,7 @@ KTE_FUNCTION std::vector<std::string> check_chain(const runtime_chain& c) {
     if (x.joint_count > 0) continue;
     const bool only_leads = x.first_mass.empty() && x.others == 0 && x.followers > 0;
     if (x.first_mass.empty() && !only_leads) continue;
-    const auto meant = detail::did_you_mean(name, only_leads ? free : moving);
+    const auto meant = suggestions.did_you_mean(name, only_leads ? free : moving);
     const std::string separate = " a separate degree of freedom, '" + name + "', by which no joint moves" + meant;
     if (only_leads && !meant.empty())
       found.push_back(x.first_follower + " follows" + separate);
@@ -113,7 +133,8 @@ KTE_FUNCTION std::vector<std::string> check_chain(const runtime_chain& c) {
       if (const auto& x = used[k][i];
           !x.writer.empty() && x.joint_count + x.followers + x.others == 0 && x.first_mass.empty())
         found.push_back(x.writer + " writes '" + t.names[k][i] + "', which nothing reads" +
-                        detail::did_you_mean(t.names[k][i], free));
+                        suggestions.did_you_mean(t.names[k][i], free));
+  suggestions.report(found);
   return found;
 }
 #endif

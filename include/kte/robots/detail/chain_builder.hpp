@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/detail/interruption.hpp>
 #include <kte/robots/detail/physical.hpp>
 #include <kte/robots/detail/robot_contacts.hpp>
 #include <kte/robots/detail/robot_forces.hpp>
@@ -56,8 +57,7 @@ class chain_builder {
     if (!o_.fold_fixed) return;
     for (auto s = tree_.steps().rbegin(); s != tree_.steps().rend(); ++s) {
       const auto& j = joint(*s);
-      const std::size_t from = tree_.link(s->reversed ? j.child : j.parent);
-      const std::size_t to = tree_.link(s->reversed ? j.parent : j.child);
+      const std::size_t from = tree_.base(*s), to = tree_.end(*s);
       if (j.is != kind::fixed || !bodies_[to]) continue;
       const auto moved = moved_body(place_of(*s), *bodies_[to]);
       bodies_[from] = bodies_[from] ? together(*bodies_[from], moved) : moved;
@@ -93,6 +93,7 @@ class chain_builder {
   /// X_child = origin J(q) child_pose; reversed, X_parent = child_pose^-1 J(q)^-1 origin^-1, where J^-1 is J about the
   /// opposite axis.
   void append_joint(const robot_tree::step& s) {
+    look_for_interruption();
     const auto& j = joint(s);
     const auto& from = s.reversed ? j.child : j.parent;
     const auto& to = s.reversed ? j.parent : j.child;
@@ -115,8 +116,8 @@ class chain_builder {
       if (end != to) to_.append_link(end, to, rest);
       forces_.append(j, from, end, placement);
     }
-    append_body(tree_.link(to));
-    append_compensation(d_.links[tree_.link(to)]);
+    append_body(tree_.end(s));
+    append_compensation(d_.links[tree_.end(s)]);
   }
   void append_frames() {
     std::unordered_set<std::string> frames;

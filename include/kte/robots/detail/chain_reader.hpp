@@ -5,6 +5,7 @@
 
 #include <map>
 #include <set>
+#include <unordered_map>
 
 namespace kte::detail {
 
@@ -194,19 +195,17 @@ class chain_reader {
   bool free_turning(const element_record& e) {
     const bool drag = e.type == "fluid_drag_3D", spring = e.type == "torsion_spring_3D";
     if (!drag && !spring && e.type != "torsion_damper_3D") return false;
-    for (auto& j : d_.joints) {
-      const bool free = j.is == kind::floating;
-      if (drag) {
-        if (free && j.child == to(e, "frame") && number(e, "quadratic") == 0 && vector(e, "flow") == vec3<>{} &&
-            number(e, "linear") == j.dynamics.damping)
-          return true;
-      } else if ((j.is == kind::spherical || free) && j.parent == to(e, "anchor1") && j.child == to(e, "anchor2")) {
-        if (!spring) return j.dynamics.damping += number(e, "damping"), true;
-        if (free || number(e, "saturation") != 0 || place_of_rest(e) != j.origin.rotation) return false;
-        return j.dynamics.stiffness += number(e, "stiffness"), true;
-      }
-    }
-    return false;
+    auto* const above = joint_to(to(e, drag ? "frame" : "anchor2"));
+    if (above == nullptr) return false;
+    auto& j = *above;
+    const bool free = j.is == kind::floating;
+    if (drag)
+      return free && number(e, "quadratic") == 0 && vector(e, "flow") == vec3<>{} &&
+             number(e, "linear") == j.dynamics.damping;
+    if ((j.is != kind::spherical && !free) || j.parent != to(e, "anchor1")) return false;
+    if (!spring) return j.dynamics.damping += number(e, "damping"), true;
+    if (free || number(e, "saturation") != 0 || place_of_rest(e) != j.origin.rotation) return false;
+    return j.dynamics.stiffness += number(e, "stiffness"), true;
   }
   static mat3<vec3<>> place_of_rest(const element_record& e) {
     const auto r = numbers(e, "rest_rotation");
@@ -218,21 +217,25 @@ class chain_reader {
     if (e.type != "constant_force_3D" || vector(e, "torque") != vec3<>{}) return false;
     const auto at = to(e, "frame");
     const auto force = vector(e, "force"), g = *d_.gravity;
-    for (auto& l : d_.links) {
-      if (!l.inertial || !(l.inertial->mass > 0) || !stands_at(at, l)) continue;
+    const auto bears = [&](robot_link& l, const vec3<>& centre) {
+      if (!l.inertial || !(l.inertial->mass > 0) || l.inertial->com != centre) return false;
       const double weight = l.inertial->mass * dot(g, g), k = weight > 0 ? 0.0 - dot(force, g) / weight : 0;
       const vec3<> off = force + (k * l.inertial->mass) * g;
-      if (!(weight > 0) || dot(off, off) > 1e-30 * dot(force, force)) continue;
+      if (!(weight > 0) || dot(off, off) > 1e-30 * dot(force, force)) return false;
       return l.gravity_compensation += k, true;
-    }
-    return false;
+    };
+    // The frame is that of the link, or one fixed to it.
+    const auto own = links_.find(at);
+    if (own != links_.end() && bears(d_.links[own->second], {})) return true;
+    const auto* const j = joint_to(at);
+    return j != nullptr && j->is == kind::fixed && bears(d_.links[links_.find(j->parent)->second], j->origin.position);
   }
-  /// Whether a frame is at the centre of mass of a link.
-  bool stands_at(const std::string& frame, const robot_link& l) const {
-    if (frame == l.name) return l.inertial->com == vec3<>{};
-    for (const auto& j : d_.joints)
-      if (j.is == kind::fixed && j.parent == l.name && j.child == frame) return j.origin.position == l.inertial->com;
-    return false;
+  /// The joint or link that moves a frame; null: there is none.
+  robot_joint* joint_to(const std::string& frame) {
+    if (above_.empty())
+      for (std::size_t i = 0; i < d_.joints.size(); ++i) above_.emplace(d_.joints[i].child, i);
+    const auto known = above_.find(frame);
+    return known == above_.end() ? nullptr : &d_.joints[known->second];
   }
   /// Names the fixed joints, which have no coordinate to give them a name.
   void name_fixed() {
@@ -246,6 +249,7 @@ class chain_reader {
   model_record record_;
   robot_description d_;
   std::map<std::string, std::size_t, std::less<>> links_, joints_;
+  std::unordered_map<std::string, std::size_t> above_;  ///< joints by the frames that they move
   std::set<std::string, std::less<>> rest_;
   std::vector<const element_record*> forces_;
 };

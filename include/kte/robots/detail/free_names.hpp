@@ -12,6 +12,7 @@ class free_names {
   /// Whether the name was free.
   bool take(const std::string& name) { return taken_.insert(name).second; }
   bool empty() const { return taken_.empty(); }
+  void reserve(std::size_t count) { taken_.reserve(count); }
   bool has(const std::string& name) const { return taken_.contains(name); }
   /// The name; where it is taken, with an apostrophe, and further ones with a number: "pin", "pin'", "pin'2".
   std::string fresh(const std::string& name) {

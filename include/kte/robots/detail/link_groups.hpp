@@ -12,8 +12,8 @@ class link_groups {
   link_groups(const robot_description& d, const robot_tree& tree) : group_(d.links.size(), 0), carries_(1, false) {
     for (const auto& s : tree.steps()) {
       const auto& j = d.joints[s.joint];
-      const auto parent = group_[tree.link(s.reversed ? j.child : j.parent)];
-      auto& child = group_[tree.link(s.reversed ? j.parent : j.child)];
+      const auto parent = group_[tree.base(s)];
+      auto& child = group_[tree.end(s)];
       child = parent;
       if (j.is == robot_joint::kind::fixed) continue;
       carries_[parent] = true;

@@ -1,11 +1,12 @@
 #pragma once
 
 #include <kte/robots/detail/angles.hpp>
+#include <kte/robots/detail/link_numbers.hpp>
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <set>
+#include <unordered_map>
 
 namespace kte::detail {
 
@@ -21,22 +22,14 @@ class loop_cuts {
 
   void cut() {
     find_crosses();
-    std::map<std::string, std::size_t, std::less<>> index;
-    for (const auto& l : d_.links) index.emplace(l.name, index.size());
-    std::vector<std::size_t> up(index.size());
-    std::iota(up.begin(), up.end(), std::size_t{0});
-    const auto top = [&](const std::string& link) {
-      auto i = index.at(link);
-      while (up[i] != i) i = up[i] = up[up[i]];
-      return i;
-    };
+    const link_numbers links(d_);
+    const auto ends = links.of(d_.joints);
+    joined_sets parts(links.count());
     std::set<std::size_t> closing;
     for (const int rank : {0, 1, 2})
       for (std::size_t i = 0; i < d_.joints.size(); ++i) {
         if (second_.contains(i) || rank_of(i) != rank) continue;
-        const auto a = top(d_.joints[i].parent), b = top(last_of(i).child);
-        if (a == b) closing.insert(i);
-        up[a] = b;
+        if (!parts.join(ends[i].parent, ends[last_number(i)].child)) closing.insert(i);
       }
     if (closing.empty()) return;
     std::set<std::size_t> gone;
@@ -61,20 +54,25 @@ class loop_cuts {
 
   /// Universal joints, which are two about axes that meet at a right angle, with a link without a body in between.
   void find_crosses() {
-    std::map<std::string_view, int> joints_at;
-    for (const auto& j : d_.joints) ++joints_at[j.parent], joints_at[j.child] += j.parent != j.child;
+    std::vector<std::size_t> found;
     for (std::size_t i = 0; i + 1 < d_.joints.size(); ++i) {
       const auto &a = d_.joints[i], &b = d_.joints[i + 1];
       if (a.is != kind::revolute || b.is != kind::revolute || a.child != b.parent || b.name != a.name + "_2" ||
           !is_nothing(a.child_pose) || !is_nothing(b.origin) || std::abs(dot(a.axis, b.axis)) > 1e-12)
         continue;
-      if (joints_at[a.child] == 2) crosses_.emplace(i, i + 1), second_.insert(i + 1);
+      found.push_back(i);
     }
+    if (found.empty()) return;
+    std::unordered_map<std::string_view, int> joints_at;
+    for (const auto& j : d_.joints) ++joints_at[j.parent], joints_at[j.child] += j.parent != j.child;
+    for (const auto i : found)
+      if (joints_at[d_.joints[i].child] == 2) crosses_.emplace(i, i + 1), second_.insert(i + 1);
   }
-  const robot_joint& last_of(std::size_t i) const {
+  std::size_t last_number(std::size_t i) const {
     const auto c = crosses_.find(i);
-    return d_.joints[c == crosses_.end() ? i : c->second];
+    return c == crosses_.end() ? i : c->second;
   }
+  const robot_joint& last_of(std::size_t i) const { return d_.joints[last_number(i)]; }
   int rank_of(std::size_t i) const {
     const auto rank = [&](const robot_joint& j) {
       if (j.is == kind::screw || j.is == kind::planar || j.is == kind::floating || j.mimic ||
@@ -126,7 +124,7 @@ class loop_cuts {
   robot_description& d_;
   std::map<std::size_t, std::size_t> crosses_;  ///< the second joint of a universal one, by the first
   std::set<std::size_t> second_;
-  std::map<std::string, std::size_t, std::less<>> followers_;  ///< the first joint that follows one, by its name
+  std::unordered_map<std::string, std::size_t> followers_;  ///< the first joint that follows one, by its name
 };
 
 }  // namespace kte::detail

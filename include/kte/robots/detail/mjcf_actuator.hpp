@@ -14,7 +14,7 @@ inline void read_mjcf_law(const xml_item& x, robot_actuator& a) {
   auto& law = a.law;
   const auto kind = x.name();
   const auto numbers = [&](const char* of, double first) {
-    auto all = x.has(of) ? x.list(of) : std::vector<double>{first};
+    auto all = x.has(of) ? x.completed_list(of, 3) : std::vector<double>{first};
     all.resize((std::max)(all.size(), std::size_t{3}));
     return all;
   };

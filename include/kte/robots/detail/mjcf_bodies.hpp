@@ -23,8 +23,8 @@ class mjcf_bodies {
   mjcf_bodies(robot_description& d, const robot_options& o, xml_parser parse)
       : d_(d), contacts_(o.contacts.requested()), tree_(d, o, parse), unread_(contacts_), equality_(d) {}
 
-  void read(const xml_node& file) {
-    auto& top = tree_.top(file);
+  void read(xml_node file) {
+    auto& top = tree_.top(std::move(file));
     const xml_item root(top.root, d_);
     d_.name = root.text_or("model", "");
     root.only({"compiler", "default", "worldbody", "actuator", "option", "asset", "keyframe", "equality", "tendon",
@@ -40,8 +40,8 @@ class mjcf_bodies {
     }
     apply_mass_rules(top.settings.masses(), d_, bodies_);
     read_mjcf_options(root, d_, unread_);
-    sections(root, {&top});
     for (const auto& j : d_.joints) joints_.insert(j.name);
+    sections(root, {&top});
     for (const auto& a : tree_.attached()) sections({a.model->root, d_}, a);
     for (const auto& m : tree_.models())
       for (const auto& x : xml_item(m.root, d_).children("asset")) unread_.assets(x, m.settings.classes());
@@ -80,6 +80,7 @@ class mjcf_bodies {
     }
   }
   void body(const mjcf_child& c, const here& above) {
+    look_for_interruption();
     if (++depth_ > 1000) c.x.fail("bodies nest deeper than 1000");
     const auto& settings = c.in.model->settings;
     const auto x = settings.classes().cleaned(c.x);
@@ -280,6 +281,8 @@ class mjcf_bodies {
   void actuator(const xml_item& x, const mjcf_scope& in) {
     if (!in.prefix.empty() && x.has("joint") && !joints_.contains(in.named(x.text("joint")))) return;
     auto a = read_mjcf_actuator(x, in);
+    if (!a.joint.empty() && !joints_.contains(a.joint))
+      return x.moves_differently("there is no joint '" + excerpt(a.joint) + "' for it: it is not read");
     const auto& law = a.law;
     const bool pulls = law.offset != 0 || law.stiffness != 0 || law.damping != 0;
     if (!a.not_modelled.empty() || (pulls && a.joint.empty()))

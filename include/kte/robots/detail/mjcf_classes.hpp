@@ -38,7 +38,8 @@ class mjcf_classes {
  private:
   struct change {
     xml_defaults* of;
-    const std::string *attribute, *before;
+    const std::string* attribute;
+    std::size_t before;
   };
 
   /// The kind of an element for defaults: all actuators share one, and all tendons.
@@ -56,14 +57,15 @@ class mjcf_classes {
       if (c.name() == "default") continue;
       auto& of = kinds_[kind_of(c.node().name)];
       of.wrote(c.node());
-      for (const auto& [key, value] : c.node().attributes) changes.push_back({&of, &key, of.set(key, &value, now_)});
+      for (const auto& [key, value] : c.node().attributes)
+        if (!value.empty()) changes.push_back({&of, &key, of.set(key, value, now_)});
     }
     if (!name.empty() && !classes_.emplace(name, now_).second)
       x.fail("there is another default class '" + excerpt(name) + "'");
     for (const auto& c : x.children("default")) {
       const auto own = add(c, c.text("class"));
       ++now_;
-      for (auto i = own.rbegin(); i != own.rend(); ++i) i->of->set(*i->attribute, i->before, now_);
+      for (auto i = own.rbegin(); i != own.rend(); ++i) i->of->reset(*i->attribute, i->before, now_);
     }
     return changes;
   }

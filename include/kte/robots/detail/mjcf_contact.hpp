@@ -13,12 +13,19 @@ inline int contact_dimensions(const xml_item& x) {
   return n;
 }
 
+/// The first number of its friction.
+inline double sliding_friction(const xml_item& x) {
+  const auto all = x.list("friction");
+  if (all.empty()) x.fail("its friction has no number");
+  if (!(all[0] >= 0)) x.fail("friction must not be negative, got " + number(all[0]));
+  return all[0];
+}
+
 /// Reads how a geom touches others.
 inline robot_touch read_mjcf_touch(const xml_item& x, contact_leftovers& left) {
   robot_touch t;
   t.type = contact_bits(x, "contype"), t.affinity = contact_bits(x, "conaffinity");
-  t.friction = x.has("friction") ? x.completed_list("friction")[0] : 1;
-  if (!(*t.friction >= 0)) x.fail("friction must not be negative, got " + number(*t.friction));
+  t.friction = x.has("friction") ? sliding_friction(x) : 1;
   t.priority = x.whole_or("priority", 0), t.dimensions = contact_dimensions(x);
   for (const char* const name : {"solref", "solimp", "solmix"})
     if (x.has(name)) left.add(x, name);
@@ -37,7 +44,7 @@ inline robot_contact_pair read_mjcf_pair(const xml_item& x, const mjcf_scope& in
   for (auto* name : {&p.name1, &p.name2})
     if (excluded && *name == in.named("world")) *name = "world";
   if (excluded) return x.only({}, {"name", "class", "body1", "body2"}), p;
-  if (x.has("friction")) p.friction = x.list("friction")[0];
+  if (x.has("friction")) p.friction = sliding_friction(x);
   if (contact_dimensions(x) < 3) p.friction = 0;
   for (const char* const name : {"solref", "solreffriction", "solimp", "margin", "gap"})
     if (x.has(name)) left.add(x, name);

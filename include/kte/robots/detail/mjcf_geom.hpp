@@ -36,7 +36,7 @@ inline mjcf_geom read_geom(const xml_item& x, const mjcf_scope& in) {
   s.is = type->second, s.mesh = x.text_or("mesh", "");
   if (x.has("mesh") && s.is != form::mesh) return g;  // fitted to the mesh
   s.origin = in.model->settings.place(x);
-  auto size = x.has("size") ? x.completed_list("size") : std::vector<double>{};
+  auto size = x.has("size") ? x.completed_list("size", 3) : std::vector<double>{};
   if (size.size() > 3) x.fail("its size must have at most 3 numbers, got " + std::to_string(size.size()));
   const bool round = s.is == form::capsule || s.is == form::cylinder;
   if (x.has("fromto")) {

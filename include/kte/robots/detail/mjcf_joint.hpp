@@ -38,7 +38,7 @@ inline void place_mjcf_joint(const xml_item& x, const mjcf_scope& in, robot_join
 /// which current versions of MuJoCo have.
 inline void read_coefficients(const xml_item& x, const char* what, double& linear, robot_joint_dynamics::powers& more) {
   if (!x.has(what)) return;
-  auto all = x.completed_list(what);
+  auto all = x.completed_list(what, 3);
   if (all.empty() || all.size() > 3)
     x.fail(std::string(what) + " must have one to three numbers, got " + std::to_string(all.size()));
   all.resize(3);

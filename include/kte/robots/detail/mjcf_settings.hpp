@@ -3,6 +3,8 @@
 #include <kte/robots/detail/mjcf_classes.hpp>
 #include <kte/robots/detail/read_values.hpp>
 
+#include <array>
+
 namespace kte::detail {
 
 /// The rules of <compiler> for masses, applied after the bodies are read.
@@ -16,11 +18,14 @@ struct mjcf_mass_rules {
 
 /// Rejects elements that write an orientation in several ways, as MuJoCo does; fullinertia counts as an orientation.
 inline void check_orientations(const xml_item& x) {
-  const char* first = nullptr;
-  for (const auto* way : {"quat", "axisangle", "euler", "xyaxes", "zaxis", "fullinertia"}) {
-    if (x.text_or(way, "").empty()) continue;
-    if (first != nullptr)
-      x.fail(std::string("has both ") + first + " and " + way + ": only one may give its orientation");
+  constexpr std::array<std::string_view, 6> ways{"quat", "axisangle", "euler", "xyaxes", "zaxis", "fullinertia"};
+  auto first = ways.size();
+  for (const auto& [key, value] : x.node().attributes) {
+    const auto way = static_cast<std::size_t>(std::find(ways.begin(), ways.end(), key) - ways.begin());
+    if (way == ways.size() || value.empty()) continue;
+    if (first != ways.size())
+      x.fail("has both " + std::string(ways[(std::min)(first, way)]) + " and " +
+             std::string(ways[(std::max)(first, way)]) + ": only one may give its orientation");
     first = way;
   }
   for (const auto& c : x.children()) check_orientations(c);

@@ -75,7 +75,7 @@ class mjcf_tree {
   mjcf_tree(robot_description& d, const robot_options& o, xml_parser parse) : d_(d), options_(o), parse_(parse) {}
 
   /// The model of the robot's own file.
-  mjcf_model& top(const xml_node& root) { return load(root, std::filesystem::path(d_.source).parent_path()); }
+  mjcf_model& top(xml_node root) { return load(std::move(root), std::filesystem::path(d_.source).parent_path()); }
 
   std::vector<mjcf_child> children(const xml_item& x, const mjcf_scope& in) {
     std::vector<mjcf_child> all;

@@ -96,7 +96,10 @@ class mjcf_unread {
     std::size_t count = 0;
     void add(const xml_item& x) {
       if (count++ == 0) first.emplace(x);
-      if (count <= 3) names += (count > 1 ? ", '" : "'") + excerpt(x.text_or("name", "")) + "'";
+      if (count > 3) return;
+      const auto name = x.text_or("name", ""), joint = x.text_or("joint", "");
+      if (count > 1) names += ", ";
+      names += name.empty() && !joint.empty() ? "that of joint '" + excerpt(joint) + "'" : "'" + excerpt(name) + "'";
     }
     std::string list() const { return names + (count > 3 ? " and " + std::to_string(count - 3) + " more" : ""); }
   };

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kte/robots/detail/xml_text.hpp>
+#include <kte/robots/detail/xml_title.hpp>
 
 #include <tinyxml2.h>
 
@@ -9,6 +10,10 @@ namespace kte::detail {
 /// Copies an element; tinyxml2 has rejected too deep nesting.
 [[gnu::cold]] inline void copy_node(const tinyxml2::XMLElement& e, xml_node& n) {
   n.name = e.Name(), n.line = e.GetLineNum();
+  std::size_t attributes = 0, children = 0;  // reserved: moving elements takes as long as reading them
+  for (const auto* a = e.FirstAttribute(); a != nullptr; a = a->Next()) ++attributes;
+  for (const auto* c = e.FirstChildElement(); c != nullptr; c = c->NextSiblingElement()) ++children;
+  n.attributes.reserve(attributes), n.children.reserve(children);
   for (const auto* a = e.FirstAttribute(); a != nullptr; a = a->Next())
     n.attributes.emplace_back(a->Name(), a->Value());
   if (const char* t = e.GetText()) n.text = t;

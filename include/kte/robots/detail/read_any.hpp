@@ -7,15 +7,20 @@
 namespace kte::detail {
 
 /// Reads a robot in the format given by the root element.
-robot_description read_any(const xml_node& root, const std::string& name, const robot_options& options,
-                           xml_parser parse);
+robot_description read_any(xml_node root, const std::string& name, const robot_options& options, xml_parser parse);
 
 #ifdef KTE_FUNCTION
-KTE_FUNCTION robot_description read_any(const xml_node& root, const std::string& name, const robot_options& options,
+KTE_FUNCTION robot_description read_any(xml_node root, const std::string& name, const robot_options& options,
                                         xml_parser parse) {
-  if (root.name == "robot") return read_urdf(root, name, options);
-  if (root.name == "mujoco") return read_mjcf(root, name, options, parse);
-  if (root.name == "sdf") return read_sdf(root, name, options, parse);
+  const auto only = [&](robot_description d) {
+    if (!options.model.empty() && options.model != d.name)
+      d.warnings.push_back({0, "robot_options::model '" + excerpt(options.model) +
+                                   "' is not used: the file is no SDF, and has one robot, '" + excerpt(d.name) + "'"});
+    return d;
+  };
+  if (root.name == "robot") return only(read_urdf(root, name, options));
+  if (root.name == "mujoco") return only(read_mjcf(std::move(root), name, options, parse));
+  if (root.name == "sdf") return read_sdf(std::move(root), name, options, parse);
   raise<bad_file>("kte: " + place_text(name, root.line) + "<" + excerpt(root.name) +
                   "> is not the root of a supported robot format: <robot> (URDF), <mujoco> (MJCF) and <sdf> are");
 }

@@ -9,8 +9,7 @@ namespace kte::detail {
 
 /// Reads a robot from the root of a file in MJCF; `name` names the file in messages and is its path if it refers to
 /// other files, which `parse` reads.
-robot_description read_mjcf(const xml_node& root, const std::string& name, const robot_options& options,
-                            xml_parser parse);
+robot_description read_mjcf(xml_node root, const std::string& name, const robot_options& options, xml_parser parse);
 
 }  // namespace kte::detail
 
@@ -18,11 +17,12 @@ robot_description read_mjcf(const xml_node& root, const std::string& name, const
 #  include <kte/robots/detail/mjcf_bodies.hpp>
 
 namespace kte::detail {
-KTE_FUNCTION robot_description read_mjcf(const xml_node& root, const std::string& name, const robot_options& options,
+KTE_FUNCTION robot_description read_mjcf(xml_node root, const std::string& name, const robot_options& options,
                                          xml_parser parse) {
+  check_options(options);
   robot_description d;
   d.source = name;
-  mjcf_bodies(d, options, parse).read(root);
+  mjcf_bodies(d, options, parse).read(std::move(root));
   return d;
 }
 }  // namespace kte::detail

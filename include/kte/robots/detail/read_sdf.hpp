@@ -9,10 +9,9 @@ namespace kte::detail {
 
 /// Reads a robot from the root of a file in SDF; `name` names the file in messages and is its path if it refers to
 /// other files, which `parse` reads.
-robot_description read_sdf(const xml_node& root, const std::string& name, const robot_options& options,
-                           xml_parser parse);
+robot_description read_sdf(xml_node root, const std::string& name, const robot_options& options, xml_parser parse);
 /// The names of the models in such a file.
-std::vector<std::string> sdf_models(const xml_node& root, const std::string& name, const robot_options& options,
+std::vector<std::string> sdf_models(xml_node root, const std::string& name, const robot_options& options,
                                     xml_parser parse);
 
 }  // namespace kte::detail
@@ -24,14 +23,14 @@ std::vector<std::string> sdf_models(const xml_node& root, const std::string& nam
 #  include <kte/robots/detail/sdf_world.hpp>
 
 namespace kte::detail {
-KTE_FUNCTION robot_description read_sdf(const xml_node& root, const std::string& name, const robot_options& options,
+KTE_FUNCTION robot_description read_sdf(xml_node root, const std::string& name, const robot_options& options,
                                         xml_parser parse) {
+  check_options(options);
   robot_description d;
   d.source = name;
-  xml_node whole = root;
-  sdf_upgrade(d).apply(whole);
-  xml_item(whole, d).only({"model", "world", "include"}, {"version"});
-  const sdf_choice choice(d, options, parse, whole);
+  sdf_upgrade(d).apply(root);
+  xml_item(root, d).only({"model", "world", "include"}, {"version"});
+  const sdf_choice choice(d, options, parse, root);
   const auto& chosen = choice.choose();
   const xml_item model(*chosen.model, d);
   if (model.name() == "robot") {
@@ -48,13 +47,12 @@ KTE_FUNCTION robot_description read_sdf(const xml_node& root, const std::string&
   sdf_model(d, options).read(model, windy);
   return d;
 }
-KTE_FUNCTION std::vector<std::string> sdf_models(const xml_node& root, const std::string& name,
-                                                 const robot_options& options, xml_parser parse) {
+KTE_FUNCTION std::vector<std::string> sdf_models(xml_node root, const std::string& name, const robot_options& options,
+                                                 xml_parser parse) {
   robot_description d;
   d.source = name;
-  xml_node whole = root;
-  sdf_upgrade(d).apply(whole);
-  return sdf_choice(d, options, parse, whole).names();
+  sdf_upgrade(d).apply(root);
+  return sdf_choice(d, options, parse, root).names();
 }
 }  // namespace kte::detail
 #endif

@@ -16,6 +16,7 @@ robot_description read_urdf(const xml_node& root, const std::string& name, const
 
 #ifdef KTE_FUNCTION
 KTE_FUNCTION robot_description read_urdf(const xml_node& root, const std::string& name, const robot_options& options) {
+  check_options(options);
   robot_description d;
   d.source = name;
   urdf_robot(d, options).read({root, d});

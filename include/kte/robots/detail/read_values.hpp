@@ -17,6 +17,12 @@ inline std::string short_number(double x) {
   return text;
 }
 
+/// Throws `bad_argument` for numbers of the options that readers cannot use.
+inline void check_options(const robot_options& o) {
+  if (const double x = o.quarter_turn_tolerance; !(x >= 0 && x <= 0.1))
+    raise<bad_argument>("kte: robot_options::quarter_turn_tolerance must be between 0 and 0.1 rad, got " + number(x));
+}
+
 /// The value of an attribute, which must be one of `words`; the first of them if the attribute is missing.
 inline std::string keyword(const xml_item& x, const char* attribute, std::initializer_list<std::string_view> words) {
   auto word = x.text_or(attribute, std::string(*words.begin()).c_str());
@@ -31,13 +37,25 @@ inline std::string keyword(const xml_item& x, const char* attribute, std::initia
 /// The first child of a name; further ones give a warning.
 inline std::optional<xml_item> first_child(const xml_item& x, const char* of) {
   const auto all = x.children(of);
-  if (all.empty()) return {};
-  if (all.size() > 1) all[1].warn("occurs twice; the first is used");
-  return all[0];
+  if (const auto again = all.second()) again->warn("occurs twice; the first is used");
+  return all.first();
+}
+
+/// Warns of sizes of a shape that are negative.
+inline void check_sizes(const xml_item& x, const robot_shape& s) {
+  for (const double size : {s.size.x, s.size.y, s.size.z})
+    if (size < 0) return x.warn("one of its sizes is negative: " + number(size));
+}
+/// The colour of an attribute or an element: three or four numbers; otherwise none, with a warning.
+inline std::vector<double> colour_from(const xml_item& x, std::vector<double> rgba) {
+  if (rgba.size() == 3 || rgba.size() == 4) return rgba;
+  x.warn("its colour has " + std::to_string(rgba.size()) + " numbers, not four: it is not used");
+  return {};
 }
 
 /// Frees joints that follow a joint that is not in the file, with a warning.
 inline void free_followers(robot_description& d) {
+  if (std::none_of(d.joints.begin(), d.joints.end(), [](const auto& j) { return j.mimic.has_value(); })) return;
   std::unordered_set<std::string_view> names;
   for (const auto& j : d.joints) names.insert(j.name);
   for (auto& j : d.joints) {
@@ -83,6 +101,10 @@ inline void check_range(const xml_item& x, double lower, double upper, const cha
   if (!(lower <= upper)) x.fail(std::string(low) + " " + number(lower) + " is above " + up + " " + number(upper));
 }
 
+/// Warns about an angle that is more than a turn, and may be in degrees.
+inline void note_many_turns(const xml_item& x, double angle) {
+  if (std::abs(angle) > 6.3) x.warn("the angle " + number(angle) + " rad is more than a turn: is it in degrees?");
+}
 /// Warns about an angle that is nearly a quarter turn, but outside of the tolerance: one with few digits, not one that
 /// is off by rounding errors.
 inline void note_near_quarter(const xml_item& x, double angle, const robot_options& o) {

@@ -13,6 +13,7 @@ namespace kte::detail {
 class robot_elements {
  public:
   explicit robot_elements(const robot_description& d) {
+    names_.reserve(d.links.size() + d.joints.size() + d.frames.size());
     for (const auto& l : d.links) names_.take(l.name);
     for (const auto& j : d.joints) names_.take(j.name);
     for (const auto& x : d.frames) names_.take(x.name);

@@ -72,8 +72,7 @@ inline std::vector<char> moving_masses(const robot_description& d, const robot_t
   std::vector<char> heavy(d.links.size()), all(d.joints.size());  // heavy: it, or what it carries, has a mass
   for (std::size_t i = 0; i < d.links.size(); ++i) heavy[i] = d.links[i].inertial && d.links[i].inertial->mass > 0;
   for (auto s = tree.steps().rbegin(); s != tree.steps().rend(); ++s) {
-    const auto& j = d.joints[s->joint];
-    const auto to = tree.link(s->reversed ? j.parent : j.child), from = tree.link(s->reversed ? j.child : j.parent);
+    const auto to = tree.end(*s), from = tree.base(*s);
     all[s->joint] = heavy[to], heavy[from] |= heavy[to];
   }
   return all;

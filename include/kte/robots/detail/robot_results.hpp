@@ -22,16 +22,22 @@ inline void list_shapes(robot& r, const robot_description& d) {
     for (const auto& c : l.collisions) r.shapes.push_back({c, l.name, true, l.file});
   }
 }
+/// What a joint may do (robot_joint).
+struct joint_range {
+  double lower, upper, soft_lower, soft_upper, rate, effort;
+};
 /// Takes the ranges and rates of followers back to the joints that they follow: q = k q_leader + c is in [a, b] where
 /// q_leader is in [(a - c)/k, (b - c)/k], for negative k with the ends exchanged.
-inline std::vector<robot_joint> with_ranges_of_followers(const robot_description& d, const robot_tree& tree) {
+inline std::vector<joint_range> with_ranges_of_followers(const robot_description& d, const robot_tree& tree) {
   constexpr auto nowhere = ~std::size_t{0};
   struct line {
     std::size_t leader = nowhere;
     double k = 1, c = 0;
   };
   std::vector<line> lines(d.joints.size());
-  auto all = d.joints;
+  std::vector<joint_range> all;
+  all.reserve(d.joints.size());
+  for (const auto& j : d.joints) all.push_back({j.lower, j.upper, j.soft_lower, j.soft_upper, j.rate, j.effort});
   for (std::size_t i = 0; i < d.joints.size(); ++i) {
     std::vector<std::size_t> way;  // of followers whose leader is not known yet
     for (std::size_t at = i; lines[at].leader == nowhere;)

@@ -27,6 +27,11 @@ class robot_tree {
   std::size_t root() const { return root_; }
   /// Every joint once, after the joint that moves its base; in the order of the file where possible.
   const std::vector<step>& steps() const { return steps_; }
+  /// The link on which a joint stands in this order, and the link that it moves.
+  std::size_t base(const step& s) const { return s.reversed ? ends_[s.joint].child : ends_[s.joint].parent; }
+  std::size_t end(const step& s) const { return s.reversed ? ends_[s.joint].parent : ends_[s.joint].child; }
+  std::size_t parent(std::size_t joint) const { return ends_[joint].parent; }
+  std::size_t child(std::size_t joint) const { return ends_[joint].child; }
   std::size_t link(const std::string& name) const { return links_.at(name); }
   bool has_link(const std::string& name) const { return links_.contains(name); }
   std::size_t joint(const std::string& name) const { return joints_.at(name); }
@@ -45,7 +50,11 @@ class robot_tree {
   void order(const std::string& chosen_root);
 
   const robot_description& d_;
+  struct ends {
+    std::size_t parent, child;
+  };
   index links_, joints_;
+  std::vector<ends> ends_;                 ///< by joint
   std::vector<std::size_t> parent_joint_;  ///< by link
   std::size_t root_ = nowhere;
   std::vector<step> steps_;
@@ -61,6 +70,7 @@ KTE_FUNCTION robot_tree::robot_tree(const robot_description& d, const std::strin
 }
 
 KTE_FUNCTION void robot_tree::name_all() {
+  links_.reserve(d_.links.size()), joints_.reserve(d_.joints.size()), ends_.reserve(d_.joints.size());
   for (std::size_t i = 0; i < d_.links.size(); ++i) {
     const auto& l = d_.links[i];
     if (l.name.empty()) fail(l.line, "a link has no name");
@@ -76,11 +86,14 @@ KTE_FUNCTION void robot_tree::name_all() {
     if (j.name.empty()) fail(j.line, "a joint has no name");
     const auto [first, fresh] = joints_.emplace(j.name, i);
     if (!fresh) refuse("it is already defined in line " + std::to_string(d_.joints[first->second].line));
-    for (const auto* end : {&j.parent, &j.child})
-      if (!links_.contains(*end))
-        refuse(std::string("its ") + (end == &j.parent ? "parent" : "child") + " '" + *end + "' is not a link");
-    if (j.parent == j.child) refuse("its parent and its child are the same link '" + j.child + "'");
-    auto& above = parent_joint_[links_.at(j.child)];
+    const auto end = [&](const char* which, const std::string& name) {
+      const auto at = links_.find(name);
+      if (at == links_.end()) refuse(std::string("its ") + which + " '" + name + "' is not a link");
+      return at->second;
+    };
+    const auto& own = ends_.emplace_back(ends{end("parent", j.parent), end("child", j.child)});
+    if (own.parent == own.child) refuse("its parent and its child are the same link '" + j.child + "'");
+    auto& above = parent_joint_[own.child];
     if (above != nowhere)
       refuse("its child '" + j.child + "' is already the child of joint '" + d_.joints[above].name + "' (line " +
              std::to_string(d_.joints[above].line) + "): a link has one parent, and closures close loops");
@@ -101,7 +114,7 @@ KTE_FUNCTION void robot_tree::find_root() {
   if (root_ != nowhere) known[root_] = 1;
   for (std::size_t i = 0; i < d_.links.size(); ++i) {
     std::vector<std::size_t> way;
-    for (std::size_t l = i; known[l] != 1; l = links_.at(d_.joints[parent_joint_[l]].parent)) {
+    for (std::size_t l = i; known[l] != 1; l = parent(parent_joint_[l])) {
       if (known[l] == 2) {
         const auto& j = d_.joints[parent_joint_[l]];
         fail(j.line, "joint '" + j.name + "' is part of a cycle: its child '" + j.child + "' carries its parent '" +
@@ -164,8 +177,7 @@ KTE_FUNCTION void robot_tree::order(const std::string& chosen_root) {
     root_ = it->second;
   }
   std::vector<std::vector<std::size_t>> at(d_.links.size());  // by link: its joints in either direction
-  for (std::size_t i = 0; i < d_.joints.size(); ++i)
-    for (const auto* end : {&d_.joints[i].parent, &d_.joints[i].child}) at[links_.at(*end)].push_back(i);
+  for (std::size_t i = 0; i < ends_.size(); ++i) at[ends_[i].parent].push_back(i), at[ends_[i].child].push_back(i);
   std::priority_queue<std::size_t, std::vector<std::size_t>, std::greater<>> ready;
   std::vector<char> placed(d_.links.size(), 0);
   std::vector<char> taken(d_.joints.size(), 0);
@@ -178,9 +190,8 @@ KTE_FUNCTION void robot_tree::order(const std::string& chosen_root) {
   while (!ready.empty()) {
     const std::size_t j = ready.top();
     ready.pop();
-    const std::size_t child = links_.at(d_.joints[j].child), parent = links_.at(d_.joints[j].parent);
-    steps_.push_back({j, placed[child] != 0});
-    place(placed[child] ? parent : child);
+    steps_.push_back({j, placed[child(j)] != 0});
+    place(end(steps_.back()));
   }
 }
 #endif

@@ -2,7 +2,7 @@
 
 #include <kte/robots/detail/sdf_values.hpp>
 
-#include <map>
+#include <unordered_map>
 
 namespace kte::detail {
 
@@ -33,15 +33,15 @@ class sdf_frames {
   const std::string& canonical() const { return canonical_; }
   void set_canonical(const std::string& to) { canonical_ = to, forget(); }
 
-  void add(const std::string& name, const frame& f) {
-    const auto [it, fresh] = frames_.try_emplace(name, f);
+  void add(const std::string& name, frame f) {
+    const auto [it, fresh] = numbers_.try_emplace(name, frames_.size());
     if (!fresh) f.from.fail("there is another frame of this name");
-    forget();
+    frames_.push_back({std::move(f), &it->first});
   }
-  bool has(const std::string& name) const { return frames_.contains(name); }
+  bool has(const std::string& name) const { return numbers_.contains(name); }
   /// Sets the pose of a model; the pose may be that of a frame inside of it.
-  void place(const std::string& name, const robot_pose& pose) { frames_.find(name)->second.pose = pose, forget(); }
-  void attach(const std::string& name, const std::string& to) { frames_.find(name)->second.attached_to = to, forget(); }
+  void place(const std::string& name, const robot_pose& pose) { named(name).pose = pose, forget(); }
+  void attach(const std::string& name, const std::string& to) { named(name).attached_to = to, forget(); }
   /// The full name of a name written in a scope.
   std::string find(const xml_item& asks, const sdf_scope& scope, const std::string& name) const {
     auto full = scope.full(name);
@@ -52,84 +52,115 @@ class sdf_frames {
 
   /// The pose of `to` in `from`; a pose written between the two is returned unchanged.
   robot_pose relative(const xml_item& asks, const std::string& from, const std::string& to) const {
-    const auto a = in_model(asks, from), b = in_model(asks, to);
-    if (a.depth + b.depth > long_way) return inverse_of(a.pose) * b.pose;
-    auto up = way(from), down = way(to);
-    while (!up.empty() && !down.empty() && up.back() == down.back()) up.pop_back(), down.pop_back();
-    return inverse_of(along(up)) * along(down);
+    std::size_t a = number_of(asks, from), b = number_of(asks, to);
+    const auto first = in_model(a), second = in_model(b);
+    robot_pose up, down;
+    std::size_t far = first.depth, deep = second.depth;
+    for (std::size_t steps = 0; a != b; ++steps) {
+      if (steps > long_way) return inverse_of(first.pose) * second.pose;
+      const bool of_first = far > deep, of_second = deep > far;
+      if (!of_second) up = along(up, a), a = frames_[a].above, --far;
+      if (!of_first) down = along(down, b), b = frames_[b].above, --deep;
+    }
+    return inverse_of(up) * down;
+  }
+  /// The pose of a frame in one that it is relative to, directly or through others; otherwise that of `relative`.
+  robot_pose inside(const xml_item& asks, const std::string& outer, const std::string& name) const {
+    const auto end = number_of(asks, outer);
+    robot_pose p;
+    std::size_t at = number_of(asks, name);
+    for (std::size_t steps = 0; at != end; ++steps) {
+      if (at == none || steps > frames_.size()) return relative(asks, outer, name);
+      p = along(p, at), at = above(at);
+    }
+    return p;
   }
   /// The link, or "world", to which a frame is attached.
-  std::string link_of(const xml_item& asks, const std::string& name) const {
-    std::string at = name == outermost ? canonical_ : name;
-    std::vector<std::string> passed;
-    for (;;) {
-      const auto it = frames_.find(at);
-      if (it == frames_.end() || it->second.attached_to == at)
+  const std::string& link_of(const xml_item& asks, const std::string& name) const {
+    const std::string* at = name == outermost ? &canonical_ : &name;
+    std::vector<std::size_t> passed;
+    std::size_t found = none;
+    while (found == none) {
+      const auto it = numbers_.find(*at);
+      if (it == numbers_.end() || frames_[it->second].attached_to == *at)
         asks.fail("the frame '" + excerpt(name) + "' is not attached to a link");
-      if (it->second.attached_to.empty()) break;
-      if (passed.size() > frames_.size())
-        it->second.from.fail("it is attached to itself, directly or through other frames");
-      if (const auto known = links_.find(at); known != links_.end()) {
-        at = known->second;
-        break;
+      const auto& f = frames_[it->second];
+      if (passed.size() > frames_.size()) f.from.fail("it is attached to itself, directly or through other frames");
+      if (f.attached_to.empty()) {
+        found = it->second;
+      } else if (f.link_version == version_) {
+        found = f.link;
+      } else {
+        passed.push_back(it->second);
+        at = f.attached_to == outermost ? &canonical_ : &f.attached_to;
       }
-      passed.push_back(at);
-      at = it->second.attached_to == outermost ? canonical_ : it->second.attached_to;
     }
-    for (const auto& p : passed) links_.emplace(p, at);
-    return at;
+    for (const auto p : passed) frames_[p].link = found, frames_[p].link_version = version_;
+    return *frames_[found].name;
   }
 
  private:
   static constexpr const char* outermost = "__model__";
-  using entry = const std::pair<const std::string, frame>*;
+  static constexpr std::size_t none = ~std::size_t{0};  ///< stands for the outermost frame where frames have numbers
   /// Poses over longer ways are those in the model.
   static constexpr std::size_t long_way = 128;
   struct place_in_model {
     std::size_t depth = 0;  ///< frames up to the outermost
     robot_pose pose;
   };
+  /// A frame, and what was computed of it; this holds while its version is that of all frames.
+  struct entry : frame {
+    entry(frame f, const std::string* of) : frame(std::move(f)), name(of) {}
+    const std::string* name;
+    bool linked = false;  ///< whether `above` is known
+    std::size_t above = none, link = none;
+    std::size_t place_version = 0, link_version = 0;
+    place_in_model place;
+  };
 
-  void forget() { places_.clear(), links_.clear(); }
+  entry& named(const std::string& name) { return frames_[numbers_.find(name)->second]; }
+  void forget() { ++version_; }
+
+  std::size_t number_of(const xml_item& asks, const std::string& name) const {
+    if (name == outermost) return none;
+    const auto it = numbers_.find(name);
+    if (it == numbers_.end()) asks.fail("there is no frame '" + excerpt(name) + "'");
+    return it->second;
+  }
+  /// The frame that a frame is relative to.
+  std::size_t above(std::size_t i) const {
+    auto& f = frames_[i];
+    if (!f.linked) f.above = number_of(f.from, f.relative_to), f.linked = true;
+    return f.above;
+  }
   /// The pose of a frame in the outermost, each computed once.
-  place_in_model in_model(const xml_item& asks, const std::string& name) const {
-    std::vector<entry> open;
+  place_in_model in_model(std::size_t i) const {
+    std::vector<std::size_t> open;
     place_in_model p;
-    for (std::string at = name; at != outermost;) {
-      if (const auto known = places_.find(at); known != places_.end()) {
-        p = known->second;
+    for (; i != none; i = above(i)) {
+      if (frames_[i].place_version == version_) {
+        p = frames_[i].place;
         break;
       }
-      const auto it = frames_.find(at);
-      if (it == frames_.end()) asks.fail("there is no frame '" + excerpt(at) + "'");
       if (open.size() > frames_.size())
-        it->second.from.fail("its pose is relative to itself, directly or through other frames");
-      open.push_back(&*it), at = it->second.relative_to;
+        frames_[i].from.fail("its pose is relative to itself, directly or through other frames");
+      open.push_back(i);
     }
-    for (; !open.empty(); open.pop_back())
-      p = places_.emplace(open.back()->first, place_in_model{p.depth + 1, p.pose * open.back()->second.pose})
-              .first->second;
+    for (; !open.empty(); open.pop_back()) {
+      auto& f = frames_[open.back()];
+      p = f.place = {p.depth + 1, p.pose * f.pose}, f.place_version = version_;
+    }
     return p;
   }
+  /// A pose in a frame as one in the frame above.
+  robot_pose along(const robot_pose& p, std::size_t i) const {
+    return is_nothing(p) ? frames_[i].pose : frames_[i].pose * p;
+  }
 
-  /// The frames from the named one, which `in_model` knows, to the outermost.
-  std::vector<entry> way(const std::string& name) const {
-    std::vector<entry> all;
-    for (std::string at = name; at != outermost;) {
-      const auto it = frames_.find(at);
-      all.push_back(&*it), at = it->second.relative_to;
-    }
-    return all;
-  }
-  static robot_pose along(const std::vector<entry>& way) {
-    robot_pose all;
-    for (const auto* e : way) all = is_nothing(all) ? e->second.pose : e->second.pose * all;
-    return all;
-  }
   std::string canonical_;
-  std::map<std::string, frame, std::less<>> frames_;
-  mutable std::map<std::string, place_in_model, std::less<>> places_;
-  mutable std::map<std::string, std::string, std::less<>> links_;
+  std::unordered_map<std::string, std::size_t> numbers_;
+  mutable std::vector<entry> frames_;
+  std::size_t version_ = 1;
 };
 
 }  // namespace kte::detail

@@ -96,10 +96,10 @@ class sdf_includes {
     n.attributes.emplace_back(attribute, value);
   }
   static void override_model(const xml_item& x, xml_node& model) {
-    if (const auto name = filled_child(x, "name")) set(model, "name", trimmed_content(*name));
+    if (const auto name = filled_child(x, "name")) set(model, "name", std::string(trimmed_content(*name)));
     if (const auto frame = filled_child(x, "placement_frame")) {
       if (x.children("pose").empty()) frame->fail("needs a <pose>");
-      set(model, "placement_frame", trimmed_content(*frame));
+      set(model, "placement_frame", std::string(trimmed_content(*frame)));
     }
     if (flag(x, x.text_or("merge", "false"))) set(model, merged, "true");
     for (const char* of : {"pose", "static"})

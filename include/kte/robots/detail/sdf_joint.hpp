@@ -12,6 +12,7 @@ class sdf_joints {
 
   /// Reads the joint of this full name, whose frame is `frame`. The joints that a gearbox couples may come later.
   void read(const xml_item& x, const sdf_scope& scope, const std::string& name, const std::string& frame) {
+    look_for_interruption();
     x.only({"parent", "child", "pose", "axis", "axis2", "thread_pitch", "screw_thread_pitch", "physics", "plugin",
             "drake:gear_ratio", "drake:rotor_inertia", "drake:mimic", "drake:controller_gains", "gearbox_ratio",
             "gearbox_reference_body"},

@@ -14,6 +14,7 @@ class sdf_links {
 
   /// Reads the link of this full name. A static link needs no body.
   robot_link read(const xml_item& x, const sdf_scope& scope, const std::string& name, bool stands, bool windy) {
+    look_for_interruption();
     x.only({"inertial", "visual", "collision", "pose", "gravity", "velocity_decay", "kinematic", "enable_wind",
             "plugin", "drake:deformable_properties"},
            {"name"});
@@ -21,7 +22,7 @@ class sdf_links {
     l.name = name, l.line = x.line(), l.file = x.file();
     for (const auto& s : x.children("visual")) l.visuals.push_back(shape(s, scope, name));
     for (const auto& s : x.children("collision")) l.collisions.push_back(shape(s, scope, name));
-    const auto collisions = x.children("collision");
+    const auto collisions = x.children("collision").list();
     for (std::size_t i = 0; i < collisions.size(); ++i)
       if (const auto s = first_child(collisions[i], "surface"); s && !s->children().empty())
         options_.contacts.requested() ? read_sdf_surface(*s, l.collisions[i].touch, leftovers_.contacts)
@@ -62,7 +63,7 @@ class sdf_links {
   }
   /// The rigid body of the collision shapes by their densities, scaled to the mass if one is given.
   rigid_body<> solids(const xml_item& x, const xml_item& inertial, const robot_link& l) const {
-    const auto shapes = x.children("collision");
+    const auto shapes = x.children("collision").list();
     if (shapes.empty()) inertial.fail("its inertia is that of its collisions, but the link has none");
     const double usual = density(inertial, 1000);
     rigid_body<> b{};

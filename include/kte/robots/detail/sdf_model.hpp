@@ -17,6 +17,7 @@ class sdf_model {
     stand(m);
     gather(m, {}, child_flag(m, "static", false));
     for (const auto& p : placed_) place_model(p);
+    d_.links.reserve(parts_.size() + 1), d_.joints.reserve(moving_.size());
     for (const auto& p : parts_) d_.links.push_back(links_.read(p.x, p.scope, p.name, p.still, windy_));
     add_world(m);
     for (const auto& p : moving_) joints_.read(p.x, p.scope, p.name, p.frame);
@@ -85,7 +86,7 @@ class sdf_model {
   }
   /// Places the model so that one of its frames is at the written pose.
   void place_model(const part& p) {
-    const auto inside = frames_.relative(p.x, p.name, p.frame);
+    const auto inside = frames_.inside(p.x, p.name, p.frame);
     frames_.place(p.name, sdf_pose(p.x, options_) * inverse_of(inside));
   }
   /// Attaches a model to its canonical link: that of its attribute, otherwise its first link, otherwise that of its
@@ -94,10 +95,10 @@ class sdf_model {
     std::string to;
     if (m.has("canonical_link") && !m.text_or("canonical_link", "").empty())
       to = frames_.find(m, scope, m.text("canonical_link"));
-    else if (const auto links = m.children("link"); !links.empty())
-      to = scope.full(links[0].text("name"));
-    else if (const auto models = m.children("model"); !models.empty())
-      to = scope.full(models[0].text("name")) + (models[0].has("kte:merge") ? " (merged)" : "");
+    else if (const auto link = m.children("link").first())
+      to = scope.full(link->text("name"));
+    else if (const auto model = m.children("model").first())
+      to = scope.full(model->text("name")) + (model->has("kte:merge") ? " (merged)" : "");
     if (scope.model == "__model__")
       frames_.set_canonical(to);
     else if (!to.empty())

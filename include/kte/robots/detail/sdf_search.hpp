@@ -26,8 +26,8 @@ class sdf_search {
       if (std::filesystem::is_directory(at, none))
         if (auto file = model_in(at); !file.empty()) return file;
     }
-    x.fail("'" + excerpt(uri) + "' is not found, neither in the folders around '" + folder.string() +
-           "' nor in those of robot_options::search_path");
+    x.fail("'" + excerpt(uri) + "' is not found, neither in the folders around '" +
+           (folder.empty() ? "." : folder.string()) + "' nor in those of robot_options::search_path");
   }
 
  private:

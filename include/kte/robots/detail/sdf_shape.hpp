@@ -19,7 +19,7 @@ inline robot_shape sdf_shape(const xml_item& x, bool touches) {
   robot_shape s;
   s.name = x.text_or("name", ""), s.line = x.line();
   if (const auto m = first_child(x, "material"))
-    if (const auto c = filled_child(*m, "diffuse")) s.rgba = c->list_of(c->content(), "diffuse");
+    if (const auto c = filled_child(*m, "diffuse")) s.rgba = colour_from(*c, c->list_of(c->content(), "diffuse"));
   const auto geometry = first_child(x, "geometry");
   if (!geometry || geometry->children().empty()) {
     x.not_read(geometry ? "its <geometry> is empty" : "has no <geometry>");
@@ -51,6 +51,7 @@ inline robot_shape sdf_shape(const xml_item& x, bool touches) {
       g.only({"uri", "scale"}, {});
       s.is = form::mesh, s.mesh = child_text(g, "uri"), s.scale = child_vector(g, "scale", {1, 1, 1});
     }
+    check_sizes(g, s);
   }
   return s;
 }

@@ -4,8 +4,8 @@
 #include <kte/robots/detail/sdf_frames.hpp>
 
 #include <functional>
-#include <numeric>
 #include <set>
+#include <unordered_set>
 
 namespace kte::detail {
 
@@ -16,9 +16,7 @@ class sdf_tree {
   using placer = std::function<robot_pose(const std::string&, const std::string&)>;
 
   /// `place(a, b)` returns the pose of b in a.
-  sdf_tree(robot_description& d, placer place) : d_(d), place_(std::move(place)) {
-    for (const auto& j : d.joints) joints_.insert(j.name);
-  }
+  sdf_tree(robot_description& d, placer place) : d_(d), place_(std::move(place)) {}
 
   /// Fixes static links, to the world if that is a link.
   void fix(const std::set<std::string>& still) {
@@ -39,91 +37,79 @@ class sdf_tree {
   /// Joins the parts and sets the root. `first` is the link whose part is the base if no link is the world.
   std::string join(const std::string& first) {
     loop_cuts(d_).cut();
-    std::vector<part> parts = find_parts();
-    for (auto& p : parts) direct(p, first);
-    const auto holds = [](const part& p, const std::string& link) {
-      return std::find(p.links.begin(), p.links.end(), link) != p.links.end();
-    };
-    auto base = std::find_if(parts.begin(), parts.end(), [&](const part& p) { return holds(p, "world"); });
-    if (base == parts.end())
-      base = std::find_if(parts.begin(), parts.end(), [&](const part& p) { return holds(p, first); });
+    std::vector<part> parts = find_parts(first);
+    const auto base = std::find_if(parts.begin(), parts.end(), [](const part& p) { return p.is_base; });
     if (base == parts.end()) return {};
-    std::map<std::string_view, const robot_link*> links;
-    for (const auto& l : d_.links) links.emplace(l.name, &l);
+    const auto root = d_.links[base->root].name;
     for (const auto& p : parts) {
-      if (&p == &*base) continue;
-      const auto& l = *links.at(p.root);
-      d_.joints.push_back(between(kind::floating, base->root, l, ".free"));
+      if (p.is_base) continue;
+      const auto& l = d_.links[p.root];
+      d_.joints.push_back(between(kind::floating, root, l, ".free"));
       d_.warnings.push_back({l.line,
-                             "link '" + l.name + "': no joint connects it with '" + base->root +
+                             "link '" + l.name + "': no joint connects it with '" + root +
                                  "': it moves freely, by a floating joint '" + d_.joints.back().name + "'",
                              l.file});
     }
-    return base->root;
+    return root;
   }
 
  private:
   using kind = robot_joint::kind;
   struct part {
-    std::vector<std::string> links;
-    std::vector<std::size_t> joints;
-    std::string root{};
+    std::vector<std::size_t> links;
+    std::size_t root = 0;
+    bool is_base = false;
   };
 
   robot_joint between(kind is, const std::string& parent, const robot_link& child, const char* ending) {
     robot_joint j;
     j.name = child.name + ending, j.line = child.line, j.file = child.file, j.is = is;
-    while (!joints_.insert(j.name).second) j.name += '\'';
+    if (taken_.empty()) {
+      for (const auto& other : d_.joints) taken_.insert(other.name);
+      for (const auto& c : d_.closures) taken_.insert(c.name);
+    }
+    while (!taken_.insert(j.name).second) j.name += '\'';
     j.parent = parent, j.child = child.name, j.origin = place_(parent, child.name);
     return j;
   }
 
-  /// The sets of links that joints connect.
-  std::vector<part> find_parts() const {
-    std::map<std::string, std::size_t, std::less<>> index;
-    for (const auto& l : d_.links) index.emplace(l.name, index.size());
-    std::vector<std::size_t> up(index.size());
-    std::iota(up.begin(), up.end(), std::size_t{0});
-    const auto top = [&](const std::string& link) {
-      auto i = index.at(link);
-      while (up[i] != i) i = up[i] = up[up[i]];
-      return i;
-    };
-    for (const auto& j : d_.joints) up[top(j.parent)] = top(j.child);
-    std::map<std::size_t, std::size_t> which;
+  /// The sets of links that joints connect, with their roots; the base holds the world, or else `first`.
+  std::vector<part> find_parts(const std::string& first) {
+    const link_numbers links(d_);
+    const auto ends = links.of(d_.joints);
+    joined_sets sets(links.count());
+    for (const auto& e : ends) sets.join(e.parent, e.child);
+    const std::size_t none = links.count(), world = links.find("world"), usual = links.find(first);
+    std::vector<std::size_t> which(links.count(), none);
     std::vector<part> all;
-    for (const auto& l : d_.links) {
-      const auto [it, fresh] = which.emplace(top(l.name), all.size());
-      if (fresh) all.emplace_back();
-      all[it->second].links.push_back(l.name);
+    for (std::size_t l = 0; l < links.count(); ++l) {
+      auto& index = which[sets.top(l)];
+      if (index == none) index = all.size(), all.emplace_back();
+      all[index].links.push_back(l);
     }
-    for (std::size_t i = 0; i < d_.joints.size(); ++i) all[which.at(top(d_.joints[i].parent))].joints.push_back(i);
-    return all;
-  }
-
-  /// Chooses the root of a part: the link without a joint above it, of several the first or that of the base. Joints
-  /// that point to it are turned round.
-  void direct(part& p, const std::string& first) {
-    std::map<std::string, std::vector<std::size_t>> at;
-    std::set<std::string> below;
-    for (const auto i : p.joints) {
-      const auto& j = d_.joints[i];
-      at[j.parent].push_back(i), at[j.child].push_back(i), below.insert(j.child);
-    }
-    for (const auto& l : p.links)
-      if (l == "world" || (!below.contains(l) && (p.root.empty() || (l == first && p.root != "world")))) p.root = l;
-    std::set<std::size_t> done;
-    std::vector<std::string> next{p.root};
-    while (!next.empty()) {
-      const auto link = next.back();
-      next.pop_back();
-      for (const auto i : at[link]) {
-        if (!done.insert(i).second) continue;
-        auto& j = d_.joints[i];
-        if (j.child == link) turn(j);
-        next.push_back(j.child);
+    if (const auto base = world != none ? world : usual; base != none) all[which[sets.top(base)]].is_base = true;
+    std::vector<std::vector<std::size_t>> at(links.count());  // by link: its joints in either direction
+    std::vector<char> below(links.count(), 0);
+    for (std::size_t i = 0; i < ends.size(); ++i)
+      at[ends[i].parent].push_back(i), at[ends[i].child].push_back(i), below[ends[i].child] = 1;
+    std::vector<char> done(ends.size(), 0);
+    for (auto& p : all) {
+      p.root = none;
+      for (const auto l : p.links)
+        if (l == world || (!below[l] && (p.root == none || (l == usual && p.root != world)))) p.root = l;
+      std::vector<std::size_t> next{p.root};
+      while (!next.empty()) {
+        const auto link = next.back();
+        next.pop_back();
+        for (const auto i : at[link]) {
+          if (std::exchange(done[i], 1) != 0) continue;
+          const bool turned = ends[i].child == link;
+          if (turned) turn(d_.joints[i]);
+          next.push_back(turned ? ends[i].parent : ends[i].child);
+        }
       }
     }
+    return all;
   }
   /// Reverses a joint: X_child = origin J(q) child_pose, so that the pose of the parent in the child is child_pose^-1
   /// J(q)^-1 origin^-1, where J(q)^-1 is J(q) about the opposite axis.
@@ -140,7 +126,7 @@ class sdf_tree {
 
   robot_description& d_;
   placer place_;
-  std::set<std::string> joints_;
+  std::unordered_set<std::string> taken_;  ///< names of joints, where one needs a name
 };
 
 }  // namespace kte::detail

@@ -62,7 +62,7 @@ class sdf_upgrade {
     auto xyz = std::find_if(n.children.begin(), n.children.end(), [](const auto& c) { return c.name == "xyz"; });
     if (xyz == n.children.end()) {
       xyz = n.children.insert(xyz, xml_node{});
-      xyz->name = "xyz", xyz->line = n.line, xyz->file = n.file, xyz->title = n.title;
+      xyz->name = "xyz", xyz->line = n.line, xyz->file = n.file, xyz->owner = n.owner;
     }
     xyz->attributes.emplace_back("expressed_in", "__model__");
   }

@@ -6,13 +6,12 @@
 namespace kte::detail {
 
 /// The text without blanks at its ends.
-inline std::string trimmed(const std::string& text) {
-  std::string_view t = text;
+inline std::string_view trimmed(std::string_view t) {
   while (!t.empty() && is_blank(t.front())) t.remove_prefix(1);
   while (!t.empty() && is_blank(t.back())) t.remove_suffix(1);
-  return std::string(t);
+  return t;
 }
-inline std::string trimmed_content(const xml_item& x) { return trimmed(x.content()); }
+inline std::string_view trimmed_content(const xml_item& x) { return trimmed(x.content()); }
 
 /// The first child of a name, if it exists and is not empty.
 inline std::optional<xml_item> filled_child(const xml_item& x, const char* of) {
@@ -39,11 +38,11 @@ inline vec3<> child_vector(const xml_item& x, const char* of, const vec3<>& othe
 inline std::string child_text(const xml_item& x, const char* of) {
   const auto c = first_child(x, of);
   if (!c) x.fail(std::string("has no <") + of + ">");
-  auto t = trimmed_content(*c);
+  const auto t = trimmed_content(*c);
   if (t.empty()) c->fail("is empty");
-  return t;
+  return std::string(t);
 }
-inline bool flag(const xml_item& x, const std::string& t) {
+inline bool flag(const xml_item& x, std::string_view t) {
   if (t == "true" || t == "1" || t == "True" || t == "TRUE") return true;
   if (t != "false" && t != "0" && t != "False" && t != "FALSE")
     x.fail("'" + excerpt(t) + "' is neither true nor false");
@@ -71,13 +70,13 @@ inline robot_pose sdf_pose(const xml_item& owner, const robot_options& o) {
   if (quaternion) return {at, rotation_of_quaternion(*x, {p[6], p[3], p[4], p[5]})};
   const double unit = flag(*x, x->text_or("degrees", "false")) ? std::numbers::pi / 180 : 1;
   const vec3<> rpy{p[3] * unit, p[4] * unit, p[5] * unit};
-  for (const double angle : {rpy.x, rpy.y, rpy.z}) note_near_quarter(*x, angle, o);
+  for (const double angle : {rpy.x, rpy.y, rpy.z}) note_near_quarter(*x, angle, o), note_many_turns(*x, angle);
   return {at, rotation_of_rpy(rpy, o.quarter_turn_tolerance)};
 }
 /// The frame that the pose is relative to, if it is written.
 inline std::string relative_to(const xml_item& owner) {
-  const auto all = owner.children("pose");
-  return all.empty() ? std::string() : all[0].text_or("relative_to", "");
+  const auto pose = owner.children("pose").first();
+  return pose ? pose->text_or("relative_to", "") : std::string();
 }
 
 }  // namespace kte::detail

@@ -19,8 +19,9 @@ inline robot_description split_joints(robot_description d) {
   std::set<std::string, std::less<>> taken;
   for (const auto& l : d.links) taken.insert(l.name);
   for (const auto& j : d.joints) taken.insert(j.name);
-  for (std::size_t i = 0; i < d.joints.size(); ++i) {
-    auto& j = d.joints[i];
+  std::vector<robot_joint> all;
+  all.reserve(d.joints.size());
+  for (auto& j : d.joints) {
     const auto rest = std::exchange(j.child_pose, {});
     if (j.is == robot_joint::kind::fixed) {
       j.origin = j.origin * rest;
@@ -30,9 +31,12 @@ inline robot_description split_joints(robot_description d) {
       behind.name = fresh_name(taken, j.child + "_fixed");
       behind.parent = j.child = fresh_name(taken, j.child + ".joint");
       d.links.emplace_back().name = behind.parent, d.links.back().line = j.line;
-      d.joints.insert(d.joints.begin() + static_cast<std::ptrdiff_t>(i) + 1, std::move(behind));
+      all.push_back(std::move(j)), all.push_back(std::move(behind));
+      continue;
     }
+    all.push_back(std::move(j));
   }
+  d.joints = std::move(all);
   return d;
 }
 

@@ -12,6 +12,7 @@ class urdf_joints {
 
   /// Reads a <joint>, or a <drake:joint>, which has further types.
   void read(const xml_item& x) {
+    look_for_interruption();
     robot_joint j;
     j.name = x.text("name"), j.line = x.line(), j.file = x.file();
     x.only({"parent", "child", "origin", "axis", "limit", "dynamics", "mimic", "safety_controller",

@@ -22,7 +22,7 @@ class urdf_links {
   /// The pose of the attributes xyz and rpy.
   robot_pose pose(const xml_item& x) const {
     const vec3<> rpy = x.vector_or("rpy", {});
-    for (const double angle : {rpy.x, rpy.y, rpy.z}) note_near_quarter(x, angle, options_);
+    for (const double angle : {rpy.x, rpy.y, rpy.z}) note_near_quarter(x, angle, options_), note_many_turns(x, angle);
     return {x.vector_or("xyz", {}), rotation_of_rpy(rpy, options_.quarter_turn_tolerance)};
   }
 
@@ -30,14 +30,16 @@ class urdf_links {
     x.only({"color", "texture"}, {"name"});
     const auto c = x.child("color");
     if (x.child("texture")) x.child("texture")->not_read("not read");
-    const auto [known, fresh] = colours_.emplace(x.text("name"), c ? c->list("rgba") : std::vector<double>{});
+    const auto [known, fresh] =
+        colours_.emplace(x.text("name"), c ? colour_from(*c, c->list("rgba")) : std::vector<double>{});
     if (!fresh && c && known->second.empty())
-      known->second = c->list("rgba");
+      known->second = colour_from(*c, c->list("rgba"));
     else if (!fresh && c && known->second != c->list("rgba"))
       x.not_read("there is another material of this name; the first is used");
   }
 
   void read(const xml_item& x) {
+    look_for_interruption();
     robot_link l;
     l.name = x.text("name"), l.line = x.line(), l.file = x.file();
     x.only({"inertial", "visual", "collision", "contact", "gravity", "kinematic"}, {"name", "type"});
@@ -105,18 +107,19 @@ class urdf_links {
       form(*geometry, s);
     else
       x.not_read("has no <geometry>");
-    const auto materials = x.children("material");
+    const auto materials = x.children("material").list();
     for (std::size_t i = 1; i < materials.size(); ++i) materials[i].not_read("occurs twice; the first is used");
     if (materials.empty()) return s;
     const auto& m = materials[0];
     s.material = m.text_or("name", "");
-    if (const auto c = m.child("color")) s.rgba = c->list("rgba");
+    if (const auto c = m.child("color")) s.rgba = colour_from(*c, c->list("rgba"));
     if (!s.rgba.empty() && !s.material.empty()) colours_.emplace(s.material, s.rgba);
     return s;
   }
   static void form(const xml_item& x, robot_shape& s) {
     using form = robot_shape::form;
     x.only({"box", "cylinder", "sphere", "capsule", "plane", "mesh", "drake:capsule", "drake:ellipsoid"}, {});
+    if (x.children().empty()) x.not_read("is empty");
     for (const auto& g : x.children()) {
       std::string_view of = g.name();
       if (of.starts_with("drake:")) of.remove_prefix(6);
@@ -129,6 +132,7 @@ class urdf_links {
         s.size = {g.number("radius"), g.number("length"), 0};
       }
       if (of == "mesh") s.is = form::mesh, s.mesh = g.text("filename"), s.scale = scale(g);
+      check_sizes(g, s);
     }
   }
   static vec3<> scale(const xml_item& mesh) {

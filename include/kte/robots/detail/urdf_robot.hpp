@@ -19,6 +19,12 @@ class urdf_robot {
                "drake:linear_bushing_rpy", "drake:ball_constraint", "drake:link"},
               {"name", "version"});
     for (const auto& x : root.children("material")) links_.material(x);
+    const auto count = [&](std::string_view of) {
+      const auto& all = root.node().children;
+      return static_cast<std::size_t>(
+          std::count_if(all.begin(), all.end(), [&](const auto& c) { return c.name == of; }));
+    };
+    d_.links.reserve(count("link")), d_.joints.reserve(count("joint"));
     for (const auto& x : root.children("link")) links_.read(x);
     links_.colour();
     for (const auto* of : {"joint", "drake:joint"})
@@ -27,8 +33,6 @@ class urdf_robot {
     free_followers(d_);
     add_world();
     read_frames(root);
-    for (std::size_t i = 0; i < d_.joints.size(); ++i)
-      if (has_one_coordinate(d_.joints[i])) numbered_.emplace(d_.joints[i].name, i);
     for (const auto& x : root.children("transmission")) transmission(x);
     for (const auto& x : root.children("gazebo")) gazebo(x);
     links_.rub(frictions_);
@@ -55,7 +59,8 @@ class urdf_robot {
   /// Reads the frames of Drake (<drake:frame>).
   void read_frames(const xml_item& root) {
     std::unordered_set<std::string> links, frames;
-    for (const auto& l : d_.links) links.insert(l.name);
+    if (!root.children("frame").empty() || !root.children("drake:frame").empty())
+      for (const auto& l : d_.links) links.insert(l.name);
     for (const auto* of : {"frame", "drake:frame"})
       for (const auto& x : root.children(of)) {
         x.only({}, {"name", "link", "xyz", "rpy"});
@@ -71,7 +76,7 @@ class urdf_robot {
   /// Reads a transmission: an actuator for each of its joints, and the rotor inertia of Drake, which acts on the joint
   /// times the square of the gear ratio.
   void transmission(const xml_item& x) {
-    const auto joints = x.children("joint"), actuators = x.children("actuator");
+    const auto joints = x.children("joint").list(), actuators = x.children("actuator").list();
     double inertia = 0;
     for (const auto& a : actuators)
       if (const auto rotor = a.child("drake:rotor_inertia")) {
@@ -81,6 +86,9 @@ class urdf_robot {
     if (joints.empty()) return inertia == 0 ? x.not_read("not read") : x.fail("has no <joint>");
     if (joints.size() > 1)
       x.warn("couples " + std::to_string(joints.size()) + " joints: each has its own motor instead");
+    if (numbered_.empty())
+      for (std::size_t i = 0; i < d_.joints.size(); ++i)
+        if (has_one_coordinate(d_.joints[i])) numbered_.emplace(d_.joints[i].name, i);
     for (std::size_t i = 0; i < joints.size(); ++i) {
       const auto name = joints[i].text("name");
       const auto j = numbered_.find(name);
@@ -156,7 +164,7 @@ class urdf_robot {
   urdf_links links_;
   urdf_joints joints_;
   bool contacts_;                                          ///< whether contacts are requested
-  std::unordered_map<std::string, std::size_t> numbered_;  ///< joints of one coordinate, by name
+  std::unordered_map<std::string, std::size_t> numbered_;  ///< joints of one coordinate, where there are transmissions
   std::unordered_map<std::string, double> frictions_;      ///< of Gazebo, by link
 };
 

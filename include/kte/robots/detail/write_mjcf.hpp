@@ -2,9 +2,11 @@
 
 #include <kte/robots/detail/write_mjcf_geoms.hpp>
 #include <kte/robots/detail/write_mjcf_joints.hpp>
+#include <kte/robots/detail/xml_limits.hpp>
 
 #include <algorithm>
 #include <cstdio>
+#include <unordered_map>
 
 namespace kte::detail {
 
@@ -61,6 +63,8 @@ class mjcf_writer {
   void body(std::size_t first) {
     const auto b = plan_.body(first);
     const auto& l = d_.links[b.link];
+    if (out_.depth() + 2 > std::size_t{deepest_element})  // its own element, and those in it
+      left_out_.refuse(title(l), "its body is more than " + std::to_string(deepest_element) + " elements deep");
     auto name = l.name;
     if (name == "world") {
       name = fresh_name(links_, name);
@@ -193,12 +197,14 @@ class mjcf_writer {
   }
   void actuators() {
     std::set<std::string, std::less<>> names;
+    std::unordered_map<std::string_view, kind> joints;
+    if (!d_.actuators.empty())
+      for (const auto& j : d_.joints) joints.emplace(j.name, j.is);
     bool any = false;
     for (const auto& a : d_.actuators) {
-      const auto on =
-          std::find_if(d_.joints.begin(), d_.joints.end(), [&](const auto& j) { return j.name == a.joint; });
+      const auto on = joints.find(a.joint);
       const auto title = "actuator '" + a.name + "'";
-      if (on == d_.joints.end() || on->is == kind::fixed || on->is == kind::planar) {
+      if (on == joints.end() || on->second == kind::fixed || on->second == kind::planar) {
         left_out_.list(a.line, title + ": left out: '" + a.joint + "' is not a joint of MJCF");
         continue;
       }

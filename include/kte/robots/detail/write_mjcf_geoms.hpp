@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kte/robots/detail/angles.hpp>
+#include <kte/robots/detail/free_names.hpp>
 #include <kte/robots/detail/shape_names.hpp>
 #include <kte/robots/detail/unwritten.hpp>
 #include <kte/robots/detail/xml_writer.hpp>
@@ -9,6 +10,7 @@
 #include <filesystem>
 #include <map>
 #include <set>
+#include <tuple>
 
 namespace kte::detail {
 
@@ -141,11 +143,12 @@ class mjcf_geoms {
       if (!std::filesystem::exists(path)) return leave_out(s, g.owner, "there is no file '" + path + "'"), false;
       path = std::filesystem::absolute(path).lexically_normal().generic_string();
     }
-    for (const auto& m : meshes_)
-      if (m.path == path && m.scale == s.scale) return g.mesh = m.name, true;
-    g.mesh = std::filesystem::path(path).filename().string();
-    while (!mesh_names_.insert(g.mesh).second) g.mesh += '\'';
-    meshes_.push_back({g.mesh, path, s.scale});
+    auto& name = known_meshes_[{path, s.scale.x, s.scale.y, s.scale.z}];
+    if (name.empty()) {
+      name = mesh_names_.fresh(std::filesystem::path(path).filename().string());
+      meshes_.push_back({name, path, s.scale});
+    }
+    g.mesh = name;
     return true;
   }
 
@@ -155,7 +158,9 @@ class mjcf_geoms {
   std::vector<std::vector<geom>> of_link_;
   std::vector<asset> meshes_;
   std::map<std::string, const robot_shape*, std::less<>> materials_;
-  std::set<std::string, std::less<>> names_, mesh_names_;
+  std::set<std::string, std::less<>> names_;
+  std::map<std::tuple<std::string, double, double, double>, std::string> known_meshes_;  ///< names by path and scale
+  free_names mesh_names_;
 };
 
 }  // namespace kte::detail

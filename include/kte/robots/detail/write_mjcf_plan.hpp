@@ -24,17 +24,25 @@ class mjcf_plan {
     rest_[root()] = robot_pose{};
     for (const auto& s : tree_.steps()) {
       const auto& j = d.joints[s.joint];
-      const auto from = tree_.link(j.parent);
+      const auto from = tree_.base(s);
       below_[from].push_back(s.joint);
       if (j.is == kind::fixed && rest_[from]) rest_[child(s.joint)] = *rest_[from] * j.origin;
     }
     for (const auto& l : d.links) bodies_.push_back(l.inertial);
     for (auto& b : bodies_)
       if (b && b->mass == 0 && b->inertia == sym3<>{}) b.reset();
+    carried_.resize(bodies_.size());
+    for (std::size_t i = 0; i < bodies_.size(); ++i)
+      if (const auto& b = bodies_[i]) carried_[i] = {b->mass, principal_moments(b->inertia)[2]};
+    for (auto s = tree_.steps().rbegin(); s != tree_.steps().rend(); ++s) {
+      const auto& more = carried_[child(s->joint)];
+      auto& sum = carried_[tree_.base(*s)];
+      sum.first += more.first, sum.second += more.second;
+    }
   }
 
   std::size_t root() const { return tree_.root(); }
-  std::size_t child(std::size_t joint) const { return tree_.link(d_.joints[joint].child); }
+  std::size_t child(std::size_t joint) const { return tree_.child(joint); }
   const std::vector<std::size_t>& below(std::size_t link) const { return below_[link]; }
   /// The pose in the world of a link that does not move.
   const std::optional<robot_pose>& rest(const std::string& link) const { return rest_[tree_.link(link)]; }
@@ -60,27 +68,35 @@ class mjcf_plan {
   }
   /// The mass of a link and of the links fixed to it, which are then left without mass.
   std::optional<rigid_body<>> gathered(std::size_t link, std::vector<std::size_t>& from) {
-    auto all = std::exchange(bodies_[link], std::nullopt);
-    if (all) from.push_back(link);
-    for (const auto k : below_[link]) {
-      if (d_.joints[k].is != kind::fixed) continue;
-      const auto more = gathered(child(k), from);
-      if (!more) continue;
-      const auto moved = moved_body(d_.joints[k].origin, *more);
-      all = all ? together(*all, moved) : moved;
+    struct level {
+      std::size_t link;
+      const robot_pose* origin;  ///< in the level above
+      std::optional<rigid_body<>> all;
+      std::size_t next = 0;
+    };
+    std::vector<level> open;  // no recursion: chains of fixed links may be long
+    const auto enter = [&](std::size_t l, const robot_pose* origin) {
+      open.push_back({l, origin, std::exchange(bodies_[l], std::nullopt)});
+      if (open.back().all) from.push_back(l);
+    };
+    for (enter(link, nullptr);;) {
+      auto& now = open.back();
+      if (now.next < below_[now.link].size()) {
+        const auto k = below_[now.link][now.next++];
+        if (d_.joints[k].is == kind::fixed) enter(child(k), &d_.joints[k].origin);
+        continue;
+      }
+      const auto done = now;
+      open.pop_back();
+      if (open.empty()) return done.all;
+      if (!done.all) continue;
+      const auto moved = moved_body(*done.origin, *done.all);
+      auto& sum = open.back().all;
+      sum = sum ? together(*sum, moved) : moved;
     }
-    return all;
   }
   /// The total mass, and the sum of the least principal moments, of a link and of all links that it carries.
-  std::pair<double, double> carried(std::size_t link) const {
-    std::pair<double, double> sum{0, 0};
-    if (const auto& b = bodies_[link]) sum = {b->mass, principal_moments(b->inertia)[2]};
-    for (const auto k : below_[link]) {
-      const auto more = carried(child(k));
-      sum.first += more.first, sum.second += more.second;
-    }
-    return sum;
-  }
+  const std::pair<double, double>& carried(std::size_t link) const { return carried_[link]; }
 
  private:
   bool is_heavy(std::size_t link) const {
@@ -111,6 +127,7 @@ class mjcf_plan {
   std::vector<std::vector<std::size_t>> below_;
   std::vector<std::optional<robot_pose>> rest_;
   std::vector<std::optional<rigid_body<>>> bodies_;
+  std::vector<std::pair<double, double>> carried_;  ///< by link
 };
 
 }  // namespace kte::detail

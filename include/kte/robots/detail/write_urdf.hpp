@@ -6,6 +6,8 @@
 #include <kte/robots/detail/urdf_loop.hpp>
 #include <kte/robots/detail/write_urdf_shapes.hpp>
 
+#include <unordered_set>
+
 namespace kte::detail {
 
 class urdf_writer {
@@ -35,9 +37,10 @@ class urdf_writer {
 
   /// Writes an actuator as a transmission; its command must be the force of its joint.
   void actuator(const robot_actuator& a) {
-    const auto is = [&](const auto& j) { return j.name == a.joint && has_one_coordinate(j); };
-    if (!a.not_modelled.empty() || a.law != motor_law{.gain = 1 / a.gear} ||
-        std::none_of(d_.joints.begin(), d_.joints.end(), is))
+    if (numbered_.empty())
+      for (const auto& j : d_.joints)
+        if (has_one_coordinate(j)) numbered_.insert(j.name);
+    if (!a.not_modelled.empty() || a.law != motor_law{.gain = 1 / a.gear} || !numbered_.contains(a.joint))
       return left_out_.list(a.line, "actuator '" + a.name + "' is left out");
     out_.open("transmission"), out_.attribute("name", std::string_view(a.joint + "_transmission"));
     out_.text("type", "transmission_interface/SimpleTransmission");
@@ -131,6 +134,7 @@ class urdf_writer {
   }
 
   const robot_description d_;
+  std::unordered_set<std::string_view> numbered_;  ///< joints of one coordinate, where an actuator needs them
   unwritten left_out_;
   xml_writer out_;
   urdf_shapes shapes_;

@@ -16,22 +16,35 @@ class xml_defaults {
  public:
   using moment = std::size_t;
 
-  /// Sets the value that holds from now on and returns the one before. Null stands for no value.
-  const std::string* set(const std::string& attribute, const std::string* value, moment now) {
+  static constexpr std::size_t none = ~std::size_t{0};
+
+  /// Sets the value that holds from now on and returns the number of the one before, or `none`.
+  std::size_t set(const std::string& attribute, const std::string& value, moment now) {
     auto& all = values_[attribute];
-    const auto* const before = all.empty() ? nullptr : all.back().value;
-    all.push_back({now, value});
+    const auto before = all.size() - 1, words = count_words(value);
+    auto under = before;  // the value before that has more words
+    while (under != none && all[under].words <= words) under = all[under].under;
+    all.push_back({now, &value, words, under});
     return before;
   }
-  /// The value at a moment; null if there is none or it is empty.
+  /// Sets again the value that `set` returned.
+  void reset(const std::string& attribute, std::size_t before, moment now) {
+    auto& all = values_[attribute];
+    all.push_back(before == none ? held{now} : all[before]);
+    all.back().from = now;
+  }
+  /// The value at a moment; null if there is none.
   const std::string* find(std::string_view attribute, moment at) const {
-    const auto all = values_.find(attribute);
-    if (all == values_.end()) return nullptr;
-    const auto later = std::upper_bound(all->second.begin(), all->second.end(), at,
-                                        [](moment m, const held& x) { return m < x.from; });
-    if (later == all->second.begin()) return nullptr;
-    const auto* const value = std::prev(later)->value;
-    return value != nullptr && !value->empty() ? value : nullptr;
+    const auto* const x = held_at(attribute, at);
+    return x != nullptr ? x->value : nullptr;
+  }
+  /// The values that held at a moment, each under the one before: those with more words, of enclosing classes. `take`
+  /// returns whether it wants another one.
+  template <class Take>
+  void each(std::string_view attribute, moment at, const Take& take) const {
+    const auto* x = held_at(attribute, at);
+    while (x != nullptr && x->value != nullptr && take(*x->value) && x->under != none)
+      x = &values_.find(attribute)->second[x->under];
   }
   /// Registers an element that wrote defaults; `take_writers` returns and clears the list.
   void wrote(const xml_node& x) { writers_.push_back(&x); }
@@ -40,8 +53,25 @@ class xml_defaults {
  private:
   struct held {
     moment from;
-    const std::string* value;
+    const std::string* value = nullptr;
+    std::size_t words = 0, under = none;
   };
+  static std::size_t count_words(std::string_view text) {
+    std::size_t count = 0;
+    bool in_word = false;
+    for (const char c : text) {
+      const bool blank = c == ' ' || c == '\t' || c == '\n' || c == '\r';
+      count += !blank && !in_word, in_word = !blank;
+    }
+    return count;
+  }
+  const held* held_at(std::string_view attribute, moment at) const {
+    const auto all = values_.find(attribute);
+    if (all == values_.end()) return nullptr;
+    const auto later = std::upper_bound(all->second.begin(), all->second.end(), at,
+                                        [](moment m, const held& x) { return m < x.from; });
+    return later == all->second.begin() ? nullptr : &*std::prev(later);
+  }
   std::map<std::string, std::vector<held>, std::less<>> values_;
   std::vector<const xml_node*> writers_;
 };

@@ -1,16 +1,21 @@
 #pragma once
 
+#include <kte/detail/interruption.hpp>
 #include <kte/io/numbers.hpp>
 #include <kte/io/source_text.hpp>
 #include <kte/math/vec.hpp>
 #include <kte/robots/description.hpp>
 #include <kte/robots/detail/xml_defaults.hpp>
+#include <kte/robots/detail/xml_title.hpp>
 
 #include <cmath>
 #include <initializer_list>
+#include <iterator>
 #include <limits>
 
 namespace kte::detail {
+
+class xml_children;
 
 /// An element of an XML file, with errors that name the place, the element and the reason. Numbers are read by
 /// std::from_chars, whatever the locale.
@@ -43,14 +48,14 @@ class xml_item {
   }
   void not_read(const std::string& what) const { d_->not_read.push_back({line(), title() + ": " + what, file()}); }
 
-  const std::string& title() const { return e_->title; }
+  std::string title() const { return title_of(*e_); }
 
   std::string text_or(const char* attribute, const char* other) const {
     const auto* t = find(attribute);
     return t != nullptr ? *t : other;
   }
   /// The text of an attribute, which must not be missing or empty.
-  std::string text(const char* attribute) const {
+  const std::string& text(const char* attribute) const {
     const auto* t = find(attribute);
     if (t == nullptr) fail(std::string("has no ") + attribute);
     if (t->empty()) fail(std::string("its ") + attribute + " is empty");
@@ -65,12 +70,16 @@ class xml_item {
       if (!std::isfinite(x)) fail(std::string(what) + " must be finite, got '" + excerpt(t) + "'");
     return all;
   }
-  /// The numbers of an attribute; missing ones at the end are those of its default.
-  std::vector<double> completed_list(const char* attribute) const {
+  /// The numbers of an attribute; up to `most`, missing ones at the end are those of its class, then those of the
+  /// enclosing classes.
+  std::vector<double> completed_list(const char* attribute, std::size_t most) const {
     auto all = list(attribute);
-    const auto* const usual = defaults_ != nullptr ? defaults_->find(attribute, at_) : nullptr;
-    const auto more = usual != nullptr ? list_of(*usual, attribute) : all;
-    for (std::size_t i = all.size(); i < more.size(); ++i) all.push_back(more[i]);
+    if (defaults_ != nullptr && all.size() < most)
+      defaults_->each(attribute, at_, [&](const std::string& usual) {
+        const auto more = list_of(usual, attribute);
+        for (std::size_t i = all.size(); i < more.size(); ++i) all.push_back(more[i]);
+        return all.size() < most;
+      });
     return all;
   }
   /// A list of numbers that may be infinite.
@@ -119,19 +128,10 @@ class xml_item {
   /// The text between the tags.
   const std::string& content() const { return e_->text; }
 
-  std::vector<xml_item> children(std::string_view of = {}) const {
-    std::vector<xml_item> all;
-    for (const auto& c : e_->children)
-      if (of.empty() || of == c.name) all.emplace_back(c, *d_);
-    return all;
-  }
+  /// The children of a name, or all, one after another.
+  xml_children children(std::string_view of = {}) const;
   /// The child of a name; throws if there are several.
-  std::optional<xml_item> child(const char* of) const {
-    const auto all = children(of);
-    if (all.size() > 1) all[1].fail("occurs twice");
-    if (all.empty()) return {};
-    return all[0];
-  }
+  std::optional<xml_item> child(std::string_view of) const;
   xml_item needed_child(const char* of) const {
     const auto c = child(of);
     if (!c) fail(std::string("has no <") + of + ">");
@@ -144,11 +144,11 @@ class xml_item {
   void only(const names& elements, const names& attributes) const {
     const auto in = [](const names& all, std::string_view x) {
       for (const auto n : all)
-        if (n == x) return true;
+        if (same_name(n, x)) return true;
       return false;
     };
-    for (const auto& c : children())
-      if (!in(elements, c.name())) c.not_read("not read");
+    for (const auto& c : e_->children)
+      if (!in(elements, c.name)) xml_item(c, *d_).not_read("not read");
     for (const auto& [attribute, value] : e_->attributes)
       if (!in(attributes, attribute) && !attribute.starts_with("xmlns") && (defaults_ == nullptr || !value.empty()))
         not_read("its " + excerpt(attribute) + " is not read");
@@ -158,20 +158,25 @@ class xml_item {
 
  private:
   std::vector<double> any_list(std::string_view t, const char* what) const {
+    std::vector<double> all;
+    all.reserve(4);
+    const char* why = t.find('+') == t.npos ? text_to_numbers(t, all) : text_to_numbers(without_plus(t), all);
+    if (why == nullptr) return all;
+    if (t.find("${") != t.npos) why = "is an expression of xacro: run xacro, and read the file that it writes";
+    fail(std::string(what) + " '" + excerpt(t) + "' " + why);
+  }
+  /// The text without plus signs of numbers, which std::from_chars does not accept.
+  static std::string without_plus(std::string_view t) {
     std::string plain(t);
-    for (std::size_t i = 0; i < plain.size(); ++i)  // std::from_chars accepts no leading plus sign
+    for (std::size_t i = 0; i < plain.size(); ++i)
       if (plain[i] == '+' && (i == 0 || is_blank(plain[i - 1])) && i + 1 < plain.size() && plain[i + 1] != '-')
         plain[i] = ' ';
-    std::vector<double> all;
-    const char* why = text_to_numbers(plain, all);
-    if (t.find("${") != t.npos) why = "is an expression of xacro: run xacro, and read the file that it writes";
-    if (why != nullptr) fail(std::string(what) + " '" + excerpt(t) + "' " + why);
-    return all;
+    return plain;
   }
 
   const std::string* find(std::string_view attribute) const {
     for (const auto& [key, value] : e_->attributes)
-      if (key == attribute && (defaults_ == nullptr || !value.empty())) return &value;
+      if (same_name(key, attribute) && (defaults_ == nullptr || !value.empty())) return &value;
     return defaults_ != nullptr ? defaults_->find(attribute, at_) : nullptr;
   }
 
@@ -180,5 +185,62 @@ class xml_item {
   xml_defaults* defaults_ = nullptr;
   xml_defaults::moment at_ = 0;
 };
+
+/// The children of an element of one name, or all.
+class xml_children {
+  using node = std::vector<xml_node>::const_iterator;
+
+ public:
+  class iterator {
+   public:
+    using iterator_category = std::input_iterator_tag;
+    using value_type = xml_item;
+    using difference_type = std::ptrdiff_t;
+    using pointer = const xml_item*;
+    using reference = xml_item;
+
+    iterator(const xml_children& of, node at) : of_(&of), at_(at) { find(); }
+    xml_item operator*() const { return {*at_, of_->d_}; }
+    iterator& operator++() {
+      ++at_, find();
+      return *this;
+    }
+    bool operator==(const iterator& o) const { return at_ == o.at_; }
+
+   private:
+    void find() {
+      while (at_ != of_->all_.end() && !of_->name_.empty() && !same_name(of_->name_, at_->name)) ++at_;
+    }
+    const xml_children* of_;
+    node at_;
+  };
+
+  xml_children(const std::vector<xml_node>& all, std::string_view name, robot_description& d)
+      : all_(all), name_(name), d_(d) {}
+  iterator begin() const { return {*this, all_.begin()}; }
+  iterator end() const { return {*this, all_.end()}; }
+  bool empty() const { return begin() == end(); }
+  /// The first, if there is one.
+  std::optional<xml_item> first() const { return empty() ? std::nullopt : std::optional(*begin()); }
+  /// The second, if there is one.
+  std::optional<xml_item> second() const {
+    auto at = begin();
+    if (at == end() || ++at == end()) return {};
+    return *at;
+  }
+  std::vector<xml_item> list() const { return {begin(), end()}; }
+
+ private:
+  const std::vector<xml_node>& all_;
+  std::string_view name_;
+  robot_description& d_;
+};
+
+inline xml_children xml_item::children(std::string_view of) const { return {e_->children, of, *d_}; }
+inline std::optional<xml_item> xml_item::child(std::string_view of) const {
+  const auto all = children(of);
+  if (const auto again = all.second()) again->fail("occurs twice");
+  return all.first();
+}
 
 }  // namespace kte::detail

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kte/detail/compiled.hpp>
+#include <kte/robots/description.hpp>
 #include <kte/robots/detail/xml_limits.hpp>
 #include <kte/robots/detail/xml_node.hpp>
 
@@ -34,9 +35,6 @@ inline bool is_file(const std::filesystem::path& path) {
 /// and of acceptable size, and for elements of too many attributes.
 std::string_view checked_text(std::string_view text, const std::string& source);
 std::string text_of_file(const std::filesystem::path& path);
-/// Sets the titles of all elements; throws `bad_file` for elements of xacro. Text that was cut off after the root
-/// becomes an attribute, which is listed as not read.
-void give_titles(xml_node& root, const std::string& source, bool is_cut);
 /// Sets the file of an element and of all elements below it.
 void give_file(xml_node& n, const std::string& file);
 
@@ -45,9 +43,6 @@ void give_file(xml_node& n, const std::string& file);
 #ifdef KTE_FUNCTION
 #  include <kte/io/file.hpp>
 #  include <kte/io/source_text.hpp>
-#  include <kte/robots/detail/shape_names.hpp>
-
-#  include <array>
 
 namespace kte::detail {
 inline constexpr std::size_t largest_robot_file = std::size_t{1} << 28;
@@ -86,10 +81,9 @@ inline void check_attributes(std::string_view text, const std::string& source) {
     }
     std::size_t count = 0;
     const auto start = i;
-    while (i < text.size() && text[i] != '>') {
-      const char c = text[i++];
-      count += c == '=';
-      if (c == '"' || c == '\'') i = skip(i, {&c, 1});
+    for (char c; i < text.size() && (c = text[i]) != '>'; ++i) {
+      if (c == '=') ++count;
+      if (c == '"' || c == '\'') i = (std::min)(text.find(c, i + 1), text.size() - 1);
     }
     if (count > most_attributes)
       fail_xml(source,
@@ -117,38 +111,6 @@ KTE_FUNCTION std::string_view checked_text(std::string_view text, const std::str
 }
 KTE_FUNCTION std::string text_of_file(const std::filesystem::path& path) { return read_file(path, largest_robot_file); }
 
-/// Sets the title of an element; `owner` is the title of the nearest named element above, for the root that of the
-/// robot, or of the nearest of several shapes. A shape without a name gets its `place` among those of its link, from 1,
-/// 0 for the only one: "link 'arm': second <visual>".
-inline void give_title(xml_node& n, const std::string& source, const std::string& owner, bool top,
-                       std::size_t place = 0) {
-  if (n.name.starts_with("xacro:"))
-    fail_xml(source, n.line,
-             "<" + excerpt(n.name) +
-                 ">: this is a file for xacro, not a robot yet: run xacro, and read the file that it writes");
-  n.title = owner + (place > 0 ? ordinal(place) + " " : "") + "<" + excerpt(n.name) + ">";
-  std::string below = place > 0 ? n.title + ": " : owner;
-  for (const auto& [key, value] : n.attributes)
-    if (key == "name") {
-      n.title = excerpt(n.name) + " '" + excerpt(value) + "'";
-      if (!top) below = n.title + ": ";
-    }
-  constexpr std::array<std::string_view, 3> shapes{"visual", "collision", "geom"};
-  std::array<std::size_t, 3> count{}, seen{};
-  const auto kind = [&](const xml_node& c) {
-    return static_cast<std::size_t>(std::find(shapes.begin(), shapes.end(), c.name) - shapes.begin());
-  };
-  for (const auto& c : n.children)
-    if (const auto k = kind(c); k < 3) ++count[k];
-  for (auto& c : n.children) {
-    const auto k = kind(c);
-    give_title(c, source, below, false, k < 3 && count[k] > 1 ? ++seen[k] : 0);
-  }
-}
-KTE_FUNCTION void give_titles(xml_node& root, const std::string& source, bool is_cut) {
-  if (is_cut) root.attributes.emplace_back("text after </robot>", "");
-  give_title(root, source, {}, true);
-}
 KTE_FUNCTION void give_file(xml_node& n, const std::string& file) {
   n.file = file;
   for (auto& c : n.children) give_file(c, file);

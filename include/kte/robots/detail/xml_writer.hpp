@@ -30,6 +30,8 @@ class xml_writer {
     start(name);
     names_.emplace_back(name), is_open_ = true;
   }
+  /// The number of elements that are open.
+  std::size_t depth() const { return names_.size(); }
   void attribute(std::string_view key, std::string_view value) {
     check_for_xml(value);
     text_.append(" ").append(key).append("=\"");
