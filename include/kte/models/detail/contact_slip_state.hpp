@@ -12,7 +12,7 @@
 ///   holds             holds      rests      holds
 ///   rests             rests      rests      rests
 ///
-/// No way leads back to a state that was left, so decisions end.
+/// States only go forward in the order of the enumeration, so decisions end.
 namespace kte::detail {
 
 enum class slip_state {
