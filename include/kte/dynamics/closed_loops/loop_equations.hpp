@@ -10,6 +10,11 @@
 /// accelerations. Rows in m are divided by the length of the chain.
 namespace kte::detail {
 
+/// Of all closures.
+struct every_closure {
+  constexpr bool operator()(int) const { return true; }
+};
+
 class loop_equations : public closure_loads {
  public:
   template <class Closures, class State>
@@ -21,15 +26,20 @@ class loop_equations : public closure_loads {
   Eigen::VectorXd residual;               ///< g
   std::vector<Eigen::MatrixXd> jacobian;  ///< J of each block: rows by places
 
-  /// Computes g, and optionally J, at valid positions. `placed`: the bodies are placed already.
-  template <class Closures, class State>
-  void at_positions(const Closures& c, State& s, bool with_jacobian, bool placed = false) {
+  /// Computes g, and optionally J, at valid positions. `placed`: the bodies are placed already. wanted(k): whether
+  /// those of closure k are computed.
+  template <class Closures, class State, class Wanted = every_closure>
+  void at_positions(const Closures& c, State& s, bool with_jacobian, bool placed = false, const Wanted& wanted = {}) {
     if (!placed) place_bodies(c.elements(), s);
     for (std::size_t i = 0; i < places.blocks.size(); ++i) {
       if (with_jacobian) jacobian[i].setZero();
       int row = 0;
       for (const int k : places.blocks[i].closures) {
         const auto& x = places.closures[static_cast<std::size_t>(k)];
+        if (!wanted(k)) {
+          row += x.rows.count();
+          continue;
+        }
         double g[6];
         if (x.of_frames()) {
           find_places(s, x, ends_[static_cast<std::size_t>(k)]);
@@ -51,6 +61,12 @@ class loop_equations : public closure_loads {
   /// Computes J_dot v at the rates of the state; call `at_positions` first.
   template <class Closures, class State>
   void at_rates(const Closures& c, State& s) {
+    at_velocities(c, s);
+    accelerate_residuals(c, s, [](int) { return 0.0; });
+  }
+  /// Moves bodies at the rates of the state, for `motion` of the closures k with wanted(k); call `at_positions` first.
+  template <class Closures, class State, class Wanted = every_closure>
+  void at_velocities(const Closures& c, State& s, const Wanted& wanted = {}) {
     if (!s.tree().followers.empty()) {  // these accelerate with the leading coordinates, and by their rates
       Eigen::VectorXd a(s.dofs());
       read_listed_numbers<vector_of::a>(s, a);
@@ -67,8 +83,7 @@ class loop_equations : public closure_loads {
       if (f.row[k] < s.dofs()) s.work.acceleration[k] = 0;
     tree::move_bodies<true>(f, s.work);
     for (std::size_t k = 0; k < places.closures.size(); ++k)
-      if (places.closures[k].of_frames()) find_places(s, places.closures[k], ends_[k]);
-    accelerate_residuals(c, s, [](int) { return 0.0; });
+      if (places.closures[k].of_frames() && wanted(static_cast<int>(k))) find_places(s, places.closures[k], ends_[k]);
   }
   /// Computes the rates of residuals by given motions, those of bases and of coordinates that signals move, while the
   /// degrees of freedom are at rest; call `at_positions` first. Zero without such motions. Overwrites the motion in the
@@ -94,19 +109,26 @@ class loop_equations : public closure_loads {
   /// first. a(i): the accelerations of degrees of freedom.
   template <class Closures, class State, class A>
   void accelerate_residuals(const Closures& c, State& s, const A& a) {
-    for (std::size_t k = 0; k < places.closures.size(); ++k) {
-      const auto& x = places.closures[k];
-      double rows[6];
-      if (x.of_frames()) {
-        c.close_frames(x.element, accelerated(s, x, ends_[k], motions_[k]), closing::residual_ddot, rows);
-      } else {
-        coordinate_rows(c, s, x, [&](const auto& values, const double* by) {
-          rows[0] = values[1];
-          for (std::size_t n = 0; n < x.dofs.size(); ++n) rows[0] += by[n] * a(x.dofs[n]);
-        });
-      }
-      for (int r = 0; r < x.rows.count(); ++r) acceleration[x.first + r] = places.scale(x, r) * rows[r];
-    }
+    for (int k = 0; k < static_cast<int>(places.closures.size()); ++k) accelerate_residual(c, s, k, a);
+  }
+  /// The same of one closure.
+  template <class Closures, class State, class A>
+  void accelerate_residual(const Closures& c, State& s, int closure, const A& a) {
+    const auto& x = places.closures[static_cast<std::size_t>(closure)];
+    if (x.of_frames()) return accelerate_residual_of_frames(c, closure, motion(s, closure));
+    coordinate_rows(c, s, x, [&](const auto& values, const double* by) {
+      double sum = values[1];
+      for (std::size_t n = 0; n < x.dofs.size(); ++n) sum += by[n] * a(x.dofs[n]);
+      acceleration[x.first] = places.scale(x, 0) * sum;
+    });
+  }
+  /// The same of a closure of frames in a motion of frame2 in frame1.
+  template <class Closures>
+  void accelerate_residual_of_frames(const Closures& c, int closure, const closing_motion<double>& m) {
+    const auto& x = places.closures[static_cast<std::size_t>(closure)];
+    double rows[6];
+    c.close_frames(x.element, m, closing::residual_ddot, rows);
+    for (int r = 0; r < x.rows.count(); ++r) acceleration[x.first + r] = places.scale(x, r) * rows[r];
   }
   /// J x of all rows for x by degrees of freedom; `times_sizes`: the sums of |J| |x|.
   Eigen::VectorXd times(const Eigen::VectorXd& x) const {

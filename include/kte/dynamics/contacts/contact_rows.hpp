@@ -59,14 +59,17 @@ struct contact_workspace {
   contact_at& touched(std::size_t i) { return contacts[static_cast<std::size_t>(touching[i])]; }
   const contact_at& touched(std::size_t i) const { return contacts[static_cast<std::size_t>(touching[i])]; }
 
-  /// Computes the places and slip velocities of all contacts from motions in the working memory of the state.
+  /// Computes the places and slip velocities of contacts from motions in the working memory of the state, of those
+  /// with wanted(closure); call `at_positions` of the equations first, or `at_velocities`, with these motions.
+  template <class Contacts, class State, class Wanted = every_closure>
+  void find(const Contacts& c, const State& s, const Wanted& wanted = {}) {
+    for (auto& x : contacts)
+      if (wanted(x.closure)) x.motion = equations.motion(s, x.closure), locate(c, x, x.motion);
+  }
+  /// As `find`, without equations.
   template <class Contacts, class State>
-  void find(const Contacts& c, const State& s) {
-    for (auto& x : contacts) {
-      const auto& at = place(x);
-      const auto m = loop_equations::moving_between(s, at);
-      locate(c, x, m);
-    }
+  void find_anew(const Contacts& c, const State& s) {
+    for (auto& x : contacts) locate(c, x, loop_equations::moving_between(s, place(x)));
   }
   /// As `find` in a tree, from bias motions in the working memory of the state.
   template <class Contacts, class State>
