@@ -58,14 +58,15 @@ class mode_rows {
     for (int k = 0; k < count(); ++k)
       if (k < of_closures || rows[static_cast<std::size_t>(k - of_closures)].selectable) columns.push_back(k);
   }
-  /// (1), for the rows that were chosen before if they are independent enough, otherwise for those found here.
-  void factorize(const std::vector<int>* chosen) {
+  /// (1), for the rows that were chosen before if they are independent enough, otherwise for those found here. Rows
+  /// below `least` times the first count as dependent.
+  void factorize(const std::vector<int>* chosen, double least = least_pivot) {
     if (chosen && std::includes(columns.begin(), columns.end(), chosen->begin(), chosen->end())) {
       put(*chosen);
       if (factor.take(*chosen, 1e-7)) return;
     }
     put(columns);
-    factor.choose(least_pivot);
+    factor.choose(least);
     for (int& k : factor.chosen) k = columns[static_cast<std::size_t>(k)];
   }
   /// The chosen rows in order.

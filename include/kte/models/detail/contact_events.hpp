@@ -20,7 +20,9 @@ inline constexpr int most_decisions = 16;
 /// The longest time to look ahead, relative to the first: flights of unresolved_height * widest^2 = 1e-7 of the length.
 inline constexpr double widest = 1024;
 
-/// Moves x so that the gaps of all contacts that touch are zero, also of those that open.
+/// Moves x so that the gaps of all contacts that touch are zero, also of those that open. Rows that depend on each other
+/// on the surfaces are independent by the gaps off them, as where the faces of two bodies on a hinge lie flat: to close
+/// a gap by such a row would turn the hinge by any angle.
 template <class Access, class X>
 void close_gaps(const Access& a, double t, X& x) {
   auto& step = a.memory();
@@ -33,8 +35,8 @@ void close_gaps(const Access& a, double t, X& x) {
       m.find(c, s);
       m.choose([&m](const contact_at& y) { return m.touches(y); });
       put_rows_of_gaps(m, step.working);
-      step.working.fill(c, s, m), step.working.factorize(nullptr);
       put_gaps(m, step.working, step.values);
+      step.working.fill(c, s, m), step.working.factorize(nullptr, least_pivot_at(step.values));
       step.working.least_change(s, m, step.values, change);
     });
     const X x0 = x;
@@ -218,7 +220,10 @@ decision_check check_decision(const Access& a, double t, const X& x, std::vector
       const bool at_limit = (own.has_no_load && normal <= least) ||
                             (own.has_no_grip && sticks && reserve <= least && own.slip != slip_state::holds);
       if (at_limit && !own.yields) own.yields = true, found = decision_check::decide_again;
-      if (step.forces.look_aheads[i] > 0 && step.forces.speeds[i] <= 0) {
+      // A speed below `rest_velocity` is rest, where a contact may stick as well as slide: one that begins to slip does
+      // not stop there, one that slid does.
+      const double rest = own.before == contact_mode::sticks ? -rest_velocity * m.equations.places.length : 0;
+      if (step.forces.look_aheads[i] > 0 && step.forces.speeds[i] <= rest) {
         one_holds |= is_stopped(own.slip) && own.slip < slip_state::holds;
         note(own, slip_finding::stops);
       }
