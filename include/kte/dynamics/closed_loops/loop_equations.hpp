@@ -10,7 +10,7 @@
 /// accelerations. Rows in m are divided by the length of the chain.
 namespace kte::detail {
 
-/// Of all closures.
+/// A filter of closures that all pass.
 struct every_closure {
   constexpr bool operator()(int) const { return true; }
 };
@@ -26,17 +26,17 @@ class loop_equations : public closure_loads {
   Eigen::VectorXd residual;               ///< g
   std::vector<Eigen::MatrixXd> jacobian;  ///< J of each block: rows by places
 
-  /// Computes g, and optionally J, at valid positions. `placed`: the bodies are placed already. wanted(k): whether
+  /// Computes g, and optionally J, at valid positions. `placed`: the bodies are placed already. filter(k): whether
   /// those of closure k are computed.
-  template <class Closures, class State, class Wanted = every_closure>
-  void at_positions(const Closures& c, State& s, bool with_jacobian, bool placed = false, const Wanted& wanted = {}) {
+  template <class Closures, class State, class Filter = every_closure>
+  void at_positions(const Closures& c, State& s, bool with_jacobian, bool placed = false, const Filter& filter = {}) {
     if (!placed) place_bodies(c.elements(), s);
     for (std::size_t i = 0; i < places.blocks.size(); ++i) {
       if (with_jacobian) jacobian[i].setZero();
       int row = 0;
       for (const int k : places.blocks[i].closures) {
         const auto& x = places.closures[static_cast<std::size_t>(k)];
-        if (!wanted(k)) {
+        if (!filter(k)) {
           row += x.rows.count();
           continue;
         }
@@ -64,9 +64,9 @@ class loop_equations : public closure_loads {
     at_velocities(c, s);
     accelerate_residuals(c, s, [](int) { return 0.0; });
   }
-  /// Moves bodies at the rates of the state, for `motion` of the closures k with wanted(k); call `at_positions` first.
-  template <class Closures, class State, class Wanted = every_closure>
-  void at_velocities(const Closures& c, State& s, const Wanted& wanted = {}) {
+  /// Moves bodies at the rates of the state, for `motion` of the closures k with filter(k); call `at_positions` first.
+  template <class Closures, class State, class Filter = every_closure>
+  void at_velocities(const Closures& c, State& s, const Filter& filter = {}) {
     if (!s.tree().followers.empty()) {  // these accelerate with the leading coordinates, and by their rates
       Eigen::VectorXd a(s.dofs());
       read_listed_numbers<vector_of::a>(s, a);
@@ -83,7 +83,7 @@ class loop_equations : public closure_loads {
       if (f.row[k] < s.dofs()) s.work.acceleration[k] = 0;
     tree::move_bodies<true>(f, s.work);
     for (std::size_t k = 0; k < places.closures.size(); ++k)
-      if (places.closures[k].of_frames() && wanted(static_cast<int>(k))) find_places(s, places.closures[k], ends_[k]);
+      if (places.closures[k].of_frames() && filter(static_cast<int>(k))) find_places(s, places.closures[k], ends_[k]);
   }
   /// Computes the rates of residuals by given motions, those of bases and of coordinates that signals move, while the
   /// degrees of freedom are at rest; call `at_positions` first. Zero without such motions. Overwrites the motion in the
@@ -111,7 +111,7 @@ class loop_equations : public closure_loads {
   void accelerate_residuals(const Closures& c, State& s, const A& a) {
     for (int k = 0; k < static_cast<int>(places.closures.size()); ++k) accelerate_residual(c, s, k, a);
   }
-  /// The same of one closure.
+  /// As `accelerate_residuals`, for one closure.
   template <class Closures, class State, class A>
   void accelerate_residual(const Closures& c, State& s, int closure, const A& a) {
     const auto& x = places.closures[static_cast<std::size_t>(closure)];
@@ -122,7 +122,7 @@ class loop_equations : public closure_loads {
       acceleration[x.first] = places.scale(x, 0) * sum;
     });
   }
-  /// The same of a closure of frames in a motion of frame2 in frame1.
+  /// As `accelerate_residual`, for a closure of frames, in the motion m of frame2 in frame1.
   template <class Closures>
   void accelerate_residual_of_frames(const Closures& c, int closure, const closing_motion<double>& m) {
     const auto& x = places.closures[static_cast<std::size_t>(closure)];

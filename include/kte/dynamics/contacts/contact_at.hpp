@@ -37,8 +37,8 @@ struct contact_at {
   int closure = 0;  ///< its number among closures and contacts
   int slot = 0;     ///< its number among contacts
   bool planar = false;
-  bool has_gate = false;      ///< `only_if`
-  bool passes = false;        ///< passes through its surface, because its gate is closed
+  bool has_gate = false;            ///< `only_if`
+  bool passes = false;              ///< passes through its surface, because its gate is closed
   closing_motion<double> motion{};  ///< of frame 2 in frame 1
   touch place{};
   vec3<> slip{};  ///< velocity of the body on the surface, m/s, in axes of the surface

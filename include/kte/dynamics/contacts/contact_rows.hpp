@@ -60,11 +60,11 @@ struct contact_workspace {
   const contact_at& touched(std::size_t i) const { return contacts[static_cast<std::size_t>(touching[i])]; }
 
   /// Computes the places and slip velocities of contacts from motions in the working memory of the state, of those
-  /// with wanted(closure); call `at_positions` of the equations first, or `at_velocities`, with these motions.
-  template <class Contacts, class State, class Wanted = every_closure>
-  void find(const Contacts& c, const State& s, const Wanted& wanted = {}) {
+  /// with filter(closure); call `at_positions` of the equations first, or `at_velocities`, with these motions.
+  template <class Contacts, class State, class Filter = every_closure>
+  void find(const Contacts& c, const State& s, const Filter& filter = {}) {
     for (auto& x : contacts)
-      if (wanted(x.closure)) x.motion = equations.motion(s, x.closure), locate(c, x, x.motion);
+      if (filter(x.closure)) x.motion = equations.motion(s, x.closure), locate(c, x, x.motion);
   }
   /// As `find`, without equations.
   template <class Contacts, class State>

@@ -20,9 +20,9 @@ inline constexpr int most_decisions = 16;
 /// The longest time to look ahead, relative to the first: flights of unresolved_height * widest^2 = 1e-7 of the length.
 inline constexpr double widest = 1024;
 
-/// Moves x so that the gaps of all contacts that touch are zero, also of those that open. Rows that depend on each other
-/// on the surfaces are independent by the gaps off them, as where the faces of two bodies on a hinge lie flat: to close
-/// a gap by such a row would turn the hinge by any angle.
+/// Moves x so that the gaps of all contacts that touch are zero, also of those that open. Rows that depend on each
+/// other on the surfaces are independent by the gaps off them, as where the faces of two bodies on a hinge lie flat: to
+/// close a gap by such a row would turn the hinge by any angle.
 template <class Access, class X>
 void close_gaps(const Access& a, double t, X& x) {
   auto& step = a.memory();
