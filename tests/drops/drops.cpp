@@ -149,9 +149,10 @@ TEST_CASE("impacts of redundant contacts need no bridge", "[long]") {
   }
 }
 
-/// Faces that share their load in many ways, and a corner whose sliding jams (2314).
+/// Faces that share their load in many ways, a corner whose sliding jams (2314), corners that begin to slip together
+/// (4957), and a face that tips while steps are long (5392).
 TEST_CASE("redundant contacts that stop, and jams, need no bridge", "[long]") {
-  for (const unsigned number : {634U, 2314U, 3016U, 3466U, 3971U}) {
+  for (const unsigned number : {634U, 2314U, 3016U, 3466U, 3971U, 4957U, 5392U}) {
     CAPTURE(number);
     const auto drop = drop_of(number);
     const auto out = simulate(drop.what, drop.tolerance);

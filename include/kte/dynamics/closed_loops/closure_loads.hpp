@@ -98,6 +98,13 @@ class closure_loads : public closure_motion {
   }
   /// The position and rotation of frame2 in frame1 for a closure of frames, after `at_positions` or `biased_motion`.
   const closing_motion<double>& place(int closure) const { return motions_[static_cast<std::size_t>(closure)]; }
+  /// The motion of frame2 in frame1 of a closure of frames, at the motions of bodies in the working memory, after
+  /// `at_positions` or `at_rates` with these velocities.
+  template <class State>
+  auto motion(const State& s, int closure) const {
+    const auto k = static_cast<std::size_t>(closure);
+    return accelerated(s, places.closures[k], ends_[k], motions_[k]);
+  }
   /// The motion of frame2 in frame1 with bias accelerations, in a tree.
   template <class State>
   auto biased_motion(const State& s, int closure) {

@@ -10,6 +10,11 @@
 /// accelerations. Rows in m are divided by the length of the chain.
 namespace kte::detail {
 
+/// A filter of closures that all pass.
+struct every_closure {
+  constexpr bool operator()(int) const { return true; }
+};
+
 class loop_equations : public closure_loads {
  public:
   loop_equations(const chain_constraints& c, const runtime_state& s) : closure_loads(c, s) {
@@ -20,10 +25,65 @@ class loop_equations : public closure_loads {
   Eigen::VectorXd residual;               ///< g
   std::vector<Eigen::MatrixXd> jacobian;  ///< J of each block: rows by places
 
-  /// Computes g, and optionally J, at valid positions. `placed`: the bodies are placed already.
-  void at_positions(const chain_constraints& c, runtime_state& s, bool with_jacobian, bool placed = false);
+  /// Computes g, and optionally J, at valid positions. `placed`: the bodies are placed already. filter(k): whether
+  /// those of closure k are computed.
+  template <class Filter = every_closure>
+  void at_positions(const chain_constraints& c, runtime_state& s, bool with_jacobian, bool placed = false,
+                    const Filter& filter = {}) {
+    if (!placed) place_bodies(c.elements(), s);
+    for (std::size_t i = 0; i < places.blocks.size(); ++i) {
+      if (with_jacobian) jacobian[i].setZero();
+      int row = 0;
+      for (const int k : places.blocks[i].closures) {
+        const auto& x = places.closures[static_cast<std::size_t>(k)];
+        if (!filter(k)) {
+          row += x.rows.count();
+          continue;
+        }
+        double g[6];
+        if (x.of_frames()) {
+          find_places(s, x, ends_[static_cast<std::size_t>(k)]);
+          auto& m = motions_[static_cast<std::size_t>(k)];
+          m = between(ends_[static_cast<std::size_t>(k)]);
+          c.close_frames(x.element, m, closing::residual, g);
+          if (with_jacobian) fill(c, s, x, m, jacobian[i], row);
+        } else {
+          coordinate_rows(c, s, x, [&](const auto& values, const double* by) {
+            g[0] = values[0];
+            for (std::size_t n = 0; with_jacobian && n < x.dofs.size(); ++n)
+              jacobian[i](row, column_of_row(x.dofs[n])) += by[n];
+          });
+        }
+        for (int r = 0; r < x.rows.count(); ++r, ++row) residual[x.first + r] = places.scale(x, r) * g[r];
+      }
+    }
+  }
   /// Computes J_dot v at the rates of the state; call `at_positions` first.
-  void at_rates(const chain_constraints& c, runtime_state& s);
+  void at_rates(const chain_constraints& c, runtime_state& s) {
+    at_velocities(c, s);
+    accelerate_residuals(c, s, [](int) { return 0.0; });
+  }
+  /// Moves bodies at the rates of the state, for `motion` of the closures k with filter(k); call `at_positions` first.
+  template <class Filter = every_closure>
+  void at_velocities(const chain_constraints& c, runtime_state& s, const Filter& filter = {}) {
+    if (!s.tree().followers.empty()) {  // these accelerate with the leading coordinates, and by their rates
+      Eigen::VectorXd a(s.dofs());
+      read_listed_numbers<vector_of::a>(s, a);
+      const Eigen::VectorXd none = Eigen::VectorXd::Zero(a.size());
+      put_accelerations(s, none), bring_up_to_date(c, s);
+      take_rates(s);
+      put_accelerations(s, a), bring_up_to_date(c, s);
+    } else {
+      take_rates(s);
+    }
+    take_bases(s);
+    const auto& f = s.tree().body_tree;
+    for (std::size_t k = 0; k < f.row.size(); ++k)
+      if (f.row[k] < s.dofs()) s.work.acceleration[k] = 0;
+    tree::move_bodies<true>(f, s.work);
+    for (std::size_t k = 0; k < places.closures.size(); ++k)
+      if (places.closures[k].of_frames() && filter(static_cast<int>(k))) find_places(s, places.closures[k], ends_[k]);
+  }
   /// Computes the rates of residuals by given motions, those of bases and of coordinates that signals move, while the
   /// degrees of freedom are at rest; call `at_positions` first. Zero without such motions. Overwrites the motion in the
   /// working memory of the state.
@@ -32,20 +92,21 @@ class loop_equations : public closure_loads {
   /// first. a(i): the accelerations of degrees of freedom.
   template <class A>
   void accelerate_residuals(const chain_constraints& c, runtime_state& s, const A& a) {
-    for (std::size_t k = 0; k < places.closures.size(); ++k) {
-      const auto& x = places.closures[k];
-      double rows[6];
-      if (x.of_frames()) {
-        c.close_frames(x.element, accelerated(s, x, ends_[k], motions_[k]), closing::residual_ddot, rows);
-      } else {
-        coordinate_rows(c, s, x, [&](const auto& values, const double* by) {
-          rows[0] = values[1];
-          for (std::size_t n = 0; n < x.dofs.size(); ++n) rows[0] += by[n] * a(x.dofs[n]);
-        });
-      }
-      for (int r = 0; r < x.rows.count(); ++r) acceleration[x.first + r] = places.scale(x, r) * rows[r];
-    }
+    for (int k = 0; k < static_cast<int>(places.closures.size()); ++k) accelerate_residual(c, s, k, a);
   }
+  /// As `accelerate_residuals`, for one closure.
+  template <class A>
+  void accelerate_residual(const chain_constraints& c, runtime_state& s, int closure, const A& a) {
+    const auto& x = places.closures[static_cast<std::size_t>(closure)];
+    if (x.of_frames()) return accelerate_residual_of_frames(c, closure, motion(s, closure));
+    coordinate_rows(c, s, x, [&](const auto& values, const double* by) {
+      double sum = values[1];
+      for (std::size_t n = 0; n < x.dofs.size(); ++n) sum += by[n] * a(x.dofs[n]);
+      acceleration[x.first] = places.scale(x, 0) * sum;
+    });
+  }
+  /// As `accelerate_residual`, for a closure of frames, in the motion m of frame2 in frame1.
+  void accelerate_residual_of_frames(const chain_constraints& c, int closure, const closing_motion<double>& m);
   /// J x of all rows for x by degrees of freedom; `times_sizes`: the sums of |J| |x|.
   Eigen::VectorXd times(const Eigen::VectorXd& x) const {
     return product(x, [](double j, double v) { return j * v; });
@@ -122,52 +183,6 @@ inline std::string gap_text(const chain_constraints& c, const loop_equations& e)
 }
 
 #ifdef KTE_FUNCTION
-KTE_FUNCTION void loop_equations::at_positions(const chain_constraints& c, runtime_state& s, bool with_jacobian,
-                                               bool placed) {
-  if (!placed) place_bodies(c.elements(), s);
-  for (std::size_t i = 0; i < places.blocks.size(); ++i) {
-    if (with_jacobian) jacobian[i].setZero();
-    int row = 0;
-    for (const int k : places.blocks[i].closures) {
-      const auto& x = places.closures[static_cast<std::size_t>(k)];
-      double g[6];
-      if (x.of_frames()) {
-        find_places(s, x, ends_[static_cast<std::size_t>(k)]);
-        auto& m = motions_[static_cast<std::size_t>(k)];
-        m = between(ends_[static_cast<std::size_t>(k)]);
-        c.close_frames(x.element, m, closing::residual, g);
-        if (with_jacobian) fill(c, s, x, m, jacobian[i], row);
-      } else {
-        coordinate_rows(c, s, x, [&](const auto& values, const double* by) {
-          g[0] = values[0];
-          for (std::size_t n = 0; with_jacobian && n < x.dofs.size(); ++n)
-            jacobian[i](row, column_of_row(x.dofs[n])) += by[n];
-        });
-      }
-      for (int r = 0; r < x.rows.count(); ++r, ++row) residual[x.first + r] = places.scale(x, r) * g[r];
-    }
-  }
-}
-KTE_FUNCTION void loop_equations::at_rates(const chain_constraints& c, runtime_state& s) {
-  if (!s.tree().followers.empty()) {  // these accelerate with the leading coordinates, and by their rates
-    Eigen::VectorXd a(s.dofs());
-    read_listed_numbers<vector_of::a>(s, a);
-    const Eigen::VectorXd none = Eigen::VectorXd::Zero(a.size());
-    put_accelerations(s, none), bring_up_to_date(c, s);
-    take_rates(s);
-    put_accelerations(s, a), bring_up_to_date(c, s);
-  } else {
-    take_rates(s);
-  }
-  take_bases(s);
-  const auto& f = s.tree().body_tree;
-  for (std::size_t k = 0; k < f.row.size(); ++k)
-    if (f.row[k] < s.dofs()) s.work.acceleration[k] = 0;
-  tree::move_bodies<true>(f, s.work);
-  for (std::size_t k = 0; k < places.closures.size(); ++k)
-    if (places.closures[k].of_frames()) find_places(s, places.closures[k], ends_[k]);
-  accelerate_residuals(c, s, [](int) { return 0.0; });
-}
 KTE_FUNCTION void loop_equations::put_given_rates(const chain_constraints& c, runtime_state& s,
                                                   Eigen::VectorXd& rates) {
   rates.setZero(places.rows);
@@ -184,6 +199,13 @@ KTE_FUNCTION void loop_equations::put_given_rates(const chain_constraints& c, ru
     c.close_frames(x.element, accelerated(s, x, ends_[k], motions_[k]), closing::residual_dot, rows);
     for (int r = 0; r < x.rows.count(); ++r) rates[x.first + r] = places.scale(x, r) * rows[r];
   }
+}
+KTE_FUNCTION void loop_equations::accelerate_residual_of_frames(const chain_constraints& c, int closure,
+                                                                const closing_motion<double>& m) {
+  const auto& x = places.closures[static_cast<std::size_t>(closure)];
+  double rows[6];
+  c.close_frames(x.element, m, closing::residual_ddot, rows);
+  for (int r = 0; r < x.rows.count(); ++r) acceleration[x.first + r] = places.scale(x, r) * rows[r];
 }
 KTE_FUNCTION Eigen::MatrixXd loop_equations::dense_jacobian() const {
   Eigen::MatrixXd all = scaled_jacobian();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/contract/closure.hpp>
 #include <kte/contract/contact.hpp>
 #include <kte/math/select.hpp>
 
@@ -36,8 +37,9 @@ struct contact_at {
   int closure = 0;  ///< its number among closures and contacts
   int slot = 0;     ///< its number among contacts
   bool planar = false;
-  bool has_gate = false;  ///< `only_if`
-  bool passes = false;    ///< passes through its surface, because its gate is closed
+  bool has_gate = false;            ///< `only_if`
+  bool passes = false;              ///< passes through its surface, because its gate is closed
+  closing_motion<double> motion{};  ///< of frame 2 in frame 1
   touch place{};
   vec3<> slip{};  ///< velocity of the body on the surface, m/s, in axes of the surface
   contact_basis<> basis{};

@@ -117,7 +117,8 @@ inline void put_contacts(const contact_solver& m, runtime_state& s) {
 /// Writes `loop_forces` to the closures of the state.
 void put_forces_of_closures(const contact_solver& m, runtime_state& s);
 /// Accelerations a_0 of the tree under applied(i), to `before`, with the places and slip velocities of contacts, and
-/// the second derivatives of all rows for a_0 in the equations.
+/// the second derivatives of rows for a_0 in the equations: of closures, and of contacts that touch, are closed, or
+/// have a gate.
 void accelerate_freely(const chain_constraints& c, runtime_state& s, contact_solver& m,
                        const tree::given_forces<double>& applied);
 /// g'' of a contact without contact forces, after `accelerate_freely`.
@@ -244,7 +245,10 @@ KTE_FUNCTION void accelerate_freely(const chain_constraints& c, runtime_state& s
   if (tree) {
     m.factor.take_articulated(s, e);
     m.find(c, s);
-    e.accelerate_residuals(c, s, [&a](int i) { return a[i]; });
+    for (const int k : m.closures) e.accelerate_residual(c, s, k, [&a](int i) { return a[i]; });
+    for (const auto& x : m.contacts)
+      if (m.touches(x) || x.has_gate || mode_of(s.get<kind::contact>(x.slot)) != contact_mode::open)
+        e.accelerate_residual_of_frames(c, x.closure, x.motion);
   } else {
     for_each_listed_freedom(s, [&a0](auto& x, const freedom& at) { put<vector_of::a>(x, at, a0); });
     m.factor.factorize(c, s, e);

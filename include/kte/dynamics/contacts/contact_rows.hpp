@@ -46,8 +46,17 @@ struct contact_workspace {
   contact_at& touched(std::size_t i) { return contacts[static_cast<std::size_t>(touching[i])]; }
   const contact_at& touched(std::size_t i) const { return contacts[static_cast<std::size_t>(touching[i])]; }
 
-  /// Computes the places and slip velocities of all contacts from motions in the working memory of the state.
-  void find(const chain_constraints& c, const runtime_state& s);
+  /// Computes the places and slip velocities of contacts from motions in the working memory of the state, of those
+  /// with filter(closure); call `at_positions` of the equations first, or `at_velocities`, with these motions.
+  template <class Filter = every_closure>
+  void find(const chain_constraints& c, const runtime_state& s, const Filter& filter = {}) {
+    for (auto& x : contacts)
+      if (filter(x.closure)) x.motion = equations.motion(s, x.closure), locate(c, x, x.motion);
+  }
+  /// As `find`, without equations.
+  void find_anew(const chain_constraints& c, const runtime_state& s) {
+    for (auto& x : contacts) locate(c, x, loop_equations::moving_between(s, place(x)));
+  }
   /// As `find` in a tree, from bias motions in the working memory of the state.
   void find_biased(const chain_constraints& c, const runtime_state& s) {
     for (auto& x : contacts) {
@@ -244,13 +253,6 @@ KTE_FUNCTION contact_workspace::contact_workspace(const chain_constraints& c, co
     } else {
       closures.push_back(static_cast<int>(i));
     }
-}
-KTE_FUNCTION void contact_workspace::find(const chain_constraints& c, const runtime_state& s) {
-  for (auto& x : contacts) {
-    const auto& at = place(x);
-    const auto m = loop_equations::moving_between(s, at);
-    locate(c, x, m);
-  }
 }
 KTE_FUNCTION vec3<> contact_workspace::unscaled(const contact_at& x, const Eigen::VectorXd& all) const {
   const auto& at = place(x);

@@ -60,7 +60,9 @@ KTE_FUNCTION void accelerate_in_modes(const chain_constraints& c, runtime_state&
   k.rows.put_values(
       m, m.equations.acceleration, [](const contact_at&) { return vec3<>{}; }, k.bias);
   k.bias.tail(m.bias.size()) = m.bias;
-  if (!slow_sliding(m, k, k.solve(m)).solve()) [[unlikely]]
+  bool is_regular = k.solve(m);
+  if (const auto slow = slow_contacts(m, k); !slow.empty()) is_regular = slow_sliding(m, k, slow, is_regular).solve();
+  if (!is_regular) [[unlikely]]
     raise<no_solution>("kte: contacts " + names_of_touching(c, m) +
                        " cannot stay closed: their equations are singular");
   m.factor.other_half(s, m.equations, k.half, m.change_of_motion);

@@ -36,8 +36,9 @@ class mode_rows {
   int count() const { return of_closures + static_cast<int>(rows.size()); }
   /// B at the positions of the state; call `factorize` or `take_articulated` of m.factor first.
   void fill(const chain_constraints& c, runtime_state& s, contact_solver& m);
-  /// (1), for the rows that were chosen before if they are independent enough, otherwise for those found here.
-  void factorize(const std::vector<int>* chosen);
+  /// (1), for the rows that were chosen before if they are independent enough, otherwise for those found here. Rows
+  /// below `least` times the first count as dependent.
+  void factorize(const std::vector<int>* chosen, double least = least_pivot);
   /// The chosen rows in order.
   void put_chosen(std::vector<int>& to) const {
     to = factor.chosen;
@@ -96,13 +97,13 @@ KTE_FUNCTION void mode_rows::fill(const chain_constraints& c, runtime_state& s, 
   for (int k = 0; k < count(); ++k)
     if (k < of_closures || rows[static_cast<std::size_t>(k - of_closures)].selectable) columns.push_back(k);
 }
-KTE_FUNCTION void mode_rows::factorize(const std::vector<int>* chosen) {
+KTE_FUNCTION void mode_rows::factorize(const std::vector<int>* chosen, double least) {
   if (chosen && std::includes(columns.begin(), columns.end(), chosen->begin(), chosen->end())) {
     put(*chosen);
     if (factor.take(*chosen, 1e-7)) return;
   }
   put(columns);
-  factor.choose(least_pivot);
+  factor.choose(least);
   for (int& k : factor.chosen) k = columns[static_cast<std::size_t>(k)];
 }
 KTE_FUNCTION void mode_rows::least_change(runtime_state& s, contact_solver& m, const Eigen::VectorXd& c,

@@ -22,15 +22,47 @@
 /// |u_t| < v: v^1.5/sqrt(j), where |u_t| = j t^2/2; places change by v^2/(8 k) where sliding stops.
 namespace kte::detail {
 
+/// A contact that slides slowly.
+struct slow_contact {
+  std::size_t number;  ///< of those that touch
+  double stop;         ///< k of (2), m/s^2
+};
+/// Finds the contacts that slide slowly, and sets the times to look ahead of all, and the speeds of those that slide
+/// fast; call `solve` of k first.
+inline std::vector<slow_contact> slow_contacts(const contact_solver& m, forces_in_modes& k) {
+  std::vector<slow_contact> slow;
+  const std::size_t n = m.touching.size();
+  k.look_aheads.assign(n, 0), k.speeds.assign(n, 0);
+  const double length = m.equations.places.length, v = k.slow_speed * length;
+  for (std::size_t i = 0; i < n; ++i) {
+    if (m.modes[i] != contact_mode::slides) continue;
+    const auto& x = m.touched(i);
+    const vec3<> t = contact_workspace::tangential(x);
+    const double share = 1 - std::sqrt(dot(t, t)) / v;
+    k.speeds[i] = dot(t, x.basis[1]);
+    if (x.planar || !(share > 0)) continue;
+    double free = 0;  // a
+    for (std::size_t j = 0; j < n; ++j) free = (std::max)(free, length * std::abs(m.bias[m.touched(j).first]));
+    const Eigen::Index row = k.rows.of_closures + x.first;
+    const double stop =
+        m.laws[i].friction * free * k.rows.all.col(row + 1).squaredNorm() / k.rows.all.col(row).squaredNorm();
+    if (!(stop > 0) || !std::isfinite(stop)) continue;
+    k.look_aheads[i] = 2 * v / stop * share * share;
+    slow.push_back({i, stop});
+  }
+  return slow;
+}
+
 /// Solves (1) for all slow contacts by Newton's method, from the solution k for the directions of `sliding_direction`,
 /// and sets speeds of sliding. Returns whether the forces are regular; `is_regular`: at the start.
 class slow_sliding {
  public:
-  slow_sliding(contact_solver& m, forces_in_modes& k, bool is_regular) : m_(m), k_(k), is_regular_(is_regular) {}
+  slow_sliding(contact_solver& m, forces_in_modes& k, const std::vector<slow_contact>& slow, bool is_regular)
+      : m_(m), k_(k), slow_(slow), is_regular_(is_regular), length_(m.equations.places.length) {
+    w_.resize(slow_.size()), f_.resize(2 * static_cast<Eigen::Index>(slow_.size()));
+  }
 
   bool solve() {
-    find_slow_contacts();
-    if (slow_.empty()) return is_regular_;
     double most = misfit();
     for (int step = 0; step < most_steps && most > 1e-14; ++step) {
       const double before = most;
@@ -48,28 +80,6 @@ class slow_sliding {
   /// Sliding that fades, as where a body begins to roll, ends where |w| is this near to 1.
   static constexpr double least_excess = 1e-10;
 
-  void find_slow_contacts() {
-    length_ = m_.equations.places.length;
-    const double v = k_.slow_speed * length_;
-    k_.look_aheads.assign(m_.touching.size(), 0), k_.speeds.assign(m_.touching.size(), 0);
-    double free = 0;  // a
-    for (std::size_t i = 0; i < m_.touching.size(); ++i)
-      free = (std::max)(free, length_ * std::abs(m_.bias[m_.touched(i).first]));
-    for (std::size_t i = 0; i < m_.touching.size(); ++i) {
-      const auto& x = m_.touched(i);
-      if (m_.modes[i] != contact_mode::slides) continue;
-      const vec3<> t = contact_workspace::tangential(x);
-      const double share = 1 - std::sqrt(dot(t, t)) / v;
-      k_.speeds[i] = dot(t, x.basis[1]);
-      if (x.planar || !(share > 0)) continue;
-      const double stop = m_.laws[i].friction * free * k_.rows.all.col(row_of(i) + 1).squaredNorm() /
-                          k_.rows.all.col(row_of(i)).squaredNorm();
-      if (!(stop > 0) || !std::isfinite(stop)) continue;
-      k_.look_aheads[i] = 2 * v / stop * share * share;
-      slow_.push_back(i), stops_.push_back(stop);
-    }
-    w_.resize(slow_.size()), f_.resize(2 * static_cast<Eigen::Index>(slow_.size()));
-  }
   Eigen::Index row_of(std::size_t i) const { return k_.rows.of_closures + m_.touched(i).first; }
   vector2 direction(std::size_t i) const { return {k_.directions[i][0], k_.directions[i][1]}; }
   /// A rate u_t' of contact i along t_1 and t_2 by forces whose L^-T J^T is `half`, m/s^2.
@@ -80,12 +90,12 @@ class slow_sliding {
   /// d - P(w) of all, to f; returns its largest number.
   double misfit() {
     for (std::size_t j = 0; j < slow_.size(); ++j) {
-      const std::size_t i = slow_[j];
+      const std::size_t i = slow_[j].number;
       const auto& x = m_.touched(i);
       const vec3<> t = contact_workspace::tangential(x);
       const vector2 u(dot(t, x.basis[1]), dot(t, x.basis[2])), d = direction(i);
       const vector2 bias = length_ * k_.bias.segment<2>(row_of(i) + 1);
-      w_[j] = d + (u / k_.look_aheads[i] + bias + rate_by(i, k_.half)) / stops_[j];
+      w_[j] = d + (u / k_.look_aheads[i] + bias + rate_by(i, k_.half)) / slow_[j].stop;
       f_.segment<2>(2 * static_cast<Eigen::Index>(j)) = d - w_[j] / (std::max)(1.0, w_[j].norm());
     }
     return f_.cwiseAbs().maxCoeff();
@@ -95,9 +105,9 @@ class slow_sliding {
     const auto n = f_.size();
     auto slope = factor_.matrix(n, n);  // transposed
     for (Eigen::Index c = 0; c < n; ++c) {
-      k_.derive_by_direction(m_, slow_[static_cast<std::size_t>(c / 2)], static_cast<int>(c % 2), half_);
+      k_.derive_by_direction(m_, slow_[static_cast<std::size_t>(c / 2)].number, static_cast<int>(c % 2), half_);
       for (std::size_t j = 0; j < slow_.size(); ++j) {
-        vector2 of_w = rate_by(slow_[j], half_) / stops_[j];
+        vector2 of_w = rate_by(slow_[j].number, half_) / slow_[j].stop;
         const auto row = 2 * static_cast<Eigen::Index>(j);
         const vector2 own(row == c, row + 1 == c);
         of_w += own;
@@ -117,7 +127,7 @@ class slow_sliding {
       k_.directions = kept;
       for (std::size_t j = 0; j < slow_.size(); ++j)
         for (std::size_t r = 0; r < 2; ++r)
-          k_.directions[slow_[j]][r] -= share * way[static_cast<Eigen::Index>(2 * j + r)];
+          k_.directions[slow_[j].number][r] -= share * way[static_cast<Eigen::Index>(2 * j + r)];
       is_regular_ = k_.solve_in_directions(m_);
       return misfit();
     };
@@ -133,18 +143,18 @@ class slow_sliding {
     if (!(size > 1 && size < 1 + 1e-6)) return 1;
     double change = 0;
     for (int r = 0; r < 2; ++r) {
-      k_.derive_by_direction(m_, slow_[j], r, half_);
-      change -= w_[j][r] / size * w_[j].dot(rate_by(slow_[j], half_)) / size;
+      k_.derive_by_direction(m_, slow_[j].number, r, half_);
+      change -= w_[j][r] / size * w_[j].dot(rate_by(slow_[j].number, half_)) / size;
     }
-    return std::clamp(change / stops_[j], 1e-3, 1.0);
+    return std::clamp(change / slow_[j].stop, 1e-3, 1.0);
   }
   void put_results() {
     for (std::size_t j = 0; j < slow_.size(); ++j) {
-      const std::size_t i = slow_[j];
-      k_.speeds[i] = (w_[j].norm() - 1 - least_excess * mobility(j)) * stops_[j] * k_.look_aheads[i];
+      const std::size_t i = slow_[j].number;
+      k_.speeds[i] = (w_[j].norm() - 1 - least_excess * mobility(j)) * slow_[j].stop * k_.look_aheads[i];
     }
     for (std::size_t j = 0; j < slow_.size(); ++j) {
-      const std::size_t i = slow_[j];
+      const std::size_t i = slow_[j].number;
       const vector2 d = direction(i);
       if (!(d.norm() > 0)) continue;
       auto& x = m_.touched(i);
@@ -157,10 +167,9 @@ class slow_sliding {
 
   contact_solver& m_;
   forces_in_modes& k_;
+  const std::vector<slow_contact>& slow_;
   bool is_regular_;
-  double length_ = 1;
-  std::vector<std::size_t> slow_;  ///< numbers of contacts
-  std::vector<double> stops_;      ///< k of (2), m/s^2
+  double length_;
   std::vector<vector2> w_;
   Eigen::VectorXd f_, half_;
   pivoted_qr factor_;

@@ -72,7 +72,7 @@ KTE_FUNCTION void velocity_step::first(const chain_constraints& c, runtime_state
   implicit_.find(c.elements(), s, h, law);
   if (implicit_.coupled()) place_by_mass(c, s, m);
   accelerate(c, s, m);
-  m.find(c, s);
+  m.find_anew(c, s);
   if (!implicit_.coupled()) {
     e.at_positions(c, s, true, tree);
     if (tree)

@@ -45,6 +45,8 @@ class crossing_search {
   int side() const { return side_; }
   /// The time at which g has just left its side.
   const S& time() const { return time_; }
+  /// This time, or where g has left zero to the other side a time at which it is there.
+  const S& seen() const { return seen_; }
   /// The distance from zero that rounding may cause at this time.
   const S& next_noise() const { return next_noise_; }
   /// 0 once g has left zero.
@@ -99,10 +101,11 @@ class crossing_search {
     departure<S> from{side_, a};
     if (sign_of(ya, noise_, 0) == 0 && noise_ > S(0)) from = depart(g, a, b, noise_);  // just after a crossing
     const S fa = s * (from.time == a ? ya : g(from.time));
-    const auto root = fa > S(0) && from.side == side_
-                          ? find_sign_change([&](const S& t) { return S(s * g(t)); }, from.time, fa, b, S(s * yb))
-                          : sign_change<S>{a, S(0), a, S(0)};
+    const bool stays = fa > S(0) && from.side == side_;
+    const auto root = stays ? find_sign_change([&](const S& t) { return S(s * g(t)); }, from.time, fa, b, S(s * yb))
+                            : sign_change<S>{a, S(0), a, S(0)};
     time_ = root.after;
+    seen_ = stays ? time_ : from.time;
     const S nearest = root.f_after == S(0) || root.f_before < -root.f_after ? S(-root.f_after) : root.f_before;
     next_noise_ = 8 * (nearest + std::numeric_limits<S>::epsilon() * scale_);
     return true;
@@ -134,7 +137,7 @@ class crossing_search {
   S noise_;
   int depth_;
   int intervals_ = 64;  ///< remaining bisections; bounds the work for a noisy g
-  S time_{}, next_noise_{}, scale_{0};
+  S time_{}, seen_{}, next_noise_{}, scale_{0};
 };
 
 }  // namespace kte::detail

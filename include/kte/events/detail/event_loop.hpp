@@ -77,7 +77,8 @@ class event_loop {
     else
       return false;
   }
-  /// A step, or where it fails, a bridge.
+  /// A step; where it fails, modes are decided again, once at a time, as where the rank of contacts has changed in the
+  /// step before; otherwise a bridge.
   void step_or_bridge() {
     const auto step = [this] {
       renew_goal();
@@ -90,7 +91,7 @@ class event_loop {
       try {
         return step();
       } catch (const error& why) {
-        if (is_in_handler_ || !bridge(why.what())) throw;
+        if (is_in_handler_ || !(mend_again() || bridge(why.what()))) throw;
         return;
       }
     }
@@ -148,6 +149,20 @@ class event_loop {
     go_for(goal_);
     return true;
   }
+#if defined(__cpp_exceptions)
+  bool mend_again() {
+    const S t = solver_.time();
+    if (has_mended_ && t == last_mend_) return false;
+    has_mended_ = true, last_mend_ = t;
+    x_ = solver_.state();
+    try {
+      watch_.for_each([&](auto& e, status& s, std::size_t k) { s.value = watch_.value(e, k, t, x_); });
+      return mend_start();
+    } catch (const error&) {
+      return false;
+    }
+  }
+#endif
   void end_step_or_act(return_path& back) {
     watch_.search(begin_);
     if (!one_is_stuck(back) && !handle_crossings(back)) end_step(back);
@@ -206,15 +221,17 @@ class event_loop {
     return false;
   }
 
-  /// An event early in a long step is located again in a short one, with the rounding of the short step.
+  /// An event early in a long step is located again in a short one, with the rounding of the short step, and without
+  /// the error of interpolation of the long one: E theta^2 at theta of a step of error E, which a g that leaves zero as
+  /// the cube of time, as the gap of a contact that lifts, exceeds only later.
   bool is_early() const {
-    return watch_.next() != begin_ &&
-           16 * watch::distance(watch_.next(), begin_) < watch::distance(solver_.time(), begin_);
+    return watch_.seen() != begin_ &&
+           16 * watch::distance(watch_.seen(), begin_) < watch::distance(solver_.time(), begin_);
   }
   bool take_shorter_step() {
     solver_.interpolate(begin_, x_);
     restart(begin_);
-    go_for(S(begin_ + 2 * (watch_.next() - begin_)));
+    go_for(S(begin_ + 2 * (watch_.seen() - begin_)));
     return true;
   }
 
@@ -342,8 +359,9 @@ class event_loop {
   watch watch_;
   bridges<Solver, List> bridges_;
   event_record<X, List> record_;
-  S t_end_, goal_, begin_{}, last_action_, pace_{0}, safe_time_;
+  S t_end_, goal_, begin_{}, last_action_, pace_{0}, safe_time_, last_mend_{};
   bool is_zeno_ = false;        ///< whether resets of contacts at one time do not end
+  bool has_mended_ = false;     ///< whether modes were decided again, at `last_mend_`
   bool is_in_handler_ = false;  ///< whether a handler runs whose errors bridges do not help
   X x_, safe_;
 };

@@ -22,6 +22,7 @@ struct event_status {
   bool found = false;    ///< whether a crossing was found
   bool happens = false;  ///< whether it is the next crossing
   S time{}, next_noise{};
+  S seen{};  ///< `time`, or for a crossing at the start of the step a time at which g is beyond zero
 
   /// At the end of a step, where g is y.
   void renew(const S& y) {

@@ -38,9 +38,15 @@ class event_watch : public watched_events<Solver, List> {
       s.happens = s.found && distance(s.time, first) <= together;
       if (s.happens && is_before(next_, s.time)) next_ = s.time;
     }
+    seen_ = next_;
+    for (const status& s : this->status_)
+      if (s.happens && is_before(seen_, s.seen)) seen_ = s.seen;
     return true;
   }
   const S& next() const { return next_; }
+  /// A time at which the events that happen next are beyond zero, if they happen at the start of the step; `next()`
+  /// otherwise.
+  const S& seen() const { return seen_; }
   /// Continues the search after a crossing that has not ended the step.
   template <class E>
   void pass(E& e, status& s, std::size_t k) {
@@ -69,9 +75,10 @@ class event_watch : public watched_events<Solver, List> {
   bool is_wanted(const E& e, const status& s) const {
     return finder(e.direction, s.reached, S(0), 0).is_wanted(begin_ < end_);
   }
-  static void found(status& s, const S& t) {
+  static void found(status& s, const S& t, const S& seen) {
     s.found = true;
     s.time = t;
+    s.seen = seen;
     s.next_noise = (std::numeric_limits<S>::min)();  // not 0, because g was just zero
   }
 
@@ -87,10 +94,11 @@ class event_watch : public watched_events<Solver, List> {
     const auto left = depart(this->along(e, k), begin_, end_, s.noise);
     s.stuck = left.side != 0 && s.from == -left.side;
     if (left.side == 0 || s.stuck) return;
-    if (s.side == -left.side && is_wanted(e, s)) return found(s, begin_);  // the previous step has ended at zero
+    if (s.side == -left.side && is_wanted(e, s))
+      return found(s, begin_, left.time);  // the previous step has ended at zero
     if (e.is_unilateral && s.side == 0 && left.side < 0 && begin_ < end_) {
       s.reached = 1;
-      return found(s, left.time);
+      return found(s, left.time, left.time);
     }
     s.reached = left.side;
     search_from(e, s, k, left.time);
@@ -132,6 +140,7 @@ class event_watch : public watched_events<Solver, List> {
     s.found = in.find(this->along(e, k), a, b, values_[k]);
     s.reached = in.side();
     s.time = in.time();
+    s.seen = in.seen();
     s.noise_there = in.noise();
     s.next_noise = in.next_noise();
   }
@@ -140,10 +149,10 @@ class event_watch : public watched_events<Solver, List> {
   void look_at_end(E& e, status& s, std::size_t k) {
     if (s.found || s.reached == 0 || s.noise_there != S(0) || this->value(e, k, end_, this->solver_.state()) != S(0))
       return;
-    if (is_wanted(e, s)) found(s, end_);
+    if (is_wanted(e, s)) found(s, end_, end_);
   }
 
-  S t_end_, start_, begin_{}, end_{}, next_{};
+  S t_end_, start_, begin_{}, end_{}, next_{}, seen_{};
   typename base::template for_each_event<typename finder::values> values_;
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kte/dynamics/contacts/contact_forces.hpp>
+#include <kte/models/detail/contact_slip_state.hpp>
 
 namespace kte::detail {
 
@@ -16,12 +17,8 @@ struct contact_change {
   bool has_no_load = false;  ///< whether the normal force has fallen to zero
   bool has_no_grip = false;  ///< whether the reserve of friction has fallen to zero
   bool yields = false;       ///< opens, or slides, because of these
-  bool stops = false;        ///< has no velocity, because it would stop at once
-  bool holds = false;        ///< sticks, because it would not move
-  bool rests = false;        ///< slides, but does not move: sticking would exceed friction
-  vec3<> slip{};  ///< the direction in which it slides, because sticking would exceed friction; 0: it may stick
-
-  bool slips() const { return dot(slip, slip) > 0; }
+  slip_state slip = slip_state::as_found;
+  vec3<> slip_direction{};  ///< in which it slides if `is_sliding(slip)`
 };
 /// What all contacts do; if none has changed at the event of contact `event_of`, what this one still does.
 inline std::string text_of_changes(const chain_constraints& c, const contact_solver& m, const std::vector<contact_change>& all,

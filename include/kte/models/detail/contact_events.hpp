@@ -5,6 +5,8 @@
 #include <kte/models/detail/contact_gates.hpp>
 #include <kte/models/detail/wrong_modes.hpp>
 
+#include <utility>
+
 /// The changes of rigid contacts at events of a model (docs/contact.md).
 namespace kte::detail {
 
@@ -18,7 +20,9 @@ inline constexpr int most_decisions = 16;
 /// The longest time to look ahead, relative to the first: flights of unresolved_height * widest^2 = 1e-7 of the length.
 inline constexpr double widest = 1024;
 
-/// Moves x so that the gaps of all contacts that touch are zero, also of those that open.
+/// Moves x so that the gaps of all contacts that touch are zero, also of those that open. Rows that depend on each
+/// other on the surfaces are independent by the gaps off them, as where the faces of two bodies on a hinge lie flat: to
+/// close a gap by such a row would turn the hinge by any angle.
 template <class Access, class X>
 void close_gaps(const Access& a, double t, X& x) {
   auto& step = a.memory();
@@ -31,8 +35,8 @@ void close_gaps(const Access& a, double t, X& x) {
       m.find(c, s);
       m.choose([&m](const contact_at& y) { return m.touches(y); });
       put_rows_of_gaps(m, step.working);
-      step.working.fill(c, s, m), step.working.factorize(nullptr);
       put_gaps(m, step.working, step.values);
+      step.working.fill(c, s, m), step.working.factorize(nullptr, least_pivot_at(step.values));
       step.working.least_change(s, m, step.values, change);
     });
     const X x0 = x;
@@ -91,7 +95,7 @@ void resolve_contacts_once(const Access& a, double t, X& x, int event_of, double
               slow_sliding_of(s.template get<kind::contact>(m.contacts[i].slot), m.contacts[i], margins[i]));
       for (std::size_t i = 0; i < changes.size(); ++i) {
         before[i].opens = changes[i].yields && changes[i].has_no_load;
-        before[i].stops |= changes[i].stops;
+        before[i].stops |= is_stopped(changes[i].slip);
       }
       if (changes.empty()) {
         changes.resize(m.contacts.size());
@@ -144,14 +148,14 @@ void resolve_contacts_once(const Access& a, double t, X& x, int event_of, double
         const auto [normal, reserve] = reserves(m, i);
         if (own.has_no_load && normal <= least_reserve * most) {
           to.mode = static_cast<double>(contact_mode::open);
-        } else if (mode_of(to) == contact_mode::slides && own.holds) {
+        } else if (mode_of(to) == contact_mode::slides && own.slip == slip_state::holds) {
           to.mode = static_cast<double>(contact_mode::sticks);
-        } else if (mode_of(to) == contact_mode::sticks && !own.holds) {
+        } else if (mode_of(to) == contact_mode::sticks && own.slip != slip_state::holds) {
           const vec3<> t_force = to.force - normal * y.place.normal;
           if (y.place.law.friction == 0)
             to.direction = y.basis[1];
-          else if (own.slips())
-            to.direction = own.slip;
+          else if (is_sliding(own.slip))
+            to.direction = own.slip_direction;
           else if (own.has_no_grip && (own.yields || reserve <= least_reserve * most))
             to.direction = unit_of(-t_force);
           else
@@ -202,30 +206,36 @@ decision_check check_decision(const Access& a, double t, const X& x, std::vector
     const bool wrong = admit_forces(c, s, m, step.forces, least_reserve) >= 0;
     if (wrong) found = decision_check::wrong;
     const double most = largest_force(m, step.forces), least = least_reserve * most;
-    bool stands = false;
+    bool one_holds = false;
+    const auto note = [&found](contact_change& own, slip_finding what) {
+      const slip_state before = std::exchange(own.slip, next_state(own.slip, what));
+      if (own.slip != before) found = decision_check::decide_again;
+    };
     for (std::size_t i = 0; i < m.touching.size(); ++i) {
       const auto& y = m.touched(i);
       auto& own = changes[static_cast<std::size_t>(m.touching[i])];
       const auto [normal, reserve] = reserves(m, i);
+      const bool sticks = m.modes[i] == contact_mode::sticks;
       if (wrong && step.forces.redundant() && normal < -least) own.has_no_load = true;
       const bool at_limit = (own.has_no_load && normal <= least) ||
-                            (own.has_no_grip && m.modes[i] == contact_mode::sticks && reserve <= least && !own.holds);
+                            (own.has_no_grip && sticks && reserve <= least && own.slip != slip_state::holds);
       if (at_limit && !own.yields) own.yields = true, found = decision_check::decide_again;
-      if (step.forces.look_aheads[i] > 0 && step.forces.speeds[i] <= 0 && !own.holds && !own.rests) {
-        stands |= own.stops;
-        (own.stops ? own.holds : own.stops) = true, own.slip = {};
-        found = decision_check::decide_again;
+      // A speed below `rest_velocity` is rest, where a contact may stick as well as slide: one that begins to slip does
+      // not stop there, one that slid does.
+      const double rest = own.before == contact_mode::sticks ? -rest_velocity * m.equations.places.length : 0;
+      if (step.forces.look_aheads[i] > 0 && step.forces.speeds[i] <= rest) {
+        one_holds |= is_stopped(own.slip) && own.slip < slip_state::holds;
+        note(own, slip_finding::stops);
       }
       const double excess = excess_at_onset * y.place.law.friction * normal;
-      if (!y.planar && m.modes[i] == contact_mode::sticks && normal > 0 && reserve < -excess) {
+      if (!y.planar && sticks && normal > 0 && reserve < -excess) {
         const vec3<> force = m.force_of(y);
-        own.slip = unit_of(dot(y.place.normal, force) * y.place.normal - force);
-        own.rests |= own.holds, own.holds = false;
-        found = decision_check::decide_again;
+        own.slip_direction = unit_of(dot(y.place.normal, force) * y.place.normal - force);
+        note(own, slip_finding::exceeds);
       }
     }
-    for (auto& own : changes)
-      if (stands && own.stops && !own.rests) own.holds = true, own.slip = {};
+    if (one_holds)
+      for (auto& own : changes) note(own, slip_finding::others_hold);
   });
   step.margin_x.resize(0);
   return found;

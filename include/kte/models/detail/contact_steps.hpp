@@ -41,6 +41,7 @@ struct contact_step {
   contact_solver at;      ///< at x0
   mode_rows gaps, rates;  ///< at x0
   std::vector<int> chosen_gaps;
+  std::vector<char> keeps;  ///< whether the step keeps a closure, or a contact, closed; by closure
   forces_in_modes forces;
   mode_rows working;
   Eigen::VectorXd values;
@@ -140,10 +141,12 @@ contact_step& contact_step_from(const Access& a, const X& x0, bool check = true)
     take_passing(s, m);
     m.equations.at_positions(c, s, true);
     m.factor.factorize(c, s, m.equations);
-    m.equations.at_rates(c, s);
+    m.equations.at_velocities(c, s);
     m.find(c, s);
     if (check) check_start_of_step(c, s, m);
     put_rows_of_modes(s, m, step.rates), put_rows_of_gaps(m, step.gaps);
+    step.keeps.assign(m.equations.places.closures.size(), 1);
+    for (const auto& x : m.contacts) step.keeps[static_cast<std::size_t>(x.closure)] = x.touches;
     step.all_open = m.touching.empty() && m.closures.empty();
     step.rates.fill(c, s, m), step.gaps.fill(c, s, m);
     step.rates.factorize(nullptr), step.gaps.factorize(nullptr);
@@ -166,6 +169,7 @@ void settle_contacts(const Access& a, const X& x0, Rate& d, X& x) {
   auto& step = contact_step_from(a, x0, false);
   if (step.all_open) return;
   const auto& model = a.model;
+  const auto kept = [&step](int closure) { return step.keeps[static_cast<std::size_t>(closure)] != 0; };
   Eigen::VectorXd change;
   double last = std::numeric_limits<double>::infinity();
   bool at_start = true;  // whether rows are those of x0
@@ -173,8 +177,8 @@ void settle_contacts(const Access& a, const X& x0, Rate& d, X& x) {
     bool closed = false;
     a.at(step.time, x, [&](const auto& c, auto& s, contact_solver& m) {
       auto& e = m.equations;
-      e.at_positions(c, s, false);
-      m.find(c, s);
+      e.at_positions(c, s, false, false, kept);
+      m.find(c, s, kept);
       put_gaps(m, step.gaps, step.values);
       const double gap = step.gaps.largest_of_chosen(step.values);
       const auto rounding = [&] {
@@ -202,10 +206,10 @@ void settle_contacts(const Access& a, const X& x0, Rate& d, X& x) {
   for (int i = 0; i < 2; ++i) {
     a.at(step.time, x, [&](const auto& c, auto& s, contact_solver& m) {
       auto& e = m.equations;
-      e.at_positions(c, s, !m.closures.empty() || !s.tree().plan.tree);
+      e.at_positions(c, s, !m.closures.empty() || !s.tree().plan.tree, false, kept);
       if (i == 0) m.factor.factorize(c, s, e);
-      e.at_rates(c, s);
-      m.find(c, s);
+      e.at_velocities(c, s, kept);
+      m.find(c, s, kept);
       if (i == 0) {
         put_rows_of_modes(s, m, step.working);
         step.working.fill(c, s, m), step.working.factorize(&step.forces.chosen);
