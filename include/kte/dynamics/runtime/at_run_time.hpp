@@ -11,30 +11,32 @@
 /// The way from static chains to algorithms that are written for runtime chains: those on loops and contacts.
 namespace kte::detail {
 
-/// Appends the elements of a static chain to a runtime chain; parameters in packs S by lane.
-template <class S, class Gravity, class... E>
+/// A static chain as a runtime chain; parameters in packs by lane.
+template <class Gravity, class... E>
 runtime_chain with_texts(const static_chain<Gravity, E...>& c) {
   runtime_chain r;
   boost::hana::for_each(c.elements(), [&r](const auto& e) {
     const auto named = with_texts(e);
-    using core = typename std::remove_cvref_t<decltype(named)>::core_type;
-    if constexpr (lanes_in < core >> 1) {
-      std::vector<std::unique_ptr<kte_element>> lanes;
-      for (std::size_t i = 0; i < lanes_in<core>; ++i) {
+    constexpr std::size_t lanes = lanes_in<typename std::remove_cvref_t<decltype(named)>::core_type>;
+    if constexpr (lanes > 1) {
+      std::vector<std::unique_ptr<kte_element>> all;
+      for (std::size_t i = 0; i < lanes; ++i) {
         auto of_lane = converted<double>(named.core, to_lane<double>{i});
-        lanes.push_back(adapted(named_element<decltype(of_lane)>{std::move(of_lane), named.names}));
+        all.push_back(adapted(named_element<decltype(of_lane)>{std::move(of_lane), named.names}));
       }
-      r.append(std::make_unique<element_in_lanes>(std::move(lanes)));
+      r.append(std::make_unique<element_in_lanes>(std::move(all)));
     } else {
       r << named;
     }
   });
-  if constexpr (lanes_in < Gravity >> 1) {
-    std::vector<vec3<>> g;
-    for (std::size_t i = 0; i < lanes_in<Gravity>; ++i)
-      g.push_back(
-          {to_lane<double>{i}(c.gravity().x), to_lane<double>{i}(c.gravity().y), to_lane<double>{i}(c.gravity().z)});
-    r.gravity_of_lanes(std::move(g));
+  constexpr std::size_t lanes = lanes_in<Gravity>;
+  if constexpr (lanes > 1) {
+    std::vector<vec3<>> all;
+    for (std::size_t i = 0; i < lanes; ++i) {
+      const to_lane<double> of_lane{i};
+      all.push_back({of_lane(c.gravity().x), of_lane(c.gravity().y), of_lane(c.gravity().z)});
+    }
+    r.gravity_of_lanes(std::move(all));
   } else {
     r.gravity(as<double>(c.gravity()));
   }
@@ -49,7 +51,7 @@ struct chain_at_run_time {
   runtime_vector<S> q, v, third;
 
   template <class Gravity, class... E>
-  explicit chain_at_run_time(const static_chain<Gravity, E...>& c) : chain_at_run_time(with_texts<S>(c)) {}
+  explicit chain_at_run_time(const static_chain<Gravity, E...>& c) : chain_at_run_time(with_texts(c)) {}
   chain_at_run_time(const chain_at_run_time& o) : chain_at_run_time(o.chain) {}
   chain_at_run_time& operator=(const chain_at_run_time&) = delete;
   ~chain_at_run_time() = default;

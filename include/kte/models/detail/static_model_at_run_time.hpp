@@ -9,7 +9,7 @@ namespace kte::detail {
 inline const auto& model_at_run_time(const manipulator_dynamics_model<runtime_chain>& m) { return m; }
 template <class Gravity, class... E, class Output>
 auto model_at_run_time(const manipulator_dynamics_model<static_chain<Gravity, E...>, double, Output>& m) {
-  manipulator_dynamics_model<runtime_chain> made(with_texts<double>(m.chain()));
+  manipulator_dynamics_model<runtime_chain> made(with_texts(m.chain()));
   made.setInput(m.input());
   return made;
 }
@@ -27,7 +27,7 @@ struct static_model_at_run_time<static_chain<Gravity, E...>> {
   template <class Model>
   explicit static_model_at_run_time(const Model& m)
       : kept_(m.constraints_.template get<memory>([&m] {
-          return memory{runtime_model(with_texts<double>(m.chain())), {}, {}, {}};
+          return memory{runtime_model(with_texts(m.chain())), {}, {}, {}};
         })) {
     if constexpr (Model::chain_type::wiring::nu > 0) kept_.model.setInput(m.input());
   }
@@ -37,7 +37,7 @@ struct static_model_at_run_time<static_chain<Gravity, E...>> {
   Eigen::VectorXd& at(const X& x) const {
     return kept_.x = x;
   }
-  /// The displacement d from x0 after f(x0, d), or f(x0, d, x).
+  // ---- functions of the model with results of fixed size
   template <class X, class Rate>
   void settle(const X& x0, Rate& d, X& x) const {
     kept_.x0 = x0, kept_.d = d;
