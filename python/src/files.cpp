@@ -14,7 +14,7 @@ void bind_files(py::module_& m) {
   m.def(
       "save_model",
       [](const std::filesystem::path& path, py::handle chain) {
-        using format = kte::detail::model_format;
+        using format = kte::model_format;
         const auto as = kte::detail::model_format_of(path);
         auto record = kte::detail::record_of_model(chain_of(chain).chain());
         const auto text = run_aside([as, record = std::move(record)] {

@@ -119,8 +119,12 @@ kte::robot_options options_from(const py::dict& from) {
   take("root", o.root), take("floating_base", o.floating_base), take("fold_fixed", o.fold_fixed);
   take("joint_dynamics", o.joint_dynamics), take("friction_smoothing", o.friction_smoothing);
   take("quarter_turn_tolerance", o.quarter_turn_tolerance), take("strict", o.strict), take("model", o.model);
+  if (const double x = o.friction_smoothing; !(x > 0 && std::isfinite(x)))
+    throw kte::bad_argument("kte: friction_smoothing must be finite and positive, got " + kte::detail::number(x));
   if (const double x = o.quarter_turn_tolerance; !(x >= 0 && x <= 0.1))
     throw kte::bad_argument("kte: quarter_turn_tolerance must be between 0 and 0.1 rad, got " + kte::detail::number(x));
+  if (py::isinstance<py::str>(from["search_path"]))  // else its letters would be folders
+    throw py::type_error("kte: search_path must be a list of folders, not a str");
   o.search_path = names_from(from["search_path"]);
   return o;
 }

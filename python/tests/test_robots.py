@@ -161,6 +161,11 @@ def test_options_out_of_their_range_and_zero_bytes_are_named(robots, iiwa):
     for tolerance in (-1.0, 1e308, float("nan")):
         with pytest.raises(kte.BadArgument, match="quarter_turn_tolerance must be between 0 and 0.1 rad, got"):
             kte.load_robot(robots / "iiwa14.urdf", quarter_turn_tolerance=tolerance)
+    for smoothing in (0, -1, float("nan")):
+        with pytest.raises(kte.BadArgument, match="kte: friction_smoothing must be finite and positive, got"):
+            kte.load_robot(robots / "iiwa14.urdf", friction_smoothing=smoothing)
+    with pytest.raises(TypeError, match="search_path must be a list of folders, not a str"):
+        kte.load_robot(robots / "iiwa14.urdf", search_path="/tmp")
     with pytest.raises(kte.UnknownName, match=r"nothing named 'to\\x00ol'"):
         kte.forward_kinematics(iiwa, np.zeros(7), "to\0ol")
     with pytest.raises(kte.BadArgument, match=r"must be finite, as must its square, got \(1e\+308, 0, 0\)"):

@@ -73,6 +73,14 @@ TEST_CASE("actuators of joints that are not there, and the model of a file that 
         "0 robot_options::model 'other' is not used: the file is no SDF, and has one robot, 'r'\n");
 }
 
+TEST_CASE("options that readers cannot use are refused") {
+  for (const double smoothing : {0.0, -1.0, std::nan("")})
+    CHECK_THROWS_MATCHES(
+        describe_robot("<robot name='r'><link name='a'/></robot>", "r", {.friction_smoothing = smoothing}),
+        bad_argument,
+        says("kte: robot_options::friction_smoothing must be finite and positive, got " + detail::number(smoothing)));
+}
+
 TEST_CASE("frames that are not there are named by the element that is relative to them") {
   CHECK_THROWS_MATCHES(
       describe_robot("<sdf version='1.9'><model name='m'>\n<link name='a'><pose relative_to='nope'>0 0 0 0 0 "

@@ -21,6 +21,8 @@ inline std::string short_number(double x) {
 inline void check_options(const robot_options& o) {
   if (const double x = o.quarter_turn_tolerance; !(x >= 0 && x <= 0.1))
     raise<bad_argument>("kte: robot_options::quarter_turn_tolerance must be between 0 and 0.1 rad, got " + number(x));
+  if (const double x = o.friction_smoothing; !(x > 0 && std::isfinite(x)))
+    raise<bad_argument>("kte: robot_options::friction_smoothing must be finite and positive, got " + number(x));
 }
 
 /// The value of an attribute, which must be one of `words`; the first of them if the attribute is missing.

@@ -68,13 +68,13 @@ class mjcf_plan {
   }
   /// The mass of a link and of the links fixed to it, which are then left without mass.
   std::optional<rigid_body<>> gathered(std::size_t link, std::vector<std::size_t>& from) {
-    struct level {
+    struct branch {
       std::size_t link;
-      const robot_pose* origin;  ///< in the level above
+      const robot_pose* origin;  ///< in the branch above
       std::optional<rigid_body<>> all;
       std::size_t next = 0;
     };
-    std::vector<level> open;  // no recursion: chains of fixed links may be long
+    std::vector<branch> open;  // no recursion: chains of fixed links may be long
     const auto enter = [&](std::size_t l, const robot_pose* origin) {
       open.push_back({l, origin, std::exchange(bodies_[l], std::nullopt)});
       if (open.back().all) from.push_back(l);
