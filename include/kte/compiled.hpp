@@ -11,8 +11,8 @@
 // clang-format off
 #include <kte/compiled/chains.hpp>
 #include <kte/compiled/loops.hpp>
-#include <kte/compiled/models.hpp>
 #include <kte/compiled/contacts.hpp>
+#include <kte/compiled/models.hpp>
 #include <kte/compiled/elements.hpp>
 #include <kte/compiled/registry.hpp>
 #include <kte/compiled/control.hpp>

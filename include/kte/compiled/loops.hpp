@@ -9,6 +9,7 @@
 #include <kte/dynamics/closed_loops/closure_derivatives.hpp>
 #include <kte/dynamics/closed_loops/constrained_dynamics.hpp>
 #include <kte/dynamics/closed_loops/derivatives.hpp>
+#include <kte/dynamics/closed_loops/given_motion.hpp>
 #include <kte/dynamics/closed_loops/hybrid.hpp>
 #include <kte/dynamics/closed_loops/static_chains.hpp>
 #include <kte/dynamics/lanes.hpp>

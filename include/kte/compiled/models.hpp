@@ -1,8 +1,7 @@
 #pragma once
 
 /// Part of kte/compiled.hpp: runtime chains as systems x' = f(t, x), solvers, arms.
-#include <kte/compiled/loops.hpp>
-#include <kte/dynamics/contacts/contact_dynamics.hpp>
+#include <kte/compiled/contacts.hpp>
 #include <kte/integrators/dormand_prince45.hpp>
 #include <kte/integrators/prince_dormand87.hpp>
 #include <kte/integrators/runge_kutta4.hpp>
@@ -10,3 +9,4 @@
 #include <kte/manipulators/runtime_manipulator.hpp>
 #include <kte/models/runtime_dynamics_model.hpp>
 #include <kte/models/runtime_models.hpp>
+#include <kte/models/saltation_matrix.hpp>

@@ -1,6 +1,7 @@
 #pragma once
 
-#include <kte/loops.hpp>
+#include <kte/dynamics/closed_loops/assemble.hpp>
+#include <kte/dynamics/closed_loops/hybrid.hpp>
 #include <kte/robots/detail/mass_condition.hpp>
 #include <kte/robots/detail/read_values.hpp>
 #include <kte/robots/detail/robot_tree.hpp>
