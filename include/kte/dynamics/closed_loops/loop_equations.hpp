@@ -26,10 +26,14 @@ class loop_equations : public closure_loads {
   Eigen::VectorXd residual;               ///< g
   std::vector<Eigen::MatrixXd> jacobian;  ///< J of each block: rows by places
 
-  /// Computes g, and optionally J, at valid positions. `placed`: the bodies are placed already. filter(k): whether
-  /// those of closure k are computed.
-  template <class Closures, class State, class Filter = every_closure>
-  void at_positions(const Closures& c, State& s, bool with_jacobian, bool placed = false, const Filter& filter = {}) {
+  /// Computes g, and optionally J, at valid positions. `placed`: the bodies are placed already.
+  template <class Closures, class State>
+  void at_positions(const Closures& c, State& s, bool with_jacobian, bool placed = false) {
+    at_positions_of(c, s, with_jacobian, placed, every_closure{});
+  }
+  /// As `at_positions`, for the closures k with filter(k).
+  template <class Closures, class State, class Filter>
+  void at_positions_of(const Closures& c, State& s, bool with_jacobian, bool placed, const Filter& filter) {
     if (!placed) place_bodies(c.elements(), s);
     for (std::size_t i = 0; i < places.blocks.size(); ++i) {
       if (with_jacobian) jacobian[i].setZero();
