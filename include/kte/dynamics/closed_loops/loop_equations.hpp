@@ -25,11 +25,12 @@ class loop_equations : public closure_loads {
   Eigen::VectorXd residual;               ///< g
   std::vector<Eigen::MatrixXd> jacobian;  ///< J of each block: rows by places
 
-  /// Computes g, and optionally J, at valid positions. `placed`: the bodies are placed already. filter(k): whether
-  /// those of closure k are computed.
-  template <class Filter = every_closure>
-  void at_positions(const chain_constraints& c, runtime_state& s, bool with_jacobian, bool placed = false,
-                    const Filter& filter = {}) {
+  /// Computes g, and optionally J, at valid positions. `placed`: the bodies are placed already.
+  void at_positions(const chain_constraints& c, runtime_state& s, bool with_jacobian, bool placed = false);
+  /// As `at_positions`, for the closures k with filter(k).
+  template <class Filter>
+  void at_positions_of(const chain_constraints& c, runtime_state& s, bool with_jacobian, bool placed,
+                       const Filter& filter) {
     if (!placed) place_bodies(c.elements(), s);
     for (std::size_t i = 0; i < places.blocks.size(); ++i) {
       if (with_jacobian) jacobian[i].setZero();
@@ -59,10 +60,7 @@ class loop_equations : public closure_loads {
     }
   }
   /// Computes J_dot v at the rates of the state; call `at_positions` first.
-  void at_rates(const chain_constraints& c, runtime_state& s) {
-    at_velocities(c, s);
-    accelerate_residuals(c, s, [](int) { return 0.0; });
-  }
+  void at_rates(const chain_constraints& c, runtime_state& s);
   /// Moves bodies at the rates of the state, for `motion` of the closures k with filter(k); call `at_positions` first.
   template <class Filter = every_closure>
   void at_velocities(const chain_constraints& c, runtime_state& s, const Filter& filter = {}) {
@@ -183,6 +181,14 @@ inline std::string gap_text(const chain_constraints& c, const loop_equations& e)
 }
 
 #ifdef KTE_FUNCTION
+KTE_FUNCTION void loop_equations::at_positions(const chain_constraints& c, runtime_state& s, bool with_jacobian,
+                                               bool placed) {
+  at_positions_of(c, s, with_jacobian, placed, every_closure{});
+}
+KTE_FUNCTION void loop_equations::at_rates(const chain_constraints& c, runtime_state& s) {
+  at_velocities(c, s);
+  accelerate_residuals(c, s, [](int) { return 0.0; });
+}
 KTE_FUNCTION void loop_equations::put_given_rates(const chain_constraints& c, runtime_state& s,
                                                   Eigen::VectorXd& rates) {
   rates.setZero(places.rows);

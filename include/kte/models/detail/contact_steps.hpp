@@ -177,7 +177,7 @@ void settle_contacts(const Access& a, const X& x0, Rate& d, X& x) {
     bool closed = false;
     a.at(step.time, x, [&](const auto& c, auto& s, contact_solver& m) {
       auto& e = m.equations;
-      e.at_positions(c, s, false, false, kept);
+      e.at_positions_of(c, s, false, false, kept);
       m.find(c, s, kept);
       put_gaps(m, step.gaps, step.values);
       const double gap = step.gaps.largest_of_chosen(step.values);
@@ -206,7 +206,7 @@ void settle_contacts(const Access& a, const X& x0, Rate& d, X& x) {
   for (int i = 0; i < 2; ++i) {
     a.at(step.time, x, [&](const auto& c, auto& s, contact_solver& m) {
       auto& e = m.equations;
-      e.at_positions(c, s, !m.closures.empty() || !s.tree().plan.tree, false, kept);
+      e.at_positions_of(c, s, !m.closures.empty() || !s.tree().plan.tree, false, kept);
       if (i == 0) m.factor.factorize(c, s, e);
       e.at_velocities(c, s, kept);
       m.find(c, s, kept);
