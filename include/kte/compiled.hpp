@@ -13,6 +13,7 @@
 #include <kte/compiled/loops.hpp>
 #include <kte/compiled/contacts.hpp>
 #include <kte/compiled/models.hpp>
+#include <kte/compiled/contact_derivatives.hpp>
 #include <kte/compiled/elements.hpp>
 #include <kte/compiled/registry.hpp>
 #include <kte/compiled/control.hpp>

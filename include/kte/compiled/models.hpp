@@ -9,4 +9,3 @@
 #include <kte/manipulators/runtime_manipulator.hpp>
 #include <kte/models/runtime_dynamics_model.hpp>
 #include <kte/models/runtime_models.hpp>
-#include <kte/models/saltation_matrix.hpp>
