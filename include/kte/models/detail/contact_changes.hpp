@@ -21,8 +21,8 @@ struct contact_change {
   vec3<> slip_direction{};  ///< in which it slides if `is_sliding(slip)`
 };
 /// What all contacts do; if none has changed at the event of contact `event_of`, what this one still does.
-inline std::string text_of_changes(const chain_constraints& c, const contact_solver& m, const std::vector<contact_change>& all,
-                            int event_of) {
+inline std::string text_of_changes(const chain_constraints& c, const contact_solver& m,
+                                   const std::vector<contact_change>& all, int event_of) {
   std::string text;
   const auto name = [&](std::size_t i) { return "'" + c.loop_name(m.place(m.contacts[i]).loop) + "': "; };
   for (std::size_t i = 0; i < all.size(); ++i) {

@@ -38,8 +38,9 @@ class contact_decision {
 
   /// Finds forces and modes, written to m and to the contacts of the state; may change the velocities v instead, and
   /// then must be called again: returns whether it is done. Call `accelerate_freely` first.
-  bool decide(const chain_constraints& c, runtime_state& s, contact_solver& m, const std::vector<contact_before_decision>& before,
-              mode_rows& rows, Eigen::VectorXd& v, friction_status& status) {
+  bool decide(const chain_constraints& c, runtime_state& s, contact_solver& m,
+              const std::vector<contact_before_decision>& before, mode_rows& rows, Eigen::VectorXd& v,
+              friction_status& status) {
     const double length = m.equations.places.length, rest = rest_velocity * length;
     find_time_ahead(m);
     choose(c, m, before);

@@ -17,8 +17,9 @@ double bridge_contacts(const Access& a, double t, X& x, double t_end, int n);
 /// Decisions at one event: of a contact, four in a row (stop, hold, slip, yield), for several contacts one after the
 /// other, and five with longer times to look ahead.
 inline constexpr int most_decisions = 16;
-/// The longest time to look ahead, relative to the first: flights of unresolved_height * widest^2 = 1e-7 of the length.
-inline constexpr double widest = 1024;
+/// The longest time to look ahead, relative to the first: flights of unresolved_height * widest_look_ahead^2 = 1e-7 of
+/// the length.
+inline constexpr double widest_look_ahead = 1024;
 
 /// Moves x so that the gaps of all contacts that touch are zero, also of those that open. Rows that depend on each
 /// other on the surfaces are independent by the gaps off them, as where the faces of two bodies on a hinge lie flat: to
@@ -246,7 +247,7 @@ template <class Access, class X>
 void resolve_contacts(const Access& a, double t, X& x, int event_of) {
   std::vector<contact_change> changes;
   double wide = 1;
-  for (int k = 0; k < most_decisions && wide <= widest; ++k) {
+  for (int k = 0; k < most_decisions && wide <= widest_look_ahead; ++k) {
     resolve_contacts_once(a, t, x, event_of, wide, changes);
     if (is_stepped(a, x)) return;
     const auto found = check_decision(a, t, x, changes);

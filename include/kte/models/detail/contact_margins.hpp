@@ -76,7 +76,8 @@ inline int first_wrong_mode(const contact_solver& m, double tolerated) {
 }
 /// Replaces forces that do not satisfy the laws by such that do, if there are. Returns the first contact, of those that
 /// touch, that violates them by more than `tolerated`, relative to the largest force; -1: none.
-inline int admit_forces(const chain_constraints& c, runtime_state& s, contact_solver& m, forces_in_modes& forces, double tolerated) {
+inline int admit_forces(const chain_constraints& c, runtime_state& s, contact_solver& m, forces_in_modes& forces,
+                        double tolerated) {
   const double most = tolerated * largest_force(m, forces);
   if (const int wrong = first_wrong_mode(m, most); wrong < 0 || !forces.redundant() || !find_admissible_forces(c, s, m))
     return wrong;

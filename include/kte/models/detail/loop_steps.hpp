@@ -304,7 +304,8 @@ const loop_factor* rows_of_stage(const Loops& loops) {
   return step.x0.size() > 0 ? &step.factor : nullptr;
 }
 /// Raises `bad_argument` for what the loops of a model, with or without contacts, do not support.
-inline void check_model_of_loops(const chain_constraints& c, const runtime_state& s, const closure_places& places, bool with_contacts) {
+inline void check_model_of_loops(const chain_constraints& c, const runtime_state& s, const closure_places& places,
+                                 bool with_contacts) {
   check_loops(c, s), refuse_given_motion(c, s, places, moved_by_measurements(c), "by measurements");
   if (with_contacts) refuse_given_motion(c, s, places, moved_by_time(c), "in time, in a chain with contacts");
 }

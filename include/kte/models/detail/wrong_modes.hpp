@@ -7,7 +7,8 @@
 namespace kte::detail {
 
 /// Throws `bad_argument` for modes whose forces violate the laws, after `accelerate_in_modes`.
-inline void refuse_wrong_modes(const chain_constraints& c, runtime_state& s, contact_solver& m, forces_in_modes& forces) {
+inline void refuse_wrong_modes(const chain_constraints& c, runtime_state& s, contact_solver& m,
+                               forces_in_modes& forces) {
   const int wrong = admit_forces(c, s, m, forces, 1e-6);
   if (wrong < 0) return;
   const auto& x = m.touched(static_cast<std::size_t>(wrong));
