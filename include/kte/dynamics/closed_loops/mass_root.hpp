@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kte/dynamics/looped/mass_matrix.hpp>
+#include <kte/dynamics/runtime/elements.hpp>
 
 #include <cmath>
 #include <limits>
