@@ -162,6 +162,9 @@ TEST_CASE("a static chain off the loops tells its gap") {
   CHECK_NOTHROW(kte::forward_dynamics(four_bar, off, none, none));
   CHECK_THROWS_WITH(kte::forward_dynamics(four_bar, guess, none, none),
                     Catch::Matchers::StartsWith("kte: forward_dynamics: 'pin' is open by "));
+  CHECK_THROWS_WITH(
+      kte::forward_dynamics(four_bar, q, none, Eigen::Vector3d(0, std::numeric_limits<double>::infinity(), 0)),
+      Catch::Matchers::EndsWith("tau[1] of 'coupler' is inf"));
 }
 
 TEST_CASE("a model of a static chain with a closure on a joint that moves in time") {

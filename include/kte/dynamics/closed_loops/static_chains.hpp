@@ -45,6 +45,7 @@ struct static_loops<static_chain<Gravity, E...>> {
   template <class S, class Given>
   static vector accelerations(const chain_type& c, const Given& g, const vector& tau) {
     static_assert(std::is_same_v<S, double>, "kte: closed loops are computed in double");
+    check_accelerations<typename chain_type::wiring>(tau, g, tau);  // names a force that is not finite
     return at_run_time_with(c, g, [&tau](const auto& r, auto& s) -> vector {
       keep_forces(s, [&tau](int i) { return tau[i]; });
       return accelerations_at_state(r, s);
