@@ -59,7 +59,7 @@ def simulate(
     largest_step: float = 0.0,
     implicit_control: bool = False,
 ) -> Recording:
-    """Simulates a mechanism from q and v for a time, s, and returns a `Recording`.
+    """Simulates a mechanism from q and v for a time, s, backward if it is negative, and returns a `Recording`.
 
     Rows are `every` so many s, at the times `at`, or at every step if both are None. Other arguments are those of
     `Simulation`.

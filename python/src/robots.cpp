@@ -75,7 +75,12 @@ class dict_reader {
   void take(const char* name, T& to) {
     if (!left_.contains(name)) return;
     const py::object value = left_.attr("pop")(name);
-    if (!value.is_none()) to = value.cast<T>();
+    if (value.is_none()) return;
+    try {
+      to = value.cast<T>();
+    } catch (const py::cast_error&) {
+      throw py::type_error("kte: " + what_ + "['" + name + "'] is " + py::repr(value).cast<std::string>());
+    }
   }
   py::object take_object(const char* name) {
     return left_.contains(name) ? py::object(left_.attr("pop")(name)) : py::none();

@@ -119,6 +119,8 @@ def test_collision_shapes_touch_the_ground():
         (dict(ground="world", mu=1), "contacts has no 'mu'"),
         (dict(friction=1), "contacts needs a 'ground'"),
         (3, "contacts must be a dict"),
+        (dict(ground="world", friction="rough"), r"contacts\['friction'\] is 'rough'"),
+        (dict(ground="world", compliant=dict(stiffness=[1])), r"compliant\['stiffness'\] is \[1\]"),
     ]:
         with pytest.raises((TypeError, ValueError), match=sentence):
             kte.parse_robot(FOOT, floating_base=True, contacts=bad)

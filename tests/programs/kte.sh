@@ -552,6 +552,8 @@ if nobody "$kte" --version >/dev/null 2>&1; then
     gives 1 "cannot open 'locked.json': Permission denied" nobody "$kte" $command locked.json
     gives 1 "Permission denied" nobody "$kte" $command locked/arm.urdf
   done
+  printf '<mujoco>\n<include file="locked.urdf"/></mujoco>\n' >including.xml
+  gives 1 "including.xml:2: <include>: cannot open 'locked.urdf': Permission denied" nobody "$kte" info including.xml
   gives 1 "cannot open 'locked.csv': Permission denied" nobody "$kte" simulate pendulum.json --start locked.csv
   gives 1 "cannot open 'locked.csv': Permission denied" nobody "$kte" simulate pendulum.json --pd locked.csv
   gives 1 "cannot open 'locked.csv': Permission denied" nobody "$kte" simulate pendulum.json --input locked.csv

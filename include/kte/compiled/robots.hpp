@@ -11,7 +11,6 @@
 #include <kte/robots/detail/mesh_fit.hpp>
 #include <kte/robots/detail/read_any.hpp>
 #include <kte/robots/detail/xml_text.hpp>
-#include <kte/robots/load_robot.hpp>
 #include <kte/robots/mjcf_writer.hpp>
 #include <kte/robots/motors.hpp>
 #include <kte/robots/to_robot.hpp>

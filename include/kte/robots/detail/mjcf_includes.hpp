@@ -1,8 +1,8 @@
 #pragma once
 
 #include <kte/errors.hpp>
+#include <kte/robots/detail/included_file.hpp>
 #include <kte/robots/detail/xml_item.hpp>
-#include <kte/robots/detail/xml_text.hpp>
 
 #include <algorithm>
 #include <filesystem>
@@ -41,7 +41,7 @@ class mjcf_includes {
         continue;
       }
       const auto path = file_of({c, d_}, folder);
-      auto file = parse_(path);
+      auto file = included_file({c, d_}, path, parse_);
       resolve_in(path.parent_path(), file, depth);
       for (auto& x : file.children) all.push_back(std::move(x));
     }

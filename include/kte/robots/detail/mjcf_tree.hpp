@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/robots/detail/included_file.hpp>
 #include <kte/robots/detail/mjcf_includes.hpp>
 #include <kte/robots/detail/mjcf_settings.hpp>
 #include <kte/robots/detail/xml_limits.hpp>
@@ -176,7 +177,7 @@ class mjcf_tree {
         if (known == nullptr) {
           if (!is_file(path)) m.fail("there is no file '" + excerpt(m.text("file")) + "'");
           d_.files.push_back(path.string());
-          known = &load(parse_(path), path.parent_path());
+          known = &load(included_file(m, path, parse_), path.parent_path());
         }
         if (m.has("name") || xml_item(known->root, d_).text_or("model", "") == name) return *known;
       }

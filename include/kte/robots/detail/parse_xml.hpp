@@ -38,11 +38,4 @@ namespace kte::detail {
   return all;
 }
 
-/// Reads the root of a file that another file refers to (`xml_parser`).
-[[gnu::cold]] inline xml_node parse_xml_file(const std::filesystem::path& path) {
-  auto all = parse_xml(text_of_file(path), path.string());
-  give_file(all, path.string());
-  return all;
-}
-
 }  // namespace kte::detail

@@ -3,15 +3,20 @@
 #include <kte/robots/detail/read_mjcf.hpp>
 #include <kte/robots/detail/read_sdf.hpp>
 #include <kte/robots/detail/read_urdf.hpp>
+#include <kte/robots/to_robot.hpp>
 
 namespace kte::detail {
 
 /// Reads a robot in the format given by the root element.
-robot_description read_any(xml_node root, const std::string& name, const robot_options& options, xml_parser parse);
+robot_description read_any(std::string_view text, const std::string& name, const robot_options& options,
+                           xml_parser parse);
+std::vector<std::string> models_of_file(const std::filesystem::path& path, const robot_options& options,
+                                        xml_parser parse);
+robot robot_of_file(const std::filesystem::path& path, const robot_options& options, xml_parser parse);
 
 #ifdef KTE_FUNCTION
-KTE_FUNCTION robot_description read_any(xml_node root, const std::string& name, const robot_options& options,
-                                        xml_parser parse) {
+inline robot_description read_root(xml_node root, const std::string& name, const robot_options& options,
+                                   xml_parser parse) {
   const auto only = [&](robot_description d) {
     if (!options.model.empty() && options.model != d.name)
       d.warnings.push_back({0, "robot_options::model '" + excerpt(options.model) +
@@ -23,6 +28,19 @@ KTE_FUNCTION robot_description read_any(xml_node root, const std::string& name, 
   if (root.name == "sdf") return read_sdf(std::move(root), name, options, parse);
   raise<bad_file>("kte: " + place_text(name, root.line) + "<" + excerpt(root.name) +
                   "> is not the root of a supported robot format: <robot> (URDF), <mujoco> (MJCF) and <sdf> are");
+}
+KTE_FUNCTION robot_description read_any(std::string_view text, const std::string& name, const robot_options& options,
+                                        xml_parser parse) {
+  return read_root(parse(text, name), name, options, parse);
+}
+KTE_FUNCTION std::vector<std::string> models_of_file(const std::filesystem::path& path, const robot_options& options,
+                                                     xml_parser parse) {
+  auto root = parse(text_of_file(path), path.string());
+  if (root.name == "sdf") return sdf_models(std::move(root), path.string(), options, parse);
+  return {read_root(std::move(root), path.string(), options, parse).name};
+}
+KTE_FUNCTION robot robot_of_file(const std::filesystem::path& path, const robot_options& options, xml_parser parse) {
+  return to_robot(read_any(text_of_file(path), path.string(), options, parse), options);
 }
 #endif
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/robots/detail/included_file.hpp>
 #include <kte/robots/detail/sdf_search.hpp>
 
 namespace kte::detail {
@@ -35,7 +36,7 @@ class sdf_includes {
       x.fail("'" + excerpt(uri) + "' includes itself, directly or through other files");
     if (open_.size() > deepest) x.fail("files that include each other go deeper than " + std::to_string(deepest));
     if (++count_ > most) x.fail("more than " + std::to_string(most) + " files are included");
-    auto file = parsed(path, whole);
+    auto file = parsed(x, path, whole);
     if (file.name == "robot") {
       if (open_.size() > 1 || depth_ > 0)
         x.fail("'" + excerpt(uri) + "' is a URDF: only a world or the file itself may include one");
@@ -62,10 +63,10 @@ class sdf_includes {
   static constexpr std::size_t deepest = 32, most = 1000;
 
   /// A file is parsed once.
-  xml_node parsed(const std::filesystem::path& path, const std::filesystem::path& whole) {
+  xml_node parsed(const xml_item& x, const std::filesystem::path& path, const std::filesystem::path& whole) {
     if (const auto known = files_.find(whole); known != files_.end()) return known->second;
     d_.files.push_back(path.string());
-    return files_.emplace(whole, parse_(path)).first->second;
+    return files_.emplace(whole, included_file(x, path, parse_)).first->second;
   }
   static std::size_t count_of(const xml_node& n) {
     std::size_t all = 1;

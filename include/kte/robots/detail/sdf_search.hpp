@@ -1,8 +1,8 @@
 #pragma once
 
 #include <kte/robots/detail/file_places.hpp>
+#include <kte/robots/detail/included_file.hpp>
 #include <kte/robots/detail/sdf_upgrade.hpp>
-#include <kte/robots/detail/xml_text.hpp>
 
 namespace kte::detail {
 
@@ -24,7 +24,7 @@ class sdf_search {
       std::error_code none;
       if (std::filesystem::is_regular_file(at, none)) return at;
       if (std::filesystem::is_directory(at, none))
-        if (auto file = model_in(at); !file.empty()) return file;
+        if (auto file = model_in(x, at); !file.empty()) return file;
     }
     x.fail("'" + excerpt(uri) + "' is not found, neither in the folders around '" +
            (folder.empty() ? "." : folder.string()) + "' nor in those of robot_options::search_path");
@@ -32,12 +32,12 @@ class sdf_search {
 
  private:
   /// The file that `model.config` names for the highest supported version, otherwise model.sdf.
-  path model_in(const path& folder) const {
+  path model_in(const xml_item& x, const path& folder) const {
     std::error_code none;
     int highest = -1;
     auto file = folder / "model.sdf";
     if (const auto config = folder / "model.config"; std::filesystem::is_regular_file(config, none)) {
-      const auto root = parse_(config);
+      const auto root = included_file(x, config, parse_);
       for (const auto& c : root.children) {
         if (c.name != "sdf") continue;
         const int version = sdf_version(xml_item(c, d_).text_or("version", "1.0"));

@@ -12,8 +12,8 @@
 /// Reading XML: the parts that do not depend on the XML library.
 namespace kte::detail {
 
-/// Reads the root of an XML file that another file refers to. Its elements know the name of the file.
-using xml_parser = xml_node (*)(const std::filesystem::path&);
+/// Reads the root of a text in XML; `source` names it in messages.
+using xml_parser = xml_node (*)(std::string_view text, const std::string& source);
 
 /// The path for a file name in the file of a robot, which may contain backslashes from Windows.
 inline std::filesystem::path path_of_text(std::string name) {
@@ -110,7 +110,6 @@ KTE_FUNCTION std::string_view checked_text(std::string_view text, const std::str
   return text;
 }
 KTE_FUNCTION std::string text_of_file(const std::filesystem::path& path) { return read_file(path, largest_robot_file); }
-
 KTE_FUNCTION void give_file(xml_node& n, const std::string& file) {
   n.file = file;
   for (auto& c : n.children) give_file(c, file);
