@@ -10,7 +10,7 @@ namespace kte {
 /// `bad_file` with line and element.
 [[nodiscard]] inline robot_description from_mjcf(std::string_view text, const std::string& name = "MJCF",
                                                  const robot_options& options = {}) {
-  return detail::read_mjcf(detail::parse_xml(text, name), name, options, detail::parse_xml);
+  return detail::read_mjcf(text, name, options, detail::parse_xml);
 }
 
 /// The description of a robot by a file in MJCF. Throws `bad_file` with line and element.

@@ -10,7 +10,7 @@ namespace kte {
 /// element.
 [[nodiscard]] inline robot_description from_sdf(std::string_view text, const std::string& name = "SDF",
                                                 const robot_options& options = {}) {
-  return detail::read_sdf(detail::parse_xml(text, name), name, options, detail::parse_xml);
+  return detail::read_sdf(text, name, options, detail::parse_xml);
 }
 
 /// The description of a robot by a file in SDF. Throws `bad_file` with line and element.

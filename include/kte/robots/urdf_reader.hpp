@@ -10,7 +10,7 @@ namespace kte {
 /// and element.
 [[nodiscard]] inline robot_description from_urdf(std::string_view text, const std::string& name = "URDF",
                                                  const robot_options& options = {}) {
-  return detail::read_urdf(detail::parse_xml(text, name), name, options);
+  return detail::read_urdf(text, name, options, detail::parse_xml);
 }
 
 /// The description of a robot by a file in URDF. Throws `bad_file` with line and element.

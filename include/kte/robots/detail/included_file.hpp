@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kte/robots/detail/xml_item.hpp>
+#include <kte/robots/detail/xml_parser.hpp>
 #include <kte/robots/detail/xml_text.hpp>
 
 namespace kte::detail {
@@ -14,7 +15,7 @@ inline xml_node included_file(const xml_item& x, const std::filesystem::path& pa
   } catch (const bad_file& e) {
     x.fail(std::string(e.what()).substr(std::string_view("kte: ").size()));
   }
-  auto root = parse(text, path.string());
+  auto root = parsed(text, path.string(), parse);
   give_file(root, path.string());
   return root;
 }

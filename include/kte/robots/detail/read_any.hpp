@@ -31,11 +31,11 @@ inline robot_description read_root(xml_node root, const std::string& name, const
 }
 KTE_FUNCTION robot_description read_any(std::string_view text, const std::string& name, const robot_options& options,
                                         xml_parser parse) {
-  return read_root(parse(text, name), name, options, parse);
+  return read_root(parsed(text, name, parse), name, options, parse);
 }
 KTE_FUNCTION std::vector<std::string> models_of_file(const std::filesystem::path& path, const robot_options& options,
                                                      xml_parser parse) {
-  auto root = parse(text_of_file(path), path.string());
+  auto root = parsed(text_of_file(path), path.string(), parse);
   if (root.name == "sdf") return sdf_models(std::move(root), path.string(), options, parse);
   return {read_root(std::move(root), path.string(), options, parse).name};
 }

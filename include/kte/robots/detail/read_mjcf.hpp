@@ -2,7 +2,7 @@
 
 #include <kte/detail/compiled.hpp>
 #include <kte/robots/description.hpp>
-#include <kte/robots/detail/xml_text.hpp>
+#include <kte/robots/detail/xml_parser.hpp>
 #include <kte/robots/options.hpp>
 
 namespace kte::detail {
@@ -10,6 +10,8 @@ namespace kte::detail {
 /// Reads a robot from the root of a file in MJCF; `name` names the file in messages and is its path if it refers to
 /// other files, which `parse` reads.
 robot_description read_mjcf(xml_node root, const std::string& name, const robot_options& options, xml_parser parse);
+robot_description read_mjcf(std::string_view text, const std::string& name, const robot_options& options,
+                            xml_parser parse);
 
 }  // namespace kte::detail
 
@@ -24,6 +26,10 @@ KTE_FUNCTION robot_description read_mjcf(xml_node root, const std::string& name,
   d.source = name;
   mjcf_bodies(d, options, parse).read(std::move(root));
   return d;
+}
+KTE_FUNCTION robot_description read_mjcf(std::string_view text, const std::string& name, const robot_options& options,
+                                         xml_parser parse) {
+  return read_mjcf(parsed(text, name, parse), name, options, parse);
 }
 }  // namespace kte::detail
 #endif

@@ -2,7 +2,7 @@
 
 #include <kte/detail/compiled.hpp>
 #include <kte/robots/description.hpp>
-#include <kte/robots/detail/xml_text.hpp>
+#include <kte/robots/detail/xml_parser.hpp>
 #include <kte/robots/options.hpp>
 
 namespace kte::detail {
@@ -10,6 +10,8 @@ namespace kte::detail {
 /// Reads a robot from the root of a file in SDF; `name` names the file in messages and is its path if it refers to
 /// other files, which `parse` reads.
 robot_description read_sdf(xml_node root, const std::string& name, const robot_options& options, xml_parser parse);
+robot_description read_sdf(std::string_view text, const std::string& name, const robot_options& options,
+                           xml_parser parse);
 /// The names of the models in such a file.
 std::vector<std::string> sdf_models(xml_node root, const std::string& name, const robot_options& options,
                                     xml_parser parse);
@@ -46,6 +48,10 @@ KTE_FUNCTION robot_description read_sdf(xml_node root, const std::string& name, 
   const bool windy = chosen.world != nullptr && read_sdf_world(d, {*chosen.world, d}, model.text_or("name", ""));
   sdf_model(d, options).read(model, windy);
   return d;
+}
+KTE_FUNCTION robot_description read_sdf(std::string_view text, const std::string& name, const robot_options& options,
+                                        xml_parser parse) {
+  return read_sdf(parsed(text, name, parse), name, options, parse);
 }
 KTE_FUNCTION std::vector<std::string> sdf_models(xml_node root, const std::string& name, const robot_options& options,
                                                  xml_parser parse) {

@@ -12,9 +12,6 @@
 /// Reading XML: the parts that do not depend on the XML library.
 namespace kte::detail {
 
-/// Reads the root of a text in XML; `source` names it in messages.
-using xml_parser = xml_node (*)(std::string_view text, const std::string& source);
-
 /// The path for a file name in the file of a robot, which may contain backslashes from Windows.
 inline std::filesystem::path path_of_text(std::string name) {
   std::replace(name.begin(), name.end(), '\\', '/');
