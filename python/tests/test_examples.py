@@ -33,14 +33,30 @@ def test_a_notebook_runs(path, tmp_path, monkeypatch):
             exec("".join(cell["source"]), names)
 
 
-def test_the_page_of_the_documentation_runs_and_prints_what_it_says(tmp_path, monkeypatch):
+def check_blocks(page, names):
     """Each block of Python continues the one before; the block after it is its output."""
-    page = (FOLDER.parent / "docs" / "python.md").read_text(encoding="utf-8")
-    monkeypatch.chdir(FOLDER.parent)
-    names = {"__name__": "page", "folder": str(tmp_path)}
-    for code, output in re.findall(r"^```python\n(.*?)^```\n(?:```\n(.*?)^```)?", page, re.MULTILINE | re.DOTALL):
+    blocks = re.findall(r"^```python\n(.*?)^```\n(?:```\n(.*?)^```)?", page, re.MULTILINE | re.DOTALL)
+    for code, output in blocks:
         printed = io.StringIO()
         with contextlib.redirect_stdout(printed):
-            exec(code.replace('"swing.html"', "folder + '/swing.html'").replace('"arm.kte"', "folder + '/arm.kte'"), names)
+            exec(code, names)
         if output:
             assert printed.getvalue() == output
+    return len(blocks)
+
+
+def test_the_page_of_the_documentation_runs_and_prints_what_it_says(tmp_path, monkeypatch):
+    page = (FOLDER.parent / "docs" / "python.md").read_text(encoding="utf-8")
+    monkeypatch.chdir(FOLDER.parent)
+    page = page.replace('"swing.html"', "folder + '/swing.html'").replace('"arm.kte"', "folder + '/arm.kte'")
+    assert check_blocks(page, {"__name__": "page", "folder": str(tmp_path)}) > 0
+
+
+@pytest.mark.parametrize("path", sorted((FOLDER.parent / "docs").glob("tutorial_*.md")), ids=lambda p: p.stem)
+def test_the_tutorial_runs_and_prints_what_it_says(path, tmp_path, monkeypatch):
+    page = path.read_text(encoding="utf-8")
+    monkeypatch.chdir(tmp_path)
+    for name, text in re.findall(r"in a file `([\w.]+)`:\n\n```xml\n(.*?)^```", page, re.MULTILINE | re.DOTALL):
+        Path(name).write_text(text, encoding="utf-8")
+    if check_blocks(page, {"__name__": "page"}) > 0:
+        assert list(tmp_path.glob("*.html"))

@@ -2,8 +2,8 @@
 # documentation.
 #
 # A ```cpp block is the body of a function, or, with `int main()` in it, a program. What a ``` block without a language
-# right behind it has is what the function must print; without one it must print nothing. A ```json block is the text
-# `json_1`, `json_2` ... Lines `#include` go to the top. What else a block needs stands in comments that readers of the
+# right behind it has is what the function must print; without one it must print nothing. ```json and ```xml blocks are
+# the texts `json_1`, `json_2`, `xml_1` ... Lines `#include` go to the top. What else a block needs stands in comments that readers of the
 # page do not see:
 #
 #   <!-- snippet             the lines up to --> stand in front of the next block, in its function
@@ -59,7 +59,8 @@ hidden { add_code($0); next }
 /^```/ && fence == "" {
   fence = $0 == "```" ? "text" : substr($0, 4)
   if (fence == "text" && may_print) fence = "output"
-  if (fence == "json") add("[[maybe_unused]] static const char* const json_" ++jsons " = R\"---(")
+  is_text = fence == "json" || fence == "xml"
+  if (is_text) add("[[maybe_unused]] static const char* const " fence "_" ++texts[fence] " = R\"---(")
   first = NR
   block = ""
   is_program = may_print = 0
@@ -68,7 +69,8 @@ hidden { add_code($0); next }
 /^```/ {
   if (fence == "cpp" && excerpt != "") check_excerpt()
   else if (fence == "cpp") add_block()
-  if (fence == "json") add(")---\";")
+  if (is_text) add(")---\";")
+  is_text = 0
   may_print = fence == "cpp"
   fence = ""
   next
@@ -78,7 +80,7 @@ fence == "cpp" {
   block = block $0 "\n"
   next
 }
-fence == "json" { add($0); next }
+is_text { add($0); next }
 fence == "output" { output = output $0 "\n"; next }
 fence == "" && NF { may_print = 0 }
 

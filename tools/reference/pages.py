@@ -156,8 +156,17 @@ Every public name of kte, by the folder of its header. All are in namespace `kte
     return target
 
 
+def with_tabs(text):
+    """A page whose blocks under **C++** and **Python** that follow each other are tabs."""
+    def tabs(match):
+        return ''.join(f'=== "{language}"\n\n' + ''.join(f'    {line}\n' if line else '\n' for line in part.split('\n'))
+                       for language, part in (('C++', match[1]), ('Python', match[2]))) + '\n'
+    blocks = r'((?:```\w*\n(?:.*?\n)```\n)+)'
+    return re.sub(rf'^\*\*C\+\+\*\*\n\n{blocks}\n\*\*Python\*\*\n\n{blocks}', tabs, text, flags=re.MULTILINE | re.DOTALL)
+
+
 def docs_page(path, text, target):
-    """A page of the repository for mkdocs: links between pages, lists, names linked to the reference."""
+    """A page of the repository for mkdocs: links between pages, lists, names linked to the reference, tabs."""
     folder = os.path.dirname(path)
     here = 'index.md' if path == 'README.md' else os.path.relpath(path, 'docs') if path.startswith('docs/') else path
     up = os.path.relpath('.', os.path.dirname(here) or '.')
@@ -201,7 +210,7 @@ def docs_page(path, text, target):
                 line = re.sub(r'(?<!\[)`([\w:]{4,})`(?!\])', name, line)
         lines.append(line)
         before = line
-    write(os.path.join(output, here), '\n'.join(lines))
+    write(os.path.join(output, here), with_tabs('\n'.join(lines)))
 
 
 def check_names(path, text, names):
@@ -215,13 +224,15 @@ def check_names(path, text, names):
 def menu(pages):
     """The pages in the order in which the README names them, then the others."""
     order = re.findall(r'\]\((docs/\w+\.md)', read(os.path.join(root, 'README.md')).rpartition('## Documentation')[2])
-    guides = [path for path in pages if re.fullmatch(r'docs/\w+\.md', path)]
+    steps = re.findall(r'\]\((tutorial_\w+\.md)', read(os.path.join(root, 'docs/tutorial.md')))
+    tutorial = ['docs/tutorial.md'] + ['docs/' + step for step in steps]
+    guides = [path for path in pages if re.fullmatch(r'docs/\w+\.md', path) and path not in tutorial]
     guides.sort(key=lambda path: order.index(path) if path in order else len(order))
     decisions = [path for path in pages if path.startswith('docs/decisions/')]
     listed = lambda paths: ''.join(f'      - {path.removeprefix("docs/")}\n' for path in paths)
     api = ''.join(f'      - api/{page}.md\n' for page in ['index'] + [folder or 'areas' for folder in FOLDERS] + ['internal']
                   if os.path.exists(os.path.join(output, 'api', page + '.md')))
-    return ('nav:\n  - index.md\n  - Guide:\n' + listed(guides) + '  - API reference:\n' + api +
+    return ('nav:\n  - index.md\n  - Tutorial:\n' + listed(tutorial) + '  - Guide:\n' + listed(guides) + '  - API reference:\n' + api +
             '  - Decisions:\n' + listed(decisions) +
             '  - Project:\n      - CONTRIBUTING.md\n      - SECURITY.md\n      - CHANGELOG.md\n')
 
