@@ -52,8 +52,11 @@ def test_the_page_of_the_documentation_runs_and_prints_what_it_says(tmp_path, mo
     assert check_blocks(page, {"__name__": "page", "folder": str(tmp_path)}) > 0
 
 
-@pytest.mark.parametrize("path", sorted((FOLDER.parent / "docs").glob("tutorial_*.md")), ids=lambda p: p.stem)
-def test_the_tutorial_runs_and_prints_what_it_says(path, tmp_path, monkeypatch):
+PAGES = [FOLDER.parent / "README.md", *sorted((FOLDER.parent / "docs").glob("tutorial_*.md"))]
+
+
+@pytest.mark.parametrize("path", PAGES, ids=lambda p: p.stem)
+def test_the_first_pages_run_and_print_what_they_say(path, tmp_path, monkeypatch):
     page = path.read_text(encoding="utf-8")
     monkeypatch.chdir(tmp_path)
     for name, text in re.findall(r"in a file `([\w.]+)`:\n\n```xml\n(.*?)^```", page, re.MULTILINE | re.DOTALL):
