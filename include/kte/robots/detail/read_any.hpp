@@ -7,11 +7,13 @@
 
 namespace kte::detail {
 
-/// Reads a robot in the format given by the root element.
+/// Reads a robot from a text, in the format given by its root element; `name` names the file in messages.
 robot_description read_any(std::string_view text, const std::string& name, const robot_options& options,
                            xml_parser parse);
+/// The names of the models in a file.
 std::vector<std::string> models_of_file(const std::filesystem::path& path, const robot_options& options,
                                         xml_parser parse);
+/// Reads a robot from a file into a chain.
 robot robot_of_file(const std::filesystem::path& path, const robot_options& options, xml_parser parse);
 
 #ifdef KTE_FUNCTION
