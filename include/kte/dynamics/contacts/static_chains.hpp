@@ -44,10 +44,11 @@ template <class S, class Chain, class Q, class V, class T>
 static_contact_dynamics_result<Chain, S> contact_dynamics_unrolled(const Chain& c, const Q& q, const V& v,
                                                                    const T& tau) {
   return at_run_time(c, q, v, tau, [&c](const auto& r, auto& s, const auto& x, const auto& rates, const auto& forces) {
-    using at_type = configuration<S, typename Chain::wiring, const S*>;
-    const at_type at(x.data());
+    const S* const positions = x.data();  // `each` refers to its numbers
+    const S* const velocities = rates.data();
+    const configuration<S, typename Chain::wiring, const S*> at(positions);
     at.check();
-    const given_on_contacts<Chain, S> g{at, each<S, const S*>{rates.data()}, {}, base_beside_contacts(c)};
+    const given_on_contacts<Chain, S> g{at, each<S, const S*>{velocities}, {}, base_beside_contacts(c)};
     auto& m = solver_of(r, s);
     static_contact_dynamics_result<Chain, S> result;
     result.several = chain_on_contacts<S, Chain, given_on_contacts<Chain, S>>(c, g).accelerate(
