@@ -3,8 +3,8 @@
 #
 # A ```cpp block is the body of a function, or, with `int main()` in it, a program. What a ``` block without a language
 # right behind it has is what the function must print; without one it must print nothing. ```json and ```xml blocks are
-# the texts `json_1`, `json_2`, `xml_1` ... Lines `#include` go to the top. What else a block needs stands in comments that readers of the
-# page do not see:
+# the texts `json_1`, `json_2`, `xml_1` ... Lines `#include` go to the top. What else a block needs stands in comments that
+# readers of the page do not see:
 #
 #   <!-- snippet             the lines up to --> stand in front of the next block, in its function
 #   <!-- snippet: outside    they stand in no function; without lines, <!-- snippet: outside -->, the next block does

@@ -92,7 +92,7 @@ inline void check_attributes(std::string_view text, const std::string& source) {
 /// them.
 inline std::size_t bytes_after_robot(std::string_view text) {
   constexpr std::string_view close = "</robot>";
-  if (text.find("<robot") == text.npos) return 0;  // it takes a tenth of the time of a search from the end
+  if (text.find("<robot") == text.npos) return 0;
   const auto at = text.rfind(close);
   if (at == text.npos) return 0;
   const auto rest = text.substr(at + close.size());

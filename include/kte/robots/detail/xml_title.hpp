@@ -35,7 +35,7 @@ KTE_FUNCTION std::string title_of(const xml_node& n) {
 /// `owner`: that of the element, for the root null.
 inline void give_title(xml_node& n, const std::string& source, const std::shared_ptr<const std::string>& owner,
                        bool top, std::size_t place = 0) {
-  if (n.name[0] == 'x' && n.name.starts_with("xacro:"))
+  if (n.name.starts_with("xacro:"))
     fail_xml(source, n.line,
              "<" + excerpt(n.name) +
                  ">: this is a file for xacro, not a robot yet: run xacro, and read the file that it writes");
