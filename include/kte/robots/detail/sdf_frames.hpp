@@ -55,12 +55,12 @@ class sdf_frames {
     std::size_t a = number_of(asks, from), b = number_of(asks, to);
     const auto first = in_model(a), second = in_model(b);
     robot_pose up, down;
-    std::size_t far = first.depth, deep = second.depth;
+    std::size_t first_depth = first.depth, second_depth = second.depth;
     for (std::size_t steps = 0; a != b; ++steps) {
       if (steps > long_way) return inverse_of(first.pose) * second.pose;
-      const bool of_first = far > deep, of_second = deep > far;
-      if (!of_second) up = along(up, a), a = frames_[a].above, --far;
-      if (!of_first) down = along(down, b), b = frames_[b].above, --deep;
+      const bool of_first = first_depth > second_depth, of_second = second_depth > first_depth;
+      if (!of_second) up = along(up, a), a = frames_[a].above, --first_depth;
+      if (!of_first) down = along(down, b), b = frames_[b].above, --second_depth;
     }
     return inverse_of(up) * down;
   }
