@@ -177,8 +177,6 @@ class Reader:
         def made(kind, name, last, **more):
             text = self.slice(first, last)
             doc = self.doc_of(first, self.at)
-            if not doc and (deprecated := re.search(r'\[\[deprecated\("(?:kte: )?([^"]*)"\)\]\]', text)):
-                doc = f'Deprecated: {deprecated[1]}.'
             return Declaration(kind, name, around, self.line(start), text, doc, special=special, **more)
 
         # Template heads, attributes, specifiers.

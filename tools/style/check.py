@@ -26,7 +26,7 @@ from declarations import Unreadable  # noqa: E402
 from public_names import undocumented  # noqa: E402
 
 COLUMNS = 140
-FORMER = r'^CHANGELOG|^docs/(glossary|decisions)|deprecated|former_names'  # which name the words of former versions
+FORMER = r'^CHANGELOG|^docs/(glossary|decisions)'  # which name the words of former versions
 SHOWN = 20  # places of a rule, without --list
 COMMENT = re.compile(r'(?P<string>R"(?P<mark>[^(\n]*)\(.*?\)(?P=mark)"|"(?:[^"\\\n]|\\.)*")|\'(?:[^\'\\\n]|\\.)\'|//(?P<comment>[^\n]*)', re.S)
 

@@ -68,8 +68,7 @@ concept reads_accelerations = requires {
 template <class Core>
 concept distributed_mass = requires {
   requires Core::distributed_mass;
-}
-|| detail::former_distributed_mass<Core>;
+};
 /// Its only loads are those of a rigid body, `core.body`, on its frame, or of the mass on its coordinate.
 template <class Core>
 concept is_rigid_body = requires {
@@ -86,8 +85,7 @@ concept is_load = requires {
 template <class Core>
 concept load_dependent_friction = requires {
   requires Core::load_dependent_friction;
-}
-|| detail::former_load_dependent_friction<Core>;
+};
 /// It may lock a coordinate, as `coordinate_lock` declares; `capacity(things...)` returns the largest holding force.
 template <class Core>
 concept locks_coordinate = requires {

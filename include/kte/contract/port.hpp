@@ -1,7 +1,6 @@
 #pragma once
 
 #include <kte/contract/key.hpp>
-#include <kte/deprecated.hpp>
 
 #include <array>
 #include <span>

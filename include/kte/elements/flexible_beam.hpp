@@ -173,8 +173,8 @@ struct flexible_beam {
     } else {
       const S give = section.GJ > 0 ? S(S(1) / (S(12) * twist)) : S(0);
       const auto u = r - at_rest();
-      const auto driven = cross(vec3{twist * u.x, y.r * u.y, z.r * u.z}, r);
-      const vec3 right{-(give * driven.x), c.y - y.give * driven.y, c.z - z.give * driven.z};
+      const auto moment = cross(vec3{twist * u.x, y.r * u.y, z.r * u.z}, r);
+      const vec3 right{-(give * moment.x), c.y - y.give * moment.y, c.z - z.give * moment.z};
       const S xy = z.r * r.x * r.y, xz = y.r * r.x * r.z, yz = twist * r.y * r.z;
       const vec3 of_x{S(S(1) + give * (y.r * r.z * r.z + z.r * r.y * r.y)), S(-(give * xy)), S(-(give * xz))};
       const vec3 of_y{S(-(y.give * xy)), S(S(1) + y.give * (twist * r.z * r.z + z.r * r.x * r.x)), S(-(y.give * yz))};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/detail/no_value.hpp>
 #include <kte/detail/unroll.hpp>
 #include <kte/engine/values.hpp>
 #include <kte/frames/motion.hpp>
@@ -121,8 +122,7 @@ KTE_INLINE constexpr auto pulled_back(const B& b, const W& w) {
   return wrench{fresh(f), plus_cross(b.out(w.torque), b.position(), f)};
 }
 
-/// In place of values that nothing needs.
-struct nothing {};
+using detail::no_value;
 /// Values of all bodies that are one, a typed constant.
 template <class Value>
 struct kept_constant {

@@ -61,7 +61,7 @@ struct looped {
   /// given. `Hand`: the type in registers, without skipped quantities.
   template <class Hand, class Value, class Step>
   KTE_INLINE auto outward(Value* const kept, const Step& step) const {
-    descend<Hand>(kept, kept_constant<nothing>{}, step_without_value<Step>{step});
+    descend<Hand>(kept, kept_constant<no_value>{}, step_without_value<Step>{step});
     return kept_values<Value, Hand, Step>{kept + bodies.bases()};
   }
 
@@ -140,7 +140,7 @@ struct looped {
   struct step_without_value {
     Step step;
     template <body B, class Parent>
-    KTE_INLINE auto operator()(const B& b, nothing, const Parent& parent) const {
+    KTE_INLINE auto operator()(const B& b, no_value, const Parent& parent) const {
       return step(b, parent);
     }
   };

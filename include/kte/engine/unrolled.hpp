@@ -36,7 +36,7 @@ struct unrolled {
   /// From children to parents, like `looped`: a frame carries own(fixed part, value) for all fixed parts, plus the
   /// values of its bodies. Nothing is stored, so there are no arrays. meet(body, carried, tree_place).
   template <bool Keep, class Hand, bool Bases, class Values, class Own, class Meet, class PullBack>
-  KTE_INLINE constexpr void inward(nothing, const Values& values, const Own& own, const Meet& meet,
+  KTE_INLINE constexpr void inward(no_value, const Values& values, const Own& own, const Meet& meet,
                                    const PullBack& pull_back) const {
     static_assert(!Keep && !Bases);
     const inward_steps<Values, Own, Meet, PullBack> steps{values, own, meet, pull_back};

@@ -98,19 +98,19 @@ struct kind_of_event;
 template <class G, class Reset, class Rest>
 struct kind_of_event<event<G, Reset, Rest>> {
   static constexpr bool can_rest = !event<G, Reset, Rest>::has_rest || event<G, Reset, Rest>::has_reset;
-  static constexpr bool is_one = true;
+  static constexpr bool is_single = true;
 };
 template <class E>
 struct kind_of_event<std::vector<E>> {
   static constexpr bool can_rest = kind_of_event<E>::can_rest;
-  static constexpr bool is_one = false;
+  static constexpr bool is_single = false;
 };
 }  // namespace detail
 
 /// A list of events, each an `event` or a vector of events. They are numbered in this order; events at one time are
 /// handled in this order.
 template <class... E>
-requires(requires { detail::kind_of_event<E>::is_one; } && ...) event_list<detail::no_handler, E...> events(E... e) {
+requires(requires { detail::kind_of_event<E>::is_single; } && ...) event_list<detail::no_handler, E...> events(E... e) {
   static_assert((detail::kind_of_event<E>::can_rest && ...),
                 "kte: `rest` follows resets: give the event a `reset` too");
   return {{std::move(e)...}, {}, {}};

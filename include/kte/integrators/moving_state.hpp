@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/detail/no_value.hpp>
 #include <kte/integrators/motion_space.hpp>
 #include <kte/integrators/time_grid.hpp>
 
@@ -51,9 +52,8 @@ class moving_state {
   /// Whether states are kept on a manifold.
   static constexpr bool settles =
       detail::settles_states<detail::unwrapped_type<F>, X> || detail::settles_vectors<detail::unwrapped_type<F>, X>;
-  struct nothing {};
   template <class T>
-  using if_on_group = std::conditional_t<on_group, T, nothing>;
+  using if_on_group = std::conditional_t<on_group, T, detail::no_value>;
 
   explicit moving_state(F f) : f_(std::move(f)) {}
   const F& function() const { return f_; }
@@ -283,7 +283,7 @@ class moving_state {
   mutable std::string reason_;                 ///< why f could not be computed in this step
   [[no_unique_address]] if_on_group<rate> d_;  ///< from x_ to next_
   [[no_unique_address]] mutable if_on_group<rate> within_;
-  [[no_unique_address]] mutable std::conditional_t<settles, rate, nothing> error_;
+  [[no_unique_address]] mutable std::conditional_t<settles, rate, detail::no_value> error_;
   bool settled_ = false;
   [[no_unique_address]] mutable if_on_group<std::array<rate, 2>> sizes_;
 };

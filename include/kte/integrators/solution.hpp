@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/detail/no_value.hpp>
 #include <kte/integrators/integrator.hpp>
 
 #include <algorithm>
@@ -169,17 +170,16 @@ class solution {
       if constexpr (uses_system) detail::unwrapped(motion_).settle(from_, x);
     }
   }
-  struct nothing {};
   template <class Method>
   static auto motion_of(const integrator<Method, F, X>& solver) {
     if constexpr (uses_system) {
       return solver.function();
     } else {
-      return nothing{};
+      return detail::no_value{};
     }
   }
 
-  [[no_unique_address]] std::conditional_t<uses_system, std::remove_const_t<F>, nothing> motion_;
+  [[no_unique_address]] std::conditional_t<uses_system, std::remove_const_t<F>, detail::no_value> motion_;
   S begin_, end_;
   X last_;
   std::vector<piece> pieces_;

@@ -111,8 +111,8 @@ template <class S, class K1, class K2, class K3>
   const S unit = S(1) / sqrt(S(dot(p1, p1) + dot(p2, p2) + dot(p3, p3)));  // scales back to metres
   detail::short_list<three_solved_angles<S>, 8> out;
   // If axes 1 and 2 meet, or axes 2 and 3, only one angle occurs in the second equation; then subproblem 2 applies.
-  const auto nothing = [&unit](const vec3<S>& p) { return !(dot(p, p) * unit * unit > S(1e-18)); };
-  if (nothing(p0) && !nothing(p2)) {
+  const auto is_negligible = [&unit](const vec3<S>& p) { return !(dot(p, p) * unit * unit > S(1e-18)); };
+  if (is_negligible(p0) && !is_negligible(p2)) {
     const auto t3 = detail::angles_of_length(k3, p2, p3, S(sqrt(dot(p1, p1))));
     for (const unsigned first : {0u, 2u}) {
       const auto& t = first == 0 ? t3.plus : t3.minus;
@@ -121,7 +121,7 @@ template <class S, class K1, class K2, class K3>
     }
     return out;
   }
-  if (nothing(p2) && !nothing(p0)) {
+  if (is_negligible(p2) && !is_negligible(p0)) {
     const auto t1 = detail::angles_of_length(k1, p0, p1, S(sqrt(dot(p3, p3))));
     for (const unsigned first : {0u, 2u}) {
       const auto& t = first == 0 ? t1.plus : t1.minus;

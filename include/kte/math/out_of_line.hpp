@@ -1,6 +1,5 @@
 #pragma once
 
-#include <kte/deprecated.hpp>
 #include <kte/math/dual.hpp>
 
 #include <concepts>

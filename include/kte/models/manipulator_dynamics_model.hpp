@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/detail/no_value.hpp>
 #include <kte/dynamics/forward_dynamics.hpp>
 #include <kte/models/detail/internal_rates.hpp>
 #include <kte/models/detail/rate_derivatives.hpp>
@@ -416,7 +417,7 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
   /// The model of the chain at run time, with the inputs of this one.
   auto at_run_time() const { return detail::static_model_at_run_time<chain_type>(*this); }
 
-  [[no_unique_address]] mutable std::conditional_t<constrained, detail::own_memory, detail::nothing> constraints_;
+  [[no_unique_address]] mutable std::conditional_t<constrained, detail::own_memory, detail::no_value> constraints_;
   struct no_output {};
   [[no_unique_address]] std::conditional_t<std::is_void_v<Output>, no_output, Output> output_;
 };

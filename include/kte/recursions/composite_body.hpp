@@ -37,14 +37,14 @@ struct inertia_to_parent {
 /// their own.
 template <bool Bases, class Hand, class Driver, class Kept>
 KTE_INLINE void composite_inertias(const Driver& d, const Kept& kept) {
-  d.template inward<true, Hand, Bases>(kept, kept_constant<nothing>{}, fixed_inertia{}, same_inertia{},
+  d.template inward<true, Hand, Bases>(kept, kept_constant<no_value>{}, fixed_inertia{}, same_inertia{},
                                        inertia_to_parent{});
 }
 /// The composite inertia of a frame's subtree, about its origin and in its axes. meet(body, inertia, place) is called
 /// for each body on it with the inertia that the body carries, and returns it.
 template <class Frame, class Driver, class Meet = same_inertia>
 KTE_INLINE constexpr auto composite_inertia_of(const Driver& d, const Meet& meet = {}) {
-  return d.template carried<Frame>(kept_constant<nothing>{}, fixed_inertia{}, meet, inertia_to_parent{});
+  return d.template carried<Frame>(kept_constant<no_value>{}, fixed_inertia{}, meet, inertia_to_parent{});
 }
 
 /// Calls put(i, j, s_i^T f) for the axes i of a body and a wrench f of axis j; f is then passed to the parent.
@@ -89,8 +89,8 @@ struct mass_columns {
 };
 template <class Driver, class Put>
 KTE_INLINE constexpr void mass_matrix(const Driver& d, const Put& put) {
-  d.template inward<false, nothing, false>(nothing{}, kept_constant<nothing>{}, fixed_inertia{}, mass_columns<Put>{put},
-                                           inertia_to_parent{});
+  d.template inward<false, no_value, false>(no_value{}, kept_constant<no_value>{}, fixed_inertia{},
+                                            mass_columns<Put>{put}, inertia_to_parent{});
 }
 
 /// Momenta at unit rates of axes, the columns of the centroidal momentum matrix (Orin, Goswami, Lee, Autonomous Robots

@@ -181,8 +181,8 @@ struct variation_columns {
 /// Inward: the derivatives of the forces on all axes.
 template <class Driver, class Put>
 KTE_INLINE constexpr void derivatives_of_forces(const Driver& d, const Put& put) {
-  d.template inward<false, engine::nothing, false>(engine::nothing{}, engine::kept_constant<engine::nothing>{},
-                                                   turning_alone{}, variation_columns<Put>{put}, turning_to_parent{});
+  d.template inward<false, engine::no_value, false>(engine::no_value{}, engine::kept_constant<engine::no_value>{},
+                                                    turning_alone{}, variation_columns<Put>{put}, turning_to_parent{});
 }
 
 }  // namespace kte::detail

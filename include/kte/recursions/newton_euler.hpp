@@ -75,7 +75,7 @@ struct wrench_under {
   Load load;
   template <class B, class M>
   KTE_INLINE constexpr auto operator()(const B& b, const M& m) const {
-    if constexpr (std::is_same_v<M, nothing>)
+    if constexpr (std::is_same_v<M, no_value>)
       return no_wrench - load(b);
     else
       return body_wrench(b, m) - load(b);

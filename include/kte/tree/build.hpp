@@ -128,7 +128,7 @@ struct body_tree_builder {
     return {mass, c, seen(a) + seen(b)};
   }
 
-  static bool is_one(const P& x) {
+  static bool is_unit(const P& x) {
     using std::abs;
     return abs(x - P(1)) <= P(8) * std::numeric_limits<P>::epsilon();
   }
@@ -152,13 +152,13 @@ struct body_tree_builder {
     const P ww = dot(w, w), vv = dot(v, v);
     if (ww == P(0)) {
       const P length = sqrt(vv);
-      r.slides = is_one(length) ? P(1) : length;
+      r.slides = is_unit(length) ? P(1) : length;
       r.moves = r.slides == P(1) ? joint::prismatic : joint::screw;
       r.axis[0] = 2;
-      return {rotation_to(is_one(length) ? v : vec3<P>((P(1) / length) * v)), {}};
+      return {rotation_to(is_unit(length) ? v : vec3<P>((P(1) / length) * v)), {}};
     }
     const P length = sqrt(ww);
-    const bool unit = is_one(length);
+    const bool unit = is_unit(length);
     const vec3<P> n = unit ? w : vec3<P>((P(1) / length) * w);
     r.turns = unit ? P(1) : length;
     r.slides = dot(v, n);

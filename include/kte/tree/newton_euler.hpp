@@ -39,7 +39,7 @@ template <class P, class S>
 void transmit_loads(const body_tree<P>& f, memory<P, S>& m) {
   const tree_bodies<P, S> bodies(f, m.joint_transforms);
   engine::transmit<false>(engine::looped<tree_bodies<P, S>>{bodies}, m.wrenches.data(),
-                          engine::kept_constant<engine::nothing>{},
+                          engine::kept_constant<engine::no_value>{},
                           engine::wrench_under{load_of_slot<S>{m.loads.data()}}, m.force.data());
 }
 

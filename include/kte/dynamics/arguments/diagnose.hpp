@@ -272,8 +272,8 @@ template <class Wiring, class Matrix, class Q>
 }
 /// Diagnoses the bits of dynamics/unrolled/articulated.hpp, for the last row, whose joint carries no other joint.
 template <class Wiring, class Q>
-[[noreturn, gnu::cold, gnu::noinline]] void diagnose_axes(std::uint64_t nothing, std::uint64_t non_finite, Q q) {
-  const int last = static_cast<int>(std::bit_width(nothing)) - 1;
+[[noreturn, gnu::cold, gnu::noinline]] void diagnose_axes(std::uint64_t massless, std::uint64_t non_finite, Q q) {
+  const int last = static_cast<int>(std::bit_width(massless)) - 1;
   if (Wiring::dofs > 64 && last == 63) raise_singular_mass_matrix();
   diagnose_mass<Wiring>(last, (non_finite >> last & 1) == 0, q);
 }

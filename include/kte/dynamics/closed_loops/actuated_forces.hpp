@@ -88,16 +88,16 @@ KTE_FUNCTION Eigen::MatrixXd motion_by(const std::vector<int>& actuated, int n, 
   for (int k = 0; k < rank; ++k) all_rows.push_back(k);
   pivoted_qr qr;
   auto b = qr.matrix(rank, rank);
-  Eigen::MatrixXd driven(rank, n - rank);
+  Eigen::MatrixXd actuated_columns(rank, n - rank);
   for (int k = 0; k < rank; ++k) b.row(k) = j.col(others[static_cast<std::size_t>(k)]).transpose();
-  for (int k = 0; k < n - rank; ++k) driven.col(k) = j.col(actuated[static_cast<std::size_t>(k)]);
+  for (int k = 0; k < n - rank; ++k) actuated_columns.col(k) = j.col(actuated[static_cast<std::size_t>(k)]);
   if (!qr.take(all_rows, least_pivot))
     raise<no_solution>("kte: the actuated coordinates do not determine the motion of the loops here");
   Eigen::MatrixXd x(rank + pivoted_qr::padding, n - rank);
   for (Eigen::Index k = 0; k < x.cols(); ++k) {
-    driven.col(k) *= -1;
-    qr.solve_transposed(driven.col(k).data());
-    qr.times_q(driven.col(k).data(), x.col(k).data());
+    actuated_columns.col(k) *= -1;
+    qr.solve_transposed(actuated_columns.col(k).data());
+    qr.times_q(actuated_columns.col(k).data(), x.col(k).data());
   }
   Eigen::MatrixXd g = Eigen::MatrixXd::Zero(n, n - rank);
   for (int k = 0; k < rank; ++k) g.row(others[static_cast<std::size_t>(k)]) = x.row(k);

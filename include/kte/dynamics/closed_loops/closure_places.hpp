@@ -56,7 +56,7 @@ class closure_places {
     for (const auto& of_kind : t.body_tree.frames)
       for (const auto& x : of_kind) length = (std::max)(length, size_of(x.at.position));
     for (const auto& x : closures)
-      if (x.of_frames()) length = (std::max)(length, own_length(c, x));
+      if (x.of_frames()) length = (std::max)(length, characteristic_length(c, x));
     if (!(length > 0)) length = 1;
   }
 
@@ -107,17 +107,10 @@ class closure_places {
     return std::sqrt(static_cast<double>(largest_lane(P(dot(x, x)))));
   }
 
-  static bool is_contact(const chain_constraints& c, int e) {
-    if constexpr (requires { c.touches(e); })
-      return c.touches(e);
-    else
-      return false;
-  }
   /// The size of a contact; or the length that a closure keeps, as `distance` does: twice its largest residual in m
   /// where its frames coincide.
-  static double own_length(const chain_constraints& c, const closure_place& x) {
-    if constexpr (requires { c.contact_size(0); })
-      if (is_contact(c, x.element)) return c.contact_size(x.element);
+  static double characteristic_length(const chain_constraints& c, const closure_place& x) {
+    if (c.touches(x.element)) return c.contact_size(x.element);
     const closing_motion<double> coincident{{}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {}, {}, {}, {}};
     double residual[6]{}, most = 0;
     c.close_frames(x.element, coincident, closing::residual, residual);
@@ -158,7 +151,7 @@ class closure_places {
       for (const auto& frame : {x.frame1, x.frame2})
         if (s.tree().body_tree.frame(frame.what, frame.index).slot < 0)
           refuse(" is on a frame that follows others: closures take frames that joints and links move");
-      if (const char* where = fixed_frames(s, x); where != nullptr && !is_contact(c, e))
+      if (const char* where = fixed_frames(s, x); where != nullptr && !c.touches(e))
         refuse(std::string(" closes no loop: no joint moves its frames relative to each other: they are ") + where);
     } else {
       for (std::size_t p = 0; p + 1 < ports.size(); ++p) {

@@ -17,15 +17,15 @@ struct contact_dynamics_derivatives_result {
   Eigen::MatrixXd by_q, by_v, by_tau;  ///< derivatives of a, n x n
 
   /// A contact, and the derivatives of its force.
-  struct of_contact {
+  struct contact_derivatives {
     contact_state<> at;                                    ///< gap, slip, force and mode
     Eigen::MatrixXd force_by_q, force_by_v, force_by_tau;  ///< derivatives of the force, 3 x n, in axes of its surface
   };
   /// A contact. Throws `unknown_name`.
-  const of_contact& contact(std::string_view name) const { return detail::named_value(names, contacts, name); }
+  const contact_derivatives& contact(std::string_view name) const { return detail::named_value(names, contacts, name); }
 
   std::vector<std::string> names;  ///< of contacts, in order
-  std::vector<of_contact> contacts;
+  std::vector<contact_derivatives> contacts;
 };
 
 namespace detail {
@@ -83,10 +83,10 @@ class contact_sensitivity {
     rows_.setZero(equations, n), forces_.setZero(equations, n), own_.setZero(equations, equations);
     int closed = 0;
     for (const auto& x : e.places.closures) {
-      const bool of_contact = std::any_of(contacts.begin(), contacts.end(), [&](const auto& k) {
+      const bool is_contact_row = std::any_of(contacts.begin(), contacts.end(), [&](const auto& k) {
         return &e.places.closures[static_cast<std::size_t>(k.closure)] == &x;
       });
-      if (of_contact || closed == closure_rows_count) continue;
+      if (is_contact_row || closed == closure_rows_count) continue;
       rows_.middleRows(closed, x.rows.count()) = forces_.middleRows(closed, x.rows.count()) =
           j.middleRows(x.first, x.rows.count());
       closed += x.rows.count();

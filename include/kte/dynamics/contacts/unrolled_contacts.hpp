@@ -25,9 +25,9 @@ KTE_INLINE truth_of_lanes<S> find_forces(const chain_constraints& c, contacts_in
   m.solve(c);
   return m.several;
 }
-inline double length_of(const contact_solver& m) { return m.equations.places.length; }
+inline double length_scale(const contact_solver& m) { return m.equations.places.length; }
 template <class S>
-double length_of(const contacts_in_lanes<S>& m) {
+double length_scale(const contacts_in_lanes<S>& m) {
   return m.length;
 }
 
@@ -131,7 +131,7 @@ class chain_on_contacts<S, Chain, Given, std::index_sequence<E...>> : articulate
   template <std::size_t C, class Bodies, class Solver>
   KTE_INLINE void put_rows(const Bodies& bodies, Solver& m) {
     const auto& x = m.contacts[C];
-    const S unit(1 / length_of(m));
+    const S unit(1 / length_scale(m));
     std::array<S, row_lanes> axis[3]{}, rates{x.place.bending * unit};
     for (std::size_t k = 0; k < 3; ++k)
       axis[0][k] = unit * x.basis[k].x, axis[1][k] = unit * x.basis[k].y, axis[2][k] = unit * x.basis[k].z;

@@ -2,6 +2,7 @@
 
 #include <kte/contract/force_derivatives.hpp>
 #include <kte/contract/varying_joint.hpp>
+#include <kte/detail/no_value.hpp>
 #include <kte/detail/unroll.hpp>
 #include <kte/dynamics/looped/derivatives.hpp>
 #include <kte/dynamics/looped/mass_matrix_inverse.hpp>
@@ -162,7 +163,7 @@ auto take_forces(const Chain& c, const Given& g, State& s, Sign sign) {
   if (!by_passes) {
     check_regular(c, s);
     // Without names for messages, so that there is one instance for all `Given`.
-    forces_on_coordinates(static_elements<Chain, nothing>{c, {}}, s, acting::all);
+    forces_on_coordinates(static_elements<Chain, no_value>{c, {}}, s, acting::all);
   }
   joint_vector<typename State::scalar, Chain::dofs> f;
   read_listed_numbers<vector_of::f>(s, f);

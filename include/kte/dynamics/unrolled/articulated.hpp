@@ -74,7 +74,7 @@ struct force_of_body {
 };
 struct bias_of_body {
   template <class Part>
-  KTE_INLINE constexpr engine::nothing at(const Part&) const {
+  KTE_INLINE constexpr engine::no_value at(const Part&) const {
     return {};
   }
   template <engine::body B>
@@ -82,9 +82,9 @@ struct bias_of_body {
     return b.more.bias;
   }
 };
-struct needed_alone {
+struct own_bias_force {
   template <class Part>
-  KTE_INLINE constexpr auto operator()(const Part& part, engine::nothing) const {
+  KTE_INLINE constexpr auto operator()(const Part& part, engine::no_value) const {
     return no_wrench - part.more;
   }
 };
@@ -156,13 +156,13 @@ class articulated_chain<S, Chain, Given, std::index_sequence<E...>>
     using bodies_type = driven_bodies<S, articulated_chain, axes>;
     const bodies_type bodies(*this, tau);
     const engine::unrolled<bodies_type> d{bodies};
-    engine::articulate<engine::nothing>(d, engine::nothing{}, bias_of_body{}, needed_alone{}, force_of_body{},
-                                        factors_.data(), unmoved_);
+    engine::articulate<engine::no_value>(d, engine::no_value{}, bias_of_body{}, own_bias_force{}, force_of_body{},
+                                         factors_.data(), unmoved_);
     change(bodies);
     unroll<wiring::freedoms>([&]<std::size_t F>() KTE_INLINE_LAMBDA { this->template without_joint<F>(tau, a); });
     const int given[]{(put_given<E>(a), 0)..., 0};
     (void)given;
-    engine::accelerate<engine::nothing>(
+    engine::accelerate<engine::no_value>(
         d,
         [this]<class Frame>(Frame) KTE_INLINE_LAMBDA {
           const auto& x = this->template get<Frame::what, Frame::slot>();

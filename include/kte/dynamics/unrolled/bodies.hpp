@@ -40,7 +40,7 @@ struct axes_of_joints {
 /// A joint or link of a chain in its current position. The type describes the joint but does not identify it, so that
 /// the steps of recursions are instantiated once for all joints of equal type. It stores the inputs of poses and
 /// motions, because g++ would keep copies of the results in memory.
-///   C      the type of its coordinate, or of its source; `engine::nothing` for a link
+///   C      the type of its coordinate, or of its source; `engine::no_value` for a link
 ///   Axes   the number of its axes in the recursion; 0: its motion is given
 ///   M      a further mass on its coordinate
 ///   More   further data of a recursion
@@ -81,7 +81,7 @@ struct typed_body {
   }
   /// The motion of the joint.
   KTE_INLINE constexpr auto relative() const {
-    if constexpr (std::is_same_v<C, engine::nothing>) {
+    if constexpr (std::is_same_v<C, engine::no_value>) {
       return core.relative();
     } else {
       return relative_at(core, coordinate());
@@ -102,7 +102,7 @@ struct typed_body {
     }
   }
   KTE_INLINE constexpr auto placed() const {
-    if constexpr (std::is_same_v<C, engine::nothing>) {
+    if constexpr (std::is_same_v<C, engine::no_value>) {
       return core.relative();
     } else {
       return relative_at(core, position_only(coordinate()));
@@ -173,13 +173,13 @@ class typed_bodies {
   }();
   template <std::size_t I>
   KTE_INLINE constexpr auto body() const {
-    return body_with<I>(zero, []() KTE_INLINE_LAMBDA { return engine::nothing{}; });
+    return body_with<I>(zero, []() KTE_INLINE_LAMBDA { return engine::no_value{}; });
   }
   template <class Frame, std::size_t N>
   KTE_INLINE constexpr auto fixed() const {
-    return fixed_with<Frame, N>([]() KTE_INLINE_LAMBDA { return engine::nothing{}; });
+    return fixed_with<Frame, N>([]() KTE_INLINE_LAMBDA { return engine::no_value{}; });
   }
-  static constexpr auto none() { return none_with(engine::nothing{}); }
+  static constexpr auto none() { return none_with(engine::no_value{}); }
 
  protected:
   /// The mass on the coordinate of joint I; zero without axes here.
@@ -208,7 +208,7 @@ class typed_bodies {
                   "kte: the coordinates of this joint of several are not consecutive degrees of freedom, as this "
                   "algorithm needs: name them first in this joint, or use a runtime chain");
     if constexpr (coordinates_of<core_t<I>> == 0) {
-      return typed_body<S, core_t<I>, engine::nothing, axes, M, More>{core, {}, row, mass, more()};
+      return typed_body<S, core_t<I>, engine::no_value, axes, M, More>{core, {}, row, mass, more()};
     } else if constexpr (coordinate_kind<core_t<I>> == kind::gen) {
       using coordinate = std::remove_cvref_t<decltype(motion_.template joint_coordinate<I>())>;
       return typed_body<S, core_t<I>, coordinate, axes, M, More>{core, motion_.template joint_coordinate<I>(), row,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kte/contract/joint.hpp>
+#include <kte/detail/no_value.hpp>
 #include <kte/detail/numbers_where.hpp>
 #include <kte/dynamics/unrolled/no_load.hpp>
 #include <kte/static_chain/connections.hpp>
@@ -9,8 +10,6 @@
 /// Data flow between the elements of a static chain in one pass: the types of frames, coordinates and loads, which are
 /// local variables (dynamics/unrolled/passes.hpp).
 namespace kte::detail {
-
-struct nothing {};
 
 /// The index of the first false entry; the last entry is false.
 template <std::size_t N>
@@ -152,7 +151,7 @@ struct flow_types {
   /// constructors and functions of tuples, which compilers instantiate for each chain, cost more than everything else.
   template <std::size_t I, class Inputs = inputs<I>>
   struct written {
-    using type = nothing;
+    using type = no_value;
   };
   /// An item as kernels see it.
   template <kind K, int Slot>

@@ -14,7 +14,7 @@ struct resting_bodies : typed_bodies<S, Chain, Axes> {
   template <std::size_t I>
   KTE_INLINE constexpr auto body() const {
     return this->template body_with<I>(this->template own_mass<I>(),
-                                       []() KTE_INLINE_LAMBDA { return engine::nothing{}; });
+                                       []() KTE_INLINE_LAMBDA { return engine::no_value{}; });
   }
 };
 
@@ -57,7 +57,7 @@ class inverted_mass<S, Chain, Given, std::index_sequence<E...>> : articulated_ch
   KTE_INLINE void invert(Matrix& m) {
     const bodies_type bodies(*this);
     const engine::unrolled<bodies_type> d{bodies};
-    engine::articulate_at_rest(d, engine::nothing{}, this->factors_.data(), this->unmoved_);
+    engine::articulate_at_rest(d, engine::no_value{}, this->factors_.data(), this->unmoved_);
     each_jointless_mass([this]<int Row>(std::integral_constant<int, Row>, const S& mass)
                             KTE_INLINE_LAMBDA { note(this->unmoved_, Row, all(mass > S(0)), mass); });
     columns(d, m);

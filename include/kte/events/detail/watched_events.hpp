@@ -69,7 +69,7 @@ class watched_events {
 
  protected:
   static constexpr bool count_is_fixed = []<class... E>(std::type_identity<std::tuple<E...>>) {
-    return (kind_of_event<E>::is_one && ...);
+    return (kind_of_event<E>::is_single && ...);
   }(std::type_identity<decltype(List::list)>{});
   template <class T>
   using for_each_event =

@@ -47,8 +47,8 @@ constexpr double root_of(double x) {
   while (x > 4) x /= 4, unit *= 2;
   return unit * constexpr_sqrt(x);
 }
-constexpr double length_of(const vec3<>& v) { return root_of(dot(v, v)); }
-constexpr vec3<> direction_of(const vec3<>& v) { return (1 / length_of(v)) * v; }
+constexpr double norm(const vec3<>& v) { return root_of(dot(v, v)); }
+constexpr vec3<> direction_of(const vec3<>& v) { return (1 / norm(v)) * v; }
 /// v without its component along a unit vector.
 constexpr vec3<> normal_part(const vec3<>& v, const vec3<>& unit) { return v - dot(v, unit) * unit; }
 /// A unit vector normal to a given one.
@@ -64,7 +64,7 @@ struct axes_of {
   constexpr const vec3<>& h(int i) const { return arm.axis[static_cast<std::size_t>(i)]; }
   constexpr const vec3<>& p(int i) const { return arm.point[static_cast<std::size_t>(i)]; }
   /// The sine of the angle between two axes.
-  constexpr double sine(int i, int j) const { return length_of(cross(h(i), h(j))); }
+  constexpr double sine(int i, int j) const { return norm(cross(h(i), h(j))); }
   /// The point closest to two axes that are not parallel, and their distance, m.
   struct meeting {
     vec3<> at{};
@@ -75,7 +75,7 @@ struct axes_of {
     const double nn = dot(n, n);
     if (nn < 1e-12) return {};
     const vec3<> a = p(i) + (dot(cross(d, h(j)), n) / nn) * h(i), b = p(j) + (dot(cross(d, h(i)), n) / nn) * h(j);
-    return {0.5 * (a + b), length_of(a - b)};
+    return {0.5 * (a + b), norm(a - b)};
   }
   /// For three axes: the point where the two that are farthest from parallel meet.
   constexpr meeting meet(int i, int j, int k) const {
@@ -83,7 +83,7 @@ struct axes_of {
     const bool first = ij >= jk && ij >= ik, second = jk >= ik;
     meeting m = first ? meet(i, j) : second ? meet(j, k) : meet(i, k);
     const int rest = first ? k : second ? i : j;
-    const double off = length_of(cross(h(rest), m.at - p(rest)));
+    const double off = norm(cross(h(rest), m.at - p(rest)));
     if (m.miss < off) m.miss = off;
     return m;
   }
@@ -126,7 +126,7 @@ constexpr double reach_of(const arm_geometry& a) {
   double sum = 0;
   vec3<> to = a.tool.position;
   for (int i = a.n; i-- > 0;)
-    if (const auto k = static_cast<std::size_t>(i); !a.slides[k]) sum += length_of(to - a.point[k]), to = a.point[k];
+    if (const auto k = static_cast<std::size_t>(i); !a.slides[k]) sum += norm(to - a.point[k]), to = a.point[k];
   return sum;
 }
 
@@ -211,7 +211,7 @@ constexpr bool fits_srs(arm_structure& s, double most_m) {
   put_points(s, 0, 2, shoulder.at), put_points(s, 4, 6, wrist.at);
   // The elbow is the point of axis 4 closest to the shoulder.
   const vec3<> h = s.h(3), e = s.p(3) + dot(shoulder.at - s.p(3), h) * h;
-  if (length_of(e - shoulder.at) <= most_m || length_of(normal_part(wrist.at - e, h)) <= most_m) return false;
+  if (norm(e - shoulder.at) <= most_m || norm(normal_part(wrist.at - e, h)) <= most_m) return false;
   put_points(s, 3, 3, e);
   s.form = closed_form::srs, s.family = arm_family::srs;
   return true;
@@ -252,7 +252,7 @@ constexpr arm_structure structure_of(const arm_geometry& arm, double tolerance =
   arm_structure s;
   s.original = arm, s.arm = arm, s.reach = reach_of(arm), s.tolerance = tolerance;
   if (arm.refused == nullptr && arm.moves != arm_geometry::freely::not_at_all) {
-    s.reach = 1 + length_of(arm.tool.position);  // tolerances are relative to the reach
+    s.reach = 1 + norm(arm.tool.position);  // tolerances are relative to the reach
     s.form = closed_form::free_body, s.family = arm_family::free_body;
   }
   if (!(s.reach * s.reach < std::numeric_limits<double>::infinity())) {

@@ -13,7 +13,7 @@ struct packed_ways {
   explicit packed_ways(unsigned way) {
     for (unsigned l = 0; l < lanes; ++l) first[l] = (way + l) >> 1 & 1u, second[l] = (way + l) & 1u;
   }
-  static truth<L> is_one(const std::array<unsigned, lanes>& choice) {
+  static truth<L> is_set(const std::array<unsigned, lanes>& choice) {
     std::array<S, lanes> x;
     for (std::size_t l = 0; l < lanes; ++l) x[l] = S(static_cast<int>(choice[l]));
     return L(0.5) < load_pack(x.data());
@@ -51,10 +51,10 @@ raw_answers<S> eight_answers(std::size_t joints, branch_bit first, branch_bit se
   constexpr unsigned together = lanes == 1 ? 2 : 4;  // combinations that share one beginning
   for (unsigned way = 0; way < 4; way += together) {
     const packed_ways<L, S> one(way);
-    const auto begun = begin(one.is_one(one.first));
+    const auto begun = begin(one.is_set(one.first));
     for (unsigned k = way; k < way + together; k += lanes) {
       const packed_ways<L, S> both(k);
-      add(both, end(begun, both.is_one(both.second)));
+      add(both, end(begun, both.is_set(both.second)));
     }
   }
   return out;

@@ -66,12 +66,12 @@ template <class Model>
 runtime_model_loops(const Model&, runtime_state&, own_memory&) -> runtime_model_loops<Model>;
 
 /// The row of closures with the largest rate J v + g', this rate by scaled rows, and relative to its largest terms.
-struct opening_row {
+struct row_rate {
   Eigen::Index row = 0;
   double rate = 0, relative = 0;
 };
-inline opening_row fastest_row(const loop_equations& e, const Eigen::VectorXd& v, const Eigen::VectorXd& given_rates) {
-  opening_row r;
+inline row_rate fastest_row(const loop_equations& e, const Eigen::VectorXd& v, const Eigen::VectorXd& given_rates) {
+  row_rate r;
   r.rate = (e.times(v) + given_rates).cwiseAbs().maxCoeff(&r.row);
   if (!(r.rate > 0)) return r;
   // the terms of J v may all be rounding errors, where bodies move along the loops, and all of J where its rank is 0

@@ -64,16 +64,25 @@ KTE_FUNCTION void fail_xml_syntax(const std::string& source, int line, const cha
   for (char& c : why) c = c == '_' ? ' ' : c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
   fail_xml(source, line, "this is not valid XML: " + why);
 }
+/// The first place from `i` on that does not belong to what begins there, if that is a comment, a declaration or text
+/// between CDATA brackets; otherwise `i`.
+inline std::size_t after_comment(std::string_view text, std::size_t i) {
+  const char mark = i + 1 < text.size() ? text[i + 1] : ' ';
+  if (mark != '!' && mark != '?') return i;  // as most tags
+  const auto rest = text.substr(i);
+  const std::string_view end = mark == '?'                     ? "?>"
+                               : rest.starts_with("<!--")      ? "-->"
+                               : rest.starts_with("<![CDATA[") ? "]]>"
+                                                               : "";
+  if (end.empty()) return i;
+  const auto at = text.find(end, i);
+  return at == text.npos ? text.size() : at + end.size();
+}
 /// Refuses elements with too many attributes, for which XML libraries take a time that is quadratic in their number.
 inline void check_attributes(std::string_view text, const std::string& source) {
-  const auto skip = [&](std::size_t from, std::string_view end) {
-    const auto at = text.find(end, from);
-    return at == text.npos ? text.size() : at + end.size();
-  };
   for (std::size_t i = text.find('<'); i < text.size(); i = text.find('<', i)) {
-    const auto rest = text.substr(i);
-    if (rest.starts_with("<!--") || rest.starts_with("<![CDATA[") || rest.starts_with("<?")) {
-      i = skip(i, rest[1] == '?' ? "?>" : rest[2] == '-' ? "-->" : "]]>");
+    if (const auto after = after_comment(text, i); after != i) {
+      i = after;
       continue;
     }
     std::size_t count = 0;
@@ -88,11 +97,21 @@ inline void check_attributes(std::string_view text, const std::string& source) {
                "an element has more than " + std::to_string(most_attributes) + " attributes");
   }
 }
+/// Whether the first element is <robot>.
+inline bool is_urdf(std::string_view text) {
+  auto i = text.find('<');
+  while (i < text.size() && !text.substr(i).starts_with("<robot")) {
+    const auto after = after_comment(text, i);
+    if (after == i && !text.substr(i).starts_with("<!")) return false;
+    i = text.find('<', (std::max)(i + 1, after));
+  }
+  return i < text.size();
+}
 /// The number of bytes that follow the end of a URDF and are neither elements nor comments. Readers of URDF ignore
 /// them.
 inline std::size_t bytes_after_robot(std::string_view text) {
   constexpr std::string_view close = "</robot>";
-  if (text.find("<robot") == text.npos) return 0;
+  if (!is_urdf(text)) return 0;
   const auto at = text.rfind(close);
   if (at == text.npos) return 0;
   const auto rest = text.substr(at + close.size());
