@@ -185,3 +185,7 @@ moreau_jean(F, const typename V::Scalar&, const Eigen::MatrixBase<V>&, const typ
             const time_stepping_options&) -> moreau_jean<F, typename V::PlainObject>;
 
 }  // namespace kte
+
+#ifdef KTE_FUNCTION
+#  include <kte/models/detail/contact_bridge.hpp>
+#endif

@@ -19,6 +19,7 @@
 namespace kte {
 
 namespace detail {
+struct runtime_model_contacts;
 template <>
 struct sizes_of_model<unchanging_chain> {
   static constexpr int q = Eigen::Dynamic, v = q, z = q, u = q, x = q, x_dot = q;
@@ -187,7 +188,7 @@ class manipulator_dynamics_model<runtime_chain, double, void> : public state_spa
   /// doMotion of the elements with internal states, and of those on which they depend.
   void rates_of_internals() const;
   runtime_state& own_state_at(double t, const state& x) const;
-  auto contacts_of_model() const;
+  detail::runtime_model_contacts contacts_of_model() const;
   /// The accelerations of a chain with loops at the model's state.
   const Eigen::VectorXd& accelerations_in_step() const;
 

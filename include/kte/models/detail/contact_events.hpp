@@ -10,10 +10,6 @@
 /// The changes of rigid contacts at events of a model (docs/contact.md).
 namespace kte::detail {
 
-/// models/detail/contact_bridge.hpp.
-template <class Access, class X>
-double bridge_contacts(const Access& a, double t, X& x, double t_end, int n);
-
 /// Decisions at one event: of a contact, four in a row (stop, hold, slip, yield), for several contacts one after the
 /// other, and five with longer times to look ahead.
 inline constexpr int most_decisions = 16;
@@ -24,12 +20,11 @@ inline constexpr double widest_look_ahead = 1024;
 /// Moves x so that the gaps of all contacts that touch are zero, also of those that open. Rows that depend on each
 /// other on the surfaces are independent by the gaps off them, as where the faces of two bodies on a hinge lie flat: to
 /// close a gap by such a row would turn the hinge by any angle.
-template <class Access, class X>
-void close_gaps(const Access& a, double t, X& x) {
+inline void close_gaps(const runtime_model_contacts& a, double t, Eigen::VectorXd& x) {
   auto& step = a.memory();
   Eigen::VectorXd change;
   for (int i = 0; i < 2; ++i) {
-    a.at(t, x, [&](const auto& c, auto& s, contact_solver& m) {
+    a.at(t, x, [&](const chain_constraints& c, runtime_state& s, contact_solver& m) {
       auto& e = m.equations;
       e.at_positions(c, s, !s.tree().plan.tree);
       m.factor.factorize(c, s, e);
@@ -40,8 +35,8 @@ void close_gaps(const Access& a, double t, X& x) {
       step.working.fill(c, s, m), step.working.factorize(nullptr, least_pivot_at(step.values));
       step.working.least_change(s, m, step.values, change);
     });
-    const X x0 = x;
-    auto d = a.no_displacement();
+    const Eigen::VectorXd x0 = x;
+    Eigen::VectorXd d = a.no_displacement();
     take_from_displacement(a.model, x0, 0, change, d, x);
   }
 }
@@ -63,9 +58,8 @@ inline contact_before_decision slow_sliding_of(const contact_state<>& s, const c
 /// `event_of`: the number of the contact whose event it is, of a state of an integrator, which is first put on the rows
 /// of its modes; -1 at a start.
 /// `wide`: the factor of times to look ahead. `changes`: of all contacts until now, empty at first.
-template <class Access, class X>
-void resolve_contacts_once(const Access& a, double t, X& x, int event_of, double wide,
-                           std::vector<contact_change>& changes) {
+inline void resolve_contacts_once(const runtime_model_contacts& a, double t, Eigen::VectorXd& x, int event_of,
+                                  double wide, std::vector<contact_change>& changes) {
   for (Eigen::Index i = 0; i < x.size(); ++i)
     if (!std::isfinite(x[i])) [[unlikely]]
       raise<bad_argument>("kte: x[" + std::to_string(i) + "] of a state with contacts is not finite: " + number(x[i]));
@@ -73,8 +67,8 @@ void resolve_contacts_once(const Access& a, double t, X& x, int event_of, double
   step.x0.resize(0), step.margin_x.resize(0), step.wrong.resize(0), step.time = t;
   if (is_stepped(a, x)) a.model.each_contact([&x](int, int first) { x[first] = 0; });
   if (event_of >= 0 && changes.empty()) {
-    const X x0 = x;
-    auto d = a.no_displacement();
+    const Eigen::VectorXd x0 = x;
+    Eigen::VectorXd d = a.no_displacement();
     settle_contacts(a, x0, d, x);
   }
   const auto& model = a.model;
@@ -89,11 +83,10 @@ void resolve_contacts_once(const Access& a, double t, X& x, int event_of, double
   bool done = false, ambiguous = false;
   int round = 0;
   do {
-    a.at(t, x, [&](const auto& c, auto& s, contact_solver& m) {
+    a.at(t, x, [&](const chain_constraints& c, runtime_state& s, contact_solver& m) {
       if (before.empty())
         for (std::size_t i = 0; i < m.contacts.size(); ++i)
-          before.push_back(
-              slow_sliding_of(s.template get<kind::contact>(m.contacts[i].slot), m.contacts[i], margins[i]));
+          before.push_back(slow_sliding_of(s.get<kind::contact>(m.contacts[i].slot), m.contacts[i], margins[i]));
       for (std::size_t i = 0; i < changes.size(); ++i) {
         before[i].opens = changes[i].yields && changes[i].has_no_load;
         before[i].stops |= is_stopped(changes[i].slip);
@@ -101,7 +94,7 @@ void resolve_contacts_once(const Access& a, double t, X& x, int event_of, double
       if (changes.empty()) {
         changes.resize(m.contacts.size());
         for (std::size_t i = 0; i < changes.size(); ++i) {
-          const auto& of = s.template get<kind::contact>(m.contacts[i].slot);
+          const auto& of = s.get<kind::contact>(m.contacts[i].slot);
           auto& own = changes[i];
           own.before = mode_of(of), own.direction = of.direction, own.passes = passing[i] != 0;
           const double none = margins[i].is_least ? 2 * least_reserve * step.largest_force : zero;
@@ -145,7 +138,7 @@ void resolve_contacts_once(const Access& a, double t, X& x, int event_of, double
       for (std::size_t i = 0; i < m.touching.size(); ++i) {
         const auto& y = m.touched(i);
         const auto& own = changes[static_cast<std::size_t>(m.touching[i])];
-        auto& to = s.template get<kind::contact>(y.slot);
+        auto& to = s.get<kind::contact>(y.slot);
         const auto [normal, reserve] = reserves(m, i);
         if (own.has_no_load && normal <= least_reserve * most) {
           to.mode = static_cast<double>(contact_mode::open);
@@ -165,7 +158,7 @@ void resolve_contacts_once(const Access& a, double t, X& x, int event_of, double
         }
       }
       for (std::size_t i = 0; i < m.contacts.size(); ++i) {
-        const auto& of = s.template get<kind::contact>(m.contacts[i].slot);
+        const auto& of = s.get<kind::contact>(m.contacts[i].slot);
         changes[i].after = mode_of(of);
         changes[i].turns = mode_of(of) == contact_mode::slides && m.contacts[i].place.law.friction > 0 &&
                            dot(changes[i].direction, of.direction) < 0.999;
@@ -179,12 +172,12 @@ void resolve_contacts_once(const Access& a, double t, X& x, int event_of, double
     ++round;
   } while (!done);
   close_gaps(a, t, x);
-  const X x0 = x;
-  auto d = a.no_displacement();
+  const Eigen::VectorXd x0 = x;
+  Eigen::VectorXd d = a.no_displacement();
   settle_contacts(a, x0, d, x);
   step.begun = 0, step.largest_force = 0;
   // a contact that has just opened leaves from zero, one that begins to pass is below, whatever the rounding errors
-  a.at(t, x, [&](const auto& c, auto& s, contact_solver& m) {
+  a.at(t, x, [&](const chain_constraints& c, runtime_state& s, contact_solver& m) {
     m.equations.at_positions(c, s, false);
     m.find(c, s);
     step.zero_gaps.assign(m.contacts.size(), 0);
@@ -198,11 +191,11 @@ enum class decision_check { right, wrong, decide_again };
 /// Whether the forces of the modes satisfy the laws at x; if not, what to decide next: contacts that were at their
 /// limit and still are yield; those that slide but stop at once lose their velocity, and if they still do, all of them
 /// stick; those that stick beyond friction slip.
-template <class Access, class X>
-decision_check check_decision(const Access& a, double t, const X& x, std::vector<contact_change>& changes) {
+inline decision_check check_decision(const runtime_model_contacts& a, double t, const Eigen::VectorXd& x,
+                                     std::vector<contact_change>& changes) {
   auto& step = a.memory();
   auto found = decision_check::right;
-  a.at(t, x, [&](const auto& c, auto& s, contact_solver& m) {
+  a.at(t, x, [&](const chain_constraints& c, runtime_state& s, contact_solver& m) {
     accelerate_in_modes(c, s, m, step.forces);
     const bool wrong = admit_forces(c, s, m, step.forces, least_reserve) >= 0;
     if (wrong) found = decision_check::wrong;
@@ -243,8 +236,7 @@ decision_check check_decision(const Access& a, double t, const X& x, std::vector
 }
 /// `resolve_contacts_once`, until the forces of the modes satisfy the laws at the new state; where nothing else is to
 /// be decided, with longer times to look ahead. Throws `bad_argument` for a state that is not finite.
-template <class Access, class X>
-void resolve_contacts(const Access& a, double t, X& x, int event_of) {
+inline void resolve_contacts(const runtime_model_contacts& a, double t, Eigen::VectorXd& x, int event_of) {
   std::vector<contact_change> changes;
   double wide = 1;
   for (int k = 0; k < most_decisions && wide <= widest_look_ahead; ++k) {

@@ -85,8 +85,8 @@ inline int admit_forces(const chain_constraints& c, runtime_state& s, contact_so
   return -1;
 }
 /// The functions of all contacts at the time t and the state x, by number.
-template <class Access, class X>
-const std::vector<contact_margin>& contact_margins(const Access& a, double t, const X& x) {
+inline const std::vector<contact_margin>& contact_margins(const runtime_model_contacts& a, double t,
+                                                          const Eigen::VectorXd& x) {
   auto& step = a.memory();
   if (step.margin_x.size() == x.size() && step.margin_x == x && step.margin_time == t) return step.margins;
   step.margin_x.resize(0);
@@ -94,13 +94,13 @@ const std::vector<contact_margin>& contact_margins(const Access& a, double t, co
     step.margins.assign(static_cast<std::size_t>(a.contacts()), {});
     return step.margins;
   }
-  a.at(t, x, [&](const auto& c, auto& s, contact_solver& m) {
+  a.at(t, x, [&](const chain_constraints& c, runtime_state& s, contact_solver& m) {
     step.margins.assign(m.contacts.size(), {});
     step.zero_gaps.resize(m.contacts.size());
     bool closed = false;
-    for (const auto& y : m.contacts) closed |= mode_of(s.template get<kind::contact>(y.slot)) != contact_mode::open;
+    for (const auto& y : m.contacts) closed |= mode_of(s.get<kind::contact>(y.slot)) != contact_mode::open;
     std::vector<vec3<>> starts;
-    for (const auto& y : m.contacts) starts.push_back(s.template get<kind::contact>(y.slot).direction);
+    for (const auto& y : m.contacts) starts.push_back(s.get<kind::contact>(y.slot).direction);
     if (!closed) {
       m.equations.at_positions(c, s, false);
       m.find(c, s);

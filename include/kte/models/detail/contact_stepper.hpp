@@ -4,8 +4,8 @@
 #include <kte/dynamics/contacts/starting_depth.hpp>
 #include <kte/dynamics/contacts/static_chains.hpp>
 #include <kte/dynamics/contacts/velocity_step.hpp>
-#include <kte/models/detail/contact_gates.hpp>
 #include <kte/models/detail/static_model_at_run_time.hpp>
+#include <kte/models/detail/stepped_gates.hpp>
 #include <kte/models/manipulator_dynamics_model.hpp>
 #include <kte/models/runtime_dynamics_model.hpp>
 

@@ -1,8 +1,7 @@
 #pragma once
 
-#include <kte/dynamics/contacts/mode_dynamics.hpp>
-#include <kte/dynamics/contacts/strike.hpp>
 #include <kte/models/detail/loop_steps.hpp>
+#include <kte/models/detail/runtime_model_contacts.hpp>
 
 /// Steps of a model with rigid contacts. In a step, contacts keep their modes: closed ones keep their gap at zero, and
 /// those that stick their tangential velocity. As for loops (models/detail/loop_steps.hpp), with the rows J_g of gaps
@@ -10,74 +9,8 @@
 ///
 ///   q(d) = q0 (+) (d_q + N_g mu),   g(q) = 0           (1)
 ///   v(d) = v0 + d_v + N_u nu,       J_u(q) v = 0       (2)
-///
-/// `Access`: the contacts of a model,
-///
-///   model, memory()      the model and its `contact_step`
-///   at(t, x, f)          f(contacts, state at x, contact_solver of the state)
-///   admits(t, x, e)      whether element e, a contact with `only_if`, acts at x
 namespace kte::detail {
 
-/// Heights that events do not resolve, relative to the length of the chain.
-inline constexpr double unresolved_height = 1e-13;
-
-/// The functions of a contact that pass through zero at its events, and the time that slow sliding looks ahead.
-struct contact_margin {
-  double touch = 1;       ///< the gap of an open contact, m; the normal force of a closed one, N
-  double friction = 1;    ///< of one that sticks its reserve of friction, N; of one that slides its speed, m/s
-  double turn = 1;        ///< whether it slides in the direction in which sliding began, m/s
-  double look_ahead = 0;  ///< tau of slow_sliding.hpp, s
-  bool is_least = false;  ///< whether other forces than those of least norm satisfy the laws, and these do not
-
-  /// The function of event `part` of the contact.
-  double at(int part) const { return part == 0 ? touch : part == 1 ? friction : turn; }
-};
-struct contact_step {
-  contact_step(const chain_constraints& c, const runtime_state& s) : at(c, s) {}
-
-  Eigen::VectorXd x0;
-  double time = 0;        ///< of the states that `settle_contacts` puts on the rows
-  double start_time = 0;  ///< of x0
-  contact_solver at;      ///< at x0
-  mode_rows gaps, rates;  ///< at x0
-  std::vector<int> chosen_gaps;
-  std::vector<char> keeps;  ///< whether the step keeps a closure, or a contact, closed; by closure
-  forces_in_modes forces;
-  mode_rows working;
-  Eigen::VectorXd values;
-  bool all_open = true;
-  int begun = 0;                  ///< steps since the last event
-  bool starts_wrong = false;      ///< whether modes are wrong at x0
-  Eigen::VectorXd wrong;          ///< the last state where modes are wrong
-  std::vector<double> zero_gaps;  ///< gaps after the last event, by contact, where they count as zero
-
-  impact_memory impacts;
-  std::string change;  ///< what the last event changed
-  Eigen::VectorXd margin_x;
-  double margin_time = 0;
-  double largest_force = 0;  ///< of contacts since the last event, N; at an event it may itself be zero
-  std::vector<contact_margin> margins;
-  Eigen::VectorXd inputs;  ///< of the model, for `margins`
-
-  /// The speed below which sliding is slow, for a tolerance, m/s or m: places change by its square where sliding stops
-  /// and where it begins, and it must be above the noise of the integration.
-  void let_tolerate(double absolute) {
-    const double relative = absolute / at.equations.places.length;
-    forces.slow_speed = (std::min)((std::max)(10 * std::sqrt(relative), 150 * relative), 1e-2);
-    margin_x.resize(0);
-  }
-  /// Forgets margins that were computed with other inputs of the model.
-  template <class U>
-  void take_inputs(const U& u) {
-    if (inputs.size() == u.size() && inputs == u) return;
-    inputs = u, margin_x.resize(0);
-  }
-};
-
-/// Takes over from the state which contacts pass through their surface.
-inline void take_passing(const runtime_state& s, contact_solver& m) {
-  for (auto& x : m.contacts) x.passes = s.template get<kind::contact>(x.slot).mode == passing_mode;
-}
 inline void put_rows_of_gaps(const contact_solver& m, mode_rows& rows) {
   rows.clear(m);
   for (const int i : m.touching) rows.rows.push_back({i, m.contacts[static_cast<std::size_t>(i)].place.normal, true});
@@ -108,7 +41,7 @@ inline void refuse_depth(const chain_constraints& c, const contact_solver& m, co
 inline void check_start_of_step(const chain_constraints& c, const runtime_state& s, const contact_solver& m) {
   for (const auto& x : m.contacts) {
     if (x.passes) continue;
-    const auto mode = mode_of(s.template get<kind::contact>(x.slot));
+    const auto mode = mode_of(s.get<kind::contact>(x.slot));
     if (mode == contact_mode::open) {
       refuse_depth(c, m, x, ": kte::element_events(model) finds impacts, and so does kte::moreau_jean");
       continue;
@@ -123,20 +56,18 @@ inline void check_start_of_step(const chain_constraints& c, const runtime_state&
   }
 }
 /// Whether x is a state of time stepping.
-template <class Access, class X>
-bool is_stepped(const Access& a, const X& x) {
+inline bool is_stepped(const runtime_model_contacts& a, const Eigen::VectorXd& x) {
   bool is = false;
   a.model.each_contact([&](int i, int first) { is |= i == 0 && x[first] == stepped_mode; });
   return is;
 }
 /// The data of the step from x0; begins the step if necessary. `check`: whether x0 must be on the rows of its contacts.
-template <class Access, class X>
-contact_step& contact_step_from(const Access& a, const X& x0, bool check = true) {
+inline contact_step& contact_step_from(const runtime_model_contacts& a, const Eigen::VectorXd& x0, bool check = true) {
   auto& step = a.memory();
   if (step.x0.size() == x0.size() && step.x0 == x0) return step;
   step.x0.resize(0), step.margin_x.resize(0);
   step.start_time = step.time;
-  a.at(step.time, x0, [&](const auto& c, auto& s, contact_solver&) {
+  a.at(step.time, x0, [&](const chain_constraints& c, runtime_state& s, contact_solver&) {
     auto& m = step.at;
     take_passing(s, m);
     m.equations.at_positions(c, s, true);
@@ -162,8 +93,8 @@ contact_step& contact_step_from(const Access& a, const X& x0, bool check = true)
 }
 
 /// (1) and (2).
-template <class Access, class X, class Rate>
-void settle_contacts(const Access& a, const X& x0, Rate& d, X& x) {
+inline void settle_contacts(const runtime_model_contacts& a, const Eigen::VectorXd& x0, Eigen::VectorXd& d,
+                            Eigen::VectorXd& x) {
   const bool stepped = is_stepped(a, x0);
   if (stepped && !a.model.has_loops()) return;
   auto& step = contact_step_from(a, x0, false);
@@ -175,7 +106,7 @@ void settle_contacts(const Access& a, const X& x0, Rate& d, X& x) {
   bool at_start = true;  // whether rows are those of x0
   for (int i = 0;; ++i) {
     bool closed = false;
-    a.at(step.time, x, [&](const auto& c, auto& s, contact_solver& m) {
+    a.at(step.time, x, [&](const chain_constraints& c, runtime_state& s, contact_solver& m) {
       auto& e = m.equations;
       e.at_positions_of(c, s, false, false, kept);
       m.find(c, s, kept);
@@ -204,7 +135,7 @@ void settle_contacts(const Access& a, const X& x0, Rate& d, X& x) {
   }
   const Eigen::Index n = model.velocity_count();
   for (int i = 0; i < 2; ++i) {
-    a.at(step.time, x, [&](const auto& c, auto& s, contact_solver& m) {
+    a.at(step.time, x, [&](const chain_constraints& c, runtime_state& s, contact_solver& m) {
       auto& e = m.equations;
       e.at_positions_of(c, s, !m.closures.empty() || !s.tree().plan.tree, false, kept);
       if (i == 0) m.factor.factorize(c, s, e);
@@ -221,14 +152,14 @@ void settle_contacts(const Access& a, const X& x0, Rate& d, X& x) {
   }
 }
 /// Takes out of a displacement from x0 what (1) and (2) would.
-template <class Access, class X, class Rate>
-void make_tangential_to_contacts(const Access& a, const X& x0, Rate& e) {
+inline void make_tangential_to_contacts(const runtime_model_contacts& a, const Eigen::VectorXd& x0,
+                                        Eigen::VectorXd& e) {
   if (is_stepped(a, x0)) return;
   auto& step = contact_step_from(a, x0, false);
   if (step.all_open) return;
   const Eigen::Index n = a.model.velocity_count();
   Eigen::VectorXd change;
-  a.at(step.start_time, x0, [&](const auto&, auto& s, contact_solver&) {
+  a.at(step.start_time, x0, [&](const chain_constraints&, runtime_state& s, contact_solver&) {
     auto& m = step.at;
     for (const Eigen::Index first : {Eigen::Index(0), n}) {
       auto& rows = first == 0 ? step.gaps : step.rates;

@@ -4,6 +4,7 @@
 #include <kte/dynamics/closed_loops/loop_dynamics.hpp>
 #include <kte/dynamics/configuration_space.hpp>
 #include <kte/dynamics/state_vectors.hpp>
+#include <kte/models/runtime_dynamics_model.hpp>
 
 #include <utility>
 
@@ -41,14 +42,13 @@ struct loop_step {
   double nearest_at_end = 1;    ///< that of the stages of the last attempt
 };
 
-/// The loops of a runtime model; other models have the same functions.
-template <class Model>
+/// The loops of a model, with the model's memory.
 struct runtime_model_loops {
-  const Model& model;
+  const manipulator_dynamics_model<runtime_chain>& model;
   runtime_state& s;
   own_memory& kept;
 
-  auto closures() const { return closures_of(model.chain()); }
+  chain_constraints closures() const { return closures_of(model.chain()); }
   bool inputs_move() const { return model.inputs_move(); }
   runtime_state& state() const { return s; }
   loop_workspace& workspace() const { return loops_of(model.chain(), s); }
@@ -62,8 +62,6 @@ struct runtime_model_loops {
     set_positions(s, model.positions_of(x));
   }
 };
-template <class Model>
-runtime_model_loops(const Model&, runtime_state&, own_memory&) -> runtime_model_loops<Model>;
 
 /// The row of closures with the largest rate J v + g', this rate by scaled rows, and relative to its largest terms.
 struct row_rate {
@@ -82,8 +80,7 @@ inline row_rate fastest_row(const loop_equations& e, const Eigen::VectorXd& v, c
   return r;
 }
 /// Writes the rates of closures by given motions at the state to the data of a step.
-template <class Loops>
-void put_given_rates(const Loops& loops, loop_step& step, loop_equations& e) {
+inline void put_given_rates(const runtime_model_loops& loops, loop_step& step, loop_equations& e) {
   if (step.is_moved())
     e.put_given_rates(loops.closures(), loops.state(), step.given_rates);
   else
@@ -92,8 +89,7 @@ void put_given_rates(const Loops& loops, loop_step& step, loop_equations& e) {
 /// Above this rate, relative to the largest terms of J v, velocities do not keep the loops closed.
 inline constexpr double opening_above = 1e-6;
 /// The data of the step from x0; begins the step if necessary.
-template <class Loops, class X>
-loop_step& step_from(const Loops& loops, const X& x0) {
+inline loop_step& step_from(const runtime_model_loops& loops, const Eigen::VectorXd& x0) {
   auto& step = loops.step();
   if (step.x0.size() == x0.size() && step.x0 == x0) return step;
   step.x0.resize(0);
@@ -135,8 +131,7 @@ inline void refuse_moving_inputs(const chain_constraints& c, const loop_step& st
 inline constexpr double least_pivot_of_branch = 1e-7;
 /// Throws `bad_argument` if a step begins off the loops, or so near to a singular configuration that branches cannot be
 /// distinguished.
-template <class Loops, class X>
-void check_step(const Loops& loops, const X& x0) {
+inline void check_step(const runtime_model_loops& loops, const Eigen::VectorXd& x0) {
   if (loops.step().is_moved()) loops.step().x0.resize(0);  // the time or inputs may have changed
   auto& step = step_from(loops, x0);
   step.nearest = 1;
@@ -162,13 +157,11 @@ inline double smallest_pivot_of(const loop_step& step) {
     d = (std::min)(d, step.factor.smallest_pivot(step.equations, i));
   return d;
 }
-template <class Loops, class X>
-double singular_distance_of(const Loops& loops, const X& x0) {
+inline double singular_distance_of(const runtime_model_loops& loops, const Eigen::VectorXd& x0) {
   return smallest_pivot_of(step_from(loops, x0));
 }
 /// Notes how near a stage of a step is to a singular configuration, after its accelerations.
-template <class Loops>
-void note_stage(const Loops& loops) {
+inline void note_stage(const runtime_model_loops& loops) {
   auto& step = loops.step();
   if (step.x0.size() == 0) return;
   const auto& stage = loops.workspace();
@@ -182,8 +175,7 @@ void note_stage(const Loops& loops) {
 /// which end at the singular configuration. Steps that are themselves short may end anywhere. Also if a stage was
 /// there: off the loops by e, with a pivot of the size of e, it has wrong directions of closure forces, and the error
 /// estimate does not see all stages.
-template <class Loops, class X>
-void check_step_end(const Loops& loops, const X& x0) {
+inline void check_step_end(const runtime_model_loops& loops, const Eigen::VectorXd& x0) {
   constexpr double near_it = 1e-2, nearer = 0.1, nearest_stage = 3e-3;
   auto& start = step_from(loops, x0);
   start.nearest_at_end = std::exchange(start.nearest, 1);
@@ -200,10 +192,10 @@ void check_step_end(const Loops& loops, const X& x0) {
 }
 
 /// Subtracts `change`, of the numbers from `first` on, from the displacement d of x = x0 (+) d.
-template <class Model, class X, class Rate>
-void take_from_displacement(const Model& model, const X& x0, Eigen::Index first, const Eigen::VectorXd& change, Rate& d,
-                            X& x) {
-  Rate r = Rate::Zero(d.size());
+inline void take_from_displacement(const manipulator_dynamics_model<runtime_chain>& model, const Eigen::VectorXd& x0,
+                                   Eigen::Index first, const Eigen::VectorXd& change, Eigen::VectorXd& d,
+                                   Eigen::VectorXd& x) {
+  Eigen::VectorXd r = Eigen::VectorXd::Zero(d.size());
   r.segment(first, change.size()) = change;
   if (first == 0) model.pull_back(d, r);
   d -= r;
@@ -211,8 +203,7 @@ void take_from_displacement(const Model& model, const X& x0, Eigen::Index first,
 }
 /// Raises `bad_argument` if a step ends on another branch than it began, as a long step may that passes a singular
 /// configuration: its velocities v at the end are far from directions along the loops at its start.
-template <class Loops>
-void check_branch(const Loops& loops, loop_step& step, const Eigen::VectorXd& v) {
+inline void check_branch(const runtime_model_loops& loops, loop_step& step, const Eigen::VectorXd& v) {
   constexpr double turn = 0.8, slow = 1e-6;
   if (step.sliding > opening_above || !(v.norm() > slow)) return;  // the start itself is not on the loops, or at rest
   const Eigen::VectorXd across =
@@ -222,8 +213,8 @@ void check_branch(const Loops& loops, loop_step& step, const Eigen::VectorXd& v)
                         ", or turns too far: a shorter step");
 }
 /// (1) and (2).
-template <class Loops, class X, class Rate>
-void settle_on_loops(const Loops& loops, const X& x0, Rate& d, X& x) {
+inline void settle_on_loops(const runtime_model_loops& loops, const Eigen::VectorXd& x0, Eigen::VectorXd& d,
+                            Eigen::VectorXd& x) {
   auto& step = step_from(loops, x0);
   const auto& model = loops.model;
   const int n = model.velocity_count();
@@ -280,8 +271,7 @@ void settle_on_loops(const Loops& loops, const X& x0, Rate& d, X& x) {
 ///
 /// which no shorter step makes smaller. They do not count as errors of a step that passes a singular configuration:
 /// otherwise small tolerances would force ever shorter steps towards it, where these errors grow without bound.
-template <class Loops, class X, class Rate>
-void make_tangential(const Loops& loops, const X& x0, Rate& e) {
+inline void make_tangential(const runtime_model_loops& loops, const Eigen::VectorXd& x0, Eigen::VectorXd& e) {
   auto& step = step_from(loops, x0);
   const Eigen::Index n = loops.model.velocity_count();
   for (const Eigen::Index first : {Eigen::Index(0), n}) {
@@ -295,8 +285,7 @@ void make_tangential(const Loops& loops, const X& x0, Rate& e) {
   if (size > 0) e.segment(n, n) *= (std::max)(0.0, 1 - least / size);
 }
 /// The rows for a stage of a step at the state: those selected at its start, unless the state is on the loops.
-template <class Loops>
-const loop_factor* rows_of_stage(const Loops& loops) {
+inline const loop_factor* rows_of_stage(const runtime_model_loops& loops) {
   auto& e = loops.workspace().equations;
   e.at_positions(loops.closures(), loops.state(), false);
   if (!(e.residual.cwiseAbs().maxCoeff() > on_loops_within)) return nullptr;
@@ -310,8 +299,8 @@ inline void check_model_of_loops(const chain_constraints& c, const runtime_state
   if (with_contacts) refuse_given_motion(c, s, places, moved_by_time(c), "in time, in a chain with contacts");
 }
 /// x projected onto the loops to rounding. Throws `bad_argument` if it is off them.
-template <class Model, class X>
-X checked_on_loops(const Model& model, const X& x) {
+inline Eigen::VectorXd checked_on_loops(const manipulator_dynamics_model<runtime_chain>& model,
+                                        const Eigen::VectorXd& x) {
   if (!model.has_loops()) return x;
   model.begin_step(x);
   return model.on_loops(x);

@@ -24,8 +24,8 @@ KTE_FUNCTION manipulator_dynamics_model<runtime_chain>::manipulator_dynamics_mod
   }
 }
 
-inline auto manipulator_dynamics_model<runtime_chain>::contacts_of_model() const {
-  return detail::runtime_model_contacts<manipulator_dynamics_model>{*this, s_, step_};
+inline detail::runtime_model_contacts manipulator_dynamics_model<runtime_chain>::contacts_of_model() const {
+  return detail::runtime_model_contacts{*this, s_, step_};
 }
 KTE_FUNCTION double manipulator_dynamics_model<runtime_chain>::contact_margin(double t, const state& x, int contact,
                                                                               int part) const {
@@ -41,10 +41,6 @@ KTE_FUNCTION double manipulator_dynamics_model<runtime_chain>::contact_length() 
 }
 KTE_FUNCTION void manipulator_dynamics_model<runtime_chain>::let_contacts_tolerate(double of_velocity) const {
   contacts_of_model().memory().let_tolerate(of_velocity);
-}
-KTE_FUNCTION double manipulator_dynamics_model<runtime_chain>::bridge_contacts(double t, state& x, double t_end,
-                                                                               int before) const {
-  return detail::bridge_contacts(contacts_of_model(), t, x, t_end, before);
 }
 KTE_FUNCTION std::string_view manipulator_dynamics_model<runtime_chain>::contact_change() const {
   return contacts_of_model().memory().change;
@@ -276,5 +272,5 @@ KTE_FUNCTION std::string runtime_switching::name() const {
 
 }  // namespace kte
 
-#  include <kte/models/detail/contact_bridge.hpp>
+#  include <kte/models/moreau_jean.hpp>
 #endif

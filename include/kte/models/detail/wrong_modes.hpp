@@ -20,8 +20,8 @@ inline void refuse_wrong_modes(const chain_constraints& c, runtime_state& s, con
 }
 /// The accelerations of a model at x, for stages of steps, written to `forces` of the working memory. Wrong modes
 /// at the start of a step are noted, because events may mend them, and refused at the next one.
-template <class Access, class X>
-void accelerate_in_step(const Access& a, const chain_constraints& c, runtime_state& s, contact_solver& m, const X& x) {
+inline void accelerate_in_step(const runtime_model_contacts& a, const chain_constraints& c, runtime_state& s,
+                               contact_solver& m, const Eigen::VectorXd& x) {
   auto& step = a.memory();
   step.margin_x.resize(0);
   accelerate_in_modes(c, s, m, step.forces);
@@ -33,15 +33,24 @@ void accelerate_in_step(const Access& a, const chain_constraints& c, runtime_sta
   if (step.begun > 1) refuse_wrong_modes(c, s, m, step.forces);
   step.starts_wrong = true;
 }
+/// The accelerations of a model with contacts at t and x, also in the state.
+inline const Eigen::VectorXd& accelerate_with_contacts_in_step(const runtime_model_contacts& a, double t,
+                                                               const Eigen::VectorXd& x) {
+  a.at(t, x, [&](const chain_constraints& c, runtime_state& s, contact_solver& m) {
+    accelerate_in_step(a, c, s, m, x);
+    check_result(s, diagnose_state{"an acceleration", s});
+    write_numbers<vector_of::a>(s, s.work.forces, "a");
+  });
+  return a.s.work.forces;
+}
 /// A step begins at x0.
-template <class Access, class X>
-void begin_step_with_contacts(const Access& a, const X& x0) {
+inline void begin_step_with_contacts(const runtime_model_contacts& a, const Eigen::VectorXd& x0) {
   if (is_stepped(a, x0)) return;
   auto& step = contact_step_from(a, x0);
   if (!step.starts_wrong) [[likely]]
     return;
   step.x0.resize(0), step.wrong.resize(0);  // another integration may begin here, with events
-  a.at(step.start_time, x0, [&](const auto& c, auto& s, contact_solver& m) {
+  a.at(step.start_time, x0, [&](const chain_constraints& c, runtime_state& s, contact_solver& m) {
     accelerate_in_modes(c, s, m, step.forces);
     refuse_wrong_modes(c, s, m, step.forces);
   });
