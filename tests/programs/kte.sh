@@ -64,6 +64,16 @@ prints "coordinate 'q': its range ends at -180 rad: is that in degrees?"
 sed 's/0 0 -0.5/0 0 -500/' arm.urdf >millimetres.urdf
 gives 0 '' "$kte" check millimetres.urdf
 prints 'it is 500 m large: are lengths in mm?'
+# Motors that exert a force without a command: said, unless they are added.
+cat >motor.xml <<'X'
+<mujoco><worldbody><body><joint name="q" axis="0 1 0"/><inertial pos="1 0 0" mass="1" diaginertia="1 1 1"/></body></worldbody>
+<actuator><position name="p" joint="q" kp="20"/></actuator></mujoco>
+X
+servo="by motors alone, as of kte live and kte simulate --motors: 'p'"
+gives 0 '' "$kte" check motor.xml
+prints "motor.xml:2: position 'p': the chain has its force, and that of any <position>, $servo"
+gives 0 "$servo" "$kte" simulate motor.xml --time 0.1
+gives 0 '' "$kte" simulate motor.xml --time 0.1 --motors
 
 # Findings of one kind are grouped, and numbers of coordinates are those of tables.
 {
