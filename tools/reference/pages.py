@@ -226,7 +226,8 @@ def menu(pages):
     order = re.findall(r'\]\((docs/\w+\.md)', read(os.path.join(root, 'README.md')).rpartition('## Documentation')[2])
     steps = re.findall(r'\]\((tutorial_\w+\.md)', read(os.path.join(root, 'docs/tutorial.md')))
     tutorial = ['docs/tutorial.md'] + ['docs/' + step for step in steps]
-    guides = [path for path in pages if re.fullmatch(r'docs/\w+\.md', path) and path not in tutorial]
+    release = 'docs/release.md'
+    guides = [path for path in pages if re.fullmatch(r'docs/\w+\.md', path) and path not in [*tutorial, release]]
     guides.sort(key=lambda path: order.index(path) if path in order else len(order))
     decisions = [path for path in pages if path.startswith('docs/decisions/')]
     listed = lambda paths: ''.join(f'      - {path.removeprefix("docs/")}\n' for path in paths)
@@ -234,7 +235,7 @@ def menu(pages):
                   if os.path.exists(os.path.join(output, 'api', page + '.md')))
     return ('nav:\n  - index.md\n  - Tutorial:\n' + listed(tutorial) + '  - Guide:\n' + listed(guides) + '  - API reference:\n' + api +
             '  - Decisions:\n' + listed(decisions) +
-            '  - Project:\n      - CONTRIBUTING.md\n      - SECURITY.md\n      - CHANGELOG.md\n')
+            '  - Project:\n      - CONTRIBUTING.md\n      - SECURITY.md\n      - CHANGELOG.md\n' + listed([release]))
 
 
 def main():
