@@ -19,6 +19,8 @@ struct contact_change {
   bool yields = false;       ///< opens, or slides, because of these
   slip_state slip = slip_state::as_found;
   vec3<> slip_direction{};  ///< in which it slides if `is_sliding(slip)`
+
+  bool is_change() const { return impact || passes || turns || before != after; }
 };
 /// What all contacts do; if none has changed at the event of contact `event_of`, what this one still does.
 inline std::string text_of_changes(const chain_constraints& c, const contact_solver& m,

@@ -97,7 +97,10 @@ inline void resolve_contacts_once(const runtime_model_contacts& a, double t, Eig
           const auto& of = s.get<kind::contact>(m.contacts[i].slot);
           auto& own = changes[i];
           own.before = mode_of(of), own.direction = of.direction, own.passes = passing[i] != 0;
-          const double none = margins[i].is_least ? 2 * least_reserve * step.largest_force : zero;
+          const bool idles = m.contacts[i].slot == event_of && step.idle.are_many(t, event_of);
+          const double none = margins[i].is_least ? 2 * least_reserve * step.largest_force
+                              : idles             ? least_reserve * step.largest_force
+                                                  : zero;
           own.has_no_load = own.before != contact_mode::open && margins[i].touch < none;
           own.has_no_grip = own.before == contact_mode::sticks && margins[i].friction < none;
         }
@@ -238,14 +241,16 @@ inline decision_check check_decision(const runtime_model_contacts& a, double t, 
 /// be decided, with longer times to look ahead. Throws `bad_argument` for a state that is not finite.
 inline void resolve_contacts(const runtime_model_contacts& a, double t, Eigen::VectorXd& x, int event_of) {
   std::vector<contact_change> changes;
+  auto found = decision_check::decide_again;
   double wide = 1;
-  for (int k = 0; k < most_decisions && wide <= widest_look_ahead; ++k) {
+  for (int k = 0; k < most_decisions && wide <= widest_look_ahead && found != decision_check::right; ++k) {
     resolve_contacts_once(a, t, x, event_of, wide, changes);
     if (is_stepped(a, x)) return;
-    const auto found = check_decision(a, t, x, changes);
-    if (found == decision_check::right) return;
+    found = check_decision(a, t, x, changes);
     if (found == decision_check::wrong) wide *= 4;
   }
+  a.memory().idle.note(t, event_of,
+                       std::any_of(changes.begin(), changes.end(), [](const auto& own) { return own.is_change(); }));
 }
 
 }  // namespace kte::detail

@@ -24,6 +24,18 @@ struct contact_margin {
   /// The function of event `part` of the contact.
   double at(int part) const { return part == 0 ? touch : part == 1 ? friction : turn; }
 };
+/// Events of one contact at one time that have changed nothing. Where there are several, a force crosses zero within
+/// its rounding errors, which differ between the event and what is decided there.
+struct idle_events {
+  double time = 0;
+  int contact = -1, count = 0;
+
+  bool are_many(double t, int of) const { return contact == of && time == t && count >= 8; }
+  void note(double t, int of, bool changes) {
+    if (changes || contact != of || time != t) count = 0;
+    time = t, contact = of, count += !changes;
+  }
+};
 struct contact_step {
   contact_step(const chain_constraints& c, const runtime_state& s) : at(c, s) {}
 
@@ -45,6 +57,7 @@ struct contact_step {
 
   impact_memory impacts;
   std::string change;  ///< what the last event changed
+  idle_events idle;
   Eigen::VectorXd margin_x;
   double margin_time = 0;
   double largest_force = 0;  ///< of contacts since the last event, N; at an event it may itself be zero
