@@ -218,6 +218,10 @@ TEST_CASE("a URDF that other readers accept is read, with a note on what is not"
         "robot 'r': its text after </robot> is not read\n");
   CHECK(notes("<robot name='r'><link name='a'/></robot>" + std::string("\0\0", 2)).ends_with("is not read\n"));
   CHECK(notes("<robot name='r'><link name='a'/></robot>\n<!-- end -->\n").empty());
+  CHECK(notes("<?xml version='1.0'?><!DOCTYPE robot><!-- <sdf> --><robot name='r'><link name='a'/></robot>end") ==
+        "robot 'r': its text after </robot> is not read\n");
+  CHECK_THROWS_MATCHES(from_urdf("<!-- <robot> --><sdf/><!-- </robot> -->"), bad_file,
+                       says("<sdf>: a URDF begins with <robot>"));
   CHECK_THROWS_MATCHES(from_urdf("<robot name='r'><link name='a'/></robot><robot/>"), bad_file,
                        says("an element comes after the end of the first"));
   const auto one = [&](const std::string& inside) {
