@@ -30,6 +30,7 @@ struct idle_events {
   double time = 0;
   int contact = -1, count = 0;
 
+  /// Eight is a choice: any number below the repeats that need a bridge (`repeats_of_elements`, 100) would do.
   bool are_many(double t, int of) const { return contact == of && time == t && count >= 8; }
   void note(double t, int of, bool changes) {
     if (changes || contact != of || time != t) count = 0;
@@ -72,8 +73,7 @@ struct contact_step {
     margin_x.resize(0);
   }
   /// Forgets margins that were computed with other inputs of the model.
-  template <class U>
-  void take_inputs(const U& u) {
+  void take_inputs(const Eigen::VectorXd& u) {
     if (inputs.size() == u.size() && inputs == u) return;
     inputs = u, margin_x.resize(0);
   }
