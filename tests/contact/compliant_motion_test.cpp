@@ -100,7 +100,7 @@ TEST_CASE("a sphere slides, then rolls") {
         within(rolled(manipulator_dynamics_model(regularized), 1e-8), 1e-12));
 }
 
-TEST_CASE("on a slope that holds, bristles rest and regularized friction creeps") {
+TEST_CASE("on a slope that holds, bristles rest and regularized friction creeps", "[long]") {
   constexpr double slope = 0.3, friction = 0.4;
   auto p = smooth;
   p.friction = friction, p.slip_speed = 1e-3;

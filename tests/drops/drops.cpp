@@ -129,7 +129,7 @@ TEST_CASE("drops of any size on any surface", "[long]") {
   }
 }
 
-TEST_CASE("two bodies that a closure joins come to their end") {
+TEST_CASE("two bodies that a closure joins come to their end", "[long]") {
   for (unsigned seed = 0; seed < 6; ++seed) {
     CAPTURE(seed);
     random_numbers random(seed);

@@ -101,7 +101,7 @@ TEST_CASE("elasto-plastic friction is as in the paper") {
   CHECK(std::isnan(answer_to(1e-3, not_a_number).z_dot));
 }
 
-TEST_CASE("under a swinging load it stays where LuGre friction creeps") {
+TEST_CASE("under a swinging load it stays where LuGre friction creeps", "[long]") {
   const auto x = pushed_to_and_fro(joint_elasto_plastic_gen(q, bristles, dry));
   CHECK(x[0] == within(x[2], 1e-12));  // the bristles have bent with it
   CHECK(std::abs(x[0]) < 7e-6);

@@ -47,7 +47,7 @@ auto solved(const problem& p, const any_system<>& f, double tolerance, const bdf
   return solver;
 }
 
-TEST_CASE("BDF: stiff problems of the test sets, to the tolerance") {
+TEST_CASE("BDF: stiff problems of the test sets, to the tolerance", "[long]") {
   // Errors at the end are about the tolerance, all the way down.
   for (const bdf_formula formula : {bdf_formula::numerical_differentiation, bdf_formula::backward_differentiation})
     for (const problem* p : {&vdpol, &hires, &orego, &rober})

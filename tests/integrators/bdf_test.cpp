@@ -37,7 +37,7 @@ double slope(const std::vector<double>& x, const std::vector<double>& y) {
   return ((a - a.mean()) * (b - b.mean())).sum() / (a - a.mean()).square().sum();
 }
 
-TEST_CASE("BDF: with order k, errors are as steps^-k, steps as tolerance^(-1/(k + 1))") {
+TEST_CASE("BDF: with order k, errors are as steps^-k, steps as tolerance^(-1/(k + 1))", "[long]") {
   const auto g = [](long double t) { return std::exp(-t / 2); };  // all derivatives alike, so steps are, too
   const scalar_system<long double> f([&](long double t, const auto& x) {
     return numbers<long double>(-g(t) / 2 - (x[0] - g(t)) * (1 + x[0] / g(t)));

@@ -83,7 +83,7 @@ runtime_chain random_arm(int n, double mu, unsigned seed) {
   return c;
 }
 
-TEST_CASE("friction of several joints that is settled to rounding is no jam") {
+TEST_CASE("friction of several joints that is settled to rounding is no jam", "[long]") {
   for (const auto& [mu, n] : {std::pair{0.05, 2}, {0.05, 4}, {0.05, 6}, {0.3, 2}, {0.3, 4}, {0.3, 6}})
     for (unsigned seed = 1; seed <= 12; ++seed) {
       const auto arm = random_arm(n, mu, seed);

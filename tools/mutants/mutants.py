@@ -9,7 +9,7 @@ clone that is thrown away. A build without sanitizers is enough, for example
 
   git clone . ../faulty && cd ../faulty && python3 tools/mutants/mutants.py apply .
   cmake -S . -B build -G Ninja -D CMAKE_CXX_COMPILER=clang++ -D CMAKE_BUILD_TYPE=Release \\
-    -D "CMAKE_CXX_FLAGS_RELEASE=-O0 -DKTE_NO_FORCED_INLINE -D_GLIBCXX_ASSERTIONS" -D KTE_COMPILED_OPTIMIZE=-O0 \\
+    -D "CMAKE_CXX_FLAGS_RELEASE=-O0 -DKTE_NO_FORCED_INLINE -D_GLIBCXX_ASSERTIONS" -D KTE_COMPILED_OPTIMIZE=-O0 -D KTE_READERS_OPTIMIZE=-O0 \\
     -D KTE_PROGRAM_OPTIMIZE=-O0 -D KTE_BUILD_PYTHON=ON -D KTE_PYTHON_OPTIMIZE=-O0
   cmake --build build --target kte_program kte_python_package \\
     $(ninja -C build -t targets all | grep -oE '^tests/[a-z0-9_]+_test:' | tr -d :)
