@@ -2,10 +2,8 @@
 
 #include <Eigen/Dense>
 
-#include <functional>
-
 #include "catch.hpp"
-#include "contact/friction_scenes.hpp"
+#include "contact/friction_statistics.hpp"
 #include "digits50.hpp"
 
 namespace friction_solver_test {
@@ -14,24 +12,7 @@ using namespace kte;
 using test::digits50;
 using test::friction_scene;
 using test::friction_scenes;
-
-using maker = std::function<friction_scene(friction_scenes&)>;
-
-/// Solves `count` random problems; returns the largest violation of the laws of friction.
-double worst_of(int count, const maker& make, unsigned seed = 7) {
-  friction_scenes random(seed);
-  friction_solver<> solver;
-  double worst = 0;
-  for (int i = 0; i < count; ++i) {
-    const friction_scene s = make(random);
-    const auto& x = solver.solve(s.problem());
-    INFO("problem " << i << ", residual " << x.residual);
-    REQUIRE(x.solved());
-    REQUIRE(x.residual <= 1e-12);
-    worst = std::max(worst, test::violation(s, x.lambda));
-  }
-  return worst;
-}
+using test::worst_of;
 
 TEST_CASE("Friction: all random problems of a few points are solved, by the laws themselves") {
   for (int n = 1; n <= 4; ++n) {
@@ -41,27 +22,6 @@ TEST_CASE("Friction: all random problems of a few points are solved, by the laws
   }
   CHECK(worst_of(50, [](auto& r) { return r.plate(8); }) < 1e-10);
   CHECK(worst_of(5, [](auto& r) { return r.tower(8); }) < 1e-10);
-}
-
-TEST_CASE("Friction: 1e4 random problems of 1 to 4 points, 1e3 of 8, plates and towers", "[long]") {
-  for (int n = 1; n <= 4; ++n) {
-    CHECK(worst_of(
-              5000, [n](auto& r) { return r.plate(n); }, 1) < 1e-10);
-    CHECK(worst_of(
-              5000, [n](auto& r) { return r.points(n); }, 2) < 1e-10);
-  }
-  CHECK(worst_of(
-            1000, [](auto& r) { return r.plate(8); }, 3) < 1e-10);
-  CHECK(worst_of(
-            1000, [](auto& r) { return r.points(8); }, 4) < 1e-10);
-  CHECK(worst_of(
-            100, [](auto& r) { return r.plate(16); }, 5) < 1e-10);
-  CHECK(worst_of(
-            50, [](auto& r) { return r.plate(32); }, 6) < 1e-10);
-  CHECK(worst_of(
-            100, [](auto& r) { return r.tower(8); }, 7) < 1e-10);
-  CHECK(worst_of(
-            100, [](auto& r) { return r.tower(8, 1.0); }, 8) < 1e-10);
 }
 
 TEST_CASE("Friction: Newton's method and the Gauss-Seidel method agree where the solution is unique") {

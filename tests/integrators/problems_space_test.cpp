@@ -1,6 +1,5 @@
 #include "catch.hpp"
 #include "data/problems/dzhanibekov.hpp"
-#include "data/problems/flyball_governor.hpp"
 #include "data/problems/heavy_top.hpp"
 #include "data/problems/iiwa14_free_swing.hpp"
 #include "data/problems/spherical_double_pendulum.hpp"
@@ -57,13 +56,4 @@ TEST_CASE("the heavy top reaches its references", "[long]") {
 TEST_CASE("the robot swings freely to its reference", "[long]") {
   check_references<iiwa14_free_swing>(5e-10, {5e-9});  // [1600, 3e4, 1e-9], with rates up to 78 rad/s
 }
-TEST_CASE("the governor reaches its references by explicit steps, both rods alike", "[long]") {
-  using problem = equation_of_motion<flyball_governor>;
-  // [1400, 4900, 9600, 95000; 1e1, 1e1, 1e1, 5e1; 6e-13, 1e-12, 2e-12, 3e-12]: stability limits steps, not accuracy.
-  // The damper takes 3e-3 J.
-  check_references<flyball_governor>(4e-3, {3e-12, 5e-12, 1e-11, 1e-11});
-  const auto x = state_after<flyball_governor>(0.5);
-  CHECK(problem::q(x)[2] == within_relative(problem::q(x)[3], 1e-13));
-}
-
 }  // namespace problems_space_test

@@ -1,4 +1,4 @@
-#include "drops/drops.hpp"
+#include "simulations/drops.hpp"
 
 #include "catch.hpp"
 
