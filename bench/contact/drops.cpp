@@ -1,5 +1,5 @@
-/// Random drops by events (tests/simulations/drops.hpp), and their outcomes: a table for docs/contact.md. Drops that fail
-/// or need bridges go to standard error.
+/// Random drops by events (tests/simulations/drops.hpp), and their outcomes: a table for docs/contact.md. Drops that
+/// fail or need bridges go to standard error.
 ///
 ///   kte_drops [COUNT [FIRST]]      by default 1000 drops from number 0
 #include "simulations/drops.hpp"

@@ -77,6 +77,7 @@ template <class Gravity, class... E, indexable Q, indexable V>
 
 #include <kte/dynamics/inverse_dynamics.hpp>
 #include <kte/dynamics/runtime/bodies.hpp>
+#include <kte/tree/weights.hpp>
 
 namespace kte {
 
@@ -88,12 +89,47 @@ const runtime_vector<S>& static_forces(const runtime_chain& c, basic_runtime_sta
   const detail::rates_aside aside(s, true);
   return detail::forces_at_state(c, s);
 }
+namespace detail {
+/// Whether gravity acts on a chain as on the bodies of a tree of degrees of freedom.
+template <class S>
+bool weighs_as_tree(const basic_runtime_state<S>& s) {
+  const auto& t = s.tree();
+  return t.plan.tree && t.plan.coordinates == s.dofs() && t.plan.jointless_dofs.empty() && t.weights.empty();
+}
+/// Whether a base turns.
+template <class S>
+bool bases_turn(const basic_runtime_state<S>& s) {
+  for (int b = 0; b < s.tree().body_tree.bases; ++b) {
+    const auto& x = s.work.bodies[static_cast<std::size_t>(b)];
+    if (!all(dot(x.ang_velocity, x.ang_velocity) + dot(x.ang_acceleration, x.ang_acceleration) == S(0))) return true;
+  }
+  return false;
+}
+/// As `gravity_forces`, for positions that have been checked.
+template <class S>
+const runtime_vector<S>& gravity_forces_of(const runtime_chain& c, basic_runtime_state<S>& s) {
+  if (weighs_as_tree(s)) [[likely]] {
+    take_bases(s);
+    if (!bases_turn(s)) [[likely]] {
+      place_bodies(runtime_elements{c}, s);
+      tree::transmit_weights(s.tree().body_tree, s.work);
+      take_forces_of_axes(s);
+      check_result(s, [&s] {
+        const rates_aside aside(s, true);
+        diagnose("a force", s);
+      });
+      return s.work.forces;
+    }
+  }
+  const rates_aside aside(s, true);
+  forces_on_coordinates(runtime_elements{c}, s, acting::bodies);
+  return applied_forces(s);
+}
+}  // namespace detail
 template <class S>
 const runtime_vector<S>& gravity_forces(const runtime_chain& c, basic_runtime_state<S>& s) {
   detail::check_regular_tree(c, s), detail::refuse_distributed_masses(c, s), detail::check_positions(s);
-  const detail::rates_aside aside(s, true);
-  detail::forces_on_coordinates(detail::runtime_elements{c}, s, detail::acting::bodies);
-  return detail::applied_forces(s);
+  return detail::gravity_forces_of(c, s);
 }
 namespace detail {
 /// As `nonlinear_effects`, for positions and velocities that have been checked.
@@ -134,7 +170,10 @@ const runtime_vector<S>& static_forces(const runtime_chain& c, basic_runtime_sta
 }
 template <class S, indexable Q>
 const runtime_vector<S>& gravity_forces(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q) {
-  return detail::take<detail::keeping::if_needed>(c, s, q).call([&]() -> const auto& { return gravity_forces(c, s); });
+  detail::check_regular_tree(c, s), detail::refuse_distributed_masses(c, s);
+  return detail::take<detail::keeping::if_needed>(c, s, q).call([&]() -> const auto& {
+    return detail::gravity_forces_of(c, s);
+  });
 }
 template <class S, indexable Q, indexable V>
 const runtime_vector<S>& nonlinear_effects(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v) {
@@ -152,11 +191,11 @@ const runtime_vector<S>& coriolis_forces(const runtime_chain& c, basic_runtime_s
 
 #ifdef KTE_EXTERN
 KTE_EXTERN template const runtime_vector<double>& static_forces(const runtime_chain&, runtime_state&);
-KTE_EXTERN template const runtime_vector<double>& gravity_forces(const runtime_chain&, runtime_state&);
 KTE_EXTERN template const runtime_vector<double>& nonlinear_effects(const runtime_chain&, runtime_state&);
 namespace detail {
+KTE_EXTERN template const runtime_vector<double>& gravity_forces_of(const runtime_chain&, runtime_state&);
 KTE_EXTERN template const runtime_vector<double>& nonlinear_effects_of(const runtime_chain&, runtime_state&);
-}
+}  // namespace detail
 KTE_EXTERN template const runtime_vector<double>& coriolis_forces(const runtime_chain&, runtime_state&);
 #endif
 

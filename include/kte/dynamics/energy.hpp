@@ -6,20 +6,14 @@
 
 namespace kte {
 
-/// Energies of a chain, `kinetic` and `potential`, J.
-template <class S = double>
-struct energies {
-  S kinetic;
-  S potential;
-};
-
 /// The kinetic energy of all bodies and of masses on coordinates, with bases at rest, J:
 ///
 ///   T = sum m |v_c|^2 / 2 + w . I w / 2 + sum m q_dot^2 / 2  =  v . M(q) v / 2          (1)
 ///
 /// by the velocities of frames, without M: a sum of terms that are not negative, without cancellation. Runtime chains:
 /// `kinetic_energy(c, s, q, v)`, or `kinetic_energy(c, s)` at the positions and rates of the state s, with the motion
-/// of its bases; its frames are then those of `doMotion`. Arguments and errors as for `inverse_dynamics`.
+/// of its bases: a loop over bodies, or for chains with forces on frames or masses between frames `doMotion` and a loop
+/// over elements. Arguments and errors as for `inverse_dynamics`.
 template <class Gravity, class... E, indexable Q, indexable V>
 [[nodiscard]] auto kinetic_energy(const static_chain<Gravity, E...>& c, const Q& q, const V& v) {
   using namespace detail;
@@ -65,54 +59,44 @@ template <class Gravity, class... E, indexable Q, indexable V>
 #if defined(KTE_RUNTIME_CHAINS) && !defined(KTE_ENERGY_OF_RUNTIME_CHAINS)
 #define KTE_ENERGY_OF_RUNTIME_CHAINS
 
-#include <kte/dynamics/runtime/bodies.hpp>
+#include <kte/dynamics/runtime/energies.hpp>
 
 namespace kte {
 
 template <class S>
 S kinetic_energy(const runtime_chain& c, basic_runtime_state<S>& s) {
   c.check(s), detail::check_state_velocities(s);
-  c.doMotion(s);
-  static_assert(detail::goes_through_passes<S>);
-  double sum = 0;
-  for (const auto& e : c.wiring().elements) sum += e.element->kinetic_energy(s);
-  return detail::checked_energy<S>(sum, detail::diagnose_state{"an energy", s});
+  return detail::finite_energy(s, detail::kinetic_energy_at_state(c, s));
 }
 template <class S>
 S potential_energy(const runtime_chain& c, basic_runtime_state<S>& s) {
   detail::check_regular_tree(c, s), detail::check_positions(s);
-  c.doMotion(s);
-  static_assert(detail::goes_through_passes<S>);
-  double sum = 0;
-  for (const auto& e : c.wiring().elements) {
-    sum += e.element->potential_energy(s);
-    if (e.distributed_mass) sum -= dot(c.gravity(), e.element->first_moment(s));
-  }
-  return detail::checked_energy<S>(sum - dot(c.gravity(), detail::weigh(c, s).moment),
-                                   detail::diagnose_state{"an energy", s});
+  return detail::finite_energy(s, detail::potential_energy_at_state(c, s));
 }
 template <class S>
 energies<S> energy(const runtime_chain& c, basic_runtime_state<S>& s) {
-  const S kinetic = kinetic_energy(c, s);
-  return {kinetic, potential_energy(c, s)};
+  detail::check_regular_tree(c, s), detail::check_state_velocities(s);
+  return detail::finite_energy(s, detail::energy_at_state(c, s));
 }
 template <class S, indexable Q, indexable V>
 S kinetic_energy(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v) {
-  return detail::take<detail::keeping::if_needed>(c, s, q, v).call([&] { return kinetic_energy(c, s); });
+  return detail::take<detail::keeping::if_needed>(c, s, q, v).call([&] {
+    return detail::finite_energy(s, detail::kinetic_energy_at_state(c, s));
+  });
 }
 template <class S, indexable Q>
 S potential_energy(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q) {
-  return detail::take<detail::keeping::if_needed>(c, s, q).call([&] { return potential_energy(c, s); });
+  detail::check_regular_tree(c, s);
+  return detail::take<detail::keeping::if_needed>(c, s, q).call(
+      [&] { return detail::finite_energy(s, detail::potential_energy_at_state(c, s)); });
 }
 template <class S, indexable Q, indexable V>
 energies<S> energy(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v) {
-  return detail::take<detail::keeping::if_needed>(c, s, q, v).call([&] { return energy(c, s); });
+  detail::check_regular_tree(c, s);
+  return detail::take<detail::keeping::if_needed>(c, s, q, v).call([&] {
+    return detail::finite_energy(s, detail::energy_at_state(c, s));
+  });
 }
-
-#ifdef KTE_EXTERN
-KTE_EXTERN template double kinetic_energy(const runtime_chain&, runtime_state&);
-KTE_EXTERN template double potential_energy(const runtime_chain&, runtime_state&);
-#endif
 
 }  // namespace kte
 

@@ -90,7 +90,8 @@ KTE_INLINE auto all_poses(const Chain& c, const At& at) {
 }  // namespace detail
 
 /// The poses of all frames. For a static chain: a table of rotations and positions, m, by key, relative to a base at
-/// the origin. For a runtime chain: the state, with its frames as after `doMotion`.
+/// the origin. For a runtime chain: the state, whose frames have their positions and rotations in the world; for their
+/// velocities and accelerations, too, call `doMotion`.
 ///
 ///   auto poses = kte::forward_kinematics(arm, q);                 poses[elbow].position.z
 ///   kte::forward_kinematics(arm, s, q).frame_3D("elbow").position.z
@@ -160,6 +161,42 @@ void check_poses(const basic_runtime_state<S>& s) {
   };
   check.template operator()<kind::frame_2D>(), check.template operator()<kind::frame_3D>();
 }
+/// Sets the position and rotation of all frames from those of their bodies:
+///
+///   p = p_body + R_body r,   R = R_body R_r          for a frame at r, R_r in its body
+template <class S>
+void place_frames(basic_runtime_state<S>& s) {
+  const auto place = [&s]<kind K>() {
+    const auto& places = s.tree().body_tree.frames[K == kind::frame_2D ? 0 : 1];
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const auto& [slot, at, parallel] = places[i];
+      const tree::world_place<S>& body = s.work.world[static_cast<std::size_t>(slot)];
+      auto& x = s.template get<K>(static_cast<int>(i));
+      const vec3<S> p = body.position + body.rotation * at.position;
+      if constexpr (K == kind::frame_3D) {
+        x.position = p;
+        x.rotation = parallel ? body.rotation : body.rotation * at.rotation;
+      } else {
+        x.position = {p.x, p.y};
+        const vec3<S> along = body.rotation * vec3<S>{at.rotation.x.x, at.rotation.y.x, S(0)};
+        x.rotation = {along.x, along.y};
+      }
+    }
+  };
+  place.template operator()<kind::frame_2D>(), place.template operator()<kind::frame_3D>();
+}
+/// Sets the poses of all frames: from those of bodies, or by passes if elements other than joints and links move some.
+template <class S>
+void move_frames(const runtime_chain& c, basic_runtime_state<S>& s) {
+  if (s.tree().moves_unknown || !s.tree().written.empty()) {
+    c.doMotion(s);
+  } else {
+    place_bodies(runtime_elements{c}, s);
+    place_bodies_in_world<tree::world_place<S>>(s);
+    place_frames(s);
+  }
+  check_poses(s);
+}
 }  // namespace detail
 
 template <class S>
@@ -167,17 +204,15 @@ const basic_runtime_state<S>& forward_kinematics(const runtime_chain& c, basic_r
   static_assert(detail::goes_through_passes<S>);
   c.check(s);
   detail::check_positions(s);
-  c.doMotion(s);
-  detail::check_poses(s);
+  detail::move_frames(c, s);
   return s;
 }
 template <class S, indexable Q>
 requires(!names_something<Q>) const basic_runtime_state<S>& forward_kinematics(const runtime_chain& c,
                                                                                basic_runtime_state<S>& s, const Q& q) {
   static_assert(detail::goes_through_passes<S>);
-  return detail::take(c, s, q).call([&]() -> const auto& {
-    c.doMotion(s);
-    detail::check_poses(s);
+  return detail::take<detail::keeping::if_needed>(c, s, q).call([&]() -> const auto& {
+    detail::move_frames(c, s);
     return s;
   });
 }
@@ -230,8 +265,8 @@ linear_angular<S> frame_acceleration(const runtime_chain& c, basic_runtime_state
 }
 
 #ifdef KTE_EXTERN
-KTE_EXTERN template const runtime_state& forward_kinematics(const runtime_chain&, runtime_state&);
 namespace detail {
+KTE_EXTERN template void move_frames(const runtime_chain&, runtime_state&);
 KTE_EXTERN template linear_angular<double> velocity_of(const runtime_chain&, runtime_state&, const runtime_frame&);
 KTE_EXTERN template linear_angular<double> acceleration_of(const runtime_chain&, runtime_state&, const runtime_frame&);
 }  // namespace detail

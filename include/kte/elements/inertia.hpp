@@ -36,13 +36,9 @@ struct inertia {
     const auto f = (-m) * a_c;                                                       // (2)
     return make_loads(wrench{f, -plus_cross(plus_cross(J * al, w, J * w), f, c)});   // (3)
   }
-  /// m |v_c|^2 / 2 + w . I w / 2,  v_c = v + w x c,  J
   template <class Frame>
   KTE_INLINE constexpr auto kinetic_energy(const Frame& x) const {
-    const auto& [m, c, J, published] = body;
-    const auto& w = x.ang_velocity;
-    const auto v_c = plus_cross(x.velocity, w, c);
-    return detail::half(m * dot(v_c, v_c) + dot(w, J * w));
+    return kinetic_energy_of_body(body, x.velocity, x.ang_velocity);
   }
   /// The mass for the composite-rigid-body algorithm in scalars S. Scalars of more than double precision recompute it
   /// from the parameters.

@@ -107,6 +107,15 @@ KTE_INLINE constexpr auto half(const T& x) {
 }
 }  // namespace detail
 
+/// The kinetic energy of a body whose frame has velocity v, m/s, and angular velocity w, rad/s, in its own axes, J:
+///
+///   T = m |v + w x c|^2 / 2 + w . I w / 2
+template <class M, class C, class I, class V, class W>
+[[nodiscard]] KTE_INLINE constexpr auto kinetic_energy_of_body(const rigid_body<M, C, I>& b, const V& v, const W& w) {
+  const auto v_c = plus_cross(v, w, b.com);
+  return detail::half(b.mass * dot(v_c, v_c) + dot(w, b.inertia * w));
+}
+
 /// The composite inertia of one body.
 template <class M, class C, class I>
 [[nodiscard]] KTE_INLINE constexpr auto to_composite(const rigid_body<M, C, I>& b) {

@@ -38,6 +38,13 @@ KTE_INLINE constexpr auto moved(const B& b, const M& parent, const S* rate, cons
                          ((constant<2>{} * cross(w_in, v_j) + cross(w_j, v_j)) + a_j),
                      b.in(al) + (cross(w_in, w_j) + al_j)};
 }
+/// The velocities alone: (1), and w_i of (2).
+template <body B, class M, class S>
+KTE_INLINE constexpr auto moved_at_rate(const B& b, const M& parent, const S* rate) {
+  const auto [v_j, w_j] = b.along_axes(rate);
+  return body_motion{b.in(plus_cross(parent.velocity, parent.ang_velocity, b.position())) + v_j,
+                     b.in(parent.ang_velocity) + w_j, skip{}, skip{}};
+}
 /// The wrench that gives a body its motion (Newton and Euler), at its origin:
 ///
 ///   f = m (a + al x c + w x (w x c)),   n = I al + w x I w + c x f          (4)

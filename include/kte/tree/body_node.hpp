@@ -56,11 +56,12 @@ struct body_node {
   composite<P, vec3<P>, sym3<P>> weight{};  ///< all masses, including those with their own laws, about the origin
 };
 
-/// The place of a frame: the slot of its body, or -1 if it follows other frames.
+/// The place of a frame: the slot of its body, or -1 if it follows other frames, and its pose there.
 template <class P>
 struct frame_place {
   int slot = 0;
   pose<mat3<vec3<P>>, vec3<P>> at{};
+  bool parallel = false;  ///< whether its axes are those of the body; set by `finish`
 };
 
 /// All body nodes of a chain, parents first, and the bodies beyond a node contiguous after it. Axes are numbered in

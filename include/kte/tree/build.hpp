@@ -102,8 +102,10 @@ struct body_tree_builder {
         if (is_node(x.slot)) x.slot = result.bases + position_[static_cast<std::size_t>(index_of(x.slot))];
     split_placements();
     for (auto& of_kind : places)
-      for (auto& x : of_kind)
+      for (auto& x : of_kind) {
         if (x.slot >= result.bases) turn_back(about_z_[static_cast<std::size_t>(x.slot - result.bases)], x.at);
+        x.parallel = x.at.rotation == as<P>(matrix(no_rotation{}));
+      }
     result.frames = std::move(places);
     return std::move(result);
   }

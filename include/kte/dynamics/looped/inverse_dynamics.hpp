@@ -136,14 +136,19 @@ void forces_on_coordinates(const Elements& c, State& s, acting who, bool acceler
   push_on_coordinates(c, s, who);
 }
 
-/// Then writes the forces to apply for this motion to `forces` of the working memory.
+/// Writes the forces of axes to `forces` of the working memory, in trees of degrees of freedom.
+template <class State>
+void take_forces_of_axes(State& s) {
+  const auto& row = s.tree().body_tree.row;
+  for (std::size_t k = 0; k < row.size(); ++k) s.work.forces[row[k]] = s.work.force[k];
+}
+/// Writes the forces to apply for this motion to `forces`, after `forces_on_coordinates`.
 template <class State>
 void take_generalized_forces(State& s) {
-  const auto& t = s.tree();
-  auto& f = s.work.forces;
-  if (t.only_bodies) {
-    for (std::size_t k = 0; k < t.body_tree.row.size(); ++k) f[t.body_tree.row[k]] = s.work.force[k];
+  if (s.tree().only_bodies) {
+    take_forces_of_axes(s);
   } else {
+    auto& f = s.work.forces;
     read_listed_numbers<vector_of::f>(s, f);
     f = -f;
   }

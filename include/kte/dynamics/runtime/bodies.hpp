@@ -24,13 +24,18 @@ void carry_bodies(const runtime_chain& c, basic_runtime_state<S>& s) {
   place_bodies_in_world<Place>(s);
   tree::carry_bodies<true, Inertia>(s.tree().body_tree, s.work);
 }
+/// The mass and the first moment of all bodies, in the world; of bodies that have their places.
+template <class S>
+tree::mass_moment<S> weigh_in_place(basic_runtime_state<S>& s) {
+  place_bases_in_world(s);
+  tree::carry_bodies<true, composite<S, vec3<S>, skip>>(s.tree().body_tree, s.work);
+  return tree::weight_in_world(s.tree().body_tree, s.work);
+}
 /// The mass and the first moment of all bodies, in the world.
 template <class S>
 tree::mass_moment<S> weigh(const runtime_chain& c, basic_runtime_state<S>& s) {
   place_bodies(runtime_elements{c}, s);
-  place_bases_in_world(s);
-  tree::carry_bodies<true, composite<S, vec3<S>, skip>>(s.tree().body_tree, s.work);
-  return tree::weight_in_world(s.tree().body_tree, s.work);
+  return weigh_in_place(s);
 }
 /// The motion of a chain with bodies only.
 template <class S>

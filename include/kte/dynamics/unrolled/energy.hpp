@@ -2,6 +2,16 @@
 
 #include <kte/dynamics/centre_of_mass.hpp>
 
+namespace kte {
+/// Energies of a chain, `kinetic` and `potential`, J.
+template <class S = double>
+struct energies {
+  S kinetic;
+  S potential;
+};
+
+}  // namespace kte
+
 /// Energies of static chains, element by element.
 namespace kte::detail {
 
