@@ -76,7 +76,7 @@ def test_calls_hear_ctrl_c(robots, call, n):
         ("beam(200)", "kte.static_equilibrium(prepared, [0.0] * 200, loads={'b199': [0, 0, -100]})"),
         ("beam(10)", "kte.equilibrium_path(prepared, [0.0] * 10, loads={'b9': [0, 0, -1]}, step=1e-7, points=10**8)"),
         ("beam(300)", "kte.natural_modes(prepared, [0.0] * 300)"),
-        ("beam(60)", "kte.inverse_kinematics(prepared, 'b59', [90, 0, 0], start=[0.1] * 60, numeric=True)"),
+        ("beam(200)", "kte.inverse_kinematics(prepared, 'b199', [300, 0, 0], start=[0.1] * 200, numeric=True)"),
         ("kte.load_robot(FILE.replace('iiwa14', 'four_bar'))", "kte.assemblies(prepared, 10**8, held=['q1'])"),
     ],
     ids=lambda x: x.split("(")[0],

@@ -141,6 +141,18 @@ TEST_CASE("parts of inverse dynamics in double, and of runtime chains") {
   check_double(static_models::tree(), 37);
 }
 
+TEST_CASE("forces of gravity on a base that turns, or not, are inverse dynamics at rest") {
+  const auto c = models::element_by_element(robots::iiwa14);
+  auto s = c.make_state();
+  const Eigen::VectorXd q = Eigen::VectorXd::LinSpaced(7, -1.0, 1.4), rest = Eigen::VectorXd::Zero(7);
+  for (const double spin : {0.0, 2.0}) {
+    auto& base = s.frame_3D("base");
+    base.acceleration.x = 3.0, base.ang_velocity.y = spin, base.ang_acceleration.x = -spin;
+    const Eigen::VectorXd expected = inverse_dynamics(c, s, q, rest, rest);
+    CHECK((gravity_forces(c, s, q) - expected).norm() <= 1e-15 * expected.norm());
+  }
+}
+
 TEST_CASE("parts of inverse dynamics for bad arguments") {
   const auto& c = robots::iiwa14;
   const auto model = models::element_by_element(c);

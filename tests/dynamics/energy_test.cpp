@@ -118,6 +118,31 @@ TEST_CASE("energies by hand") {
   CHECK(kinetic_energy(sprung(), std::array{0.3}, fast) == 0);  // no mass
 }
 
+TEST_CASE("kinetic energy of bodies on a base that moves, with and without a mass fixed to it") {
+  constexpr rigid_body body{1.5, vec3{0.02, -0.03, 0.1}, sym3{0.03, 0.001, -0.002, 0.025, 0.003, 0.02}};
+  for (const bool loaded : {false, true}) {
+    runtime_chain c;
+    c << base_3D("ground");
+    if (loaded) c << inertia_3D("ground", body);
+    c << revolute_joint_3D("q", "ground", "arm", axis::y) << rigid_link_3D("arm", "tip", vec3{0.3, 0.1, -0.2})
+      << inertia_3D("tip", body);
+    auto s = c.make_state();
+    auto& ground = s.frame_3D("ground");
+    ground.velocity = {0.3, -0.2, 0.5}, ground.ang_velocity = {1.0, 2.0, -0.5};
+    s.coordinate("q").q = 0.4, s.coordinate("q").q_dot = -1.5;
+    const double energy_of_all = kinetic_energy(c, s);
+    c.doMotion(s);
+    double sum = 0;
+    for (const char* frame : {"ground", "tip"}) {
+      const auto& x = s.frame_3D(frame);
+      const vec3<> v = x.velocity + cross(x.ang_velocity, body.com);
+      if (loaded || frame == std::string("tip"))
+        sum += (body.mass * dot(v, v) + dot(x.ang_velocity, body.inertia * x.ang_velocity)) / 2;
+    }
+    CHECK(energy_of_all == within_relative(sum, 4 * std::numeric_limits<double>::epsilon()));
+  }
+}
+
 TEST_CASE("energies of bad arguments") {
   const auto& c = robots::iiwa14;
   const auto model = models::element_by_element(c);
