@@ -102,7 +102,7 @@ def huge(tmp_path_factory):
         ("None", "kte.load_robot(FILE)", 0.1),
         ("open(FILE).read()", "kte.parse_robot(prepared)", 0.1),
         ("beam(1000)", "[kte.save_model('SAVED.xml', prepared) for _ in range(1000)]", 0.3),
-        ("kte.save_model('SAVED.xml', beam(5000))", "kte.load_model('SAVED.xml')", 0.1),
+        ("kte.save_model('SAVED.xml', beam(10_000))", "kte.load_model('SAVED.xml')", 0.1),
         ("beam(1000)", "[kte.to_urdf(prepared, lossy=True) for _ in range(1000)]", 0.3),
     ],
     ids=["load_robot", "parse_robot", "save_model", "load_model", "to_urdf"],

@@ -206,7 +206,7 @@ except KeyboardInterrupt:
 
 def test_other_threads_run_during_a_simulation(iiwa):
     counts = []
-    thread = threading.Thread(target=lambda: kte.simulate(iiwa, np.full(7, 0.2), time=2, tolerance=1e-11))
+    thread = threading.Thread(target=lambda: kte.simulate(iiwa, np.full(7, 0.2), time=10, tolerance=1e-11))
     thread.start()
     while thread.is_alive():
         counts.append(time.sleep(0.001))
