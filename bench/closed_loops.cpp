@@ -114,7 +114,7 @@ void add_all(const std::string& name, const mechanism& m) {
   });
 }
 
-const registered here{[] {
+const registered closed_loops_benchmarks{[] {
   add_all("pinned_arm", pinned_arm());
   for (const int n : {1, 4, 16, 64}) add_all("four_bars_" + std::to_string(n), four_bars(n));
 }};

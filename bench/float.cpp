@@ -6,7 +6,7 @@
 namespace bench {
 namespace {
 
-const registered here{[] {
+const registered float_benchmarks{[] {
   add_algorithms<iiwa14, float>("float");
   using calls = pack_calls<iiwa14, float, 16>;
   add(operation::inverse_dynamics, "batch16_float", iiwa14::name, calls::inverse_dynamics, calls::states);

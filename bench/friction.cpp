@@ -53,7 +53,7 @@ void add(const std::string& name, int count, const std::function<friction_scene(
   });
 }
 
-const registered here{[] {
+const registered friction_benchmarks{[] {
   for (const int n : {1, 2, 4, 8}) {
     add("plate" + std::to_string(n), 1000, [n](friction_scenes& r) { return r.plate(n); });
     add("points" + std::to_string(n), 1000, [n](friction_scenes& r) { return r.points(n); });

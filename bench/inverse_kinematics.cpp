@@ -90,19 +90,20 @@ struct arm_calls {
   }
 };
 
-struct plain {
+struct plain_arm {
   static constexpr auto name = "3R3R";
   static constexpr auto arm = kte::three_r_three_r();
 };
-struct ur5 {
+struct ur5_arm {
   static constexpr auto name = "ur5";
   static constexpr auto arm = kte::ur();
 };
-struct iiwa14 {
+struct iiwa14_arm {
   static constexpr auto name = "iiwa14";
   static constexpr auto arm = kte::iiwa14();
 };
-const registered here{[] { arm_calls<plain>::add(), arm_calls<ur5>::add(), arm_calls<iiwa14>::add(); }};
+const registered inverse_kinematics_benchmarks{
+    [] { arm_calls<plain_arm>::add(), arm_calls<ur5_arm>::add(), arm_calls<iiwa14_arm>::add(); }};
 
 }  // namespace
 }  // namespace bench

@@ -39,7 +39,7 @@ void add_of_chain(const char* name, int n, int of_links, const F& f) {
   });
 }
 
-const registered here{[] {
+const registered long_chains_benchmarks{[] {
   for (int n = 1000; n <= 1000000; n *= 10) {
     add_of_chain("append", n, 0, [n](auto&, auto&) { benchmark::DoNotOptimize(links(n)); });
     add_of_chain("append_chains", n, 0, [n](auto&, auto&) { benchmark::DoNotOptimize(chains_of_one(n)); });

@@ -5,7 +5,7 @@
 namespace bench {
 namespace {
 
-const registered here{[] { add_algorithms<iiwa14, long double>("long_double"); }};
+const registered long_double_benchmarks{[] { add_algorithms<iiwa14, long double>("long_double"); }};
 
 }  // namespace
 }  // namespace bench

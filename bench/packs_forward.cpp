@@ -5,11 +5,12 @@
 namespace bench {
 namespace {
 
-const registered here{[] {
-  using eight = pack_calls<iiwa14, double, 8>;
-  add(operation::forward_dynamics, "batch8", iiwa14::name, eight::forward_dynamics, eight::states);
-  using sixteen = pack_calls<iiwa14, float, 16>;
-  add(operation::forward_dynamics, "batch16_float", iiwa14::name, sixteen::forward_dynamics, sixteen::states);
+const registered packs_forward_benchmarks{[] {
+  using eight_doubles = pack_calls<iiwa14, double, 8>;
+  add(operation::forward_dynamics, "batch8", iiwa14::name, eight_doubles::forward_dynamics, eight_doubles::states);
+  using sixteen_floats = pack_calls<iiwa14, float, 16>;
+  add(operation::forward_dynamics, "batch16_float", iiwa14::name, sixteen_floats::forward_dynamics,
+      sixteen_floats::states);
   packed_calls<iiwa14, double, 8>::add("pack8");
   packed_calls<iiwa14, double, 16>::add("pack16");
   packed_calls<iiwa14, float, 16>::add("pack16_float");

@@ -37,7 +37,7 @@ void add_dynamics() {
   add(operation::forward_dynamics, "runtime", Model::name, call_on<at_run_time<Model>, calls::forward_dynamics>);
 }
 
-const registered here{[] {
+const registered runtime_benchmarks{[] {
   add_runtime<at_run_time<pendulum>>();
   add_runtime<at_run_time<iiwa14>>();
   add_runtime<at_run_time<ur5>>();

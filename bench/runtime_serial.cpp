@@ -28,7 +28,7 @@ struct serial_at_run_time {
   }
 };
 
-const registered here{[] {
+const registered runtime_serial_benchmarks{[] {
   [&]<int... Power>(std::integer_sequence<int, Power...>) { (add_runtime<serial_at_run_time<(1 << Power)>>(), ...); }
   (std::make_integer_sequence<int, 11>{});
 }};

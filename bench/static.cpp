@@ -6,18 +6,18 @@ namespace bench {
 namespace {
 
 #if defined(KTE_SCALAR_SINCOS)
-constexpr auto how = "static_libm";
+constexpr auto static_way = "static_libm";
 #else
-constexpr auto how = "static";
+constexpr auto static_way = "static";
 #endif
 
 template <class Model>
 void add_model() {
-  add(operation::passes, how, Model::name, static_calls<Model, double>::passes);
-  add_algorithms<Model, double>(how);
+  add(operation::passes, static_way, Model::name, static_calls<Model, double>::passes);
+  add_algorithms<Model, double>(static_way);
 }
 
-const registered here{[] {
+const registered static_benchmarks{[] {
   add_model<pendulum>();
   add_model<iiwa14>();
   add_model<ur5>();

@@ -6,7 +6,7 @@
 namespace bench {
 namespace {
 
-const registered here{[] {
+const registered static_derivatives_benchmarks{[] {
   add_derivatives<pendulum, double>("static");
   add_derivatives<iiwa14, double>("static");
   add_derivatives<ur5, double>("static");

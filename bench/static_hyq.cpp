@@ -5,7 +5,7 @@
 namespace bench {
 namespace {
 
-const registered here{[] {
+const registered static_hyq_benchmarks{[] {
   using calls = static_calls<hyq, double>;
   add(operation::inverse_dynamics, "static", hyq::name, calls::inverse_dynamics);
   add(operation::mass_matrix, "static", hyq::name, calls::mass_matrix);

@@ -5,7 +5,7 @@
 namespace bench {
 namespace {
 
-const registered here{[] {
+const registered static_panda_benchmarks{[] {
   using calls = static_calls<panda, double>;
   add(operation::inverse_dynamics, "static", panda::name, calls::inverse_dynamics);
   add(operation::mass_matrix, "static", panda::name, calls::mass_matrix);

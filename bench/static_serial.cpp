@@ -5,7 +5,7 @@
 namespace bench {
 namespace {
 
-const registered here{[] {
+const registered static_serial_benchmarks{[] {
   using model = serial<KTE_BENCH_BODIES>;
   add(operation::passes, "static", model::name, static_calls<model, double>::passes);
   add_algorithms<model, double>("static");

@@ -5,7 +5,7 @@
 namespace bench {
 namespace {
 
-const registered here{[] {
+const registered static_solo12_benchmarks{[] {
   add(operation::passes, "static", solo12::name, static_calls<solo12, double>::passes);
   add_algorithms<solo12, double>("static");
 }};

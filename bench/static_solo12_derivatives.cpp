@@ -5,7 +5,7 @@
 namespace bench {
 namespace {
 
-const registered here{[] { add_derivatives<solo12, double>("static"); }};
+const registered static_solo12_derivatives_benchmarks{[] { add_derivatives<solo12, double>("static"); }};
 
 }  // namespace
 }  // namespace bench

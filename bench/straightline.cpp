@@ -52,7 +52,7 @@ void add_tree(const char* model, call<double> inverse_dynamics, call<double> mas
   add(operation::forward_dynamics, "straightline_aba", model, articulated);
 }
 
-const registered here{[] {
+const registered straightline_benchmarks{[] {
   constexpr auto ours = "straightline";
   add_robot(ours, "iiwa14", iiwa14_inverse_dynamics, iiwa14_mass_matrix, iiwa14_forward_kinematics);
   add_robot(ours, "ur5", ur5_inverse_dynamics, ur5_mass_matrix, ur5_forward_kinematics);

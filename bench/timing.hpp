@@ -29,8 +29,8 @@ template <class S>
 void add(operation o, const std::string& how, const std::string& model, call<S> f, int states = 1,
          triangle t = triangle::both, bool packed = false);
 
-/// A file of benchmarks registers itself: `const registered here{[] { add(...); }};`. So a program has what is linked
-/// to it, and nobody keeps a list.
+/// A file of benchmarks registers itself: `const registered NAME_benchmarks{[] { add(...); }};`. So a program has what
+/// is linked to it, and nobody keeps a list.
 struct registered {
   explicit registered(void (*f)());
 };
