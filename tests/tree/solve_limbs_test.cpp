@@ -1,4 +1,4 @@
-#include <kte/tree/fill_symmetric.hpp>
+#include <kte/tree/fill_matrix.hpp>
 #include <kte/tree/solve_limbs.hpp>
 
 #include "catch.hpp"

@@ -5,33 +5,27 @@
 #include <kte/dynamics/runtime/bodies.hpp>
 #include <kte/dynamics/unrolled/coriolis.hpp>
 #include <kte/runtime_chain.hpp>
-#include <kte/tree/coriolis.hpp>
+#include <kte/tree/fill_matrix.hpp>
 
 /// The Coriolis matrix and the time derivative of the mass matrix, for static and runtime chains.
 namespace kte {
 
 namespace detail {
-/// Computes C in the working memory of a state whose coordinates and bases are set and checked.
-template <class Elements, class State>
-auto coriolis_of_coordinates(const Elements& c, State& s) {
+/// Projects C from all coordinates to the degrees of freedom, by the ratios E of dependent coordinates: E^T (C E + M
+/// dE/dt).
+template <class Elements, class State, class Matrix>
+void pull_back_coriolis(const Elements& c, State& s, Matrix& coriolis) {
   using S = typename State::scalar;
-  using square = Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>;
   const auto& t = s.tree();
-  place_bodies(c, s);
-  take_rates(s), place_in_world(s);
-  for_each_base(s, [&s](const auto& m, std::size_t slot) {
-    const mat3<vec3<S>>& r = s.work.world[slot].rotation;
-    s.work.bodies[slot].velocity = r * as<S>(m.velocity), s.work.bodies[slot].ang_velocity = r * as<S>(m.ang_velocity);
-  });
+  const auto& of_axes = s.work.of_coriolis;
   const int n = t.plan.coordinates;
-  square coriolis = square::Zero(n, n), mass = coriolis;
-  tree::coriolis_of_tree(t.body_tree, s.work, [&](int j, int k, const S& c_jk, const S& m_jk) {
+  coriolis.setZero(n, n);
+  Matrix mass = coriolis;
+  tree::for_each_coriolis_term<true>(t.body_tree, of_axes, [&](int j, int k, const S& c_jk, const S& m_jk) {
     const int row = t.body_tree.row[static_cast<std::size_t>(j)], column = t.body_tree.row[static_cast<std::size_t>(k)];
     coriolis(row, column) += c_jk, mass(row, column) += m_jk;
   });
   for (int i = 0; i < n; ++i) mass(i, i) += S(t.own_mass[static_cast<std::size_t>(i)]);
-  // Projects C from all coordinates to the degrees of freedom, by the ratios E of dependent coordinates: E^T (C E + M
-  // dE/dt)
   pull_back_followers_with_rates(c, s, [&](int to, int from, const S& ratio, const S& rate) {
     coriolis.col(to) += ratio * coriolis.col(from) + rate * mass.col(from);
     mass.col(to) += ratio * mass.col(from);
@@ -39,7 +33,26 @@ auto coriolis_of_coordinates(const Elements& c, State& s) {
     mass.row(to) += ratio * mass.row(from);
   });
   coriolis.conservativeResize(s.dofs(), s.dofs());
-  return coriolis;
+}
+/// Computes C in the working memory of a state whose coordinates and bases are set and checked.
+template <class Elements, class State>
+void coriolis_of_coordinates(const Elements& c, State& s) {
+  using S = typename State::scalar;
+  const auto& t = s.tree();
+  auto& w = s.work;
+  place_bodies(c, s);
+  take_rates(s), place_in_world(s);
+  for_each_base(s, [&w](const auto& m, std::size_t slot) {
+    const mat3<vec3<S>>& r = w.world[slot].rotation;
+    w.bodies[slot].velocity = r * as<S>(m.velocity), w.bodies[slot].ang_velocity = r * as<S>(m.ang_velocity);
+  });
+  if (t.followers.empty()) {
+    tree::coriolis_of_tree<false>(t.body_tree, w, w.of_coriolis);
+    tree::fill_coriolis(t.body_tree, s.dofs(), w.of_coriolis, w.coriolis);
+  } else {
+    tree::coriolis_of_tree<true>(t.body_tree, w, w.of_coriolis);
+    pull_back_coriolis(c, s, w.coriolis);
+  }
 }
 inline constexpr same_base base_with_velocity_and_axes{motion{skip{}, no_rotation{}, zero3{}, zero3{}, skip{}, skip{}}};
 template <class Matrix>
@@ -70,8 +83,10 @@ template <class Gravity, class... E, indexable Q, indexable V>
       const given g{x.at, x.v, same<skip>{}, base_with_velocity_and_axes};
       return unrolled_coriolis<S, chain_type, std::remove_const_t<decltype(g)>>(c, g).result();
     } else {
-      return by_tree<S>(c, given{x.at, x.v, same<zero_t>{}, base_at_rest},
-                        [](const auto& elements, auto& s) { return coriolis_of_coordinates(elements, s); });
+      return by_tree<S>(c, given{x.at, x.v, same<zero_t>{}, base_at_rest}, [](const auto& elements, auto& s) {
+        coriolis_of_coordinates(elements, s);
+        return s.work.coriolis;
+      });
     }
   }();
   check_result(m.data(), static_cast<std::size_t>(m.size()), x.diagnosis("a matrix"));
@@ -84,18 +99,20 @@ template <class Gravity, class... E, indexable Q, indexable V>
 }
 
 /// The Coriolis matrix at the positions and rates of a state, with its moving bases and prescribed coordinates. (1)
-/// holds, but C v omits the forces due to the motion of bases and prescribed coordinates.
+/// holds, but C v omits the forces due to the motion of bases and prescribed coordinates. The result is in the state,
+/// until the next call with it.
 template <class S>
-runtime_matrix<S> coriolis_matrix(const runtime_chain& c, basic_runtime_state<S>& s) {
+const runtime_matrix<S>& coriolis_matrix(const runtime_chain& c, basic_runtime_state<S>& s) {
   detail::check_regular_tree(c, s), detail::refuse_distributed_masses(c, s), detail::check_state_velocities(s);
-  runtime_matrix<S> m = detail::coriolis_of_coordinates(detail::runtime_elements{c}, s);
+  detail::coriolis_of_coordinates(detail::runtime_elements{c}, s);
+  const runtime_matrix<S>& m = s.work.coriolis;
   detail::check_result(m.data(), static_cast<std::size_t>(m.size()), [&s] { detail::diagnose("a matrix", s); });
   return m;
 }
 template <class S, indexable Q, indexable V>
-runtime_matrix<S> coriolis_matrix(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v) {
+const runtime_matrix<S>& coriolis_matrix(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v) {
   detail::check_regular_tree(c, s), detail::refuse_distributed_masses(c, s);
-  return detail::take(c, s, q, v).call([&] { return coriolis_matrix(c, s); });
+  return detail::take(c, s, q, v).call([&]() -> const auto& { return coriolis_matrix(c, s); });
 }
 template <class S>
 runtime_matrix<S> mass_matrix_rate(const runtime_chain& c, basic_runtime_state<S>& s) {

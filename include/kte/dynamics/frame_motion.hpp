@@ -164,15 +164,19 @@ void check_poses(const basic_runtime_state<S>& s) {
 /// Sets the position and rotation of all frames from those of their bodies:
 ///
 ///   p = p_body + R_body r,   R = R_body R_r          for a frame at r, R_r in its body
+///
+/// Returns a sum that is finite only if all of them are.
 template <class S>
-void place_frames(basic_runtime_state<S>& s) {
-  const auto place = [&s]<kind K>() {
+S place_frames(basic_runtime_state<S>& s) {
+  vec3<S> sum{};
+  const auto place = [&s, &sum]<kind K>() {
     const auto& places = s.tree().body_tree.frames[K == kind::frame_2D ? 0 : 1];
     for (std::size_t i = 0; i < places.size(); ++i) {
       const auto& [slot, at, parallel] = places[i];
       const tree::world_place<S>& body = s.work.world[static_cast<std::size_t>(slot)];
       auto& x = s.template get<K>(static_cast<int>(i));
       const vec3<S> p = body.position + body.rotation * at.position;
+      sum = sum + (p + body.rotation.x);
       if constexpr (K == kind::frame_3D) {
         x.position = p;
         x.rotation = parallel ? body.rotation : body.rotation * at.rotation;
@@ -184,18 +188,20 @@ void place_frames(basic_runtime_state<S>& s) {
     }
   };
   place.template operator()<kind::frame_2D>(), place.template operator()<kind::frame_3D>();
+  return sum.x + sum.y + sum.z;
 }
 /// Sets the poses of all frames: from those of bodies, or by passes if elements other than joints and links move some.
 template <class S>
 void move_frames(const runtime_chain& c, basic_runtime_state<S>& s) {
   if (s.tree().moves_unknown || !s.tree().written.empty()) {
     c.doMotion(s);
-  } else {
-    place_bodies(runtime_elements{c}, s);
-    place_bodies_in_world<tree::world_place<S>>(s);
-    place_frames(s);
+    return check_poses(s);
   }
-  check_poses(s);
+  place_bodies(runtime_elements{c}, s);
+  place_bodies_in_world<tree::world_place<S>>(s);
+  const S sum = place_frames(s);
+  if (!tree::all_finite_in_row(&sum, 1)) [[unlikely]]
+    check_poses(s);
 }
 }  // namespace detail
 

@@ -51,29 +51,48 @@ KTE_INLINE coriolis_body<S> coriolis_of(const composite<S, vec3<S>, sym3<S>>& ow
   return {own, mass * v + cross(w, h), gyroscopic(vec3<S>(S(1) / S(2) * w), i) - cross_twice(h, v)};
 }
 
+/// The wrenches of an axis s of a body: I^c ds/dt + B^c s and I^c s, and the torque of B^c^T s.
+template <class S>
+struct coriolis_wrenches_of {
+  wrench<vec3<S>, vec3<S>> by_change, by_axis;
+  vec3<S> turning;
+};
+template <class S>
+KTE_INLINE coriolis_wrenches_of<S> coriolis_wrenches(const coriolis_body<S>& b, const joint_axis<S>& s,
+                                                     const joint_axis<S>& change) {
+  const auto& [mass, h, inertia] = b.carried;
+  return {{mass * change.linear + cross(change.angular, h) + cross(s.angular, b.momentum),
+           inertia * change.angular + cross(h, change.linear) + b.turning * s.angular},
+          {mass * s.linear + cross(s.angular, h), inertia * s.angular + cross(h, s.linear)},
+          transpose(b.turning) * s.angular + cross(b.momentum, s.linear)};
+}
+/// Adds a body to its parent, from whose origin d leads to its own. Wrenches f, n and B pass inward as
+///
+///   n + d x f,   N - [d]x [P]x          (5)
+template <class S>
+KTE_INLINE void carry_coriolis_body(const coriolis_body<S>& b, const vec3<S>& d, coriolis_body<S>& to) {
+  const auto& [mass, h, inertia] = b.carried;
+  to.carried = {to.carried.mass + mass, to.carried.moment + h + mass * d,
+                to.carried.inertia + as<S>(kte::detail::shifted(inertia, d, h + kte::detail::half(mass) * d))};
+  to.momentum = to.momentum + b.momentum;
+  to.turning = to.turning + b.turning - cross_twice(d, b.momentum);
+}
+
 /// With I^c and B^c of all bodies beyond axis k, for k and all axes j before it,
 ///
 ///   C_jk = s_j . (I^c ds_k/dt + B^c s_k),   C_kj = ds_j/dt . (I^c s_k) + s_j . (B^c^T s_k)          (3)
 ///   M_jk = s_j . (I^c s_k)                                                                          (4)
 ///
-/// by put(j, k, C_jk, M_jk), once for each ordered pair of axes that move a body together. Wrenches f, n and B pass
-/// inward to the origin of the parent, at the distance d, as
+/// by put(j, k, C_jk, M_jk), once for each ordered pair of axes that move a body together.
 ///
-///   n + d x f,   N - [d]x [P]x          (5)
-///
-/// `changes`: (1) by axis. `bodies`: the results of (2) for each body alone; they are changed.
+/// `changes`: (1) by axis. `bodies`: the results of (2) for each body alone; they are changed. For loops over body
+/// nodes tree/coriolis.hpp has the wrenches of several axes in a register.
 template <class S, world_joints T, class Put>
 void coriolis_terms(const T& t, const joint_axis<S>* changes, coriolis_body<S>* bodies, const Put& put) {
   for (int i = t.count(); i-- > 0;) {
-    const coriolis_body<S>& b = bodies[i];
-    const auto& [mass, h, inertia] = b.carried;
     const int end = t.first(i) + t.axes(i);
     for (int k = t.first(i); k < end; ++k) {
-      const joint_axis<S>&s = t.axis(k), &change = changes[k];
-      wrench<vec3<S>, vec3<S>> first{mass * change.linear + cross(change.angular, h) + cross(s.angular, b.momentum),
-                                     inertia * change.angular + cross(h, change.linear) + b.turning * s.angular};
-      wrench<vec3<S>, vec3<S>> second{mass * s.linear + cross(s.angular, h), inertia * s.angular + cross(h, s.linear)};
-      const vec3<S> third = transpose(b.turning) * s.angular + cross(b.momentum, s.linear);
+      auto [first, second, third] = coriolis_wrenches(bodies[i], t.axis(k), changes[k]);
       for (int j = t.first(i); j < end; ++j) put(j, k, power(t.axis(j), first), power(t.axis(j), second));  // (3), (4)
       for (int at = i; t.parent(at) >= 0;) {
         const vec3<S>& d = t.step(at);
@@ -86,13 +105,7 @@ void coriolis_terms(const T& t, const joint_axis<S>* changes, coriolis_body<S>* 
         }
       }
     }
-    if (t.parent(i) < 0) continue;
-    const vec3<S>& d = t.step(i);
-    coriolis_body<S>& to = bodies[t.parent(i)];
-    to.carried = {to.carried.mass + mass, to.carried.moment + h + mass * d,
-                  to.carried.inertia + as<S>(kte::detail::shifted(inertia, d, h + kte::detail::half(mass) * d))};
-    to.momentum = to.momentum + b.momentum;
-    to.turning = to.turning + b.turning - cross_twice(d, b.momentum);  // (5)
+    if (t.parent(i) >= 0) carry_coriolis_body(bodies[i], t.step(i), bodies[t.parent(i)]);
   }
 }
 

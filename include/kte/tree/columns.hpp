@@ -46,9 +46,10 @@ struct simd_wrench {
     power = torque.z;
     if (r.moves != joint::revolute) power = r.slides * force.z + r.turns * power;
   }
-  KTE_INLINE void power_on(const world_axis<S>& s, simd<S>& power) const {
-    power = s.linear.x * force.x + s.linear.y * force.y + s.linear.z * force.z;
-    power += s.angular.x * torque.x + s.angular.y * torque.y + s.angular.z * torque.z;
+  /// `slides`: unless the axis only turns.
+  KTE_INLINE void power_on(const world_axis<S>& s, simd<S>& power, bool slides = true) const {
+    power = s.angular.x * torque.x + s.angular.y * torque.y + s.angular.z * torque.z;
+    if (slides) power += s.linear.x * force.x + s.linear.y * force.y + s.linear.z * force.z;
   }
   /// Transforms to the axes and origin of the parent.
   template <class P>
@@ -57,6 +58,8 @@ struct simd_wrench {
     force = transform.out(force), torque = transform.out(torque);
     add_cross(torque, at.position, force);
   }
+  /// Goes to the origin of the parent, from which `step` leads to this one.
+  KTE_INLINE void go_back(const vec3<S>& step) { add_cross(torque, step, force); }
   KTE_INLINE void add(const simd_wrench& w) {
     force.x += w.force.x, force.y += w.force.y, force.z += w.force.z;
     torque.x += w.torque.x, torque.y += w.torque.y, torque.z += w.torque.z;
@@ -110,6 +113,19 @@ class wrench_rows {
   template <class F>
   KTE_INLINE void change(int first, int last, const F& f) {
     for_each_simd_to<S>(last, first, [&](int k) KTE_INLINE_LAMBDA { change_simd(k, f); });
+  }
+  /// `change` of the torques only.
+  template <class F>
+  KTE_INLINE void change_torques(int first, int last, const F& f) {
+    const S* const forces = rows_[0];
+    S* const torques = rows_[3];
+    const std::size_t row = rows_.stride();
+    for_each_simd_to<S>(last, first, [=, &f](int k) KTE_INLINE_LAMBDA {
+      simd_wrench<S> w;
+      load_vectors(w.force, forces + k, row), load_vectors(w.torque, torques + k, row);
+      f(w, k);
+      store_vectors(w.torque, torques + k, row);
+    });
   }
   /// `change` with the first register beginning at `first`.
   template <class F>

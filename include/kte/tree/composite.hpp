@@ -3,8 +3,7 @@
 #include <kte/engine/looped.hpp>
 #include <kte/recursions/composite_body.hpp>
 #include <kte/recursions/world_placement.hpp>
-#include <kte/tree/bodies.hpp>
-#include <kte/tree/columns.hpp>
+#include <kte/tree/mass_memory.hpp>
 
 namespace kte::tree {
 
@@ -69,6 +68,34 @@ void masses(const body_tree<P>& f, const memory<P, S>& m, wrench_rows<S>& w, axi
       if (const S* const power = w.powers_on(r, at, j - r.first, j, r.last, rows[j]); power != rows[j])
         std::copy(power + j, power + r.last, rows[j] + j);
     if (!on_base) w.change(r.first, r.last, [&](simd_wrench<S>& x, int) KTE_INLINE_LAMBDA { x.go_in(r, at); });
+  }
+}
+/// `masses` in world axes, in which a wrench passes inward by a cross product. Bodies must be placed there, too. From
+/// some 30 axes on this is faster, for each axis pays for its placement (docs/decisions/24-engine.md).
+template <class P, class S>
+void masses_in_world(const body_tree<P>& f, const memory<P, S>& m, wrench_rows<S>& w, axis_rows<S>& rows) {
+  w.resize(f.axes()), rows.resize(f.axes(), f.axes());
+  for (std::size_t i = f.nodes.size(); i-- > 0;) {
+    const body_node<P>& r = f.nodes[i];
+    const world_place<S>& place = m.world[static_cast<std::size_t>(f.bases) + i];
+    const vec3<S> step = r.parent < f.bases ? vec3<S>{} : place.step;
+    const bool slides = r.moves != joint::revolute;
+    for (int k = r.first; k < r.first + r.axes; ++k) {
+      const dense_wrench<S> own =
+          accelerating(r, m.joint_transforms[i], k - r.first, m.carried[static_cast<std::size_t>(f.bases) + i]);
+      w.set(k, {place.rotation * own.force, place.rotation * own.torque});
+    }
+    for (int j = r.first; j < r.first + r.axes; ++j) {
+      const world_axis<S> axis = m.axes[static_cast<std::size_t>(j)];
+      const bool last = j + 1 == r.first + r.axes;
+      S* const to = rows[j];
+      w.change_torques(last ? r.first : j, r.last, [=](simd_wrench<S>& x, int k) KTE_INLINE_LAMBDA {
+        simd<S> power;
+        x.power_on(axis, power, slides);  // (1)
+        store<S>(power, to + k);
+        if (last) x.go_back(step);
+      });
+    }
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <kte/kernels/joint_vector.hpp>
 #include <kte/tree/articulated_clusters.hpp>
+#include <kte/tree/coriolis.hpp>
 #include <kte/tree/followed_masses.hpp>
 #include <kte/tree/variations.hpp>
 
@@ -34,10 +35,11 @@ struct loop_memory : tree::memory<P, S> {
   std::vector<char> wanted;  ///< by element: whether the result depends on it
   std::vector<S> friction;   ///< by element of `chain_tree::readers`
   /// Of the size of M or larger; allocated by the first call that returns them.
-  matrix mass, inverse;
+  matrix mass, inverse, coriolis;
   tree::mass_memory<S> masses;
   tree::followed_memory<S> followed;
   tree::cluster_memory<S> clusters;
+  tree::coriolis_memory<S> of_coriolis;
   std::vector<int> rows;  ///< rows of nonzero entries in a column of derivatives
   tree::variation_memory<S> variations;
   inverse_dynamics_result<S, Eigen::Dynamic> of_forces;

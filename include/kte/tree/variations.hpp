@@ -11,6 +11,31 @@
 /// moves with its origin at its present velocity, so that no large velocities are subtracted from each other.
 namespace kte::tree {
 
+/// Body nodes as joints in the world.
+template <class P, class S>
+class nodes_in_world {
+ public:
+  nodes_in_world(const body_tree<P>& f, const memory<P, S>& m)
+      : nodes_(f.nodes.data()),
+        places_(m.world.data() + f.bases),
+        axes_(m.axes.data()),
+        count_(static_cast<int>(f.nodes.size())),
+        bases_(f.bases) {}
+  KTE_INLINE int count() const { return count_; }
+  KTE_INLINE int parent(int i) const { return nodes_[i].parent - bases_; }  // bases come first
+  KTE_INLINE int first(int i) const { return nodes_[i].first; }
+  KTE_INLINE int axes(int i) const { return nodes_[i].axes; }
+  KTE_INLINE bool slides(int i) const { return nodes_[i].moves != joint::revolute; }
+  KTE_INLINE const world_axis<S>& axis(int k) const { return axes_[k]; }
+  KTE_INLINE const vec3<S>& step(int i) const { return places_[i].step; }
+
+ private:
+  const body_node<P>* nodes_;
+  const world_place<S>* places_;
+  const world_axis<S>* axes_;
+  int count_, bases_;
+};
+
 template <class S>
 struct spatial_motion {
   vec3<S> linear{}, angular{};

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kte/dynamics/looped/rare_shapes.hpp>
-#include <kte/tree/fill_symmetric.hpp>
+#include <kte/tree/fill_matrix.hpp>
 
 /// Projection of dependent coordinates, and the mass matrix, as loops over body nodes, for all `Elements` and states of
 /// dynamics/looped/inverse_dynamics.hpp.
@@ -63,7 +63,13 @@ void mass_of_coordinates(const Elements& c, State& s) {
     return !j.empty();
   }();
   if (!follow) [[likely]] {
-    tree::masses(t.body_tree, w, w.masses.wrenches, w.masses.rows);
+    constexpr std::size_t few_axes = 32;
+    if (t.body_tree.axes() > few_axes) {
+      place_in_world(s);
+      tree::masses_in_world(t.body_tree, w, w.masses.wrenches, w.masses.rows);
+    } else {
+      tree::masses(t.body_tree, w, w.masses.wrenches, w.masses.rows);
+    }
     tree::fill_symmetric(t.body_tree, s.dofs(), w.masses.rows, false, m);
     if (t.has_own_mass)
       for (int i = 0; i < s.dofs(); ++i) m(i, i) += t.own_mass[static_cast<std::size_t>(i)];

@@ -2,7 +2,7 @@
 
 #include <kte/dynamics/looped/forward_dynamics.hpp>
 #include <kte/kernels/invert_general.hpp>
-#include <kte/tree/fill_symmetric.hpp>
+#include <kte/tree/fill_matrix.hpp>
 
 /// Inverses of the mass matrix as loops over body nodes, for all `Elements` and states of
 /// dynamics/looped/inverse_dynamics.hpp.
