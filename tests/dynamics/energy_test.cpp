@@ -143,6 +143,40 @@ TEST_CASE("kinetic energy of bodies on a base that moves, with and without a mas
   }
 }
 
+/// A prismatic joint that stores an energy and has no force.
+struct wound_slide : transmission<wound_slide> {
+  static constexpr std::string_view type = "wound_slide_3D";
+  static constexpr std::array<port, 3> ports{{{kind::gen, access::in, "coordinate"},
+                                              {kind::frame_3D, access::in, "base"},
+                                              {kind::frame_3D, access::out, "end"}}};
+  template <class C>
+  constexpr auto relative(const C& c) const {
+    constexpr vec3 axis{one, zero, zero};
+    return motion{axis * c.q, no_rotation{}, axis * c.q_dot, zero3{}, axis * c.q_ddot, zero3{}};
+  }
+  template <class C, class Base>
+  constexpr auto potential_energy(const C& c, const Base&) const {
+    return 5.0 * c.q * c.q;
+  }
+  constexpr void check(const parameter_check&) const {}
+  template <class Self, class Visit>
+  static constexpr void parameters(Self&, Visit&&) {}
+};
+
+TEST_CASE("energy of a joint, and of bodies between which something without an energy acts") {
+  runtime_chain wound, damped;
+  wound << connect(wound_slide{}, "q", "ground", "slide") << inertia_3D("slide", point_mass(2.0));
+  auto s = wound.make_state();
+  const std::array q{0.5}, v{3.0};
+  CHECK(energy(wound, s, q, v).potential == 1.25);
+  CHECK(energy(wound, s, q, v).kinetic == 9);
+  damped << base_3D("ground") << prismatic_joint_3D("q", "ground", "slide", axis::x)
+         << inertia_3D("slide", point_mass(2.0)) << damper_3D("ground", "slide", 4.0) << joint_stiffness_gen("q", 10.0);
+  auto t = damped.make_state();
+  CHECK(energy(damped, t, q, v).potential == 1.25);
+  CHECK(energy(damped, t, q, v).kinetic == 9);
+}
+
 TEST_CASE("energies of bad arguments") {
   const auto& c = robots::iiwa14;
   const auto model = models::element_by_element(c);

@@ -41,6 +41,7 @@ struct element_numbers {
   bool locks_coordinate = false;
   bool varying_axes = false;      ///< for a joint: contract/varying_joint.hpp
   bool distributed_mass = false;  ///< whether it has a mass between several ports
+  bool has_energy = false;        ///< whether its core gives a kinetic or potential energy
   rigid_numbers<P> rigid{};
   rigid_body<P, vec3<P>, sym3<P>> body{};
   composite<P, vec3<P>, sym3<P>> weight{};
@@ -105,7 +106,7 @@ element_numbers<P> as_numbers(const element_numbers<double>& n) {
   x.is = n.is, x.plain_loads = n.plain_loads, x.power_dual = n.power_dual,
   x.measures_accelerations = n.measures_accelerations;
   x.load_dependent_friction = n.load_dependent_friction, x.distributed_mass = n.distributed_mass;
-  x.locks_coordinate = n.locks_coordinate, x.varying_axes = n.varying_axes;
+  x.locks_coordinate = n.locks_coordinate, x.varying_axes = n.varying_axes, x.has_energy = n.has_energy;
   x.rigid.at_zero = placed(n.rigid.at_zero), x.rigid.tried = placed(n.rigid.tried);
   for (std::size_t k = 0; k < n.rigid.linear.size(); ++k)
     x.rigid.linear[k] = as<P>(n.rigid.linear[k]), x.rigid.angular[k] = as<P>(n.rigid.angular[k]);

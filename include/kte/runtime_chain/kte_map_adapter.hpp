@@ -61,7 +61,13 @@ class kte_map_adapter final : public detail::parts_of_element<Core>::type {
     using number = decltype(on(std::declval<runtime_state&>()).switching(inputs{}));
     return !typed_constant<number> || locks_coordinate<Core>;
   }
-  detail::element_numbers<double> numbers() const override { return detail::numbers_of<double>(core_); }
+  detail::element_numbers<double> numbers() const override {
+    using kinetic = decltype(on(std::declval<runtime_state&>()).kinetic_energy(inputs{}));
+    using potential = decltype(on(std::declval<runtime_state&>()).potential_energy(inputs{}));
+    auto n = detail::numbers_of<double>(core_);
+    n.has_energy = !std::is_same_v<kinetic, zero_t> || !std::is_same_v<potential, zero_t>;
+    return n;
+  }
 
  private:
   [[gnu::cold]] void check_core(const parameter_check& where) const override { core_.check(where); }

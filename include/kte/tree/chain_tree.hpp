@@ -25,6 +25,8 @@ struct chain_structure {
   std::vector<int> on_frames;       ///< elements that act on frames and are not rigid bodies, and movers in `late`
   std::vector<int> weights;         ///< elements of `on_frames` with mass
   std::vector<int> distributed;     ///< elements with a mass between several ports
+  std::vector<int> with_energy;     ///< elements with an energy, without rigid bodies
+  bool energy_on_frames = false;    ///< whether some of them are on frames
   std::vector<int> readers;         ///< joints whose friction depends on what they carry
   std::vector<int> locks;           ///< elements that may hold a coordinate
   std::vector<std::pair<kind, int>> written;  ///< frames written by `late` elements
@@ -165,6 +167,10 @@ class chain_tree : public chain_structure {
     if (n.is != part::force && n.is != part::rigid && is_frame(ports[0].what) && n.is < part::follower &&
         is_late(ports[0].what, index(0)))
       exclude_loads(number, " has a mass on a frame that follows others");
+    if (n.has_energy && n.is != part::body) {
+      with_energy.push_back(number);
+      for (const auto& p : ports) energy_on_frames |= is_frame(p.what);
+    }
     if (!n.power_dual) exclude_loads(number, " returns loads that are not the dual of its motion, for controllers");
     const std::size_t last = ports.size() - 1;
     switch (n.is) {

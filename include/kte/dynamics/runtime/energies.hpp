@@ -8,17 +8,11 @@
 /// Energies of runtime chains: loops over bodies, or over elements after `doMotion`.
 namespace kte::detail {
 
-/// Calls f(element) for the elements that may have an energy, in chains with `energies_of_bodies`: all but bodies.
-template <class S, class F>
-void for_each_energy(const runtime_chain& c, const basic_runtime_state<S>& s, const F& f) {
-  for (const auto* list : {&s.tree().followers, &s.tree().on_coordinates})
-    for (const int e : *list) f(runtime_elements{c}.element(e));
-}
 /// Whether the energies of a chain are those of the bodies of its tree, and of elements on coordinates.
 template <class S>
 bool energies_of_bodies(const basic_runtime_state<S>& s) {
   const auto& t = s.tree();
-  return !t.irregular && t.on_frames.empty() && t.late.empty() && t.distributed.empty();
+  return !t.irregular && !t.energy_on_frames && t.weights.empty() && t.distributed.empty() && t.late.empty();
 }
 /// Whether bodies that are fixed to a base move with it.
 template <class S>
@@ -60,14 +54,14 @@ S kinetic_energy_in_place(const runtime_chain& c, basic_runtime_state<S>& s) {
     const S& rate = s.template get<kind::gen>(coordinate).q_dot;
     sum += half(mass * (rate * rate));
   }
-  for_each_energy(c, s, [&](const kte_element& e) { sum += e.kinetic_energy(s); });
+  for (const int e : s.tree().with_energy) sum += runtime_elements{c}.element(e).kinetic_energy(s);
   return sum;
 }
 /// (2), for bodies that have their places.
 template <class S>
 S potential_energy_in_place(const runtime_chain& c, basic_runtime_state<S>& s) {
   S sum(0);
-  for_each_energy(c, s, [&](const kte_element& e) { sum += e.potential_energy(s); });
+  for (const int e : s.tree().with_energy) sum += runtime_elements{c}.element(e).potential_energy(s);
   return sum - dot(c.gravity(), weigh_in_place(s).moment);
 }
 /// Energies at checked positions and rates.
