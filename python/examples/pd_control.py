@@ -21,10 +21,7 @@ motion = kte.simulate(arm, start, time=3, control=torque)
 print("continuous: off by", np.abs(motion.q[-1] - goal).max(), "rad after 3 s")
 
 # The same once a millisecond: forces are constant in between.
-simulation = kte.Simulation(arm, start, control=np.zeros(7), solver="runge_kutta4", step=1e-3)
-for k in range(3000):
-    simulation.set_control(torque(simulation.t, simulation.q, simulation.v))
-    simulation.advance((k + 1) * 1e-3)
-print("sampled:    off by", np.abs(simulation.q - goal).max(), "rad after 3 s")
-assert np.abs(motion.q[-1] - goal).max() < 1e-6 and np.abs(simulation.q - goal).max() < 1e-6
+sampled = kte.simulate(arm, start, time=3, control=torque, control_every=1e-3, solver="runge_kutta4", step=1e-3)
+print("sampled:    off by", np.abs(sampled.q[-1] - goal).max(), "rad after 3 s")
+assert np.abs(motion.q[-1] - goal).max() < 1e-6 and np.abs(sampled.q[-1] - goal).max() < 1e-6
 print(kte.view(motion, "pd_control.html"))

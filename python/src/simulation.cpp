@@ -56,8 +56,9 @@ std::vector<double> even_times(double begin, double end, double spacing) {
   return times;
 }
 
-simulation::simulation(py::object drawn, kte::runtime_chain c, py::object control, const py::dict& inputs,
-                       const py::list& events, const py::dict& gates, bool of_time_alone, bool holds_control)
+simulation::simulation(py::object drawn, kte::runtime_chain c, py::object control, double control_every,
+                       const py::dict& inputs, const py::list& events, const py::dict& gates, bool of_time_alone,
+                       bool holds_control)
     : drawn_(std::move(drawn)),
       has_forces_(!control.is_none()),
       forces_(has_forces_ ? coordinate_forces(c) : coordinate_forces()),
@@ -66,6 +67,7 @@ simulation::simulation(py::object drawn, kte::runtime_chain c, py::object contro
           with_gates(chain_, gates_of(gates)),
           [this](double t, const plant::state& x, Eigen::VectorXd& u) { law(t, x, u); },
           of_time_alone && forces_.of_tau_alone()),
+      control_every_(control_every),
       holds_control_(holds_control) {
   u_ = plant_.model().input();
   tau_ = Eigen::VectorXd::Zero(chain_.dofs());
@@ -97,6 +99,8 @@ simulation::simulation(py::object drawn, kte::runtime_chain c, py::object contro
 }
 
 void simulation::start(const Eigen::VectorXd& q, const Eigen::VectorXd& v, double t, const solver_options& o) {
+  begin_ = t;
+  if (is_sampled()) tau_ = control_at(t, plant_.make_x(t, q, v)), samples_ = 1;  // modes settle by it
   solver_ = start_solver(plant_, q, v, t, o);
 }
 
@@ -181,7 +185,7 @@ Eigen::VectorXd simulation::control_at(double t, const plant::state& x) const {
   return vector_from("the result of control", control_(t, q, v), tau_.size());
 }
 const Eigen::VectorXd& simulation::forces_at(double t, const plant::state& x) {
-  if (control_.is_none()) return tau_;
+  if (control_.is_none() || is_sampled()) return tau_;
   const bool held = holds_control_ && solver_;
   const double when = held ? solver_->time() : t;
   const plant::state& where = held ? solver_->state() : x;
@@ -220,11 +224,25 @@ std::vector<double> simulation::times_from(double end, py::handle every, py::han
   return {all.data(), all.data() + all.size()};
 }
 
+double simulation::sample_control(double end) {
+  const double rounding = 1e-9 * control_every_;
+  if (next_sample() <= solver_->time() + rounding) {
+    tau_ = control_at(solver_->time(), solver_->state());
+    forget_calls();
+    samples_ = static_cast<long long>(std::floor((solver_->time() + rounding - begin_) / control_every_)) + 1;
+  }
+  return next_sample() < end - rounding ? next_sample() : end;
+}
+
 py::object simulation::advance(double end, py::handle every, py::handle at) {
   if (running_) throw kte::bad_argument("kte: the simulation is running already, in another thread or in this call");
   forget_calls();  // what functions depend on may have changed
   if (end < solver_->time() && plant_.model().contacts() > 0)
     throw kte::bad_argument("kte: rigid contacts act forward in time only: the end time " + kte::detail::number(end) +
+                            " is before " + kte::detail::number(solver_->time()));
+  const bool sampled = is_sampled();
+  if (sampled && end < solver_->time())
+    throw kte::bad_argument("kte: control_every goes forward in time only: the end time " + kte::detail::number(end) +
                             " is before " + kte::detail::number(solver_->time()));
   sampling when{every.is_none() && at.is_none(), {}};
   std::vector<double> times;
@@ -242,7 +260,9 @@ py::object simulation::advance(double end, py::handle every, py::handle at) {
     explicit in_use(bool& f) : flag(f) { flag = true; }
     ~in_use() { flag = false; }
   } const used(running_);
-  const auto observe = [this, &r, &when](double t, const plant::state& now) {
+  bool goes_on = false;  // the first row of a further part is the last one of the part before
+  const auto observe = [this, &r, &when, &goes_on](double t, const plant::state& now) {
+    if (std::exchange(goes_on, false) && when.every_step) return;
     plant_.set_inputs(t, now);
     const auto& u = plant_.model().input();
     when.every_step ? r.add_time(t) : r.add_time(t, when.times);
@@ -251,11 +271,25 @@ py::object simulation::advance(double end, py::handle every, py::handle at) {
     if (const auto* const s = solver_->state_at(t, now)) r.add(*s);
   };
   report ended;
-  {
-    const py::gil_scoped_release without;
-    ended = solver_->advance(end, lists_, when, observe);
-  }
-  for (const auto& e : ended.events) r.events.push_back({e.name, e.time, e.before, e.after, e.what});
+  std::size_t given = 0;
+  do {
+    const double to = sampled ? sample_control(end) : end;
+    sampling part = when;
+    if (sampled && to < end) {
+      const auto first = times.begin() + static_cast<std::ptrdiff_t>(given);
+      const auto last = std::find_if(first, times.end(), [to](double t) { return t > to; });
+      part.times = std::span(first, last);
+    } else {
+      part.times = part.times.subspan(given);
+    }
+    given += part.times.size();
+    {
+      const py::gil_scoped_release without;
+      ended = solver_->advance(to, lists_, part, observe);
+    }
+    for (const auto& e : ended.events) r.events.push_back({e.name, e.time, e.before, e.after, e.what});
+    goes_on = true;
+  } while (sampled && ended.reason == kte::stop_reason::end_time && solver_->time() < end);
   const bool is_terminal = ended.reason == kte::stop_reason::terminal;
   if (is_terminal && at.is_none()) r.asked.back() = 1;  // even times have the end
   r.reason = is_terminal ? "terminal" : "end_time";
@@ -274,14 +308,20 @@ namespace {
 std::unique_ptr<simulation> make_simulation(py::object chain, py::handle q, py::handle v, double t,
                                             const std::string& solver, double tolerance, py::handle absolute,
                                             py::handle relative, double step, long long max_steps, double largest_step,
-                                            py::object control, py::handle inputs, py::handle events,
-                                            py::handle only_if, bool implicit_control) {
+                                            py::object control, py::handle control_every, py::handle inputs,
+                                            py::handle events, py::handle only_if, bool implicit_control) {
   const auto& c = chain_of(chain).chain();
   const auto dict_or_none = [](const char* what, const char* of, py::handle x) {
     return x.is_none() ? py::dict() : dict_from(what, of, x);
   };
   const auto signals = dict_or_none("inputs", "signals to numbers or functions of (t, q, v)", inputs);
-  bool of_time_alone = !py::hasattr(control, "__call__");
+  const bool is_function = py::hasattr(control, "__call__");
+  const double period = control_every.is_none() ? 0 : control_every.cast<double>();
+  if (!control_every.is_none() && !is_function)
+    throw kte::bad_argument("kte: control_every needs a control that is a function of (t, q, v)");
+  if (!control_every.is_none() && !(period > 0 && std::isfinite(period)))
+    throw kte::bad_argument("kte: control_every must be positive and finite, got " + kte::detail::number(period));
+  bool of_time_alone = !is_function || period > 0;
   for (const auto& [name, value] : signals) of_time_alone = of_time_alone && !py::hasattr(value, "__call__");
   py::list list;
   if (!events.is_none()) {
@@ -299,7 +339,7 @@ std::unique_ptr<simulation> make_simulation(py::object chain, py::handle q, py::
     throw kte::bad_argument("kte: implicit_control is an option of moreau_jean, not of " + solver);
   const bool holds_control = steps_contacts && !implicit_control;
   const auto gates = dict_or_none("only_if", "contacts to functions of (t, q, v)", only_if);
-  auto made = std::make_unique<simulation>(chain, c, std::move(control), signals, list, gates,
+  auto made = std::make_unique<simulation>(chain, c, std::move(control), period, signals, list, gates,
                                            of_time_alone || holds_control, holds_control);
   solver_options o{solver, step, {.absolute = tolerance, .relative = tolerance, .max_steps = max_steps}};
   if (!absolute.is_none()) o.tolerances.absolute = absolute.cast<double>();
@@ -317,7 +357,7 @@ void bind_simulation(py::module_& m) {
   const auto none = py::none();
   py::class_<simulation>(m, "Simulation", R"(Simulation(chain, q, v=None, *, t=0, solver="dormand_prince45",
            tolerance=1e-9, absolute=None, relative=None, step=1e-3, max_steps=1000000000, largest_step=0,
-           control=None, inputs=None, events=None, only_if=None, implicit_control=False)
+           control=None, control_every=None, inputs=None, events=None, only_if=None, implicit_control=False)
 
 A mechanism that moves, from q and v at the time t.
 
@@ -328,6 +368,10 @@ solver     dormand_prince45, prince_dormand87, bogacki_shampine23, fehlberg45, a
 control    forces on all numbers of v, N and Nm: a function of (t, q, v), or an array that is constant until it is set.
            Functions are called at the stages of steps, again after rejected steps, and where events are located, so
            their times are not in order; `moreau_jean` calls control once a step, at its begin, and holds its forces
+control_every
+           the time between calls of a control that is a function, s: a controller with a sample time, which may have a
+           memory. It is called at these times in order, once each, and its forces stay until the next call; a row at
+           such a time has those up to it
 inputs     a dict from signals to numbers, or to functions of (t, q, v), called as control; `moreau_jean` calls them
            several times a step
 events     an `Event` or a list of them
@@ -339,7 +383,8 @@ implicit_control
       .def(py::init(&make_simulation), "chain"_a, "q"_a, "v"_a = none, py::kw_only(), "t"_a = 0.0,
            "solver"_a = "dormand_prince45", "tolerance"_a = 1e-9, "absolute"_a = none, "relative"_a = none,
            "step"_a = 1e-3, "max_steps"_a = 1'000'000'000LL, "largest_step"_a = 0.0, "control"_a = none,
-           "inputs"_a = none, "events"_a = none, "only_if"_a = none, "implicit_control"_a = false)
+           "control_every"_a = none, "inputs"_a = none, "events"_a = none, "only_if"_a = none,
+           "implicit_control"_a = false)
       .def(
           "__reduce__",
           [](const simulation&) -> py::object {

@@ -15,10 +15,11 @@ namespace kte_python {
 /// kte.Simulation: a chain, forces on its coordinates and inputs by functions of the program, and a solver.
 class simulation : public callbacks {
  public:
-  /// `drawn` is what the program simulates; `gates` has functions of the contacts that they let land. `holds_control`:
-  /// control is evaluated at the begin of each step alone.
-  simulation(py::object drawn, kte::runtime_chain c, py::object control, const py::dict& inputs, const py::list& events,
-             const py::dict& gates, bool of_time_alone, bool holds_control);
+  /// `drawn` is what the program simulates; `gates` has functions of the contacts that they let land. `control_every`:
+  /// the time between calls of control, s; 0: when the solver needs it. `holds_control`: control is evaluated at the
+  /// begin of each step alone.
+  simulation(py::object drawn, kte::runtime_chain c, py::object control, double control_every, const py::dict& inputs,
+             const py::list& events, const py::dict& gates, bool of_time_alone, bool holds_control);
   simulation(const simulation&) = delete;
   simulation& operator=(const simulation&) = delete;
 
@@ -65,6 +66,10 @@ class simulation : public callbacks {
   const Eigen::VectorXd& forces_at(double t, const plant::state& x);
   Eigen::VectorXd control_at(double t, const plant::state& x) const;
   std::vector<double> times_from(double end, py::handle every, py::handle at) const;
+  bool is_sampled() const { return control_every_ > 0 && !control_.is_none(); }
+  double next_sample() const { return begin_ + static_cast<double>(samples_) * control_every_; }
+  /// Calls a sampled control if it is time, and returns when the next call is due, or `end` if that is before.
+  double sample_control(double end);
 
   py::object drawn_, recording_ = py::none(), control_ = py::none();
   bool has_forces_;
@@ -83,6 +88,8 @@ class simulation : public callbacks {
     Eigen::VectorXd moving, tau;  ///< q and v, and the forces of control
     bool is_of(double at, const Eigen::VectorXd& q_and_v) const { return t == at && moving == q_and_v; }
   };
+  double control_every_, begin_ = 0;
+  long long samples_ = 0;  ///< of control, so far
   bool holds_control_;
   std::optional<sample> now_, last_, inputs_at_;  ///< the last call of control and the one before; of inputs
   signal_watch watch_;

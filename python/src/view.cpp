@@ -21,25 +21,27 @@ array columns_in(const std::vector<double>& all, std::size_t width, std::size_t 
   for (std::size_t i = 0; i < rows; ++i) to = std::copy_n(all.data() + i * width + first, count, to);
   return out;
 }
-/// Columns of numbers of a recording, `width` of each row.
+/// Columns of numbers of a recording, `width` of each row. They cannot be written: that would change nothing.
 array rows_of(const recording_object& r, const std::vector<double>& all, std::size_t width, std::size_t first,
               std::size_t count, row_choice which = row_choice::asked) {
-  std::vector<double> chosen;
-  for (std::size_t i = 0; i < r.t.size(); ++i)
-    if (r.has(which, i))
-      chosen.insert(chosen.end(), all.data() + i * width + first, all.data() + i * width + first + count);
   array out({static_cast<Py_ssize_t>(r.rows(which)), static_cast<Py_ssize_t>(count)});
-  std::copy(chosen.begin(), chosen.end(), out.mutable_data());
+  double* to = out.mutable_data();
+  for (std::size_t i = 0; i < r.t.size(); ++i)
+    if (r.has(which, i)) to = std::copy_n(all.data() + i * width + first, count, to);
+  out.attr("flags").attr("writeable") = false;
   return out;
 }
 std::size_t nq(const recording_object& r) { return static_cast<std::size_t>(r.chain.nq()); }
 std::size_t nv(const recording_object& r) { return static_cast<std::size_t>(r.chain.dofs()); }
 
+/// Quantities by their names; without names, those of `columns`.
+kte::detail::recording quantities(const recording_object& r, py::handle names) {
+  return {kte::detail::slots_of(r.chain), names.is_none() ? std::vector<std::string>() : names_from(names),
+          kte::detail::energy_columns::allowed};
+}
 /// The columns of a table of quantities, t first.
 py::dict columns_of(const recording_object& r, py::handle names, row_choice which = row_choice::asked) {
-  const kte::detail::recording what(kte::detail::slots_of(r.chain),
-                                    names.is_none() ? std::vector<std::string>() : names_from(names),
-                                    kte::detail::energy_columns::allowed);
+  const auto what = quantities(r, names);
   const std::size_t columns = what.columns.size() - 1;
   std::vector<double> numbers(r.rows(which) * columns);
   {
@@ -135,7 +137,9 @@ void bind_view(py::module_& m) {
       R"(A motion: times, states and inputs, a row for each time asked for; events are a separate list. Other quantities
 are computed when asked for:
 
-    rec["tip/position/x"]               one column, or several: rec[["q", "q/f"]]
+    rec["tip/position/x"]               one column
+    rec["tip/position"]                 an array with the components as columns
+    rec[["q", "q/f"]]                   a dict of columns
     rec.to_pandas(["tip/velocity"])     a table with the column t
 
 `tip/acceleration` of a frame is what an accelerometer measures: g upward at rest.)")
@@ -179,8 +183,26 @@ are computed when asked for:
              auto all = columns_of(r, names);
              const auto wanted = names_from(names);
              if (std::find(wanted.begin(), wanted.end(), "t") == wanted.end()) PyDict_DelItemString(all.ptr(), "t");
-             if (py::isinstance<py::str>(names) && py::len(all) == 1) return py::list(all.attr("values")())[0];
-             return all;
+             if (!py::isinstance<py::str>(names)) return all;
+             const py::list columns(all.attr("values")());
+             if (columns.size() == 1) return columns[0];
+             return py::module_::import("numpy").attr("column_stack")(columns);
+           })
+      .def("__contains__",
+           [](const recording_object& r, py::handle name) {
+             if (!py::isinstance<py::str>(name)) return false;
+             try {
+               (void)quantities(r, name);
+               return true;
+             } catch (const kte::unknown_name&) {
+               return false;
+             }
+           })
+      .def("__iter__",
+           [](const recording_object& r) {
+             py::list names;
+             for (const auto& name : quantities(r, py::none()).columns) names.append(name);
+             return py::iter(names);
            })
       .def(
           "to_pandas",
@@ -189,6 +211,17 @@ are computed when asked for:
             return py::module_::import("pandas").attr("DataFrame")(columns_of(r, names, which));
           },
           "to_pandas(names=None, event_rows=False)\n\nThe table of `columns` as a pandas DataFrame.",
+          "names"_a = py::none(), "event_rows"_a = false)
+      .def(
+          "to_xarray",
+          [](const recording_object& r, py::handle names, bool event_rows) {
+            const auto all = columns_of(r, names, event_rows ? row_choice::all : row_choice::asked);
+            py::dict variables, coordinates;
+            for (const auto& [name, column] : all)
+              (name.cast<std::string>() == "t" ? coordinates : variables)[name] = py::make_tuple("t", column);
+            return py::module_::import("xarray").attr("Dataset")(variables, coordinates);
+          },
+          "to_xarray(names=None, event_rows=False)\n\nThe table of `columns` as an xarray Dataset over t.",
           "names"_a = py::none(), "event_rows"_a = false)
       .def("__len__", [](const recording_object& r) { return r.rows(row_choice::asked); })
       .def(py::pickle(&state_of, &recording_from))

@@ -189,7 +189,7 @@ def test_every_name_of_a_column_selects_it(ball):
         for name, numbers in columns.items():
             assert np.array_equal(m[name], numbers), name
             assert list(m.columns([name])) == (["t", name] if name != "t" else ["t"])
-    assert motion["thrust/z"].tolist() == [30, 30, 30] and list(motion["thrust"]) == ["thrust/x", "thrust/y", "thrust/z"]
+    assert motion["thrust/z"].tolist() == [30, 30, 30] and motion["thrust"].shape == (3, 3)
     assert list(motion[["t", "z"]]) == ["t", "z"] and list(motion[["z"]]) == ["z"]
 
 

@@ -49,6 +49,19 @@ def test_columns_are_those_of_recorders(pendulum):
     assert list(table.columns) == ["t", "q", "tip/position/x", "tip/position/y"] and len(table) == 11
     with pytest.raises(kte.UnknownName, match="nothing"):
         motion["nothing"]
+    assert motion["tip/position"].shape == (11, 2) and np.array_equal(motion["tip/position"][:, 1], motion["tip/position/y"])
+    assert "tip/position" in motion and "energy/total" in motion and "nothing" not in motion and 3 not in motion
+    assert list(motion) == list(motion.columns())
+    for array in (motion.t, motion.q, motion.v, motion.u):
+        with pytest.raises(ValueError, match="read-only"):
+            array[:] = 0
+
+
+def test_a_recording_as_an_xarray_dataset(pendulum):
+    pytest.importorskip("xarray")
+    motion = kte.simulate(pendulum, [0.3], time=1, every=0.1)
+    data = motion.to_xarray(["q", "tip/position"])
+    assert data.sizes == {"t": 11} and np.array_equal(data["q"].sel(t=0.5), motion["q"][5])
 
 
 def test_recordings_are_pickled_and_copied(pendulum):
@@ -125,6 +138,48 @@ def test_a_sampled_controller_sets_forces_between_steps(pendulum):
     assert simulation.q == pytest.approx([1], abs=1e-2)
     with pytest.raises(kte.BadArgument, match="made without control"):
         kte.Simulation(pendulum, [0.0]).set_control([1.0])
+
+
+@pytest.mark.parametrize("solver", ["dormand_prince45", "adams", "runge_kutta4", "moreau_jean"])
+def test_a_control_with_a_sample_time(pendulum, solver):
+    times, memory = [], []
+
+    def law(t, q, v):
+        times.append(t)
+        memory.append(q[0])
+        return 10 * (1 - q) - 2 * v - 0.1 * np.sum(memory)
+
+    options = dict(solver=solver, step=1e-4)
+    motion = kte.simulate(pendulum, [0.3], time=0.5, every=0.02, control=law, control_every=0.05, **options)
+    assert times == pytest.approx([0.05 * k for k in range(10)], abs=1e-15) and memory == sorted(memory, key=memory.index)
+    assert motion.t == pytest.approx(np.arange(26) * 0.02)
+    # in between the forces are constant: simulations from sample to sample
+    q, v, past = np.array([0.3]), np.array([0.0]), []
+    for k in range(10):
+        past.append(q[0])
+        force = 10 * (1 - q) - 2 * v - 0.1 * np.sum(past)
+        part = kte.simulate(pendulum, q, v, t=0.05 * k, time=0.05, every=None, control=force, **options)
+        inside = (motion.t > 0.05 * k + 1e-9) & (motion.t < 0.05 * (k + 1) + 1e-9)
+        np.testing.assert_allclose(motion["tau/q"][inside], force[0], rtol=1e-6)
+        q, v = part.q[-1], part.v[-1]
+    np.testing.assert_allclose([motion.q[-1], motion.v[-1]], [q, v], rtol=1e-7)
+    steps = kte.simulate(pendulum, [0.3], time=0.2, every=None, control=law, control_every=0.05, solver=solver, step=0.01)
+    assert (np.diff(steps.t) > 0).all() and steps.t[0] == 0 and steps.t[-1] == 0.2
+    assert all(np.abs(steps.t - 0.05 * k).min() < 1e-15 for k in range(5))
+
+
+def test_a_sample_time_goes_on_and_is_refused_by_name(pendulum):
+    times = []
+    law = lambda t, q, v: times.append(t) or [0.0]  # noqa: E731
+    simulation = kte.Simulation(pendulum, [0.3], control=law, control_every=0.1)
+    for end in (0.15, 0.3, 0.31):
+        simulation.advance(end)
+    assert times == pytest.approx([0, 0.1, 0.2, 0.3], abs=1e-15)
+    with pytest.raises(kte.BadArgument, match="control_every goes forward in time only"):
+        simulation.advance(0.2)
+    for control, every, text in (([1.0], 0.1, "needs a control that is a function"), (law, 0, "positive and finite, got 0")):
+        with pytest.raises(kte.BadArgument, match=text):
+            kte.simulate(pendulum, [0.3], time=1, control=control, control_every=every)
 
 
 def test_events_are_found_reset_and_end_a_simulation(pendulum):
