@@ -12,6 +12,7 @@ __all__ = [
     "DeadPoint",
     "CannotAssemble",
     "BadFile",
+    "MissingFile",
     "Unreachable",
     "IntegrationFailure",
     "RobotWarning",
@@ -56,6 +57,10 @@ class CannotAssemble(Error, ArithmeticError):
 
 class BadFile(Error, ValueError):
     """A file that cannot be read or written; the text says where."""
+
+
+class MissingFile(BadFile, FileNotFoundError):
+    """A file that is not there."""
 
 
 class Unreachable(Error, ArithmeticError):

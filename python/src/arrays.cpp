@@ -75,15 +75,18 @@ void bind_arrays(py::module_& m) {
 
 numbers::numbers(const char* name, py::handle x, Py_ssize_t n) : name_(name), n_(n) {
   py::array a = as_doubles(name, x);
-  dimensions_ = a.ndim();
-  const auto expected = [n] { return "(" + std::to_string(n) + ",) or (states, " + std::to_string(n) + ")"; };
-  if (dimensions_ == 0 && n == 1) {
-    dimensions_ = 1, stride_ = 0;
-  } else {
-    if (dimensions_ != 1 && dimensions_ != 2) refuse(name, a, expected());
-    if (a.shape(dimensions_ - 1) != n) refuse(name, a, expected());
-    stride_ = a.strides(dimensions_ - 1);
-    if (dimensions_ == 2) states_ = a.shape(0), state_stride_ = a.strides(0);
+  const auto dimensions = a.ndim();
+  if (dimensions > 0 || n != 1) {
+    if (dimensions == 0 || a.shape(dimensions - 1) != n)
+      refuse(name, a, "(" + std::to_string(n) + ",) or (..., " + std::to_string(n) + ")");
+    leading_.assign(a.shape(), a.shape() + dimensions - 1);
+    if (dimensions > 2) {
+      Py_ssize_t states = 1;
+      for (const auto count : leading_) states *= count;
+      a = a.attr("reshape")(states, n);
+    }
+    stride_ = a.strides(a.ndim() - 1);
+    if (a.ndim() == 2) state_stride_ = a.strides(0);
   }
   data_ = static_cast<const char*>(a.data());
   held_ = std::move(a);
@@ -119,6 +122,20 @@ Eigen::MatrixXd matrix_from(const char* name, py::handle x, Py_ssize_t rows, Py_
   for (Py_ssize_t i = 0; i < rows; ++i)
     for (Py_ssize_t j = 0; j < columns; ++j) m(i, j) = number_at(a.data(i, j));
   return m;
+}
+
+double number_from(const char* name, py::handle x) {
+  const double number = PyFloat_AsDouble(x.ptr());
+  if (number == -1 && PyErr_Occurred()) {
+    PyErr_Clear();
+    throw py::type_error(std::string("kte: ") + name + " must be a number, not " + py::repr(x).cast<std::string>());
+  }
+  return number;
+}
+
+array fixed(array a) {
+  a.attr("flags").attr("writeable") = false;
+  return a;
 }
 
 array to_array(const Eigen::VectorXd& x) {

@@ -18,15 +18,16 @@ using array = py::array_t<double>;
 /// array of its numbers would have those that are masked too.
 void refuse_masked(const char* name, py::handle x);
 
-/// An argument of n numbers, of one state or of several: an array of shape (n,) or (states, n), of any strides, or what
-/// numpy makes an array of.
+/// An argument of n numbers, of one state or of several: an array of shape (n,) or (..., n), of any strides, or what
+/// numpy makes an array of. States count in the order of C.
 class numbers {
  public:
   /// Throws `bad_argument` with the expected shape, TypeError for masked arrays and for what are no real numbers.
   numbers(const char* name, py::handle x, Py_ssize_t n);
 
-  bool several() const { return dimensions_ == 2; }
-  Py_ssize_t states() const { return several() ? states_ : 1; }
+  bool several() const { return !leading_.empty(); }
+  /// The shape without its last axis.
+  const std::vector<Py_ssize_t>& leading() const { return leading_; }
   /// The numbers of a state.
   void read(Py_ssize_t state, Eigen::VectorXd& x) const {
     const char* from = data_ + state * state_stride_;
@@ -40,13 +41,18 @@ class numbers {
   const char* name_;
   py::object held_;
   const char* data_;
-  Py_ssize_t n_, dimensions_, states_ = 1, stride_, state_stride_ = 0;
+  Py_ssize_t n_, stride_ = 0, state_stride_ = 0;
+  std::vector<Py_ssize_t> leading_;
 };
 
 /// An array of n numbers; of any number of them if n < 0.
 Eigen::VectorXd vector_from(const char* name, py::handle x, Py_ssize_t n);
 /// A matrix.
 Eigen::MatrixXd matrix_from(const char* name, py::handle x, Py_ssize_t rows, Py_ssize_t columns);
+/// A number that is finite or not.
+double number_from(const char* name, py::handle x);
+/// The array, which cannot be written any more: what belongs to an object, and would not change it.
+array fixed(array a);
 /// A new array of a vector.
 array to_array(const Eigen::VectorXd& x);
 /// A new array of a matrix, by rows.

@@ -60,17 +60,23 @@ class several_states {
   kte::batch::detail::failure failure_;
 };
 
-/// The number of states; throws `bad_argument` unless it is the same in all arguments.
-Py_ssize_t states_of(const std::vector<numbers>& in) {
+std::string text_of(const shape& s) {
+  std::string text;
+  for (const auto n : s) text += (text.empty() ? "" : " x ") + std::to_string(n);
+  return text;
+}
+/// The leading axes of arguments, nothing for one state; throws `bad_argument` unless they are the same in all
+/// arguments of several states.
+shape leading_axes(const std::vector<numbers>& in) {
   const numbers* first = nullptr;
   for (const auto& x : in) {
     if (!x.several()) continue;
     if (!first) first = &x;
-    if (x.states() != first->states())
-      throw kte::bad_argument(std::string("kte: ") + x.name() + " has " + std::to_string(x.states()) + " states, " +
-                              first->name() + " has " + std::to_string(first->states()));
+    if (x.leading() != first->leading())
+      throw kte::bad_argument(std::string("kte: ") + x.name() + " has " + text_of(x.leading()) + " states, " +
+                              first->name() + " has " + text_of(first->leading()));
   }
-  return first ? first->states() : -1;
+  return first ? first->leading() : shape{};
 }
 
 /// An array without dimensions is a number.
@@ -159,23 +165,25 @@ py::object call(const chain_object& object, std::initializer_list<argument> argu
       [type, &of_chain](const kte::runtime_chain& k, workspace& w, double* const* out) {
         type ? call_compiled(*type, w, out) : of_chain(k, w, out);
       };
-  const Py_ssize_t states = states_of(in);
+  const shape leading = leading_axes(in);
   std::vector<array> made;
   std::vector<double*> out;
   std::vector<std::size_t> sizes;
   for (const auto& one : results) {
-    shape all = one;
-    if (states >= 0) all.insert(all.begin(), states);
+    shape all = leading;
+    all.insert(all.end(), one.begin(), one.end());
     std::size_t size = 1;
     for (const auto n : one) size *= static_cast<std::size_t>(n);
     made.emplace_back(all), out.push_back(made.back().mutable_data()), sizes.push_back(size);
   }
-  if (states < 0) {
+  if (leading.empty()) {
     for (std::size_t i = 0; i < in.size(); ++i) in[i].read(0, work->x[i]);
     run(c, cost, [&] { f(c, *work, out.data()); });
     return as_result(made);
   }
 
+  Py_ssize_t states = 1;
+  for (const auto n : leading) states *= n;
   const std::size_t count = static_cast<std::size_t>(states);
   const bool worth = static_cast<double>(count) * static_cast<double>(size_of(c)) * cost > 4000;
   const interruptible_threads team(worth || options.threads ? threads_from(options.threads) : 1);

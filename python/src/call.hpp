@@ -37,7 +37,7 @@ using pack_function =
     const std::function<void(const kte::runtime_chain&, std::size_t states, const std::vector<const double*>& in,
                              double* out, const interruptible_threads& team)>&;
 
-/// Computes a function of states. Arguments of shape (states, n) are computed in threads without the GIL; arguments of
+/// Computes a function of states. Arguments of shape (..., n) are computed in threads without the GIL; arguments of
 /// shape (n,) are then the same for all states, and Ctrl-C stops them. `cost` is the time of a state in units of
 /// inverse dynamics. Errors of several states name the first of them.
 py::object call(const chain_object& c, std::initializer_list<argument> arguments, const std::vector<shape>& results,

@@ -133,7 +133,7 @@ py::list elements_of(const kte::runtime_chain& c) {
 }
 
 py::object gravity_of(const kte::runtime_chain& c) {
-  return to_array(Eigen::VectorXd(Eigen::Vector3d(c.gravity().x, c.gravity().y, c.gravity().z)));
+  return fixed(to_array(Eigen::VectorXd(Eigen::Vector3d(c.gravity().x, c.gravity().y, c.gravity().z))));
 }
 void set_gravity(kte::runtime_chain& c, py::handle g) {
   const auto x = vector_from("gravity", g, -1);

@@ -20,7 +20,7 @@ const char* const doc_inverse = R"(inverse_dynamics(chain, q, v, a, *, inputs=No
 
 Generalized forces tau = M a + C v + g - Q for accelerations a, N and Nm; Q are the forces of springs, dampers, motors.
 
-Arguments have shape (n,) or (states, n), the result the same. Several states are computed in threads, and in packs if
+Arguments have shape (n,) or (..., n), the result the same. Several states are computed in threads, and in packs if
 the chain is of joints, links and bodies only. `inputs` is a dict of signals. A state without a result raises an error
 with its number, or is NaN with errors="nan".)";
 const char* const doc_forward = R"(forward_dynamics(chain, q, v, tau, *, inputs=None, threads=None, errors="raise")
@@ -75,14 +75,14 @@ void bind_dynamics(py::module_& m) {
             },
             mass_matrix_in_packs);
       },
-      "mass_matrix(chain, q, *, threads=None, errors=\"raise\")\n\nThe mass matrix M, (nv, nv), or (states, nv, nv); "
+      "mass_matrix(chain, q, *, threads=None, errors=\"raise\")\n\nThe mass matrix M, (nv, nv), or (..., nv, nv); "
       "kg m^2, kg m, kg.",
       "chain"_a, "q"_a, py::kw_only(), "threads"_a = none, "errors"_a = "raise");
   define<1>(
       m,
       {"mass_matrix_inverse",
        "mass_matrix_inverse(chain, q, *, inputs=None, threads=None, errors=\"raise\")\n\nM^-1, without forming M, "
-       "(nv, nv) or (states, nv, nv).",
+       "(nv, nv) or (..., nv, nv).",
        a_matrix, 2.5},
       [](const runtime_chain& k, workspace& w, double* const* out) {
         write(kte::mass_matrix_inverse(k, w.state, w.x[0]), out[0]);

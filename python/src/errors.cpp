@@ -1,6 +1,8 @@
 #include <kte/errors.hpp>
 #include <kte/manipulators/nearest.hpp>
 
+#include <cerrno>
+#include <cstring>
 #include <pybind11/pybind11.h>
 #include <string_view>
 #include <utility>
@@ -108,7 +110,8 @@ void bind_errors(py::module_&) {
     } catch (const kte::cannot_assemble& e) {
       raise("CannotAssemble", e.what());
     } catch (const kte::bad_file& e) {
-      raise("BadFile", e.what());
+      const bool missing = std::string_view(e.what()).ends_with(std::strerror(ENOENT));
+      raise(missing ? "MissingFile" : "BadFile", e.what());
     } catch (const kte::error& e) {
       raise("Error", e.what());
     } catch (const py::cast_error& e) {

@@ -41,7 +41,8 @@ kte::joint_limits<> limits_from(py::handle robot_or_chain, py::handle limits) {
 
 py::object limits_of(const kte::joint_limits<>& l) {
   const auto list = [](const std::vector<double>& x) {
-    return to_array(Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(x.data(), static_cast<Eigen::Index>(x.size()))));
+    return fixed(
+        to_array(Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(x.data(), static_cast<Eigen::Index>(x.size())))));
   };
   return result("Limits", py::make_tuple(list(l.lower), list(l.upper), list(l.rate), list(l.acceleration), list(l.jerk),
                                          list(l.effort)));

@@ -219,7 +219,7 @@ void simulation::reset(std::size_t event, double t, plant::state& x) {
 
 /// The times of samples, from now to the end.
 std::vector<double> simulation::times_from(double end, py::handle every, py::handle at) const {
-  if (at.is_none()) return even_times(solver_->time(), end, every.cast<double>());
+  if (at.is_none()) return even_times(solver_->time(), end, number_from("every", every));
   const auto all = vector_from("at", at, -1);
   return {all.data(), all.data() + all.size()};
 }
@@ -316,7 +316,7 @@ std::unique_ptr<simulation> make_simulation(py::object chain, py::handle q, py::
   };
   const auto signals = dict_or_none("inputs", "signals to numbers or functions of (t, q, v)", inputs);
   const bool is_function = py::hasattr(control, "__call__");
-  const double period = control_every.is_none() ? 0 : control_every.cast<double>();
+  const double period = control_every.is_none() ? 0 : control_number_from("every", every);
   if (!control_every.is_none() && !is_function)
     throw kte::bad_argument("kte: control_every needs a control that is a function of (t, q, v)");
   if (!control_every.is_none() && !(period > 0 && std::isfinite(period)))
@@ -342,8 +342,8 @@ std::unique_ptr<simulation> make_simulation(py::object chain, py::handle q, py::
   auto made = std::make_unique<simulation>(chain, c, std::move(control), period, signals, list, gates,
                                            of_time_alone || holds_control, holds_control);
   solver_options o{solver, step, {.absolute = tolerance, .relative = tolerance, .max_steps = max_steps}};
-  if (!absolute.is_none()) o.tolerances.absolute = absolute.cast<double>();
-  if (!relative.is_none()) o.tolerances.relative = relative.cast<double>();
+  if (!absolute.is_none()) o.tolerances.absolute = number_from("absolute", absolute);
+  if (!relative.is_none()) o.tolerances.relative = number_from("relative", relative);
   o.tolerances.largest_step = largest_step;
   made->start(vector_from("q", q, c.nq()),
               v.is_none() ? Eigen::VectorXd(Eigen::VectorXd::Zero(c.dofs())) : vector_from("v", v, c.dofs()), t, o);

@@ -136,15 +136,15 @@ a pass computes raises BadArgument before that pass, and again after q, v, a or 
            "chain"_a, "q"_a = py::none(), "v"_a = py::none(), "a"_a = py::none(), py::kw_only(),
            "inputs"_a = py::none())
       .def_property(
-          "q", [](const state_object& x) { return to_array(Eigen::VectorXd(kte::positions(x.s()))); },
+          "q", [](const state_object& x) { return fixed(to_array(Eigen::VectorXd(kte::positions(x.s())))); },
           [](state_object& x, py::handle q) { kte::set_positions(x.set(), vector_from("q", q, x.s().nq())); },
           "The configuration.")
       .def_property(
-          "v", [](const state_object& x) { return to_array(Eigen::VectorXd(kte::velocities(x.s()))); },
+          "v", [](const state_object& x) { return fixed(to_array(Eigen::VectorXd(kte::velocities(x.s())))); },
           [](state_object& x, py::handle v) { kte::set_velocities(x.set(), vector_from("v", v, x.s().dofs())); },
           "The velocities.")
       .def_property(
-          "a", [](const state_object& x) { return to_array(Eigen::VectorXd(kte::accelerations(x.s()))); },
+          "a", [](const state_object& x) { return fixed(to_array(Eigen::VectorXd(kte::accelerations(x.s())))); },
           [](state_object& x, py::handle a) { kte::set_accelerations(x.set(), vector_from("a", a, x.s().dofs())); },
           "The accelerations.")
       .def_property_readonly(

@@ -178,7 +178,8 @@ def test_suspicious_chains_say_why(four_bar):
         (lambda: kte.Chain(kte.inertia_3D("a", 1), kte.inertia_2D("a", 1)), kte.BadWiring, "3D frame"),
         (lambda: kte.Chain(3), TypeError, "made of elements and chains, not of 3"),
         (lambda: kte.Chain(gravity=[1]), kte.BadArgument, "gravity has 1 numbers"),
-        (lambda: kte.load_model("nowhere.json"), kte.BadFile, "cannot open 'nowhere.json'"),
+        (lambda: kte.load_model("nowhere.json"), kte.MissingFile, "cannot open 'nowhere.json'"),
+        (lambda: kte.load_robot("nowhere.urdf"), FileNotFoundError, "cannot open 'nowhere.urdf'"),
     ],
 )
 def test_what_is_refused(what, error, sentence):

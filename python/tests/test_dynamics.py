@@ -213,13 +213,33 @@ def test_lists_that_hold_themselves_are_no_numbers():
 
 @pytest.mark.parametrize(
     "shape, expected",
-    [((6,), r"\(6,\), expected \(7,\) or \(states, 7\)"), ((), r"\(\), expected"), ((2, 3, 7), r"\(2, 3, 7\), expected")],
+    [((6,), r"\(6,\), expected \(7,\) or \(..., 7\)"), ((), r"\(\), expected"), ((2, 7, 3), r"\(2, 7, 3\), expected")],
 )
 def test_wrong_shapes_say_what_is_expected(shape, expected):
     with pytest.raises(kte.BadArgument, match="kte: q has shape " + expected):
         kte.gravity_forces(IIWA, np.zeros(shape))
     with pytest.raises(kte.BadArgument, match="v has 3 states, q has 2"):
         kte.nonlinear_effects(IIWA, np.zeros((2, 7)), np.zeros((3, 7)))
+    with pytest.raises(kte.BadArgument, match="v has 3 x 2 states, q has 2 x 3"):
+        kte.nonlinear_effects(IIWA, np.zeros((2, 3, 7)), np.zeros((3, 2, 7)))
+
+
+def test_arrays_of_objects_cannot_be_written():
+    state = kte.State(IIWA, np.zeros(7))
+    for array in (state.q, state.v, state.a, IIWA.chain.gravity, *IIWA.limits):
+        with pytest.raises(ValueError, match="read-only"):
+            array[0] = 1
+
+
+@pytest.mark.parametrize("threads", [1, 2])
+def test_states_may_have_any_leading_axes(random, threads):
+    q, v = random.uniform(-1, 1, (3, 4, 5, 7)), random.uniform(-1, 1, 7)
+    for order in (q, np.asfortranarray(q), q[::-1, :, ::2], q[:0]):
+        tau = kte.inverse_dynamics(IIWA, order, v, v, threads=threads)
+        assert tau.shape == order.shape and kte.mass_matrix(IIWA, order).shape == (*order.shape, 7)
+        assert np.array_equal(tau.reshape(-1, 7), kte.inverse_dynamics(IIWA, order.reshape(-1, 7), v, v))
+    assert kte.potential_energy(IIWA, q).shape == (3, 4, 5)
+    assert kte.forward_kinematics(IIWA, q, "tool").rotation.shape == (3, 4, 5, 3, 3)
 
 
 @pytest.mark.parametrize("name", ["forward_dynamics", "inverse_dynamics", "forward_dynamics_derivatives"])

@@ -38,6 +38,8 @@ def test_rows_are_where_they_are_wanted(pendulum):
     assert steps.t[0] == 0 and steps.t[-1] == 1 and len(steps) == steps.statistics["steps"] + 1
     with pytest.raises(kte.BadArgument, match="every must be positive"):
         kte.simulate(pendulum, [0.0], time=1, every=0)
+    with pytest.raises(TypeError, match="every must be a number, not '0.1'"):
+        kte.simulate(pendulum, [0.0], time=1, every="0.1")
 
 
 def test_columns_are_those_of_recorders(pendulum):
