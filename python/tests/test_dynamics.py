@@ -309,6 +309,12 @@ def test_configurations_form_a_group(random):
     q, r = configurations(SOLO, 2, random)
     np.testing.assert_allclose(kte.integrate(SOLO, q, kte.difference(SOLO, q, r)), r, atol=1e-14)
     np.testing.assert_allclose(kte.interpolate(SOLO, q, r, 1), r, atol=1e-14)
+    many = kte.random_configuration(SOLO, -1, 1, seed=5, n=6).reshape(2, 3, -1)
+    rates = kte.difference(SOLO, q, many)
+    assert rates.shape == (2, 3, SOLO.nv) and np.array_equal(rates[1, 2], kte.difference(SOLO, q, many[1, 2]))
+    again = kte.integrate(SOLO, q, rates)
+    np.testing.assert_allclose(kte.difference(SOLO, again, many), np.zeros_like(rates), atol=1e-13)
+    assert np.array_equal(kte.interpolate(SOLO, q, many, 0.3)[0, 1], kte.interpolate(SOLO, q, many[0, 1], 0.3))
     a = kte.random_configuration(SOLO, -1, 1, seed=3)
     assert np.array_equal(a, kte.random_configuration(SOLO, -1, np.ones(8), seed=3)) and np.linalg.norm(a[3:7]) == pytest.approx(1)
 
