@@ -316,7 +316,7 @@ std::unique_ptr<simulation> make_simulation(py::object chain, py::handle q, py::
   };
   const auto signals = dict_or_none("inputs", "signals to numbers or functions of (t, q, v)", inputs);
   const bool is_function = py::hasattr(control, "__call__");
-  const double period = control_every.is_none() ? 0 : control_number_from("every", every);
+  const double period = control_every.is_none() ? 0 : number_from("control_every", control_every);
   if (!control_every.is_none() && !is_function)
     throw kte::bad_argument("kte: control_every needs a control that is a function of (t, q, v)");
   if (!control_every.is_none() && !(period > 0 && std::isfinite(period)))
