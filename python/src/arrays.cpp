@@ -80,11 +80,7 @@ numbers::numbers(const char* name, py::handle x, Py_ssize_t n) : name_(name), n_
     if (dimensions == 0 || a.shape(dimensions - 1) != n)
       refuse(name, a, "(" + std::to_string(n) + ",) or (..., " + std::to_string(n) + ")");
     leading_.assign(a.shape(), a.shape() + dimensions - 1);
-    if (dimensions > 2) {
-      Py_ssize_t states = 1;
-      for (const auto count : leading_) states *= count;
-      a = a.attr("reshape")(states, n);
-    }
+    if (dimensions > 2) a = a.attr("reshape")(states(), n);
     stride_ = a.strides(a.ndim() - 1);
     if (a.ndim() == 2) state_stride_ = a.strides(0);
   }

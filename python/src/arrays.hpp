@@ -28,6 +28,11 @@ class numbers {
   bool several() const { return !leading_.empty(); }
   /// The shape without its last axis.
   const std::vector<Py_ssize_t>& leading() const { return leading_; }
+  Py_ssize_t states() const {
+    Py_ssize_t all = 1;
+    for (const auto n : leading_) all *= n;
+    return all;
+  }
   /// The numbers of a state.
   void read(Py_ssize_t state, Eigen::VectorXd& x) const {
     const char* from = data_ + state * state_stride_;
