@@ -153,9 +153,9 @@ def test_a_control_with_a_sample_time(pendulum, solver):
 
     options = dict(solver=solver, step=1e-4)
     motion = kte.simulate(pendulum, [0.3], time=0.5, every=0.02, control=law, control_every=0.05, **options)
-    assert times == pytest.approx([0.05 * k for k in range(10)], abs=1e-15) and memory == sorted(memory, key=memory.index)
+    assert times == pytest.approx([0.05 * k for k in range(10)], abs=1e-15)
     assert motion.t == pytest.approx(np.arange(26) * 0.02)
-    # in between the forces are constant: simulations from sample to sample
+    # In between the forces are constant: simulations from sample to sample. Both integrate to 1e-9 a step, or alike.
     q, v, past = np.array([0.3]), np.array([0.0]), []
     for k in range(10):
         past.append(q[0])

@@ -25,7 +25,7 @@ struct chain_structure {
   std::vector<int> on_frames;       ///< elements that act on frames and are not rigid bodies, and movers in `late`
   std::vector<int> weights;         ///< elements of `on_frames` with mass
   std::vector<int> distributed;     ///< elements with a mass between several ports
-  std::vector<int> with_energy;     ///< elements with an energy, without rigid bodies
+  std::vector<int> with_energy;     ///< elements that give an energy, other than rigid bodies
   bool energy_on_frames = false;    ///< whether some of them are on frames
   std::vector<int> readers;         ///< joints whose friction depends on what they carry
   std::vector<int> locks;           ///< elements that may hold a coordinate

@@ -13,7 +13,7 @@ template <class S>
 class scattered_rows {
  public:
   scattered_rows(const axis_rows<S>& rows, S* x, std::ptrdiff_t n) : rows_(rows), x_(x), n_(n) {}
-  /// Row j from number `from`, at most the next row, up to `last`. Rows are given in order.
+  /// The numbers of row j from `from`, which is j + 1 or less, up to `last`. Rows are given in order.
   void put(int j, int from, int last) {
     if (end_ - first_ == together || last != last_) finish(), first_ = j, last_ = last;
     from_[static_cast<std::size_t>(j - first_)] = from, end_ = j + 1;
