@@ -5,7 +5,7 @@ set -e
 cd "$(dirname "$0")/.."
 . .ci/packages.sh
 install_packages python3-dev pybind11-dev python3-numpy python3-scipy python3-pandas python3-matplotlib python3-pip \
-  python3-pytest python3-hypothesis python3-distributed mypy lld
+  python3-pytest python3-hypothesis python3-distributed python3-xarray mypy lld
 install_optional clang libclang-rt-14-dev || true
 
 compiler=
