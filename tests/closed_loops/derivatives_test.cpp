@@ -199,6 +199,47 @@ TEST_CASE("derivatives with closures of all kinds equal differences") {
   }
 }
 
+/// The path between the frames of a closure against dual numbers of all bodies, which a spring without stiffness
+/// demands: on moving bases, with joints of all kinds, and with a coordinate that a signal moves.
+TEST_CASE("derivatives along the paths of closures equal those of all bodies in dual numbers") {
+  random_numbers draw(8);
+  const rigid_body<> body{1.5, vec3<>{0.1, 0.2, -0.1}, sym3<>{0.3, 0.01, 0, 0.4, 0.02, 0.5}};
+  runtime_chain c;
+  c.gravity(vec3<>{0, 0, -9.81});
+  c << screw_joint_3D("l1", "left", "la", vec3<>{0, 0.6, 0.8}, 0.2).at(vec3<>{0.3, 0, 0.1}) << inertia_3D("la", body)
+    << spherical_joint_3D("l2", "la", "lb") << inertia_3D("lb", body) << rigid_link_3D("lb", "le", vec3<>{0.5, 0, 0.1})
+    << free_joint_3D("float", "right", "hull") << inertia_3D("hull", body)
+    << prismatic_joint_3D("r1", "hull", "ra", axis::y).at(vec3<>{0, 0.2, 0.4}) << inertia_3D("ra", body)
+    << revolute_joint_3D("given", "ra", "rb", axis::x) << inertia_3D("rb", body) << joint_stiffness("r1", 30.0)
+    << spherical_joint_3D("r2", "rb", "rc") << inertia_3D("rc", body)
+    << revolute_joint_3D("r3", "rc", "re", axis::z).at(vec3<>{0.1, 0.4, 0}) << inertia_3D("re", body)
+    << coincident_frames_3D("bases", "le", "hull") << distance_3D("rod", "lb", "re", 0.5)
+    << coupled_coordinates("gear", "l1", "r3", 2.0, -1.0, 0.1) << driving_actuator_gen("given", "motor");
+  runtime_chain by_duals = c;
+  by_duals << spring_3D("left", "re", 0.3, 0.0);
+  const auto drawn = [&](int n) { return vector::NullaryExpr(n, [&] { return draw(); }).eval(); };
+  const vector q = integrate(c, neutral_configuration(c), drawn(c.dofs()), 1.0), v = drawn(c.dofs()),
+               tau = drawn(c.dofs());
+  const auto derive = [&](const runtime_chain& chain) {
+    auto s = chain.make_state();
+    for (const char* const base : {"left", "right"}) {
+      random_numbers numbers(base[0]);
+      const auto any = [&] { return vec3<>{numbers(), numbers(), numbers()}; };
+      auto& f = s.frame_3D(base);
+      f.position = any(), f.velocity = any(), f.ang_velocity = any(), f.acceleration = any(),
+      f.ang_acceleration = any();
+    }
+    return constrained_dynamics_derivatives(chain, s, q, v, tau);
+  };
+  const auto x = derive(c), y = derive(by_duals);
+  CHECK(x.rank == 8);
+  for (const auto m :
+       {&constrained_dynamics_derivatives_result::by_q, &constrained_dynamics_derivatives_result::by_v,
+        &constrained_dynamics_derivatives_result::by_tau, &constrained_dynamics_derivatives_result::lambda_by_q,
+        &constrained_dynamics_derivatives_result::lambda_by_v, &constrained_dynamics_derivatives_result::lambda_by_tau})
+    CHECK(largest_difference(x.*m, y.*m) < 1e-12);
+}
+
 TEST_CASE("derivatives along motions on the loops do not depend on redundant rows") {
   const auto check = [](const runtime_chain& c, const vector& guess) {
     auto s = c.make_state();

@@ -46,11 +46,11 @@ KTE_FUNCTION actuated_dynamics_derivatives_result actuated_dynamics_derived(cons
   const Eigen::MatrixXd g = actuated_motion(c, s, names);
   const std::vector<int> rows = rows_of_coordinates(c, s, names);
   Eigen::MatrixXd followed = Eigen::MatrixXd::Zero(g.rows(), g.cols());
-  loop_variations by;
-  const auto all = constrained_dynamics_derived(c, s, tau, &by);
+  const auto all = constrained_dynamics_derived(c, s, tau);
   if (has_loops(c))
     for (Eigen::Index k = 0; k < g.cols(); ++k)
-      followed.col(k) = followed_motion(s, loops_of(c, s), g, rows, by.velocities_by_q * g.col(k));
+      followed.col(k) =
+          followed_motion(s, loops_of(c, s), g, rows, loop_derivatives_of(c, s).by.velocities_by_q * g.col(k));
   const auto of_actuated = [&rows](const Eigen::MatrixXd& m) {
     Eigen::MatrixXd part(static_cast<Eigen::Index>(rows.size()), m.cols());
     for (Eigen::Index k = 0; k < part.rows(); ++k) part.row(k) = m.row(rows[static_cast<std::size_t>(k)]);

@@ -55,8 +55,8 @@ KTE_FUNCTION closure_derivatives_result closures_derived(const runtime_chain& c,
   closure_variations variations(c, s, parameters);
   const Eigen::MatrixXd g = actuated_motion(c, s, actuated);
   const std::vector<int> rows = rows_of_coordinates(c, s, actuated);
-  loop_variations by;
-  const auto all = constrained_dynamics_derived(c, s, tau, &by);
+  const auto all = constrained_dynamics_derived(c, s, tau);
+  const Eigen::MatrixXd velocities_by_q = loop_derivatives_of(c, s).by.velocities_by_q;
   auto& loops = loops_of(c, s);
   auto& e = loops.equations;
   const auto own = variations.at_state(c, s);
@@ -71,9 +71,14 @@ KTE_FUNCTION closure_derivatives_result closures_derived(const runtime_chain& c,
       throw no_solution("kte: '" + parameters[static_cast<std::size_t>(k)].parameter + "' of '" +
                         parameters[static_cast<std::size_t>(k)].closure +
                         "' cannot change: redundant closures would contradict each other");
-    r.v.col(k) = followed_motion(s, loops, g, rows, own.velocities.col(k) + by.velocities_by_q * r.q.col(k));
+    r.v.col(k) = followed_motion(s, loops, g, rows, own.velocities.col(k) + velocities_by_q * r.q.col(k));
   }
-  loop_sensitivity(c, s).solve(own.forces, own.accelerations, r.a_in_place, r.lambda_in_place);
+  loop_sensitivity equations;
+  equations.compute(c, s, false);
+  Eigen::MatrixXd right(s.dofs() + e.places.rows, count);
+  right << own.forces, -own.accelerations;
+  const Eigen::MatrixXd in_place = equations.inverse * right;
+  r.a_in_place = in_place.topRows(s.dofs()), r.lambda_in_place = in_place.bottomRows(e.places.rows);
   r.a = r.a_in_place + all.by_q * r.q + all.by_v * r.v;
   r.lambda = r.lambda_in_place + all.lambda_by_q * r.q + all.lambda_by_v * r.v;
   return r;

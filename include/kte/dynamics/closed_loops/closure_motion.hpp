@@ -11,10 +11,11 @@ namespace kte::detail {
 class closure_motion {
  public:
   /// Calls visit(axis, v, w) for the velocity of frame2 relative to frame1 by each axis, in axes of frame2; bodies are
-  /// placed. m: the motion of frame2 in frame1.
+  /// placed. m: the motion of frame2 in frame1. Returns the poses of frame2 in the body that carries both frames, or in
+  /// the bases of frame1 and of frame2.
   template <class State, class S, class Visit>
-  static void each_relative_column(const State& s, const closure_place& x, const closing_motion<S>& m,
-                                   const Visit& visit) {
+  static std::array<tree::dense_pose<S>, 2> each_relative_column(const State& s, const closure_place& x,
+                                                                 const closing_motion<S>& m, const Visit& visit) {
     const auto& f = s.tree().body_tree;
     const auto &at_a = f.frame(x.frame1.what, x.frame1.index), &at_b = f.frame(x.frame2.what, x.frame2.index);
     const int common = tree::common_slot(f, at_a.slot, at_b.slot);
@@ -25,9 +26,10 @@ class closure_motion {
         visit(k, by * v, by * w);
       };
     };
-    tree::dense_pose<S> seen;
-    (void)tree::jacobian_columns(f, s.work, at_b, seen, with_sign(1), common);
-    (void)tree::jacobian_columns(f, s.work, b_on_a, seen, with_sign(-1), common);
+    std::array<tree::dense_pose<S>, 2> seen;
+    (void)tree::jacobian_columns(f, s.work, at_b, seen[1], with_sign(1), common);
+    (void)tree::jacobian_columns(f, s.work, b_on_a, seen[0], with_sign(-1), common);
+    return seen;
   }
   /// The motion of frame2 in frame1 at rest.
   template <class State>

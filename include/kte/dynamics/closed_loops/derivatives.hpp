@@ -19,11 +19,8 @@ struct constrained_dynamics_derivatives_result {
 };
 
 namespace detail {
-struct loop_variations;
-/// Writes the derivatives for loops to `kept`.
 constrained_dynamics_derivatives_result constrained_dynamics_derived(const runtime_chain& c, runtime_state& s,
-                                                                     const Eigen::VectorXd& tau,
-                                                                     loop_variations* kept = nullptr);
+                                                                     const Eigen::VectorXd& tau);
 }  // namespace detail
 
 /// The accelerations of a chain with loops and the forces of its closures, with their derivatives by q (along the
@@ -56,39 +53,76 @@ constrained_dynamics_derivatives_result constrained_dynamics_derivatives(const r
 #ifdef KTE_FUNCTION
 namespace kte::detail {
 
-/// The equations (2) of a chain with loops at a state after `constrained_dynamics`.
+/// The inverse of the matrix of the equations (2), by L, Q and R of loop_factor.hpp:
+///
+///   [da; dlambda] = K [dtau - d(ID - J^T lambda); -d(J a + J_dot v)]
+///   K = [M^-1 - X X^T,  X R^-T;  -R^-1 X^T,  R^-1 R^-T],   X = L^-1 Q          (3)
+///
+/// Rows of lambda are in N and Nm, the last rows of right sides are divided by the length of the chain; rows that are
+/// not selected are zero.
 class loop_sensitivity {
  public:
-  loop_sensitivity(const runtime_chain& c, runtime_state& s) : state_(s), loops_(loops_of(c, s)) {
-    const loop_factor chosen = loops_.factor;
-    loops_.equations.at_positions(closures_of(c), s, true);
-    loops_.factor.factorize(closures_of(c), s, loops_.equations);
-    (void)loops_.factor.keep(closures_of(c), s, loops_.equations, chosen, 0);
-    if (s.tree().plan.tree)
-      articulate_and_invert(runtime_elements{c}, s, inverse_);
-    else
-      invert_free_rows(runtime_elements{c}, s, inverse_);
-  }
-  /// Solves for da and dlambda, rows in m and rad, for columns of forces and of J a + J_dot v.
-  void solve(const Eigen::MatrixXd& forces, const Eigen::MatrixXd& accelerations, Eigen::MatrixXd& a,
-             Eigen::MatrixXd& lambda) {
-    const auto& e = loops_.equations;
-    a.noalias() = inverse_ * forces;
-    lambda.resize(accelerations.rows(), forces.cols());
-    for (Eigen::Index k = 0; k < forces.cols(); ++k) {
-      const Eigen::VectorXd off = accelerations.col(k) + e.times(a.col(k));
-      loops_.factor.least_change(state_, e, off, loops_.change, loops_.multipliers);
-      a.col(k) -= loops_.change, lambda.col(k) = -loops_.multipliers;
+  /// `current`: at a state after `constrained_dynamics`, whose factors are still in the memory of the state. Otherwise
+  /// they are computed again, with the rows that were selected.
+  void compute(const runtime_chain& c, runtime_state& s, bool current) {
+    loop_memory_of_state& loops = loops_of(c, s);
+    auto& e = loops.equations;
+    auto& factor = loops.factor;
+    if (!current) {
+      const loop_factor chosen = factor;
+      e.at_positions(closures_of(c), s, true);
+      factor.factorize(closures_of(c), s, e);
+      (void)factor.keep(closures_of(c), s, e, chosen, 0);
     }
+    const Eigen::Index n = s.dofs(), rows = e.places.rows;
+    inverse.setZero(n + rows, n + rows);
+    Eigen::Index column = 0;
+    x_.resize(n, factor.rank()), roots_.setZero(rows, factor.rank());
+    for (std::size_t i = 0; i < factor.parts.size(); ++i) {
+      const auto& part = factor.parts[i];
+      unit_.setZero(rows);
+      for (Eigen::Index k = 0; k < part.rank(); ++k, ++column) {
+        factor.other_half_of_q(s, e, i, k, loops.change);
+        x_.col(column) = loops.change;
+        unit_[k] = 1;
+        part.solve(unit_.data());
+        for (Eigen::Index j = 0; j < part.rank(); ++j)
+          roots_(closure_places::row_of(e.places.blocks[i], part.chosen[static_cast<std::size_t>(j)]), column) =
+              unit_[j];
+        unit_.setZero();
+      }
+    }
+    if (!s.tree().plan.tree)
+      invert_free_rows(runtime_elements{c}, s, masses_);
+    else if (current)
+      invert_articulated(s, masses_);
+    else
+      articulate_and_invert(runtime_elements{c}, s, masses_);
+    masses_.noalias() -= x_ * x_.transpose();
+    inverse.topLeftCorner(n, n) = masses_;
+    inverse.topRightCorner(n, rows).noalias() = x_ * roots_.transpose();
+    inverse.bottomLeftCorner(rows, n) = -inverse.topRightCorner(n, rows).transpose();
+    inverse.bottomRightCorner(rows, rows).noalias() = roots_ * roots_.transpose();
     for (const auto& x : e.places.closures)
-      for (int r = 0; r < x.rows.count(); ++r) lambda.row(x.first + r) *= e.places.scale(x, r);
+      for (int r = 0; r < x.rows.count(); ++r) inverse.row(n + x.first + r) *= e.places.scale(x, r);
   }
 
+  Eigen::MatrixXd inverse;  ///< K
+
  private:
-  runtime_state& state_;
-  loop_memory_of_state& loops_;
-  Eigen::MatrixXd inverse_;  ///< of M
+  Eigen::MatrixXd masses_, x_, roots_;  ///< M^-1, X, R^-1 by rows of all closures
+  Eigen::VectorXd unit_;
 };
+/// The memory of `constrained_dynamics_derived`.
+struct loop_derivatives_memory {
+  closure_path path;
+  loop_variations by;
+  loop_sensitivity equations;
+  Eigen::MatrixXd right, solution;
+};
+inline loop_derivatives_memory& loop_derivatives_of(const runtime_chain& c, runtime_state& s) {
+  return loops_of(c, s).derivatives.get<loop_derivatives_memory>([] { return loop_derivatives_memory(); });
+}
 /// The forces of all closures in a state.
 inline Eigen::VectorXd loop_forces(const closure_places& at, const runtime_state& s) {
   Eigen::VectorXd all(at.rows);
@@ -100,8 +134,7 @@ inline Eigen::VectorXd loop_forces(const closure_places& at, const runtime_state
 }
 KTE_FUNCTION constrained_dynamics_derivatives_result constrained_dynamics_derived(const runtime_chain& c,
                                                                                   runtime_state& s,
-                                                                                  const Eigen::VectorXd& tau,
-                                                                                  loop_variations* kept) {
+                                                                                  const Eigen::VectorXd& tau) {
   constrained_dynamics_derivatives_result r;
   const Eigen::Index n = s.dofs();
   for (int i = 0; i < s.dofs(); ++i) s.work.kept[static_cast<std::size_t>(i)] = tau[i];
@@ -115,14 +148,19 @@ KTE_FUNCTION constrained_dynamics_derivatives_result constrained_dynamics_derive
   }
   const auto& loops = loops_of(c, s);
   const auto& e = loops.equations;
+  const Eigen::Index rows = e.places.rows;
   r.rank = loops.factor.rank(), r.mobility = s.dofs() - r.rank;
   r.lambda = loop_forces(e.places, s);
-  loop_variations by = vary_loops(c, s, e);
-  loop_sensitivity equations(c, s);
-  equations.solve(-by.forces.by_q, by.accelerations_by_q, r.by_q, r.lambda_by_q);
-  equations.solve(-by.forces.by_v, by.accelerations_by_v, r.by_v, r.lambda_by_v);
-  equations.solve(Eigen::MatrixXd::Identity(n, n), Eigen::MatrixXd::Zero(e.places.rows, n), r.by_tau, r.lambda_by_tau);
-  if (kept != nullptr) *kept = std::move(by);
+  auto& m = loop_derivatives_of(c, s);
+  m.equations.compute(c, s, true);
+  vary_loops(c, s, e, m.path, m.by);
+  m.right.resize(n + rows, 2 * n);
+  m.right << m.by.forces_by_q, m.by.forces_by_v, m.by.accelerations_by_q, m.by.accelerations_by_v;
+  m.solution.noalias() = m.equations.inverse * m.right;
+  r.by_q = -m.solution.topLeftCorner(n, n), r.lambda_by_q = -m.solution.bottomLeftCorner(rows, n);
+  r.by_v = -m.solution.topRightCorner(n, n), r.lambda_by_v = -m.solution.bottomRightCorner(rows, n);
+  r.by_tau = m.equations.inverse.topLeftCorner(n, n);
+  r.lambda_by_tau = m.equations.inverse.bottomLeftCorner(rows, n);
   return r;
 }
 

@@ -27,10 +27,14 @@ KTE_FUNCTION Eigen::VectorXd hybrid_on_loops(const runtime_chain& c, runtime_sta
   if (count == 0) return a;
   const auto& e = loops_of(c, s).equations;
   Eigen::VectorXd lambda = loop_forces(e.places, s);
-  Eigen::MatrixXd unit = Eigen::MatrixXd::Zero(s.dofs(), count), response, of_lambda, square(count, count);
+  Eigen::MatrixXd response(s.dofs(), count), of_lambda(e.places.rows, count), square(count, count);
   Eigen::VectorXd missing(count), sizes(count);
-  for (Eigen::Index k = 0; k < count; ++k) unit(rows[static_cast<std::size_t>(k)], k) = 1;
-  loop_sensitivity(c, s).solve(unit, Eigen::MatrixXd::Zero(e.places.rows, count), response, of_lambda);
+  loop_sensitivity equations;
+  equations.compute(c, s, false);
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const auto column = equations.inverse.col(rows[static_cast<std::size_t>(k)]);
+    response.col(k) = column.head(s.dofs()), of_lambda.col(k) = column.tail(e.places.rows);
+  }
   for (Eigen::Index k = 0; k < count; ++k) {
     const int row = rows[static_cast<std::size_t>(k)];
     square.row(k) = response.row(row);

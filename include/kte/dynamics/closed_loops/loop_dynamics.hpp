@@ -24,6 +24,7 @@ struct loop_workspace {
 struct loop_memory_of_state : loop_workspace {
   std::shared_ptr<const char> layout;
   constrained_dynamics_result result;
+  own_memory derivatives;
   loop_memory_of_state(const chain_constraints& c, const runtime_state& s) : loop_workspace(c, s), layout(c.layout()) {}
 };
 loop_memory_of_state& loops_of(const runtime_chain& c, runtime_state& s);

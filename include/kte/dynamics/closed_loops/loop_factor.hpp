@@ -105,6 +105,8 @@ class loop_factor {
   /// d = L^-1 y, y by places, which may be overwritten; d by degrees of freedom. Overwrites the motion in the working
   /// memory of the state.
   void other_half(runtime_state& s, const loop_equations& e, Eigen::VectorXd& y, Eigen::VectorXd& d);
+  /// As `other_half`, for column k of Q of block i.
+  void other_half_of_q(runtime_state& s, const loop_equations& e, std::size_t i, Eigen::Index k, Eigen::VectorXd& d);
   /// Calls put(place, row, entry) for L^-T J^T of the rows of a closure; call (1) at the positions of the state first.
   template <bool Accelerate = false, class Put>
   void half_solve(const chain_constraints& c, runtime_state& s, loop_equations& e, int closure, const Put& put) {
@@ -276,6 +278,17 @@ KTE_FUNCTION void loop_factor::other_half(runtime_state& s, const loop_equations
   for (std::size_t k = 0; k < at.axis_of_place.size(); ++k)
     if (const int axis = at.axis_of_place[k]; axis >= 0)
       d[at.row_of_place[k]] = s.work.acceleration[static_cast<std::size_t>(axis)];
+}
+KTE_FUNCTION void loop_factor::other_half_of_q(runtime_state& s, const loop_equations& e, std::size_t i, Eigen::Index k,
+                                               Eigen::VectorXd& d) {
+  const auto n = static_cast<Eigen::Index>(e.places.row_of_place.size());
+  const auto& places = e.places.blocks[i].places;
+  left_.setZero(n), chosen_.setZero((std::max)(chosen_.size(), parts[i].rank()));
+  chosen_[k] = 1;
+  if (half_.size() < n + pivoted_qr::padding) half_.resize(n + pivoted_qr::padding);
+  parts[i].times_q(chosen_.data(), half_.data());
+  for (std::size_t j = 0; j < places.size(); ++j) left_[places[j]] = half_[static_cast<Eigen::Index>(j)];
+  other_half(s, e, left_, d);
 }
 KTE_FUNCTION bool loop_factor::is_chosen(const loop_equations& e, int row) const {
   for (std::size_t i = 0; i < parts.size(); ++i)

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <kte/dynamics/closed_loops/closure_path.hpp>
 #include <kte/dynamics/closed_loops/loop_dynamics.hpp>
-#include <kte/dynamics/runtime/duals.hpp>
+#include <kte/dynamics/runtime/derivatives.hpp>
 
-/// Derivatives of the equations of a chain with loops by q, along the numbers of v, and by v, in dual numbers, four
-/// directions at a time.
+/// Derivatives of the equations of a chain with loops by q, along the numbers of v, and by v, four directions at a
+/// time: in trees whose elements provide the derivatives of their forces along the paths of closures
+/// (closure_path.hpp), in other chains with all bodies in dual numbers.
 namespace kte::detail {
 
 /// Derivatives at constant accelerations a and closure forces lambda:
@@ -13,8 +15,7 @@ namespace kte::detail {
 ///   accelerations   J a + J_dot v, rows in m divided by the length of the chain          (2)
 ///   velocities      J v, rows in m divided by the length of the chain          (3)
 struct loop_variations {
-  inverse_dynamics_result<double, Eigen::Dynamic> forces;  ///< (1), `by_q` and `by_v`
-  Eigen::MatrixXd accelerations_by_q, accelerations_by_v, velocities_by_q;
+  Eigen::MatrixXd forces_by_q, forces_by_v, accelerations_by_q, accelerations_by_v, velocities_by_q;
 };
 
 /// The load on the second frame of a closure of frames, from its wrenches for unit rates:
@@ -114,11 +115,11 @@ class closures_in_duals {
   derivative_state& d_;
 };
 
-/// (1) to (3) at the state; call `constrained_accelerations` first.
-inline loop_variations vary_loops(const runtime_chain& c, runtime_state& s, const loop_equations& e) {
-  loop_variations r;
+/// (1) to (3) in dual numbers.
+inline void vary_loops_in_duals(const runtime_chain& c, runtime_state& s, const loop_equations& e, loop_variations& r) {
+  inverse_dynamics_result<double, Eigen::Dynamic> forces;
   const Eigen::Index n = s.dofs(), rows = e.places.rows;
-  r.forces.tau.resize(n), r.forces.by_q.setZero(n, n), r.forces.by_v.setZero(n, n);
+  forces.tau.resize(n), forces.by_q.setZero(n, n), forces.by_v.setZero(n, n);
   for (auto* m : {&r.accelerations_by_q, &r.accelerations_by_v, &r.velocities_by_q}) m->setZero(rows, n);
   derivative_state& d = state_in_duals(c, s);
   const closures_in_duals closures(c, s, e.places, d);
@@ -137,8 +138,75 @@ inline loop_variations vary_loops(const runtime_chain& c, runtime_state& s, cons
     inverse_dynamics_in_duals(runtime_elements{c}, s, d, moving, [&](derivative_state&) { closures.push(put); });
     return d.forces;
   };
-  derive_by_duals(s.freedoms(), std::span(d.q), std::span(d.v), std::span(d.a), false, derive, r.forces);
-  return r;
+  derive_by_duals(s.freedoms(), std::span(d.q), std::span(d.v), std::span(d.a), false, derive, forces);
+  r.forces_by_q = std::move(forces.by_q), r.forces_by_v = std::move(forces.by_v);
+}
+
+/// The derivatives of a closure along its own path. Calls put(by, row, degree of freedom, derivatives of J v and of J a
+/// + J_dot v) for rows in m and rad, perhaps several times, for their sum. Subtracts the derivatives of J^T lambda by q
+/// from `forces`.
+template <class Put>
+void vary_closure(const runtime_chain& c, const runtime_state& s, const closure_place& x, closure_path& path,
+                  Eigen::MatrixXd& forces, const Put& put) {
+  using D = derivative_number;
+  const auto& element = runtime_elements{c}.element(x.element);
+  const auto& loop = s.get<kind::loop>(x.loop);
+  if (x.of_frames()) path.find(s, x);
+  for (const vector_of by : {vector_of::q, vector_of::v}) {
+    const bool by_q = by == vector_of::q;
+    for (int first = 0; x.of_frames() && first < path.size(); first += D::variables) {
+      const auto m = path.motion_along(by, first);
+      D velocities[6]{}, accelerations[6];
+      if (by_q) element.close_frames(m, closing::residual_dot, velocities);
+      element.close_frames(m, closing::residual_ddot, accelerations);
+      path.each_lane(first, [&](std::size_t lane, int dof) {
+        for (int r = 0; r < x.rows.count(); ++r)
+          put(by, x.first + r, dof, velocities[r].derivative[lane], accelerations[r].derivative[lane]);
+      });
+      if (by_q) path.subtract_forces(by, first, load_of_closure(element, loop, m), forces);
+    }
+    if (x.of_frames()) continue;
+    D q[4]{}, v[4]{}, gradient[4]{};
+    const std::size_t count = x.coordinates.size();
+    for (std::size_t n = 0; n < count; ++n) {
+      const auto& at = s.get<kind::gen>(x.coordinates[n]);
+      q[n] = at.q, v[n] = at.q_dot;
+      (by_q ? q : v)[n].derivative[n] = 1;
+    }
+    D acceleration = element.close_coordinates(q, v, gradient)[1], velocity(0);
+    for (std::size_t n = 0; n < count; ++n) {
+      velocity = velocity + gradient[n] * v[n];
+      acceleration = acceleration + gradient[n] * s.get<kind::gen>(x.coordinates[n]).q_ddot;
+    }
+    for (std::size_t k = 0; k < count; ++k) {
+      put(by, x.first, x.dofs[k], velocity.derivative[k], acceleration.derivative[k]);
+      for (std::size_t n = 0; by_q && n < count; ++n)
+        forces(x.dofs[n], x.dofs[k]) -= gradient[n].derivative[k] * loop.torque.x;
+    }
+  }
+}
+/// (1) to (3), where the elements provide the derivatives of their forces.
+inline void vary_loops_along_paths(const runtime_chain& c, runtime_state& s, const loop_equations& e,
+                                   closure_path& path, loop_variations& r) {
+  const Eigen::Index n = s.dofs(), rows = e.places.rows;
+  const auto& forces = forces_derived(c, s);
+  r.forces_by_q = forces.by_q, r.forces_by_v = forces.by_v;
+  for (auto* m : {&r.accelerations_by_q, &r.accelerations_by_v, &r.velocities_by_q}) m->setZero(rows, n);
+  for (const auto& x : e.places.closures)
+    vary_closure(c, s, x, path, r.forces_by_q, [&](vector_of by, int row, int dof, double rate, double acceleration) {
+      const double scale = e.places.scale(x, row - x.first);
+      const bool by_q = by == vector_of::q;
+      (by_q ? r.accelerations_by_q : r.accelerations_by_v)(row, dof) += scale * acceleration;
+      if (by_q) r.velocities_by_q(row, dof) += scale * rate;
+    });
+}
+/// Writes (1) to (3) at the state; call `constrained_accelerations` first.
+inline void vary_loops(const runtime_chain& c, runtime_state& s, const loop_equations& e, closure_path& path,
+                       loop_variations& r) {
+  if (is_known_by_elements(c, s))
+    vary_loops_along_paths(c, s, e, path, r);
+  else
+    vary_loops_in_duals(c, s, e, r);
 }
 
 }  // namespace kte::detail

@@ -58,10 +58,11 @@ class pivoted_qr {
   static Eigen::Index first_of(Eigen::Index row) { return row / lanes * lanes; }
 
   KTE_INLINE static double sum_of(const simd& x) {
-    double each[lanes], all = 0;
+    double each[lanes];
     tree::store<double>(x, each);
-    for (Eigen::Index i = 0; i < lanes; ++i) all += each[i];
-    return all;
+    for (Eigen::Index half = lanes / 2; half > 0; half /= 2)
+      for (Eigen::Index i = 0; i < half; ++i) each[i] += each[i + half];
+    return each[0];
   }
   /// x . y from number `first` on.
   KTE_INLINE double dot(Eigen::Index first, const double* x, const double* y) const {

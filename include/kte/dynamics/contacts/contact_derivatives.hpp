@@ -6,6 +6,7 @@
 #ifdef KTE_FUNCTION
 #  include <kte/dynamics/contacts/contact_variations.hpp>
 #  include <kte/dynamics/runtime/derivatives.hpp>
+#  include <kte/kernels/invert_general.hpp>
 #  include <kte/kernels/orthogonal_decomposition.hpp>
 #endif
 
@@ -71,13 +72,14 @@ namespace kte::detail {
 /// The linear equations of derivatives of a chain with contacts in the modes of a solution. With unknowns x of closures
 /// and contacts, whose forces are K x, equations N, and E the derivatives of (3) of `contact_in_mode` by x:
 ///
-///   M da - K dx = F,   N da + E dx = A;   (N M^-1 K + E) dx = A - N M^-1 F         (4)
+///   M da - K dx = F,   N da + E dx = A          (4)
+///
+///   [da; dx] = [M^-1 - M^-1 K S N M^-1,  M^-1 K S;  -S N M^-1,  S] [F; A],   S = (N M^-1 K + E)^+          (5)
 class contact_sensitivity {
  public:
-  /// j: rows of all closures and contacts, those in m divided by the length of the chain.
+  /// `inverse`: M^-1.
   contact_sensitivity(const loop_equations& e, const std::vector<contact_in_mode>& contacts, int closure_rows_count,
-                      int equations, Eigen::MatrixXd inverse)
-      : inverse_(std::move(inverse)) {
+                      int equations, const Eigen::MatrixXd& inverse) {
     const Eigen::MatrixXd j = e.scaled_jacobian();
     const Eigen::Index n = j.cols();
     rows_.setZero(equations, n), forces_.setZero(equations, n), own_.setZero(equations, equations);
@@ -92,17 +94,28 @@ class contact_sensitivity {
       closed += x.rows.count();
     }
     for (const auto& x : contacts) put(x, e, j);
-    if (equations > 0) small_.compute(rows_ * inverse_ * forces_.transpose() + own_, 1e-10);
+    all.resize(n + equations, n + equations);
+    const Eigen::MatrixXd pushed = inverse * forces_.transpose(), seen = rows_ * inverse;  // M^-1 K, N M^-1
+    Eigen::MatrixXd s(equations, equations);
+    if (equations > 0) invert(rows_ * pushed + own_, s);
+    all.topRightCorner(n, equations).noalias() = pushed * s;
+    all.bottomLeftCorner(equations, n).noalias() = -s * seen;
+    all.bottomRightCorner(equations, equations) = s;
+    all.topLeftCorner(n, n) = inverse;
+    all.topLeftCorner(n, n).noalias() -= all.topRightCorner(n, equations) * seen;
   }
-  /// Solves (4) for columns of F and A: da and dx.
-  void solve(const Eigen::MatrixXd& f, const Eigen::MatrixXd& rows, Eigen::MatrixXd& a, Eigen::MatrixXd& x) const {
-    a.noalias() = inverse_ * f;
-    if (rows_.rows() == 0) return x.resize(0, f.cols());
-    x = small_.solve(rows - rows_ * a);
-    a += inverse_ * (forces_.transpose() * x);
-  }
+  Eigen::MatrixXd all;  ///< the matrix of (5)
 
  private:
+  /// The inverse, or the pseudoinverse if pivots are below 1e-10 of the largest.
+  static void invert(const Eigen::MatrixXd& x, Eigen::MatrixXd& inverse) {
+    Eigen::MatrixXd left = x;
+    const auto size = [](const Eigen::MatrixXd& y) { return y.cwiseAbs().maxCoeff(); };
+    if (invert_general(left, inverse) && size(x) * size(inverse) < 1e7) return;
+    orthogonal_decomposition factor;
+    factor.compute(x, 1e-10);
+    inverse = factor.solve(Eigen::MatrixXd::Identity(x.rows(), x.rows()));
+  }
   void put(const contact_in_mode& x, const loop_equations& e, const Eigen::MatrixXd& j) {
     using equations = contact_in_mode::equations;
     const auto& at = e.places.closures[static_cast<std::size_t>(x.closure)];
@@ -130,8 +143,7 @@ class contact_sensitivity {
     }
   }
 
-  Eigen::MatrixXd inverse_, rows_, forces_, own_;  ///< M^-1, N, K^T, E
-  orthogonal_decomposition small_;
+  Eigen::MatrixXd rows_, forces_, own_;  ///< N, K^T, E
 };
 
 /// Writes the derivatives of accelerations and contact forces to r, in the modes of a solution, which is in the state
@@ -155,10 +167,11 @@ inline void derive_in_modes(const runtime_chain& c, runtime_state& s, contact_so
   else
     invert_free_rows(runtime_elements{c}, s, inverse);
   const contact_sensitivity system(e, contacts, closed, equations, inverse);
-  std::array<Eigen::MatrixXd, 3> x;
-  system.solve(-by.forces.by_q, -by.equations_by_q, r.by_q, x[0]);
-  system.solve(-by.forces.by_v, -by.equations_by_v, r.by_v, x[1]);
-  system.solve(Eigen::MatrixXd::Identity(n, n), Eigen::MatrixXd::Zero(equations, n), r.by_tau, x[2]);
+  Eigen::MatrixXd right(n + equations, 2 * n);
+  right << by.forces_by_q, by.forces_by_v, by.equations_by_q, by.equations_by_v;
+  const Eigen::MatrixXd solution = -system.all * right;
+  r.by_q = solution.topLeftCorner(n, n), r.by_v = solution.topRightCorner(n, n);
+  r.by_tau = system.all.topLeftCorner(n, n);
 
   r.contacts.clear();
   for (std::size_t i = 0; i < m.contacts.size(); ++i) {
@@ -174,9 +187,10 @@ inline void derive_in_modes(const runtime_chain& c, runtime_state& s, contact_so
       unit.col(k) << f.x, f.y, f.z;
     }
     auto& to = r.contacts[at.slot];
-    to.force_by_q = by.contact_forces[i][0] + unit * x[0].middleRows(at.first, at.count());
-    to.force_by_v = by.contact_forces[i][1] + unit * x[1].middleRows(at.first, at.count());
-    to.force_by_tau = unit * x[2].middleRows(at.first, at.count());
+    const Eigen::Index row = n + at.first, count = at.count();
+    to.force_by_q = by.contact_forces[i][0] + unit * solution.block(row, 0, count, n);
+    to.force_by_v = by.contact_forces[i][1] + unit * solution.block(row, n, count, n);
+    to.force_by_tau = unit * system.all.block(row, 0, count, n);
   }
 }
 KTE_FUNCTION contact_dynamics_derivatives_result contact_dynamics_derived(const runtime_chain& c, runtime_state& s,

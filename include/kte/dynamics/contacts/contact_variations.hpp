@@ -4,7 +4,7 @@
 #include <kte/dynamics/contacts/contact_dynamics.hpp>
 
 /// Derivatives of the equations of a chain with contacts, in the modes of a solution, by q, along the numbers of v, and
-/// by v, in dual numbers.
+/// by v: as those of loops (closed_loops/loop_variations.hpp).
 namespace kte::detail {
 
 /// A contact with a force, in the mode of a solution, with its unknowns x and its equations. With the gap g, normal n,
@@ -82,41 +82,49 @@ inline std::vector<contact_in_mode> contacts_in_modes(const contact_solver& m, c
   return all;
 }
 
+/// The wrench on the body of a contact, in axes of its frame, by a force at a point in axes of the surface.
+template <class D>
+tree::dense_wrench<D> wrench_at_contact(const closing_motion<D>& m, const vec3<D>& force, const vec3<D>& point) {
+  const auto back = transpose(m.rotation);
+  return {as<D>(back * force), as<D>(back * cross(point - m.position, force))};
+}
+
 /// Adds a force on the body of a contact at a point, and the opposite on its surface, to the loads of bodies; force and
 /// point in axes of the surface.
 template <class D>
 void push_at_contact(const runtime_state& s, const closure_place& x, const closing_motion<D>& m, const vec3<D>& force,
                      const vec3<D>& point, std::vector<tree::dense_wrench<D>>& loads) {
   const auto& f = s.tree().body_tree;
-  const auto back = transpose(m.rotation);
-  add_load(f.frame(x.frame2.what, x.frame2.index),
-           tree::dense_wrench<D>{as<D>(back * force), as<D>(back * cross(point - m.position, force))}, loads);
+  add_load(f.frame(x.frame2.what, x.frame2.index), wrench_at_contact(m, force, point), loads);
   add_load(f.frame(x.frame1.what, x.frame1.index), tree::dense_wrench<D>{as<D>(-force), as<D>(-cross(point, force))},
            loads);
 }
 
 /// Derivatives at constant accelerations, closure forces and unknowns of contacts.
 struct contact_variations {
-  inverse_dynamics_result<double, Eigen::Dynamic> forces;  ///< of inverse dynamics - J^T f, `by_q` and `by_v`
+  Eigen::MatrixXd forces_by_q, forces_by_v;        ///< of inverse dynamics - J^T f
   Eigen::MatrixXd equations_by_q, equations_by_v;  ///< of closures, rows in m divided by the length, and contacts
   std::vector<std::array<Eigen::MatrixXd, 2>> contact_forces;  ///< of f, by q and by v
+
+  contact_variations(Eigen::Index dofs, int equations, std::size_t contacts)
+      : equations_by_q(Eigen::MatrixXd::Zero(equations, dofs)),
+        equations_by_v(equations_by_q),
+        contact_forces(contacts, {Eigen::MatrixXd::Zero(3, dofs), Eigen::MatrixXd::Zero(3, dofs)}) {}
+  Eigen::MatrixXd& equations(vector_of by) { return by == vector_of::q ? equations_by_q : equations_by_v; }
 };
 
-/// At the state after `contact_dynamics`; finds u' of the contacts. `closures`: the places of closures without
-/// contacts, or null. `equations`: the number of all.
-inline contact_variations vary_contacts(const runtime_chain& c, runtime_state& s, const closure_places* closures,
-                                        const closure_places& places, std::vector<contact_in_mode>& contacts,
-                                        int equations) {
+/// `vary_contacts` with all bodies in dual numbers.
+inline contact_variations vary_contacts_in_duals(const runtime_chain& c, runtime_state& s,
+                                                 const closure_places* closures, const closure_places& places,
+                                                 std::vector<contact_in_mode>& contacts, int equations) {
   using D = derivative_number;
-  contact_variations r;
   const Eigen::Index n = s.dofs();
-  r.forces.tau.resize(n), r.forces.by_q.setZero(n, n), r.forces.by_v.setZero(n, n);
-  r.equations_by_q.setZero(equations, n), r.equations_by_v.setZero(equations, n);
-  r.contact_forces.assign(contacts.size(), {Eigen::MatrixXd::Zero(3, n), Eigen::MatrixXd::Zero(3, n)});
+  contact_variations r(n, equations, contacts.size());
+  inverse_dynamics_result<double, Eigen::Dynamic> forces;
+  forces.tau.resize(n), forces.by_q.setZero(n, n), forces.by_v.setZero(n, n);
   derivative_state& d = state_in_duals(c, s);
   const auto derive = [&](const directions& moving) -> const auto& {
-    const std::size_t by = moving.by == vector_of::q ? 0 : 1;
-    auto& rows = by == 0 ? r.equations_by_q : r.equations_by_v;
+    auto& rows = r.equations(moving.by);
     const auto put = [&](auto&& row, const D& x, double scale = 1) {
       for (int k = 0; k < D::variables && moving.first + k < n; ++k)
         row[moving.first + k] = scale * x.derivative[static_cast<std::size_t>(k)];
@@ -132,18 +140,64 @@ inline contact_variations vary_contacts(const runtime_chain& c, runtime_state& s
         const auto& at = places.closures[static_cast<std::size_t>(x.closure)];
         const auto m = closing_motion_in_duals(s, d, at);
         const auto found = runtime_elements{c}.element(at.element).touch_at(m);
-        x.slip_rate = {found.slip_rate.x.value, found.slip_rate.y.value, found.slip_rate.z.value};
+        x.slip_rate = values_of(found.slip_rate);
         x.each_equation(found, [&](int row, const D& value) { put(rows.row(x.first + row), value); });
         const vec3<D> force = x.force_at(found);
-        auto& of_force = r.contact_forces[i][by];
+        auto& of_force = r.contact_forces[i][moving.by == vector_of::q ? 0 : 1];
         put(of_force.row(0), force.x), put(of_force.row(1), force.y), put(of_force.row(2), force.z);
         push_at_contact(s, at, m, force, found.point, d.work.loads);
       }
     });
     return d.forces;
   };
-  derive_by_duals(s.freedoms(), std::span(d.q), std::span(d.v), std::span(d.a), false, derive, r.forces);
+  derive_by_duals(s.freedoms(), std::span(d.q), std::span(d.v), std::span(d.a), false, derive, forces);
+  r.forces_by_q = std::move(forces.by_q), r.forces_by_v = std::move(forces.by_v);
   return r;
+}
+/// `vary_contacts` along the paths of closures and contacts.
+inline contact_variations vary_contacts_along_paths(const runtime_chain& c, runtime_state& s,
+                                                    const closure_places* closures, const closure_places& places,
+                                                    std::vector<contact_in_mode>& contacts, int equations) {
+  using D = derivative_number;
+  contact_variations r(s.dofs(), equations, contacts.size());
+  const auto& forces = forces_derived(c, s);
+  r.forces_by_q = forces.by_q, r.forces_by_v = forces.by_v;
+  closure_path path;
+  if (closures != nullptr)
+    for (const auto& x : closures->closures)
+      vary_closure(c, s, x, path, r.forces_by_q, [&](vector_of by, int row, int dof, double, double acceleration) {
+        r.equations(by)(row, dof) += closures->scale(x, row - x.first) * acceleration;
+      });
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    auto& x = contacts[i];
+    const auto& at = places.closures[static_cast<std::size_t>(x.closure)];
+    const auto& element = runtime_elements{c}.element(at.element);
+    path.find(s, at);
+    for (const vector_of by : {vector_of::q, vector_of::v})
+      for (int first = 0; first < path.size(); first += D::variables) {
+        const auto put = [&](auto&& row, const D& value) {
+          path.each_lane(first, [&](std::size_t lane, int dof) { row[dof] += value.derivative[lane]; });
+        };
+        const auto m = path.motion_along(by, first);
+        const auto found = element.touch_at(m);
+        x.slip_rate = values_of(found.slip_rate);
+        x.each_equation(found, [&](int row, const D& value) { put(r.equations(by).row(x.first + row), value); });
+        const vec3<D> force = x.force_at(found);
+        auto& of_force = r.contact_forces[i][by == vector_of::q ? 0 : 1];
+        put(of_force.row(0), force.x), put(of_force.row(1), force.y), put(of_force.row(2), force.z);
+        path.subtract_forces(by, first, wrench_at_contact(m, force, found.point),
+                             by == vector_of::q ? r.forces_by_q : r.forces_by_v);
+      }
+  }
+  return r;
+}
+/// At the state after `contact_dynamics`; finds u' of the contacts. `closures`: the places of closures without
+/// contacts, or null. `equations`: the number of all.
+inline contact_variations vary_contacts(const runtime_chain& c, runtime_state& s, const closure_places* closures,
+                                        const closure_places& places, std::vector<contact_in_mode>& contacts,
+                                        int equations) {
+  return is_known_by_elements(c, s) ? vary_contacts_along_paths(c, s, closures, places, contacts, equations)
+                                    : vary_contacts_in_duals(c, s, closures, places, contacts, equations);
 }
 
 }  // namespace kte::detail
