@@ -40,8 +40,8 @@ class closure_path {
     int moves;  ///< q moves the axes of the path before this one
   };
 
-  /// Of joints that do not have `varying` axes, at the places of bodies and the rates and accelerations of axes in the
-  /// working memory.
+  /// Of degrees of freedom only, by joints that do not have `varying` axes, at the places of bodies and the rates and
+  /// accelerations of axes in the working memory.
   void find(const runtime_state& s, const closure_place& x) {
     const closing_motion<double> m = closure_motion::motion_between(s, x);
     axes_.clear(), joints_.clear(), at_rest_ = m;
@@ -66,7 +66,7 @@ class closure_path {
         const spatial& column = columns_[k];
         rate = rate + times(s.work.rate[k], column);
         acceleration = acceleration + times(s.work.acceleration[k], column);
-        if (f.row[k] < s.dofs()) axes_.push_back({f.row[k], column, static_cast<int>(joints_.size()), first});
+        axes_.push_back({f.row[k], column, static_cast<int>(joints_.size()), first});
       }
       for (auto i = static_cast<std::size_t>(first); inward && i < axes_.size(); ++i) axes_[i].moves = size();
       joint j;
