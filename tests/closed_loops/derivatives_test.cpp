@@ -206,12 +206,12 @@ TEST_CASE("derivatives along the paths of closures equal those of all bodies in 
   const rigid_body<> body{1.5, vec3<>{0.1, 0.2, -0.1}, sym3<>{0.3, 0.01, 0, 0.4, 0.02, 0.5}};
   runtime_chain c;
   c.gravity(vec3<>{0, 0, -9.81});
-  c << screw_joint_3D("l1", "left", "la", vec3<>{0, 0.6, 0.8}, 0.2).at(vec3<>{0.3, 0, 0.1}) << inertia_3D("la", body)
-    << spherical_joint_3D("l2", "la", "lb") << inertia_3D("lb", body) << rigid_link_3D("lb", "le", vec3<>{0.5, 0, 0.1})
-    << free_joint_3D("float", "right", "hull") << inertia_3D("hull", body)
-    << prismatic_joint_3D("r1", "hull", "ra", axis::y).at(vec3<>{0, 0.2, 0.4}) << inertia_3D("ra", body)
-    << revolute_joint_3D("turn", "ra", "rb", axis::x) << inertia_3D("rb", body) << joint_stiffness_gen("r1", 30.0, 0.1)
-    << spherical_joint_3D("r2", "rb", "rc") << inertia_3D("rc", body)
+  c << base_3D("right") << screw_joint_3D("l1", "left", "la", vec3<>{0, 0.6, 0.8}, 0.2).at(vec3<>{0.3, 0, 0.1})
+    << inertia_3D("la", body) << spherical_joint_3D("l2", "la", "lb") << inertia_3D("lb", body)
+    << rigid_link_3D("lb", "le", vec3<>{0.5, 0, 0.1}) << free_joint_3D("float", "right", "hull")
+    << inertia_3D("hull", body) << prismatic_joint_3D("r1", "hull", "ra", axis::y).at(vec3<>{0, 0.2, 0.4})
+    << inertia_3D("ra", body) << revolute_joint_3D("turn", "ra", "rb", axis::x) << inertia_3D("rb", body)
+    << joint_stiffness_gen("r1", 30.0, 0.1) << spherical_joint_3D("r2", "rb", "rc") << inertia_3D("rc", body)
     << revolute_joint_3D("r3", "rc", "re", axis::z).at(vec3<>{0.1, 0.4, 0}) << inertia_3D("re", body)
     << coincident_frames_3D("bases", "le", "hull") << distance_3D("rod", "lb", "re", 0.5)
     << coupled_coordinates("gear", "l1", "r3", 2.0, -1.0, 0.1);
