@@ -94,20 +94,15 @@ struct contact_workspace {
   /// Chooses contacts that touch, those for which `chosen`, and sets their bases.
   template <class Chosen>
   void choose(const Chosen& chosen) {
-    touching.clear(), laws.clear();
-    int row = 0;
+    touching.clear();
     for (std::size_t i = 0; i < contacts.size(); ++i) {
-      auto& x = contacts[i];
-      x.touches = chosen(x);
-      if (!x.touches) continue;
-      x.basis = basis_at(x.place.normal, x.planar), x.first = row;
-      touching.push_back(static_cast<int>(i)), row += x.rows();
-      friction_contact<> law;
-      law.rows = x.rows(), law.friction = x.place.law.friction;
-      laws.push_back(law);
+      contacts[i].touches = chosen(contacts[i]);
+      if (contacts[i].touches) touching.push_back(static_cast<int>(i));
     }
-    bias.resize(row), forces.setZero(row);
+    order_rows();
   }
+  /// As `choose`, contacts by their numbers, in this order.
+  void choose(const std::vector<int>& chosen) { touching = chosen, order_rows(); }
   /// The contact i of those that touch slides in the direction of its slip velocity, or in a direction.
   void let_slide(std::size_t i) {
     const vec3<> t = tangential(touched(i));
@@ -129,6 +124,13 @@ struct contact_workspace {
   /// (2) and (3); call (1) of the factor at the positions of the state first. `of_closures`: u' of their rows.
   void make_matrix(const chain_constraints& c, runtime_state& s, const Eigen::VectorXd& of_closures) {
     make_matrix<false>(c, s, of_closures);
+  }
+  /// (2) alone, as if there were no closures.
+  void make_matrix_of_tree(const chain_constraints& c, runtime_state& s) {
+    const bool by_paths = !factor.is_dense();
+    for (std::size_t i = 0; by_paths && i < touching.size(); ++i) put_rows_on_path<false>(s, touched(i));
+    if (by_paths) return multiply_paths();
+    put_rows_in_matrix(c, s), multiply_rows();
   }
   /// As `make_matrix` in a tree, and `bias` = u' without forces of contacts; call `find_biased` first.
   void make_matrix_and_bias(const chain_constraints& c, runtime_state& s) {
@@ -162,8 +164,24 @@ struct contact_workspace {
     if (by_paths && closures.empty()) return multiply_paths();
     put_rows_in_matrix(c, s);
     if (!closures.empty()) project<Accelerate>(c, s), subtract_closures(of_closures);
+    multiply_rows();
+  }
+  void multiply_rows() {
     w.resize(b.cols(), b.cols());
     w.noalias() = b.transpose() * b;
+  }
+  /// Sets the bases, rows and laws of `touching`.
+  void order_rows() {
+    laws.clear();
+    int row = 0;
+    for (const int i : touching) {
+      auto& x = contacts[static_cast<std::size_t>(i)];
+      x.basis = basis_at(x.place.normal, x.planar), x.first = row, row += x.rows();
+      friction_contact<> law;
+      law.rows = x.rows(), law.friction = x.place.law.friction;
+      laws.push_back(law);
+    }
+    bias.resize(row), forces.setZero(row);
   }
   /// B lambda with the part of closures, to `half`.
   void find_half_change();

@@ -8,6 +8,8 @@
 namespace kte {
 
 namespace detail {
+/// W of contacts, by the factor B of contact_rows.hpp.
+Eigen::MatrixXd delassus_at_state(const runtime_chain& c, runtime_state& s, const chosen_contacts& of);
 /// W = J M^-1 J^T.
 Eigen::MatrixXd mobility_of(const Eigen::MatrixXd& j, const Eigen::MatrixXd& inverse_of_mass);
 /// W^-1; throws `no_solution` for dependent rows of J, of what is called `of`.
@@ -15,11 +17,12 @@ Eigen::MatrixXd inverse_of_mobility(const Eigen::MatrixXd& w, const std::string&
 }  // namespace detail
 
 /// The Delassus matrix W = J M^-1 J^T of contacts, 1/kg, with J of `contact_jacobian`: forces f on them change their
-/// accelerations by W f. Closures of loops are not included.
+/// accelerations by W f. Closures of loops are not included. In trees articulated bodies pass unit forces from each
+/// contact to its base (tree/loop_loads.hpp), without J and M.
 template <indexable Q>
 Eigen::MatrixXd delassus_matrix(const runtime_chain& c, runtime_state& s, const Q& q, const chosen_contacts& of) {
-  const Eigen::MatrixXd j = contact_jacobian(c, s, q, of);
-  return detail::mobility_of(j, mass_matrix_inverse(c, s, q));
+  detail::check_regular_tree(c, s);
+  return detail::take(c, s, q).call([&] { return detail::delassus_at_state(c, s, of); });
 }
 /// The operational-space inertia (J M^-1 J^T)^-1 of contacts, kg (Khatib, IEEE J. Robotics and Automation 3, 1987): the
 /// forces on them for unit accelerations. Throws `no_solution` if rows of J are dependent, as those of four points of
@@ -71,6 +74,19 @@ template <class Gravity, class... E, indexable Q, key_type Frame>
 #ifdef KTE_FUNCTION
 namespace kte::detail {
 
+KTE_FUNCTION Eigen::MatrixXd delassus_at_state(const runtime_chain& c, runtime_state& s, const chosen_contacts& of) {
+  const auto chosen = place_contacts(c, s, of, !s.tree().plan.tree);
+  auto& m = contact_memory(c, s);
+  auto& e = m.equations;
+  if (s.tree().plan.tree)
+    articulate_at_rest(runtime_elements{c}, s), m.factor.take_articulated(s, e);
+  else
+    m.factor.factorize(contacts_of(c), s, e);
+  m.choose(chosen);
+  for (const int i : chosen) m.contacts[static_cast<std::size_t>(i)].basis = {vec3<>{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  m.make_matrix_of_tree(contacts_of(c), s);
+  return e.places.length * e.places.length * m.w;
+}
 KTE_FUNCTION Eigen::MatrixXd mobility_of(const Eigen::MatrixXd& j, const Eigen::MatrixXd& inverse_of_mass) {
   return j * inverse_of_mass * j.transpose();
 }
