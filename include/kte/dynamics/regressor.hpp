@@ -49,7 +49,8 @@ template <class S = double, class Gravity, class... E>
 ///
 ///   v . (m a + al x h + w x (w x h)) + u . (I al + w x I w + h x a),   h = m c          (3)
 ///
-/// A value, for static and runtime chains; arguments and errors as for `inverse_dynamics`. Throws `bad_argument` also
+/// A value for static chains; for runtime chains in the memory of the state, until the next call. Arguments and errors
+/// as for `inverse_dynamics`. Throws `bad_argument` also
 /// for a joint or link that is not described by its `relative` alone, and for distributed masses. Static chains use no
 /// heap, unless the matrix is larger than EIGEN_STACK_ALLOCATION_LIMIT.
 template <class Gravity, class... E, indexable Q, indexable V, indexable A>
@@ -98,34 +99,80 @@ inline int count_parameters(const runtime_chain& c) {
   for (const topology::connection& e : c.wiring().elements) count += e.parameters;
   return count;
 }
+/// Whether rows of the regressor are those of axes.
+template <class S>
+bool has_rows_of_axes(const basic_runtime_state<S>& s) {
+  const auto& f = s.tree().body_tree;
+  return f.in_order && static_cast<int>(f.axes()) == s.dofs() && s.tree().plan.coordinates == s.dofs();
+}
+/// Writes the columns of a body with `Count` parameters, from `column` on. Adds all entries to `sum`.
+template <int Count, class S>
+void put_columns_of_body(const basic_runtime_state<S>& s, const topology::connection& e, int column,
+                         runtime_matrix<S>& y, tree::simd<S>& sum) {
+  using numbers = tree::simd<S>;
+  constexpr int lanes = static_cast<int>(tree::simd_of<S>::count);
+  const auto& f = s.tree().body_tree;
+  S* const columns = &y(0, column);
+  const Eigen::Index stride = y.rows();
+  const int* const row = f.row.data();
+  const bool by_axes = has_rows_of_axes(s);
+  tree::forces_by_parameters(f, s.work, s.work.axis_velocities, f.frame(e.ports[0].what, e.index[0]),
+                             [=, &sum](int k, int first, const engine::per_parameter<numbers>& x) KTE_INLINE_LAMBDA {
+                               numbers all = engine::parameter_at(x, 0, Count);
+                               for (int i = 1; i < Count; ++i) all += engine::parameter_at(x, i, Count);
+                               sum += all;
+                               if (by_axes && k >= 0) {
+                                 for (int i = 0; i < Count; ++i)
+                                   tree::store<S>(engine::parameter_at(x, i, Count), columns + i * stride + k);
+                                 return;
+                               }
+                               for (int i = 0; i < Count; ++i) {
+                                 S each[lanes];
+                                 tree::store<S>(engine::parameter_at(x, i, Count), each);
+                                 for (int lane = (std::max)(first - k, 0); lane < lanes; ++lane) {
+                                   S& entry = columns[i * stride + row[k + lane]];
+                                   entry = by_axes ? each[lane] : S(entry + each[lane]);
+                                 }
+                               }
+                             });
+}
 /// As `torque_regressor`, at the positions, rates and accelerations of the state.
 template <class S>
-runtime_matrix<S> regressor_of(const runtime_chain& c, basic_runtime_state<S>& s) {
+const runtime_matrix<S>& regressor_of(const runtime_chain& c, basic_runtime_state<S>& s) {
   const auto& t = s.tree();
   refuse_distributed_masses(c, s);
   place_bodies(runtime_elements{c}, s);
   take_rates(s), take_bases(s);
   tree::move_bodies<false>(t.body_tree, s.work);
+  tree::put_axes_in_rows(t.body_tree, s.work, s.work.axis_velocities);
   const int columns = count_parameters(c);
-  runtime_matrix<S> y = runtime_matrix<S>::Zero(t.plan.coordinates, columns);
-  int first = 0;
+  auto& y = s.work.regressor;
+  // Where axes are rows, each call writes the same entries.
+  if (!has_rows_of_axes(s) || y.rows() != s.dofs() || y.cols() != columns) y.setZero(t.plan.coordinates, columns);
+  tree::simd<S> sums{};
+  S sum(0);
+  int column = 0;
   for (const topology::connection& e : c.wiring().elements) {
     if (e.parameters == 1) {
       const int coordinate = e.index[0];
-      y(t.plan.row_of_gen[static_cast<std::size_t>(coordinate)], first) = s.template get<kind::gen>(coordinate).q_ddot;
-    } else if (e.parameters > 0) {
-      const auto& place = t.body_tree.frame(e.ports[0].what, e.index[0]);
-      tree::forces_by_parameters(t.body_tree, s.work, place, [&](int k, const engine::per_parameter<S>& x) {
-        const int row = t.body_tree.row[static_cast<std::size_t>(k)];
-        for (int i = 0; i < e.parameters; ++i) y(row, first + i) += engine::parameter_at(x, i, e.parameters);
-      });
+      S& entry = y(t.plan.row_of_gen[static_cast<std::size_t>(coordinate)], column);
+      entry = s.template get<kind::gen>(coordinate).q_ddot;
+      sum = S(sum + entry);
+    } else if (e.parameters == 4) {
+      put_columns_of_body<4>(s, e, column, y, sums);
+    } else if (e.parameters == 10) {
+      put_columns_of_body<10>(s, e, column, y, sums);
     }
-    first += e.parameters;
+    column += e.parameters;
   }
+  S each[tree::simd_of<S>::count];
+  tree::store<S>(sums, each);
+  for (const S& x : each) sum = S(sum + x);
   pull_back_followers(runtime_elements{c}, s,
                       [&y](int to, int from, const S& ratio) { y.row(to) += ratio * y.row(from); });
-  y.conservativeResize(s.dofs(), columns);
-  check_result(y.data(), static_cast<std::size_t>(y.size()), [&s] { diagnose("a regressor", s); });
+  if (y.rows() != s.dofs()) y.conservativeResize(s.dofs(), columns);
+  if (!tree::all_finite_in_row(&sum, 1)) [[unlikely]]
+    check_result(y.data(), static_cast<std::size_t>(y.size()), [&s] { diagnose("a regressor", s); });
   return y;
 }
 }  // namespace detail
@@ -149,24 +196,24 @@ KTE_FUNCTION Eigen::VectorXd inertial_parameters(const runtime_chain& c) {
 #endif
 
 template <class S>
-runtime_matrix<S> torque_regressor(const runtime_chain& c, basic_runtime_state<S>& s) {
+const runtime_matrix<S>& torque_regressor(const runtime_chain& c, basic_runtime_state<S>& s) {
   detail::check_regular(c, s);
   detail::check_state_velocities(s);
   return detail::regressor_of(c, s);
 }
 template <class S, indexable Q, indexable V, indexable A>
-runtime_matrix<S> torque_regressor(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
-                                   const A& a) {
+const runtime_matrix<S>& torque_regressor(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
+                                          const A& a) {
   detail::check_regular(c, s);
-  return detail::take(c, s, q, v, a).call([&] { return detail::regressor_of(c, s); });
+  return detail::take(c, s, q, v, a).call([&]() -> const auto& { return detail::regressor_of(c, s); });
 }
 
 #ifdef KTE_EXTERN
-KTE_EXTERN template runtime_matrix<double> detail::regressor_of(const runtime_chain&, runtime_state&);
-KTE_EXTERN template runtime_matrix<double> torque_regressor(const runtime_chain&, runtime_state&);
-KTE_EXTERN template runtime_matrix<double> torque_regressor(const runtime_chain&, runtime_state&,
-                                                            const Eigen::VectorXd&, const Eigen::VectorXd&,
-                                                            const Eigen::VectorXd&);
+KTE_EXTERN template const runtime_matrix<double>& detail::regressor_of(const runtime_chain&, runtime_state&);
+KTE_EXTERN template const runtime_matrix<double>& torque_regressor(const runtime_chain&, runtime_state&);
+KTE_EXTERN template const runtime_matrix<double>& torque_regressor(const runtime_chain&, runtime_state&,
+                                                                   const Eigen::VectorXd&, const Eigen::VectorXd&,
+                                                                   const Eigen::VectorXd&);
 #endif
 
 }  // namespace kte

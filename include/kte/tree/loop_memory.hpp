@@ -35,7 +35,8 @@ struct loop_memory : tree::memory<P, S> {
   std::vector<char> wanted;  ///< by element: whether the result depends on it
   std::vector<S> friction;   ///< by element of `chain_tree::readers`
   /// Of the size of M or larger; allocated by the first call that returns them.
-  matrix mass, inverse, coriolis;
+  matrix mass, inverse, coriolis, regressor;
+  tree::axis_rows<S> axis_velocities;  ///< of the regressor
   tree::mass_memory<S> masses;
   tree::followed_memory<S> followed;
   tree::cluster_memory<S> clusters;
