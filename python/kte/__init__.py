@@ -14,11 +14,17 @@ from ._kte import *
 from ._kte import __version__ as __version__
 from ._results import *
 from .contact_shapes import *
+from .control import *
 from .elements import *
 from .errors import *
+from .identification import *
 from .joint_series import *
 from .page import Page as Page
 from .page import view as view
 from .simulation import Event as Event
+from .simulation import rollout as rollout
 from .simulation import simulate as simulate
 from .sweeps import *
+
+#: `from kte import *` leaves out `compile`, which would hide Python's, and modules of the package.
+__all__ = [n for n, x in list(vars().items()) if not n.startswith("_") and n != "compile" and not hasattr(x, "__path__") and not hasattr(x, "__spec__")]

@@ -5,6 +5,9 @@ from typing import Any, Dict, List, NamedTuple
 
 import numpy as np
 
+from ._poses import Array as Array
+from ._poses import Pose as Pose
+
 __all__ = [
     "Array",
     "Coordinate",
@@ -31,10 +34,14 @@ __all__ = [
     "Limits",
     "InverseKinematics",
     "MotionPoint",
+    "Rollout",
     "Stability",
     "Equilibrium",
     "EquilibriumPath",
     "NaturalModes",
+    "LinearSystem",
+    "DiscreteLinearSystem",
+    "Feedback",
     "Frame",
     "EventOccurrence",
     "ColumnStatistics",
@@ -42,8 +49,6 @@ __all__ = [
     "SweepProgress",
     "SweepSummary",
 ]
-
-Array = np.ndarray[Any, np.dtype[np.float64]]
 
 
 class Coordinate(NamedTuple):
@@ -53,13 +58,6 @@ class Coordinate(NamedTuple):
     kind: str
     q: slice
     v: slice
-
-
-class Pose(NamedTuple):
-    """A pose in axes of the base: `position`, m, and `rotation`, from own axes to axes of the base."""
-
-    position: Array
-    rotation: Array
 
 
 class LinearAngular(NamedTuple):
@@ -247,8 +245,8 @@ class InverseKinematics(NamedTuple):
 
     q: Array
     status: str
-    position: float
-    rotation: float
+    position_error: float
+    rotation_error: float
 
 
 class MotionPoint(NamedTuple):
@@ -257,6 +255,14 @@ class MotionPoint(NamedTuple):
     q: Array
     v: Array
     a: Array
+
+
+class Rollout(NamedTuple):
+    """Motions of `rollout`: times, s, and states, (n, len(t), nq) and (n, len(t), nv)."""
+
+    t: Array
+    q: Array
+    v: Array
 
 
 class Stability(NamedTuple):
@@ -296,6 +302,34 @@ class NaturalModes(NamedTuple):
     damping: Array
     root: np.ndarray[Any, np.dtype[np.complex128]]
     shape: np.ndarray[Any, np.dtype[np.complex128]]
+
+
+class LinearSystem(NamedTuple):
+    """d' = x_dot + A d + B du, near a state: d are displacements along the numbers of v, then their rates, then
+    internal states; u are the `inputs`, by name, three numbers for a vector."""
+
+    A: Array
+    B: Array
+    x_dot: Array
+    inputs: List[str]
+
+
+class DiscreteLinearSystem(NamedTuple):
+    """d_(k+1) = step + A d_k + B du_k, with constant inputs for dt, s."""
+
+    A: Array
+    B: Array
+    step: Array
+    dt: float
+    inputs: List[str]
+
+
+class Feedback(NamedTuple):
+    """u = u0 - K d, the cost d' X d from d on, and the poles of the closed loop."""
+
+    K: Array
+    X: Array
+    poles: np.ndarray[Any, np.dtype[np.complex128]]
 
 
 class Frame(NamedTuple):

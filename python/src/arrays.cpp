@@ -120,6 +120,15 @@ Eigen::MatrixXd matrix_from(const char* name, py::handle x, Py_ssize_t rows, Py_
   return m;
 }
 
+py::array_t<std::complex<double>> complex_array(const Eigen::MatrixXcd& m, bool is_vector) {
+  py::array_t<std::complex<double>> a(is_vector ? std::vector<Py_ssize_t>{m.rows()}
+                                                : std::vector<Py_ssize_t>{m.rows(), m.cols()});
+  auto* out = a.mutable_data();
+  for (Eigen::Index i = 0; i < m.rows(); ++i)
+    for (Eigen::Index j = 0; j < m.cols(); ++j) *out++ = m(i, j);
+  return a;
+}
+
 double number_from(const char* name, py::handle x) {
   const double number = PyFloat_AsDouble(x.ptr());
   if (number == -1 && PyErr_Occurred()) {

@@ -62,6 +62,8 @@ array fixed(array a);
 array to_array(const Eigen::VectorXd& x);
 /// A new array of a matrix, by rows.
 array to_array(const Eigen::MatrixXd& x);
+/// A new complex array of a vector or a matrix, by rows.
+py::array_t<std::complex<double>> complex_array(const Eigen::MatrixXcd& m, bool is_vector);
 
 /// Writes the numbers of a matrix by rows.
 template <class M>

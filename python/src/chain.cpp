@@ -5,6 +5,7 @@
 #include <kte/io/model_reader.hpp>
 #include <kte/runtime_chain/check_chain.hpp>
 #include <kte/runtime_chain/layout.hpp>
+#include <kte/sweep/varied_chain.hpp>
 
 #include <optional>
 #include <pybind11/stl.h>
@@ -269,6 +270,32 @@ takes that of the first part that has one. Threads may share a chain.)");
       .def(
           "check", [](const chain_object& c) { return kte::check_chain(c.chain()); },
           "check()\n\nWhat is unusual about the chain, as sentences.")
+      .def(
+          "parameters",
+          [](const chain_object& c) {
+            py::dict all;
+            for (const auto& [path, value] : kte::parameters_by_path(c.chain())) all[py::str(path)] = value;
+            return all;
+          },
+          R"(parameters()
+
+The numbers of all elements, a dict from paths as "tool/mass" and "tool/com/x", those of sweeps, to values in SI units,
+and gravity. Parameters that no path names alone, as those of two equal springs between the same frames, and tables are
+not among them.)")
+      .def(
+          "with_parameters",
+          [](const chain_object& c, py::handle values) {
+            std::vector<std::string> paths;
+            std::vector<double> numbers;
+            for (const auto& [path, value] : dict_from("values", "paths to numbers", values)) {
+              paths.push_back(path.cast<std::string>());
+              numbers.push_back(number_from(paths.back().c_str(), value));
+            }
+            return std::make_unique<chain_object>(kte::varied_chain(c.chain(), paths, registry()).with(numbers));
+          },
+          "with_parameters(values)\n\nA copy of the chain with other values, a dict from paths of `parameters` to "
+          "numbers. Elements refuse the values that they refuse when they are made.",
+          "values"_a)
       .def("__len__", [](const chain_object& c) { return size_of(c.chain()); })
       .def("__repr__", [](const chain_object& c) { return text_of(c); })
       .def("__eq__",

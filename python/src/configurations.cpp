@@ -1,5 +1,6 @@
 #include <kte/dynamics/configuration_space.hpp>
 #include <kte/dynamics/configurations.hpp>
+#include <kte/dynamics/reduced.hpp>
 
 #include <optional>
 #include <pybind11/stl.h>
@@ -83,6 +84,17 @@ void bind_configurations(py::module_& m) {
 A configuration with numbers uniform between limits, which are arrays over q or numbers, and arbitrary rotations; n of
 them, (n, nq). Equal seeds give equal configurations.)",
       "chain"_a, "lower"_a, "upper"_a, "seed"_a, "n"_a = py::none());
+  m.def(
+      "reduced",
+      [](py::handle chain, py::handle q, py::handle locked) {
+        const auto& c = chain_of(chain).chain();
+        return std::make_unique<chain_object>(kte::reduced(c, vector_from("q", q, c.nq()), names_from(locked)));
+      },
+      R"(reduced(chain, q, locked)
+
+A chain without the named degrees of freedom: their joints become links, fixed at q. Other coordinates keep their names
+and order.)",
+      "chain"_a, "q"_a, "locked"_a);
 }
 
 }  // namespace kte_python

@@ -1,5 +1,8 @@
 #include <algorithm>
 #include <array>
+#include <cstdlib>
+#include <cstring>
+#include <string>
 #include <utility>
 
 #include "parts.hpp"
@@ -41,6 +44,23 @@ void make_safe(const py::module_& m) {
   }
 }
 
+/// Lets `inspect.signature` find what the first lines of docstrings state: Python looks for a mark behind it.
+void give_signature(PyObject* function) {
+  if (!PyCFunction_Check(function)) return;
+  auto* const method = reinterpret_cast<PyCFunctionObject*>(function)->m_ml;
+  if (method->ml_doc == nullptr) return;
+  const std::string doc = method->ml_doc;
+  const auto end = doc.find(")\n\n");
+  if (end == doc.npos || !doc.starts_with(std::string(method->ml_name) + "(")) return;
+  char* const marked = strdup((doc.substr(0, end + 1) + "\n--" + doc.substr(end + 1)).c_str());
+  if (marked == nullptr) return;
+  std::free(const_cast<char*>(method->ml_doc));  // pybind11 has allocated it so, and frees it
+  method->ml_doc = marked;
+}
+void give_signatures(const py::module_& m) {
+  for (const auto& [name, object] : m.attr("__dict__").cast<py::dict>()) give_signature(object.ptr());
+}
+
 }  // namespace
 
 }  // namespace kte_python
@@ -67,10 +87,13 @@ PYBIND11_MODULE(_kte, m) {
   kte_python::bind_inverse_kinematics(m);
   kte_python::bind_joint_motions(m);
   kte_python::bind_statics(m);
+  kte_python::bind_control(m);
   kte_python::bind_simulation(m);
+  kte_python::bind_rollout(m);
   kte_python::bind_compiled(m);
   kte_python::bind_sweep_cases(m);
   kte_python::bind_sweep(m);
   kte_python::bind_view(m);
   kte_python::make_safe(m);
+  kte_python::give_signatures(m);
 }

@@ -30,6 +30,8 @@ void bind_sweep_cases(pybind11::module_& m);
 void bind_sweep(pybind11::module_& m);
 void bind_joint_motions(pybind11::module_& m);
 void bind_statics(pybind11::module_& m);
+void bind_rollout(pybind11::module_& m);
+void bind_control(pybind11::module_& m);
 void bind_view(pybind11::module_& m);
 
 }  // namespace kte_python

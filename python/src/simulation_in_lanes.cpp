@@ -11,6 +11,7 @@
 #include <stdexcept>
 
 #include "batch.hpp"
+#include "sweep_columns.hpp"
 
 namespace kte_python {
 
@@ -32,6 +33,8 @@ class rates_in_lanes {
         state_.vector(name) = {u[at], u[at + 1], u[at + 2]};
     });
   }
+  /// Sets other forces.
+  void push(const packs& tau) { tau_ = tau; }
   packs operator()(const P&, const packs& x) {
     if (*stop_) throw std::runtime_error("stopped");
     const Eigen::Index n = tau_.size();
@@ -121,6 +124,41 @@ std::vector<std::vector<double>> final_states(const simulation_in_lanes& s, cons
                                               std::uint64_t first, std::uint64_t last) {
   return s.solver == "runge_kutta4" ? states_by<kte::runge_kutta4>(s, s.step, cases, first, last)
                                     : states_by<kte::dormand_prince45>(s, s.tolerances, cases, first, last);
+}
+
+void rollouts_in_lanes(const kte::runtime_chain& c, const rollout_arrays& x, double every, double step,
+                       const interruptible_threads& team) {
+  const auto nq = static_cast<std::size_t>(c.nq()), nv = static_cast<std::size_t>(c.dofs());
+  const std::atomic<bool> never{false};
+  team((x.count + width - 1) / width, [&](std::size_t task) {
+    const auto number = [&](std::size_t lane) { return std::min(task * width + lane, x.count - 1); };
+    const auto read = [&](const double* from, std::size_t stride, std::size_t n) {
+      packs all(static_cast<Eigen::Index>(n));
+      for (std::size_t k = 0; k < n; ++k)
+        for (std::size_t i = 0; i < width; ++i) all[static_cast<Eigen::Index>(k)].set(i, from[number(i) * stride + k]);
+      return all;
+    };
+    packs state(static_cast<Eigen::Index>(nq + nv));
+    state << read(x.q0, nq, nq), read(x.v0, nv, nv);
+    const packs none = packs::Zero(static_cast<Eigen::Index>(names_of_inputs(c).size()));
+    rates_in_lanes rates(c, packs::Zero(static_cast<Eigen::Index>(nv)), none, never);
+    const auto write = [&](std::size_t row) {
+      for (std::size_t i = 0; i < width && task * width + i < x.count; ++i) {
+        const std::size_t at = number(i) * (x.steps + 1) + row;
+        for (std::size_t k = 0; k < nq; ++k) x.q[at * nq + k] = state[static_cast<Eigen::Index>(k)][i];
+        for (std::size_t k = 0; k < nv; ++k) x.v[at * nv + k] = state[static_cast<Eigen::Index>(nq + k)][i];
+      }
+    };
+    kte::runge_kutta4<std::reference_wrapper<rates_in_lanes>, packs> solver(std::ref(rates), 0.0, state, step);
+    write(0);
+    for (std::size_t row = 0; row < x.steps; ++row) {
+      rates.push(read(x.tau + row * nv, x.steps * nv, nv));
+      solver.restart(0.0, state);  // the forces have changed
+      solver.integrate(every);
+      state = solver.state();
+      write(row + 1);
+    }
+  });
 }
 
 }  // namespace kte_python

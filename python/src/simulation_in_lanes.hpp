@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "signal_watch.hpp"
+
 namespace kte_python {
 
 /// The numbers in which a case differs from others: values of parameters, the start, forces on coordinates, inputs.
@@ -35,5 +37,15 @@ bool can_be_in_lanes(const kte::runtime_chain& c, const std::string& solver);
 /// The final states (q, v) of the cases from `first` to `last`, exclusive; empty for a case that fails.
 std::vector<std::vector<double>> final_states(const simulation_in_lanes& s, const kte::sweep_cases& cases,
                                               std::uint64_t first, std::uint64_t last);
+
+/// The arrays of rollouts: starts, forces by rollout and step, and states by rollout and row, one more than steps.
+struct rollout_arrays {
+  std::size_t count, steps;
+  const double *q0, *v0, *tau;
+  double *q, *v;
+};
+/// Motions under forces that are constant for `every`, s, each, by runge_kutta4, in the lanes of packs.
+void rollouts_in_lanes(const kte::runtime_chain& c, const rollout_arrays& x, double every, double step,
+                       const interruptible_threads& team);
 
 }  // namespace kte_python

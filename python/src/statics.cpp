@@ -39,15 +39,6 @@ const char* text_of(kte::equilibrium_status s) {
          : s == kte::equilibrium_status::unstable ? "unstable"
                                                   : "not_reached";
 }
-/// A complex array of a vector or a matrix, by rows.
-py::array_t<std::complex<double>> complex_array(const Eigen::MatrixXcd& m, bool is_vector) {
-  py::array_t<std::complex<double>> a(is_vector ? std::vector<Py_ssize_t>{m.rows()}
-                                                : std::vector<Py_ssize_t>{m.rows(), m.cols()});
-  auto* out = a.mutable_data();
-  for (Eigen::Index i = 0; i < m.rows(); ++i)
-    for (Eigen::Index j = 0; j < m.cols(); ++j) *out++ = m(i, j);
-  return a;
-}
 
 }  // namespace
 

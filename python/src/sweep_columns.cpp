@@ -15,15 +15,6 @@ Eigen::Index place_in(const std::vector<std::string>& names, std::string_view na
   const auto at = std::find(names.begin(), names.end(), name);
   return at == names.end() ? -1 : at - names.begin();
 }
-std::vector<std::string> names_of_inputs(const kte::runtime_chain& c) {
-  std::vector<std::string> all;
-  kte::detail::for_each_input(c, [&](std::string_view name, int u, int n) {
-    all.resize(std::max(all.size(), static_cast<std::size_t>(u + n)));
-    for (int i = 0; i < n; ++i)
-      all[static_cast<std::size_t>(u + i)] = std::string(name) + (n == 1 ? "" : i == 0 ? "/x" : i == 1 ? "/y" : "/z");
-  });
-  return all;
-}
 /// Columns of tables have no blanks: `_` may stand for those in a name of the chain.
 std::string with_blanks(const kte::runtime_chain& c, const std::string& column, const std::string& third) {
   std::string found = column;
@@ -51,6 +42,15 @@ std::vector<std::string> names_of_numbers(const kte::runtime_chain& c, bool of_q
   return all;
 }
 
+std::vector<std::string> names_of_inputs(const kte::runtime_chain& c) {
+  std::vector<std::string> all;
+  kte::detail::for_each_input(c, [&](std::string_view name, int u, int n) {
+    all.resize(std::max(all.size(), static_cast<std::size_t>(u + n)));
+    for (int i = 0; i < n; ++i)
+      all[static_cast<std::size_t>(u + i)] = std::string(name) + (n == 1 ? "" : i == 0 ? "/x" : i == 1 ? "/y" : "/z");
+  });
+  return all;
+}
 Eigen::VectorXd inputs_from(const kte::runtime_chain& c, py::handle inputs) {
   const auto names = names_of_inputs(c);
   Eigen::VectorXd u = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(names.size()));

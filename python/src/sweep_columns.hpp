@@ -46,6 +46,8 @@ class sweep_columns {
 
 /// The names of the numbers of q, or of v, without prefix.
 std::vector<std::string> names_of_numbers(const kte::runtime_chain& c, bool of_q);
+/// The names of all numbers of the inputs u of a chain.
+std::vector<std::string> names_of_inputs(const kte::runtime_chain& c);
 /// The inputs of a chain: the numbers of a dict, others zero. Throws as `put_inputs`.
 Eigen::VectorXd inputs_from(const kte::runtime_chain& c, pybind11::handle inputs);
 

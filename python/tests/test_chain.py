@@ -216,3 +216,51 @@ def test_a_misspelt_frame_that_became_a_base_is_found():
     chain << kte.spring_2D("ground", "tipp", 0.1, 10.0)
     (found,) = chain.check()
     assert "reads 'tipp', which no element writes or declares" in found and "did you mean 'tip'?" in found
+
+
+def test_parameters_are_read_and_replaced(pendulum):
+    all = pendulum.parameters()
+    assert all["tip/mass"] == 1 and all["gravity/y"] == -9.81 and all["tip/offset/x"] == 0.5, all
+    heavy = pendulum.with_parameters({"tip/mass": 3, "gravity/y": -1.62})
+    assert heavy.parameters()["tip/mass"] == 3 and pendulum.parameters() == all
+    np.testing.assert_allclose(kte.gravity_forces(heavy, [0.0]), kte.gravity_forces(pendulum, [0.0]) * 3 * 1.62 / 9.81)
+    assert pendulum.with_parameters(all) == pendulum and pendulum.with_parameters({}) == pendulum
+    with pytest.raises(kte.BadParameter, match="mass"):
+        pendulum.with_parameters({"tip/mass": -1})
+    with pytest.raises(kte.UnknownName, match="no parameter 'tip/weight'"):
+        pendulum.with_parameters({"tip/weight": 1})
+    with pytest.raises(TypeError, match="tip/mass must be a number, not 'heavy'"):
+        pendulum.with_parameters({"tip/mass": "heavy"})
+    with pytest.raises(TypeError, match="values must be a dict"):
+        pendulum.with_parameters([1.0])
+
+
+def test_every_parameter_of_a_robot_can_be_set(iiwa):
+    all = iiwa.chain.parameters()
+    assert len(all) > 100 and iiwa.chain.with_parameters(all) == iiwa.chain
+    for path in list(all)[::17]:
+        assert iiwa.chain.with_parameters({path: all[path]}) == iiwa.chain
+
+
+def test_paths_are_of_one_element_only():
+    chain = kte.Chain(
+        kte.base_2D("wall"),
+        kte.revolute_joint_2D("q", "base", "end"),
+        kte.inertia_2D("end", 1),
+        kte.spring_2D("base", "end", 0, 10.0),
+        kte.spring_2D("base", "end", 0, 20.0),
+        kte.spring_2D("wall", "end", 0, 30.0),
+    )
+    stiffness = {path: value for path, value in chain.parameters().items() if path.endswith("stiffness")}
+    assert stiffness == {"wall/stiffness": 30.0}
+
+
+def test_joints_are_locked(iiwa):
+    q = np.linspace(-0.5, 0.5, 7)
+    locked = kte.reduced(iiwa, q, iiwa.chain.coordinates[2:4])
+    assert locked.nv == 5 and locked.coordinates == iiwa.chain.coordinates[:2] + iiwa.chain.coordinates[4:]
+    np.testing.assert_allclose(
+        kte.forward_kinematics(locked, np.delete(q, [2, 3]), "tool").position, kte.forward_kinematics(iiwa, q, "tool").position, atol=1e-15
+    )
+    with pytest.raises(kte.UnknownName, match="wrist"):
+        kte.reduced(iiwa, q, "wrist")

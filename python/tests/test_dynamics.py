@@ -363,3 +363,50 @@ def test_sensors_are_outputs():
     s = kte.State(chain, [0.25])
     s.do_motion()
     assert s.outputs == {"angle": 0.25}
+
+
+def test_base_parameters_of_a_planar_arm(random):
+    """Two links in a plane: 8 parameters, 6 combinations (Khalil and Dombre, 2002, chapter 9)."""
+    body = dict(com=[0.2, 0.05], inertia=0.03)
+    length = 0.7
+    arm = kte.Chain(
+        kte.revolute_joint_2D("q0", "base", "a"),
+        kte.inertia_2D("a", 2.0, **body),
+        kte.rigid_link_2D("a", "A", [length, 0]),
+        kte.revolute_joint_2D("q1", "A", "b"),
+        kte.inertia_2D("b", 1.5, **body),
+        gravity=[0, -9.81],
+    )
+    q, v, a = random.uniform(-1, 1, (3, 100, 2))
+    y = kte.torque_regressor(arm, q, v, a)
+    base = kte.base_parameters(y)
+    pi = kte.inertial_parameters(arm)
+    assert base.columns == [1, 2, 3, 5, 6, 7]
+    combined = base.combinations @ pi
+    np.testing.assert_allclose(y[..., base.columns] @ combined, kte.inverse_dynamics(arm, q, v, a), atol=1e-13)
+    # m c_x of the first link with m l of the second, I_zz with m l^2
+    np.testing.assert_allclose(combined[0], pi[1] + length * pi[4], rtol=1e-13)
+    np.testing.assert_allclose(combined[2], pi[3] + length**2 * pi[4], rtol=1e-13)
+    np.testing.assert_allclose(combined[3:], pi[[5, 6, 7]], rtol=1e-13)
+    with pytest.raises(kte.BadArgument, match="too few"):
+        kte.base_parameters(y[0])
+    with pytest.raises(kte.BadArgument, match="shape"):
+        kte.base_parameters([1.0])
+
+
+def test_functions_have_signatures():
+    import inspect
+
+    assert str(inspect.signature(kte.forward_dynamics)) == "(chain, q, v, tau, *, inputs=None, threads=None, errors='raise')"
+    functions = [x for x in vars(kte).values() if inspect.isroutine(x) and getattr(x, "__module__", "") == "kte._kte"]
+    assert len(functions) > 90
+    for f in functions:
+        assert inspect.signature(f).parameters, f
+        assert f.__doc__ and not f.__doc__.startswith(f.__name__ + "("), f
+
+
+def test_a_star_import_hides_no_builtins():
+    import builtins
+
+    assert not set(kte.__all__) & set(dir(builtins)) and {"Chain", "forward_dynamics", "simulate"} < set(kte.__all__)
+    assert all(hasattr(kte, n) for n in kte.__all__) and not {"errors", "sweeps", "np", "Any"} & set(kte.__all__)

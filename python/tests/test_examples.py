@@ -12,13 +12,10 @@ import pytest
 
 FOLDER = Path(__file__).resolve().parents[1]
 EXAMPLES = sorted((FOLDER / "examples").glob("*.py"))
-NEEDS = {"cart_pole": "scipy"}
 
 
 @pytest.mark.parametrize("path", EXAMPLES, ids=lambda p: p.stem)
 def test_an_example_runs(path, tmp_path):
-    if path.stem in NEEDS:
-        pytest.importorskip(NEEDS[path.stem])
     environment = {**os.environ, "OMP_NUM_THREADS": "1"}
     subprocess.run([sys.executable, str(path)], check=True, cwd=tmp_path, env=environment, capture_output=True, text=True)
 

@@ -81,16 +81,33 @@ def test_inverse_kinematics_reaches_poses(iiwa, random):
         pose = kte.forward_kinematics(iiwa, q, "tool")
         for numeric in (False, True):
             found = kte.inverse_kinematics(iiwa, "tool", pose.position, pose.rotation, start=q + 0.1, numeric=numeric)
-            assert found.status == "reached" and found.position < 1e-8 and found.rotation < 1e-8
+            assert found.status == "reached" and found.position_error < 1e-8 and found.rotation_error < 1e-8
             again = kte.forward_kinematics(iiwa, found.q, "tool")
             np.testing.assert_allclose(again.position, pose.position, atol=1e-8)
         place = kte.inverse_kinematics(iiwa, "tool", pose.position, start=q)
         assert place.status == "reached"
         every = kte.inverse_kinematics_all(iiwa, "tool", *pose)
         assert len(every) == 8 and all(a.status in ("reached", "beyond_limits") for a in every)
-    far = kte.inverse_kinematics(iiwa, "tool", [5, 0, 0])
-    assert far.status != "reached" and far.position > 3
     assert kte.inverse_kinematics_all(iiwa, "tool", [5, 0, 0], np.eye(3)) == []
+
+
+def test_poses_out_of_reach_are_named(iiwa):
+    for rotation in (None, np.eye(3)):
+        for numeric in (False, True):
+            far = kte.inverse_kinematics(iiwa, "tool", [5, 0, 0], rotation, numeric=numeric)
+            assert far.status == "out_of_reach" and far.position_error > 3
+            with pytest.raises(kte.Unreachable, match="'tool' does not get there .out_of_reach.: 3.* m"):
+                kte.inverse_kinematics(iiwa, "tool", [5, 0, 0], rotation, numeric=numeric, must_reach=True)
+    arm = kte.Chain(
+        kte.revolute_joint_3D("q0", "base", "a", axis=[0, 0, 1], position=[0, 0, 3]),
+        kte.rigid_link_3D("a", "A", [1, 0, 0]),
+        kte.revolute_joint_3D("q1", "A", "b", axis=[0, 0, 1]),
+        kte.rigid_link_3D("b", "tip", [0.5, 0, 0]),
+        kte.inertia_3D("tip", 1),
+    )
+    assert kte.inverse_kinematics(arm, "tip", [1.4999, 0, 3], start=[0.1, 0.1]).status == "reached"
+    assert kte.inverse_kinematics(arm, "tip", [1.501, 0, 3], start=[0.1, 0.1]).status == "out_of_reach"
+    assert kte.inverse_kinematics(arm, "tip", [0.4, 0, 3], start=[0.1, 0.1]).status == "local_minimum"  # inside
 
 
 def test_limits_of_inverse_kinematics(iiwa):

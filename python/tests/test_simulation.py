@@ -442,3 +442,46 @@ def test_rows_further_apart_than_the_simulation_are_its_ends(pendulum):
 def test_a_time_that_is_lost_in_rounding_is_refused(pendulum):
     with pytest.raises(kte.BadArgument, match=r"a time of 1 s is lost in the rounding of t = 1e\+30 s"):
         kte.simulate(pendulum, [0.1], time=1, t=1e30)
+
+
+def test_rollouts_are_those_of_simulations(iiwa, random):
+    n, steps = 11, 6
+    tau = random.uniform(-5, 5, (n, steps, 7))
+    q, v = random.uniform(-1, 1, (n, 7)), random.uniform(-1, 1, 7)
+    found = kte.rollout(iiwa, q, v, tau, 0.01, step=0.0025)
+    assert found.q.shape == (n, steps + 1, 7) and found.v.shape == (n, steps + 1, 7)
+    np.testing.assert_allclose(found.t, 0.01 * np.arange(steps + 1))
+    for i in (0, 7, 8, 10):
+        s = kte.Simulation(iiwa, q[i], v, solver="runge_kutta4", step=0.0025)
+        np.testing.assert_array_equal(found.q[i, 0], q[i])
+        for k in range(steps):
+            s.set_control(tau[i, k])
+            s.advance(0.01 * (k + 1))
+            np.testing.assert_allclose(found.q[i, k + 1], s.q, rtol=0, atol=1e-13)
+            np.testing.assert_allclose(found.v[i, k + 1], s.v, rtol=0, atol=1e-11)
+    np.testing.assert_array_equal(kte.rollout(iiwa, q, v, tau, 0.01, step=0.0025, threads=1).q, found.q)
+    assert kte.rollout(iiwa, q[0], v, tau[:0], 0.01).q.shape == (0, steps + 1, 7)
+
+
+def test_rollouts_of_free_bodies_one_after_the_other():
+    body = kte.Chain(kte.free_joint_3D("pose", "world", "body"), kte.inertia_3D("body", 2, inertia=[1, 1, 1]), gravity=[0, 0, -10])
+    q = kte.neutral_configuration(body)
+    push = np.zeros((2, 4, 6))
+    push[1, :, 0] = 4.0
+    found = kte.rollout(body, q, np.zeros(6), push, 0.1)
+    np.testing.assert_allclose(found.q[:, -1, 2], -0.5 * 10 * 0.4**2, atol=1e-14)
+    np.testing.assert_allclose(found.q[:, -1, 0], [0, 0.5 * 2 * 0.4**2], atol=1e-14)
+
+
+def test_bad_arguments_of_rollouts(pendulum):
+    tau = np.zeros((3, 5, 1))
+    for q, v, forces, every, match in (
+        ([0.0, 0], [0.0], tau, 0.1, r"q has shape \(2,\), expected \(1,\) or \(3, 1\)"),
+        ([0.0], [0.0], tau[0], 0.1, r"tau has shape \(5, 1\), expected \(n, T, 1\)"),
+        ([0.0], [0.0], tau, 0.0, "every must be finite and positive"),
+        ([0.0], [np.nan], tau, 0.1, "v has a number that is not finite"),
+    ):
+        with pytest.raises(kte.BadArgument, match=match):
+            kte.rollout(pendulum, q, v, forces, every)
+    with pytest.raises(kte.BadArgument, match="step must be positive"):
+        kte.rollout(pendulum, [0.0], [0.0], tau, 0.1, step=-1)

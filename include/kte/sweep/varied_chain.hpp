@@ -11,6 +11,9 @@
 #include <string>
 #include <string_view>
 #include <vector>
+#include <utility>
+#include <set>
+#include <map>
 
 namespace kte {
 
@@ -120,5 +123,56 @@ class varied_chain {
   std::vector<element_record> records_;  ///< of the elements that vary
   std::vector<place> places_;
 };
+
+/// The numbers of a chain that a path of `varied_chain` names, in the order of elements: gravity/x, gravity/y, gravity/z,
+/// and NAME/PARAMETER, by components as there. NAME is that of the last connection of an element, or of the first other
+/// one by which the path is unique.
+inline std::vector<std::pair<std::string, double>> parameters_by_path(const runtime_chain& c) {
+  static constexpr std::array<std::string_view, 3> of_vector{"x", "y", "z"};
+  static constexpr std::array<std::string_view, 6> of_inertia{"xx", "xy", "xz", "yy", "yz", "zz"};
+  const auto ends_of = [](const parameter_record& p) {
+    std::vector<std::string> all;
+    if (p.values.size() == 1) all.emplace_back();
+    if (p.values.size() == 3) all.assign(of_vector.begin(), of_vector.end());
+    if (p.values.size() == 6) all.assign(of_inertia.begin(), of_inertia.end());
+    return all;
+  };
+  const auto path_of = [](const std::string& name, const parameter_record& p, const std::string& end) {
+    return name + "/" + p.name + (end.empty() ? "" : "/" + end);
+  };
+  std::map<std::string, int, std::less<>> of_last, of_all;  // how many elements have a path
+  c.for_each_element([&](const kte_element& e) {
+    const auto names = e.names();
+    std::set<std::string, std::less<>> own;
+    for (const auto& p : e.record().parameters)
+      for (const auto& end : ends_of(p)) {
+        ++of_last[path_of(names.back(), p, end)];
+        for (const auto& name : names) own.insert(path_of(name, p, end));
+      }
+    for (const auto& path : own) ++of_all[path];
+  });
+  std::vector<std::pair<std::string, double>> all;
+  const auto g = c.gravity();
+  all = {{"gravity/x", g.x}, {"gravity/y", g.y}, {"gravity/z", g.z}};
+  c.for_each_element([&](const kte_element& e) {
+    const auto names = e.names();
+    for (const auto& p : e.record().parameters) {
+      const auto ends = ends_of(p);
+      for (std::size_t k = 0; k < ends.size(); ++k) {
+        const auto last = path_of(names.back(), p, ends[k]);
+        if (of_last[last] == 1) {
+          all.emplace_back(last, p.values[k]);
+          continue;
+        }
+        for (const auto& name : names)
+          if (const auto path = path_of(name, p, ends[k]); !of_last.contains(path) && of_all[path] == 1) {
+            all.emplace_back(path, p.values[k]);
+            break;
+          }
+      }
+    }
+  });
+  return all;
+}
 
 }  // namespace kte
