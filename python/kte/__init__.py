@@ -9,6 +9,7 @@
 
 Units are SI. The documentation is docs/python.md; conventions of axes and signs are in docs/conventions.md.
 """
+from . import _html as _html
 from ._element import Element as Element
 from ._kte import *
 from ._kte import __version__ as __version__

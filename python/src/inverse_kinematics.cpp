@@ -64,8 +64,9 @@ bool is_too_far(const kte::runtime_chain& c, const std::string& frame, const kte
   return length(position - shoulder) > reach * (1 + 1e-9);
 }
 /// The nearest to q within limits, in closed form if there is one.
-answer nearest_to(const arm_type& arm, const std::string& frame, const kte::vec3<>& position,
-                  const kte::mat3<kte::vec3<>>* rotation, const Eigen::VectorXd& q, bool numeric) {
+answer nearest_to(const kte::runtime_chain& c, const arm_type& arm, const std::string& frame,
+                  const kte::vec3<>& position, const kte::mat3<kte::vec3<>>* rotation, const Eigen::VectorXd& q,
+                  bool numeric) {
   bool too_far = false;
   if (rotation && !numeric && arm.family() != kte::arm_family::none) {
     try {
@@ -77,7 +78,7 @@ answer nearest_to(const arm_type& arm, const std::string& frame, const kte::vec3
   }
   const kte::numerical_ik_options how{.numeric = numeric};
   const auto put = [&](const auto& r) {
-    too_far = r.status != kte::numerical_ik_status::reached && (too_far || is_too_far(arm.chain(), frame, position));
+    too_far = r.status != kte::numerical_ik_status::reached && (too_far || is_too_far(c, frame, position));
     return answer{Eigen::VectorXd(r.q), too_far ? "out_of_reach" : text_of(r.status), r.position, r.rotation};
   };
   if (rotation)
@@ -103,7 +104,7 @@ void bind_inverse_kinematics(py::module_& m) {
         Eigen::VectorXd q =
             start.is_none() ? Eigen::VectorXd(kte::neutral_configuration(c)) : vector_from("start", start, c.nq());
         const auto a =
-            run_interruptibly([&] { return nearest_to(manipulator, frame, p, turned ? &r : nullptr, q, numeric); });
+            run_interruptibly([&] { return nearest_to(c, manipulator, frame, p, turned ? &r : nullptr, q, numeric); });
         if (must_reach && a.status != "reached")
           throw kte::unreachable("kte: '" + frame + "' does not get there (" + a.status +
                                      "): " + kte::detail::number(a.position) + " m and " +
