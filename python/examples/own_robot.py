@@ -45,6 +45,6 @@ print("largest holding torques:", np.abs(torques).max(axis=0).round(2), "Nm; the
 
 # Where to go for a point, within limits.
 found = kte.inverse_kinematics(arm, "tool", [0.3, 0.2, 0.5], start=[0, 0.5, 1.0])
-print("inverse kinematics:", found.status, found.q.round(4), f"off by {found.position:.1e} m")
+print("inverse kinematics:", found.status, found.q.round(4), f"off by {found.position_error:.1e} m")
 print("there:", kte.forward_kinematics(arm, found.q, "tool").position.round(9))
 print(kte.view(arm, "own_robot.html"))

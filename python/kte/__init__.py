@@ -9,6 +9,8 @@
 
 Units are SI. The documentation is docs/python.md; conventions of axes and signs are in docs/conventions.md.
 """
+from inspect import signature as _signature
+
 from . import _html as _html
 from ._element import Element as Element
 from ._kte import *
@@ -26,6 +28,10 @@ from .simulation import Event as Event
 from .simulation import rollout as rollout
 from .simulation import simulate as simulate
 from .sweeps import *
+
+for _kind in (Chain, State, Simulation):  # whose docstrings begin with their arguments
+    _arguments = (_kind.__doc__ or "").partition(")\n\n")[0].partition("(")[2]
+    setattr(_kind, "__signature__", _signature(eval(f"lambda {_arguments}: None".replace("\n", " "))))
 
 #: `from kte import *` leaves out `compile`, which would hide Python's, and modules of the package.
 __all__ = [n for n, x in list(vars().items()) if not n.startswith("_") and n != "compile" and not hasattr(x, "__path__") and not hasattr(x, "__spec__")]

@@ -96,7 +96,8 @@ class Pose(NamedTuple):
         q = self.quaternion()
         half = np.linalg.norm(q[..., 1:], axis=-1, keepdims=True)
         angle = 2 * np.arctan2(half, q[..., :1])
-        return q[..., 1:] * np.where(half > 0, angle / np.where(half > 0, half, 1), 2)
+        v: Array = q[..., 1:] * np.where(half > 0, angle / np.where(half > 0, half, 1), 2)
+        return v
 
 
 def _from_quaternion(q: Array) -> Array:

@@ -128,12 +128,12 @@ def rollout(
             raise BadArgument(f"kte: {name} has a number that is not finite")
     length = min(step or every, every)
     t = every * np.arange(rows + 1)
-    found = _rollout_in_lanes(chain, *starts, forces, every, length, threads)
+    found = _rollout_in_lanes(chain, starts[0], starts[1], forces, every, length, threads)
     if found is not None:
         return Rollout(t, *found)
     all_q, all_v = np.empty((count, rows + 1, nq)), np.empty((count, rows + 1, nv))
     for i in range(count):
-        simulation = Simulation(chain, starts[0][i], starts[1][i], solver="runge_kutta4", step=length)
+        simulation = Simulation(chain, starts[0][i], starts[1][i], solver="runge_kutta4", step=length, control=np.zeros(nv))
         all_q[i, 0], all_v[i, 0] = simulation.q, simulation.v
         for k in range(rows):
             simulation.set_control(forces[i, k])

@@ -337,7 +337,7 @@ not among them.)")
       },
       "record"_a);
   m.def(
-      "element_types", [] { return registry().types(); }, "The names of all types of elements.");
+      "element_types", [] { return registry().types(); }, "element_types()\n\nThe names of all types of elements.");
 }
 
 }  // namespace kte_python

@@ -38,7 +38,8 @@ Forward dynamics and its derivatives: `.a`, and the matrices `.by_q`, `.by_v`, `
             });
   define<2>(m,
             {"coriolis_matrix",
-             "coriolis_matrix(chain, q, v, *, threads=None, errors=\"raise\")\n\nC from Christoffel symbols, (nv, nv): "
+             "coriolis_matrix(chain, q, v, *, inputs=None, threads=None, errors=\"raise\")\n\nC from Christoffel "
+             "symbols, (nv, nv): "
              "dM/dt - 2 C is skew-symmetric.",
              a_matrix, 3},
             [](const runtime_chain& k, workspace& w, double* const* out) {
@@ -46,7 +47,8 @@ Forward dynamics and its derivatives: `.a`, and the matrices `.by_q`, `.by_v`, `
             });
   define<2>(m,
             {"mass_matrix_rate",
-             "mass_matrix_rate(chain, q, v, *, threads=None, errors=\"raise\")\n\nThe time derivative dM/dt, (nv, nv).",
+             "mass_matrix_rate(chain, q, v, *, inputs=None, threads=None, errors=\"raise\")\n\nThe time derivative "
+             "dM/dt, (nv, nv).",
              a_matrix, 3},
             [](const runtime_chain& k, workspace& w, double* const* out) {
               write(kte::mass_matrix_rate(k, w.state, w.x[0], w.x[1]), out[0]);

@@ -3,6 +3,7 @@
 #include <kte/manipulators/numerical_inverse_kinematics.hpp>
 #include <kte/manipulators/runtime_manipulator.hpp>
 
+#include <cstdio>
 #include <pybind11/stl.h>
 
 #include "call.hpp"
@@ -35,6 +36,12 @@ const char* text_of(kte::numerical_ik_status s) {
       return "local_minimum";
   }
   return "";
+}
+
+std::string in_three_digits(double x) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", x);
+  return text;
 }
 
 /// The tuple of kte.InverseKinematics.
@@ -107,8 +114,8 @@ void bind_inverse_kinematics(py::module_& m) {
             run_interruptibly([&] { return nearest_to(c, manipulator, frame, p, turned ? &r : nullptr, q, numeric); });
         if (must_reach && a.status != "reached")
           throw kte::unreachable("kte: '" + frame + "' does not get there (" + a.status +
-                                     "): " + kte::detail::number(a.position) + " m and " +
-                                     kte::detail::number(a.rotation) + " rad are left",
+                                     "): " + in_three_digits(a.position) + " m and " + in_three_digits(a.rotation) +
+                                     " rad are left",
                                  kte::unreachable_reason::local_minimum, {}, a.position, a.rotation);
         return as_object(a);
       },

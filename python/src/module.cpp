@@ -44,21 +44,20 @@ void make_safe(const py::module_& m) {
   }
 }
 
-/// Lets `inspect.signature` find what the first lines of docstrings state: Python looks for a mark behind it.
-void give_signature(PyObject* function) {
-  if (!PyCFunction_Check(function)) return;
-  auto* const method = reinterpret_cast<PyCFunctionObject*>(function)->m_ml;
-  if (method->ml_doc == nullptr) return;
-  const std::string doc = method->ml_doc;
-  const auto end = doc.find(")\n\n");
-  if (end == doc.npos || !doc.starts_with(std::string(method->ml_name) + "(")) return;
-  char* const marked = strdup((doc.substr(0, end + 1) + "\n--" + doc.substr(end + 1)).c_str());
-  if (marked == nullptr) return;
-  std::free(const_cast<char*>(method->ml_doc));  // pybind11 has allocated it so, and frees it
-  method->ml_doc = marked;
-}
+/// Lets `inspect.signature` find what the first lines of the docstrings of functions state: Python looks for a mark
+/// behind it.
 void give_signatures(const py::module_& m) {
-  for (const auto& [name, object] : m.attr("__dict__").cast<py::dict>()) give_signature(object.ptr());
+  for (const auto& [name, object] : m.attr("__dict__").cast<py::dict>()) {
+    if (!PyCFunction_Check(object.ptr())) continue;
+    auto* const method = reinterpret_cast<PyCFunctionObject*>(object.ptr())->m_ml;
+    const std::string doc = method->ml_doc == nullptr ? "" : method->ml_doc;
+    const auto end = doc.find(")\n\n");
+    if (end == doc.npos || !doc.starts_with(std::string(method->ml_name) + "(")) continue;
+    char* const marked = strdup((doc.substr(0, end + 1) + "\n--" + doc.substr(end + 1)).c_str());
+    if (marked == nullptr) continue;
+    std::free(const_cast<char*>(method->ml_doc));  // pybind11 has allocated it so, and frees it
+    method->ml_doc = marked;
+  }
 }
 
 }  // namespace

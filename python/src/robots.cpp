@@ -268,15 +268,14 @@ N/m or Nm/rad, they are servos, whose commands are positions. `stop_*`: stops at
       .def("_put_chain", [](robot_object& r, py::object chain) { r.chain = std::move(chain); })
       .def("__repr__", &repr_of);
 
-  static const std::string load_doc =
-      "load_robot(path, *, gravity=None, root=\"\", floating_base=False, fold_fixed=False, joint_dynamics=True, "
+  static const std::string options =
+      "*, gravity=None, root=\"\", floating_base=False, fold_fixed=False, joint_dynamics=True, "
       "friction_smoothing=1e-3, quarter_turn_tolerance=1e-15, strict=False, model=\"\", search_path=(), "
-      "contacts=None)\n\n"
-      "Reads a robot from a file in URDF, MJCF or SDF.\n" +
-      std::string(options_text);
-  static const std::string parse_doc =
-      "parse_robot(text, name=\"robot\", *, ...)\n\nReads a robot from a text in URDF, MJCF or SDF. Options as for "
-      "`load_robot`.";
+      "contacts=None)\n\n";
+  static const std::string load_doc =
+      "load_robot(path, " + options + "Reads a robot from a file in URDF, MJCF or SDF.\n" + std::string(options_text);
+  static const std::string parse_doc = "parse_robot(text, name=\"robot\", " + options +
+                                       "Reads a robot from a text in URDF, MJCF or SDF. Options as for `load_robot`.";
   const auto none = py::none();
   const auto no_folders = py::tuple();
   m.def(

@@ -16,7 +16,7 @@ void bind_rollout(py::module_& m) {
         const auto& c = object.chain();
         if (!can_be_in_lanes(c, "runge_kutta4")) return py::none();
         const numbers starts("q", q, c.nq()), rates("v", v, c.dofs()), forces("tau", tau, c.dofs());
-        const Py_ssize_t count = starts.states(), steps = forces.states() / std::max<Py_ssize_t>(count, 1);
+        const Py_ssize_t count = starts.states(), steps = forces.leading().back();
         std::vector<double> memory[3];
         array positions({count, steps + 1, static_cast<Py_ssize_t>(c.nq())}),
             velocities({count, steps + 1, static_cast<Py_ssize_t>(c.dofs())});

@@ -220,7 +220,7 @@ def test_a_misspelt_frame_that_became_a_base_is_found():
 
 def test_parameters_are_read_and_replaced(pendulum):
     all = pendulum.parameters()
-    assert all["tip/mass"] == 1 and all["gravity/y"] == -9.81 and all["tip/offset/x"] == 0.5, all
+    assert all["tip/mass"] == 1 and all["gravity/y"] == -9.81 and all["tip/position/x"] == 0.5, all
     heavy = pendulum.with_parameters({"tip/mass": 3, "gravity/y": -1.62})
     assert heavy.parameters()["tip/mass"] == 3 and pendulum.parameters() == all
     np.testing.assert_allclose(kte.gravity_forces(heavy, [0.0]), kte.gravity_forces(pendulum, [0.0]) * 3 * 1.62 / 9.81)

@@ -46,7 +46,11 @@ def test_a_regulator_balances_the_pole(cart_pole):
     assert abs(m.q[-1]).max() < 1e-3 and abs(m.q[0] - [0.5, 0.4]).max() == 0
 
     sampled = kte.discretize(linear, 0.02)
-    np.testing.assert_allclose(sampled.A, np.eye(4) + 0.02 * a + 0.0002 * a @ a, atol=1e-4)
+    term, exponential = np.eye(4), np.eye(4)
+    for k in range(1, 20):
+        term = term @ a * (0.02 / k)
+        exponential = exponential + term
+    np.testing.assert_allclose(sampled.A, exponential, atol=1e-15)
     slow = kte.lqr(sampled, np.diag([10, 10, 1, 1]), [[0.1]])
     assert (abs(slow.poles) < 1).all() and slow.K.shape == (1, 4)
     same = kte.lqr((linear.A, linear.B), [10, 10, 1, 1], 0.1)

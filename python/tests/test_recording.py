@@ -256,6 +256,6 @@ def test_notebooks_show_tables(pendulum, iiwa):
     table = kte.sweep(kte.evenly("x", 0, 1, 100), lambda c: {"<k>": c["x"]}, "<k>")
     assert "revolute_joint_2D" in pendulum._repr_html_() and "mass 1" in pendulum._repr_html_()
     assert "<td>q1</td><td>coordinate</td><td>-2.96706</td>" in iiwa._repr_html_()
-    assert "<th>column</th>" in motion._repr_html_() and motion._repr_html_().count("<tr>") == len(motion) + 1
+    assert "<th>column</th>" in motion._repr_html_() and motion._repr_html_().count("<tr>") == len(list(motion)) + 1
     shown = table._repr_html_()
     assert "&lt;k&gt;" in shown and "and 60 more" in shown and shown.count("<tr>") == 42

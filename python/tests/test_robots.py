@@ -96,7 +96,7 @@ def test_poses_out_of_reach_are_named(iiwa):
         for numeric in (False, True):
             far = kte.inverse_kinematics(iiwa, "tool", [5, 0, 0], rotation, numeric=numeric)
             assert far.status == "out_of_reach" and far.position_error > 3
-            with pytest.raises(kte.Unreachable, match="'tool' does not get there .out_of_reach.: 3.* m"):
+            with pytest.raises(kte.Unreachable, match="'tool' does not get there .out_of_reach.: [34].* m"):
                 kte.inverse_kinematics(iiwa, "tool", [5, 0, 0], rotation, numeric=numeric, must_reach=True)
     arm = kte.Chain(
         kte.revolute_joint_3D("q0", "base", "a", axis=[0, 0, 1], position=[0, 0, 3]),

@@ -452,7 +452,7 @@ def test_rollouts_are_those_of_simulations(iiwa, random):
     assert found.q.shape == (n, steps + 1, 7) and found.v.shape == (n, steps + 1, 7)
     np.testing.assert_allclose(found.t, 0.01 * np.arange(steps + 1))
     for i in (0, 7, 8, 10):
-        s = kte.Simulation(iiwa, q[i], v, solver="runge_kutta4", step=0.0025)
+        s = kte.Simulation(iiwa, q[i], v, solver="runge_kutta4", step=0.0025, control=np.zeros(7))
         np.testing.assert_array_equal(found.q[i, 0], q[i])
         for k in range(steps):
             s.set_control(tau[i, k])
