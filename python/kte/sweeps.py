@@ -248,30 +248,38 @@ class _Elsewhere:
     def completed(self, shards: Sequence[int]) -> Iterator[int]:
         """The places in `shards` of those whose results are there. If one has none, the others are computed first."""
         waiting = iter(enumerate(shards))
-        running = {self._submit(shard): i for i, shard in islice(waiting, _AHEAD)}
-        failure: Optional[Tuple[int, Exception]] = None
+        running: Dict[Any, int] = {}
+        failures: Dict[int, Exception] = {}
+
+        def start(count: int) -> None:
+            for i, shard in islice(waiting, count):
+                try:
+                    running[self._submit(shard)] = i
+                except Exception as error:  # as of workers that have died
+                    failures[i] = error
+
+        start(_AHEAD)
         try:
             while running:
                 for future in self.workers.first(running):
                     i = running.pop(future)
-                    for j, shard in islice(waiting, 1):
-                        running[self._submit(shard)] = j
+                    start(1)
                     try:
                         self.results[shards[i] * self.shard_size] = future.result()
                     except Exception as error:
-                        if failure is None or i < failure[0]:
-                            failure = i, error
+                        failures[i] = error
                     else:
                         yield i
         finally:
             for future in running:
                 future.cancel()
-        if failure is not None:
-            begin = shards[failure[0]] * self.shard_size
+        if failures:
+            first = min(failures)
+            begin, cause = shards[first] * self.shard_size, failures[first]
             raise Error(
                 f"kte: the cases from {begin} to {min(begin + self.shard_size, len(self.cases)) - 1} were not computed: "
-                f"{type(failure[1]).__name__}: {failure[1]}"
-            ) from failure[1]
+                f"{type(cause).__name__}: {cause}"
+            ) from cause
 
     def fetch(self, begin: int, end: int) -> Tuple[Array, List[Tuple[int, str]]]:
         return self.results.pop(begin)

@@ -123,3 +123,12 @@ def test_sweeps_by_processes(iiwa, way):
         assert (kte.sweep(q, run, "q1", client=processes)["q1"] == kte.sweep(q, run, "q1")["q1"]).all()
         with pytest.raises(kte.Error, match="were not computed: BrokenProcessPool"):
             kte.sweep(cases * kte.one_of("die", [1.0]), square, "y", client=processes)
+
+
+def test_a_pool_that_breaks_while_cases_are_submitted_is_named():
+    class Breaks(ProcessPoolExecutor):
+        def submit(self, *arguments, **options):
+            raise RuntimeError("the pool is broken")
+
+    with Breaks(1) as processes, pytest.raises(kte.Error, match="the cases from 0 to 0 were not computed: RuntimeError: the pool is broken"):
+        kte.sweep(kte.one_of("x", [1.0, 2.0]) * kte.one_of("die", [0.0]), square, "y", client=processes)
