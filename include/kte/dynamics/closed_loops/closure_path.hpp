@@ -37,11 +37,11 @@ class closure_path {
     int row;  ///< of v
     spatial s;
     int joint;  ///< its number on the path
-    int moves;  ///< q moves the axes of the path before this one
+    int moves;  ///< how many axes its q moves: those of the path before its body
   };
 
-  /// Of degrees of freedom only, by joints that do not have `varying` axes, at the places of bodies and the rates and
-  /// accelerations of axes in the working memory.
+  /// Finds the path in a tree of joints without `varying` axes, at the places of bodies and the rates and accelerations
+  /// of axes in the working memory.
   void find(const runtime_state& s, const closure_place& x) {
     const closing_motion<double> m = closure_motion::motion_between(s, x);
     axes_.clear(), joints_.clear(), at_rest_ = m;
@@ -91,7 +91,7 @@ class closure_path {
   int size() const { return static_cast<int>(axes_.size()); }
   const axis& at(int i) const { return axes_[static_cast<std::size_t>(i)]; }
 
-  /// The motion of frame2 in frame1, with the derivatives along axes from `first` on by q, v or a.
+  /// The motion of frame2 in frame1, with the derivatives along axes from `first` on by q or v.
   closing_motion<number> motion_along(vector_of by, int first) const {
     closing_motion<number> m;
     const auto take = [](vec3<number>& to, const vec3<>& x) { to = {number(x.x), number(x.y), number(x.z)}; };
@@ -107,14 +107,14 @@ class closure_path {
       };
       const axis& x = at(first + lane);
       const joint& j = joints_[static_cast<std::size_t>(x.joint)];
-      spatial dv{}, da = x.s;
+      spatial dv, da;
       if (by == vector_of::q) {
         dv = cross(j.v_parent, x.s), da = cross(j.a_parent, x.s) + cross(dv, minus(v_, j.v_parent));  // (2)
         vary(m.position, rest.rotation * x.s.linear);
         const auto turned = [&x](const vec3<>& row) { return cross(row, x.s.angular); };
         vary(m.rotation.x, turned(rest.rotation.x)), vary(m.rotation.y, turned(rest.rotation.y));
         vary(m.rotation.z, turned(rest.rotation.z));
-      } else if (by == vector_of::v) {
+      } else {
         dv = x.s, da = cross(j.v_before, x.s) + cross(x.s, minus(v_, j.v_after));  // (3)
       }
       vary(m.velocity, dv.linear), vary(m.ang_velocity, dv.angular);
