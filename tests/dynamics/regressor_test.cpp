@@ -3,6 +3,7 @@
 #include <kte/dynamics/mass_matrix.hpp>
 #include <kte/dynamics/regressor.hpp>
 #include <kte/math/dual.hpp>
+#include <kte/runtime_chain/layout.hpp>
 #include <kte/runtime_chain/runtime_chain.hpp>
 
 #include <limits>
@@ -208,6 +209,19 @@ TEST_CASE("regressor of trees of runtime chains") {
       CHECK(gap_of_forces(y, pi, inverse_dynamics(alone, t, q, v, a)) < rounding);
     }
   }
+}
+
+TEST_CASE("the regressor of a floating tree does not depend on how far away it is") {
+  const auto c = models::registered(without_forces(record_of(floating_with_springs)));
+  auto s = c.make_state();
+  random_numbers random(6);
+  auto [q, v, a] = random_motion<double>(c, random);
+  const Eigen::MatrixXd here = torque_regressor(c, s, q, v, a);
+  int poses = 0;
+  for (const auto& entry : layout(c))
+    if (entry.what == kind::pose_3D) q[static_cast<std::size_t>(entry.q)] += 1e9, ++poses;
+  REQUIRE(poses == 1);
+  CHECK(Eigen::MatrixXd(torque_regressor(c, s, q, v, a)) == here);
 }
 
 TEST_CASE("columns of the regressor are forces of bodies of unit parameters") {

@@ -95,19 +95,19 @@ class contact_sensitivity {
     }
     for (const auto& x : contacts) put(x, e, j);
     all.resize(n + equations, n + equations);
-    const Eigen::MatrixXd pushed = inverse * forces_.transpose(), seen = rows_ * inverse;  // M^-1 K, N M^-1
+    const Eigen::MatrixXd by_x = inverse * forces_.transpose(), by_force = rows_ * inverse;  // M^-1 K, N M^-1
     Eigen::MatrixXd s(equations, equations);
-    if (equations > 0) invert(rows_ * pushed + own_, s);
-    all.topRightCorner(n, equations).noalias() = pushed * s;
-    all.bottomLeftCorner(equations, n).noalias() = -s * seen;
+    if (equations > 0) invert(rows_ * by_x + own_, s);
+    all.topRightCorner(n, equations).noalias() = by_x * s;
+    all.bottomLeftCorner(equations, n).noalias() = -s * by_force;
     all.bottomRightCorner(equations, equations) = s;
     all.topLeftCorner(n, n) = inverse;
-    all.topLeftCorner(n, n).noalias() -= all.topRightCorner(n, equations) * seen;
+    all.topLeftCorner(n, n).noalias() -= all.topRightCorner(n, equations) * by_force;
   }
   Eigen::MatrixXd all;  ///< the matrix of (5)
 
  private:
-  /// The inverse, or the pseudoinverse if pivots are below 1e-10 of the largest.
+  /// The inverse; if that is large, the pseudoinverse, where pivots below 1e-10 of the largest are zero.
   static void invert(const Eigen::MatrixXd& x, Eigen::MatrixXd& inverse) {
     Eigen::MatrixXd left = x;
     const auto size = [](const Eigen::MatrixXd& y) { return y.cwiseAbs().maxCoeff(); };
