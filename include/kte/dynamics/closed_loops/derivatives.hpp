@@ -80,16 +80,14 @@ class loop_sensitivity {
     x_.resize(n, factor.rank()), roots_.setZero(rows, factor.rank());
     for (std::size_t i = 0; i < factor.parts.size(); ++i) {
       const auto& part = factor.parts[i];
-      unit_.setZero(rows);
+      of_r_.resize(rows);
       for (Eigen::Index k = 0; k < part.rank(); ++k, ++column) {
         factor.other_half_of_q(s, e, i, k, loops.change);
         x_.col(column) = loops.change;
-        unit_[k] = 1;
-        part.solve(unit_.data());
-        for (Eigen::Index j = 0; j < part.rank(); ++j)
+        part.column_of_inverse(k, of_r_.data());
+        for (Eigen::Index j = 0; j <= k; ++j)
           roots_(closure_places::row_of(e.places.blocks[i], part.chosen[static_cast<std::size_t>(j)]), column) =
-              unit_[j];
-        unit_.setZero();
+              of_r_[j];
       }
     }
     if (!s.tree().plan.tree)
@@ -111,7 +109,7 @@ class loop_sensitivity {
 
  private:
   Eigen::MatrixXd masses_, x_, roots_;  ///< M^-1, X, R^-1 by rows of all closures
-  Eigen::VectorXd unit_;
+  Eigen::VectorXd of_r_;                ///< a column of R^-1
 };
 /// The memory of `constrained_dynamics_derived`.
 struct loop_derivatives_memory {

@@ -283,10 +283,9 @@ KTE_FUNCTION void loop_factor::other_half_of_q(runtime_state& s, const loop_equa
                                                Eigen::VectorXd& d) {
   const auto n = static_cast<Eigen::Index>(e.places.row_of_place.size());
   const auto& places = e.places.blocks[i].places;
-  left_.setZero(n), chosen_.setZero((std::max)(chosen_.size(), parts[i].rank()));
-  chosen_[k] = 1;
+  left_.setZero(n);
   if (half_.size() < n + pivoted_qr::padding) half_.resize(n + pivoted_qr::padding);
-  parts[i].times_q(chosen_.data(), half_.data());
+  parts[i].column_of_q(k, half_.data());
   for (std::size_t j = 0; j < places.size(); ++j) left_[places[j]] = half_[static_cast<Eigen::Index>(j)];
   other_half(s, e, left_, d);
 }

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -33,12 +34,19 @@ class pivoted_qr {
 
   /// y = Q x.
   void times_q(const double* x, double* y) const;
+  /// y = column k of Q.
+  void column_of_q(Eigen::Index k, double* y) const;
   /// The first numbers of y become Q^T y.
   void times_q_transposed(double* y) const {
     for (Eigen::Index k = 0; k < rank(); ++k) reflect_by(k, y);
   }
   /// x becomes R^-1 x.
-  void solve(double* x) const;
+  void solve(double* x) const { solve_from(rank(), x); }
+  /// The first k + 1 numbers of x become those of column k of R^-1; the others are zero.
+  void column_of_inverse(Eigen::Index k, double* x) const {
+    std::fill_n(x, k, 0.0), x[k] = 1;
+    solve_from(k + 1, x);
+  }
   /// x becomes R^-T x.
   void solve_transposed(double* x) const;
   Eigen::MatrixXd q() const;
@@ -73,6 +81,8 @@ class pivoted_qr {
     }
     return sum_of(sum);
   }
+  /// As `solve`, for x whose numbers from `end` on are zero.
+  void solve_from(Eigen::Index end, double* x) const;
   void find_squares();
   /// Reflects column k, of this norm, onto axis k by 1 - v v^T / (-d v_0), v of the column less d on its axis. Keeps v
   /// in the column; row k of the others goes to R.
@@ -147,8 +157,12 @@ KTE_FUNCTION void pivoted_qr::times_q(const double* x, double* y) const {
   }
   for (Eigen::Index k = n; k-- > 0;) reflect_by(k, y);
 }
-KTE_FUNCTION void pivoted_qr::solve(double* x) const {
-  for (Eigen::Index k = rank(); k-- > 0;) {
+KTE_FUNCTION void pivoted_qr::column_of_q(Eigen::Index k, double* y) const {
+  std::fill_n(y, b_.rows(), 0.0), y[k] = 1;
+  for (Eigen::Index i = k + 1; i-- > 0;) reflect_by(i, y);  // the others leave it as it is
+}
+KTE_FUNCTION void pivoted_qr::solve_from(Eigen::Index end, double* x) const {
+  for (Eigen::Index k = end; k-- > 0;) {
     x[k] *= inverse_[k];
     for (Eigen::Index i = 0; i < k; ++i) x[i] -= r_(i, k) * x[k];
   }
@@ -161,8 +175,7 @@ KTE_FUNCTION void pivoted_qr::solve_transposed(double* x) const {
 }
 KTE_FUNCTION Eigen::MatrixXd pivoted_qr::q() const {
   Eigen::MatrixXd all(rows_ + padding, rank());
-  const Eigen::MatrixXd unit = Eigen::MatrixXd::Identity(rank(), rank());
-  for (Eigen::Index k = 0; k < rank(); ++k) times_q(unit.col(k).data(), all.col(k).data());
+  for (Eigen::Index k = 0; k < rank(); ++k) column_of_q(k, all.col(k).data());
   return all.topRows(rows_);
 }
 KTE_FUNCTION void pivoted_qr::find_squares() {
