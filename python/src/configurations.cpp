@@ -77,7 +77,7 @@ void bind_configurations(py::module_& m) {
         if (*n < 0) throw kte::bad_argument("kte: n must not be negative, got " + std::to_string(*n));
         array all({*n, static_cast<Py_ssize_t>(c.nq())});
         for (Py_ssize_t i = 0; i < *n; ++i) write_vector(one(), all.mutable_data(i, 0));
-        return std::move(all);
+        return py::object(std::move(all));
       },
       R"(random_configuration(chain, lower, upper, seed, n=None)
 

@@ -24,8 +24,8 @@ class motion_object {
  public:
   /// make(arm) returns a `joint_motion`; `again` is what makes it once more.
   template <class Make>
-  motion_object(arm_type arm, const Make& make, py::tuple again)
-      : again(std::move(again)), arm_(std::make_shared<const arm_type>(std::move(arm))) {
+  motion_object(arm_type arm, const Make& make, py::tuple once_more)
+      : again(std::move(once_more)), arm_(std::make_shared<const arm_type>(std::move(arm))) {
     const auto m = make(*arm_);
     duration_ = m.duration();
     at_ = [m](double t) {

@@ -5,15 +5,15 @@
 
 #include <array>
 #include <cstddef>
+#include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
-#include <vector>
 #include <utility>
-#include <set>
-#include <map>
+#include <vector>
 
 namespace kte {
 
@@ -124,9 +124,9 @@ class varied_chain {
   std::vector<place> places_;
 };
 
-/// The numbers of a chain that a path of `varied_chain` names, in the order of elements: gravity/x, gravity/y, gravity/z,
-/// and NAME/PARAMETER, by components as there. NAME is that of the last connection of an element, or of the first other
-/// one by which the path is unique.
+/// The numbers of a chain that a path of `varied_chain` names, in the order of elements: gravity/x, gravity/y,
+/// gravity/z, and NAME/PARAMETER, by components as there. NAME is that of the last connection of an element, or of the
+/// first other one by which the path is unique.
 inline std::vector<std::pair<std::string, double>> parameters_by_path(const runtime_chain& c) {
   static constexpr std::array<std::string_view, 3> of_vector{"x", "y", "z"};
   static constexpr std::array<std::string_view, 6> of_inertia{"xx", "xy", "xz", "yy", "yz", "zz"};

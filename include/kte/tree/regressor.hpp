@@ -55,7 +55,7 @@ void forces_by_parameters(const body_tree<P>& f, const memory<P, S>& m, const ax
       numbers row[6];
       for (int i = 0; i < 6; ++i) load<S>(row[i], rows[i] + k);
       for (int before = k; before < first; ++before)
-        for (numbers& x : row) simd_lane<S>(before - k).put(x, S(0));
+        for (numbers& rates : row) simd_lane<S>(before - k).put(rates, S(0));
       const vec3<numbers> u{row[3], row[4], row[5]};
       const vec3<numbers> v{row[0] + (u.y * p.z - u.z * p.y), row[1] + (u.z * p.x - u.x * p.z),
                             row[2] + (u.x * p.y - u.y * p.x)};
