@@ -159,7 +159,7 @@ KTE_FUNCTION void pivoted_qr::times_q(const double* x, double* y) const {
 }
 KTE_FUNCTION void pivoted_qr::column_of_q(Eigen::Index k, double* y) const {
   std::fill_n(y, b_.rows(), 0.0), y[k] = 1;
-  for (Eigen::Index i = k + 1; i-- > 0;) reflect_by(i, y);  // the others leave it as it is
+  for (Eigen::Index i = k + 1; i-- > 0;) reflect_by(i, y);  // the others do not change it
 }
 KTE_FUNCTION void pivoted_qr::solve_from(Eigen::Index end, double* x) const {
   for (Eigen::Index k = end; k-- > 0;) {
