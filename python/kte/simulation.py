@@ -101,7 +101,7 @@ def rollout(
     threads: Optional[int] = None,
 ) -> Rollout:
     """Many motions under given forces, for controllers that try them: tau, (n, T, nv), are constant for `every` s each.
-    q and v are one start, or n of them. Returns a `Rollout` with T + 1 rows of each motion.
+    q and v are one start, or n of them; inputs are 0. Returns a `Rollout` with T + 1 rows of each motion.
 
     Motions are by runge_kutta4 with steps of at most `step` s, by default `every`. Those of chains whose state consists
     of numbers q and v are computed side by side in packs and threads; others, as of free bodies and with contacts, one

@@ -17,6 +17,19 @@
 
 namespace kte {
 
+namespace detail {
+/// How paths call the numbers of a parameter of `count` numbers; empty if they do not reach them.
+inline std::span<const std::string_view> components_in_paths(std::size_t count) {
+  static constexpr std::array<std::string_view, 1> of_number{""};
+  static constexpr std::array<std::string_view, 3> of_vector{"x", "y", "z"};
+  static constexpr std::array<std::string_view, 6> of_inertia{"xx", "xy", "xz", "yy", "yz", "zz"};
+  if (count == 1) return of_number;
+  if (count == 3) return of_vector;
+  if (count == 6) return of_inertia;
+  return {};
+}
+}  // namespace detail
+
 /// A runtime chain some of whose parameters vary, by their paths (docs/sweeps.md):
 ///
 ///   const kte::varied_chain arms(arm, {"tool/mass", "gravity/z"});
@@ -63,12 +76,7 @@ class varied_chain {
 
   /// The index of a component in a parameter of `count` numbers; `count` if there is none.
   static std::size_t component_of(std::string_view component, std::size_t count) {
-    static constexpr std::array<std::string_view, 3> of_vector{"x", "y", "z"};
-    static constexpr std::array<std::string_view, 6> of_inertia{"xx", "xy", "xz", "yy", "yz", "zz"};
-    if (count == 1) return component.empty() ? 0 : 1;
-    const auto all = count == 3   ? std::span<const std::string_view>(of_vector)
-                     : count == 6 ? std::span<const std::string_view>(of_inertia)
-                                  : std::span<const std::string_view>{};
+    const auto all = detail::components_in_paths(count);
     const auto at = std::find(all.begin(), all.end(), component);
     return at == all.end() ? count : static_cast<std::size_t>(at - all.begin());
   }
@@ -128,17 +136,9 @@ class varied_chain {
 /// gravity/z, and NAME/PARAMETER, by components as there. NAME is that of the last connection of an element, or of the
 /// first other one by which the path is unique.
 inline std::vector<std::pair<std::string, double>> parameters_by_path(const runtime_chain& c) {
-  static constexpr std::array<std::string_view, 3> of_vector{"x", "y", "z"};
-  static constexpr std::array<std::string_view, 6> of_inertia{"xx", "xy", "xz", "yy", "yz", "zz"};
-  const auto ends_of = [](const parameter_record& p) {
-    std::vector<std::string> all;
-    if (p.values.size() == 1) all.emplace_back();
-    if (p.values.size() == 3) all.assign(of_vector.begin(), of_vector.end());
-    if (p.values.size() == 6) all.assign(of_inertia.begin(), of_inertia.end());
-    return all;
-  };
-  const auto path_of = [](const std::string& name, const parameter_record& p, const std::string& end) {
-    return name + "/" + p.name + (end.empty() ? "" : "/" + end);
+  const auto ends_of = [](const parameter_record& p) { return detail::components_in_paths(p.values.size()); };
+  const auto path_of = [](const std::string& name, const parameter_record& p, std::string_view end) {
+    return name + "/" + p.name + (end.empty() ? "" : "/") + std::string(end);
   };
   std::map<std::string, int, std::less<>> of_last, of_all;  // how many elements have a path
   c.for_each_element([&](const kte_element& e) {
