@@ -16,6 +16,8 @@ def _numbers(name: str, x: ArrayLike, *shape: int) -> Array:
     if a.shape[a.ndim - len(shape) :] != shape or a.ndim < len(shape):
         expected = ", ".join(["...", *map(str, shape)])
         raise BadArgument(f"kte: {name} has shape {a.shape}, expected ({expected})")
+    if not np.isfinite(a).all():
+        raise BadArgument(f"kte: {name} has a number that is not finite")
     return a
 
 

@@ -15,6 +15,8 @@ __all__ = ["discretize", "displacement", "lqr"]
 
 def discretize(system: LinearSystem, dt: float) -> DiscreteLinearSystem:
     """The system from one sample to the next, with constant inputs for dt, s, exact by the matrix exponential."""
+    if not isinstance(system, LinearSystem):
+        raise TypeError(f"kte: system must be a LinearSystem, as linearize returns, not {system!r}")
     a, b, step = _discretize(system.A, system.B, system.x_dot, dt)
     return DiscreteLinearSystem(a, b, step, dt, system.inputs)
 
@@ -37,6 +39,8 @@ def lqr(
             raise BadArgument(f"kte: {name} has shape {a.shape}, expected a matrix or its diagonal")
         return a if a.ndim == 2 else np.diag(np.atleast_1d(a))
 
+    if not isinstance(system, tuple) or len(system) < 2:
+        raise TypeError(f"kte: system must be a linear system or a pair (A, B), not {system!r}")
     a, b = np.asarray(system[0], dtype=float), np.asarray(system[1], dtype=float)
     n = np.zeros((0, 0)) if N is None else np.asarray(N, dtype=float)
     return Feedback(*_lqr(a, b, matrix("Q", Q), matrix("R", R), n, isinstance(system, DiscreteLinearSystem)))

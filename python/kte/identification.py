@@ -33,6 +33,8 @@ def base_parameters(regressors: ArrayLike, tolerance: float = 1e-9) -> BaseParam
     if y.ndim < 2:
         raise BadArgument(f"kte: regressors has shape {y.shape}, expected (..., n, parameters)")
     y = y.reshape(-1, y.shape[-1])
+    if not np.isfinite(y).all():
+        raise BadArgument("kte: regressors have a number that is not finite")
     sizes = np.linalg.norm(y, axis=0)
     if len(y) < y.shape[1]:
         raise BadArgument(f"kte: {len(y)} rows of regressors are too few for {y.shape[1]} parameters")

@@ -74,6 +74,10 @@ def test_what_cannot_be_regulated_is_refused(cart_pole):
     linear = kte.linearize(alone, [0])
     with pytest.raises(kte.BadArgument, match="dt must be finite and positive, got -1"):
         kte.discretize(linear, -1)
+    with pytest.raises(TypeError, match="system must be a LinearSystem"):
+        kte.discretize((linear.A, linear.B), 0.1)
+    with pytest.raises(TypeError, match=r"a pair \(A, B\), not 1"):
+        kte.lqr(1, [1], [1])
     with pytest.raises(kte.NoSolution, match="mode"):
         kte.lqr((linear.A, np.zeros((2, 1))), [1, 1], 1)
     with pytest.raises(kte.BadArgument, match="Q"):

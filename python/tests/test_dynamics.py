@@ -390,6 +390,8 @@ def test_base_parameters_of_a_planar_arm(random):
     np.testing.assert_allclose(combined[3:], pi[[5, 6, 7]], rtol=1e-13)
     with pytest.raises(kte.BadArgument, match="too few"):
         kte.base_parameters(y[0])
+    with pytest.raises(kte.BadArgument, match="not finite"):
+        kte.base_parameters(np.where(y == y, np.nan, y))
     with pytest.raises(kte.BadArgument, match="shape"):
         kte.base_parameters([1.0])
 

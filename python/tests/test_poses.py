@@ -55,6 +55,8 @@ def test_rotations_of_scipy(random):
 def test_bad_poses_are_refused():
     with pytest.raises(kte.BadArgument, match=r"position has shape \(2,\), expected \(..., 3\)"):
         kte.Pose.of([1, 2])
+    with pytest.raises(kte.BadArgument, match="position has a number that is not finite"):
+        kte.Pose.of([0, 0, np.nan])
     with pytest.raises(kte.BadArgument, match="does not have the length 1"):
         kte.Pose.of(quaternion=[1, 1, 0, 0])
     with pytest.raises(kte.BadArgument, match="one of rotation, quaternion"):
