@@ -2,6 +2,7 @@
 
 /// Part of kte/compiled.hpp: runtime chains as systems x' = f(t, x), solvers, arms.
 #include <kte/compiled/contacts.hpp>
+#include <kte/integrators/detail/weakly_damped.hpp>
 #include <kte/integrators/dormand_prince45.hpp>
 #include <kte/integrators/prince_dormand87.hpp>
 #include <kte/integrators/runge_kutta4.hpp>
