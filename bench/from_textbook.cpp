@@ -85,6 +85,13 @@ std::vector<block> from_textbook(operation o, const std::string& model,
       return vector(f(stepping, at[0], at[1], at[2]).imag() / h);
     });
   };
+  /// The derivative of a function of q and v by time, with rates v and a.
+  const auto by_time = [&](const auto& f) {
+    constexpr real h = 1e-100L;
+    const textbook<dual>::vector at = q.cast<dual>() + dual(0, h) * v.cast<dual>();
+    const textbook<dual>::vector rate = v.cast<dual>() + dual(0, h) * a.cast<dual>();
+    return by_columns((f(textbook<dual>(robot), at, rate).imag() / h).eval());
+  };
   const auto id = [](const auto& book, const auto&... at) { return book.inverse_dynamics(at...); };
   const auto fd = [](const auto& book, const auto&... at) { return book.forward_dynamics(at...); };
   switch (o) {
@@ -107,6 +114,28 @@ std::vector<block> from_textbook(operation o, const std::string& model,
       return {columns_of_bodies(robot, q, v, a)};
     case operation::jacobian:
       return {by_columns(t.forward_kinematics(q).jacobian)};
+    case operation::jacobian_rate:
+      return {
+          by_time([](const auto& book, const auto& at, const auto&) { return book.forward_kinematics(at).jacobian; })};
+    case operation::kinetic_energy:
+      return {{t.sum_of_bodies(q, v).kinetic}};
+    case operation::potential_energy:
+      return {{t.sum_of_bodies(q, v).potential}};
+    case operation::gravity_forces:
+      return {by_columns(id(t, q, none, none))};
+    case operation::coriolis_matrix:
+      return {by_columns(vector(t.inverse_dynamics(q, v, none, false)))};
+    case operation::momentum_matrix:
+      return {columns(n, [&](auto j) { return t.sum_of_bodies(q, unit(j)).momentum; })};
+    case operation::momentum_rate:
+      return {by_time(
+          [](const auto& book, const auto& at, const auto& rate) { return book.sum_of_bodies(at, rate).momentum; })};
+    case operation::com_jacobian:
+      return {columns(n, [&](auto j) {
+        const auto whole = t.sum_of_bodies(q, unit(j));
+        return vector(whole.momentum.template head<3>() / whole.mass);
+      })};
+    case operation::frames:
     case operation::forward_kinematics:
       const auto tool = t.forward_kinematics(q);
       return {by_columns(tool.rotation.transpose()), by_columns(tool.position)};  // rotations are by rows

@@ -25,7 +25,8 @@ struct runtime_subject {
 namespace runtime_calls {
 using function = void(runtime_subject&, const double* x, double* y);
 function passes, forward_kinematics, jacobian, inverse_dynamics, nonlinear_effects, mass_matrix, forward_dynamics,
-    mass_matrix_inverse, id_derivatives, fd_derivatives, regressor;
+    mass_matrix_inverse, id_derivatives, fd_derivatives, regressor, frames, kinetic_energy, potential_energy,
+    gravity_forces, coriolis_matrix, jacobian_rate, com_jacobian, momentum_matrix, momentum_rate;
 }  // namespace runtime_calls
 
 template <class Model, runtime_calls::function* F>
@@ -49,6 +50,22 @@ void add_runtime() {
   add(operation::mass_matrix_inverse, call_on<Model, calls::mass_matrix_inverse>);
   add(operation::id_derivatives, call_on<Model, calls::id_derivatives>);
   add(operation::fd_derivatives, call_on<Model, calls::fd_derivatives>);
+}
+
+/// Registers further operations, whose references only the textbook has.
+template <class Model>
+void add_more_of_runtime() {
+  namespace calls = runtime_calls;
+  const auto add = [](operation o, call<double> f) { bench::add(o, "runtime", Model::name, f); };
+  add(operation::frames, call_on<Model, calls::frames>);
+  add(operation::kinetic_energy, call_on<Model, calls::kinetic_energy>);
+  add(operation::potential_energy, call_on<Model, calls::potential_energy>);
+  add(operation::gravity_forces, call_on<Model, calls::gravity_forces>);
+  add(operation::coriolis_matrix, call_on<Model, calls::coriolis_matrix>);
+  add(operation::jacobian_rate, call_on<Model, calls::jacobian_rate>);
+  add(operation::com_jacobian, call_on<Model, calls::com_jacobian>);
+  add(operation::momentum_matrix, call_on<Model, calls::momentum_matrix>);
+  add(operation::momentum_rate, call_on<Model, calls::momentum_rate>);
 }
 
 }  // namespace bench

@@ -31,6 +31,9 @@ struct serial_at_run_time {
 const registered runtime_serial_benchmarks{[] {
   [&]<int... Power>(std::integer_sequence<int, Power...>) { (add_runtime<serial_at_run_time<(1 << Power)>>(), ...); }
   (std::make_integer_sequence<int, 11>{});
+  add_more_of_runtime<serial_at_run_time<8>>();
+  add_more_of_runtime<serial_at_run_time<32>>();
+  add_more_of_runtime<serial_at_run_time<128>>();
 }};
 
 }  // namespace

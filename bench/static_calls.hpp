@@ -1,7 +1,14 @@
 #pragma once
 
+#include <kte/dynamics/bias_forces.hpp>
+#include <kte/dynamics/centroidal.hpp>
+#include <kte/dynamics/coriolis_matrix.hpp>
 #include <kte/dynamics/derivatives.hpp>
+#include <kte/dynamics/energy.hpp>
+#include <kte/dynamics/frame_motion.hpp>
+#include <kte/dynamics/jacobian_rate.hpp>
 #include <kte/dynamics/mass_matrix_inverse.hpp>
+#include <kte/dynamics/momentum_rate.hpp>
 #include <kte/dynamics/regressor.hpp>
 #include <kte/static.hpp>
 
@@ -64,6 +71,26 @@ struct static_calls {
   [[gnu::noinline]] static void regressor(const S* x, S* y) {
     new (y) auto(kte::torque_regressor(chain, x, x + nq, x + nq + nv));
   }
+  [[gnu::noinline]] static void frames(const S* x, S* y) {
+    new (y) auto(kte::forward_kinematics(chain, x)[Model::tool]);
+  }
+  [[gnu::noinline]] static void kinetic_energy(const S* x, S* y) { *y = kte::kinetic_energy(chain, x, x + nq); }
+  [[gnu::noinline]] static void potential_energy(const S* x, S* y) { *y = kte::potential_energy(chain, x); }
+  [[gnu::noinline]] static void gravity_forces(const S* x, S* y) { new (y) auto(kte::gravity_forces(chain, x)); }
+  [[gnu::noinline]] static void coriolis_matrix(const S* x, S* y) {
+    Eigen::Map<kte::joint_vector<S, nv>>(y).noalias() =
+        kte::coriolis_matrix(chain, x, x + nq) * Eigen::Map<const kte::joint_vector<S, nv>>(x + nq);
+  }
+  [[gnu::noinline]] static void jacobian_rate(const S* x, S* y) {
+    new (y) auto(kte::jacobian_rate(chain, x, x + nq, Model::tool, kte::in_world_axes));
+  }
+  [[gnu::noinline]] static void com_jacobian(const S* x, S* y) { new (y) auto(kte::centre_of_mass_jacobian(chain, x)); }
+  [[gnu::noinline]] static void momentum_matrix(const S* x, S* y) {
+    new (y) auto(kte::centroidal_momentum_matrix(chain, x));
+  }
+  [[gnu::noinline]] static void momentum_rate(const S* x, S* y) {
+    new (y) auto(kte::centroidal_momentum_rate(chain, x, x + nq, x + nq + nv));
+  }
 
  private:
   /// Whether there are no gaps between a vector and three matrices.
@@ -94,6 +121,21 @@ void add_derivatives(const std::string& how) {
   add(operation::mass_matrix_inverse, calls::mass_matrix_inverse);
   add(operation::id_derivatives, calls::id_derivatives);
   add(operation::fd_derivatives, calls::fd_derivatives);
+}
+/// Registers further operations, whose references only the textbook has.
+template <class Model, class S>
+void add_more(const std::string& how) {
+  using calls = static_calls<Model, S>;
+  const auto add = [&](operation o, call<S> f) { bench::add(o, how, Model::name, f); };
+  add(operation::frames, calls::frames);
+  add(operation::kinetic_energy, calls::kinetic_energy);
+  add(operation::potential_energy, calls::potential_energy);
+  add(operation::gravity_forces, calls::gravity_forces);
+  add(operation::coriolis_matrix, calls::coriolis_matrix);
+  add(operation::jacobian_rate, calls::jacobian_rate);
+  add(operation::com_jacobian, calls::com_jacobian);
+  add(operation::momentum_matrix, calls::momentum_matrix);
+  add(operation::momentum_rate, calls::momentum_rate);
 }
 
 }  // namespace bench

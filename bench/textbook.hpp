@@ -102,8 +102,38 @@ class textbook {
     t.position += t.rotation * tool_position_, t.rotation = matrix3(t.rotation * tool_rotation_);
     for (Eigen::Index i = 0; i < dofs(); ++i) {
       const vector3 w = t.jacobian.col(i).template tail<3>(), arm = t.position - t.jacobian.col(i).template head<3>();
-      t.jacobian.col(i).template head<3>() = w.cross(arm);
+      t.jacobian.col(i).template head<3>() = cross_matrix(w) * arm;
     }
+    return t;
+  }
+
+  /// Sums over the bodies, in axes of the base.
+  struct whole {
+    R mass{0}, kinetic{0}, potential{0};  ///< J; potential relative to the origin of the base
+    vector3 com = vector3::Zero();
+    vector momentum = vector::Zero(6);  ///< linear part first; angular part about the centre of mass
+  };
+  whole sum_of_bodies(const vector& q, const vector& v) const {
+    whole t;
+    matrix3 rotation = matrix3::Identity();
+    vector3 position = vector3::Zero(), velocity = vector3::Zero(), w = vector3::Zero(), about_base = vector3::Zero();
+    for (std::size_t k = 0; k < links_.size(); ++k) {
+      const auto i = static_cast<Eigen::Index>(k);
+      const auto& l = links_[k];
+      const vector3 arm = rotation * l.position;
+      position += arm, velocity += cross_matrix(w) * arm;
+      rotation = matrix3(rotation * l.rotation * turn(l.axis, q[i]));
+      w += rotation * l.axis * v[i];
+      const vector3 to_com = rotation * l.com, com = position + to_com, of_com = velocity + cross_matrix(w) * to_com;
+      const vector3 spin = rotation * l.about_com * rotation.transpose() * w;
+      t.mass += l.mass, t.com += l.mass * com;
+      t.kinetic += (l.mass * (of_com.transpose() * of_com)(0) + (w.transpose() * spin)(0)) / R(2);
+      t.potential -= l.mass * (gravity_.transpose() * com)(0);
+      t.momentum.template head<3>() += l.mass * of_com;
+      about_base += spin + cross_matrix(com) * (l.mass * of_com);
+    }
+    t.com /= t.mass;
+    t.momentum.template tail<3>() = about_base - cross_matrix(t.com) * t.momentum.template head<3>();
     return t;
   }
 
@@ -115,6 +145,9 @@ class textbook {
     vector3 position, axis;
     matrix6 inertia;
     vector6 s;
+    R mass;
+    vector3 com;
+    matrix3 about_com;  ///< the inertia
   };
 
   static matrix3 cross_matrix(const vector3& v) {
@@ -125,7 +158,14 @@ class textbook {
   /// The rotation nearest to a rounded one, by Newton's iteration.
   static matrix3 orthonormal(const matrix3& r) { return r * (matrix3::Identity() * R(3) - r.transpose() * r) / R(2); }
   static link link_of(const serial_link& l) {
-    link k{orthonormal(l.rotation.cast<R>()), l.position.cast<R>(), l.axis.cast<R>(), {}, {}};
+    link k{orthonormal(l.rotation.cast<R>()),
+           l.position.cast<R>(),
+           l.axis.cast<R>(),
+           {},
+           {},
+           R(l.mass),
+           l.com.cast<R>(),
+           l.inertia.cast<R>()};
     const matrix3 c = cross_matrix(l.com.cast<R>());
     const R m(l.mass);
     k.inertia << l.inertia.cast<R>() + m * (c * c.transpose()), m * c, m * c.transpose(), m * matrix3::Identity();

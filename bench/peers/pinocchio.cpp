@@ -2,9 +2,13 @@
 /// In models that float, the quaternion is written in its order.
 #include <pinocchio/algorithm/aba-derivatives.hpp>
 #include <pinocchio/algorithm/aba.hpp>
+#include <pinocchio/algorithm/center-of-mass.hpp>
+#include <pinocchio/algorithm/centroidal.hpp>
 #include <pinocchio/algorithm/crba.hpp>
+#include <pinocchio/algorithm/energy.hpp>
 #include <pinocchio/algorithm/frames.hpp>
 #include <pinocchio/algorithm/kinematics.hpp>
+#include <pinocchio/algorithm/regressor.hpp>
 #include <pinocchio/algorithm/rnea-derivatives.hpp>
 #include <pinocchio/algorithm/rnea.hpp>
 #include <pinocchio/multibody/data.hpp>
@@ -123,6 +127,11 @@ struct pinocchio_calls {
     return y + m.size();
   }
 
+  static void put_pose(const pin::SE3& t, double* y) {
+    Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(y, 3, 3) = t.rotation();
+    Eigen::Map<Eigen::Vector3d>(y + 9, 3) = t.translation();
+  }
+
   static void inverse_dynamics(const double* x, double* y) {
     auto& s = made();
     s.take_q_v_a(x);
@@ -166,9 +175,7 @@ struct pinocchio_calls {
     auto& s = made();
     s.take_q(x);
     pin::forwardKinematics(s.model, s.data, s.q);
-    const pin::SE3& t = pin::updateFramePlacement(s.model, s.data, s.tool);
-    Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(y, 3, 3) = t.rotation();
-    Eigen::Map<Eigen::Vector3d>(y + 9, 3) = t.translation();
+    put_pose(pin::updateFramePlacement(s.model, s.data, s.tool), y);
   }
   static void jacobian(const double* x, double* y) {
     auto& s = made();
@@ -176,7 +183,79 @@ struct pinocchio_calls {
     pin::computeFrameJacobian(s.model, s.data, s.q, s.tool, pin::LOCAL_WORLD_ALIGNED, s.columns);
     put_matrix(s.columns, y);
   }
+  static void regressor(const double* x, double* y) {
+    auto& s = made();
+    s.take_q_v_a(x);
+    put_matrix(pin::computeJointTorqueRegressor(s.model, s.data, s.q, s.v, s.a), y);
+  }
+  static void frames(const double* x, double* y) {
+    auto& s = made();
+    s.take_q(x);
+    pin::framesForwardKinematics(s.model, s.data, s.q);
+    put_pose(s.data.oMf[s.tool], y);
+  }
+  static void kinetic_energy(const double* x, double* y) {
+    auto& s = made();
+    s.take_q_v(x);
+    *y = pin::computeKineticEnergy(s.model, s.data, s.q, s.v);
+  }
+  static void potential_energy(const double* x, double* y) {
+    auto& s = made();
+    s.take_q(x);
+    *y = pin::computePotentialEnergy(s.model, s.data, s.q);
+  }
+  static void gravity_forces(const double* x, double* y) {
+    auto& s = made();
+    s.take_q(x);
+    put(pin::computeGeneralizedGravity(s.model, s.data, s.q), y);
+  }
+  static void coriolis_matrix(const double* x, double* y) {
+    auto& s = made();
+    s.take_q_v(x);
+    Eigen::Map<Eigen::VectorXd>(y, s.n).noalias() = pin::computeCoriolisMatrix(s.model, s.data, s.q, s.v) * s.v;
+  }
+  static void jacobian_rate(const double* x, double* y) {
+    auto& s = made();
+    s.take_q_v(x);
+    pin::computeJointJacobiansTimeVariation(s.model, s.data, s.q, s.v);
+    pin::updateFramePlacement(s.model, s.data, s.tool);
+    s.columns.setZero();
+    pin::getFrameJacobianTimeVariation(s.model, s.data, s.tool, pin::LOCAL_WORLD_ALIGNED, s.columns);
+    put_matrix(s.columns, y);
+  }
+  static void com_jacobian(const double* x, double* y) {
+    auto& s = made();
+    s.take_q(x);
+    put_matrix(pin::jacobianCenterOfMass(s.model, s.data, s.q, false), y);
+  }
+  static void momentum_matrix(const double* x, double* y) {
+    auto& s = made();
+    s.take_q(x);
+    put_matrix(pin::computeCentroidalMap(s.model, s.data, s.q), y);
+  }
+  static void momentum_rate(const double* x, double* y) {
+    auto& s = made();
+    s.take_q_v_a(x);
+    const auto& h = pin::computeCentroidalMomentumTimeVariation(s.model, s.data, s.q, s.v, s.a);
+    Eigen::Map<Eigen::Matrix<double, 6, 1>>(y, 6) = h.toVector();
+  }
 };
+
+/// Operations whose references only the textbook has.
+template <class Model>
+void add_more() {
+  using calls = pinocchio_calls<Model>;
+  const auto add = [](operation o, call<double> f) { bench::add(o, "pinocchio", Model::name, f); };
+  add(operation::frames, calls::frames);
+  add(operation::kinetic_energy, calls::kinetic_energy);
+  add(operation::potential_energy, calls::potential_energy);
+  add(operation::gravity_forces, calls::gravity_forces);
+  add(operation::coriolis_matrix, calls::coriolis_matrix);
+  add(operation::jacobian_rate, calls::jacobian_rate);
+  add(operation::com_jacobian, calls::com_jacobian);
+  add(operation::momentum_matrix, calls::momentum_matrix);
+  add(operation::momentum_rate, calls::momentum_rate);
+}
 
 /// `all`: also operations with references for few robots.
 template <class Model>
@@ -203,6 +282,13 @@ const registered here{[] {
   add_model<solo12>(true);
   add_model<serial<8>>(true);
   add_model<serial<32>>(true);
+  add_model<serial<128>>(false);
+  add_more<iiwa14>();
+  add_more<ur5>();
+  add_more<serial<8>>();
+  add_more<serial<32>>();
+  add_more<serial<128>>();
+  add(operation::regressor, "pinocchio", iiwa14::name, pinocchio_calls<iiwa14>::regressor);
   add_model<panda>(false);
   add_model<hyq>(false);
 }};
