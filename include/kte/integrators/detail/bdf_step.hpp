@@ -154,7 +154,7 @@ class bdf_step : public implicit_integrator<Method, F, X> {
   }
 
   detail::bdf_coefficients<S> formulas_;
-  detail::weakly_damped weakly_damped_;
+  detail::weakly_damped_for<base::size> weakly_damped_;
   detail::newton_progress<S> newton_;
   detail::rounding_floor<S> floor_;
   rate correction_, predicted_, history_;  ///< d, p and the sum of (1)

@@ -2,16 +2,10 @@
 
 #include <kte/detail/compiled.hpp>
 
-#include <Eigen/Core>
+#include <Eigen/Eigenvalues>
 
+#include <cmath>
 #include <limits>
-#include <memory>
-
-#ifdef KTE_FUNCTION
-#  include <Eigen/Eigenvalues>
-
-#  include <cmath>
-#endif
 
 namespace kte::detail {
 
@@ -20,18 +14,15 @@ namespace kte::detail {
 ///   |Im lambda| > 10 |Re lambda|,   |lambda| > sqrt(eps) |J|          (1)
 ///
 /// Smaller eigenvalues may be rounding errors, also of a Jacobian by differences. In double for all scalars, because
-/// Eigen's real Schur form takes long to compile: a step is only compared with the result.
+/// Eigen's real Schur form takes long to compile: a step is only compared with the result. `Most` components, which
+/// need no heap, or Eigen::Dynamic.
+template <int Most>
 class weakly_damped {
  public:
   /// For n components.
-  explicit weakly_damped(Eigen::Index n);
-  weakly_damped(const weakly_damped& other);
-  weakly_damped& operator=(const weakly_damped& other);
-  weakly_damped(weakly_damped&&) noexcept;
-  weakly_damped& operator=(weakly_damped&&) noexcept;
-  ~weakly_damped();
+  explicit weakly_damped(Eigen::Index n) : j_(n, n), schur_(n) {}
 
-  /// The result of (1) with eps of the scalar of J; 0 if there is none. Allocates nothing.
+  /// The result of (1) with eps of the scalar of J; 0 if there is none.
   template <class Matrix>
   typename Matrix::Scalar fastest(const Matrix& j) {
     using S = typename Matrix::Scalar;
@@ -41,31 +32,18 @@ class weakly_damped {
   }
 
  private:
-  struct schur_form;
   double fastest_above(double epsilon);
 
-  Eigen::MatrixXd j_;
-  std::unique_ptr<schur_form> schur_;
+  using matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, Most, Most>;
+  matrix j_;
+  Eigen::RealSchur<matrix> schur_;
 };
 
-#ifdef KTE_FUNCTION
-struct weakly_damped::schur_form : Eigen::RealSchur<Eigen::MatrixXd> {
-  using Eigen::RealSchur<Eigen::MatrixXd>::RealSchur;
-};
-
-KTE_FUNCTION weakly_damped::weakly_damped(Eigen::Index n) : j_(n, n), schur_(std::make_unique<schur_form>(n)) {}
-KTE_FUNCTION weakly_damped::weakly_damped(const weakly_damped& other) : weakly_damped(other.j_.rows()) {}
-KTE_FUNCTION weakly_damped& weakly_damped::operator=(const weakly_damped& other) {
-  return *this = weakly_damped(other.j_.rows());
-}
-KTE_FUNCTION weakly_damped::weakly_damped(weakly_damped&&) noexcept = default;
-KTE_FUNCTION weakly_damped& weakly_damped::operator=(weakly_damped&&) noexcept = default;
-KTE_FUNCTION weakly_damped::~weakly_damped() = default;
-
-KTE_FUNCTION double weakly_damped::fastest_above(double epsilon) {
+template <int Most>
+double weakly_damped<Most>::fastest_above(double epsilon) {
   double most = 0;
-  if (j_.rows() < 2 || schur_->compute(j_, false).info() != Eigen::Success) return most;
-  const Eigen::MatrixXd& t = schur_->matrixT();
+  if (j_.rows() < 2 || schur_.compute(j_, false).info() != Eigen::Success) return most;
+  const matrix& t = schur_.matrixT();
   const double least = std::sqrt(epsilon) * j_.norm();
   for (Eigen::Index i = 0; i + 1 < t.rows(); ++i) {
     const double half = (t(i, i) - t(i + 1, i + 1)) / 2, square = -(half * half + t(i, i + 1) * t(i + 1, i));
@@ -76,6 +54,14 @@ KTE_FUNCTION double weakly_damped::fastest_above(double epsilon) {
   }
   return most;
 }
+
+/// For vectors of N components: one class for up to 16.
+template <int N>
+using weakly_damped_for = weakly_damped<(N == Eigen::Dynamic || N > 16) ? N : 16>;
+
+#if defined(KTE_EXTERN)
+KTE_EXTERN template double weakly_damped<16>::fastest_above(double);
+KTE_EXTERN template double weakly_damped<Eigen::Dynamic>::fastest_above(double);
 #endif
 
 }  // namespace kte::detail
