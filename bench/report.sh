@@ -1,7 +1,8 @@
 #!/bin/sh
-# Runs all benchmarks and writes docs/performance.md and docs/performance/*.svg: some ten minutes, most of them for the
-# build. Needs what the benchmarks need (docs/build.md) and gnuplot; other libraries are timed if they are installed:
+# Runs all benchmarks and writes docs/performance.md and docs/performance/*.svg: half an hour, most of it for the build.
+# Needs what the benchmarks need (docs/build.md) and gnuplot; other libraries are timed if they are installed:
 #   apt install gnuplot-nox liborocos-kdl-dev libmujoco-dev libdart-dev libbullet-dev
+# and clang, with which the headers of Pinocchio from the Python package index are compiled, if that is reached.
 # Leave the machine alone meanwhile. BUILD=folder REVISION=text: a build that is made already, and of what.
 set -eu
 root=$(cd "$(dirname "$0")/.." && pwd)
@@ -16,7 +17,14 @@ done
 
 if [ -z "${BUILD:-}" ]; then
   BUILD=build/bench
-  cmake --preset bench -DKTE_BENCH_PEERS=ON
+  headers=
+  if python3 -m pip install --quiet --upgrade --target $BUILD/pinocchio pin==4.1.0 >/dev/null 2>&1; then
+    headers=-DKTE_BENCH_pinocchio_INCLUDE=$PWD/$BUILD/pinocchio/cmeel.prefix/include
+  else
+    echo "report: no pin 4.1.0 from the Python package index, so Pinocchio is timed only if its headers are installed" >&2
+  fi
+  # shellcheck disable=SC2086
+  cmake --preset bench -DKTE_BENCH_PEERS=ON $headers
   cmake --build --preset bench
 fi
 work=$BUILD/report
@@ -75,8 +83,7 @@ END
 
 Times of Pinocchio $pinocchio divided by those of kte in the same run, followed by the errors of kte.
 The last column has Pinocchio's time and error.
-Debian does not package Pinocchio.
-Its headers were compiled by $("$(cache KTE_BENCH_CLANG)" --version | head -n 1), with the flags of the table above; with g++ 12 it takes up to 1.7 times as long.
+Its headers, from the Python package \`pin\`, were compiled by $("$(cache KTE_BENCH_CLANG)" --version | head -n 1), with the flags of the table above.
 kte was compiled as in the table.
 Pinocchio writes the upper triangle of M only; of the inverse it was copied to the lower one, which kte writes too.
 

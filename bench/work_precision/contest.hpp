@@ -3,10 +3,8 @@
 #include <kte/integrators/adams.hpp>
 #include <kte/integrators/adams_BM.hpp>
 #include <kte/integrators/bdf.hpp>
-#include <kte/integrators/bogacki_shampine23.hpp>
 #include <kte/integrators/dormand_prince45.hpp>
 #include <kte/integrators/euler.hpp>
-#include <kte/integrators/fehlberg45.hpp>
 #include <kte/integrators/implicit_midpoint.hpp>
 #include <kte/integrators/kennedy_carpenter34.hpp>
 #include <kte/integrators/midpoint.hpp>
@@ -81,8 +79,6 @@ class entrants {
     problem_.contenders.push_back(std::make_unique<integration<Method, F, X>>(name + suffix_, ratio, f_, task_));
   }
   void add_embedded() const {
-    add<kte::bogacki_shampine23>("bogacki_shampine23");
-    add<kte::fehlberg45>("fehlberg45");
     add<kte::dormand_prince45>("dormand_prince45");
     add<kte::prince_dormand87>("prince_dormand87");
   }

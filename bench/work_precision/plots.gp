@@ -7,12 +7,12 @@ present(condition, column) = system(sprintf("awk '%s && !seen[$%d]++ { printf \"
 
 # Every method has a colour and a mark of its own. Explicit, adaptive: blue and green; stiff: orange to brown; fixed
 # steps: grey, black and green; those that keep something: violet.
-methods = "bogacki_shampine23 fehlberg45 dormand_prince45 prince_dormand87 adams rosenbrock23 rodas tr_bdf2 trapezoidal ".\
+methods = "dormand_prince45 prince_dormand87 adams rosenbrock23 rodas tr_bdf2 trapezoidal ".\
           "kennedy_carpenter34 bdf euler midpoint runge_kutta4 runge_kutta5 adams_BM3 adams_BM5 semi_implicit_euler ".\
           "stormer_verlet implicit_midpoint variational2 variational4 dormand_prince45/quaternions adams/quaternions mujoco_RK4"
-colours = "#88ccee #56b4e9 #0072b2 #1b3a93 #009e73 #e69f00 #d55e00 #f0a58f #c9a37a #a6501a #8b0000 #cccccc #aaaaaa #222222 ".\
+colours = "#0072b2 #1b3a93 #009e73 #e69f00 #d55e00 #f0a58f #c9a37a #a6501a #8b0000 #cccccc #aaaaaa #222222 ".\
           "#666666 #66c2a5 #117733 #e7b5d9 #cc79a7 #b565d9 #882255 #5e2a84 #44aa99 #999933 #ff0000"
-marks = "4 6 7 5 9 4 5 6 8 9 7 1 2 7 5 10 11 1 2 6 8 9 13 12 3"
+marks = "7 5 9 4 5 6 8 9 7 1 2 7 5 10 11 1 2 6 8 9 13 12 3"
 at(name) = strstrt(" ".methods." ", " ".name." ")
 place(name) = (at(name) > 0 ? words(substr(methods, 1, at(name) - 1)) + 1 : 1)
 colour(name) = word(colours, place(name))

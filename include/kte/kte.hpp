@@ -7,7 +7,7 @@
 ///
 ///   algorithms   inverse and forward dynamics, mass matrix, gravity and Coriolis forces, forward kinematics, motion
 ///                and Jacobians of frames, energies, centre of mass, centroidal momentum
-///   integrators  euler, midpoint, runge_kutta4, runge_kutta5, bogacki_shampine23, fehlberg45, dormand_prince45
+///   integrators  euler, midpoint, runge_kutta4, runge_kutta5, dormand_prince45
 ///
 /// Parts that take longer to compile, or are needed less often, are in further headers:
 ///

@@ -7,10 +7,8 @@
 #include <kte/integrators/adams.hpp>
 #include <kte/integrators/adams_BM.hpp>
 #include <kte/integrators/bdf.hpp>
-#include <kte/integrators/bogacki_shampine23.hpp>
 #include <kte/integrators/dormand_prince45.hpp>
 #include <kte/integrators/euler.hpp>
-#include <kte/integrators/fehlberg45.hpp>
 #include <kte/integrators/implicit_midpoint.hpp>
 #include <kte/integrators/kennedy_carpenter34.hpp>
 #include <kte/integrators/midpoint.hpp>

@@ -18,10 +18,8 @@
 #include <kte/dynamics/mass_matrix.hpp>
 #include <kte/elements/all.hpp>
 #include <kte/frames/inverse.hpp>
-#include <kte/integrators/bogacki_shampine23.hpp>
 #include <kte/integrators/dormand_prince45.hpp>
 #include <kte/integrators/euler.hpp>
-#include <kte/integrators/fehlberg45.hpp>
 #include <kte/integrators/midpoint.hpp>
 #include <kte/integrators/runge_kutta4.hpp>
 #include <kte/integrators/runge_kutta5.hpp>

@@ -1,7 +1,5 @@
 #include <kte/integrators/adams.hpp>
-#include <kte/integrators/bogacki_shampine23.hpp>
 #include <kte/integrators/dormand_prince45.hpp>
-#include <kte/integrators/fehlberg45.hpp>
 #include <kte/integrators/prince_dormand87.hpp>
 
 #include "method.hpp"
@@ -11,8 +9,6 @@ namespace kte_python {
 std::unique_ptr<any_solver> make_explicit_solver(plant& p, const plant::state& x, double t, const solver_options& o) {
   if (o.name == "dormand_prince45") return solver_of<kte::dormand_prince45>(p, x, t, o.tolerances);
   if (o.name == "prince_dormand87") return solver_of<kte::prince_dormand87>(p, x, t, o.tolerances);
-  if (o.name == "bogacki_shampine23") return solver_of<kte::bogacki_shampine23>(p, x, t, o.tolerances);
-  if (o.name == "fehlberg45") return solver_of<kte::fehlberg45>(p, x, t, o.tolerances);
   if (o.name == "adams") return vector_solver_of<kte::adams>(p, x, t, o.tolerances);
   return nullptr;
 }

@@ -361,7 +361,7 @@ void bind_simulation(py::module_& m) {
 
 A mechanism that moves, from q and v at the time t.
 
-solver     dormand_prince45, prince_dormand87, bogacki_shampine23, fehlberg45, adams, bdf, rodas, rosenbrock23,
+solver     dormand_prince45, prince_dormand87, adams, bdf, rodas, rosenbrock23,
            kennedy_carpenter34, tr_bdf2, trapezoidal, with `tolerance` (or `absolute` and `relative`) a step;
            runge_kutta4, runge_kutta5, euler, midpoint, semi_implicit_euler, implicit_midpoint, and moreau_jean for rigid
            contacts, with `step`, s

@@ -1,10 +1,8 @@
 #include <kte/dynamics/centroidal.hpp>
 #include <kte/elements/law_signal.hpp>
-#include <kte/integrators/bogacki_shampine23.hpp>
 #include <kte/integrators/dormand_prince45.hpp>
 #include <kte/integrators/esdirk.hpp>
 #include <kte/integrators/euler.hpp>
-#include <kte/integrators/fehlberg45.hpp>
 #include <kte/integrators/implicit_midpoint.hpp>
 #include <kte/integrators/kennedy_carpenter34.hpp>
 #include <kte/integrators/midpoint.hpp>
@@ -177,11 +175,9 @@ TEST_CASE("every one-step method keeps loops closed, and its order") {
   CHECK(order([&](double h) { return implicit_midpoint(f, 0.0, x0, h); }, 1e-2) > 1.9);
   CHECK(order([&](double h) { return stormer_verlet(f, 0.0, x0, h); }, 1e-2) > 1.9);
   CHECK(order([&](double h) { return semi_implicit_euler(f, 0.0, x0, h); }, 1e-3) > 0.9);
-  CHECK(pendulum_off(bogacki_shampine23(f, 0.0, x0, {.absolute = 1e-8, .relative = 1e-8})) < 1e-6);
   CHECK(pendulum_off(dormand_prince45(f, 0.0, x0, {.absolute = 1e-10, .relative = 1e-10})) < 1e-8);
   CHECK(pendulum_off(kennedy_carpenter34(f, 0.0, x0, {.absolute = 1e-8, .relative = 1e-8})) < 1e-5);
   CHECK_THROWS_WITH(variational2(f, 0.0, x0, 1e-2), contains_text("does not know closures of loops"));
-  CHECK(pendulum_off(fehlberg45(f, 0.0, x0, {.absolute = 1e-9, .relative = 1e-9})) < 1e-6);
 }
 
 TEST_CASE("a loop through a floating base keeps momentum") {

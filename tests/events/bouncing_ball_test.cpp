@@ -1,9 +1,7 @@
 #include "events/bouncing_ball.hpp"
 
-#include <kte/integrators/bogacki_shampine23.hpp>
 #include <kte/integrators/dormand_prince45.hpp>
 #include <kte/integrators/euler.hpp>
-#include <kte/integrators/fehlberg45.hpp>
 #include <kte/integrators/midpoint.hpp>
 #include <kte/integrators/runge_kutta4.hpp>
 #include <kte/integrators/runge_kutta5.hpp>
@@ -45,8 +43,6 @@ TEST_CASE("a bouncing ball: times, speeds and peaks") {
   SECTION("Kutta, long steps") { check_bounces(runge_kutta4(fall, 0.0, dropped, 7.0)); }
   SECTION("Butcher") { check_bounces(runge_kutta5(fall, 0.0, dropped, 0.03)); }
   SECTION("midpoint") { check_bounces(midpoint(fall, 0.0, dropped, 0.3)); }
-  SECTION("Bogacki and Shampine") { check_bounces(bogacki_shampine23(fall, 0.0, dropped)); }
-  SECTION("Fehlberg") { check_bounces(fehlberg45(fall, 0.0, dropped)); }
   SECTION("Dormand and Prince") { check_bounces(dormand_prince45(fall, 0.0, dropped)); }
 }
 

@@ -1,7 +1,6 @@
 #include <kte/integrators/adams.hpp>
 #include <kte/integrators/bdf.hpp>
 #include <kte/integrators/dormand_prince45.hpp>
-#include <kte/integrators/fehlberg45.hpp>
 #include <kte/integrators/prince_dormand87.hpp>
 #include <kte/integrators/rodas.hpp>
 #include <kte/integrators/rosenbrock23.hpp>
@@ -62,7 +61,6 @@ void check_late() {
 
 TEST_CASE("tolerances near rounding cost no more than their order asks", "[long]") {
   constexpr growth order_5{2.6, 4.1};  // 10^(2/5), 10^(3/5)
-  SECTION("fehlberg45") { check_rounding<fehlberg45>({0, 1000, 4000}, order_5); }
   SECTION("dormand_prince45") { check_rounding<dormand_prince45>({0, 1000, 4000}, order_5); }
   SECTION("prince_dormand87") { check_rounding<prince_dormand87>({0, 1000, 4000}, {1.9, 2.5}); }  // order 8
   SECTION("adams") { check_rounding<adams>({0, 1000, 4000}, {2.2, 2.8}); }  // rounding makes order 12 no use

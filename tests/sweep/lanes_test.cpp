@@ -1,7 +1,6 @@
 #include <kte/dynamics/forward_dynamics.hpp>
 #include <kte/dynamics/lanes.hpp>
 #include <kte/elements/joint_limit.hpp>
-#include <kte/integrators/bogacki_shampine23.hpp>
 #include <kte/integrators/dormand_prince45.hpp>
 #include <kte/integrators/prince_dormand87.hpp>
 #include <kte/integrators/runge_kutta4.hpp>
@@ -62,7 +61,6 @@ TEST_CASE("lanes with their own ends and steps do not depend on their companions
   const tolerances<double> fine{.absolute = 1e-8, .relative = 1e-8};
   check_lanes(springs, {"x", "v"}, final_state(own_end, spring<runge_kutta4>(0.01)), 1e-13);
   check_lanes(springs, {"x", "v"}, final_state(own_end, spring<dormand_prince45>(fine)), 1e-11);
-  check_lanes(springs, {"x", "v"}, final_state(own_end, spring<bogacki_shampine23>(fine)), 1e-11);
   check_lanes(springs, {"x", "v"}, final_state(2.0, spring<prince_dormand87>(fine)), 1e-11);
   // so tight that step errors are rounding
   check_lanes(springs, {"x", "v"},
