@@ -3,7 +3,7 @@
 #include <kte/detail/macros_aside.hpp>
 
 /// Compiles the runtime chains that are `extern` with KTE_COMPILED (kte/detail/compiled.hpp). Include it in one source
-/// file, first, unless the program links the CMake target kte::compiled. CMake makes a unit of each line.
+/// file, first, unless the program links the CMake target kte::compiled.
 #if defined(KTE_EXTERN) || defined(KTE_FUNCTION)
 #  error "kte: include kte/compiled.hpp before other headers of kte"
 #endif
@@ -13,11 +13,9 @@
 #include <kte/compiled/loops.hpp>
 #include <kte/compiled/contacts.hpp>
 #include <kte/compiled/models.hpp>
-#include <kte/compiled/contact_derivatives.hpp>
 #include <kte/compiled/elements.hpp>
 #include <kte/compiled/registry.hpp>
-#include <kte/compiled/control.hpp>
-#include <kte/compiled/statics.hpp>
+#include <kte/compiled/analysis.hpp>
 #include <kte/compiled/robots.hpp>
 
 #include <kte/detail/macros_back.hpp>

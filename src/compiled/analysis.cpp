@@ -1,5 +1,6 @@
 // The order counts: kte/detail/compiled_here.hpp.
 // clang-format off
-#include <kte/compiled/loops.hpp>
+#include <kte/compiled/models.hpp>
+#include <kte/compiled/registry.hpp>
 #include <kte/detail/compiled_here.hpp>
-#include <kte/compiled/control.hpp>
+#include <kte/compiled/analysis.hpp>

@@ -1,5 +1,0 @@
-// The order counts: kte/detail/compiled_here.hpp.
-// clang-format off
-#include <kte/compiled/models.hpp>
-#include <kte/detail/compiled_here.hpp>
-#include <kte/compiled/contact_derivatives.hpp>
