@@ -44,8 +44,8 @@ const registered runtime_benchmarks{[] {
   add_runtime<at_run_time<solo12>>();
   add_dynamics<panda>();
   add_dynamics<hyq>();
-  add_more_of_runtime<at_run_time<iiwa14>>();
-  add_more_of_runtime<at_run_time<ur5>>();
+  add_further<further_runtime_calls<at_run_time<iiwa14>>>("runtime", iiwa14::name);
+  add_further<further_runtime_calls<at_run_time<ur5>>>("runtime", ur5::name);
   add(operation::regressor, "runtime", iiwa14::name, call_on<at_run_time<iiwa14>, runtime_calls::regressor>);
 }};
 

@@ -5,6 +5,7 @@
 
 #include <string_view>
 
+#include "further_operations.hpp"
 #include "timing.hpp"
 
 namespace bench {
@@ -52,20 +53,19 @@ void add_runtime() {
   add(operation::fd_derivatives, call_on<Model, calls::fd_derivatives>);
 }
 
-/// Registers further operations, whose references only the textbook has.
+/// The further operations for the subject that is `Model::made()`.
 template <class Model>
-void add_more_of_runtime() {
-  namespace calls = runtime_calls;
-  const auto add = [](operation o, call<double> f) { bench::add(o, "runtime", Model::name, f); };
-  add(operation::frames, call_on<Model, calls::frames>);
-  add(operation::kinetic_energy, call_on<Model, calls::kinetic_energy>);
-  add(operation::potential_energy, call_on<Model, calls::potential_energy>);
-  add(operation::gravity_forces, call_on<Model, calls::gravity_forces>);
-  add(operation::coriolis_matrix, call_on<Model, calls::coriolis_matrix>);
-  add(operation::jacobian_rate, call_on<Model, calls::jacobian_rate>);
-  add(operation::com_jacobian, call_on<Model, calls::com_jacobian>);
-  add(operation::momentum_matrix, call_on<Model, calls::momentum_matrix>);
-  add(operation::momentum_rate, call_on<Model, calls::momentum_rate>);
-}
+struct further_runtime_calls {
+  template <runtime_calls::function* F>
+  static constexpr call<double> of = call_on<Model, F>;
+  static constexpr auto frames = of<runtime_calls::frames>, kinetic_energy = of<runtime_calls::kinetic_energy>,
+                        potential_energy = of<runtime_calls::potential_energy>,
+                        gravity_forces = of<runtime_calls::gravity_forces>,
+                        coriolis_matrix = of<runtime_calls::coriolis_matrix>,
+                        jacobian_rate = of<runtime_calls::jacobian_rate>,
+                        com_jacobian = of<runtime_calls::com_jacobian>,
+                        momentum_matrix = of<runtime_calls::momentum_matrix>,
+                        momentum_rate = of<runtime_calls::momentum_rate>;
+};
 
 }  // namespace bench

@@ -31,9 +31,9 @@ struct serial_at_run_time {
 const registered runtime_serial_benchmarks{[] {
   [&]<int... Power>(std::integer_sequence<int, Power...>) { (add_runtime<serial_at_run_time<(1 << Power)>>(), ...); }
   (std::make_integer_sequence<int, 11>{});
-  add_more_of_runtime<serial_at_run_time<8>>();
-  add_more_of_runtime<serial_at_run_time<32>>();
-  add_more_of_runtime<serial_at_run_time<128>>();
+  add_further<further_runtime_calls<serial_at_run_time<8>>>("runtime", serial_name<8>.text);
+  add_further<further_runtime_calls<serial_at_run_time<32>>>("runtime", serial_name<32>.text);
+  add_further<further_runtime_calls<serial_at_run_time<128>>>("runtime", serial_name<128>.text);
 }};
 
 }  // namespace

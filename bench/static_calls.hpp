@@ -122,20 +122,5 @@ void add_derivatives(const std::string& how) {
   add(operation::id_derivatives, calls::id_derivatives);
   add(operation::fd_derivatives, calls::fd_derivatives);
 }
-/// Registers further operations, whose references only the textbook has.
-template <class Model, class S>
-void add_more(const std::string& how) {
-  using calls = static_calls<Model, S>;
-  const auto add = [&](operation o, call<S> f) { bench::add(o, how, Model::name, f); };
-  add(operation::frames, calls::frames);
-  add(operation::kinetic_energy, calls::kinetic_energy);
-  add(operation::potential_energy, calls::potential_energy);
-  add(operation::gravity_forces, calls::gravity_forces);
-  add(operation::coriolis_matrix, calls::coriolis_matrix);
-  add(operation::jacobian_rate, calls::jacobian_rate);
-  add(operation::com_jacobian, calls::com_jacobian);
-  add(operation::momentum_matrix, calls::momentum_matrix);
-  add(operation::momentum_rate, calls::momentum_rate);
-}
 
 }  // namespace bench

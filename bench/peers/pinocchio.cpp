@@ -14,6 +14,7 @@
 #include <pinocchio/multibody.hpp>
 #include <stdexcept>
 
+#include "further_operations.hpp"
 #include "models.hpp"
 #include "panda_hyq.hpp"
 #include "timing.hpp"
@@ -240,22 +241,6 @@ struct pinocchio_calls {
   }
 };
 
-/// Operations whose references only the textbook has.
-template <class Model>
-void add_more() {
-  using calls = pinocchio_calls<Model>;
-  const auto add = [](operation o, call<double> f) { bench::add(o, "pinocchio", Model::name, f); };
-  add(operation::frames, calls::frames);
-  add(operation::kinetic_energy, calls::kinetic_energy);
-  add(operation::potential_energy, calls::potential_energy);
-  add(operation::gravity_forces, calls::gravity_forces);
-  add(operation::coriolis_matrix, calls::coriolis_matrix);
-  add(operation::jacobian_rate, calls::jacobian_rate);
-  add(operation::com_jacobian, calls::com_jacobian);
-  add(operation::momentum_matrix, calls::momentum_matrix);
-  add(operation::momentum_rate, calls::momentum_rate);
-}
-
 /// `all`: also operations with references for few robots.
 template <class Model>
 void add_model(bool all) {
@@ -282,11 +267,11 @@ const registered here{[] {
   add_model<serial<8>>(true);
   add_model<serial<32>>(true);
   add_model<serial<128>>(false);
-  add_more<iiwa14>();
-  add_more<ur5>();
-  add_more<serial<8>>();
-  add_more<serial<32>>();
-  add_more<serial<128>>();
+  add_further<pinocchio_calls<iiwa14>>("pinocchio", iiwa14::name);
+  add_further<pinocchio_calls<ur5>>("pinocchio", ur5::name);
+  add_further<pinocchio_calls<serial<8>>>("pinocchio", serial<8>::name);
+  add_further<pinocchio_calls<serial<32>>>("pinocchio", serial<32>::name);
+  add_further<pinocchio_calls<serial<128>>>("pinocchio", serial<128>::name);
   add(operation::regressor, "pinocchio", iiwa14::name, pinocchio_calls<iiwa14>::regressor);
   add_model<panda>(false);
   add_model<hyq>(false);

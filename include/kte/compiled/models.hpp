@@ -1,7 +1,7 @@
 #pragma once
 
-/// Part of kte/compiled.hpp: runtime chains as systems x' = f(t, x), solvers, arms; derivatives of dynamics, impacts and
-/// events of contacts.
+/// Part of kte/compiled.hpp: runtime chains as systems x' = f(t, x), solvers, arms; derivatives of dynamics, impacts
+/// and events of contacts.
 #include <kte/compiled/contacts.hpp>
 #include <kte/dynamics/contacts/contact_derivatives.hpp>
 #include <kte/dynamics/contacts/impact_derivatives.hpp>
