@@ -22,8 +22,8 @@ def _numbers(name: str, x: ArrayLike, *shape: int) -> Array:
 
 
 class Pose(NamedTuple):
-    """A pose in axes of the base: `position`, m, and `rotation`, from own axes to axes of the base. Of several poses the
-    leading axes are the same.
+    """A pose in axes of the base: `position`, m, and `rotation`, from own axes to axes of the base. Several poses
+    have the same leading axes in both.
 
         kte.Pose.of([0.5, 0, 0.2], rotation_vector=[0, 0, np.pi / 2])
         tool = hand @ offset             # a pose in `hand` as one of the base

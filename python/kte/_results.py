@@ -230,7 +230,7 @@ class Motor(NamedTuple):
 
 
 class Limits(NamedTuple):
-    """Limits over v; infinite where there is none."""
+    """Limits over v; infinite if absent."""
 
     lower: Array
     upper: Array

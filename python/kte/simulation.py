@@ -63,7 +63,7 @@ def simulate(
 ) -> Recording:
     """Simulates a mechanism from q and v for a time, s, backward if it is negative, and returns a `Recording`.
 
-    Rows are `every` so many s, at the times `at`, or at every step if both are None. Other arguments are those of
+    Rows are `every` s apart, at the times `at`, or at every step if both are None. Other arguments are those of
     `Simulation`.
     """
     if time != 0 and t + time == t:

@@ -55,7 +55,7 @@ class SimulationRun:
     """A simulation for `sweep`: of each case, from `t` for a time, s. Arguments are those of `Simulation`.
 
     `control` is an array, `inputs` are numbers: for functions of the state, sweep a function that calls `simulate`.
-    `every` is the spacing of the rows of which minima, maxima and means are taken, s.
+    `every` is the spacing of the rows, s, whose minima, maxima and means are taken.
     """
 
     chain: Union[Chain, Robot]

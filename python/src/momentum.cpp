@@ -105,19 +105,19 @@ void bind_momentum(py::module_& m) {
       [](const runtime_chain& k, workspace& w, double* const* out) {
         write(kte::centroidal_momentum_matrix(k, w.state, w.x[0]), out[0]);
       });
-  define_of_frame<1>(
-      m,
-      {"subtree_inertia",
-       "subtree_inertia(chain, q, frame, *, threads=None, errors=\"raise\")\n\nOf the bodies on a frame: `.mass`, kg, "
-       "`.moment`, kg m, and `.inertia`, (3, 3), kg m^2, about the origin of the frame in its axes.",
-       body, 2, "BodyInertia"},
-      [](const runtime_chain& k, workspace& w, const std::string& frame, double* const* out) {
-        const auto b = kte::subtree_inertia(k, w.state, w.x[0], frame);
-        *out[0] = b.mass, write_xyz(b.moment, out[1]);
-        const auto& i = b.inertia;
-        const double rows[]{i.xx, i.xy, i.xz, i.xy, i.yy, i.yz, i.xz, i.yz, i.zz};
-        std::copy_n(rows, 9, out[2]);
-      });
+  define_of_frame<1>(m,
+                     {"subtree_inertia",
+                      "subtree_inertia(chain, q, frame, *, threads=None, errors=\"raise\")\n\nThe bodies on a frame as "
+                      "one body: `.mass`, kg, "
+                      "`.moment`, kg m, and `.inertia`, (3, 3), kg m^2, about the origin of the frame in its axes.",
+                      body, 2, "BodyInertia"},
+                     [](const runtime_chain& k, workspace& w, const std::string& frame, double* const* out) {
+                       const auto b = kte::subtree_inertia(k, w.state, w.x[0], frame);
+                       *out[0] = b.mass, write_xyz(b.moment, out[1]);
+                       const auto& i = b.inertia;
+                       const double rows[]{i.xx, i.xy, i.xz, i.xy, i.yy, i.yz, i.xz, i.yz, i.zz};
+                       std::copy_n(rows, 9, out[2]);
+                     });
 }
 
 }  // namespace kte_python
