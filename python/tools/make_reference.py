@@ -87,7 +87,9 @@ def entry(name):
     signature = signature_of(x, name)
     if signature:
         lines += ["```python", *textwrap.wrap("kte." + signature, 110, subsequent_indent="    "), "```", ""]
-    lines += [doc_of(x, name), ""]
+    for line in doc_of(x, name).split("\n"):
+        lines += [line] if line.startswith(" ") or len(line) <= 120 else textwrap.wrap(line, 120)
+    lines.append("")
     if isinstance(x, type):
         rows = []
         for member, what in members_of(x):
