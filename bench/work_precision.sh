@@ -24,7 +24,7 @@ mkdir -p "$work" docs/accuracy
 
 rows=$work/rows
 "$programs/kte_work_precision" >"$rows"
-[ ! -x "$programs/kte_work_precision_mujoco" ] || "$programs/kte_work_precision_mujoco" >>"$rows"
+[ ! -x "$programs/mujoco/kte_work_precision_mujoco" ] || "$programs/mujoco/kte_work_precision_mujoco" >>"$rows"
 "$programs/kte_work_precision" --long-time >"$work/long_time"
 "$programs/kte_work_precision" --overhead >"$work/overhead"
 
