@@ -43,6 +43,7 @@ std::vector<block> from_digits(operation o, const State& s, const kte::reference
         for (int i = 0; i < N; ++i) m.push_back(upper(std::min(i, j), std::max(i, j)));
       return {m};
     }
+    case operation::frames:
     case operation::forward_kinematics:
       if constexpr (floats) return {list(s.foot_rotation), list(s.foot_position)};
       if constexpr (requires { s.tool_rotation; }) return {list(s.tool_rotation), list(s.tool_position)};
@@ -50,10 +51,12 @@ std::vector<block> from_digits(operation o, const State& s, const kte::reference
     case operation::jacobian:
       if constexpr (floats) return {transposed(s.foot_jacobian, 6, N)};
       return {};
-    case operation::regressor:
-      return {};
-    default:
+    case operation::mass_matrix_inverse:
+    case operation::id_derivatives:
+    case operation::fd_derivatives:
       break;
+    default:
+      return {};
   }
   if (d == nullptr) return {};
   const auto square = [](const real(&x)[N * N]) { return transposed(x, N, N); };
